@@ -14,30 +14,32 @@ inline constexpr Range some_lengths = Range::between(0, 1e6);       ///< mm, of 
 inline constexpr Range engine_masses = {.max = 1e9};                ///< kg
 inline constexpr Range engine_speeds = Range::between(1e-6, 1e7);   ///< min⁻¹ or rad/s
 
-inline constexpr Field speed{
-    .key = "speed_rpm",
-    .unit = units::rpm,
-    .range = Range::greater_than(0),
-    .size = engine_speeds,
-    .label = CORE_TEXT("balance-shaft", "&Speed n"),
-    .symbol = "n",
-    .hint = CORE_TEXT("balance-shaft",
-                      "Crankshaft speed. TMZ-650D: 3600 min⁻¹ (the paper prints ω = 376.8 rad/s, "
-                      "with π ≈ 3.14).")};
+inline constexpr Field speed{.key = "speed_rpm",
+                             .unit = units::rpm,
+                             .range = Range::greater_than(0),
+                             .size = engine_speeds,
+                             .label = CORE_TEXT("balance-shaft", "&Speed n"),
+                             .symbol = "n",
+                             .hint = CORE_TEXT("balance-shaft", "Crankshaft speed.")};
 inline constexpr Field angular_speed{.key = "angular_speed_rad_s",
                                      .unit = units::rad_per_s,
                                      .range = Range::greater_than(0),
                                      .size = engine_speeds,
                                      .symbol = "ω",
                                      .hint = CORE_TEXT("balance-shaft", "Instead of the speed.")};
-inline constexpr Field crank_radius{
-    .key = "crank_radius_mm",
-    .unit = units::mm,
-    .range = Range::greater_than(0),
-    .size = engine_lengths,
-    .label = CORE_TEXT("balance-shaft", "&Crank radius r"),
-    .symbol = "r",
-    .hint = CORE_TEXT("balance-shaft", "Half the stroke. TMZ-650D: 46 mm (stroke 92 mm).")};
+inline constexpr Field crank_radius{.key = "crank_radius_mm",
+                                    .unit = units::mm,
+                                    .range = Range::greater_than(0),
+                                    .size = engine_lengths,
+                                    .label = CORE_TEXT("balance-shaft", "&Crank radius r"),
+                                    .symbol = "r",
+                                    .hint = CORE_TEXT("balance-shaft", "Half the stroke.")};
+/// On the form beside the crank radius.
+inline constexpr Field stroke{.key = "stroke_mm",
+                              .unit = units::mm,
+                              .range = crank_radius.range,
+                              .label = CORE_TEXT("balance-shaft", "Stro&ke 2 r"),
+                              .hint = CORE_TEXT("balance-shaft", "Twice the crank radius.")};
 inline constexpr Field cylinder{
     .key = "cylinder",
     .hint = CORE_TEXT("balance-shaft",
@@ -50,8 +52,7 @@ inline constexpr Field bore{
     .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "&Bore"),
     .hint = CORE_TEXT("balance-shaft",
-                      "Diameter of the cylinder; a pressure trace or a computed cycle needs it. "
-                      "TMZ-650D: 95.5 mm."),
+                      "Diameter of the cylinder; a pressure trace or a computed cycle needs it."),
     .if_empty = CORE_TEXT("balance-shaft", "the stroke, 2 r"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field rod_length{
@@ -98,31 +99,26 @@ inline constexpr std::array mass_parts{
           .range = Range::at_least(0),
           .size = engine_masses,
           .label = CORE_TEXT("balance-shaft", "&Piston"),
-          .hint = CORE_TEXT("balance-shaft",
-                            "Mass of the piston. TMZ-650D: 0.645 kg (0.640). Source: Gots and "
-                            "Klevtsov, Table 1.")},
+          .hint = CORE_TEXT("balance-shaft", "Mass of the piston.")},
     Field{.key = "pin",
           .unit = units::kg,
           .range = Range::at_least(0),
           .size = engine_masses,
           .label = CORE_TEXT("balance-shaft", "Piston p&in"),
-          .hint = CORE_TEXT("balance-shaft",
-                            "Mass of the piston pin. TMZ-650D: 0.241 kg. Source: Table 1.")},
+          .hint = CORE_TEXT("balance-shaft", "Mass of the piston pin.")},
     Field{.key = "rings",
           .unit = units::kg,
           .range = Range::at_least(0),
           .size = engine_masses,
           .label = CORE_TEXT("balance-shaft", "Rin&gs"),
-          .hint = CORE_TEXT("balance-shaft",
-                            "Mass of the piston rings. TMZ-650D: 0.1 kg. Source: Table 1.")},
-    Field{.key = "rod_small_end",
-          .unit = units::kg,
-          .range = Range::at_least(0),
-          .size = engine_masses,
-          .label = CORE_TEXT("balance-shaft", "Rod, small-&end share"),
-          .hint = CORE_TEXT("balance-shaft",
-                            "Part of the rod's mass that moves with the piston. TMZ-650D: 0.33 kg "
-                            "of 0.950 kg. Source: Table 1.")}};
+          .hint = CORE_TEXT("balance-shaft", "Mass of the piston rings.")},
+    Field{
+        .key = "rod_small_end",
+        .unit = units::kg,
+        .range = Range::at_least(0),
+        .size = engine_masses,
+        .label = CORE_TEXT("balance-shaft", "Rod, small-&end share"),
+        .hint = CORE_TEXT("balance-shaft", "Part of the rod's mass that moves with the piston.")}};
 /// Bounds its small-end share.
 inline constexpr Field rod_mass{
     .key = "rod_mass_kg",
@@ -132,8 +128,7 @@ inline constexpr Field rod_mass{
     .label = CORE_TEXT("balance-shaft", "Whole rod with she&lls"),
     .hint = CORE_TEXT("balance-shaft",
                       "Its small-end share above is a part of it; the rest turns with the crankpin "
-                      "and is balanced by the crank's own counterweights. TMZ-650D: 0.950 ± 0.015 "
-                      "kg. Source: Table 1."),
+                      "and is balanced by the crank's own counterweights."),
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field counterweight_radius{
     .key = "counterweight_radius_mm",
@@ -144,7 +139,7 @@ inline constexpr Field counterweight_radius{
     .symbol = "ρ₁",
     .hint = CORE_TEXT("balance-shaft",
                       "From the axis to the centre of mass of each of the two equal "
-                      "counterweights. TMZ-650D: 46 mm.")};
+                      "counterweights.")};
 inline constexpr Field counterweight_mass{
     .key = "counterweight_mass_kg",
     .unit = units::kg,
@@ -152,7 +147,7 @@ inline constexpr Field counterweight_mass{
     .size = engine_masses,
     .label = CORE_TEXT("balance-shaft", "Counterweight &mass m₁"),
     .symbol = "m₁",
-    .hint = CORE_TEXT("balance-shaft", "One of the two equal counterweights. TMZ-650D: 0.658 kg."),
+    .hint = CORE_TEXT("balance-shaft", "One of the two equal counterweights."),
     .if_empty =
         CORE_TEXT("balance-shaft", "by equation (1), m₁ = mⱼ r / (2 ρ₁); a number overrides it"),
     .placeholder = CORE_TEXT("balance-shaft", "by (1)")};
@@ -163,9 +158,7 @@ inline constexpr Field centre_distance{
     .size = Range::between(0, engine_lengths.max),
     .label = CORE_TEXT("balance-shaft", "Centre &distance l"),
     .symbol = "l",
-    .hint = CORE_TEXT("balance-shaft",
-                      "From the crank axis to the shaft axis. The paper does not print it; 100.15 "
-                      "mm follows from the printed amplitude 430.39 N·m.")};
+    .hint = CORE_TEXT("balance-shaft", "From the crank axis to the shaft axis.")};
 inline constexpr Field shaft_angle{.key = "shaft_angle_deg",
                                    .unit = units::degree,
                                    .range = Range::between(-3600, 3600),
@@ -191,8 +184,7 @@ inline constexpr Field interpolation{
     .key = "interpolation",
     .label = CORE_TEXT("balance-shaft", "I&nterpolation"),
     .hint = CORE_TEXT("balance-shaft",
-                      "The paper's table has a row every 15°; criteria are those of the curve "
-                      "between the rows, not of the rows alone."),
+                      "Criteria are those of the curve between the rows, not of the rows alone."),
     .words = interpolation_words};
 /// In the struct in degrees too.
 inline constexpr Field step{

@@ -9,33 +9,17 @@
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
-#include "widgets/form.h"
+#include "widgets/assumed.h"
 #include "widgets/page_columns.h"
 
 namespace ravnoves {
 
+using balance_shaft::FrontView;
 using balance_shaft::Input;
 namespace field = balance_shaft::field;
 
 void BalanceShaftPage::addEngine(Form* form) {
     FormSection* engine = form->section(tr("Engine"));
-    form->choice(
-        {}, tr("P&reset"), {tr("Own values"), tr("TMZ-650D")},
-        tr("TMZ-650D: the single-cylinder diesel of Gots and Klevtsov, Tables 1 and 2"),
-        [this] {
-            Input wanted = balance_shaft::preset_tmz_650d();
-            wanted.shaft_angle = model_->input().shaft_angle;
-            return wanted == model_->input() ? 1 : 0;
-        },
-        [this](int index) {
-            if (index == 1) {
-                model_->edit(
-                    tr("Preset TMZ-650D"),
-                    [](Input& input) { input = balance_shaft::preset_tmz_650d(); },
-                    BalanceShaftScene::defaultTitle());
-                Q_EMIT model_->broughtIn();
-            }
-        });
     NumberField* speed = form->number(
         field::speed, [this] { return model_->input().angular_speed; },
         [this](std::optional<double> value) { model_->setSpeed(*value); });
@@ -46,10 +30,21 @@ void BalanceShaftPage::addEngine(Form* form) {
     });
     form->choice("/strokes", [this](int strokes) { return model_->setStrokes(strokes); });
     form->number("/crank_radius_mm");
-    for (const char* place :
-         {"/cylinder/bore_mm", "/cylinder/rod_length_mm", "/cylinder/offset_mm"}) {
-        form->number(place);
-    }
+    form->number(
+        field::stroke, [this] { return std::optional(2.0 * model_->input().crank_radius); },
+        [this](std::optional<double> value) {
+            model_->editField("/crank_radius_mm", from_si(field::crank_radius, *value / 2.0),
+                              fieldName(field::stroke));
+        });
+    addAssumed(form, "/cylinder/bore_mm", &FrontView::cylinder_bore);
+    addAssumed(form, "/cylinder/rod_length_mm", &FrontView::rod_length);
+    form->number("/cylinder/offset_mm");
+}
+
+void BalanceShaftPage::addAssumed(Form* form, const char* place, double FrontView::*size) {
+    showAssumed(form, form->number(place), [this, size] {
+        return std::optional(model_->solver().front_view().*size / units::mm);
+    });
 }
 
 void BalanceShaftPage::addMasses(Form* form) {
@@ -64,8 +59,7 @@ void BalanceShaftPage::addMasses(Form* form) {
         mass->setObjectName(QString::fromStdString("mass_" + name));
     }
     form->number("/rod_mass_kg");
-    QLabel* sum = masses->addResult(
-        tr("Sum mⱼ"), tr("Reciprocating mass: the sum of the parts. TMZ-650D: 1.316 kg."));
+    QLabel* sum = masses->addResult(tr("Sum mⱼ"), tr("Reciprocating mass: the sum of the parts."));
     QLabel* note = captionLabel({}, masses);
     masses->addWide(note);
     form->follow([this, sum, note] {
@@ -81,25 +75,23 @@ QTabWidget* BalanceShaftPage::buildInputs() {
     addEngine(form);
     addMasses(form);
     form->section(tr("Counterweights and shaft"));
-    for (const char* place :
-         {"/counterweight_radius_mm", "/counterweight_mass_kg", "/centre_distance_mm"}) {
-        form->number(place);
+    form->number("/counterweight_radius_mm");
+    showAssumed(form, form->number("/counterweight_mass_kg"),
+                [this] { return std::optional(model_->input().counterweight()); });
+    form->number("/centre_distance_mm");
+    form->section(tr("Sizes: what can be built"));
+    for (const auto& [place, size] :
+         {std::pair("/envelope/cylinder_wall_mm", &FrontView::cylinder_wall),
+          std::pair("/envelope/cylinder_bottom_mm", &FrontView::cylinder_bottom),
+          std::pair("/envelope/cylinder_top_mm", &FrontView::cylinder_top),
+          std::pair("/envelope/rod_width_mm", &FrontView::rod_width),
+          std::pair("/envelope/crank_swing_radius_mm", &FrontView::crank_swing_radius),
+          std::pair("/envelope/shaft_swing_radius_mm", &FrontView::shaft_swing_radius),
+          std::pair("/envelope/gear_tip_radius_mm", &FrontView::gear_tip_radius)}) {
+        addAssumed(form, place, size);
     }
-    FormSection* sizes = form->section(tr("Sizes: what can be built"));
-    for (const char* place :
-         {"/envelope/cylinder_wall_mm", "/envelope/cylinder_bottom_mm", "/envelope/cylinder_top_mm",
-          "/envelope/rod_width_mm", "/envelope/crank_swing_radius_mm",
-          "/envelope/shaft_swing_radius_mm", "/envelope/gear_tip_radius_mm",
-          "/envelope/clearance_mm", "/envelope/wall_mm"}) {
-        form->number(place);
-    }
-    QLabel* assumed = captionLabel({}, sizes);
-    sizes->addWide(assumed);
-    form->follow([this, assumed] {
-        const Message& text = model_->result().assumed_sizes;
-        assumed->setText(messageText(text));
-        assumed->setVisible(!text.empty());
-    });
+    form->number("/envelope/clearance_mm");
+    form->number("/envelope/wall_mm");
     form->section(tr("Torque between the rows of its table"));
     form->choice("/interpolation");
     form->column()->addStretch();

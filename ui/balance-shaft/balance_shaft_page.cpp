@@ -14,6 +14,7 @@
 #include "balance-shaft/torque_source_editor.h"
 #include "page/mechanism_picture.h"
 #include "page/part_views.h"
+#include "page/refused_verdict.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
@@ -45,7 +46,8 @@ BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
     bestRmsAction_ = new QAction(tr("Go to the α of the least R&MS"), this);
     connect(bestRmsAction_, &QAction::triggered, model_, &BalanceShaftModel::goToBestRms);
     connect(model_, &SceneModel::changed, this, &BalanceShaftPage::showBest);
-    for (const auto signal : {&SceneModel::changed, &SceneModel::shownChanged}) {
+    for (const auto signal :
+         {&SceneModel::changed, &SceneModel::shownChanged, &SceneModel::refusedInChanged}) {
         connect(model_, signal, this, &BalanceShaftPage::showVerdict);
     }
     connect(model_, &SceneModel::shownChanged, angle_, &FieldSlider::follow);
@@ -69,23 +71,6 @@ QWidget* BalanceShaftPage::buildPlots() {
          .write = [this](double angle) { model_->setShaftAngleDeg(angle); }});
     angle_->slider()->setObjectName(QStringLiteral("shaft_angle_slider"));
     barRow->addWidget(angle_, 1);
-    auto* label = new QLabel(tr("Mea&ns"), bar);
-    auto* means = new QComboBox(bar);
-    means->addItems({tr("both"), tr("cycle integral"), tr("paper's nodes")});
-    means->setAccessibleName(tr("Which means the plots show"));
-    means->setToolTip(
-        tr("The mean of Mₛ over a cycle is 0 at every α. The paper averages 25 nodes and counts "
-           "the end of the cycle twice; that alone makes its mean differ from 0."));
-    label->setBuddy(means);
-    barRow->addWidget(label);
-    barRow->addWidget(means);
-    connect(means, &QComboBox::activated, this,
-            [this](int index) { model_->setMeans(static_cast<BalanceShaftModel::Means>(index)); });
-    const auto showMeans = [this, means] {
-        means->setCurrentIndex(static_cast<int>(model_->means()));
-    };
-    connect(model_, &SceneModel::viewChanged, means, showMeans);
-    showMeans();
     column->addWidget(bar);
 
     views_ = new ShaftTabs(model_, holder);
@@ -157,7 +142,7 @@ void BalanceShaftPage::showBest() {
 }
 
 void BalanceShaftPage::showVerdict() {
-    const Verdict verdict = model_->verdict();
+    const Verdict verdict = withRefused(model_->verdict(), *model_);
     verdict_->show(verdict,
                    verdict.act == balance_shaft::move_trace_act   ? tr("Move the trace by &360°")
                    : verdict.act == balance_shaft::best_range_act ? tr("&Use the best feasible α")

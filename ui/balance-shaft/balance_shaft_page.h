@@ -1,5 +1,6 @@
 #pragma once
 
+#include "balance-shaft/envelope.h"
 #include "page/scene_page.h"
 
 class QGridLayout;
@@ -42,6 +43,8 @@ class BalanceShaftPage : public ScenePage {
     QGridLayout* buildBest(QWidget* parent);
     void addEngine(Form* form);
     void addMasses(Form* form);
+    /// A size in mm that the front view assumes where it is not given.
+    void addAssumed(Form* form, const char* place, double balance_shaft::FrontView::*size);
     void showBest();
     void showVerdict();
     void doVerdictAct();

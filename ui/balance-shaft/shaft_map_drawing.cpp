@@ -180,6 +180,39 @@ void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked,
     paintLines(painter, {edges});
 }
 
+void drawLimits(QPainter& painter, const balance_shaft::PlaceLimits& limits,
+                const PlaceScale& scale, const QRectF& area) {
+    QPen pen(Theme::instance().error(), 1.4);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(pen);
+    for (const auto& x : {limits.left, limits.right}) {
+        if (x) {
+            const double at = scale.at(*x, 0.0).x();
+            painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
+        }
+    }
+    for (const auto& y : {limits.bottom, limits.top}) {
+        if (y) {
+            const double at = scale.at(0.0, *y).y();
+            painter.drawLine(QPointF(area.left(), at), QPointF(area.right(), at));
+        }
+    }
+    const QPointF crank = scale.at(0.0, 0.0);
+    for (const auto& distance : {limits.centre_distance_min, limits.centre_distance_max}) {
+        if (distance) {
+            drawDashedCircle(painter, crank, *distance * scale.perMetre());
+        }
+    }
+    pen.setStyle(Qt::DashLine);
+    painter.setPen(pen);
+    const double far = area.width() + area.height();
+    for (const auto& angle : {limits.shaft_angle_from, limits.shaft_angle_to}) {
+        if (angle) {
+            painter.drawLine(crank, crank + far * QPointF(std::sin(*angle), -std::cos(*angle)));
+        }
+    }
+}
+
 void drawReference(QPainter& painter, const ShaftMapModel& other, PlaceCriterion::Kind criterion,
                    const PlaceScale& scale) {
     if (other.map() == nullptr) {

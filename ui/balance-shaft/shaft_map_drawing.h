@@ -63,6 +63,10 @@ void fillHatched(QPainter& painter, const QPainterPath& path, const QColor& grou
 
 /// Where the shaft cannot be built: hatched.
 void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked, const PlaceScale& scale);
+/// The limits on its place that the case gives: walls, distances, angles.
+/// @param area  the chart's, pixels
+void drawLimits(QPainter& painter, const balance_shaft::PlaceLimits& limits,
+                const PlaceScale& scale, const QRectF& area);
 /// Of a reference: what cannot be built, no change and the best places by a criterion, pale.
 void drawReference(QPainter& painter, const ShaftMapModel& other, PlaceCriterion::Kind criterion,
                    const PlaceScale& scale);

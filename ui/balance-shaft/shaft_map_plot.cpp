@@ -20,9 +20,13 @@ ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, QWidget* parent)
     : PartPlot(model, "places", parent), model_(model), map_(model->shaftMap()) {
     setObjectName(QStringLiteral("shaft_map"));
     setToolTip(
-        tr("The engine from the front, to scale. Drag the shaft's axis, or move it by the arrow "
-           "keys: 0.1 mm, with Shift 1 mm. A double click goes to a place; Page up and Page down "
+        tr("The engine from the front, to scale. Drag the shaft's axis (steps of 0.5 mm and 0.5°), "
+           "or move it by the arrow keys: 0.1 mm, with Shift 1 mm. A double click goes to a place; "
+           "Page up and Page down "
            "choose a marker, Enter goes there. Where it is hatched the shaft cannot be built."));
+    setStatusTip(
+        tr("Drag the shaft's axis, or double-click where it goes. Arrow keys: 0.1 mm, "
+           "with Shift 1 mm."));
     setPaintsGhosts();
     connect(map_, &ShaftMapModel::mapChanged, this, [this] {
         chosen_.reset();
@@ -115,6 +119,7 @@ void ShaftMapPlot::paintGround(QPainter& painter) {
     painter.save();
     painter.setClipRect(plotArea());
     drawBlocked(painter, map_->map()->blocked, scale);
+    drawLimits(painter, model_->input().place_limits, scale, plotArea());
     if (const ShaftMapModel* other = referenceMap()) {
         drawReference(painter, *other, map_->criterion(), scale);
     }

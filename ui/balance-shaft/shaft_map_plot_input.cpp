@@ -55,7 +55,7 @@ void ShaftMapPlot::mouseMoveEvent(QMouseEvent* event) {
     if (dragging_) {
         const QRectF area = plotArea();
         const QPointF to = event->position() + grip_;
-        map_->dragTo(placeAt({std::clamp(to.x(), area.left(), area.right()),
+        map_->snapTo(placeAt({std::clamp(to.x(), area.left(), area.right()),
                               std::clamp(to.y(), area.top(), area.bottom())}));
         return;
     }
@@ -92,7 +92,7 @@ void ShaftMapPlot::mouseDoubleClickEvent(QMouseEvent* event) {
         map_->goTo(marker->position);
     } else {
         model_->finishDrag();
-        map_->dragTo(placeAt(event->position()));
+        map_->snapTo(placeAt(event->position()));
         model_->finishDrag();
     }
 }

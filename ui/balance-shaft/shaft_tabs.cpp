@@ -2,6 +2,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QStackedLayout>
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,8 @@
 #include "page/mechanism_picture.h"
 #include "page/part_views.h"
 #include "theme/theme.h"
+#include "widgets/assumed.h"
 #include "widgets/field_slider.h"
-#include "widgets/form.h"
 #include "widgets/layouts.h"
 #include "widgets/panel.h"
 
@@ -73,7 +74,11 @@ QWidget* ShaftTabs::buildMoments() {
     constexpr int pairWidth = 420;  ///< designed pixels of two charts beside each other
     auto* lower = new FoldingRow(pairWidth, holder);
     lower->add(addAnglePlot("range", lower));
-    lower->add(addAnglePlot("means", lower));
+    PartPlot* means = addAnglePlot("means", lower);
+    lower->add(means);
+    const auto showMeans = [this, means] { means->setVisible(model_->isPapersCase()); };
+    connect(model_, &SceneModel::changed, means, showMeans);
+    showMeans();
     column->addWidget(lower, 4);
     return holder;
 }
@@ -81,15 +86,24 @@ QWidget* ShaftTabs::buildMoments() {
 QWidget* ShaftTabs::buildCycle() {
     auto* holder = new QWidget(this);
     auto* stack = new QStackedLayout(holder);
+    auto* empty = new QWidget(holder);
+    QVBoxLayout* emptyColumn = columnIn(empty, Theme::space);
     auto* hint = new QLabel(
-        CycleWords::tr("The torque is a table.\nChoose “pressure trace” or “computed cycle” "
-                       "on the Torque tab to see gas and inertia torque, pressure and "
-                       "indicator diagram."),
-        holder);
+        CycleWords::tr("The torque is a table. A pressure trace or a computed cycle shows gas and "
+                       "inertia torque, pressure and indicator diagram."),
+        empty);
     hint->setAlignment(Qt::AlignCenter);
     hint->setWordWrap(true);
     hint->setMargin(Theme::margin * 3);
-    stack->addWidget(hint);
+    auto* compute = new QPushButton(CycleWords::tr("&Compute a cycle of the same load"), empty);
+    compute->setObjectName(QStringLiteral("compute_cycle"));
+    connect(compute, &QPushButton::clicked, model_,
+            [this] { model_->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle); });
+    emptyColumn->addStretch();
+    emptyColumn->addWidget(hint);
+    emptyColumn->addWidget(compute, 0, Qt::AlignCenter);
+    emptyColumn->addStretch();
+    stack->addWidget(empty);
     auto* plots = new QWidget(holder);
     auto* grid = new QGridLayout(plots);
     grid->setContentsMargins({});
@@ -184,6 +198,10 @@ Form* ShaftTabs::buildFlywheelForm(QWidget* parent) {
             });
         number->setOptional(true);
         number->setDigits(6);
+        showAssumed(form, number, [this, given = given]() -> std::optional<double> {
+            const balance_shaft::Flywheel& wheel = model_->result().flywheel;
+            return given == &field::fluctuation ? wheel.fluctuation : wheel.inertia;
+        });
     }
     section->addWide(captionLabel(
         FlywheelWords::tr("The load takes the mean torque. The inertia of piston and rod is in the "

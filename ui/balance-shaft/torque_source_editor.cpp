@@ -19,7 +19,7 @@
 #include "text/message_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/form.h"
+#include "widgets/assumed.h"
 #include "widgets/layouts.h"
 
 namespace ravnoves {
@@ -246,6 +246,12 @@ QWidget* TorqueSourceEditor::buildCycle() {
             });
         number->setOptional(true);
         number->setDigits(6);
+        showAssumed(form, number, [this, load = load]() -> std::optional<double> {
+            const auto& cycle = model_->result().indicated;
+            return !cycle                 ? std::nullopt
+                   : load == &field::heat ? cycle->heat
+                                          : std::optional(cycle->imep / units::bar);
+        });
     }
     addNumbers(form, place, {field::combustion_start, field::combustion_duration, field::wiebe_m});
     form->column()->addStretch();

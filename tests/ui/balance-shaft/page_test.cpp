@@ -30,6 +30,7 @@
 #include "widgets/field_slider.h"
 #include "widgets/number_field.h"
 #include "widgets/value_slider.h"
+#include "widgets/verdict_line.h"
 
 namespace ravnoves {
 namespace {
@@ -272,11 +273,7 @@ TEST_F(BalanceShaftPageTest, WhatCannotBeBuiltIsShaded) {
         EXPECT_EQ(plot->bands()[1].to, 360.0);
     }
     // The page says which sizes that rests on.
-    bool said = false;
-    for (const QLabel* label : page.findChildren<QLabel*>()) {
-        said = said || label->text().startsWith(QStringLiteral("Sizes not given are assumed"));
-    }
-    EXPECT_TRUE(said);
+    EXPECT_TRUE(field("rod_width_mm")->placeholderText().contains(QStringLiteral("23")));
     type(field("clearance_mm"), QStringLiteral("50"));
     ASSERT_EQ(partPlot(page, "range")->bands().size(), 1U);
     EXPECT_EQ(partPlot(page, "range")->bands()[0].to, 360.0);
@@ -529,7 +526,7 @@ TEST_F(BalanceShaftPageTest, ImportNamesLineAndColumn) {
     EXPECT_NEAR(model->result().M_up.min, -5.5, 1e-9);
 }
 
-TEST_F(BalanceShaftPageTest, MeansCanBeChosen) {
+TEST_F(BalanceShaftPageTest, MeansOfNodesAreShownWithThePapersTableAlone) {
     const PlotView* plot = partPlot(page, "means");
     const auto at90 = [&](const char* curve) {
         const auto number = plot->data().find(curve);
@@ -538,12 +535,45 @@ TEST_F(BalanceShaftPageTest, MeansCanBeChosen) {
     // The paper's artefact: 17.2 N·m from a pure sine at α = 90°.
     EXPECT_NEAR(*at90("printed-M_s"), 17.22, 0.01);
     EXPECT_NEAR(*at90("M_s"), 0.0, 1e-9);
-    model->setMeans(BalanceShaftModel::Means::CycleIntegral);
-    EXPECT_TRUE(at90("M_s"));
-    EXPECT_FALSE(at90("printed-M_s"));
-    model->setMeans(BalanceShaftModel::Means::PrintedNodes);
-    EXPECT_FALSE(at90("M_s"));
-    EXPECT_TRUE(at90("printed-M_s"));
+    EXPECT_TRUE(plot->isVisible());
+    const qsizetype rows = model->criteria().rows.size();
+    model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
+    EXPECT_FALSE(plot->isVisible());
+    EXPECT_EQ(model->criteria().rows.size(), rows - 1);
+    model->history()->undo();
+    EXPECT_TRUE(plot->isVisible());
+}
+
+TEST_F(BalanceShaftPageTest, TheStrokeIsTwiceTheCrankRadiusWhicheverIsTyped) {
+    type(field("stroke_mm"), QStringLiteral("75/2*2"));
+    EXPECT_DOUBLE_EQ(model->input().crank_radius, 0.0375);
+    EXPECT_EQ(field("crank_radius_mm")->value(), 37.5);
+    type(field("crank_radius_mm"), QStringLiteral("46"));
+    EXPECT_EQ(field("stroke_mm")->value(), 92.0);
+    type(field("stroke_mm"), QStringLiteral("0"));
+    EXPECT_FALSE(field("stroke_mm")->trouble().isEmpty());
+    EXPECT_DOUBLE_EQ(model->input().crank_radius, 0.046);
+}
+
+TEST_F(BalanceShaftPageTest, WhileAnEntryIsRedTheVerdictSaysWhoseResultsTheyAre) {
+    const auto* verdict = page.findChild<VerdictLine*>();
+    const QString before = verdict->text();
+    type(field("crank_radius_mm"), QStringLiteral("-1"));
+    EXPECT_TRUE(verdict->text().contains(QStringLiteral("before the red entry")));
+    type(field("crank_radius_mm"), QStringLiteral("46"));
+    EXPECT_EQ(verdict->text(), before);
+}
+
+TEST_F(BalanceShaftPageTest, WhatIsAssumedIsGreyAndHasItsNumber) {
+    auto* bore = field("bore_mm");
+    bore->setFocus();
+    bore->selectAll();
+    QTest::keyClick(bore, Qt::Key_Backspace);
+    QTest::keyClick(bore, Qt::Key_Return);
+    EXPECT_FALSE(bore->value());
+    EXPECT_TRUE(bore->placeholderText().contains(QStringLiteral("92"))) << "the stroke";
+    type(field("stroke_mm"), QStringLiteral("80"));
+    EXPECT_TRUE(bore->placeholderText().contains(QStringLiteral("80")));
 }
 
 TEST_F(BalanceShaftPageTest, StrokesThatTheTableDoesNotFitAreRefusedInWords) {

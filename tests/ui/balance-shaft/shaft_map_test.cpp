@@ -139,8 +139,11 @@ TEST_F(ShaftMapTest, ADragMovesTheAxisInOneStep) {
         move(from + away * step / 20.0);
         EXPECT_FALSE(map->job()->isRunning());
     }
-    EXPECT_NEAR(map->present().x, there.x, 0.02 * mm);
-    EXPECT_NEAR(map->present().y, there.y, 0.02 * mm);
+    const double step = 0.75 * mm;  // half of 0.5 mm along and of 0.5° across
+    EXPECT_NEAR(map->present().x, there.x, step);
+    EXPECT_NEAR(map->present().y, there.y, step);
+    EXPECT_DOUBLE_EQ(2.0 * length() / mm, std::round(2.0 * length() / mm));
+    EXPECT_DOUBLE_EQ(2.0 * model->shaftAngleDeg(), std::round(2.0 * model->shaftAngleDeg()));
     EXPECT_EQ(model->history()->count(), 1);  // however far it goes
     EXPECT_EQ(view->words()->text(), shaft_map_text::place(*map, map->present()));
     QTest::mouseRelease(plot, Qt::LeftButton, {}, (from + away).toPoint());
@@ -160,7 +163,7 @@ TEST_F(ShaftMapTest, ADragMovesTheAxisInOneStep) {
     EXPECT_EQ(length(), l);
     EXPECT_EQ(angle(), alpha);
     model->redo();
-    EXPECT_NEAR(map->present().x, there.x, 0.02 * mm);
+    EXPECT_NEAR(map->present().x, there.x, step);
 }
 
 TEST_F(ShaftMapTest, EscapeBringsTheAxisBackAndLeavesNoStep) {
@@ -208,8 +211,8 @@ TEST_F(ShaftMapTest, GoesToMarkersAndPlaces) {
     EXPECT_EQ(model->history()->count(), 1);
     const QPoint free = plot->pixelOf({-60 * mm, -90 * mm}).toPoint();
     QTest::mouseDClick(plot, Qt::LeftButton, {}, free);
-    EXPECT_NEAR(map->present().x, -60 * mm, 0.5 * mm);
-    EXPECT_NEAR(map->present().y, -90 * mm, 0.5 * mm);
+    EXPECT_NEAR(map->present().x, -60 * mm, 1.0 * mm);
+    EXPECT_NEAR(map->present().y, -90 * mm, 1.0 * mm);
     EXPECT_EQ(model->history()->count(), 2);
     // The same by keys.
     QTest::keyClick(plot, Qt::Key_PageDown);

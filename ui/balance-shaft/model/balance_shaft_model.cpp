@@ -67,8 +67,6 @@ Json BalanceShaftModel::resultJson() const {
 bool BalanceShaftModel::setViewOption(const QString& key, const QString& value) {
     if (key == QLatin1String("crank_angle_deg")) {
         crank_.turnTo(readNumber(key, value));
-    } else if (key == QLatin1String("means")) {
-        setMeans(static_cast<Means>(oneOf(key, value, {"both", "cycle", "printed"})));
     } else {
         return false;
     }
@@ -77,16 +75,14 @@ bool BalanceShaftModel::setViewOption(const QString& key, const QString& value) 
 
 void BalanceShaftModel::takeView(const SceneModel& other) {
     if (const auto* model = qobject_cast<const BalanceShaftModel*>(&other)) {
-        setMeans(model->means());
         setPlaceCriterion(model->placeCriterion());
         setSpeedCriterion(model->speedCriterion());
     }
 }
 
-void BalanceShaftModel::setMeans(Means means) {
-    if (std::exchange(means_, means) != means) {
-        Q_EMIT viewChanged();
-    }
+bool BalanceShaftModel::isPapersCase() const {
+    static const balance_shaft::TorqueTable printed = balance_shaft::preset_tmz_650d().torque.table;
+    return !input().torque.is_computed() && input().torque.table == printed;
 }
 
 void BalanceShaftModel::setPlaceCriterion(const PlaceCriterion& criterion) {
@@ -397,17 +393,21 @@ Results BalanceShaftModel::criteria() const {
         row(tr("mean"), &MomentMetrics::mean,
             percent(relative(result().M_ups.mean, result().M_up.mean)),
             tr("Mean over the cycle; that of the shaft is 0 at every α")),
-        {{tr("nodes"), moment(result().printed_mean_M_up), moment(result().printed_mean_M_s),
-          moment(result().printed_mean_M_ups),
-          percent(relative(result().printed_mean_M_ups, result().printed_mean_M_up))},
-         tr("Mean the way the paper takes it: over the printed rows, with the end of the cycle "
-            "counted twice. It shows what the paper's numbers are and says nothing of the shaft.")},
         row(tr("max"), &MomentMetrics::max,
             judged(relative(result().M_ups.max, result().M_up.max), true),
             tr("Largest value over the cycle")),
         row(tr("min"), &MomentMetrics::min,
             judged(relative(result().M_ups.min, result().M_up.min), false),
             tr("Smallest value over the cycle; most are negative, and nearer to zero is better"))};
+    if (isPapersCase()) {
+        results.rows.push_back(
+            {{tr("nodes"), moment(result().printed_mean_M_up), moment(result().printed_mean_M_s),
+              moment(result().printed_mean_M_ups),
+              percent(relative(result().printed_mean_M_ups, result().printed_mean_M_up))},
+             tr("Mean the way the paper takes it: over the printed rows, with the end of the cycle "
+                "counted twice. It shows what the paper's numbers are and says nothing of the "
+                "shaft.")});
+    }
     return results;
 }
 

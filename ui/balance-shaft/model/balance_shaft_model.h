@@ -56,10 +56,6 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     Q_OBJECT
 
   public:
-    /// Which means of M_s and M_ups the plots show.
-    enum class Means { Both, CycleIntegral, PrintedNodes };
-    Q_ENUM(Means)
-
     explicit BalanceShaftModel(QObject* parent = nullptr);
 
     QString sceneName() const override { return QStringLiteral("balance-shaft"); }
@@ -106,8 +102,8 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     CrankAngle* crank() { return &crank_; }
     const CrankAngle* crank() const { return &crank_; }
 
-    Means means() const { return means_; }
-    void setMeans(Means means);
+    /// The torque is the table that the paper prints: then its means over the nodes are shown too.
+    bool isPapersCase() const;
 
     /// What the map of places judges by.
     const PlaceCriterion& placeCriterion() const { return placeCriterion_; }
@@ -169,7 +165,6 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     void applyShaftAngle(double radians);
 
     CrankAngle crank_{60.0, input().cycle_deg()};
-    Means means_ = Means::Both;
     PlaceCriterion placeCriterion_;
     SpeedCriterion speedCriterion_ = {};
     ShaftMapModel* shaftMap_ = nullptr;

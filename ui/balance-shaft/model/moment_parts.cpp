@@ -15,7 +15,6 @@ namespace {
 
 using balance_shaft::MomentMetrics;
 using balance_shaft::Result;
-using Means = BalanceShaftModel::Means;
 
 Notes bestRange(const BalanceShaftModel& model) {
     return Notes::of(Severity::note, model.bestRangeText());
@@ -99,23 +98,22 @@ Figure range(const BalanceShaftModel& model) {
 Figure means(const BalanceShaftModel& model) {
     const balance_shaft::AngleSweep& sweep = model.result().sweep;
     Figure figure = overAngle(model, MomentWords::tr("Means over α"), MomentWords::tr("N·m"));
+    if (!model.isPapersCase()) {
+        return figure;
+    }
     const auto add = [&](const char* id, const QString& name, Role role, double width,
                          const QString& tip, const std::vector<double>& values) {
         figure.add(id, {.name = name, .role = role, .width = width, .toolTip = tip},
                    sweep.shaft_angle_deg, values);
     };
-    if (model.means() != Means::PrintedNodes) {
-        add("M_s", MomentWords::tr("shaft (Mₛₘ)"), Role::Shaft, 1.8,
-            MomentWords::tr("Cycle mean of Mₛ"), sweep.mean_M_s);
-        add("M_ups", MomentWords::tr("with shaft (Mᵤₚₛₘ)"), Role::Sum, 1.8,
-            MomentWords::tr("Cycle mean of Mᵤₚₛ"), sweep.mean_M_ups);
-    }
-    if (model.means() != Means::CycleIntegral) {
-        add("printed-M_s", MomentWords::tr("shaft, paper (Mₛₘ)"), Role::Printed, 1.6,
-            MomentWords::tr("Mean of 25 nodes, the end counted twice"), sweep.printed_mean_M_s);
-        add("printed-M_ups", MomentWords::tr("with shaft, paper (Mᵤₚₛₘ)"), Role::PrintedSum, 1.6,
-            MomentWords::tr("Node mean of Mᵤₚ plus that of Mₛ"), sweep.printed_mean_M_ups);
-    }
+    add("M_s", MomentWords::tr("shaft (Mₛₘ)"), Role::Shaft, 1.8,
+        MomentWords::tr("Cycle mean of Mₛ"), sweep.mean_M_s);
+    add("M_ups", MomentWords::tr("with shaft (Mᵤₚₛₘ)"), Role::Sum, 1.8,
+        MomentWords::tr("Cycle mean of Mᵤₚₛ"), sweep.mean_M_ups);
+    add("printed-M_s", MomentWords::tr("shaft, paper (Mₛₘ)"), Role::Printed, 1.6,
+        MomentWords::tr("Mean of 25 nodes, the end counted twice"), sweep.printed_mean_M_s);
+    add("printed-M_ups", MomentWords::tr("with shaft, paper (Mᵤₚₛₘ)"), Role::PrintedSum, 1.6,
+        MomentWords::tr("Node mean of Mᵤₚ plus that of Mₛ"), sweep.printed_mean_M_ups);
     return figure;
 }
 

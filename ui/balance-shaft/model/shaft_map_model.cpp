@@ -221,6 +221,12 @@ void ShaftMapModel::dragTo(const Position& position) {
                angleInParts(position.shaft_angle(), parts));
 }
 
+void ShaftMapModel::snapTo(const Position& position) {
+    constexpr double parts = 2.0;  // of a millimetre and of a degree
+    placeShaft(inParts(position.centre_distance(), units::mm.to_si, parts),
+               angleInParts(position.shaft_angle(), parts));
+}
+
 void ShaftMapModel::goTo(const Position& position) {
     model_->finishDrag();
     moveTo(position);

@@ -84,6 +84,8 @@ class ShaftMapModel : public QObject {
     void moveTo(const Position& position);
     /// The same by a hand on a screen, which is no finer than 0.1 µm and 0.0001°.
     void dragTo(const Position& position);
+    /// The same to whole steps of 0.5 mm and 0.5°.
+    void snapTo(const Position& position);
     /// Moves it as a step of its own.
     void goTo(const Position& position);
     void goToBest();
