@@ -12,10 +12,9 @@ namespace ravnoves::elastic_hinge::field {
 inline constexpr Field given_as{
     .key = "masses_given_as",
     .label = CORE_TEXT("elastic-hinge", "Given &as"),
-    .hint =
-        CORE_TEXT("elastic-hinge",
-                  "The paper gives weights. With masses gravity may be 0: a mechanism that lies "
-                  "flat."),
+    .hint = CORE_TEXT("elastic-hinge",
+                      "With masses gravity may be 0: a mechanism that lies "
+                      "flat."),
 };
 inline constexpr Field weights{
     .key = "weights_N", .hint = CORE_TEXT("elastic-hinge", "Weights of crank, rod and slider.")};
@@ -26,10 +25,11 @@ inline constexpr Field masses{
 inline constexpr Range weight_range = Range::between(0, 1e9);  ///< N
 inline constexpr Range mass_range = Range::between(0, 1e8);    ///< kg
 inline constexpr Text crank_hint =
-    CORE_TEXT("elastic-hinge", "The crank is a uniform bar of length r. Paper: 5 N.");
+    CORE_TEXT("elastic-hinge", "The crank is a uniform bar of length r.");
 inline constexpr Text rod_hint =
-    CORE_TEXT("elastic-hinge", "The rod is a uniform bar of length r/λ. Paper: 6.5 N.");
-inline constexpr Text slider_hint = CORE_TEXT("elastic-hinge", "Paper: 6 N.");
+    CORE_TEXT("elastic-hinge", "The rod is a uniform bar of length r/λ.");
+inline constexpr Text slider_hint =
+    CORE_TEXT("elastic-hinge", "All that moves along the slider line.");
 // Together they must be more than 0. The unit of weights is made with gravity, by as_weight().
 inline constexpr Field crank_weight{
     .key = "crank",
@@ -82,8 +82,7 @@ inline constexpr Field gravity{
     .range = Range::between(1e-3, 1e3),
     .label = CORE_TEXT("elastic-hinge", "&Gravity g"),
     .symbol = "g",
-    .hint = CORE_TEXT("elastic-hinge",
-                      "The paper takes 9.82 m/s²; the standard value is 9.80665 m/s²."),
+    .hint = CORE_TEXT("elastic-hinge", "The standard value is 9.80665 m/s²."),
 };
 /// Where masses are given, gravity may be 0 (the mechanism lies flat).
 inline constexpr Field gravity_with_masses{
@@ -100,18 +99,17 @@ inline constexpr Field crank_radius{
     .range = Range::between(1e-3, 1e5),
     .label = CORE_TEXT("elastic-hinge", "&Crank radius r"),
     .symbol = "r",
-    .hint = CORE_TEXT("elastic-hinge",
-                      "From the crank's axis to the crankpin; the rod is r/λ long. Paper: 50 mm."),
+    .hint =
+        CORE_TEXT("elastic-hinge", "From the crank's axis to the crankpin; the rod is r/λ long."),
 };
 inline constexpr Field lambda{
     .key = "lambda",
     .range = Range::between(1e-6, 1),
     .label = CORE_TEXT("elastic-hinge", "Ratio λ"),
     .symbol = "λ",
-    .hint =
-        CORE_TEXT("elastic-hinge",
-                  "Crank radius to rod length. Paper: 0.3. Below 1; λ = 1 can be drawn with the "
-                  "series only."),
+    .hint = CORE_TEXT("elastic-hinge",
+                      "Crank radius to rod length. Below 1; λ = 1 can be drawn with the "
+                      "series only."),
 };
 inline constexpr Field angular_speed{
     .key = "angular_speed_rad_s",
@@ -119,9 +117,7 @@ inline constexpr Field angular_speed{
     .range = Range::between(0, 1e6),
     .label = CORE_TEXT("elastic-hinge", "Crank speed"),
     .symbol = "ω",
-    .hint = CORE_TEXT("elastic-hinge",
-                      "Crank speed that the hinges are designed for. Paper: 100, 300 and "
-                      "500 rad/s."),
+    .hint = CORE_TEXT("elastic-hinge", "Crank speed that the hinges are designed for."),
 };
 inline constexpr std::array kinematics_words{
     Word{"exact", CORE_TEXT("elastic-hinge", "exact")},
@@ -157,7 +153,7 @@ inline constexpr Field stiffness{
     .label = CORE_TEXT("elastic-hinge", "Stiffness"),
     .symbol = "c",
     .hint = CORE_TEXT("elastic-hinge",
-                      "Stiffness of the spring of the crank's hinge. Paper: 20 000 kN/m. A softer "
+                      "Stiffness of the spring of the crank's hinge. A softer "
                       "spring gives more relief."),
 };
 inline constexpr Field free_length{
@@ -166,8 +162,8 @@ inline constexpr Field free_length{
     .range = Range::between(1e-3, 1e6),
     .label = CORE_TEXT("elastic-hinge", "&Free length ℓ₀"),
     .symbol = "ℓ₀",
-    .hint = CORE_TEXT("elastic-hinge",
-                      "Length of the unloaded spring of the crank's hinge. Paper: 200 mm."),
+    .hint = CORE_TEXT("elastic-hinge", "Length of the unloaded spring of the crank's hinge."),
+    .placeholder = CORE_TEXT("elastic-hinge", "none"),
 };
 inline constexpr Field guide_radius{
     .key = "guide_radius_at_zero_mm",
@@ -177,7 +173,7 @@ inline constexpr Field guide_radius{
     .symbol = "ρ₀",
     .hint = CORE_TEXT("elastic-hinge",
                       "Radius of the guide at φ = 0. Below ℓ₀/2 the spring is compressed, above it "
-                      "is stretched. Paper: 90 mm."),
+                      "is stretched."),
 };
 inline constexpr Field rod_hinge_spring{
     .key = "rod_hinge_spring",
@@ -222,9 +218,7 @@ inline constexpr Field counterweight_distance{
     .range = Range::between(1e-3, 1e5),
     .label = CORE_TEXT("elastic-hinge", "Counterweight's distance"),
     .symbol = "ℓ₂",
-    .hint = CORE_TEXT("elastic-hinge",
-                      "From the crankpin to the counterweight on the rod. Paper: 50, 100 and "
-                      "150 mm."),
+    .hint = CORE_TEXT("elastic-hinge", "From the crankpin to the counterweight on the rod."),
 };
 inline constexpr Field counterweight_weight{
     .key = "weight_N",

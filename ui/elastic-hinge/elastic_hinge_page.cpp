@@ -4,11 +4,9 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QPushButton>
 #include <QSlider>
 #include <QTabWidget>
 
-#include "elastic-hinge/fields.h"
 #include "elastic-hinge/guide_export_form.h"
 #include "elastic-hinge/guide_search_form.h"
 #include "elastic-hinge/hinge_inputs.h"
@@ -16,6 +14,7 @@
 #include "elastic-hinge/hinge_tabs.h"
 #include "page/mechanism_picture.h"
 #include "page/part_views.h"
+#include "page/refused_verdict.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
 #include "widgets/field_slider.h"
@@ -30,7 +29,6 @@ namespace ravnoves {
 
 using elastic_hinge::Kinematics;
 using elastic_hinge::Spring;
-namespace field = elastic_hinge::field;
 
 ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(takeOver<ElasticHingeModel>(kept)) {
@@ -48,6 +46,8 @@ ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
     connect(model_, &SceneModel::changed, this, &ElasticHingePage::showAnswer);
     connect(model_, &ElasticHingeModel::viewChanged, this, &ElasticHingePage::showAnimated);
     connect(model_, &ElasticHingeModel::refused, this, &ScenePage::status);
+    connect(model_, &ElasticHingeModel::springBegun, this, &ScenePage::status);
+    connect(model_, &SceneModel::refusedInChanged, this, &ElasticHingePage::showAnswer);
     showAnswer();
     showAnimated();
 }
@@ -158,11 +158,6 @@ QWidget* ElasticHingePage::buildAnswer() {
 
     auto* answer = new Panel(holder);
     QVBoxLayout* answerColumn = columnIn(answer, Theme::gap, tableMargins);
-    takeStiffness_ = new QPushButton(tr("Use the minimum sti&ffness"), answer);
-    takeStiffness_->setObjectName(QStringLiteral("take_stiffness"));
-    connect(takeStiffness_, &QPushButton::clicked, model_,
-            &ElasticHingeModel::takeMinimumStiffness);
-    answerColumn->addWidget(takeStiffness_);
     auto* quantities = new PartTable(model_, "quantities", tr("What the design gives"), answer);
     quantities->horizontalHeader()->hide();
     answerColumn->addWidget(quantities);
@@ -171,12 +166,8 @@ QWidget* ElasticHingePage::buildAnswer() {
 }
 
 void ElasticHingePage::showAnswer() {
-    const Verdict verdict = model_->verdict();
+    const Verdict verdict = withRefused(model_->verdict(), *model_);
     verdict_->show(verdict, verdict.act.empty() ? QString() : tr("Use this pre&load"));
-    const auto& guide = model_->result().crank_guide;
-    const bool mendable = guide.problem == elastic_hinge::GuideProblem::preload_too_small;
-    takeStiffness_->setVisible(mendable && guide.minimum_stiffness &&
-                               field::stiffness.range.contains(*guide.minimum_stiffness));
 }
 
 void ElasticHingePage::showAnimated() {

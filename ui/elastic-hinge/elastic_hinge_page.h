@@ -4,7 +4,6 @@
 #include "page/scene_page.h"
 
 class QComboBox;
-class QPushButton;
 class QTabWidget;
 class QLabel;
 
@@ -46,7 +45,6 @@ class ElasticHingePage : public ScenePage {
     HingeMechanismView* picture_ = nullptr;
     QComboBox* animated_ = nullptr;
     VerdictLine* verdict_ = nullptr;
-    QPushButton* takeStiffness_ = nullptr;
     QAction* playAction_ = nullptr;
 };
 

@@ -5,9 +5,9 @@
 
 #include "elastic-hinge/fields.h"
 #include "elastic-hinge/number_list_field.h"
-#include "elastic-hinge/presets.h"
 #include "text/message_text.h"
 #include "text/shown_units.h"
+#include "widgets/assumed.h"
 
 namespace ravnoves {
 
@@ -54,16 +54,6 @@ void HingeInputs::showSectionWhile(std::function<bool(const Input&)> wanted) {
 void HingeInputs::addMechanism() {
     section(tr("Mechanism"));
     choice(
-        QStringLiteral("preset"), tr("&Preset"), {tr("Own values"), tr("Zotov and Sviridov")},
-        tr("The mechanism of the paper, with ρ₀ = 90 mm"),
-        [this] { return model_->input() == elastic_hinge::preset_zotov() ? 1 : 0; },
-        [this](int index) {
-            if (index == 1) {
-                model_->loadDefault();
-                Q_EMIT model_->broughtIn();
-            }
-        });
-    choice(
         QStringLiteral("masses_given_as"), shownText(field::given_as.label),
         {shownTitle(tr("weights, N")).text, shownTitle(tr("masses, kg")).text},
         fieldHint(field::given_as), [this] { return model_->input().masses_as_weights ? 0 : 1; },
@@ -99,7 +89,16 @@ void HingeInputs::addMasses(bool weights) {
 
 void HingeInputs::addSprings() {
     section(tr("Springs and guides"));
-    number("/spring/free_length_mm");
+    number(
+        field::free_length,
+        [this] {
+            const auto& spring = model_->input().spring;
+            return spring ? std::optional(spring->free_length) : std::nullopt;
+        },
+        [this](std::optional<double> value) {
+            model_->editField("/spring/free_length_mm", from_si(field::free_length, *value),
+                              fieldName(field::free_length));
+        });
     choice("/guide_sign");
     addObjectBox(
         field::rod_hinge_spring, QStringLiteral("own_rod_spring"),
@@ -133,6 +132,10 @@ void HingeInputs::addCounterweight() {
         });
         NumberField* mass =
             number(weights ? "/rod_counterweight/weight_N" : "/rod_counterweight/mass_kg");
+        showAssumed(this, mass, [this, weights] {
+            return std::optional(model_->result().counterweight_mass *
+                                 (weights ? model_->input().gravity : 1.0));
+        });
         mass->setDigits(massDigits);
         mass->setObjectName(weights ? QStringLiteral("counterweight_weight")
                                     : QStringLiteral("counterweight_mass"));
@@ -145,7 +148,8 @@ void HingeInputs::addCounterweight() {
 void HingeInputs::addMotion() {
     section(tr("Motion"));
     addFilled("/motion/turns");
-    number("/motion/start_speed_rad_s");
+    showAssumed(this, number("/motion/start_speed_rad_s"),
+                [this] { return std::optional(MotionRunner::offSpeed(model_->input())); });
     addFilled("/motion/start_angle_deg");
     addFilled("/motion/crank_torque_Nm");
     flag("/motion/with_profile_error");
@@ -164,12 +168,10 @@ void HingeInputs::addFamilies() {
         follow([this, list, read] { list->setValue((model_->*read)()); });
     };
     add("compare_speeds", tr("Speeds ω, %1").arg(shownUnit(units::rad_per_s).name),
-        field::angular_speed,
-        tr("Crank speeds that the plots compare. Paper: 100, 300 and 500 rad/s."),
+        field::angular_speed, tr("Crank speeds that the plots compare."),
         &ElasticHingeModel::compareSpeeds, &ElasticHingeModel::setCompareSpeeds);
     add("compare_lambdas", tr("Ratios &λ"), field::lambda,
-        tr("λ that the side force is compared for. Paper: 0.3, 0.4, 0.6, 0.8, 1 (1 with the "
-           "series only)."),
+        tr("λ that the side force is compared for; 1 with the series only."),
         &ElasticHingeModel::compareLambdas, &ElasticHingeModel::setCompareLambdas);
 }
 

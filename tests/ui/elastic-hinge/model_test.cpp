@@ -99,7 +99,7 @@ TEST(ElasticHingeModel, SaysThatThePapersGuideIsNoDesign) {
     EXPECT_TRUE(verdictOf(model).contains(QStringLiteral("undercut")));
 }
 
-TEST(ElasticHingeModel, TooLittlePreloadIsMendedByEitherButton) {
+TEST(ElasticHingeModel, TooLittlePreloadIsMended) {
     for (const double radius : {0.0995, 0.1005}) {
         ElasticHingeModel model;
         model.edit(QStringLiteral("rho"),
@@ -114,15 +114,9 @@ TEST(ElasticHingeModel, TooLittlePreloadIsMendedByEitherButton) {
         EXPECT_NEAR(model.result().crank_guide.preload, 0.6505e-3, 1e-6);
         EXPECT_EQ(model.result().crank_guide.branch == elastic_hinge::Branch::compressed,
                   radius < 0.1);
-        model.history()->undo();
-        EXPECT_FALSE(model.result().crank_guide.feasible);
-        model.takeMinimumStiffness();
-        EXPECT_TRUE(model.result().crank_guide.feasible);
-        EXPECT_EQ(model.input().spring->guide_radius_at_zero, radius);
         // There is nothing more to mend.
         const Json mended = model.inputJson();
         model.takeMinimumPreload();
-        model.takeMinimumStiffness();
         EXPECT_EQ(model.inputJson(), mended);
     }
 }

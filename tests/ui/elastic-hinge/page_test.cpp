@@ -166,6 +166,20 @@ TEST_F(ElasticHingePageTest, WithoutASpringWhatIsTypedGivesOneAlsoWhereItIsWhatI
     EXPECT_NE(stiffness->palette().color(QPalette::Text), Theme::instance().mutedText());
 }
 
+TEST_F(ElasticHingePageTest, WithoutASpringItsFieldIsEmptyAndSaysWhatANumberBrings) {
+    model->edit(QStringLiteral("No spring"), [](auto& input) { input.spring.reset(); });
+    auto* length = find<NumberField>("free_length_mm");
+    EXPECT_TRUE(length->text().isEmpty());
+    QSignalSpy status(&page, &ScenePage::status);
+    type(length, QStringLiteral("200"));
+    ASSERT_TRUE(model->input().spring);
+    EXPECT_DOUBLE_EQ(model->input().spring->free_length, 0.2);
+    ASSERT_GE(status.size(), 1);
+    const QString said = status.first().first().toString();
+    EXPECT_TRUE(said.contains(QStringLiteral("90")) && said.contains(QStringLiteral("ρ₀")))
+        << said.toStdString();
+}
+
 TEST_F(ElasticHingePageTest, KeysAndWheelMoveTheSliders) {
     auto* slider = find<QSlider>("lambda_slider");
     QTest::keyClick(slider, Qt::Key_Right);
@@ -340,16 +354,11 @@ TEST_F(ElasticHingePageTest, AMissingGuideIsShownAsAGapAndMended) {
     EXPECT_FALSE(relief->valueAt(0, 76.0).has_value());
     EXPECT_TRUE(relief->valueAt(1, 180.0).has_value());  // the second piece of the same curve
     auto* preload = find<QPushButton>("verdict_act");
-    auto* stiffness = find<QPushButton>("take_stiffness");
     ASSERT_TRUE(preload->isVisible());
-    ASSERT_TRUE(stiffness->isVisible());
     QTest::mouseClick(preload, Qt::LeftButton);
     EXPECT_TRUE(model->result().crank_guide.feasible);
     EXPECT_FALSE(preload->isVisible());
     EXPECT_TRUE(relief->valueAt(0, 76.0).has_value());
-    model->history()->undo();
-    QTest::mouseClick(stiffness, Qt::LeftButton);
-    EXPECT_TRUE(model->result().crank_guide.feasible);
 }
 
 TEST_F(ElasticHingePageTest, GuideChoiceAndExaggerationFollowTheMouse) {

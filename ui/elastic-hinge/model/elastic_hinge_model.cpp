@@ -38,8 +38,6 @@ namespace field = elastic_hinge::field;
 
 namespace {
 
-constexpr double margin = 1.01;  ///< beyond the minimum stiffness
-
 QString number(double value, int decimals) {
     return fixedNumber(value, decimals, QLocale());
 }
@@ -260,6 +258,25 @@ void ElasticHingeModel::setExaggeration(std::optional<double> factor) {
 
 // --------------------------------------------------------------------------------------- search
 
+QString ElasticHingeModel::beginningSpring(const std::string& pointer,
+                                           const std::function<QString()>& set) {
+    const bool had = input().spring.has_value();
+    const QString why = set();
+    if (!had && input().spring) {
+        QStringList others;
+        for (const auto& [field, si] :
+             {std::pair(field::stiffness, input().spring->stiffness),
+              std::pair(field::free_length, input().spring->free_length),
+              std::pair(field::guide_radius, input().spring->guide_radius_at_zero)}) {
+            if (!pointer.ends_with(field.key)) {
+                others << fieldName(field) + QLatin1Char(' ') + shownShort(si, field.unit, 6);
+            }
+        }
+        Q_EMIT springBegun(tr("Spring added, with %1.").arg(others.join(QStringLiteral(", "))));
+    }
+    return why;
+}
+
 void ElasticHingeModel::setGravity(double gravity) {
     edit(fieldName(field::gravity), [&](Input& input) {
         if (input.masses_as_weights) {
@@ -335,18 +352,6 @@ void ElasticHingeModel::takeMinimumPreload() {
         input.spring->guide_radius_at_zero =
             side * std::ceil(side * radius / units::mm * 1e3 - 1e-9) / 1e3 * units::mm;
     });
-    finishDrag();
-}
-
-void ElasticHingeModel::takeMinimumStiffness() {
-    const Guide& guide = result().crank_guide;
-    if (guide.problem != GuideProblem::preload_too_small || !guide.minimum_stiffness) {
-        return;
-    }
-    const double stiffness = *guide.minimum_stiffness * margin;
-    finishDrag();
-    edit(tr("Stiffness that the guide needs"),
-         [&](Input& input) { input.spring->stiffness = stiffness; });
     finishDrag();
 }
 

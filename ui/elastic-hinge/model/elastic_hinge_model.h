@@ -100,9 +100,8 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     const elastic_hinge::GuideProposal& proposal() const;
     QString proposalText() const;
     void takeProposal();
-    /// Give the crank's guide what it needs.
+    /// Gives the crank's guide the preload that it needs.
     void takeMinimumPreload();
-    void takeMinimumStiffness();
 
     /// True where a counterweight by (10) leaves rounding only of the side force.
     bool sideForceVanishes() const {
@@ -130,10 +129,22 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     QString exportGuide(const QString& path, elastic_hinge::Hinge hinge,
                         elastic_hinge::GuideDrawing drawing, double stepDeg) const;
 
+    QString editField(const std::string& pointer, const FieldValue& value,
+                      const QString& name) override {
+        return beginningSpring(pointer, [&] { return CaseModel::editField(pointer, value, name); });
+    }
+    QString dragField(const std::string& pointer, const FieldValue& value,
+                      const QString& name) override {
+        return beginningSpring(pointer, [&] { return CaseModel::dragField(pointer, value, name); });
+    }
+
   Q_SIGNALS:
     void motionsChanged();
+    /// A size of the crank's spring was set where there was none: says the others, which came too.
+    void springBegun(const QString& others);
 
   private:
+    QString beginningSpring(const std::string& pointer, const std::function<QString()>& set);
     void compare(std::vector<double>& kept, const std::vector<double>& wanted, const char* key,
                  const Field& field);
     void taken() override {
