@@ -2025,56 +2025,28 @@
         <translation>&amp;Частота вращения n</translation>
     </message>
     <message>
-        <source>Crankshaft speed. TMZ-650D: 3600 min⁻¹ (the paper prints ω = 376.8 rad/s, with π ≈ 3.14).</source>
-        <translation>Частота вращения коленчатого вала. ТМЗ-650Д: 3600 мин⁻¹ (в статье ω = 376,8 рад/с при π ≈ 3,14).</translation>
-    </message>
-    <message>
         <source>&amp;Crank radius r</source>
         <translation>Радиус кр&amp;ивошипа r</translation>
-    </message>
-    <message>
-        <source>Half the stroke. TMZ-650D: 46 mm (stroke 92 mm).</source>
-        <translation>Половина хода поршня. ТМЗ-650Д: 46 мм (ход 92 мм).</translation>
     </message>
     <message>
         <source>&amp;Piston</source>
         <translation>Порше&amp;нь</translation>
     </message>
     <message>
-        <source>Mass of the piston. TMZ-650D: 0.645 kg (0.640). Source: Gots and Klevtsov, Table 1.</source>
-        <translation>Масса поршня. ТМЗ-650Д: 0,645 кг (0,640). Источник: Гоц и Клевцов, табл. 1.</translation>
-    </message>
-    <message>
         <source>Piston p&amp;in</source>
         <translation>Поршневой пале&amp;ц</translation>
-    </message>
-    <message>
-        <source>Mass of the piston pin. TMZ-650D: 0.241 kg. Source: Table 1.</source>
-        <translation>Масса поршневого пальца. ТМЗ-650Д: 0,241 кг. Источник: табл. 1.</translation>
     </message>
     <message>
         <source>Rin&amp;gs</source>
         <translation>&amp;Кольца</translation>
     </message>
     <message>
-        <source>Mass of the piston rings. TMZ-650D: 0.1 kg. Source: Table 1.</source>
-        <translation>Масса поршневых колец. ТМЗ-650Д: 0,1 кг. Источник: табл. 1.</translation>
-    </message>
-    <message>
         <source>Rod, small-&amp;end share</source>
         <translation>Доля шат&amp;уна у пальца</translation>
     </message>
     <message>
-        <source>Part of the rod&apos;s mass that moves with the piston. TMZ-650D: 0.33 kg of 0.950 kg. Source: Table 1.</source>
-        <translation>Часть массы шатуна, отнесённая к оси поршневого пальца. ТМЗ-650Д: 0,33 кг из 0,950 кг. Источник: табл. 1.</translation>
-    </message>
-    <message>
         <source>Whole rod with she&amp;lls</source>
         <translation>Шатун с вклад&amp;ышами</translation>
-    </message>
-    <message>
-        <source>Its small-end share above is a part of it; the rest turns with the crankpin and is balanced by the crank&apos;s own counterweights. TMZ-650D: 0.950 ± 0.015 kg. Source: Table 1.</source>
-        <translation>Доля у пальца, указанная выше, — его часть; остальное вращается с шатунной шейкой и уравновешено противовесами самого коленчатого вала. ТМЗ-650Д: 0,950 ±&#xa0;0,015 кг. Источник: табл. 1.</translation>
     </message>
     <message>
         <source>any</source>
@@ -2083,10 +2055,6 @@
     <message>
         <source>Coun&amp;terweight radius ρ₁</source>
         <translation>Радиус про&amp;тивовеса ρ₁</translation>
-    </message>
-    <message>
-        <source>From the axis to the centre of mass of each of the two equal counterweights. TMZ-650D: 46 mm.</source>
-        <translation>От оси до центра масс каждого из двух одинаковых противовесов. ТМЗ-650Д: 46 мм.</translation>
     </message>
     <message>
         <source>Counterweight &amp;mass m₁</source>
@@ -2101,10 +2069,6 @@
         <translation>Ме&amp;жосевое расстояние l</translation>
     </message>
     <message>
-        <source>From the crank axis to the shaft axis. The paper does not print it; 100.15 mm follows from the printed amplitude 430.39 N·m.</source>
-        <translation>От оси коленчатого вала до оси балансирного. В статье не напечатано; 100,15 мм следует из напечатанной амплитуды 430,39 Н·м.</translation>
-    </message>
-    <message>
         <source>straight lines</source>
         <translation>отрезки прямых</translation>
     </message>
@@ -2115,10 +2079,6 @@
     <message>
         <source>I&amp;nterpolation</source>
         <translation>Интерпол&amp;яция</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s table has a row every 15°; criteria are those of the curve between the rows, not of the rows alone.</source>
-        <translation>В таблице статьи строка через 15°; критерии относятся к кривой между строками, а не к одним строкам.</translation>
     </message>
     <message>
         <source>Rod lengt&amp;h L</source>
@@ -2167,10 +2127,6 @@
     <message>
         <source>&amp;Bore</source>
         <translation>Диаметр &amp;цилиндра</translation>
-    </message>
-    <message>
-        <source>Diameter of the cylinder; a pressure trace or a computed cycle needs it. TMZ-650D: 95.5 mm.</source>
-        <translation>Диаметр цилиндра; нужен для индикаторной диаграммы и расчёта цикла. ТМЗ-650Д: 95,5 мм.</translation>
     </message>
     <message>
         <source>O&amp;ffset e</source>
@@ -3069,10 +3025,6 @@
         <translation>чисел должно быть столько же, сколько в «%1», %2</translation>
     </message>
     <message>
-        <source>One of the two equal counterweights. TMZ-650D: 0.658 kg.</source>
-        <translation>Один из двух одинаковых противовесов. ТМЗ-650Д: 0,658 кг.</translation>
-    </message>
-    <message>
         <source>by equation (1), m₁ = mⱼ r / (2 ρ₁); a number overrides it</source>
         <translation>по формуле (1), m₁ = mⱼ r / (2 ρ₁); число её заменяет</translation>
     </message>
@@ -3951,6 +3903,66 @@
     <message>
         <source>The dead centre may be at %1 ± %2 of the trace, a shift of %3: the compression line does not show it better.</source>
         <translation>Мёртвая точка, возможно, на %1 ± %2 диаграммы, сдвиг %3: точнее линия сжатия её не показывает.</translation>
+    </message>
+    <message>
+        <source>Crankshaft speed.</source>
+        <translation>Частота вращения коленчатого вала.</translation>
+    </message>
+    <message>
+        <source>Half the stroke.</source>
+        <translation>Половина хода поршня.</translation>
+    </message>
+    <message>
+        <source>Stro&amp;ke 2 r</source>
+        <translation>&amp;Ход 2 r</translation>
+    </message>
+    <message>
+        <source>Twice the crank radius.</source>
+        <translation>Удвоенный радиус кривошипа.</translation>
+    </message>
+    <message>
+        <source>Diameter of the cylinder; a pressure trace or a computed cycle needs it.</source>
+        <translation>Диаметр цилиндра; нужен для индикаторной диаграммы и расчёта цикла.</translation>
+    </message>
+    <message>
+        <source>Mass of the piston.</source>
+        <translation>Масса поршня.</translation>
+    </message>
+    <message>
+        <source>Mass of the piston pin.</source>
+        <translation>Масса поршневого пальца.</translation>
+    </message>
+    <message>
+        <source>Mass of the piston rings.</source>
+        <translation>Масса поршневых колец.</translation>
+    </message>
+    <message>
+        <source>Part of the rod&apos;s mass that moves with the piston.</source>
+        <translation>Часть массы шатуна, отнесённая к оси поршневого пальца.</translation>
+    </message>
+    <message>
+        <source>Its small-end share above is a part of it; the rest turns with the crankpin and is balanced by the crank&apos;s own counterweights.</source>
+        <translation>Доля у пальца, указанная выше, — его часть; остальное вращается с шатунной шейкой и уравновешено противовесами самого коленчатого вала.</translation>
+    </message>
+    <message>
+        <source>From the axis to the centre of mass of each of the two equal counterweights.</source>
+        <translation>От оси до центра масс каждого из двух одинаковых противовесов.</translation>
+    </message>
+    <message>
+        <source>One of the two equal counterweights.</source>
+        <translation>Один из двух одинаковых противовесов.</translation>
+    </message>
+    <message>
+        <source>From the crank axis to the shaft axis.</source>
+        <translation>От оси коленчатого вала до оси балансирного.</translation>
+    </message>
+    <message>
+        <source>Criteria are those of the curve between the rows, not of the rows alone.</source>
+        <translation>Критерии относятся к кривой между строками, а не к одним строкам.</translation>
+    </message>
+    <message>
+        <source>The relief of %1 is longer than two bores: check the length of the crankcase.</source>
+        <translation>Лыска длиной %1 больше двух диаметров цилиндра: проверьте длину картера.</translation>
     </message>
 </context>
 <context>
@@ -5606,28 +5618,16 @@
         <source>must have a column of values: columns count from 1</source>
         <translation>должен быть столбец значений: столбцы считаются с 1</translation>
     </message>
+    <message>
+        <source>Results use the value before the red entry.</source>
+        <translation>Результаты — по значению до красного поля.</translation>
+    </message>
 </context>
 <context>
     <name>elastic-hinge</name>
     <message>
         <source>Given &amp;as</source>
         <translation>З&amp;аданы</translation>
-    </message>
-    <message>
-        <source>The paper gives weights. With masses gravity may be 0: a mechanism that lies flat.</source>
-        <translation>В статье даны веса. С массами ускорение может быть 0: механизм лежит горизонтально.</translation>
-    </message>
-    <message>
-        <source>The crank is a uniform bar of length r. Paper: 5 N.</source>
-        <translation>Кривошип — однородный стержень длины r. В статье 5 Н.</translation>
-    </message>
-    <message>
-        <source>The rod is a uniform bar of length r/λ. Paper: 6.5 N.</source>
-        <translation>Шатун — однородный стержень длины r/λ. В статье 6,5 Н.</translation>
-    </message>
-    <message>
-        <source>Paper: 6 N.</source>
-        <translation>В статье 6 Н.</translation>
     </message>
     <message>
         <source>C&amp;rank P₁</source>
@@ -5658,32 +5658,16 @@
         <translation>Ускорение &amp;g</translation>
     </message>
     <message>
-        <source>The paper takes 9.82 m/s²; the standard value is 9.80665 m/s².</source>
-        <translation>В статье 9,82 м/с²; стандартное значение 9,80665 м/с².</translation>
-    </message>
-    <message>
         <source>&amp;Crank radius r</source>
         <translation>Радиус &amp;кривошипа r</translation>
-    </message>
-    <message>
-        <source>From the crank&apos;s axis to the crankpin; the rod is r/λ long. Paper: 50 mm.</source>
-        <translation>От оси кривошипа до шатунной шейки; длина шатуна r/λ. В статье 50 мм.</translation>
     </message>
     <message>
         <source>Ratio λ</source>
         <translation>Отношение λ</translation>
     </message>
     <message>
-        <source>Crank radius to rod length. Paper: 0.3. Below 1; λ = 1 can be drawn with the series only.</source>
-        <translation>Радиус кривошипа к длине шатуна. В статье 0,3. Меньше 1; λ = 1 можно начертить только с рядом.</translation>
-    </message>
-    <message>
         <source>Crank speed</source>
         <translation>Угловая скорость</translation>
-    </message>
-    <message>
-        <source>Crank speed that the hinges are designed for. Paper: 100, 300 and 500 rad/s.</source>
-        <translation>Угловая скорость кривошипа, на которую рассчитаны шарниры. В статье 100, 300 и 500 рад/с.</translation>
     </message>
     <message>
         <source>exact</source>
@@ -5722,24 +5706,12 @@
         <translation>Жёсткость</translation>
     </message>
     <message>
-        <source>Stiffness of the spring of the crank&apos;s hinge. Paper: 20 000 kN/m. A softer spring gives more relief.</source>
-        <translation>Жёсткость пружины шарнира кривошипа. В статье 20 000 кН/м. У более мягкой пружины перепад больше.</translation>
-    </message>
-    <message>
         <source>&amp;Free length ℓ₀</source>
         <translation>Свобо&amp;дная длина ℓ₀</translation>
     </message>
     <message>
-        <source>Length of the unloaded spring of the crank&apos;s hinge. Paper: 200 mm.</source>
-        <translation>Длина ненапряжённой пружины шарнира кривошипа. В статье 200 мм.</translation>
-    </message>
-    <message>
         <source>Guide radius ρ₀</source>
         <translation>Радиус направляющей ρ₀</translation>
-    </message>
-    <message>
-        <source>Radius of the guide at φ = 0. Below ℓ₀/2 the spring is compressed, above it is stretched. Paper: 90 mm.</source>
-        <translation>Радиус направляющей при φ = 0. Меньше ℓ₀/2 — пружина сжата, больше — растянута. В статье 90 мм.</translation>
     </message>
     <message>
         <source>Own spring for the rod&apos;s &amp;hinge</source>
@@ -5780,10 +5752,6 @@
     <message>
         <source>Counterweight&apos;s distance</source>
         <translation>Расстояние противовеса</translation>
-    </message>
-    <message>
-        <source>From the crankpin to the counterweight on the rod. Paper: 50, 100 and 150 mm.</source>
-        <translation>От шатунной шейки до противовеса на шатуне. В статье 50, 100 и 150 мм.</translation>
     </message>
     <message>
         <source>Weight P&amp;₄</source>
@@ -6609,6 +6577,58 @@
         <source>Preload beyond the minimum that the guide needs.</source>
         <translation>Преднатяг сверх минимального, нужного направляющей.</translation>
     </message>
+    <message>
+        <source>With masses gravity may be 0: a mechanism that lies flat.</source>
+        <translation>С массами ускорение может быть 0: механизм лежит горизонтально.</translation>
+    </message>
+    <message>
+        <source>The crank is a uniform bar of length r.</source>
+        <translation>Кривошип — однородный стержень длины r.</translation>
+    </message>
+    <message>
+        <source>The rod is a uniform bar of length r/λ.</source>
+        <translation>Шатун — однородный стержень длины r/λ.</translation>
+    </message>
+    <message>
+        <source>All that moves along the slider line.</source>
+        <translation>Всё, что движется по линии ползуна.</translation>
+    </message>
+    <message>
+        <source>The standard value is 9.80665 m/s².</source>
+        <translation>Стандартное значение 9,80665 м/с².</translation>
+    </message>
+    <message>
+        <source>From the crank&apos;s axis to the crankpin; the rod is r/λ long.</source>
+        <translation>От оси кривошипа до шатунной шейки; длина шатуна r/λ.</translation>
+    </message>
+    <message>
+        <source>Crank radius to rod length. Below 1; λ = 1 can be drawn with the series only.</source>
+        <translation>Радиус кривошипа к длине шатуна. Меньше 1; λ = 1 можно начертить только с рядом.</translation>
+    </message>
+    <message>
+        <source>Crank speed that the hinges are designed for.</source>
+        <translation>Угловая скорость кривошипа, на которую рассчитаны шарниры.</translation>
+    </message>
+    <message>
+        <source>Stiffness of the spring of the crank&apos;s hinge. A softer spring gives more relief.</source>
+        <translation>Жёсткость пружины шарнира кривошипа. У более мягкой пружины перепад больше.</translation>
+    </message>
+    <message>
+        <source>Length of the unloaded spring of the crank&apos;s hinge.</source>
+        <translation>Длина ненапряжённой пружины шарнира кривошипа.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>Radius of the guide at φ = 0. Below ℓ₀/2 the spring is compressed, above it is stretched.</source>
+        <translation>Радиус направляющей при φ = 0. Меньше ℓ₀/2 — пружина сжата, больше — растянута.</translation>
+    </message>
+    <message>
+        <source>From the crankpin to the counterweight on the rod.</source>
+        <translation>От шатунной шейки до противовеса на шатуне.</translation>
+    </message>
 </context>
 <context>
     <name>inertia-moments</name>
@@ -6907,14 +6927,6 @@
     <message>
         <source>Of the rear weight&apos;s centre of mass</source>
         <translation>Центра масс заднего груза</translation>
-    </message>
-    <message>
-        <source>&amp;Share of order 1</source>
-        <translation>Дол&amp;я 1-го порядка</translation>
-    </message>
-    <message>
-        <source>Of the forward part of the reciprocating first order; 1 in a cross-plane V8 cancels it wholly, in a single it is the balance for half the reciprocating mass.</source>
-        <translation>Прямой части первого порядка поступательных масс; 1 в V8 с крестообразным валом гасит её целиком, в одноцилиндровом уравновешивает половину поступательной массы.</translation>
     </message>
     <message>
         <source>must list from 1 to %1 cylinders</source>
@@ -7771,6 +7783,14 @@
     <message>
         <source>roll moment from offsets and rods</source>
         <translation>опрокидывающий момент от дезаксажей и шатунов</translation>
+    </message>
+    <message>
+        <source>&amp;Share of order 1 cancelled</source>
+        <translation>Пога&amp;шенная доля 1-го порядка</translation>
+    </message>
+    <message>
+        <source>1 cancels the forward half of the reciprocating first order. Of a single cylinder that is a balance factor of 50 %.</source>
+        <translation>1 гасит прямую половину первого порядка поступательных масс. Для одного цилиндра это коэффициент балансировки 50 %.</translation>
     </message>
 </context>
 <context>
@@ -9791,22 +9811,6 @@ but nothing can be built</source>
         <translation>Двигатель</translation>
     </message>
     <message>
-        <source>Own values</source>
-        <translation>Свои значения</translation>
-    </message>
-    <message>
-        <source>P&amp;reset</source>
-        <translation>Обра&amp;зец</translation>
-    </message>
-    <message>
-        <source>TMZ-650D: the single-cylinder diesel of Gots and Klevtsov, Tables 1 and 2</source>
-        <translation>ТМЗ-650Д: одноцилиндровый дизель из статьи Гоца и Клевцова, табл. 1 и 2</translation>
-    </message>
-    <message>
-        <source>Preset TMZ-650D</source>
-        <translation>Образец ТМЗ-650Д</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>Частота</translation>
     </message>
@@ -9825,10 +9829,6 @@ but nothing can be built</source>
     <message>
         <source>Sum mⱼ</source>
         <translation>Сумма mⱼ</translation>
-    </message>
-    <message>
-        <source>Reciprocating mass: the sum of the parts. TMZ-650D: 1.316 kg.</source>
-        <translation>Возвратно-поступательно движущаяся масса: сумма частей. ТМЗ-650Д: 1,316 кг.</translation>
     </message>
     <message>
         <source>Counterweights and shaft</source>
@@ -9853,30 +9853,6 @@ but nothing can be built</source>
     <message>
         <source>Angle from the cylinder axis to the line of centres, in the direction of rotation; 90° is beside the crank. 0 to 360°, steps of 0.1°.</source>
         <translation>Угол от оси цилиндра до линии центров по направлению вращения; 90° — сбоку от коленчатого вала. От 0 до 360°, шаг 0,1°.</translation>
-    </message>
-    <message>
-        <source>Mea&amp;ns</source>
-        <translation>Сре&amp;дние</translation>
-    </message>
-    <message>
-        <source>both</source>
-        <translation>оба</translation>
-    </message>
-    <message>
-        <source>cycle integral</source>
-        <translation>интеграл за цикл</translation>
-    </message>
-    <message>
-        <source>paper&apos;s nodes</source>
-        <translation>узлы статьи</translation>
-    </message>
-    <message>
-        <source>Which means the plots show</source>
-        <translation>Какие средние показаны на графиках</translation>
-    </message>
-    <message>
-        <source>The mean of Mₛ over a cycle is 0 at every α. The paper averages 25 nodes and counts the end of the cycle twice; that alone makes its mean differ from 0.</source>
-        <translation>Среднее Mₛ за цикл равно 0 при любом α. В статье усреднены 25 узлов, и конец цикла учтён дважды; только поэтому её среднее не равно 0.</translation>
     </message>
     <message>
         <source>Moments</source>
@@ -9987,10 +9963,6 @@ but nothing can be built</source>
         <translation>Лыска</translation>
     </message>
     <message>
-        <source>TMZ-650D</source>
-        <translation>ТМЗ-650Д</translation>
-    </message>
-    <message>
         <source>Flywheel</source>
         <translation>Маховик</translation>
     </message>
@@ -10021,6 +9993,10 @@ but nothing can be built</source>
     <message>
         <source>&amp;Use the best feasible α</source>
         <translation>Применит&amp;ь лучший допустимый α</translation>
+    </message>
+    <message>
+        <source>Reciprocating mass: the sum of the parts.</source>
+        <translation>Возвратно-поступательно движущаяся масса: сумма частей.</translation>
     </message>
     <message>
         <source>without shaft (Mᵤₚ)</source>
@@ -10295,12 +10271,6 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::CycleView</name>
     <message>
-        <source>The torque is a table.
-Choose “pressure trace” or “computed cycle” on the Torque tab to see gas and inertia torque, pressure and indicator diagram.</source>
-        <translation>Крутящий момент задан таблицей.
-Выберите на вкладке «Момент» «давление» или «расчётный цикл», чтобы увидеть моменты сил газов и инерции, давление и индикаторную диаграмму.</translation>
-    </message>
-    <message>
         <source>Engine torque and its parts</source>
         <translation>Крутящий момент и его части</translation>
     </message>
@@ -10379,6 +10349,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Gas plus inertia</source>
         <translation>Газы и инерция вместе</translation>
+    </message>
+    <message>
+        <source>The torque is a table. A pressure trace or a computed cycle shows gas and inertia torque, pressure and indicator diagram.</source>
+        <translation>Крутящий момент задан таблицей. Индикаторная диаграмма или расчётный цикл показывают моменты сил газов и инерции, давление и диаграмму p–V.</translation>
+    </message>
+    <message>
+        <source>&amp;Compute a cycle of the same load</source>
+        <translation>&amp;Рассчитать цикл той же нагрузки</translation>
     </message>
 </context>
 <context>
@@ -10571,10 +10549,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Нужный преднатяг</translation>
     </message>
     <message>
-        <source>Stiffness that the guide needs</source>
-        <translation>Нужная жёсткость</translation>
-    </message>
-    <message>
         <source>Quantity</source>
         <translation>Величина</translation>
     </message>
@@ -10734,6 +10708,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>from %1</source>
         <translation>от %1</translation>
     </message>
+    <message>
+        <source>Spring added, with %1.</source>
+        <translation>Добавлена пружина: %1.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ElasticHingePage</name>
@@ -10812,10 +10790,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>&amp;Motion</source>
         <translation>&amp;Движение</translation>
-    </message>
-    <message>
-        <source>Use the minimum sti&amp;ffness</source>
-        <translation>Применить мин. жёсткост&amp;ь</translation>
     </message>
     <message>
         <source>Use this pre&amp;load</source>
@@ -11517,22 +11491,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Механизм</translation>
     </message>
     <message>
-        <source>Own values</source>
-        <translation>Свои значения</translation>
-    </message>
-    <message>
-        <source>Zotov and Sviridov</source>
-        <translation>Зотов и Свиридов</translation>
-    </message>
-    <message>
-        <source>&amp;Preset</source>
-        <translation>Образе&amp;ц</translation>
-    </message>
-    <message>
-        <source>The mechanism of the paper, with ρ₀ = 90 mm</source>
-        <translation>Механизм из статьи, ρ₀ = 90 мм</translation>
-    </message>
-    <message>
         <source>weights, N</source>
         <translation>веса, Н</translation>
     </message>
@@ -11565,20 +11523,20 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Семейства кривых</translation>
     </message>
     <message>
-        <source>λ that the side force is compared for. Paper: 0.3, 0.4, 0.6, 0.8, 1 (1 with the series only).</source>
-        <translation>λ, для которых сравнивается боковая сила. В статье 0,3, 0,4, 0,6, 0,8, 1 (1 — только с рядом).</translation>
-    </message>
-    <message>
         <source>Ratios &amp;λ</source>
         <translation>Отношения &amp;λ</translation>
     </message>
     <message>
-        <source>Crank speeds that the plots compare. Paper: 100, 300 and 500 rad/s.</source>
-        <translation>Угловые скорости, которые сравнивают графики. В статье 100, 300 и 500 рад/с.</translation>
-    </message>
-    <message>
         <source>Speeds ω, %1</source>
         <translation>Скорости ω, %1</translation>
+    </message>
+    <message>
+        <source>Crank speeds that the plots compare.</source>
+        <translation>Угловые скорости, которые сравнивают графики.</translation>
+    </message>
+    <message>
+        <source>λ that the side force is compared for; 1 with the series only.</source>
+        <translation>λ, для которых сравнивается боковая сила; 1 — только с рядом.</translation>
     </message>
 </context>
 <context>
@@ -13935,6 +13893,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>V-8 4.25 l: plugs, bob weight, second run on the machine</source>
         <translation>V-8 4,25 л: заглушки, балансировочный груз, второй пуск на станке</translation>
     </message>
+    <message>
+        <source>Single cylinder 88 × 75 mm: a balance shaft that fits and helps</source>
+        <translation>Одноцилиндровый 88 × 75 мм: балансирный вал помещается и помогает</translation>
+    </message>
+    <message>
+        <source>Elastic hinge that can be made: softer spring, roller of 10 mm</source>
+        <translation>Упругий шарнир, который можно изготовить: пружина мягче, ролик 10 мм</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::NumberField</name>
@@ -14311,6 +14277,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Range from 5 % to 95 % of the curve, with the tolerances of the case.</source>
         <translation>Диапазон кривой от 5 % до 95 % при допусках задачи.</translation>
+    </message>
+    <message>
+        <source>Click or drag: choose the value. Wheel: zoom. Middle button: pan. Double click: show all.</source>
+        <translation>Щелчок или перетаскивание: выбрать значение. Колесо: масштаб. Средняя кнопка: сдвиг. Двойной щелчок: показать всё.</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom, with Shift in y, with Ctrl in x. Drag: pan. Double click: show all.</source>
+        <translation>Колесо: масштаб, с Shift по y, с Ctrl по x. Перетаскивание: сдвиг. Двойной щелчок: показать всё.</translation>
     </message>
 </context>
 <context>
@@ -15623,10 +15597,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>y, мм</translation>
     </message>
     <message>
-        <source>The engine from the front, to scale. Drag the shaft&apos;s axis, or move it by the arrow keys: 0.1 mm, with Shift 1 mm. A double click goes to a place; Page up and Page down choose a marker, Enter goes there. Where it is hatched the shaft cannot be built.</source>
-        <translation>Двигатель спереди, в масштабе. Ось вала перетаскивается мышью или сдвигается стрелками: на 0,1 мм, с Shift на 1 мм. Двойной щелчок переносит её в указанное место; Page Up и Page Down выбирают отметку, Enter переносит к ней. Где заштриховано, вал построить нельзя.</translation>
-    </message>
-    <message>
         <source>Range against no shaft, %</source>
         <translation>Размах относительно двигателя без вала, %</translation>
     </message>
@@ -15645,6 +15615,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>computing …</source>
         <translation>вычисляется…</translation>
+    </message>
+    <message>
+        <source>The engine from the front, to scale. Drag the shaft&apos;s axis (steps of 0.5 mm and 0.5°), or move it by the arrow keys: 0.1 mm, with Shift 1 mm. A double click goes to a place; Page up and Page down choose a marker, Enter goes there. Where it is hatched the shaft cannot be built.</source>
+        <translation>Двигатель спереди, в масштабе. Ось вала перетаскивается мышью (шаг 0,5 мм и 0,5°) или сдвигается стрелками: на 0,1 мм, с Shift на 1 мм. Двойной щелчок переносит её в указанное место; Page Up и Page Down выбирают отметку, Enter переносит к ней. Где заштриховано, вал построить нельзя.</translation>
+    </message>
+    <message>
+        <source>Drag the shaft&apos;s axis, or double-click where it goes. Arrow keys: 0.1 mm, with Shift 1 mm.</source>
+        <translation>Перетащите ось вала или дважды щёлкните по новому месту. Стрелки: 0,1 мм, с Shift 1 мм.</translation>
     </message>
 </context>
 <context>
