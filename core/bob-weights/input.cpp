@@ -7,6 +7,7 @@
 #include "bob-weights/matching.h"
 #include "case-file/field_writer.h"
 #include "case-file/input_error.h"
+#include "shop/sentences.h"
 
 namespace ravnoves::bob_weights {
 
@@ -268,8 +269,7 @@ std::vector<Message> not_counted(const Input& input) {
             if (typed) {
                 list.emplace_back(
                     CORE_TEXT("bob-weights", "%1: the typed %2 is replaced by the weights."),
-                    shop::part_word(*part.column).label,
-                    Number{*typed / units::gram, units::gram, -2});
+                    shop::part_word(*part.column).label, shop::in_grams(*typed));
             }
         } else if (const auto weighed = shop::statistics((*input.weigh_in)[*part.column])) {
             list.emplace_back(

@@ -75,6 +75,8 @@ struct RunResult {
     bool is_read() const { return planes || alone[0] || alone[1]; }
     /// kg·m; nothing where a plane was not read.
     std::array<std::optional<double>, 2> unbalances() const;
+    /// As measured, of a plane; nothing without reading or limit.
+    std::optional<bool> within(std::size_t plane) const;
     bool acted_as_meant() const { return !other_effect[0] && !other_effect[1]; }
 
     bool is_drilled() const { return !drilled[0].empty() || !drilled[1].empty(); }
@@ -109,9 +111,9 @@ struct Result {
     std::optional<double> bob_weight;     ///< kg
     std::optional<FirstOrder> first_order;
     std::optional<FirstOrder> first_order_bare;  ///< without counterweights
-    std::vector<double> crankpins;  ///< each one's own bob weight, of the parts weighed; kg
-    std::optional<shop::Matched> placing;              ///< which set goes to which cylinder
-    std::vector<double> placed_crankpins;              ///< then; kg
+    std::vector<double> crankpins;         ///< each one's own bob weight, of the parts weighed; kg
+    std::optional<shop::Matched> placing;  ///< which set goes to which cylinder
+    std::vector<double> placed_crankpins;  ///< then; kg
     std::optional<double> permissible_whole;           ///< U_per of the rotor, kg·m
     std::optional<std::array<double, 2>> permissible;  ///< of each plane, kg·m
     std::vector<RunResult> runs;  ///< from the first; the last is the one that is corrected

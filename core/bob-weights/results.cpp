@@ -1,6 +1,7 @@
 #include "bob-weights/results.h"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 
 #include "bob-weights/factor_theory.h"
@@ -9,6 +10,7 @@
 #include "bob-weights/solver.h"
 #include "numerics/demand.h"
 #include "shop/results.h"
+#include "shop/sentences.h"
 
 namespace ravnoves::bob_weights {
 
@@ -21,13 +23,8 @@ namespace key = result_field;
 /// Visits the values of one result.
 class JobVisit {
   public:
-    JobVisit(ResultVisitor& visitor, const Input& input, const Result& result, Format format,
-             const Withheld& withheld)
-        : visitor_(visitor),
-          input_(input),
-          result_(result),
-          is_job_(format == Format::workshop),
-          withheld_(withheld) {}
+    JobVisit(ResultVisitor& visitor, const Input& input, const Result& result, Format format)
+        : visitor_(visitor), input_(input), result_(result), is_job_(format == Format::workshop) {}
 
     void visit_all();
     void visit_bob_weight();
@@ -38,21 +35,17 @@ class JobVisit {
     void visit_hole(const Hole& hole, bool added, bool planned);
     void visit_holes(const ResultField& field, const std::vector<Hole>& holes, bool added,
                      bool planned);
+    void visit_reading(const RunResult& run, std::size_t i);
     void visit_plane(std::size_t i);
     void visit_run(const RunResult& run, bool is_newest);
     void visit_weigh_in();
     void visit_theory();
     void visit_correction();
 
-    std::optional<bool> judged(const std::optional<bool>& within) const {
-        return withheld_.verdict ? std::nullopt : within;
-    }
-
     ResultVisitor& visitor_;
     const Input& input_;
     const Result& result_;
     bool is_job_;
-    Withheld withheld_;
 };
 
 void JobVisit::visit_hole(const Hole& hole, bool added, bool planned) {
@@ -96,37 +89,31 @@ void JobVisit::visit_holes(const ResultField& field, const std::vector<Hole>& ho
                   [&](std::size_t i) { visit_hole(holes[i], added, planned); });
 }
 
+void JobVisit::visit_reading(const RunResult& run, std::size_t i) {
+    visitor_.number(key::unbalance, run.unbalances()[i]);
+    visitor_.number(key::angle, run.planes ? std::optional((*run.planes)[i].angle) : std::nullopt);
+}
+
 void JobVisit::visit_plane(std::size_t i) {
+    const RunResult& newest = *result_.newest();
+    visit_reading(newest, i);
+    const auto radius = newest.planes ? input_.correction->planes[i].radius : std::nullopt;
+    visitor_.number(key::grams_at_radius,
+                    radius ? std::optional(*newest.unbalances()[i] / *radius) : std::nullopt);
+    visitor_.flag(key::within_as_measured, newest.within(i));
     if (!result_.correction) {
-        // A reading without direction, or without planes: a verdict alone.
-        const auto& alone = result_.newest()->alone[i];
-        visitor_.number(key::unbalance, alone ? std::optional(alone->unbalance) : std::nullopt);
-        for (const ResultField* field : {&key::angle, &key::grams_at_radius, &key::holes,
-                                         &key::slugs, &key::remaining, &key::remaining_angle}) {
-            visitor_.nothing(*field);
-        }
-        visitor_.flag(key::within_as_measured,
-                      judged(alone ? alone->within_tolerance : std::nullopt));
-        visitor_.nothing(key::within);
-        return;
-    }
-    const PlaneResult& plane = (*result_.correction)[i];
-    visitor_.number(key::unbalance, plane.unbalance);
-    visitor_.number(key::angle, plane.angle);
-    visitor_.number(key::grams_at_radius, plane.grams_at_radius);
-    visitor_.flag(key::within_as_measured, judged(plane.measured_within));
-    if (withheld_.holes) {
         for (const ResultField* field : {&key::holes, &key::slugs, &key::remaining,
                                          &key::remaining_angle, &key::within, &feasible}) {
             visitor_.nothing(*field);
         }
         return;
     }
+    const PlaneResult& plane = (*result_.correction)[i];
     visit_holes(key::holes, plane.holes, false, true);
     visit_holes(key::slugs, plane.slugs, true, true);
     visitor_.number(key::remaining, plane.remaining);
     visitor_.number(key::remaining_angle, plane.remaining_angle);
-    visitor_.flag(key::within, judged(plane.within_tolerance));
+    visitor_.flag(key::within, plane.within_tolerance);
     visitor_.flag(feasible, plane.reason.empty());
     if (plane.beyond_sector > 0.0) {
         visitor_.number(key::beyond_sector, plane.beyond_sector);
@@ -142,17 +129,8 @@ void JobVisit::visit_planes() {
 
 void JobVisit::visit_run(const RunResult& run, bool is_newest) {
     visitor_.list(key::planes, 2, [&](std::size_t i) {
-        if (run.planes) {
-            const RunResult::InPlane& plane = (*run.planes)[i];
-            visitor_.number(key::unbalance, plane.unbalance);
-            visitor_.number(key::angle, plane.angle);
-            visitor_.flag(key::within, judged(plane.within_tolerance));
-        } else {
-            const auto& alone = run.alone[i];
-            visitor_.number(key::unbalance, alone ? std::optional(alone->unbalance) : std::nullopt);
-            visitor_.nothing(key::angle);
-            visitor_.flag(key::within, judged(alone ? alone->within_tolerance : std::nullopt));
-        }
+        visit_reading(run, i);
+        visitor_.flag(key::within, run.within(i));
         if (const auto& other = run.other_effect[i]) {
             visitor_.object(key::expected, [&] {
                 visitor_.number(key::unbalance, other->expected);
@@ -165,7 +143,7 @@ void JobVisit::visit_run(const RunResult& run, bool is_newest) {
             visit_holes(key::drilled_slugs, run.drilled[i].slugs, true, false);
         }
     });
-    visitor_.flag(key::within, judged(run.passes()));
+    visitor_.flag(key::within, run.passes());
     shop::visit_other(visitor_, run.read_with, run.read_on);
 }
 
@@ -179,30 +157,31 @@ void JobVisit::visit_correction() {
 
 void JobVisit::visit_weigh_in() {
     shop::visit_columns(visitor_, *input_.weigh_in);
-    const auto crankpins = [&](const std::vector<double>& masses) {
-        visitor_.numbers(key::crankpins, withheld_.bob_weight ? std::vector<double>() : masses);
-    };
-    crankpins(result_.crankpins);
+    visitor_.numbers(key::crankpins, result_.crankpins);
     if (result_.placing) {
         visitor_.object(shop::result_field::assignment, [&] {
             shop::visit_matched(visitor_, *result_.placing, input_.weigh_in->matching.crank_radius,
                                 service_speed(input_));
-            crankpins(result_.placed_crankpins);
+            visitor_.numbers(key::crankpins, result_.placed_crankpins);
         });
     }
 }
 
 void JobVisit::visit_theory() {
-    const FirstOrder& left = *result_.first_order;
     visitor_.number(key::reciprocating_percent, result_.theory_factor);
     visitor_.text(reason, factor_reason(input_.engine));
     visitor_.text(key::effect,
                   factor_effect(input_.engine, result_.factor + input_.factor.overbalance));
     visitor_.integer(key::cylinders, is_pair(input_.engine) ? 2 : 1);
-    visitor_.number(key::forward, left.forward);
-    visitor_.number(key::backward, left.backward);
-    visitor_.number(key::upright, left.upright());
-    visitor_.number(key::across, left.across());
+    const auto left = [&](const ResultField& field, const auto& part) {
+        visitor_.number(field, result_.first_order
+                                   ? std::optional(std::invoke(part, *result_.first_order))
+                                   : std::nullopt);
+    };
+    left(key::forward, &FirstOrder::forward);
+    left(key::backward, &FirstOrder::backward);
+    left(key::upright, &FirstOrder::upright);
+    left(key::across, &FirstOrder::across);
 }
 
 std::vector<Message> keys_of(const auto& parts, const auto& part_of) {
@@ -214,14 +193,12 @@ std::vector<Message> keys_of(const auto& parts, const auto& part_of) {
 }
 
 void JobVisit::visit_bob_weight() {
-    if (withheld_.bob_weight) {
-        visitor_.nothing(key::bob_weight);
-        visitor_.integer(key::bob_weights, input_.engine.crankpins());
+    visitor_.number(key::bob_weight, result_.bob_weight);
+    visitor_.integer(key::bob_weights, input_.engine.crankpins());
+    if (!result_.bob_weight) {
         visitor_.nothing(shop::result_field::lines);
         return;
     }
-    visitor_.number(key::bob_weight, result_.bob_weight);
-    visitor_.integer(key::bob_weights, input_.engine.crankpins());
     std::vector<Line> lines = result_.lines;
     if (!is_job_) {
         // That format begins with the rings.
@@ -235,9 +212,8 @@ void JobVisit::visit_bob_weight() {
 }
 
 void JobVisit::visit_all() {
-    RAVNOVES_DEMAND(
-        result_.first_order && result_.reciprocating && result_.rotating && result_.bob_weight,
-        "what is written is the result of a whole input");
+    RAVNOVES_DEMAND(result_.reciprocating && result_.rotating,
+                    "what is written is the result of a whole input");
     visitor_.number(key::reciprocating, result_.reciprocating);
     visitor_.number(key::rotating, result_.rotating);
     visitor_.number(key::reciprocating_percent, result_.factor);
@@ -270,26 +246,25 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
     if (visitor.wants(ravnoves::result_field::verdict.key)) {
         visit_verdict(visitor, verdict(input, result));
     }
-    JobVisit(visitor, input, result, Format::bob_weights, {}).visit_all();
+    JobVisit(visitor, input, result, Format::bob_weights).visit_all();
 }
 
 void visit_results(ResultVisitor& visitor, const Input& input) {
     visit_results(visitor, input, solve(input, visitor.wants(shop::result_field::weigh_in.key)));
 }
 
-void visit_job(ResultVisitor& visitor, const Input& input, const Result& result,
-               const Withheld& withheld) {
-    JobVisit(visitor, input, result, Format::workshop, withheld).visit_all();
+void visit_job(ResultVisitor& visitor, const Input& input, const Result& result) {
+    JobVisit(visitor, input, result, Format::workshop).visit_all();
 }
 
-void visit_withheld(ResultVisitor& visitor, const Input& input, const Result& result,
-                    const Withheld& withheld) {
-    JobVisit visit(visitor, input, result, Format::workshop, {});
-    if (withheld.bob_weight) {
-        visit.visit_bob_weight();
-    }
-    if ((withheld.holes || withheld.verdict) && result.newest() != nullptr) {
-        visitor.object(key::correction, [&] { visit.visit_planes(); });
+void visit_bob_weight(ResultVisitor& visitor, const Input& input, const Result& result) {
+    JobVisit(visitor, input, result, Format::workshop).visit_bob_weight();
+}
+
+void visit_planes(ResultVisitor& visitor, const Input& input, const Result& result) {
+    if (result.newest() != nullptr) {
+        visitor.object(key::correction,
+                       [&] { JobVisit(visitor, input, result, Format::workshop).visit_planes(); });
     }
 }
 
@@ -321,13 +296,12 @@ Verdict verdict(const Input& input, const Result& result,
             const auto& planes = *result.correction;
             const auto names = shop::plane_names(plane_names);
             const auto after = result.passes_after();
-            const Number left[] = {{planes[0].remaining / units::gram_mm, units::gram_mm, -1},
-                                   {planes[1].remaining / units::gram_mm, units::gram_mm, -1}};
             verdict.severity = after == true ? Severity::warning : Severity::error;
-            verdict.text = Message(
-                Text{"", "%1 %2"}, verdict.text,
-                Message(CORE_TEXT("bob-weights", "After the planned correction: %1 %3, %2 %4."),
-                        left[0], left[1], names[0], names[1]));
+            verdict.text = shop::two_sentences(
+                verdict.text,
+                {CORE_TEXT("bob-weights", "After the planned correction: %1 %3, %2 %4."),
+                 shop::in_gram_millimetres(planes[0].remaining),
+                 shop::in_gram_millimetres(planes[1].remaining), names[0], names[1]});
         }
         if (!newest->acted_as_meant()) {
             verdict.warn(CORE_TEXT("bob-weights",

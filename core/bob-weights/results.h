@@ -16,20 +16,11 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
 /// The same, which solves the input first.
 void visit_results(ResultVisitor& visitor, const Input& input);
 
-/// What a doubt keeps out of a workshop's result: it is null there.
-struct Withheld {
-    bool bob_weight = false;
-    bool holes = false;
-    bool verdict = false;
-
-    bool any() const { return bob_weight || holes || verdict; }
-};
-/// The same of a workshop's job, without its verdict.
-void visit_job(ResultVisitor& visitor, const Input& input, const Result& result,
-               const Withheld& withheld);
-/// The values that are withheld from it.
-void visit_withheld(ResultVisitor& visitor, const Input& input, const Result& result,
-                    const Withheld& withheld);
+/// The same of a workshop's job, without its verdict; what is not known, or withheld, is null.
+void visit_job(ResultVisitor& visitor, const Input& input, const Result& result);
+/// Of it the bob weight with its lines, or the planes alone.
+void visit_bob_weight(ResultVisitor& visitor, const Input& input, const Result& result);
+void visit_planes(ResultVisitor& visitor, const Input& input, const Result& result);
 
 /// Whether the crankshaft passes; before it is read, what to hang on it.
 Verdict verdict(const Input& input, const Result& result,

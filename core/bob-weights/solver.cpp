@@ -10,6 +10,7 @@
 #include "case-file/input_error.h"
 #include "shop/balance_grade.h"
 #include "shop/kilograms.h"
+#include "shop/sentences.h"
 
 namespace ravnoves::bob_weights {
 
@@ -95,38 +96,25 @@ void look_for_kilograms(const Input& input, Result& result) {
     }
 }
 
-/// Of one rod on a crankpin: the cylinder alone; of two by the numbering of the sheet.
-std::array<std::size_t, 2> cylinders_of(const Input& input, std::size_t pin) {
-    if (input.weigh_in->numbering == shop::CylinderNumbering::alternating) {
-        return {2 * pin, 2 * pin + 1};
-    }
-    return {pin, pin + static_cast<std::size_t>(input.engine.crankpins())};
-}
-
 /// Each crankpin's bob weight of its own parts.
 std::vector<double> crankpins_of(const Input& input, const WeighIn& sheet, double factor,
                                  const std::vector<Line>& lines) {
     const Engine& engine = input.engine;
-    std::vector<double> crankpins;
-    for (int pin = 0; pin < engine.crankpins(); ++pin) {
-        const auto cylinders = cylinders_of(input, static_cast<std::size_t>(pin));
-        double sum = 0.0;
-        for (const Line& line : lines) {
-            const auto& column = line.part->column;
-            if (!column || !sheet[*column].is_weighed()) {
+    const auto places = shop::places_of(crank_of(input));
+    std::vector<double> crankpins(static_cast<std::size_t>(engine.crankpins()));
+    for (const Line& line : lines) {
+        const auto& column = line.part->column;
+        if (!column || !sheet[*column].is_weighed()) {
+            for (double& sum : crankpins) {
                 sum += line.product();
-                continue;
             }
-            const auto& masses = sheet[*column].mass;
-            const int rods = engine.rods_on_crankpin();
-            const double each = factor_of(*line.part, engine, factor) / rods;
-            for (int rod = 0; rod < rods; ++rod) {
-                const std::size_t cylinder = rods == 1 ? static_cast<std::size_t>(pin)
-                                                       : cylinders[static_cast<std::size_t>(rod)];
-                sum += each * *masses.at(cylinder);
-            }
+            continue;
         }
-        crankpins.push_back(sum);
+        const double each = factor_of(*line.part, engine, factor) / engine.rods_on_crankpin();
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            crankpins.at(static_cast<std::size_t>(places[i].crankpin)) +=
+                each * *sheet[*column].mass.at(i);
+        }
     }
     return crankpins;
 }
@@ -224,7 +212,7 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
         return cause;
     }
     const Message remains{CORE_TEXT("bob-weights", "%1 at the radius remain at %2."),
-                          Number{std::abs(left) / *plane.radius / units::gram, units::gram, -2},
+                          shop::in_grams(std::abs(left) / *plane.radius),
                           Number{turn_of(angle) / degree, units::degree, -1}};
     const Message remedy =
         !can_press ? CORE_TEXT("bob-weights",
@@ -770,16 +758,15 @@ bool reads_in_planes(const Correction& correction) {
     return !places || places->from == places->to;
 }
 
+std::optional<bool> RunResult::within(std::size_t plane) const {
+    return planes         ? (*planes)[plane].within_tolerance
+           : alone[plane] ? alone[plane]->within_tolerance
+                          : std::nullopt;
+}
+
 std::optional<bool> RunResult::passes() const {
-    if (planes) {
-        return both((*planes)[0].within_tolerance, (*planes)[1].within_tolerance);
-    }
-    const auto within = [&](std::size_t i) {
-        return alone[i] ? alone[i]->within_tolerance : std::nullopt;
-    };
-    const auto first = within(0);
-    const auto second = within(1);
-    return first == false || second == false ? std::optional(false) : both(first, second);
+    return within(0) == false || within(1) == false ? std::optional(false)
+                                                    : both(within(0), within(1));
 }
 
 std::optional<bool> Result::passes_after() const {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 
@@ -9,11 +8,7 @@
 
 namespace ravnoves::shop {
 
-/// Balance quality grades G of [iso-21940-11], mm/s (the products e·ω).
-inline constexpr std::array<double, 11> balance_grades_mm_s{0.4, 1,   2.5, 6.3,  16,  40,
-                                                            100, 250, 630, 1600, 4000};
-
-/// What a grade is for, by [iso-21940-11] as far as it concerns engines.
+/// What a balance quality grade G = e ω of [iso-21940-11] is for, as far as it concerns engines.
 struct BalanceGrade {
     double mm_per_s;
     Text use;

@@ -8,6 +8,7 @@
 #include "case-file/input_error.h"
 #include "numerics/constants.h"
 #include "numerics/demand.h"
+#include "shop/sentences.h"
 #include "shop/set_search.h"
 
 namespace ravnoves::shop {
@@ -362,7 +363,7 @@ std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rule
                       "matching",
                       "No placing found brings the crankpins within %1 of one another: they are "
                       "made as equal as can be. Take off what the heavier parts have too much."),
-            Number{*rules.permitted_spread / units::gram, units::gram, -2}};
+            in_grams(*rules.permitted_spread)};
     }
     return matched;
 }

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "shop/balance_grade.h"
+#include "shop/sentences.h"
 
 namespace ravnoves::shop {
 
@@ -139,7 +140,7 @@ void add_machine_verdict(Verdict& verdict, const std::array<std::optional<double
     for (std::size_t i = 0; i < 2; ++i) {
         is_whole = is_whole && unbalance[i];
         fails = fails || !is_within(unbalance[i].value_or(0.0), (*permissible)[i]);
-        shown[i] = {unbalance[i].value_or(0.0) / units::gram_mm, units::gram_mm, -1};
+        shown[i] = in_gram_millimetres(unbalance[i].value_or(0.0));
     }
     if (!is_whole && !fails) {
         return;
@@ -150,11 +151,11 @@ void add_machine_verdict(Verdict& verdict, const std::array<std::optional<double
                            : CORE_TEXT("workshop", "Passes: %1 %5, %2 %6; permissible %3 and %4."),
                        unbalance[0] ? Message(shown[0]) : Message("–"),
                        unbalance[1] ? Message(shown[1]) : Message("–"),
-                       Number{(*permissible)[0] / units::gram_mm, units::gram_mm, -1},
-                       Number{(*permissible)[1] / units::gram_mm, units::gram_mm, -1},
+                       in_gram_millimetres((*permissible)[0]),
+                       in_gram_millimetres((*permissible)[1]),
                        names[0],
                        names[1]};
-    verdict.text = verdict.text.empty() ? said : Message(Text{"", "%1 %2"}, said, verdict.text);
+    verdict.text = verdict.text.empty() ? said : two_sentences(said, verdict.text);
     verdict.severity = fails ? Severity::error : verdict.severity;
 }
 

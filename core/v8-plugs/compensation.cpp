@@ -7,13 +7,8 @@ namespace ravnoves::v8_plugs {
 
 namespace {
 
-Number grams(double mass) {
-    return {mass / units::gram, units::gram, -2};
-}
-
-Number gram_millimetres(double unbalance) {
-    return {unbalance / units::gram_mm, units::gram_mm, -1};
-}
+using shop::in_gram_millimetres;
+using shop::in_grams;
 
 /// The action of an option in the imperative.
 Message action(const Option& option, const Message& off) {
@@ -34,30 +29,26 @@ Message action(const Option& option, const Message& off) {
 }
 
 Message action(const Option& option) {
-    return action(option, grams(option.reduction));
+    return action(option, in_grams(option.reduction));
 }
 
 Message over_or_under(const Option& option) {
     return {option.residual_mass > 0 ? CORE_TEXT("V8", "leaves %1 too much on each crankpin")
                                      : CORE_TEXT("V8", "over-compensates by %1 on each crankpin"),
-            grams(std::abs(option.residual_mass))};
+            in_grams(std::abs(option.residual_mass))};
 }
 
 Message within(double unbalance, double tolerance) {
-    return {CORE_TEXT("V8", "%1, within the %2 allowed"), gram_millimetres(std::abs(unbalance)),
-            gram_millimetres(tolerance)};
+    return {CORE_TEXT("V8", "%1, within the %2 allowed"), in_gram_millimetres(std::abs(unbalance)),
+            in_gram_millimetres(tolerance)};
 }
 
 Message against(double unbalance, double tolerance) {
-    return {CORE_TEXT("V8", "%1 against the %2 allowed"), gram_millimetres(std::abs(unbalance)),
-            gram_millimetres(tolerance)};
+    return {CORE_TEXT("V8", "%1 against the %2 allowed"), in_gram_millimetres(std::abs(unbalance)),
+            in_gram_millimetres(tolerance)};
 }
 
 }  // namespace
-
-Message two_sentences(Message first, Message second) {
-    return {Text{"", "%1 %2"}, std::move(first), std::move(second)};
-}
 
 double unbalanced_mass(const MassChanges& changes, double rod_coefficient) {
     return changes.piston + (2.0 + rod_coefficient) * changes.rod_big_end +
@@ -217,8 +208,8 @@ Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mas
 }
 
 Message describe_action(const Option& option, double least, double greatest) {
-    Number from = grams(least);
-    const Number to = grams(greatest);
+    Number from = in_grams(least);
+    const Number to = in_grams(greatest);
     if (Message(from) == Message(to)) {
         return action(option, to);
     }
@@ -249,7 +240,7 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
         case Advice::Kind::none_needed:
             return {CORE_TEXT("V8",
                               "Leave the plugs as they are: the excess of %1 per crankpin is %2."),
-                    grams(unbalanced_mass), within(unbalance, tolerance)};
+                    in_grams(unbalanced_mass), within(unbalance, tolerance)};
         case Advice::Kind::option: {
             const Option& option = advice.option.value();
             return option.residual_mass == 0.0
@@ -266,7 +257,7 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
             text = {CORE_TEXT("V8",
                               "The parts are %1 per crankpin lighter than nominal (%2), and plugs "
                               "can only be lightened: heavier parts or heavier plugs are needed."),
-                    grams(-unbalanced_mass), gram_millimetres(-unbalance)};
+                    in_grams(-unbalanced_mass), in_gram_millimetres(-unbalance)};
             break;
         case Advice::Kind::cannot_be_made: {
             const Option& option = advice.option.value();
@@ -275,7 +266,7 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
                     ? Message(CORE_TEXT("V8",
                                         "“%1” would do with %2 off each plug, but the plug cannot "
                                         "be made so."),
-                              option_word(option.id).label, grams(option.reduction))
+                              option_word(option.id).label, in_grams(option.reduction))
                     : Message(CORE_TEXT("V8", "“%1” would do, but the plug cannot be made so."),
                               option_word(option.id).label),
                 advice.hindrance);
@@ -295,7 +286,7 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
                 // Each piston counts once in the excess of its crankpin.
                 text = two_sentences(std::move(text),
                                      {CORE_TEXT("V8", "With it take %1 off each piston."),
-                                      grams(closest.residual_mass)});
+                                      in_grams(closest.residual_mass)});
             }
             break;
         }

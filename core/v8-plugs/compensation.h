@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "shop/sentences.h"
 #include "v8-plugs/engine.h"
 
 namespace ravnoves::v8_plugs {
@@ -156,7 +157,7 @@ using Hindrance = std::function<Message(const Option&)>;
 Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mass, double tolerance,
               const Hindrance& hindrance = {});
 
-Message two_sentences(Message first, Message second);
+using shop::two_sentences;
 /// The advice as a technician would say it.
 Message describe(const Advice& advice, double unbalanced_mass, double crank_radius,
                  double tolerance);

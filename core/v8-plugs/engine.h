@@ -13,7 +13,6 @@ namespace ravnoves::v8_plugs {
 
 inline constexpr int cylinder_count = 8;
 inline constexpr int crankpin_count = 4;
-inline constexpr int plug_count = 8;  ///< two in the sludge trap of each crankpin
 
 /// The seven engines of the paper, by displacement in litres, and the data it gives for them.
 ///

@@ -95,12 +95,11 @@ std::optional<BoreLimits> PlugSheet::limits() const {
     return BoreLimits{*cutter_diameter, minimum_wall.value_or(0.0), minimum_bottom.value_or(0.0)};
 }
 
-std::optional<BalancingCheck> BalancingSheet::check() const {
+std::optional<double> BalancingSheet::permissible() const {
     if (!grade || !rotor_mass || !service_speed) {
         return std::nullopt;
     }
-    return BalancingCheck{*grade,      *rotor_mass,   *service_speed,
-                          front_share, front_reading, rear_reading};
+    return shop::permissible_unbalance(*rotor_mass, *grade, *service_speed);
 }
 
 MassChanges Input::changes() const {
@@ -123,7 +122,7 @@ std::vector<Message> not_counted(const Input& input) {
         if (typed == 0.0) {
             continue;
         }
-        const Number grams{typed / units::gram, units::gram, -2};
+        const Number grams = shop::in_grams(typed);
         if (!input.takes_typed(each.member)) {
             list.emplace_back(CORE_TEXT("V8", "%1: the typed %2 is replaced by the weights."),
                               each.field.label, grams);

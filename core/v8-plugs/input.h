@@ -12,7 +12,6 @@
 #include "v8-plugs/compensation.h"
 #include "v8-plugs/engine.h"
 #include "v8-plugs/plug_geometry.h"
-#include "v8-plugs/residual_unbalance.h"
 #include "v8-plugs/weigh_in.h"
 
 namespace ravnoves {
@@ -67,15 +66,8 @@ struct BalancingSheet {
     shop::ReadShaft front_shaft;
     shop::ReadShaft rear_shaft;
 
-    /// Nothing while grade, mass or speed are missing.
-    std::optional<BalancingCheck> check() const;
-    /// Of another crankshaft, that the machine has not read yet.
-    void forget_readings() {
-        for (auto* value : {&front_reading, &rear_reading, &front_bob_weight, &rear_bob_weight}) {
-            value->reset();
-        }
-        front_shaft = rear_shaft = {};
-    }
+    /// U_per of the whole rotor, kg·m; nothing while grade, mass or speed are missing.
+    std::optional<double> permissible() const;
 
     friend bool operator==(const BalancingSheet&, const BalancingSheet&) = default;
 };

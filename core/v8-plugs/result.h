@@ -6,7 +6,6 @@
 #include "shop/job_header.h"
 #include "v8-plugs/compensation.h"
 #include "v8-plugs/plug_geometry.h"
-#include "v8-plugs/residual_unbalance.h"
 #include "v8-plugs/shift.h"
 #include "v8-plugs/weigh_in.h"
 
@@ -28,6 +27,13 @@ struct PlugMass {
 struct OptionBobWeight {
     BobWeight after;
     BobWeight nominal;  ///< of the crankshaft that the option is for
+};
+
+/// One correction plane.
+struct PlaneVerdict {
+    double permissible;             ///< kg·m
+    std::optional<double> reading;  ///< kg·m
+    std::optional<bool> passes;     ///< nothing while there is no reading
 };
 
 /// Everything the page, the job card and the result file show. Parts that need values which are
@@ -58,8 +64,9 @@ struct Result {
     /// Where an option machines its plugs.
     std::array<std::optional<ShiftEffect>, all_options.size()> shift;
 
-    std::optional<BalancingVerdict> balancing;  ///< by [iso-21940-11], where its data are given
-    /// The machine's readings, front and rear, against that limit, else against the tolerance.
+    /// U_per of the whole rotor by [iso-21940-11], where its data are given, kg·m.
+    std::optional<double> permissible;
+    /// The machine's readings, front and rear, against their shares of it, else the tolerance.
     std::array<PlaneVerdict, 2> planes{};
 
     /// The bob weight that a reading was taken with where it is not the one to be hung now, kg.

@@ -61,8 +61,11 @@ void visit_boring(ResultVisitor& visitor, const Boring& boring,
 }
 
 void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, double crank_radius,
-                  double tolerance, bool doubted) {
-    const auto& option = result.option(id);
+                  double tolerance) {
+    const auto& solved = result.option(id);
+    // What its plugs are worth is known whatever they have to compensate.
+    const auto option =
+        solved ? solved : evaluate_option(id, *result.plugs, *result.unbalanced_mass, tolerance);
     const auto& weights = result.bob_weights[index(id)];
     const auto number = [&](const ResultField& field, double Option::*member) {
         visitor.number(field, option ? std::optional((*option).*member) : std::nullopt);
@@ -70,7 +73,7 @@ void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, dou
     number(key::constant, &Option::constant);
     number(key::slope, &Option::slope);
     number(key::maximum, &Option::maximum);
-    if (option && doubted) {
+    if (option && !solved) {
         for (const ResultField* field :
              {&key::required_reduction, &key::reduction, &feasible, &key::residual_mass,
               &key::residual_unbalance, &key::bob_weight_sum, &key::with_plugs_in}) {
@@ -167,16 +170,16 @@ void visit_plane(ResultVisitor& visitor, const ResultField& field, const PlaneVe
 
 void visit_machine(ResultVisitor& visitor, const Result& result) {
     const auto& [front, rear] = result.planes;
-    if (!result.balancing && !front.reading && !rear.reading) {
+    if (!result.permissible && !front.reading && !rear.reading) {
         return;
     }
     visitor.object(key::balancing, [&] {
-        visitor.word(key::limit, result.balancing ? "iso-21940-11" : "tolerance");
+        visitor.word(key::limit, result.permissible ? "iso-21940-11" : "tolerance");
         visit_plane(visitor, key::front, front);
         visit_plane(visitor, key::rear, rear);
         shop::visit_other(visitor, result.read_with, result.read_on);
-        if (result.balancing) {
-            visitor.number(key::permissible, result.balancing->permissible);
+        if (result.permissible) {
+            visitor.number(key::permissible, result.permissible);
         }
     });
 }
@@ -226,8 +229,8 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
     visit_plugs(visitor, input, result);
 }
 
-void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result, bool doubted) {
-    RAVNOVES_DEMAND(result.plugs && result.unbalanced_mass && result.advice,
+void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result) {
+    RAVNOVES_DEMAND(result.plugs && result.unbalanced_mass,
                     "what is written is the result of a whole input");
     const PlugSet& plugs = *result.plugs;
     const double excess = *result.unbalanced_mass;
@@ -249,18 +252,18 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
     visitor.object(key::options, [&] {
         for (const OptionId id : all_options) {
             visitor.object({.key = option_word(id).word, .label = option_word(id).label}, [&] {
-                visit_option(visitor, result, id, plugs.crank_radius, input.tolerance, doubted);
+                visit_option(visitor, result, id, plugs.crank_radius, input.tolerance);
             });
         }
     });
-    if (doubted) {
+    if (result.advice) {
+        visit_advice(visitor, input, result);
+    } else {
         for (const ResultField* field : {&key::recommended, &reason, &key::state, &key::warning}) {
             visitor.nothing(*field);
         }
-    } else {
-        visit_advice(visitor, input, result);
     }
-    if (result.nominal && result.before && !doubted) {
+    if (result.nominal && result.before) {
         visitor.object(key::bob_weight, [&] {
             visit_bob_weight(visitor, key::nominal, *result.nominal);
             visit_bob_weight(visitor, key::before, *result.before);
@@ -326,7 +329,7 @@ Message plug_doubt(const Input& input, const Result& result) {
                       : CORE_TEXT("v8-plugs",
                                   "%1: %2 entered, but a plug of these dimensions weighs %3. Weigh "
                                   "the plug."),
-                name, Number{mass->typed / units::gram, units::gram, -2},
+                name, shop::in_grams(mass->typed),
                 Number{mass->geometry / units::gram, units::gram, -1}};
     }
     return {};

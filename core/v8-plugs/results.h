@@ -13,10 +13,9 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
 /// The same, which solves the input first.
 void visit_results(ResultVisitor& visitor, const Input& input);
 
-/// The same of a workshop's job, without its verdict.
-/// @param doubted  the masses are: what is to be done with the plugs is null
-void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result,
-                 bool doubted = false);
+/// The same of a workshop's job, without its verdict; without advice, what is to be done with the
+/// plugs is null.
+void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result);
 
 /// Whether the plugs can compensate, and what the machine reads.
 Verdict verdict(const Input& input, const Result& result);

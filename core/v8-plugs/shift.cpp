@@ -7,14 +7,6 @@ namespace ravnoves::v8_plugs {
 
 namespace {
 
-Number in_grams(double mass) {
-    return {mass / units::gram, units::gram, -2};
-}
-
-Number in_gram_millimetres(double unbalance) {
-    return {unbalance / units::gram_mm, units::gram_mm, -1};
-}
-
 /// Where the cut that takes so much off lies, m beyond the plug's centre of mass.
 double distance_of_cut(const BoreSetup& setup, double reduction) {
     return plan_boring(setup.plug, setup.limits, reduction, setup.density).cut_distance;
@@ -47,23 +39,6 @@ double shifted_reduction(const Option& option, double shift) {
     const double wanted = mass - (mass - option.required_reduction) * option.plug_radius /
                                      (option.plug_radius - shift);
     return std::clamp(wanted, 0.0, option.max_reduction);
-}
-
-/// What the method neglects, and what would be left by it.
-Message describe_neglect(const ShiftEffect& effect, double tolerance) {
-    const Number beyond = in_gram_millimetres(std::abs(effect.residual_unbalance));
-    const Number allowed = in_gram_millimetres(tolerance);
-    return effect.planned
-               ? Message(CORE_TEXT("V8",
-                                   "The method neglects that the plug's centre of mass moves: "
-                                   "bored like this %1 would be left, beyond the %2 allowed."),
-                         beyond, allowed)
-               : Message(CORE_TEXT("V8",
-                                   "The method neglects that the centre of mass of a machined plug "
-                                   "moves, by %3 to %4 in the paper: with it up to %1 would be "
-                                   "left, beyond the %2 allowed."),
-                         beyond, allowed, Number{smallest_shift / units::mm, units::mm, 0, true},
-                         Number{largest_shift / units::mm, units::mm});
 }
 
 }  // namespace
@@ -110,13 +85,26 @@ Message describe(const ShiftEffect& effect, double tolerance) {
     if (!effect.matters) {
         return {};
     }
-    const Message neglect = describe_neglect(effect, tolerance);
-    const Number least = in_grams(effect.least_reduction);
+    const Number beyond = shop::in_gram_millimetres(std::abs(effect.residual_unbalance));
+    const Number allowed = shop::in_gram_millimetres(tolerance);
+    const Message neglect =
+        effect.planned
+            ? Message(CORE_TEXT("V8",
+                                "The method neglects that the plug's centre of mass moves: "
+                                "bored like this %1 would be left, beyond the %2 allowed."),
+                      beyond, allowed)
+            : Message(CORE_TEXT("V8",
+                                "The method neglects that the centre of mass of a machined plug "
+                                "moves, by %3 to %4 in the paper: with it up to %1 would be "
+                                "left, beyond the %2 allowed."),
+                      beyond, allowed, Number{smallest_shift / units::mm, units::mm, 0, true},
+                      Number{largest_shift / units::mm, units::mm});
+    const Number least = shop::in_grams(effect.least_reduction);
     if (!effect.planned) {
         return two_sentences(neglect, {CORE_TEXT("V8",
                                                  "Give the plug's sizes and the cutter, or take "
                                                  "off %1 to %2 each instead."),
-                                       least, in_grams(effect.greatest_reduction)});
+                                       least, shop::in_grams(effect.greatest_reduction)});
     }
     if (!effect.depth) {
         return two_sentences(neglect, {CORE_TEXT("V8", "Take off %1 each instead."), least});
@@ -124,20 +112,6 @@ Message describe(const ShiftEffect& effect, double tolerance) {
     return two_sentences(neglect,
                          {CORE_TEXT("V8", "Bore to %1 from the face instead, %2 off each plug."),
                           Number{*effect.depth / units::mm, units::mm, -2}, least});
-}
-
-Message describe_method(const ShiftEffect& effect, const Option& option, double tolerance) {
-    if (!effect.matters) {
-        return {};
-    }
-    const Message why = two_sentences(
-        {CORE_TEXT("V8", "By the method alone it would be %1 each."), in_grams(option.reduction)},
-        describe_neglect(effect, tolerance));
-    return effect.planned
-               ? why
-               : two_sentences(why, CORE_TEXT("V8",
-                                              "With the plug's sizes and the cutter given it is "
-                                              "one mass and a depth."));
 }
 
 }  // namespace ravnoves::v8_plugs

@@ -44,8 +44,4 @@ std::optional<ShiftEffect> shift_effect(const Option& option, double tolerance,
 
 /// The warning, with what to do instead; empty where the shift does not matter.
 Message describe(const ShiftEffect& effect, double tolerance);
-/// The same where it has been said what to do: what the method would take off, and why that is not
-/// right.
-Message describe_method(const ShiftEffect& effect, const Option& option, double tolerance);
-
 }  // namespace ravnoves::v8_plugs

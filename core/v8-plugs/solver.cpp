@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shop/balance_grade.h"
+
 namespace ravnoves::v8_plugs {
 
 namespace {
@@ -29,8 +31,9 @@ void solve_weigh_in(const Input& input, Result& result) {
         WeighIn weighed = *input.weigh_in;
         move_back(weighed);
         result.weighed_excess = crankpin_excess(weighed, k);
-        result.assigned_excess =
-            crankpin_excess(reassigned(*input.weigh_in, *result.assignment), k);
+        WeighIn assigned = *input.weigh_in;
+        move_sets(assigned, result.assignment->pistons, result.assignment->rods);
+        result.assigned_excess = crankpin_excess(assigned, k);
         if (input.changes_from_weigh_in) {
             // What is typed and not weighed is the same on every crankpin.
             const double typed = unbalanced_mass(result.changes, k) -
@@ -156,25 +159,25 @@ Result solve(const Input& input, bool changes_known, bool places_parts) {
     }
     solve_shifts(input, result);
     const BalancingSheet machine = input.balancing.value_or(BalancingSheet{});
-    if (const auto check = machine.check()) {
-        result.balancing = judge(*check);
-        result.planes = {result.balancing->front, result.balancing->rear};
-    } else {
-        result.planes = {judge(input.tolerance, machine.front_reading),
-                         judge(input.tolerance, machine.rear_reading)};
-    }
-    const auto look_whose = [&](const std::optional<double>& reading,
-                                const std::optional<double>& bob_weight,
-                                const shop::ReadShaft& shaft) {
-        if (reading && !result.read_with && shop::is_other_bob_weight(bob_weight, result.hung())) {
+    result.permissible = machine.permissible();
+    const auto judge = [&](double share, const std::optional<double>& reading,
+                           const std::optional<double>& bob_weight, const shop::ReadShaft& shaft) {
+        const double limit = result.permissible ? share * *result.permissible : input.tolerance;
+        if (!reading) {
+            return PlaneVerdict{limit, {}, {}};
+        }
+        if (!result.read_with && shop::is_other_bob_weight(bob_weight, result.hung())) {
             result.read_with = bob_weight;
         }
-        if (reading && !result.read_on) {
+        if (!result.read_on) {
             result.read_on = shop::other_shaft(shaft, input.job);
         }
+        return PlaneVerdict{limit, reading, shop::is_within(*reading, limit)};
     };
-    look_whose(machine.front_reading, machine.front_bob_weight, machine.front_shaft);
-    look_whose(machine.rear_reading, machine.rear_bob_weight, machine.rear_shaft);
+    result.planes = {judge(machine.front_share, machine.front_reading, machine.front_bob_weight,
+                           machine.front_shaft),
+                     judge(1.0 - machine.front_share, machine.rear_reading, machine.rear_bob_weight,
+                           machine.rear_shaft)};
     return result;
 }
 

@@ -8,31 +8,13 @@ namespace ravnoves::v8_plugs {
 
 namespace {
 
-double column_deviation(const PartColumn& column, int cylinder) {
-    return column.is_complete() ? *column.mass[static_cast<std::size_t>(cylinder)] - *column.nominal
-                                : 0.0;
-}
-
-/// What a part's mass adds to its crankpin's excess, times that.
-double excess_factor(Part part, double rod_coefficient) {
-    switch (part) {
-        case Part::piston:
-        case Part::pin:
-        case Part::rings:
-        case Part::rod_small_end:
-            // Half: the reciprocating mass counts once for a crankpin that carries two of them.
-            return 0.5;
-        case Part::rod_big_end:
-            return 0.5 * (2.0 + rod_coefficient);
-        case Part::shells:
-            return 1.0;
-    }
-    return 0.0;
+double column_deviation(const PartColumn& column, std::size_t cylinder) {
+    return column.is_complete() ? *column.mass[cylinder] - *column.nominal : 0.0;
 }
 
 double mean_deviation(const PartColumn& column) {
     double sum = 0.0;
-    for (int cylinder = 0; cylinder < cylinder_count; ++cylinder) {
+    for (std::size_t cylinder = 0; cylinder < cylinder_count; ++cylinder) {
         sum += column_deviation(column, cylinder);
     }
     return sum / cylinder_count;
@@ -57,13 +39,6 @@ std::optional<double> nominal_reciprocating(const WeighIn& sheet) {
 
 std::optional<double> nominal_rotating(const WeighIn& sheet) {
     return nominal_sum(sheet, {Part::rod_big_end, Part::shells});
-}
-
-Crankpins crankpins(CylinderNumbering numbering) {
-    if (numbering == CylinderNumbering::alternating) {
-        return {{{0, 1}, {2, 3}, {4, 5}, {6, 7}}};
-    }
-    return {{{0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 }
 
 double MassChanges::*change_of(Part part, Process process) {
@@ -104,15 +79,29 @@ MassChanges mass_changes(const WeighIn& sheet, Process process, const MassChange
     return changes;
 }
 
+double excess_factor(Part part, double rod_coefficient) {
+    switch (part) {
+        case Part::piston:
+        case Part::pin:
+        case Part::rings:
+        case Part::rod_small_end:
+            // Half: the reciprocating mass counts once for a crankpin that carries two of them.
+            return 0.5;
+        case Part::rod_big_end:
+            return 0.5 * (2.0 + rod_coefficient);
+        case Part::shells:
+            return 1.0;
+    }
+    return 0.0;
+}
+
 std::array<double, crankpin_count> crankpin_excess(const WeighIn& sheet, double rod_coefficient) {
     std::array<double, crankpin_count> excess{};
-    const Crankpins pins = crankpins(sheet.numbering);
-    for (std::size_t k = 0; k < pins.size(); ++k) {
-        for (const int cylinder : pins[k]) {
-            for (const Part part : all_parts) {
-                excess[k] +=
-                    excess_factor(part, rod_coefficient) * column_deviation(sheet[part], cylinder);
-            }
+    const auto places = places_of(crank_of(sheet));
+    for (std::size_t i = 0; i < cylinder_count; ++i) {
+        for (const Part part : all_parts) {
+            excess.at(static_cast<std::size_t>(places[i].crankpin)) +=
+                excess_factor(part, rod_coefficient) * column_deviation(sheet[part], i);
         }
     }
     return excess;
@@ -149,12 +138,6 @@ shop::MatchingTask matching_task(const WeighIn& sheet, double rod_coefficient) {
         }
     }
     return shop::matching_task(sheet, crank_of(sheet), factors);
-}
-
-WeighIn reassigned(const WeighIn& sheet, const shop::Matched& matched) {
-    WeighIn moved = sheet;
-    move_sets(moved, matched.pistons, matched.rods);
-    return moved;
 }
 
 }  // namespace ravnoves::v8_plugs

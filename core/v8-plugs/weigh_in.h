@@ -20,10 +20,6 @@ using shop::part_words;
 
 using shop::PartColumn;
 
-/// The two cylinders of each crankpin, counted from 0.
-using Crankpins = std::array<std::array<int, 2>, crankpin_count>;
-Crankpins crankpins(CylinderNumbering numbering);
-
 using shop::SetNumbers;
 
 /// Of eight cylinders.
@@ -56,6 +52,8 @@ double MassChanges::*change_of(Part part, Process process);
 /// True where the sheet says the change: a column of its parts is complete.
 bool is_weighed(const WeighIn& sheet, Process process, double MassChanges::*change);
 
+/// What a part's mass adds to the excess of its crankpin, times that.
+double excess_factor(Part part, double rod_coefficient);
 /// Excess on each crankpin's own axis, from the parts of its two cylinders; their mean is the
 /// unbalanced_mass() of mass_changes().
 std::array<double, crankpin_count> crankpin_excess(const WeighIn& sheet, double rod_coefficient);
@@ -67,7 +65,4 @@ double spread(const std::array<double, crankpin_count>& totals);
 shop::Crank crank_of(const WeighIn& sheet);
 /// What is matched: columns that are not complete count as nominal.
 shop::MatchingTask matching_task(const WeighIn& sheet, double rod_coefficient);
-/// The sheet with the parts moved; they keep their numbers.
-WeighIn reassigned(const WeighIn& sheet, const shop::Matched& matched);
-
 }  // namespace ravnoves::v8_plugs

@@ -10,19 +10,11 @@ namespace ravnoves::v8_plugs {
 namespace {
 
 /// Sum of the squares of what the columns count for, by the mean of their eight weights.
-double sum_of_squares(const WeighIn& sheet, Process process, double rod_coefficient) {
-    const auto excess = [&](const WeighIn& weighed) {
-        return unbalanced_mass(mass_changes(weighed, process), rod_coefficient);
-    };
-    const double present = excess(sheet);
+double sum_of_squares(const WeighIn& sheet, double rod_coefficient) {
     double sum = 0.0;
     for (const Part part : all_parts) {
         if (sheet[part].is_complete()) {
-            WeighIn heavier = sheet;
-            for (auto& mass : heavier[part].mass) {
-                *mass += 1.0;  // the method is linear: 1 kg is as good as a gram
-            }
-            const double counts = excess(heavier) - present;
+            const double counts = 2.0 * excess_factor(part, rod_coefficient);  // two on a crankpin
             sum += counts * counts;
         }
     }
@@ -36,10 +28,9 @@ std::optional<Weighing> weighing(const Input& input, double resolution) {
     if (!input.engine.crank_radius || !input.engine.rod_coefficient) {
         return std::nullopt;
     }
-    const double parts =
-        input.changes_from_weigh_in && input.weigh_in
-            ? sum_of_squares(*input.weigh_in, input.process, *input.engine.rod_coefficient)
-            : 0.0;
+    const double parts = input.changes_from_weigh_in && input.weigh_in
+                             ? sum_of_squares(*input.weigh_in, *input.engine.rod_coefficient)
+                             : 0.0;
     const double by_resolution = 2.0 * std::sqrt((1.0 + parts / cylinder_count) / 12.0);
     const double radius = *input.engine.crank_radius;
     constexpr double share = 1.0 / 3.0;  // of the tolerance that the scale may use up

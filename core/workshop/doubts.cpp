@@ -10,6 +10,7 @@
 #include "shop/balance_grade.h"
 #include "shop/kilograms.h"
 #include "shop/results.h"
+#include "shop/sentences.h"
 #include "v8-plugs/results.h"
 #include "v8-plugs/shift.h"
 
@@ -18,6 +19,8 @@ namespace ravnoves::workshop {
 namespace {
 
 using Messages = std::vector<Message>;
+using shop::in_gram_millimetres;
+using shop::in_grams;
 using shop::Part;
 
 /// A mass that is typed again differs by rounding, not by a tenth.
@@ -25,18 +28,12 @@ constexpr double same_mass = 1.1;
 /// New parts are no quarter heavier than those that they replace.
 constexpr double same_part = 1.25;
 
-Number grams(double mass) {
-    return {mass / units::gram, units::gram, -2};
-}
 Number millimetres(double length) {
     return {length / units::mm, units::mm, -1};
 }
-Number gram_millimetres(double unbalance) {
-    return {unbalance / units::gram_mm, units::gram_mm, -1};
-}
 
 Message at_angle(double unbalance, double angle) {
-    return {Text{"", "%1 ∠ %2"}, gram_millimetres(unbalance),
+    return {Text{"", "%1 ∠ %2"}, in_gram_millimetres(unbalance),
             Number{angle / units::degree, units::degree, -1}};
 }
 
@@ -119,20 +116,20 @@ Messages odd_mass(const DoubtCase& job) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: cylinders %2 are unlike the others (%3 against %4). "
                                         "Weigh them again or match the parts."),
-                              name, cylinders(odd->cylinders()), grams(odd->mass),
-                              grams(odd->usual));
+                              name, cylinders(odd->cylinders()), in_grams(odd->mass),
+                              in_grams(odd->usual));
         } else if (odd->score) {
             list.emplace_back(
                 CORE_TEXT("workshop",
                           "%1: cylinder %2 weighs %3, the others about %4; the deviation is %5 "
                           "times their scatter. Weigh it again or match the parts."),
-                name, odd->cylinder + 1, grams(odd->mass), grams(odd->usual),
+                name, odd->cylinder + 1, in_grams(odd->mass), in_grams(odd->usual),
                 Number{*odd->score, units::none, -1});
         } else {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: cylinder %2 weighs %3, the others about %4. Weigh it "
                                         "again."),
-                              name, odd->cylinder + 1, grams(odd->mass), grams(odd->usual));
+                              name, odd->cylinder + 1, in_grams(odd->mass), in_grams(odd->usual));
         }
     });
     return list;
@@ -161,7 +158,7 @@ Messages swapped_ends(const DoubtCase& job) {
     return {{CORE_TEXT("workshop",
                        "The big end of the rod, %1, weighs less than its small end, %2. Swap both "
                        "or weigh the rod again."),
-             grams(**big), grams(**small)}};
+             in_grams(**big), in_grams(**small)}};
 }
 
 Messages typed_against_weighed(const DoubtCase& job) {
@@ -173,7 +170,7 @@ Messages typed_against_weighed(const DoubtCase& job) {
                                         "%1: %2 entered, but %3 weighed. Correct the one that is "
                                         "wrong."),
                               shop::part_word(*part.column).label,
-                              grams(*(job.input.parts.*part.member)), grams(weighed->mean));
+                              in_grams(*(job.input.parts.*part.member)), in_grams(weighed->mean));
         }
     }
     return list;
@@ -188,7 +185,8 @@ Messages nominal_against_weighed(const DoubtCase& job) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: nominal %2, but %3 weighed. Correct the one that is "
                                         "wrong."),
-                              shop::part_word(part).label, grams(*column.nominal), grams(mean));
+                              shop::part_word(part).label, in_grams(*column.nominal),
+                              in_grams(mean));
         }
     });
     return list;
@@ -217,7 +215,7 @@ Messages gear_against_parts(const DoubtCase& job) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: %2 entered, but the nominal parts add up to %3. "
                                         "Correct the one that is wrong."),
-                              name, grams(*typed), grams(*parts));
+                              name, in_grams(*typed), in_grams(*parts));
         }
     };
     check(CORE_TEXT("bob-weights", "Reciprocating mass"),
@@ -243,20 +241,13 @@ bool is_plug_known(const DoubtCase& job) {
            too_heavy(job.plugs->aluminium_plug);
 }
 
-Messages plug_doubt(const DoubtCase& job, bool known) {
+template <bool known>
+Messages plug_doubt(const DoubtCase& job) {
     if (job.plugs == nullptr || is_plug_known(job) != known) {
         return {};
     }
     Message doubt = v8_plugs::plug_doubt(*job.plugs_input, *job.plugs);
     return doubt.empty() ? Messages() : Messages{std::move(doubt)};
-}
-
-Messages plug_mass(const DoubtCase& job) {
-    return plug_doubt(job, true);
-}
-
-Messages paper_plug(const DoubtCase& job) {
-    return plug_doubt(job, false);
 }
 
 Messages plug_shift(const DoubtCase& job) {
@@ -279,7 +270,7 @@ Messages unequal_crankpins(const DoubtCase& job) {
     return {{CORE_TEXT("workshop",
                        "The crankpins are unequal: their excess is %1 to %2, and the plugs are for "
                        "the mean. Move the sets or match the parts first."),
-             grams(*least), grams(*most)}};
+             in_grams(*least), in_grams(*most)}};
 }
 
 /// Parts of one engine are matched to less than this part of their mass.
@@ -296,15 +287,15 @@ Messages spread_of_parts(const DoubtCase& job) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: spread %2, permitted %3 (heaviest: cylinder %4, "
                                         "lightest: %5)."),
-                              shop::part_word(part).label, grams(found->spread),
-                              grams(*column.permitted_spread), found->heaviest + 1,
+                              shop::part_word(part).label, in_grams(found->spread),
+                              in_grams(*column.permitted_spread), found->heaviest + 1,
                               found->lightest + 1);
         } else if (!column.permitted_spread &&
                    found->spread > std::max(usual_spread * found->mean, 1.0 * units::gram)) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: spread %2 (heaviest: cylinder %3, lightest: %4). "
                                         "Weigh them again or match the parts."),
-                              shop::part_word(part).label, grams(found->spread),
+                              shop::part_word(part).label, in_grams(found->spread),
                               found->heaviest + 1, found->lightest + 1);
         }
     });
@@ -327,7 +318,7 @@ Messages unlike_halves(const DoubtCase& job) {
     return {{CORE_TEXT("workshop",
                        "Reciprocating mass %1 and rotating mass %2 of a cylinder do not go "
                        "together. Check the masses of the parts."),
-             grams(*reciprocating), grams(*rotating)}};
+             in_grams(*reciprocating), in_grams(*rotating)}};
 }
 
 // ---------------------------------------------------------------------------------- machine
@@ -396,20 +387,13 @@ Messages drilled_otherwise(const DoubtCase& job) {
     return list;
 }
 
-Messages other_readings(const DoubtCase& job, bool shaft) {
+template <bool shaft>
+Messages other_readings(const DoubtCase& job) {
     const bob_weights::RunResult* newest = job.shaft.newest();
     if (newest == nullptr || (shaft ? !newest->read_on : newest->read_on || !newest->read_with)) {
         return {};
     }
     return {shop::other_readings(newest->read_with, newest->read_on, job.shaft.bob_weight)};
-}
-
-Messages other_bob_weight(const DoubtCase& job) {
-    return other_readings(job, false);
-}
-
-Messages other_crankshaft(const DoubtCase& job) {
-    return other_readings(job, true);
 }
 
 /// What is read elsewhere is another unbalance in the planes, which takes its direction to know.
@@ -586,46 +570,41 @@ bool contradicts_scale(const Input& input, const bob_weights::PartField& part) {
 }
 
 std::span<const DoubtRule> doubt_rules() {
-    using Kind = DoubtKind;
     constexpr Severity error = Severity::error;
     constexpr Severity warning = Severity::warning;
     // A bob weight that is wrong makes wrong readings, and these wrong holes and a wrong verdict.
-    constexpr bob_weights::Withheld all{true, true, true};
-    constexpr bob_weights::Withheld judged{false, true, true};
-    constexpr bob_weights::Withheld verdict_alone{false, false, true};
-    constexpr bob_weights::Withheld nothing{};
+    constexpr Withheld all{true, true, true};
+    constexpr Withheld judged{false, true, true};
+    constexpr Withheld verdict_alone{false, false, true};
+    constexpr Withheld nothing{};
     static constexpr DoubtRule rules[] = {
-        {Kind::swapped_ends, "swapped-ends", error, all, swap_ends_act, swapped_ends},
-        {Kind::kilograms, "kilograms", error, all, "", kilograms},
-        {Kind::odd_mass, "odd-mass", error, all, "", odd_mass},
-        {Kind::typed_against_weighed, "typed-against-weighed", error, all, "",
-         typed_against_weighed},
-        {Kind::nominal_against_weighed, "nominal-against-weighed", error, all, "",
-         nominal_against_weighed},
-        {Kind::share_of_one, "share-of-one", error, all, "", share_of_one},
-        {Kind::plug_mass, "plug-mass", error, all, "", plug_mass},
-        {Kind::other_crankshaft, "other-crankshaft", error, judged, "", other_crankshaft},
-        {Kind::other_bob_weight, "other-bob-weight", error, judged, "", other_bob_weight},
-        {Kind::beside_planes, "beside-planes", error, verdict_alone, "", beside_planes},
-        {Kind::rotor_mass, "rotor-mass", error, judged, "", rotor_mass},
-        {Kind::service_speed, "service-speed", error, judged, "", service_speed},
-        {Kind::bearings, "bearings", error, judged, "", bearings},
-        {Kind::drilled_at_light_spot, "drilled-at-light-spot", error, judged, "",
-         drilled_at_light_spot},
-        {Kind::drilled_otherwise, "drilled-otherwise", error, judged, drilled_act,
-         drilled_otherwise},
-        {Kind::plane_radius, "plane-radius", error, judged, "", plane_radius},
-        {Kind::paper_plug, "paper-plug", warning, nothing, "", paper_plug},
-        {Kind::gear_against_parts, "gear-against-parts", warning, nothing, "", gear_against_parts},
-        {Kind::plug_shift, "plug-shift", warning, nothing, "", plug_shift},
-        {Kind::unequal_crankpins, "unequal-crankpins", warning, nothing, "", unequal_crankpins},
-        {Kind::unlike_halves, "unlike-halves", warning, nothing, "", unlike_halves},
-        {Kind::spread, "spread", warning, nothing, "", spread_of_parts},
-        {Kind::unlike_radii, "unlike-radii", warning, nothing, "", unlike_radii},
-        {Kind::plane_order, "plane-order", warning, nothing, "", plane_order},
-        {Kind::amplification, "amplification", warning, nothing, "", amplification},
-        {Kind::beyond_sector, "beyond-sector", warning, nothing, "", beyond_sector},
-        {Kind::all_round, "all-round", Severity::note, nothing, "", all_round},
+        {"swapped-ends", error, all, swap_ends_act, swapped_ends},
+        {"kilograms", error, all, "", kilograms},
+        {"odd-mass", error, all, "", odd_mass},
+        {"typed-against-weighed", error, all, "", typed_against_weighed},
+        {"nominal-against-weighed", error, all, "", nominal_against_weighed},
+        {"share-of-one", error, all, "", share_of_one},
+        {"plug-mass", error, all, "", plug_doubt<true>},
+        {"other-crankshaft", error, judged, "", other_readings<true>},
+        {"other-bob-weight", error, judged, "", other_readings<false>},
+        {"beside-planes", error, verdict_alone, "", beside_planes},
+        {"rotor-mass", error, judged, "", rotor_mass},
+        {"service-speed", error, judged, "", service_speed},
+        {"bearings", error, judged, "", bearings},
+        {"drilled-at-light-spot", error, judged, "", drilled_at_light_spot},
+        {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise},
+        {"plane-radius", error, judged, "", plane_radius},
+        {"paper-plug", warning, nothing, "", plug_doubt<false>},
+        {"gear-against-parts", warning, nothing, "", gear_against_parts},
+        {"plug-shift", warning, nothing, "", plug_shift},
+        {"unequal-crankpins", warning, nothing, "", unequal_crankpins},
+        {"unlike-halves", warning, nothing, "", unlike_halves},
+        {"spread", warning, nothing, "", spread_of_parts},
+        {"unlike-radii", warning, nothing, "", unlike_radii},
+        {"plane-order", warning, nothing, "", plane_order},
+        {"amplification", warning, nothing, "", amplification},
+        {"beyond-sector", warning, nothing, "", beyond_sector},
+        {"all-round", Severity::note, nothing, "", all_round},
     };
     return rules;
 }

@@ -4,42 +4,20 @@
 #include <string_view>
 #include <vector>
 
-#include "bob-weights/results.h"
+#include "bob-weights/result.h"
 #include "case-file/verdict.h"
 #include "v8-plugs/result.h"
 #include "workshop/input.h"
 
 namespace ravnoves::workshop {
 
-/// What a job is doubted for.
-enum class DoubtKind {
-    kilograms,
-    odd_mass,
-    swapped_ends,
-    typed_against_weighed,
-    nominal_against_weighed,
-    share_of_one,
-    gear_against_parts,
-    plug_mass,
-    drilled_at_light_spot,
-    drilled_otherwise,
-    other_bob_weight,
-    other_crankshaft,
-    beside_planes,
-    rotor_mass,
-    service_speed,
-    bearings,
-    plane_radius,
-    paper_plug,
-    plug_shift,
-    unequal_crankpins,
-    unlike_halves,
-    spread,
-    unlike_radii,
-    plane_order,
-    amplification,
-    beyond_sector,
-    all_round
+/// What a doubt keeps out of the answer.
+struct Withheld {
+    bool bob_weight = false;
+    bool holes = false;
+    bool verdict = false;
+
+    bool any() const { return bob_weight || holes || verdict; }
 };
 
 /// What a rule looks at.
@@ -52,10 +30,9 @@ struct DoubtCase {
 
 /// One line of the table of doubts.
 struct DoubtRule {
-    DoubtKind kind;
     std::string_view word;  ///< in the result
     Severity severity;
-    bob_weights::Withheld blocks;
+    Withheld blocks;
     std::string_view act;  ///< what would help, as the page knows it; empty where nothing does
     std::vector<Message> (*find)(const DoubtCase& job);  ///< each with what to do
 };

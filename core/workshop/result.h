@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "bob-weights/result.h"
-#include "bob-weights/results.h"
 #include "v8-plugs/result.h"
 #include "workshop/doubts.h"
 
@@ -18,7 +17,7 @@ struct Result {
     std::vector<Doubt> doubts;
 
     /// What the doubts block together.
-    bob_weights::Withheld withheld() const;
+    Withheld withheld() const;
 };
 
 }  // namespace ravnoves::workshop

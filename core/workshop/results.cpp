@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
+#include "bob-weights/results.h"
 #include "shop/results.h"
+#include "shop/sentences.h"
 #include "v8-plugs/results.h"
 #include "workshop/solver.h"
 
 namespace ravnoves::workshop {
 
 namespace {
-
-using bob_weights::Withheld;
 
 namespace key {
 constexpr ResultField plugs{.key = "plugs", .label = CORE_TEXT("workshop", "Plugs")};
@@ -32,25 +32,14 @@ std::vector<Message> words_of(const Withheld& blocks) {
     return words;
 }
 
-/// Without what the doubts block.
-void visit_undoubted(ResultVisitor& visitor, const Input& input, v8_plugs::Result plugs,
-                     const Withheld& withheld) {
-    if (withheld.verdict) {
-        for (v8_plugs::PlaneVerdict& plane : plugs.planes) {
-            plane.passes.reset();
-        }
-    }
-    v8_plugs::visit_plugs(visitor, *whole_plugs(input), plugs, withheld.bob_weight);
-}
-
 /// Whatever is doubted.
 Verdict undoubted(const Input& input, const Result& result) {
     Verdict verdict = bob_weights::verdict(input, result.shaft, input.machine.planes);
     if (result.plugs) {
         const Verdict plugs = v8_plugs::verdict_of_plugs(*whole_plugs(input), *result.plugs);
         const bool fails = plugs.severity == Severity::error;
-        verdict.text = {Text{"", "%1 %2"}, fails ? plugs.text : verdict.text,
-                        fails ? verdict.text : plugs.text};
+        verdict.text = shop::two_sentences(fails ? plugs.text : verdict.text,
+                                           fails ? verdict.text : plugs.text);
         if (fails) {
             verdict.severity = Severity::error;
         }
@@ -93,20 +82,24 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
         visitor.text(ravnoves::result_field::text, result.doubts[i].text);
         visitor.texts(key::blocks, words_of(rule.blocks));
     });
-    visit_job(visitor, input, result.shaft, withheld);
-    if (result.plugs) {
-        visitor.object(key::plugs,
-                       [&] { visit_undoubted(visitor, input, *result.plugs, withheld); });
-    }
-    visitor.object_or_null(key::doubtful, withheld.any(), [&] {
-        if (withheld.verdict) {
-            visit_verdict(visitor, undoubted(input, result));
+    const auto plugs_input = whole_plugs(input);
+    const auto visit_plugs = [&](const Result& shown) {
+        if (shown.plugs) {
+            visitor.object(key::plugs,
+                           [&] { v8_plugs::visit_plugs(visitor, *plugs_input, *shown.plugs); });
         }
-        visit_withheld(visitor, input, result.shaft, withheld);
-        if (result.plugs && withheld.bob_weight) {
-            visitor.object(key::plugs, [&] {
-                v8_plugs::visit_plugs(visitor, *whole_plugs(input), *result.plugs);
-            });
+    };
+    const Result shown = allowed(result);
+    visit_job(visitor, input, shown.shaft);
+    visit_plugs(shown);
+    visitor.object_or_null(key::doubtful, withheld.any(), [&] {
+        visit_verdict(visitor, undoubted(input, result));
+        if (withheld.bob_weight) {
+            visit_bob_weight(visitor, input, result.shaft);
+        }
+        visit_planes(visitor, input, result.shaft);
+        if (withheld.bob_weight) {
+            visit_plugs(result);
         }
     });
 }

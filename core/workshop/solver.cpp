@@ -69,8 +69,8 @@ Result solve(const Input& given, bool changes_known, bool places_parts) {
     return result;
 }
 
-bob_weights::Withheld Result::withheld() const {
-    bob_weights::Withheld all;
+Withheld Result::withheld() const {
+    Withheld all;
     for (const Doubt& doubt : doubts) {
         all.bob_weight = all.bob_weight || doubt.rule->blocks.bob_weight;
         all.holes = all.holes || doubt.rule->blocks.holes;
@@ -80,7 +80,7 @@ bob_weights::Withheld Result::withheld() const {
 }
 
 Result allowed(Result result) {
-    const bob_weights::Withheld withheld = result.withheld();
+    const Withheld withheld = result.withheld();
     bob_weights::Result& shaft = result.shaft;
     if (withheld.bob_weight) {
         shaft.lines.clear();

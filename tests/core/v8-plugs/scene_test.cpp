@@ -11,7 +11,6 @@
 #include "scenes/scenes.h"
 #include "support.h"
 #include "v8-plugs/presets.h"
-#include "v8-plugs/residual_unbalance.h"
 #include "v8-plugs/scene.h"
 #include "v8-plugs/solver.h"
 
@@ -218,10 +217,12 @@ TEST(Result, ReadingsWithoutIsoAreJudgedByTheTolerance) {
     EXPECT_EQ(solved(input).at("balancing").at("limit"), "iso-21940-11");
     input.erase("balancing");
     EXPECT_FALSE(solved(input).contains("balancing"));
-    const BalancingVerdict iso = judge({0.016, 30.0, 335.0, 0.5, {}, {}});
-    EXPECT_FALSE(iso.front.passes);
-    EXPECT_EQ(judge(5e-6, 4.9e-6).passes, true);
-    EXPECT_EQ(judge(5e-6, 5.1e-6).passes, false);
+    input["tolerance_g_mm"] = 5;
+    input["balancing"]["front_reading_g_mm"] = 4.9;
+    input["balancing"]["rear_reading_g_mm"] = 5.1;
+    const Input half = read_input(input, Completeness::as_is);
+    EXPECT_EQ(solve(half).planes[0].passes, true);
+    EXPECT_EQ(solve(half).planes[1].passes, false);
 }
 
 TEST(Result, SetsKeepTheNumbersTheyWereWeighedUnder) {
@@ -237,10 +238,8 @@ TEST(Result, SetsKeepTheNumbersTheyWereWeighedUnder) {
     input["weigh_in"]["piston_sets"] = {3, 3, 2, 4, 5, 6, 7, 8};
     EXPECT_THROW(read_input(input), InputError);
     // Moving the parts moves their numbers, from wherever they are.
-    shop::Matched matched;
-    matched.pistons = {1, 0, 2, 3, 4, 5, 6, 7};
-    matched.rods = {0, 1, 2, 3, 4, 5, 7, 6};
-    const WeighIn moved = reassigned(*read.weigh_in, matched);
+    WeighIn moved = *read.weigh_in;
+    move_sets(moved, {1, 0, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 7, 6});
     EXPECT_EQ(moved.piston_sets, (SetNumbers{1, 3, 2, 4, 5, 6, 7, 8}));
     EXPECT_EQ(moved.rod_sets, (SetNumbers{1, 2, 3, 4, 5, 6, 8, 7}));
 }
@@ -465,19 +464,21 @@ TEST(BadInput, RandomInputsInRangeAlwaysGiveFiniteResults) {
 }
 
 TEST(Iso21940, SharesAndScales) {
-    BalancingCheck check{};
-    check.grade = 6.3e-3;
-    check.rotor_mass = 25;
-    check.service_speed = 4000 * 3.14159265358979 / 30;
-    check.front_share = 0.4;
-    const BalancingVerdict verdict = judge(check);
-    EXPECT_NEAR(verdict.permissible / gram_millimetre,
+    Input input;
+    BalancingSheet& sheet = input.balancing.emplace();
+    sheet.grade = 6.3e-3;
+    sheet.rotor_mass = 25;
+    sheet.service_speed = 4000 * 3.14159265358979 / 30;
+    sheet.front_share = 0.4;
+    const Result result = solve(input);
+    EXPECT_NEAR(result.permissible.value() / gram_millimetre,
                 1000 * 25 * 6.3 / (4000 * 3.14159265358979 / 30), 1e-9);
-    EXPECT_NEAR(verdict.front.permissible + verdict.rear.permissible, verdict.permissible, 1e-18);
-    EXPECT_NEAR(verdict.front.permissible / verdict.permissible, 0.4, 1e-12);
-    EXPECT_FALSE(verdict.front.passes.has_value());
-    check.front_reading = verdict.front.permissible;
-    EXPECT_TRUE(judge(check).front.passes.value());
+    const auto& [front, rear] = result.planes;
+    EXPECT_NEAR(front.permissible + rear.permissible, *result.permissible, 1e-18);
+    EXPECT_NEAR(front.permissible / *result.permissible, 0.4, 1e-12);
+    EXPECT_FALSE(front.passes.has_value());
+    sheet.front_reading = front.permissible;
+    EXPECT_TRUE(solve(input).planes[0].passes.value());
 }
 
 }  // namespace

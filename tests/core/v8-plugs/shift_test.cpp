@@ -101,12 +101,6 @@ TEST(Shift, OfTheRangeOfThePaperIsCorrectedAtBothEnds) {
               "Give the plug's sizes and the cutter, or take off 1.10 g to 1.12 g each instead.");
     EXPECT_EQ(describe_action(option, effect.least_reduction, effect.greatest_reduction).english(),
               "Machine all 8 steel plugs by 1.10…1.12 g each.");
-    EXPECT_TRUE(
-        describe_method(effect, option, tolerance)
-            .english()
-            .starts_with("By the method alone it would be " +
-                         Message(Number{option.reduction / gram, units::gram, -2}).english() +
-                         " each. The method neglects"));
     // Of the smaller engine it stays within the tolerance.
     const PlugSet small = plug_set(*find_preset("4.25 l")).value();
     EXPECT_FALSE(shift_effect(option_of(small, 3.0 * gram), tolerance, std::nullopt)->matters);

@@ -44,7 +44,9 @@ TEST(WeighInSheet, MeanOfTheCrankpinsIsTheMethodsExcess) {
                     excess, 1e-12);
         // Moving parts keeps the mean and makes the crankpins no less equal.
         const shop::Matched best = shop::match(matching_task(sheet, k), sheet.matching).value();
-        const auto after = crankpin_excess(reassigned(sheet, best), k);
+        WeighIn moved = sheet;
+        move_sets(moved, best.pistons, best.rods);
+        const auto after = crankpin_excess(moved, k);
         EXPECT_NEAR(std::accumulate(after.begin(), after.end(), 0.0) / crankpin_count, excess,
                     1e-12);
         const auto spread = [](const auto& totals) {
@@ -221,8 +223,14 @@ TEST(WeighInSheet, WhatIsNotWeighedStaysAsTyped) {
 }
 
 TEST(WeighInSheet, CrankpinsOfBothNumberings) {
-    EXPECT_EQ(crankpins(CylinderNumbering::bank_by_bank)[1], (std::array<int, 2>{1, 5}));
-    EXPECT_EQ(crankpins(CylinderNumbering::alternating)[1], (std::array<int, 2>{2, 3}));
+    WeighIn sheet;
+    for (const auto& [numbering, other] :
+         {std::pair(CylinderNumbering::bank_by_bank, 5), {CylinderNumbering::alternating, 2}}) {
+        sheet.numbering = numbering;
+        const auto places = places_of(crank_of(sheet));
+        EXPECT_EQ(places[static_cast<std::size_t>(other)].crankpin, 1);
+        EXPECT_EQ(places[numbering == CylinderNumbering::alternating ? 3 : 1].crankpin, 1);
+    }
 }
 
 }  // namespace

@@ -133,8 +133,7 @@ TEST_F(PlugsModelTest, PresetsBringThePrintedSizesAndLeaveTheCutter) {
     EXPECT_NEAR(model.input().plugs->plug->thread->diameter, 22e-3, 1e-12);
     // The printed masses do not fit the printed sizes: no fault of who has typed nothing.
     const auto isOfThePaper = [&] {
-        return model.doubts().size() == 1 &&
-               model.doubts().front().rule->kind == workshop::DoubtKind::paper_plug;
+        return model.doubts().size() == 1 && model.doubts().front().rule->word == "paper-plug";
     };
     EXPECT_TRUE(isOfThePaper());
     EXPECT_TRUE(model.engineNote().contains(u"weigh the plugs"_s));

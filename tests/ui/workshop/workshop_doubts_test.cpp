@@ -101,7 +101,7 @@ TEST_F(DoubtedJobTest, HasNoHoleNoWeightAndNoPassAnywhere) {
         if (isDoubted(rule)) {
             expectNothingToDo(rule);
         } else {
-            EXPECT_EQ(rule.kind, workshop::DoubtKind::drilled_otherwise);
+            EXPECT_EQ(rule.word, "drilled-otherwise");
         }
     }
     EXPECT_GE(blocking, 10);

@@ -25,7 +25,7 @@ QString WorkshopModel::planeName(std::size_t plane) const {
 }
 
 QString WorkshopModel::headline() const {
-    const bob_weights::Withheld withheld = this->withheld();
+    const workshop::Withheld withheld = this->withheld();
     if (withheld.bob_weight) {
         return tr("STOP: no bob weight yet");
     }

@@ -82,7 +82,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// A copy of it all, for the job card.
     WorkshopScene::Solved solvedForCard() const { return solved(); }
     const std::vector<workshop::Doubt>& doubts() const { return solved().found.doubts; }
-    bob_weights::Withheld withheld() const { return solved().found.withheld(); }
+    workshop::Withheld withheld() const { return solved().found.withheld(); }
     /// What is withheld, to be seen and not to be used; empty where nothing is.
     QString doubtfulText() const;
 
