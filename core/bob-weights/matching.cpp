@@ -31,13 +31,9 @@ std::vector<double> usual_angles(const shop::Crank& crank) {
 
 shop::Crank crank_of(const Input& input) {
     const Engine& engine = input.engine;
-    const shop::MatchingRules rules =
-        input.weigh_in ? input.weigh_in->matching : shop::MatchingRules{};
     shop::Crank crank;
     crank.cylinders = engine.cylinders;
     crank.rods_per_pin = engine.rods_on_crankpin();
-    crank.numbering =
-        input.weigh_in ? input.weigh_in->numbering : shop::CylinderNumbering::bank_by_bank;
     const bool in_line = engine.type == EngineType::in_line;
     const bool boxer = engine.type == EngineType::boxer;
     crank.has_banks = !in_line;
@@ -46,14 +42,15 @@ shop::Crank crank_of(const Input& input) {
     crank.bank_angle = boxer ? pi : engine.bank_angle;
     // The pistons of a boxer that have a crankpin each meet and part.
     crank.split = boxer && engine.rods_per_pin == 1 ? pi : engine.pin_split;
-    const bool has_usual = in_line || crank.has_throws;
-    for (const double angle : !rules.crankpin_angles_deg.empty() ? rules.crankpin_angles_deg
-                              : has_usual                        ? usual_angles(crank)
-                                                                 : std::vector<double>{}) {
-        crank.angles.push_back(angle * degree);
+    if (in_line || crank.has_throws) {
+        crank.angles = usual_angles(crank);
+        for (double& angle : crank.angles) {
+            angle *= degree;
+        }
     }
-    crank.spacing = rules.cylinder_spacing;
-    crank.bank_offset = rules.bank_offset.value_or(0.0);
+    if (input.weigh_in) {
+        crank.follow(*input.weigh_in);
+    }
     return crank;
 }
 

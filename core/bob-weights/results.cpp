@@ -20,170 +20,6 @@ using ravnoves::result_field::feasible;
 using ravnoves::result_field::reason;
 namespace key = result_field;
 
-/// Visits the values of one result.
-class JobVisit {
-  public:
-    JobVisit(ResultVisitor& visitor, const Input& input, const Result& result, Format format)
-        : visitor_(visitor), input_(input), result_(result), is_job_(format == Format::workshop) {}
-
-    void visit_all();
-    void visit_bob_weight();
-    void visit_planes();
-
-  private:
-    /// @param planned  it is not there yet
-    void visit_hole(const Hole& hole, bool added, bool planned);
-    void visit_holes(const ResultField& field, const std::vector<Hole>& holes, bool added,
-                     bool planned);
-    void visit_reading(const RunResult& run, std::size_t i);
-    void visit_plane(std::size_t i);
-    void visit_run(const RunResult& run, bool is_newest);
-    void visit_weigh_in();
-    void visit_theory();
-    void visit_correction();
-
-    ResultVisitor& visitor_;
-    const Input& input_;
-    const Result& result_;
-    bool is_job_;
-};
-
-void JobVisit::visit_hole(const Hole& hole, bool added, bool planned) {
-    // A slug takes off less than nothing: so every line counts in the same sense.
-    const double sign = added ? -1.0 : 1.0;
-    visitor_.number(key::diameter, hole.diameter);
-    visitor_.number(key::depth, hole.depth);
-    visitor_.number(key::hole_angle, hole.angle);
-    visitor_.number(key::removed, sign * hole.mass);
-    visitor_.number(key::removed_unbalance, sign * hole.unbalance);
-    if (added) {
-        visitor_.number(key::added, hole.mass);
-        visitor_.number(key::added_unbalance, hole.unbalance);
-        if (hole.slug > 0.0) {
-            visitor_.number(key::slug_mass, hole.slug);
-        }
-    }
-    if (!is_job_) {
-        return;
-    }
-    if (added) {
-        const auto speed = service_speed(input_);
-        visitor_.word(key::direction, direction_words[hole.is_axial ? 0 : 1].word);
-        visitor_.number(key::centrifugal_force, speed && hole.slug > 0.0
-                                                    ? std::optional(hole.slug_force(*speed))
-                                                    : std::nullopt);
-        return;
-    }
-    const bool is_deeper = hole.deepens && hole.from_depth > 0.0;
-    visitor_.word(key::deepens, is_deeper && planned
-                                    ? "/correction/earlier_runs/" +
-                                          std::to_string(hole.deepens->run) + "/drilled/" +
-                                          std::to_string(hole.deepens->hole)
-                                    : std::string());
-    visitor_.number(key::from_depth, is_deeper ? std::optional(hole.from_depth) : std::nullopt);
-}
-
-void JobVisit::visit_holes(const ResultField& field, const std::vector<Hole>& holes, bool added,
-                           bool planned) {
-    visitor_.list(field, holes.size(),
-                  [&](std::size_t i) { visit_hole(holes[i], added, planned); });
-}
-
-void JobVisit::visit_reading(const RunResult& run, std::size_t i) {
-    visitor_.number(key::unbalance, run.unbalances()[i]);
-    visitor_.number(key::angle, run.planes ? std::optional((*run.planes)[i].angle) : std::nullopt);
-}
-
-void JobVisit::visit_plane(std::size_t i) {
-    const RunResult& newest = *result_.newest();
-    visit_reading(newest, i);
-    const auto radius = newest.planes ? input_.correction->planes[i].radius : std::nullopt;
-    visitor_.number(key::grams_at_radius,
-                    radius ? std::optional(*newest.unbalances()[i] / *radius) : std::nullopt);
-    visitor_.flag(key::within_as_measured, newest.within(i));
-    if (!result_.correction) {
-        for (const ResultField* field : {&key::holes, &key::slugs, &key::remaining,
-                                         &key::remaining_angle, &key::within, &feasible}) {
-            visitor_.nothing(*field);
-        }
-        return;
-    }
-    const PlaneResult& plane = (*result_.correction)[i];
-    visit_holes(key::holes, plane.holes, false, true);
-    visit_holes(key::slugs, plane.slugs, true, true);
-    visitor_.number(key::remaining, plane.remaining);
-    visitor_.number(key::remaining_angle, plane.remaining_angle);
-    visitor_.flag(key::within, plane.within_tolerance);
-    visitor_.flag(feasible, plane.reason.empty());
-    if (plane.beyond_sector > 0.0) {
-        visitor_.number(key::beyond_sector, plane.beyond_sector);
-    }
-    if (!plane.reason.empty()) {
-        visitor_.text(reason, plane.reason);
-    }
-}
-
-void JobVisit::visit_planes() {
-    visitor_.list(key::planes, 2, [&](std::size_t i) { visit_plane(i); });
-}
-
-void JobVisit::visit_run(const RunResult& run, bool is_newest) {
-    visitor_.list(key::planes, 2, [&](std::size_t i) {
-        visit_reading(run, i);
-        visitor_.flag(key::within, run.within(i));
-        if (const auto& other = run.other_effect[i]) {
-            visitor_.object(key::expected, [&] {
-                visitor_.number(key::unbalance, other->expected);
-                visitor_.number(key::angle, other->expected_angle);
-                visitor_.flag(key::acted_opposite, other->is_opposite);
-            });
-        }
-        if (!is_newest) {
-            visit_holes(key::drilled_holes, run.drilled[i].holes, false, false);
-            visit_holes(key::drilled_slugs, run.drilled[i].slugs, true, false);
-        }
-    });
-    visitor_.flag(key::within, run.passes());
-    shop::visit_other(visitor_, run.read_with, run.read_on);
-}
-
-void JobVisit::visit_correction() {
-    visit_planes();
-    visitor_.list(key::runs, result_.runs.size(),
-                  [&](std::size_t i) { visit_run(result_.runs[i], i + 1 == result_.runs.size()); });
-    visitor_.number(key::amplification, result_.amplification);
-    shop::visit_other(visitor_, result_.newest()->read_with, result_.newest()->read_on);
-}
-
-void JobVisit::visit_weigh_in() {
-    shop::visit_columns(visitor_, *input_.weigh_in);
-    visitor_.numbers(key::crankpins, result_.crankpins);
-    if (result_.placing) {
-        visitor_.object(shop::result_field::assignment, [&] {
-            shop::visit_matched(visitor_, *result_.placing, input_.weigh_in->matching.crank_radius,
-                                service_speed(input_));
-            visitor_.numbers(key::crankpins, result_.placed_crankpins);
-        });
-    }
-}
-
-void JobVisit::visit_theory() {
-    visitor_.number(key::reciprocating_percent, result_.theory_factor);
-    visitor_.text(reason, factor_reason(input_.engine));
-    visitor_.text(key::effect,
-                  factor_effect(input_.engine, result_.factor + input_.factor.overbalance));
-    visitor_.integer(key::cylinders, is_pair(input_.engine) ? 2 : 1);
-    const auto left = [&](const ResultField& field, const auto& part) {
-        visitor_.number(field, result_.first_order
-                                   ? std::optional(std::invoke(part, *result_.first_order))
-                                   : std::nullopt);
-    };
-    left(key::forward, &FirstOrder::forward);
-    left(key::backward, &FirstOrder::backward);
-    left(key::upright, &FirstOrder::upright);
-    left(key::across, &FirstOrder::across);
-}
-
 std::vector<Message> keys_of(const auto& parts, const auto& part_of) {
     std::vector<Message> keys;
     for (const auto& each : parts) {
@@ -192,53 +28,206 @@ std::vector<Message> keys_of(const auto& parts, const auto& part_of) {
     return keys;
 }
 
-void JobVisit::visit_bob_weight() {
-    visitor_.number(key::bob_weight, result_.bob_weight);
-    visitor_.integer(key::bob_weights, input_.engine.crankpins());
-    if (!result_.bob_weight) {
-        visitor_.nothing(shop::result_field::lines);
-        return;
+/// Visits the values of one result.
+class JobVisit {
+  public:
+    JobVisit(ResultVisitor& visitor, const Input& input, const Result& result, Format format)
+        : visitor_(visitor), input_(input), result_(result), is_job_(format == Format::workshop) {}
+
+    void visit_all() {
+        RAVNOVES_DEMAND(result_.reciprocating && result_.rotating,
+                        "what is written is the result of a whole input");
+        visitor_.number(key::reciprocating, result_.reciprocating);
+        visitor_.number(key::rotating, result_.rotating);
+        visitor_.number(key::reciprocating_percent, result_.factor);
+        visit_bob_weight();
+        visitor_.object(key::theory, [&] { visit_theory(); });
+        visitor_.texts(key::not_given,
+                       keys_of(result_.not_given, [](const PartField* part) { return part; }));
+        if (visitor_.wants(key::not_counted.key)) {
+            visitor_.texts(key::not_counted, not_counted(input_));
+        }
+        visitor_.texts(key::looks_like_kilograms,
+                       keys_of(result_.in_kilograms, [](const auto& each) { return each.first; }));
+        if (input_.weigh_in) {
+            visitor_.object(shop::result_field::weigh_in, [&] { visit_weigh_in(); });
+        }
+        if (result_.permissible) {
+            visitor_.numbers(key::permissible,
+                             {(*result_.permissible)[0], (*result_.permissible)[1]});
+        }
+        if (result_.permissible_whole) {
+            visitor_.number(key::permissible_rotor, result_.permissible_whole);
+        }
+        if (result_.newest() != nullptr && (result_.correction || is_job_)) {
+            visitor_.object(key::correction, [&] { visit_correction(); });
+        }
     }
-    std::vector<Line> lines = result_.lines;
-    if (!is_job_) {
-        // That format begins with the rings.
-        std::stable_partition(lines.begin(), lines.end(), [](const Line& line) {
-            return line.part->column == shop::Part::rings;
+
+    void visit_bob_weight() {
+        visitor_.number(key::bob_weight, result_.bob_weight);
+        visitor_.integer(key::bob_weights, input_.engine.crankpins());
+        if (!result_.bob_weight) {
+            visitor_.nothing(shop::result_field::lines);
+            return;
+        }
+        std::vector<Line> lines = result_.lines;
+        if (!is_job_) {
+            // That format begins with the rings.
+            std::stable_partition(lines.begin(), lines.end(), [](const Line& line) {
+                return line.part->column == shop::Part::rings;
+            });
+        }
+        shop::visit_lines(visitor_, lines.size(), [&](std::size_t i) {
+            return shop::CardLine{lines[i].name().word, lines[i].factor, lines[i].mass};
         });
     }
-    shop::visit_lines(visitor_, lines.size(), [&](std::size_t i) {
-        return shop::CardLine{lines[i].name().word, lines[i].factor, lines[i].mass};
-    });
-}
 
-void JobVisit::visit_all() {
-    RAVNOVES_DEMAND(result_.reciprocating && result_.rotating,
-                    "what is written is the result of a whole input");
-    visitor_.number(key::reciprocating, result_.reciprocating);
-    visitor_.number(key::rotating, result_.rotating);
-    visitor_.number(key::reciprocating_percent, result_.factor);
-    visit_bob_weight();
-    visitor_.object(key::theory, [&] { visit_theory(); });
-    visitor_.texts(key::not_given,
-                   keys_of(result_.not_given, [](const PartField* part) { return part; }));
-    if (visitor_.wants(key::not_counted.key)) {
-        visitor_.texts(key::not_counted, not_counted(input_));
+    void visit_planes() {
+        visitor_.list(key::planes, 2, [&](std::size_t i) { visit_plane(i); });
     }
-    visitor_.texts(key::looks_like_kilograms,
-                   keys_of(result_.in_kilograms, [](const auto& each) { return each.first; }));
-    if (input_.weigh_in) {
-        visitor_.object(shop::result_field::weigh_in, [&] { visit_weigh_in(); });
+
+  private:
+    /// @param planned  it is not there yet
+    void visit_hole(const Hole& hole, bool added, bool planned) {
+        // A slug takes off less than nothing: so every line counts in the same sense.
+        const double sign = added ? -1.0 : 1.0;
+        visitor_.number(key::diameter, hole.diameter);
+        visitor_.number(key::depth, hole.depth);
+        visitor_.number(key::hole_angle, hole.angle);
+        visitor_.number(key::removed, sign * hole.mass);
+        visitor_.number(key::removed_unbalance, sign * hole.unbalance);
+        if (added) {
+            visitor_.number(key::added, hole.mass);
+            visitor_.number(key::added_unbalance, hole.unbalance);
+            if (hole.slug > 0.0) {
+                visitor_.number(key::slug_mass, hole.slug);
+            }
+        }
+        if (!is_job_) {
+            return;
+        }
+        if (added) {
+            const auto speed = service_speed(input_);
+            visitor_.word(key::direction, direction_words[hole.is_axial ? 0 : 1].word);
+            visitor_.number(key::centrifugal_force, speed && hole.slug > 0.0
+                                                        ? std::optional(hole.slug_force(*speed))
+                                                        : std::nullopt);
+            return;
+        }
+        const bool is_deeper = hole.deepens && hole.from_depth > 0.0;
+        visitor_.word(key::deepens, is_deeper && planned
+                                        ? "/correction/earlier_runs/" +
+                                              std::to_string(hole.deepens->run) + "/drilled/" +
+                                              std::to_string(hole.deepens->hole)
+                                        : std::string());
+        visitor_.number(key::from_depth, is_deeper ? std::optional(hole.from_depth) : std::nullopt);
     }
-    if (result_.permissible) {
-        visitor_.numbers(key::permissible, {(*result_.permissible)[0], (*result_.permissible)[1]});
+
+    void visit_holes(const ResultField& field, const std::vector<Hole>& holes, bool added,
+                     bool planned) {
+        visitor_.list(field, holes.size(),
+                      [&](std::size_t i) { visit_hole(holes[i], added, planned); });
     }
-    if (result_.permissible_whole) {
-        visitor_.number(key::permissible_rotor, result_.permissible_whole);
+
+    void visit_reading(const RunResult& run, std::size_t i) {
+        visitor_.number(key::unbalance, run.unbalances()[i]);
+        visitor_.number(key::angle,
+                        run.planes ? std::optional((*run.planes)[i].angle) : std::nullopt);
     }
-    if (result_.newest() != nullptr && (result_.correction || is_job_)) {
-        visitor_.object(key::correction, [&] { visit_correction(); });
+
+    void visit_plane(std::size_t i) {
+        const RunResult& newest = *result_.newest();
+        visit_reading(newest, i);
+        const auto radius = newest.planes ? input_.correction->planes[i].radius : std::nullopt;
+        visitor_.number(key::grams_at_radius,
+                        radius ? std::optional(*newest.unbalances()[i] / *radius) : std::nullopt);
+        visitor_.flag(key::within_as_measured, newest.within(i));
+        if (!result_.correction) {
+            for (const ResultField* field : {&key::holes, &key::slugs, &key::remaining,
+                                             &key::remaining_angle, &key::within, &feasible}) {
+                visitor_.nothing(*field);
+            }
+            return;
+        }
+        const PlaneResult& plane = (*result_.correction)[i];
+        visit_holes(key::holes, plane.holes, false, true);
+        visit_holes(key::slugs, plane.slugs, true, true);
+        visitor_.number(key::remaining, plane.remaining);
+        visitor_.number(key::remaining_angle, plane.remaining_angle);
+        visitor_.flag(key::within, plane.within_tolerance);
+        visitor_.flag(feasible, plane.reason.empty());
+        if (plane.beyond_sector > 0.0) {
+            visitor_.number(key::beyond_sector, plane.beyond_sector);
+        }
+        if (!plane.reason.empty()) {
+            visitor_.text(reason, plane.reason);
+        }
     }
-}
+
+    void visit_run(const RunResult& run, bool is_newest) {
+        visitor_.list(key::planes, 2, [&](std::size_t i) {
+            visit_reading(run, i);
+            visitor_.flag(key::within, run.within(i));
+            if (const auto& other = run.other_effect[i]) {
+                visitor_.object(key::expected, [&] {
+                    visitor_.number(key::unbalance, other->expected);
+                    visitor_.number(key::angle, other->expected_angle);
+                    visitor_.flag(key::acted_opposite, other->is_opposite);
+                });
+            }
+            if (!is_newest) {
+                visit_holes(key::drilled_holes, run.drilled[i].holes, false, false);
+                visit_holes(key::drilled_slugs, run.drilled[i].slugs, true, false);
+            }
+        });
+        visitor_.flag(key::within, run.passes());
+        shop::visit_other(visitor_, run.read_with, run.read_on);
+    }
+
+    void visit_correction() {
+        visit_planes();
+        visitor_.list(key::runs, result_.runs.size(), [&](std::size_t i) {
+            visit_run(result_.runs[i], i + 1 == result_.runs.size());
+        });
+        visitor_.number(key::amplification, result_.amplification);
+        shop::visit_other(visitor_, result_.newest()->read_with, result_.newest()->read_on);
+    }
+
+    void visit_weigh_in() {
+        shop::visit_columns(visitor_, *input_.weigh_in);
+        visitor_.numbers(key::crankpins, result_.crankpins);
+        if (result_.placing) {
+            visitor_.object(shop::result_field::assignment, [&] {
+                shop::visit_matched(visitor_, *result_.placing,
+                                    input_.weigh_in->matching.crank_radius, service_speed(input_));
+                visitor_.numbers(key::crankpins, result_.placed_crankpins);
+            });
+        }
+    }
+
+    void visit_theory() {
+        visitor_.number(key::reciprocating_percent, result_.theory_factor);
+        visitor_.text(reason, factor_reason(input_.engine));
+        visitor_.text(key::effect,
+                      factor_effect(input_.engine, result_.factor + input_.factor.overbalance));
+        visitor_.integer(key::cylinders, is_pair(input_.engine) ? 2 : 1);
+        const auto left = [&](const ResultField& field, const auto& part) {
+            visitor_.number(field, result_.first_order
+                                       ? std::optional(std::invoke(part, *result_.first_order))
+                                       : std::nullopt);
+        };
+        left(key::forward, &FirstOrder::forward);
+        left(key::backward, &FirstOrder::backward);
+        left(key::upright, &FirstOrder::upright);
+        left(key::across, &FirstOrder::across);
+    }
+
+    ResultVisitor& visitor_;
+    const Input& input_;
+    const Result& result_;
+    bool is_job_;
+};
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bob-weights/drilled.h"
 #include "bob-weights/input.h"
 #include "bob-weights/result.h"
 
@@ -18,14 +19,6 @@ Result solve_job_with_weight(const Input& given, const std::optional<KnownWeight
 
 /// Whether the machine reads in the planes, as far as it is known where both are.
 bool reads_in_planes(const Correction& correction);
-
-/// What is to be drilled by the run that is corrected, for the record of it: nothing where its
-/// readings do not hold.
-/// @return empty while there is no plan
-std::optional<std::vector<DrilledHole>> planned_holes(const Result& result);
-/// The same of an earlier run.
-/// @return empty where it is not known of any hole
-std::optional<std::vector<DrilledHole>> drilled_holes(const RunResult& run);
 
 /// What would remain of the newest reading of a plane, were a hole drilled there; nothing while
 /// reading or rim are not known.

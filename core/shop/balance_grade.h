@@ -27,6 +27,11 @@ constexpr bool is_within(double unbalance, double permissible) {
     return unbalance <= permissible * (1.0 + rounding);
 }
 
+/// The same; nothing where there is no limit.
+inline std::optional<bool> is_within(double unbalance, const std::optional<double>& permissible) {
+    return permissible ? std::optional(is_within(unbalance, *permissible)) : std::nullopt;
+}
+
 /// A crankshaft's mass that was typed in grams, as it seems: those of cars, trucks and locomotives
 /// weigh less than 2 t.
 inline bool is_mass_in_grams(const std::optional<double>& rotor_mass) {

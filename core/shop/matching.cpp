@@ -175,6 +175,18 @@ int Crank::angle_count() const {
     return has_throws ? cylinders / 2 : cylinders;
 }
 
+void Crank::follow(const WeighIn& sheet) {
+    numbering = sheet.numbering;
+    spacing = sheet.matching.cylinder_spacing;
+    bank_offset = sheet.matching.bank_offset.value_or(0.0);
+    if (!sheet.matching.crankpin_angles_deg.empty()) {
+        angles.clear();
+        for (const double angle : sheet.matching.crankpin_angles_deg) {
+            angles.push_back(angle * degree);
+        }
+    }
+}
+
 Message crank_fault(const Crank& crank) {
     if (crank.has_banks && !crank.bank_angle) {
         return CORE_TEXT("matching", "the bank angle is missing");

@@ -41,6 +41,8 @@ struct Crank {
 
     /// How many angles there must be.
     int angle_count() const;
+    /// What a sheet says of the crank; the angles stay where it gives none.
+    void follow(const WeighIn& sheet);
 };
 
 /// What the crank lacks, so that it is not known what the engine feels; empty where that is known.

@@ -180,12 +180,13 @@ void visit_fields(FieldVisitor& visitor, BalancingSheet& sheet) {
     visitor.required(field::grade, sheet.grade);
     visitor.required(field::rotor_mass, sheet.rotor_mass);
     visitor.required(field::service_speed, sheet.service_speed);
-    visitor.number(field::front_reading, sheet.front_reading);
-    visitor.number(field::rear_reading, sheet.rear_reading);
-    visitor.number(field::front_bob_weight, sheet.front_bob_weight);
-    visitor.number(field::rear_bob_weight, sheet.rear_bob_weight);
-    visitor.object_with_defaults(field::front_shaft, sheet.front_shaft);
-    visitor.object_with_defaults(field::rear_shaft, sheet.rear_shaft);
+    auto& [front, rear] = sheet.readings;
+    visitor.number(field::front_reading, front.unbalance);
+    visitor.number(field::rear_reading, rear.unbalance);
+    visitor.number(field::front_bob_weight, front.bob_weight);
+    visitor.number(field::rear_bob_weight, rear.bob_weight);
+    visitor.object_with_defaults(field::front_shaft, front.shaft);
+    visitor.object_with_defaults(field::rear_shaft, rear.shaft);
     visitor.number(field::front_share, sheet.front_share, 0.5);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -59,12 +60,14 @@ struct BalancingSheet {
     std::optional<double> rotor_mass;     ///< kg
     std::optional<double> service_speed;  ///< rad/s
     double front_share = 0.5;
-    std::optional<double> front_reading;     ///< kg·m
-    std::optional<double> rear_reading;      ///< kg·m
-    std::optional<double> front_bob_weight;  ///< that hung on the crankpins then, kg
-    std::optional<double> rear_bob_weight;   ///< kg
-    shop::ReadShaft front_shaft;
-    shop::ReadShaft rear_shaft;
+    struct Reading {
+        std::optional<double> unbalance;   ///< kg·m
+        std::optional<double> bob_weight;  ///< that hung on the crankpins then, kg
+        shop::ReadShaft shaft;
+
+        friend bool operator==(const Reading&, const Reading&) = default;
+    };
+    std::array<Reading, 2> readings;  ///< front and rear
 
     /// U_per of the whole rotor, kg·m; nothing while grade, mass or speed are missing.
     std::optional<double> permissible() const;

@@ -160,24 +160,23 @@ Result solve(const Input& input, bool changes_known, bool places_parts) {
     solve_shifts(input, result);
     const BalancingSheet machine = input.balancing.value_or(BalancingSheet{});
     result.permissible = machine.permissible();
-    const auto judge = [&](double share, const std::optional<double>& reading,
-                           const std::optional<double>& bob_weight, const shop::ReadShaft& shaft) {
-        const double limit = result.permissible ? share * *result.permissible : input.tolerance;
-        if (!reading) {
-            return PlaneVerdict{limit, {}, {}};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double share = i == 0 ? machine.front_share : 1.0 - machine.front_share;
+        const auto& [unbalance, bob_weight, shaft] = machine.readings[i];
+        PlaneVerdict& plane = result.planes[i];
+        plane.permissible = result.permissible ? share * *result.permissible : input.tolerance;
+        plane.reading = unbalance;
+        if (!unbalance) {
+            continue;
         }
+        plane.passes = shop::is_within(*unbalance, plane.permissible);
         if (!result.read_with && shop::is_other_bob_weight(bob_weight, result.hung())) {
             result.read_with = bob_weight;
         }
         if (!result.read_on) {
             result.read_on = shop::other_shaft(shaft, input.job);
         }
-        return PlaneVerdict{limit, reading, shop::is_within(*reading, limit)};
-    };
-    result.planes = {judge(machine.front_share, machine.front_reading, machine.front_bob_weight,
-                           machine.front_shaft),
-                     judge(1.0 - machine.front_share, machine.rear_reading, machine.rear_bob_weight,
-                           machine.rear_shaft)};
+    }
     return result;
 }
 

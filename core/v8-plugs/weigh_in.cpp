@@ -113,20 +113,11 @@ double spread(const std::array<double, crankpin_count>& totals) {
 }
 
 shop::Crank crank_of(const WeighIn& sheet) {
-    const shop::MatchingRules& rules = sheet.matching;
     shop::Crank crank;
     crank.cylinders = cylinder_count;
-    crank.numbering = sheet.numbering;
     crank.bank_angle = 90.0 * degree;
     crank.angles = {0.0, 90.0 * degree, 270.0 * degree, 180.0 * degree};
-    if (!rules.crankpin_angles_deg.empty()) {
-        crank.angles.clear();
-        for (const double angle : rules.crankpin_angles_deg) {
-            crank.angles.push_back(angle * degree);
-        }
-    }
-    crank.spacing = rules.cylinder_spacing;
-    crank.bank_offset = rules.bank_offset.value_or(0.0);
+    crank.follow(sheet);
     return crank;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
-#include <tuple>
 
 #include "bob-weights/fields.h"
 #include "bob-weights/solver.h"
@@ -151,14 +150,10 @@ std::optional<v8_plugs::Input> whole_plugs(const Input& input) {
         // What is read elsewhere has no verdict before it is taken to the planes.
         if (input.correction && input.correction->readings.size() == 2 &&
             bob_weights::reads_in_planes(*input.correction)) {
-            const auto& [front, rear] =
-                std::tie(input.correction->readings[0], input.correction->readings[1]);
-            sheet.front_reading = front.unbalance;
-            sheet.front_bob_weight = front.bob_weight;
-            sheet.front_shaft = front.shaft;
-            sheet.rear_reading = rear.unbalance;
-            sheet.rear_bob_weight = rear.bob_weight;
-            sheet.rear_shaft = rear.shaft;
+            for (std::size_t i = 0; i < 2; ++i) {
+                const auto& reading = input.correction->readings[i];
+                sheet.readings[i] = {reading.unbalance, reading.bob_weight, reading.shaft};
+            }
         }
     }
     return whole;

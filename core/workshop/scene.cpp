@@ -27,14 +27,12 @@ Input as_job(v8_plugs::Input plugs) {
         tolerance.rotor_mass = sheet->rotor_mass;
         tolerance.service_speed = sheet->service_speed;
         tolerance.front_share = sheet->front_share;
-        if (sheet->front_reading || sheet->rear_reading) {
+        const auto& [front, rear] = sheet->readings;
+        if (front.unbalance || rear.unbalance) {
             bob_weights::Correction& correction = job.correction.emplace();
             correction.planes.clear();
-            const auto& no_angle = std::nullopt;
-            correction.readings = {{std::nullopt, sheet->front_reading, no_angle,
-                                    sheet->front_bob_weight, sheet->front_shaft},
-                                   {std::nullopt, sheet->rear_reading, no_angle,
-                                    sheet->rear_bob_weight, sheet->rear_shaft}};
+            correction.readings = {{{}, front.unbalance, {}, front.bob_weight, front.shaft},
+                                   {{}, rear.unbalance, {}, rear.bob_weight, rear.shaft}};
         }
     }
     job.plugs = std::move(plugs);

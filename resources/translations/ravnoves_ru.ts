@@ -1911,14 +1911,6 @@
         <translation>Расфрезеруйте вместо этого на %1 от торца, по %2 с каждой заглушки.</translation>
     </message>
     <message>
-        <source>By the method alone it would be %1 each.</source>
-        <translation>Только по методу было бы по %1 с каждой.</translation>
-    </message>
-    <message>
-        <source>With the plug&apos;s sizes and the cutter given it is one mass and a depth.</source>
-        <translation>Если задать размеры заглушки и фрезу, получится одно значение массы и глубина.</translation>
-    </message>
-    <message>
         <source>%1: the typed %2 is replaced by the weights.</source>
         <translation>%1: введённое %2 заменено взвешенным.</translation>
     </message>

@@ -477,7 +477,7 @@ TEST(Iso21940, SharesAndScales) {
     EXPECT_NEAR(front.permissible + rear.permissible, *result.permissible, 1e-18);
     EXPECT_NEAR(front.permissible / *result.permissible, 0.4, 1e-12);
     EXPECT_FALSE(front.passes.has_value());
-    sheet.front_reading = front.permissible;
+    sheet.readings[0].unbalance = front.permissible;
     EXPECT_TRUE(solve(input).planes[0].passes.value());
 }
 

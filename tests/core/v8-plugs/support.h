@@ -48,16 +48,6 @@ class Workshop {
 
     Process process() { return between(0, 1) < 0.5 ? Process::manufacture : Process::repair; }
 
-    std::vector<double> contributions(std::size_t n) {
-        std::vector<double> values(n);
-        for (double& value : values) {
-            value = between(-20, 20) * gram;
-        }
-        return values;
-    }
-
-    std::mt19937& generator() { return generator_; }
-
   private:
     std::mt19937 generator_;
 };

@@ -117,6 +117,10 @@ double least_left(const State& state, std::vector<double>& depths) {
     return least;
 }
 
+Json front_of(const Json& input) {
+    return solved(input).at("correction").at("planes")[0];
+}
+
 TEST(Deepening, RemovesTheDifferenceAndNoDepthsLeaveLess) {
     std::mt19937 generator(11);
     int deepened = 0;
@@ -182,7 +186,7 @@ Json second_run() {
 }
 
 TEST(Plan, DeepensTheHoleThatIsThere) {
-    const Json plane = solved(second_run()).at("correction").at("planes")[0];
+    const Json plane = front_of(second_run());
     ASSERT_EQ(plane.at("holes").size(), 1U) << plane.dump(1);
     const Json& hole = plane.at("holes")[0];
     EXPECT_EQ(hole.at("deepens"), "/correction/earlier_runs/0/drilled/0");
@@ -225,10 +229,9 @@ TEST(Plan, KeepsToTheSmallestDepthAndAims) {
     Json input = card();
     input["tolerance"] = {{"g_mm", 100}};
     Json& correction = input["correction"];
-    const auto front = [&] { return solved(input).at("correction").at("planes")[0]; };
     const auto depths = [&] {
         std::vector<double> list;
-        const Json plane = front();
+        const Json plane = front_of(input);
         for (const Json& hole : plane.at("holes")) {
             list.push_back(hole.at("depth_mm"));
         }
@@ -243,9 +246,9 @@ TEST(Plan, KeepsToTheSmallestDepthAndAims) {
         for (const double depth : depths()) {
             EXPECT_GE(depth, 1.5 - 1e-9);
         }
-        const double zero = front().at("remaining_g_mm");
+        const double zero = front_of(input).at("remaining_g_mm");
         correction["aim"] = "tolerance";
-        EXPECT_LE(zero, front().at("remaining_g_mm").get<double>() + 1e-6);
+        EXPECT_LE(zero, front_of(input).at("remaining_g_mm").get<double>() + 1e-6);
         correction.erase("aim");
     }
     // Within the limit nothing is drilled, whatever the aim.
@@ -272,9 +275,8 @@ TEST(Plan, LooksFurtherWhereTheStepOfTheDepthsLeavesMoreThanTheLimit) {
     Json& correction = input["correction"];
     correction["drill"]["depth_step_mm"] = 1;
     correction["readings"][0]["unbalance_g_mm"] = 1005;
-    const auto front = [&] { return solved(input).at("correction").at("planes")[0]; };
     // A hole of 16 mm is nearest by its steps and leaves 31.7; one of 10 mm leaves 1.4.
-    const Json plane = front();
+    const Json plane = front_of(input);
     ASSERT_EQ(plane.at("holes").size(), 1U);
     EXPECT_EQ(plane.at("holes")[0].at("diameter_mm"), 10);
     EXPECT_NEAR(plane.at("remaining_g_mm").get<double>(), 1.376, 1e-3);
@@ -284,7 +286,7 @@ TEST(Plan, LooksFurtherWhereTheStepOfTheDepthsLeavesMoreThanTheLimit) {
     correction["readings"][0]["unbalance_g_mm"] = 500;
     for (const char* aim : {"zero", "tolerance"}) {
         correction["aim"] = aim;
-        const Json deepened = front();
+        const Json deepened = front_of(input);
         EXPECT_LE(deepened.at("remaining_g_mm").get<double>(), 20.0) << deepened.dump(1);
     }
     correction["earlier_runs"][0].erase("readings");
@@ -296,7 +298,8 @@ TEST(Plan, LooksFurtherWhereTheStepOfTheDepthsLeavesMoreThanTheLimit) {
         correction["drill"]["depth_step_mm"] = step;
         for (const char* aim : {"zero", "tolerance"}) {
             correction["aim"] = aim;
-            expect_within_or_reason(front(), 20.0, std::string(aim) + " " + std::to_string(step));
+            expect_within_or_reason(front_of(input), 20.0,
+                                    std::string(aim) + " " + std::to_string(step));
         }
     }
 }
@@ -434,7 +437,7 @@ TEST(Plan, PressesNothingIntoAPlaneThatHolesBringWithinItsLimit) {
     correction["slug"] = {{"diameter_mm", 10}, {"density_kg_m3", 18'000}};
     for (const char* aim : {"zero", "tolerance"}) {
         correction["aim"] = aim;
-        const Json plane = solved(input).at("correction").at("planes")[0];
+        const Json plane = front_of(input);
         EXPECT_TRUE(plane.at("within_tolerance").get<bool>()) << plane.dump(1);
         EXPECT_FALSE(plane.at("holes").empty()) << plane.dump(1);
         EXPECT_TRUE(plane.at("slugs").empty()) << plane.dump(1);
@@ -449,7 +452,7 @@ TEST(Plan, PressesSlugsInParallelToTheCrankshaft) {
     correction["planes"][0] = {{"position_mm", 60}, {"radius_mm", 85}};
     correction["slug"] = {{"diameter_mm", 20}, {"density_kg_m3", 18'000}};
     const auto slug = [&] {
-        const Json slugs = solved(input).at("correction").at("planes")[0].at("slugs");
+        const Json slugs = front_of(input).at("slugs");
         EXPECT_FALSE(slugs.empty());
         return slugs.at(0);
     };

@@ -1,0 +1,99 @@
+#include "bob-weights/drilled.h"
+
+#include <algorithm>
+
+#include "bob-weights/plane_plan.h"
+
+namespace ravnoves::bob_weights {
+
+std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Correction& correction,
+                              std::size_t run, const std::array<Metal, 2>& before) {
+    std::array<Metal, 2> drilled;
+    for (std::size_t i = 0; i < holes.size(); ++i) {
+        const DrilledHole& hole = holes[i];
+        if (hole.state == HoleState::not_drilled || !hole.depths_agree()) {
+            continue;
+        }
+        const auto plane = static_cast<std::size_t>(hole.plane);
+        const double radius = correction.planes.at(plane).radius.value_or(0.0);
+        const Drill& drill = correction.drill;
+        const bool is_axial = hole.is_slug() && hole.direction == SlugDirection::axial;
+        const auto cut_with = [&](double point_angle) {
+            return Cut{radius, drill.density, point_angle, std::nullopt,
+                       is_axial ? std::optional(drill.minimum_wall) : std::nullopt};
+        };
+        const bool is_measured = hole.state == HoleState::measured;
+        const bool is_opposite = hole.state == HoleState::wrong_side;
+        const double angle = turn_of(hole.angle + (is_opposite ? pi : 0.0));
+        Hole made{hole.diameter, hole.depth, angle, 0.0, 0.0};
+        // Elsewhere than the hole that it was to deepen it is a new one, gone in all its depth.
+        const auto& there = before[plane].holes;
+        const bool is_elsewhere =
+            is_opposite || (is_measured && !there.empty() &&
+                            std::none_of(there.begin(), there.end(), [&](const Hole& each) {
+                                return are_one_hole(each, made, radius);
+                            }));
+        made.from_depth = is_elsewhere ? 0.0 : hole.from_depth;
+        // What the hole alone took off, by its sizes.
+        const Cut cut = cut_with(drill.point_angle);
+        Removed removed = cut.removed(hole.diameter, hole.depth);
+        if (made.from_depth > 0.0) {
+            const Removed shallow = cut.removed(hole.diameter, made.from_depth);
+            removed = {removed.mass - shallow.mass, removed.unbalance - shallow.unbalance};
+        }
+        const double lever =
+            radius > 0.0 && removed.mass > 0.0 ? removed.unbalance / removed.mass : radius;
+        const bool by_sizes = !hole.mass || is_measured || made.from_depth != hole.from_depth;
+        made.deepens = Hole::Place{run, i};
+        made.is_axial = is_axial;
+        if (!hole.is_slug()) {
+            made.mass = by_sizes ? removed.mass : *hole.mass;
+            made.unbalance = made.mass * lever;
+            drilled[plane].holes.push_back(made);
+            continue;
+        }
+        // Where the slug's own mass is not known, it is taken to fill its hole.
+        const double added = hole.slug && by_sizes ? *hole.slug - removed.mass : -*hole.mass;
+        const double slug = hole.slug.value_or(added);
+        made.mass = added;
+        made.slug = hole.slug.value_or(0.0);
+        made.slug_radius = cut_with(pi).lever(hole.diameter, hole.depth);
+        made.unbalance = radius > 0.0 ? slug * made.slug_radius - (slug - added) * lever : 0.0;
+        drilled[plane].slugs.push_back(made);
+    }
+    return drilled;
+}
+
+namespace {
+
+/// @param planes  two of Metal or PlaneResult
+std::vector<DrilledHole> record_of(const auto& planes) {
+    std::vector<DrilledHole> list;
+    for (const PlaneName plane : {PlaneName::front, PlaneName::rear}) {
+        const auto& metal = planes[static_cast<std::size_t>(plane)];
+        const auto add = [&](const std::vector<Hole>& holes, double sign) {
+            for (const Hole& hole : holes) {
+                list.push_back({plane, hole.diameter, hole.depth, hole.from_depth, hole.angle,
+                                sign * hole.mass,
+                                hole.slug > 0.0 ? std::optional(hole.slug) : std::nullopt,
+                                hole.is_axial ? SlugDirection::axial : SlugDirection::radial});
+            }
+        };
+        add(metal.holes, 1.0);
+        add(metal.slugs, -1.0);
+    }
+    return list;
+}
+
+}  // namespace
+
+std::optional<std::vector<DrilledHole>> planned_holes(const Result& result) {
+    return result.correction && result.holds() ? std::optional(record_of(*result.correction))
+                                               : std::nullopt;
+}
+
+std::optional<std::vector<DrilledHole>> drilled_holes(const RunResult& run) {
+    return run.is_drilled() ? std::optional(record_of(run.drilled)) : std::nullopt;
+}
+
+}  // namespace ravnoves::bob_weights
