@@ -109,7 +109,14 @@ std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
     }
     const auto weighed = std::count_if(masses.begin(), masses.end(),
                                        [](const Weighed& mass) { return mass && *mass > 0.0; });
-    // More than a third of them are another kind of part, and no slips.
+    // Parts of another make differ by less from the others; more than a third of them are another
+    // kind, and no slips.
+    constexpr double least_repeated = 0.03;
+    if (scattered.size() > 1) {
+        std::erase_if(scattered, [](const OddMass& each) {
+            return std::abs(std::log(each.mass / each.usual)) <= least_repeated;
+        });
+    }
     if (!found && 3 * std::ssize(scattered) <= weighed) {
         for (const OddMass& each : scattered) {
             odd.push_back(each.cylinder);

@@ -35,7 +35,8 @@ struct OddMass {
 };
 /// The mass that is farthest from the others, where that is by more than a tenth: parts of one
 /// engine differ by a few percent; of four or more also where it is by more than a hundredth and
-/// more than six times the scatter of the others, unless more than a third are. Of two or three,
+/// more than six times the scatter of the others; where several are, by more than three hundredths,
+/// unless they are more than a third. Of two or three,
 /// whose median says little, by a factor of more than 3, as a decimal sign in the wrong place makes
 /// it; of two the one that is farther from the nominal mass, or the heavier one. Nothing where
 /// there is none; 0 is no mass.

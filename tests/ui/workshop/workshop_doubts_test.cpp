@@ -21,7 +21,7 @@ class DoubtedJobTest : public PlugsPageTest {
     }
     bool isDoubted(const workshop::DoubtRule& rule) const {
         return std::ranges::any_of(model->doubts(), [&](const workshop::Doubt& doubt) {
-            return doubt.rule->kind == rule.kind;
+            return doubt.rule->word == rule.word;
         });
     }
     /// All that the parts of the page say, but what is said not to be used.
