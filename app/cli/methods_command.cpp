@@ -4,9 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "case-file/input_error.h"
 #include "command.h"
+#include "given_case.h"
+#include "methods/case_budget.h"
 #include "methods/report.h"
 #include "output.h"
+#include "scenes/scenes.h"
 
 namespace ravnoves::cli {
 
@@ -57,10 +61,18 @@ class MethodsCommand final : public Command {
                    ".\nTimes are of this machine; errors are against 50 digits. Progress goes to "
                    "standard error.\n";
         });
-        app_->add_option("--kernel", kernel_, "One kernel instead of all")->type_name("NAME");
-        app_->add_option("--csv", csv_path_, "Write the tables to this file too")
-            ->type_name("FILE")
-            ->check(names_a_file);
+        CLI::Option* kernel = app_->add_option("--kernel", kernel_, "One kernel instead of all");
+        kernel->type_name("NAME");
+        CLI::Option* csv =
+            app_->add_option("--csv", csv_path_, "Write the tables to this file too");
+        csv->type_name("FILE")->check(names_a_file);
+        app_->add_option("--case", case_path_,
+                         "Print instead what each choice and tolerance of this case contributes to "
+                         "its leading results")
+            ->type_name("CASE")
+            ->check(names_a_file)
+            ->excludes(kernel)
+            ->excludes(csv);
     }
 
     void check() const override {
@@ -71,6 +83,9 @@ class MethodsCommand final : public Command {
     }
 
     int run() override {
+        if (!case_path_.empty()) {
+            return print_budget();
+        }
         if (!csv_path_.empty() && !can_write_file(csv_path_)) {
             return exit_bad_input;
         }
@@ -88,9 +103,22 @@ class MethodsCommand final : public Command {
         return csv_path_.empty() ? exit_done : write_file(csv_path_, methods::write_csv(reports));
     }
 
+    std::string file() const override { return case_path_; }
+
   private:
+    int print_budget() const {
+        try {
+            const auto [text, context] = read_given_case(case_path_);
+            return print(methods::write_text(methods::case_budget(parse_case(text), context)));
+        } catch (const InputError& error) {
+            complain(case_path_, error.what());
+            return exit_bad_input;
+        }
+    }
+
     std::optional<std::string> kernel_;
     std::string csv_path_;
+    std::string case_path_;
 };
 
 }  // namespace

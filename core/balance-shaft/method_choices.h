@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "numerics/method_choice.h"
 
 namespace ravnoves::balance_shaft {
@@ -53,5 +56,12 @@ inline constexpr MethodChoice best_position_choice{
               "Over the plane of places the range is convex: the largest of linear functions less "
               "the smallest. Planes under it find its kinks, where methods without slopes stop "
               "short and methods with slopes jump, and prove that no place is better.")};
+
+/// What an answer leads with, below "result".
+inline constexpr std::array<std::string_view, 6> leading_results{
+    "/metrics/M_ups/range_Nm", "/metrics/M_ups/rms_Nm", "/optimum/range/shaft_angle_deg",
+    "/optimum/range/range_Nm", "/moment_amplitude_Nm",  "/flywheel/excess_work_J"};
+/// The choices of a method, below "input".
+inline constexpr std::array<std::string_view, 1> method_choices{"/interpolation"};
 
 }  // namespace ravnoves::balance_shaft

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "numerics/method_choice.h"
 
 namespace ravnoves::elastic_hinge {
@@ -31,5 +34,12 @@ inline constexpr MethodChoice motion_choice{
         "and nothing can drift. Series over stretches that are halved where they must be find the "
         "steep places of a turn by themselves, and they hold with a moment on the crank, from rest "
         "and up to a reversal, where turns do not repeat.")};
+
+/// What an answer leads with, below "result".
+inline constexpr std::array<std::string_view, 6> leading_results{
+    "/guide/minimum_preload_mm", "/guide/relief_mm",           "/rod_hinge_moment_integral_J",
+    "/counterweight_weight_N",   "/rod_hinge_guide/relief_mm", "/side_force/largest_with_hinge_N"};
+/// The choices of a method, below "input".
+inline constexpr std::array<std::string_view, 1> method_choices{"/kinematics"};
 
 }  // namespace ravnoves::elastic_hinge

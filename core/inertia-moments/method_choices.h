@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "numerics/method_choice.h"
 
 namespace ravnoves::inertia_moments {
@@ -29,5 +32,12 @@ inline constexpr MethodChoice orders_choice{
               "A balanced layout is a sum of orders that cancel; what is left must be rounding, so "
               "eleven digits. No fixed number of points holds that for every λ and K: the order's "
               "decay is known in closed form, and the number of points follows from it.")};
+
+/// What an answer leads with, below "result".
+inline constexpr std::array<std::string_view, 8> leading_results{
+    "/exact/order_1/force_N/forward/amplitude",   "/exact/order_1/force_N/backward/amplitude",
+    "/exact/order_1/moment_Nm/forward/amplitude", "/exact/order_1/moment_Nm/backward/amplitude",
+    "/exact/order_2/force_N/forward/amplitude",   "/exact/order_2/force_N/backward/amplitude",
+    "/exact/order_2/moment_Nm/forward/amplitude", "/exact/order_2/moment_Nm/backward/amplitude"};
 
 }  // namespace ravnoves::inertia_moments

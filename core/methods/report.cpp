@@ -26,12 +26,9 @@ const StabilityCurve* curve_of(const StabilityMap& map, std::size_t method, std:
 MethodRow make_row(const WorkPrecision& work, std::span<const StabilityMap* const> maps,
                    const WorkPoint& point) {
     const Kernel& kernel = *work.kernel;
-    const MethodInfo& method = kernel.methods[point.method];
     MethodRow row;
     row.method = point.method;
     row.setting = point.setting;
-    row.title = method.title;
-    row.label = method.settings[point.setting].label;
     row.timing = point.timing;
     row.result = point.result;
     row.order = work.order(point.method);
@@ -42,7 +39,6 @@ MethodRow make_row(const WorkPrecision& work, std::span<const StabilityMap* cons
             row.fails.push_back({map->sweep, failing_text(*map, *curve, kernel.choice.tolerance)});
         }
     }
-    row.limits = method.limits;
     return row;
 }
 
@@ -87,7 +83,7 @@ Verdict verdict(const KernelReport& report) {
         holding += row.holds ? 1 : 0;
         faster += row.holds && row.timing.median < used->timing.median ? 1 : 0;
     }
-    const Message name(Text{"", "%1, %2"}, used->title, used->label);
+    const Message name(Text{"", "%1, %2"}, report.method(*used).title, report.setting(*used));
     if (used->result.refused()) {
         return {
             Severity::note,
@@ -180,7 +176,8 @@ std::string write_text(const KernelReport& report) {
         table.add({row.in_use  ? "●"
                    : row.holds ? "+"
                                : "",
-                   row.title.english, row.label.english(), plain_digits(row.timing.median),
+                   report.method(row).title.english, report.setting(row).english(),
+                   plain_digits(row.timing.median),
                    plain_digits(row.timing.low) + "…" + plain_digits(row.timing.high),
                    row.result.refused() ? "refused" : digits(row.result.error),
                    row.order ? format_number(*row.order, 2) : "",
@@ -218,13 +215,13 @@ std::string write_csv(std::span<const KernelReport> reports) {
         for (const MethodRow& row : report.rows) {
             text += csv_line(
                 {kernel.id, kernel.sweeps[report.sweep].id, format_number(report.value),
-                 kernel.methods[row.method].id, row.label.english(), row.in_use ? "yes" : "no",
+                 report.method(row).id, report.setting(row).english(), row.in_use ? "yes" : "no",
                  format_number(kernel.choice.tolerance), format_number(row.timing.median),
                  format_number(row.timing.low), format_number(row.timing.high),
                  row.result.refused() ? "" : format_number(row.result.error),
                  optional_number(row.order), row.holds ? "yes" : "no",
                  failing_summary(kernel, row, SweepName::id).english(),
-                 row.result.refusal.english(), row.limits.english});
+                 row.result.refusal.english(), report.method(row).limits.english});
         }
     }
     return text;

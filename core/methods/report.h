@@ -21,8 +21,6 @@ struct Failing {
 struct MethodRow {
     std::size_t method = 0;   ///< in Kernel::methods
     std::size_t setting = 0;  ///< in MethodInfo::settings
-    Text title;               ///< of the method
-    Message label;            ///< of the setting
     Timing timing;            ///< ns per evaluation
     Result result;            ///< error at the measured value, or why there is none
     /// Order of convergence found over the method's settings; the same in all its rows.
@@ -32,7 +30,6 @@ struct MethodRow {
     /// Along every hard parameter that was mapped, in the kernel's order. The stability curves are
     /// those of the method's finest setting (or the one in use), so only that row has them.
     std::vector<Failing> fails;
-    Text limits;  ///< MethodInfo::limits: why, as a sentence
 };
 
 /// A kernel as measured on this machine.
@@ -41,6 +38,11 @@ struct KernelReport {
     std::size_t sweep = 0;  ///< at whose value times and errors were taken
     double value = 0.0;
     std::vector<MethodRow> rows;
+
+    const MethodInfo& method(const MethodRow& row) const { return kernel->methods[row.method]; }
+    const Message& setting(const MethodRow& row) const {
+        return method(row).settings[row.setting].label;
+    }
 };
 
 /// The table of what has been measured.

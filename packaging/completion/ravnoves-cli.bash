@@ -14,7 +14,7 @@ _ravnoves_cli() {
                 best-position guide inertia-orders hinge-motion scatter" -- "$word")
             return
             ;;
-        -o | --output | --csv | --merge)
+        -o | --output | --csv | --case | --merge)
             compopt -o filenames
             mapfile -t COMPREPLY < <(compgen -f -- "$word")
             return
@@ -23,7 +23,7 @@ _ravnoves_cli() {
     case $command in
         solve) words+=" -o --output --batch --only --allow-files" ;;
         study) words+=" -o --output --shard --merge --threads" ;;
-        methods) words+=" --kernel --csv" ;;
+        methods) words+=" --kernel --csv --case" ;;
         validate) words+=" --csv" ;;
         *) return ;;
     esac

@@ -32,6 +32,7 @@ case $command in
         ;;
     methods)
         _arguments $help '--csv[write the tables to this file too]:file:_files' \
+            '(--kernel --csv)--case[what contributes to the results of this case]:case file:_files -g "*.json"' \
             '--kernel[one kernel instead of all]:kernel:(slider-crank cycle-mean moment-range best-angle best-position guide inertia-orders hinge-motion scatter)'
         ;;
     validate)

@@ -8183,14 +8183,6 @@
         <translation>без потери знаков</translation>
     </message>
     <message>
-        <source>Euler&apos;s method</source>
-        <translation>метод Эйлера</translation>
-    </message>
-    <message>
-        <source>order 1: the guide does not close after a turn</source>
-        <translation>порядок 1: направляющая не замыкается за оборот</translation>
-    </message>
-    <message>
         <source>Runge-Kutta of order 4</source>
         <translation>Рунге–Кутта 4-го порядка</translation>
     </message>
@@ -8261,14 +8253,6 @@
     <message>
         <source>its energy drifts steadily: with 90 steps a turn it is wrong after thousands of turns, and near λ = 1 at once</source>
         <translation>энергия уходит неуклонно: с 90 шагами на оборот он неверен через тысячи оборотов, а вблизи λ = 1 — сразу</translation>
-    </message>
-    <message>
-        <source>Störmer-Verlet, symplectic</source>
-        <translation>Штёрмер–Верле, симплектический</translation>
-    </message>
-    <message>
-        <source>its energy never drifts, but order 2 leaves it behind in time</source>
-        <translation>энергия не уходит никогда, но порядок 2 отстаёт по времени</translation>
     </message>
     <message>
         <source>crank ratio λ, 5 turns</source>
@@ -9171,14 +9155,6 @@
         <translation>%1 на сторону</translation>
     </message>
     <message>
-        <source>Nelder–Mead simplex</source>
-        <translation>симплекс Нелдера — Мида</translation>
-    </message>
-    <message>
-        <source>goes without slopes, but on a kink the simplex may shrink to a place that is not the best, and it does not know</source>
-        <translation>обходится без наклонов, но на изломе симплекс может стянуться не к лучшему месту и не узнать об этом</translation>
-    </message>
-    <message>
         <source>exact: the planes prove that no place is better</source>
         <translation>точно: плоскости доказывают, что лучшего места нет</translation>
     </message>
@@ -9465,6 +9441,18 @@
     <message>
         <source>Measuring the methods on this machine.</source>
         <translation>Методы измеряются на этом компьютере.</translation>
+    </message>
+    <message>
+        <source>No case is open. Open one to see how sure its results are.</source>
+        <translation>Нет открытой задачи. Откройте её, чтобы увидеть, насколько надёжны её результаты.</translation>
+    </message>
+    <message>
+        <source>Solving the case with each choice changed.</source>
+        <translation>Задача решается с каждым из изменений.</translation>
+    </message>
+    <message>
+        <source>%1: %2. Largest contribution: %3, %4.</source>
+        <translation>%1: %2. Наибольший вклад: %3, %4.</translation>
     </message>
 </context>
 <context>
@@ -13559,10 +13547,6 @@ but nothing can be built</source>
         <translation>%1: не годится</translation>
     </message>
     <message>
-        <source>open case</source>
-        <translation>открытая задача</translation>
-    </message>
-    <message>
         <source>preset</source>
         <translation>исходное</translation>
     </message>
@@ -13633,14 +13617,6 @@ but nothing can be built</source>
         <translation>От чего задача становится трудной; правый график показывает погрешности вдоль него</translation>
     </message>
     <message>
-        <source>Take the &amp;open case</source>
-        <translation>Взять &amp;открытую задачу</translation>
-    </message>
-    <message>
-        <source>Measure at the value of the case that is open in the scene</source>
-        <translation>Измерить при значении задачи, открытой на её странице</translation>
-    </message>
-    <message>
         <source>&amp;Quantity</source>
         <translation>&amp;Величина</translation>
     </message>
@@ -13709,22 +13685,6 @@ but nothing can be built</source>
         <translation>Сверка со статьями</translation>
     </message>
     <message>
-        <source>No case is open in the scene; its preset: %1.</source>
-        <translation>На странице задачи ничего не открыто; исходное значение: %1.</translation>
-    </message>
-    <message>
-        <source>The open case says nothing of it; the preset: %1.</source>
-        <translation>В открытой задаче этого нет; исходное значение: %1.</translation>
-    </message>
-    <message>
-        <source>Open case: %1.</source>
-        <translation>Открытая задача: %1.</translation>
-    </message>
-    <message>
-        <source>Open case: %1, not on the chart.</source>
-        <translation>Открытая задача: %1, вне графика.</translation>
-    </message>
-    <message>
         <source>What is computed</source>
         <translation>Что вычисляется</translation>
     </message>
@@ -13773,10 +13733,6 @@ but nothing can be built</source>
         <translation>Записано: %1</translation>
     </message>
     <message>
-        <source>Where along each hard parameter the error exceeds the scene&apos;s tolerance or the method refuses; of the finest setting or the one in use</source>
-        <translation>Где вдоль каждого трудного параметра погрешность больше допуска или метод отказывает; для самой тонкой настройки или применяемой</translation>
-    </message>
-    <message>
         <source>Beyond the tolerance: %1.</source>
         <translation>Вне допуска: %1.</translation>
     </message>
@@ -13795,6 +13751,34 @@ but nothing can be built</source>
     <message>
         <source>The same quantity in 50 digits, by none of the scene&apos;s formulas: %1.</source>
         <translation>Та же величина с 50 знаками, не по формулам программы: %1.</translation>
+    </message>
+    <message>
+        <source>This case</source>
+        <translation>Эта задача</translation>
+    </message>
+    <message>
+        <source>What contributes to the results</source>
+        <translation>Вклады в результаты</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The model leaves out:</source>
+        <translation>Модель не учитывает:</translation>
+    </message>
+    <message>
+        <source>Where along the hard parameter the error exceeds the scene&apos;s tolerance or the method rejects the input; of the finest setting or the one in use</source>
+        <translation>Где вдоль трудного параметра погрешность больше допуска или метод отвергает исходные данные; для самой тонкой настройки или применяемой</translation>
+    </message>
+    <message>
+        <source>&amp;Details</source>
+        <translation>&amp;Подробности</translation>
+    </message>
+    <message>
+        <source>Show times, orders of convergence and how both are measured</source>
+        <translation>Показать время, порядок сходимости и как они измерены</translation>
     </message>
 </context>
 <context>
@@ -16775,10 +16759,6 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::ValidationModel</name>
     <message>
-        <source>Paper</source>
-        <translation>Статья</translation>
-    </message>
-    <message>
         <source>Place</source>
         <translation>Место</translation>
     </message>
@@ -16813,6 +16793,14 @@ but nothing can be built</source>
     <message>
         <source>Printed numbers: %1 – %2</source>
         <translation>Напечатанных чисел: %1 — %2</translation>
+    </message>
+    <message>
+        <source>Where the paper prints the number</source>
+        <translation>Где число напечатано в статье</translation>
+    </message>
+    <message>
+        <source>Choose a row to read why</source>
+        <translation>Выберите строку, чтобы прочесть, почему</translation>
     </message>
 </context>
 <context>
@@ -18599,6 +18587,57 @@ but nothing can be built</source>
     <message>
         <source>%1 at %2 is not before %3 at %4. Check the positions of the planes.</source>
         <translation>%1 (%2) не впереди другой: %3 (%4). Проверьте положения плоскостей.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::CaseBudgetModel</name>
+    <message>
+        <source>cannot be solved</source>
+        <translation>не решается</translation>
+    </message>
+    <message>
+        <source>Result, and what is changed</source>
+        <translation>Результат и что меняется</translation>
+    </message>
+    <message>
+        <source>The leading results of the open case; below each of them the one thing that is changed in a new solution of the case</source>
+        <translation>Главные результаты открытой задачи; под каждым — единственное изменение в новом решении задачи</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>As the case is solved</source>
+        <translation>Результат решения задачи</translation>
+    </message>
+    <message>
+        <source>Changes by</source>
+        <translation>Меняется на</translation>
+    </message>
+    <message>
+        <source>Difference to the value, the larger one of two</source>
+        <translation>Отличие от значения, большее из двух</translation>
+    </message>
+    <message>
+        <source>Rounding</source>
+        <translation>Округление</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Other source: %1</source>
+        <translation>Другой источник: %1</translation>
+    </message>
+    <message>
+        <source>Kinematics: two-term form</source>
+        <translation>Кинематика: двучленная форма</translation>
+    </message>
+    <message>
+        <source>Tolerance: %1</source>
+        <translation>Допуск: %1</translation>
     </message>
 </context>
 </TS>

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "case-file/decimal.h"
+#include "case-file/json.h"
 #include "command_line.h"
 #include "csv_lines.h"
 #include "methods/kernel.h"
@@ -102,6 +104,28 @@ TEST_F(CommandLine, ATableThatCannotBeWrittenIsSaidFirst) {
     const Outcome full = run("validate > /dev/full");
     EXPECT_EQ(full.status, 2);
     EXPECT_EQ(lines_of(full.err).size(), 1U) << full.err;
+}
+
+/// What the table prints of a choice is the difference of two results that solve prints.
+TEST_F(CommandLine, MethodsOfACaseSaysWhatContributesToItsResults) {
+    write("case.json", read_all(RAVNOVES_EXAMPLES "/tmz-650d.case.json"));
+    const Outcome table = run("methods --case case.json");
+    EXPECT_EQ(table.status, 0) << table.err;
+    EXPECT_TRUE(says(table.out, "/interpolation: periodic-cubic")) << table.out;
+    Json other = Json::parse(read_all(folder / "case.json"));
+    other["input"]["interpolation"] = "periodic-cubic";
+    write("other.json", other.dump());
+    const auto range = [&](const char* name) {
+        const Outcome solved = run(std::string("solve --only /metrics/M_ups/range_Nm ") + name);
+        const Json::json_pointer pointer("/result/metrics/M_ups/range_Nm");
+        return Json::parse(solved.out).at(pointer).get<double>();
+    };
+    const std::string change = format_number(std::abs(range("other.json") - range("case.json")), 3);
+    EXPECT_TRUE(says(table.out, "  " + change + "  /interpolation: periodic-cubic")) << table.out;
+    expect_refused(run("methods --case case.json --kernel guide"), "ravnoves-cli: ");
+    other["input"]["crank_radius_mm"] = -1;
+    write("other.json", other.dump());
+    expect_refused(run("methods --case other.json"), "other.json: /input/crank_radius_mm: must be");
 }
 
 TEST_F(CommandLine, HelpOfMethodsNamesTheKernels) {

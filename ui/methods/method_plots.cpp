@@ -107,7 +107,6 @@ MethodPlots::MethodPlots(MethodsModel* model, QWidget* parent) : QWidget(parent)
     connect(model, &SceneModel::changed, this, &MethodPlots::showMeasurement);
     connect(model, &MethodsModel::sweepChanged, this, &MethodPlots::showValue);
     connect(model, &MethodsModel::valueChanged, this, &MethodPlots::showValue);
-    connect(model, &MethodsModel::caseChanged, this, &MethodPlots::showValue);
     connect(model, &MethodsModel::shownMethodChanged, this, &MethodPlots::showFailing);
     connect(model, &MethodsModel::measurementChanged, this, &MethodPlots::showStale);
     connect(&Theme::instance(), &Theme::changed, this, &MethodPlots::showFailing);
@@ -417,15 +416,12 @@ void MethodPlots::showValue() {
     const bool same = &sweep == &model_->sweep();
     stability_->setPresentX(same ? std::optional(model_->value()) : std::nullopt);
     if (same) {
-        const auto present = model_->caseValue();
         PlotView::Line line;
-        line.at = present.value_or(sweep.present);
+        line.at = sweep.present;
         line.orientation = Qt::Vertical;
         line.role = Role::Limit;
-        line.text = present ? tr("open case") : tr("preset");
-        if (line.at >= sweep.from && line.at <= sweep.to) {
-            lines.push_back(line);
-        }
+        line.text = tr("preset");
+        lines.push_back(line);
     }
     stability_->setLines(std::move(lines));
     showStale();

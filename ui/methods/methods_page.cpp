@@ -10,6 +10,7 @@
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QTabWidget>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <QtMath>
 #include <algorithm>
@@ -18,10 +19,13 @@
 #include <numeric>
 
 #include "methods/method_plots.h"
+#include "methods/model/case_budget_model.h"
 #include "methods/model/method_words.h"
 #include "methods/sweep_value_field.h"
 #include "methods/validation_view.h"
+#include "page/scene_names.h"
 #include "pictures/file_dialogs.h"
+#include "scenes/scenes.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/text_width.h"
@@ -54,13 +58,6 @@ QLabel* labelFor(const QString& text, QWidget* buddy, QWidget* parent) {
     return label;
 }
 
-/// Where a method fails, along all the hard parameters that have been looked along so far.
-QString failingText(const Kernel& kernel, const MethodRow& row) {
-    const bool more = !row.fails.empty() && row.fails.size() < kernel.sweeps.size();
-    return methodText(methods::failing_summary(kernel, row)) +
-           (more ? QStringLiteral(" …") : QString());
-}
-
 ResultRow cells(const Kernel& kernel, const MethodRow& row) {
     const methods::MethodInfo& method = kernel.methods[row.method];
     QString title = shownText(method.title);
@@ -73,17 +70,7 @@ ResultRow cells(const Kernel& kernel, const MethodRow& row) {
             nanosecondsText(row.timing.median),
             resultText(row.result),
             first && row.order ? QLocale().toString(*row.order, 'f', 1) : QString(),
-            failingText(kernel, row)};
-}
-
-/// Where a method fails, a line for each hard parameter.
-QString stretches(const Kernel& kernel, const MethodRow& row) {
-    QString lines;
-    for (const methods::Failing& failing : row.fails) {
-        lines += QStringLiteral("%1: %2\n")
-                     .arg(shownText(kernel.sweeps[failing.sweep].title), methodText(failing.where));
-    }
-    return lines;
+            methodText(methods::failing_summary(kernel, row))};
 }
 
 /// As a sentence begins; a symbol (s′, ρ) stays as it is.
@@ -114,17 +101,32 @@ MethodsPage::MethodsPage(QWidget* parent, SceneModel* kept)
     inputs->setFixedWidth(PageColumns::inputsWidth());
     inputs->addTab(left, tr("Quantity"));
     verdict_ = new VerdictLine(this);
+    tabs_ = new QTabWidget(this);
+    tabs_->setDocumentMode(true);
+    case_ = buildCase();
+    addScrolledTab(tabs_, case_, QStringLiteral("case"), tr("This case"));
+    charts_ = new PageColumns(
+        {.inputs = inputs, .tabs = inputs, .plots = nullptr, .results = buildResults()}, tabs_);
+    charts_->setObjectName(QStringLiteral("charts"));
+    tabs_->addTab(charts_, tr("Speed and accuracy"));
+    validation_ = new ValidationView(tabs_);
+    connect(validation_, &ValidationView::status, this, &ScenePage::status);
+    addScrolledTab(tabs_, validation_, QStringLiteral("validation"), tr("Validation report"));
+    connect(tabs_, &QTabWidget::currentChanged, this, [this] {
+        updateActive();
+        showVerdict();
+    });
     QVBoxLayout* page = columnIn(this);
     page->addWidget(verdict_);
-    page->addWidget(
-        new PageColumns(
-            {.inputs = inputs, .tabs = inputs, .plots = nullptr, .results = buildResults()}, this),
-        1);
+    page->addWidget(tabs_, 1);
 
     againAction_ = new QAction(themedIcon(QStringLiteral("play")), tr("&Measure again"), this);
     againAction_->setToolTip(tr("Measure this kernel again, with more repetitions (F5)"));
     againAction_->setShortcut(QKeySequence(Qt::Key_F5));
-    connect(againAction_, &QAction::triggered, model_, &MethodsModel::measureAgain);
+    connect(againAction_, &QAction::triggered, this, [this] {
+        tabs_->setCurrentWidget(charts_);
+        model_->measureAgain();
+    });
     exportAction_ = new QAction(themedIcon(QStringLiteral("export")), tr("&Export…"), this);
     exportAction_->setToolTip(tr("Export the table in front as CSV, or the charts as SVG or PNG"));
     connect(exportAction_, &QAction::triggered, this, &MethodsPage::exportWithDialog);
@@ -132,10 +134,8 @@ MethodsPage::MethodsPage(QWidget* parent, SceneModel* kept)
     connect(model_, &MethodsModel::kernelChanged, this, &MethodsPage::showKernel);
     connect(model_, &MethodsModel::sweepChanged, this, &MethodsPage::showSweep);
     connect(model_, &MethodsModel::valueChanged, this, &MethodsPage::showValue);
-    connect(model_, &MethodsModel::caseChanged, this, &MethodsPage::showCase);
     connect(model_, &SceneModel::changed, this, &MethodsPage::showTable);
     connect(model_, &MethodsModel::measurementChanged, this, &MethodsPage::showRunning);
-    connect(model_->measurements(), &MethodMeasurements::mapped, this, &MethodsPage::showTable);
     connect(model_->measurements(), &MethodMeasurements::progressed, this, [this](double part) {
         progress_->setValue(static_cast<int>(std::lround(100 * part)));
     });
@@ -180,12 +180,6 @@ QWidget* MethodsPage::buildChoice() {
     value_ = new SweepValueField(panel);
     value_->field()->setModel(model_);
     connect(value_, &SweepValueField::valueEdited, model_, &MethodsModel::setValue);
-    case_ = captionLabel({}, panel);
-    case_->setObjectName(QStringLiteral("open_case"));
-    takeCase_ = new QPushButton(tr("Take the &open case"), panel);
-    takeCase_->setObjectName(QStringLiteral("take_case"));
-    takeCase_->setToolTip(tr("Measure at the value of the case that is open in the scene"));
-    connect(takeCase_, &QPushButton::clicked, model_, &MethodsModel::followCase);
     column->addWidget(labelFor(tr("&Quantity"), kernels_, panel));
     column->addWidget(kernels_);
     column->addWidget(labelFor(tr("&Hard parameter"), sweeps_, panel));
@@ -195,8 +189,6 @@ QWidget* MethodsPage::buildChoice() {
     auto* trouble = new TroubleLine(panel);
     trouble->watch(value_->field(), false);
     column->addWidget(trouble);
-    column->addWidget(case_);
-    column->addWidget(takeCase_);
     column->addSpacing(Theme::gap);
     column->addWidget(buildMeasuring());
     return panel;
@@ -248,11 +240,56 @@ QWidget* MethodsPage::buildWords() {
     return panel;
 }
 
+QWidget* MethodsPage::buildCase() {
+    auto* view = new QWidget(this);
+    QVBoxLayout* column = columnIn(view, Theme::space, panelMargins);
+    budget_ = new CaseBudgetModel(this);
+    caseTitle_ = headingLabel({}, view);
+    caseTitle_->setObjectName(QStringLiteral("case_title"));
+    column->addWidget(caseTitle_);
+    budgetTable_ = new ResultTable(tr("What contributes to the results"), view);
+    budgetTable_->setObjectName(QStringLiteral("case_table"));
+    budgetTable_->setWordWrap(true);
+    column->addWidget(budgetTable_, 1);
+    leftOut_ = copyableCaption("left_out", view);
+    column->addWidget(leftOut_);
+    connect(budget_, &CaseBudgetModel::changed, this, &MethodsPage::showBudget);
+    addBusy([this] { return budget_->isRunning(); });
+    return view;
+}
+
+std::optional<OpenCase> MethodsPage::caseLastInFront() const {
+    std::optional<OpenCase> last;
+    for (const SceneSolver& scene : scene_solvers()) {
+        const QString name = QString::fromUtf8(scene.name.data(), qsizetype(scene.name.size()));
+        std::optional<OpenCase> open = openCases_ ? openCases_(name) : std::nullopt;
+        if (open && (!last || open->shown > last->shown)) {
+            last = std::move(open);
+        }
+    }
+    return last;
+}
+
+void MethodsPage::showBudget() {
+    showVerdict();
+    if (const auto& open = budget_->open()) {
+        caseTitle_->setText(
+            tr("%1: %2").arg(sceneTitle(QString::fromStdString(open->file.scene)),
+                             SceneModel::titleText(QString::fromStdString(open->file.title))));
+    } else {
+        caseTitle_->clear();
+    }
+    budgetTable_->setResults(budget_->results());
+    budgetTable_->setVisible(budgetTable_->rowCount() > 0);
+    const QStringList leftOut = budget_->leftOut();
+    sayOrHide(leftOut_, leftOut.isEmpty() ? QString()
+                                          : tr("The model leaves out:") + QStringLiteral("\n• ") +
+                                                leftOut.join(QStringLiteral("\n• ")));
+}
+
 QWidget* MethodsPage::buildResults() {
-    tabs_ = new QTabWidget(this);
-    tabs_->setDocumentMode(true);
-    auto* charts = new QWidget(tabs_);
-    QVBoxLayout* column = columnIn(charts, Theme::space, tabMargins);
+    auto* charts = new QWidget(this);
+    QVBoxLayout* column = columnIn(charts);
     plots_ = new MethodPlots(model_, charts);
     column->addWidget(plots_, 3);
     auto* panel = new Panel(charts);
@@ -278,27 +315,29 @@ QWidget* MethodsPage::buildResults() {
          {tr("Order"), tr("Order of convergence found: the error falls as this power of the number "
                           "of steps")},
          {tr("Beyond the tolerance"),
-          tr("Where along each hard parameter the error exceeds the scene's tolerance or the "
-             "method refuses; of the finest setting or the one in use")}});
+          tr("Where along the hard parameter the error exceeds the scene's tolerance or the method "
+             "rejects the input; of the finest setting or the one in use")}});
     table_->stretchColumn(Fails);
     connect(table_, &QTableWidget::currentCellChanged, this, &MethodsPage::chooseRow);
     inside->addWidget(table_, 1);
+    auto* below = new QHBoxLayout;
+    below->setContentsMargins(Theme::space, 0, Theme::space, 0);
     limits_ = captionLabel({}, panel);
     limits_->setObjectName(QStringLiteral("limits"));
-    limits_->setContentsMargins(Theme::space, 0, Theme::space, 0);
-    inside->addWidget(limits_);
-    column->addWidget(panel, 2);
-    addScrolledTab(tabs_, charts, QStringLiteral("charts"), tr("Speed and accuracy"));
-    validation_ = new ValidationView(tabs_);
-    connect(validation_, &ValidationView::status, this, &ScenePage::status);
-    addScrolledTab(tabs_, validation_, QStringLiteral("validation"), tr("Validation report"));
-    connect(tabs_, &QTabWidget::currentChanged, this, [this] {
-        updateActive();
-        if (showsReport()) {
-            validation_->load();
-        }
+    below->addWidget(limits_, 1);
+    details_ = new QToolButton(panel);
+    details_->setObjectName(QStringLiteral("details"));
+    details_->setText(tr("&Details"));
+    details_->setCheckable(true);
+    details_->setToolTip(tr("Show times, orders of convergence and how both are measured"));
+    connect(details_, &QToolButton::toggled, this, [this] {
+        showWords();
+        fitTableSoon();
     });
-    return tabs_;
+    below->addWidget(details_, 0, Qt::AlignTop);
+    inside->addLayout(below);
+    column->addWidget(panel, 2);
+    return charts;
 }
 
 void MethodsPage::showKernel() {
@@ -317,31 +356,11 @@ void MethodsPage::showSweep() {
     const methods::SweepInfo& sweep = model_->sweep();
     sweeps_->setCurrentIndex(static_cast<int>(model_->sweepIndex()));
     value_->setSweep(sweep, shownText(sweep.title));
-    showCase();
+    showValue();
 }
 
 void MethodsPage::showValue() {
     value_->setValue(model_->value());
-    takeCase_->setEnabled(!model_->followsCase());
-}
-
-void MethodsPage::showCase() {
-    const methods::SweepInfo& sweep = model_->sweep();
-    const auto present = model_->caseValue();
-    const QString preset = sweepNumber(sweep, sweep.present);
-    QString text;
-    if (!present) {
-        text = model_->caseTitle().isEmpty()
-                   ? tr("No case is open in the scene; its preset: %1.").arg(preset)
-                   : tr("The open case says nothing of it; the preset: %1.").arg(preset);
-    } else {
-        const bool inside = *present >= sweep.from && *present <= sweep.to;
-        text = (inside ? tr("Open case: %1.") : tr("Open case: %1, not on the chart."))
-                   .arg(sweepNumber(sweep, *present));
-    }
-    case_->setText(text);
-    case_->setToolTip(model_->caseTitle());
-    showValue();
 }
 
 void MethodsPage::showWords() {
@@ -356,14 +375,20 @@ void MethodsPage::showWords() {
                 .arg(shownText(method.title), methodText(setting.label),
                      errorNumber(kernel.choice.tolerance), shownText(kernel.error_measure)) +
             QLatin1Char(' ') + shownText(kernel.choice.reason));
-    html += paragraph(tr("What it is measured against"),
-                      tr("The same quantity in 50 digits, by none of the scene's formulas: %1.")
-                          .arg(shownText(kernel.reference)));
-    html += paragraph(tr("One evaluation"), shownText(kernel.evaluation));
+    if (details_->isChecked()) {
+        html += paragraph(tr("What it is measured against"),
+                          tr("The same quantity in 50 digits, by none of the scene's formulas: %1.")
+                              .arg(shownText(kernel.reference)));
+        html += paragraph(tr("One evaluation"), shownText(kernel.evaluation));
+    }
     words_->setText(html);
 }
 
 void MethodsPage::showVerdict() {
+    if (isInFront(case_)) {
+        verdict_->show(budget_->verdict());
+        return;
+    }
     const auto verdict = model_->verdictShown();
     verdict_->show(verdict.value_or(
         Verdict{Severity::note, {CORE_TEXT("methods", "Measuring the methods on this machine.")}}));
@@ -376,7 +401,7 @@ void MethodsPage::showTable() {
         return;
     }
     const Kernel& kernel = shown->kernel();
-    const methods::KernelReport report = model_->measurements()->report(*shown);
+    const methods::KernelReport& report = shown->report;
     ResultRows rows;
     for (const MethodRow& row : report.rows) {
         rows << cells(kernel, row);
@@ -393,17 +418,14 @@ void MethodsPage::showTable() {
             bold.setBold(true);
             cell->setData(Qt::FontRole, row.in_use && column == Method ? bold : QVariant());
             cell->setForeground(theme.text());
-            if (const QString limits = shownText(row.limits); !limits.isEmpty()) {
+            if (const QString limits = shownText(kernel.methods[row.method].limits);
+                !limits.isEmpty()) {
                 cell->setToolTip(limits);
             }
         }
         table_->item(i, Time)->setToolTip(
             tr("Half of the runs from %1 to %2")
                 .arg(timeText(row.timing.low), timeText(row.timing.high)));
-        if (const QString where = stretches(kernel, row) + shownText(row.limits);
-            !where.isEmpty()) {
-            table_->item(i, Fails)->setToolTip(where);
-        }
         table_->item(i, Error)->setForeground(row.holds ? theme.good() : theme.error());
         table_->item(i, Error)->setToolTip(
             row.result.refused() ? tr("refused: %1").arg(methodText(row.result.refusal))
@@ -458,8 +480,9 @@ void MethodsPage::fitTable() {
     // same columns are seen.
     const int room = table_->width() - table_->verticalScrollBar()->sizeHint().width();
     bool changed = false;
-    for (const int column : {Fails, Order}) {
-        const bool hidden = std::accumulate(least.begin(), least.end(), 0) > room;
+    for (const int column : {Time, Order, Fails}) {
+        const bool hidden = column == Fails ? std::accumulate(least.begin(), least.end(), 0) > room
+                                            : !details_->isChecked();
         changed = changed || hidden != table_->isColumnHidden(column);
         table_->setColumnHidden(column, hidden);
         least[static_cast<std::size_t>(column)] *= hidden ? 0 : 1;
@@ -490,7 +513,7 @@ void MethodsPage::chooseRow() {
         static_cast<std::size_t>(row) >= shown->report.rows.size()) {
         return;
     }
-    const methods::KernelReport report = model_->measurements()->report(*shown);
+    const methods::KernelReport& report = shown->report;
     const std::size_t chosen = report.rows[static_cast<std::size_t>(row)].method;
     model_->setShownMethod(chosen);
     const methods::MethodInfo& method = shown->kernel().methods[chosen];
@@ -500,7 +523,8 @@ void MethodsPage::chooseRow() {
     for (const MethodRow& other : report.rows) {
         if (other.method == chosen && !other.fails.empty()) {
             text += QLatin1Char(' ') +
-                    tr("Beyond the tolerance: %1.").arg(failingText(shown->kernel(), other));
+                    tr("Beyond the tolerance: %1.")
+                        .arg(methodText(methods::failing_summary(shown->kernel(), other)));
         }
     }
     limits_->setText(text);
@@ -517,22 +541,28 @@ void MethodsPage::showRunning() {
     table_->setEnabled(!model_->isStale());
 }
 
-bool MethodsPage::showsReport() const {
-    return tabs_->currentIndex() == 1;
+bool MethodsPage::isInFront(const QWidget* view) const {
+    const QWidget* front = tabs_->currentWidget();
+    return front == view || front->isAncestorOf(view);
 }
 
 QString MethodsPage::resultsAsText() const {
-    return showsReport() ? validation_->asText() : table_->asText();
+    return isInFront(case_)         ? budgetTable_->asText()
+           : isInFront(validation_) ? validation_->asText()
+                                    : table_->asText();
 }
 
 QString MethodsPage::resultsAsCsv() const {
-    if (showsReport()) {
+    if (isInFront(case_)) {
+        return budgetTable_->asCsv();
+    }
+    if (isInFront(validation_)) {
         return validation_->asCsv();
     }
     const MethodMeasurement* shown = model_->shown();
-    return shown == nullptr ? QString()
-                            : QString::fromStdString(methods::write_csv(
-                                  std::vector{model_->measurements()->report(*shown)}));
+    return shown == nullptr
+               ? QString()
+               : QString::fromStdString(methods::write_csv(std::vector{shown->report}));
 }
 
 void MethodsPage::setActive(bool active) {
@@ -541,12 +571,14 @@ void MethodsPage::setActive(bool active) {
 }
 
 void MethodsPage::updateActive() {
-    // Nothing is measured behind the report: it would only disturb.
-    model_->setActive(active_ && !showsReport());
-}
-
-void MethodsPage::setOpenCases(const OpenCases& cases) {
-    model_->setOpenCases(cases);
+    // Nothing is measured behind another tab: it would only disturb.
+    model_->setActive(active_ && isInFront(charts_));
+    if (active_ && isInFront(case_)) {
+        budget_->load(caseLastInFront());
+    }
+    if (isInFront(validation_)) {
+        validation_->load();
+    }
 }
 
 QString MethodsPage::exportTo(const QString& path) {
@@ -557,13 +589,13 @@ QString MethodsPage::exportTo(const QString& path) {
 }
 
 void MethodsPage::exportWithDialog() {
-    const bool report = showsReport();
+    const bool charts = isInFront(charts_);
     const QString name =
-        report ? QStringLiteral("validation")
-               : QStringLiteral("methods-") + QString::fromStdString(model_->kernel().id);
+        charts ? QStringLiteral("methods-") + QString::fromStdString(model_->kernel().id)
+               : tabs_->currentWidget()->objectName();
     const QString path =
         askSavePath(this, tr("Export"), name + QStringLiteral(".csv"),
-                    report ? QList{csvFormat()} : QList{csvFormat()} + pictureFormats());
+                    charts ? QList{csvFormat()} + pictureFormats() : QList{csvFormat()});
     if (path.isEmpty()) {
         return;
     }

@@ -8,17 +8,19 @@ class QLabel;
 class QProgressBar;
 class QPushButton;
 class QTabWidget;
+class QToolButton;
 
 namespace ravnoves {
 
+class CaseBudgetModel;
 class MethodPlots;
 class ResultTable;
 class SweepValueField;
 class ValidationView;
 class VerdictLine;
 
-/// The page "Methods": which kernel, the charts of its methods, their table, why the scene uses the
-/// one it uses, and the validation report.
+/// The page "Methods": how sure the open case is; of each kernel the charts of its methods, their
+/// table and why the scene uses the one it uses; and the validation report.
 class MethodsPage : public ScenePage {
     Q_OBJECT
 
@@ -31,9 +33,9 @@ class MethodsPage : public ScenePage {
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
     void setActive(bool active) override;
-    void setOpenCases(const OpenCases& cases) override;
+    void setOpenCases(const OpenCases& cases) override { openCases_ = cases; }
 
-    /// Writes the tab in front by the file's ending: the table as CSV, the charts as SVG or PNG.
+    /// Writes the tab in front by the file's ending: its table as CSV, the charts as SVG or PNG.
     /// @return an empty string, or what went wrong
     QString exportTo(const QString& path);
 
@@ -42,6 +44,8 @@ class MethodsPage : public ScenePage {
     ResultTable* table() const { return table_; }
     ValidationView* validation() const { return validation_; }
     QTabWidget* tabs() const { return tabs_; }
+    CaseBudgetModel* budget() const { return budget_; }
+    ResultTable* budgetTable() const { return budgetTable_; }
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -51,12 +55,15 @@ class MethodsPage : public ScenePage {
     QWidget* buildMeasuring();
     QWidget* buildWords();
     QWidget* buildResults();
+    QWidget* buildCase();
     void updateActive();
-    bool showsReport() const;
+    bool isInFront(const QWidget* view) const;
+    /// Of all pages; nothing where no case is open.
+    std::optional<OpenCase> caseLastInFront() const;
+    void showBudget();
     void showKernel();
     void showSweep();
     void showValue();
-    void showCase();
     void showWords();
     void showTable();
     void showVerdict();
@@ -72,13 +79,19 @@ class MethodsPage : public ScenePage {
     QComboBox* kernels_ = nullptr;
     QComboBox* sweeps_ = nullptr;
     SweepValueField* value_ = nullptr;
-    QLabel* case_ = nullptr;
-    QPushButton* takeCase_ = nullptr;
     QPushButton* again_ = nullptr;
     QPushButton* cancel_ = nullptr;
     QProgressBar* progress_ = nullptr;
     QLabel* words_ = nullptr;
     QTabWidget* tabs_ = nullptr;
+    OpenCases openCases_;
+    CaseBudgetModel* budget_ = nullptr;
+    QWidget* case_ = nullptr;
+    ResultTable* budgetTable_ = nullptr;
+    QLabel* caseTitle_ = nullptr;
+    QLabel* leftOut_ = nullptr;
+    QWidget* charts_ = nullptr;
+    QToolButton* details_ = nullptr;
     MethodPlots* plots_ = nullptr;
     ResultTable* table_ = nullptr;
     bool followsRow_ = true;  ///< the row chosen stays in sight until a hand scrolls

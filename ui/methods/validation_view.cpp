@@ -3,30 +3,19 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
-#include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollBar>
-#include <QStyledItemDelegate>
-#include <QTableView>
 #include <QVBoxLayout>
-#include <QtMath>
-#include <algorithm>
-#include <numeric>
-#include <span>
 
 #include "methods/model/method_words.h"
-#include "text/csv_format.h"
-#include "text/text_width.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
 #include "widgets/panel.h"
+#include "widgets/result_table.h"
 
 namespace ravnoves {
-
 
 namespace {
 
@@ -46,23 +35,6 @@ QColor verdictColour(methods::Verdict verdict) {
     }
     return theme.error();
 }
-
-/// The verdict in its colour, which follows the theme.
-class VerdictDelegate : public QStyledItemDelegate {
-  public:
-    VerdictDelegate(const ValidationModel* model, QObject* parent)
-        : QStyledItemDelegate(parent), model_(model) {}
-
-  protected:
-    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
-        QStyledItemDelegate::initStyleOption(option, index);
-        const auto& row = *model_->rows()[static_cast<std::size_t>(index.row())];
-        option->palette.setColor(QPalette::Text, verdictColour(row.verdict));
-    }
-
-  private:
-    const ValidationModel* model_;
-};
 
 }  // namespace
 
@@ -85,27 +57,11 @@ QWidget* ValidationView::buildTable() {
     auto* panel = new Panel(this);
     auto* inside = new QVBoxLayout(panel);
     inside->setContentsMargins(1, 1, 1, Theme::gap);
-    table_ = new QTableView(panel);
+    table_ = new ResultTable(tr("Printed numbers beside ours"), panel);
     table_->setObjectName(QStringLiteral("validation_table"));
-    table_->setAccessibleName(tr("Printed numbers beside ours"));
-    table_->setModel(model_);
-    table_->setItemDelegateForColumn(ValidationModel::VerdictColumn,
-                                     new VerdictDelegate(model_, table_));
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setAlternatingRowColors(true);
-    table_->setShowGrid(false);
-    table_->setFrameShape(QFrame::NoFrame);
-    table_->setFont(Theme::font(Theme::baseSize - 1));
-    table_->setTabKeyNavigation(false);
-    table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(Theme::withText(20));
-    table_->verticalHeader()->setMinimumSectionSize(Theme::withText(18));
-    QHeaderView* headings = table_->horizontalHeader();
-    headings->setHighlightSections(false);
-    headings->setFont(Theme::font(Theme::smallSize + 1, true));
-    headings->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    table_->installEventFilter(this);
-    table_->viewport()->installEventFilter(this);  // a scroll bar takes of its width
+    table_->setWordWrap(true);
+    table_->stretchColumn(ValidationModel::Quantity);
     inside->addWidget(table_, 1);
     reason_ = captionLabel({}, panel);
     reason_->setObjectName(QStringLiteral("reason"));
@@ -114,8 +70,8 @@ QWidget* ValidationView::buildTable() {
     reason_->setMinimumHeight(2 * reason_->fontMetrics().lineSpacing());
     reason_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     inside->addWidget(reason_);
-    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-            &ValidationView::showReason);
+    connect(table_, &QTableWidget::currentCellChanged, this, &ValidationView::showReason);
+    connect(&Theme::instance(), &Theme::changed, this, &ValidationView::showReport);
     return panel;
 }
 
@@ -178,123 +134,27 @@ QWidget* ValidationView::buildFilters() {
 
 void ValidationView::showReport() {
     counts_->setText(model_->countsText());
-    measure();
-    fitColumns();
-}
-
-void ValidationView::showReason() {
-    const int row = table_->currentIndex().row();
-    const bool known = row >= 0 && static_cast<std::size_t>(row) < model_->rows().size();
-    if (!known) {
-        reason_->setText(tr("Choose a row to read why it has its verdict."));
-        return;
-    }
-    // What the table has no room for is said here.
-    QStringList where;
-    for (const int column : {ValidationModel::Paper, ValidationModel::Place}) {
-        if (table_->isColumnHidden(column)) {
-            where << model_->index(row, column).data().toString();
-        }
-    }
-    const QString reason = methodText(model_->rows()[static_cast<std::size_t>(row)]->reason);
-    reason_->setText(where.isEmpty()
-                         ? reason
-                         : where.join(QStringLiteral(", ")) + QStringLiteral(": ") + reason);
-}
-
-void ValidationView::measure() {
-    const int padding = Theme::withText(12);
-    const QFontMetrics headings = table_->horizontalHeader()->fontMetrics();
-    for (int column = 0; column < ValidationModel::Columns; ++column) {
-        const QString heading = model_->headerData(column, Qt::Horizontal).toString();
-        int& wanted = wanted_[static_cast<std::size_t>(column)];
-        wanted = headings.horizontalAdvance(heading) + padding;
-        for (int row = 0; row < model_->rowCount(); ++row) {
-            const QString text = model_->index(row, column).data().toString();
-            wanted = std::max(wanted, qCeil(textWidth(table_->font(), text)) + padding);
-        }
-    }
-}
-
-void ValidationView::fitColumns() {
-    const int room = table_->viewport()->width();
-    std::array<int, ValidationModel::Columns> least = wanted_;
-    for (int column = 0; column < ValidationModel::Unit; ++column) {
-        int& width = least[static_cast<std::size_t>(column)];
-        width = std::min(width, Theme::withText(150));
-    }
-    // The verdict stays in sight: what a tip says as well gives way, with or without a scroll bar.
-    const int sure = table_->width() - table_->verticalScrollBar()->sizeHint().width();
-    auto widths = wanted_;
-    const auto hide = [&](int column, bool hidden) {
-        table_->setColumnHidden(column, hidden);
-        if (hidden) {
-            widths[static_cast<std::size_t>(column)] = 0;
-            least[static_cast<std::size_t>(column)] = 0;
-        }
-    };
-    for (const int column : {ValidationModel::Paper, ValidationModel::Place,
-                             ValidationModel::Difference, ValidationModel::Unit}) {
-        hide(column, std::accumulate(least.begin(), least.end(), 0) > sure);
-    }
-    const auto words = std::span(widths).first(ValidationModel::Unit);
-    int over = room - std::accumulate(widths.begin(), widths.end(), 0);
-    if (over > 0) {
-        const auto shown = std::count_if(words.begin(), words.end(), [](int w) { return w > 0; });
-        for (int& width : words) {  // no number goes far from what it is of
-            width += width > 0 ? over / static_cast<int>(shown) : 0;
-        }
-    }
-    // The widest gives way first; where none can, the table scrolls.
-    for (; over < 0; ++over) {
-        std::size_t widest = 0;
-        int most = 0;
-        for (std::size_t column = 0; column < words.size(); ++column) {
-            if (words[column] > least[column] && words[column] > most) {
-                widest = column;
-                most = words[column];
-            }
-        }
-        if (most == 0) {
-            break;
-        }
-        --words[widest];
-    }
-    for (int column = 0; column < ValidationModel::Columns; ++column) {
-        if (!table_->isColumnHidden(column)) {
-            table_->setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
-        }
-    }
+    table_->setResults(model_->results());
     table_->resizeRowsToContents();
+    constexpr Qt::Alignment asWords = Qt::AlignLeft | Qt::AlignVCenter;
+    table_->horizontalHeaderItem(ValidationModel::Quantity)->setTextAlignment(asWords);
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        table_->item(row, ValidationModel::Quantity)->setTextAlignment(asWords);
+        const methods::Verdict verdict = model_->rows()[static_cast<std::size_t>(row)]->verdict;
+        table_->item(row, ValidationModel::VerdictColumn)->setForeground(verdictColour(verdict));
+    }
     showReason();
 }
 
-bool ValidationView::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == table_->viewport() && event->type() == QEvent::Resize) {
-        QMetaObject::invokeMethod(this, &ValidationView::fitColumns, Qt::QueuedConnection);
-    }
-    if (watched == table_ && event->type() == QEvent::KeyPress &&
-        static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
-        copySelection();
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
-}
-
-void ValidationView::copySelection() {
-    QString text;
-    for (const QModelIndex& row : table_->selectionModel()->selectedRows()) {
-        for (int column = 0; column < ValidationModel::Columns; ++column) {
-            text += column == 0 ? QString() : QStringLiteral("\t");
-            text += CsvFormat::plainMinus(row.siblingAtColumn(column).data().toString());
-        }
-        text += QLatin1Char('\n');
-    }
-    QApplication::clipboard()->setText(text.isEmpty() ? asText() : text);
+void ValidationView::showReason() {
+    const auto row = static_cast<std::size_t>(table_->currentRow());  // none is beyond all
+    reason_->setText(row < model_->rows().size()
+                         ? methodText(model_->rows()[row]->reason)
+                         : tr("Choose a row to read why it has its verdict."));
 }
 
 QString ValidationView::asText() const {
-    return counts_->text() + QLatin1Char('\n') + model_->asText();
+    return counts_->text() + QLatin1Char('\n') + table_->asText();
 }
 
 }  // namespace ravnoves

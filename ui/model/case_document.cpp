@@ -143,7 +143,7 @@ QString CaseDocument::name() const {
 }
 
 OpenCase CaseDocument::asOpenCase() const {
-    return {model_->title(), model_->inputJson(), model_->context()};
+    return {asFile(), model_->context()};
 }
 
 CaseFile CaseDocument::asFile() const {

@@ -190,11 +190,11 @@ void addValidation(Report& report, const QString& scene, const Patience& patienc
             .arg(model.countsText())
             .toHtmlEscaped()});
     // What each place of the paper became; the page Methods has every number.
+    const Results results = model.results();
     Table table;
-    table.headings = {
-        model.headerData(Model::Place, Qt::Horizontal).toString().toHtmlEscaped(),
-        model.headerData(Model::VerdictColumn, Qt::Horizontal).toString().toHtmlEscaped(),
-        ReportWords::tr("Numbers"), ReportWords::tr("Largest difference")};
+    table.headings = {results.columns[Model::Place].heading.toHtmlEscaped(),
+                      results.columns[Model::VerdictColumn].heading.toHtmlEscaped(),
+                      ReportWords::tr("Numbers"), ReportWords::tr("Largest difference")};
     table.numbers = {false, false, true, true};
     struct Group {
         QString place;
@@ -205,8 +205,8 @@ void addValidation(Report& report, const QString& scene, const Patience& patienc
     };
     std::vector<Group> found;
     QStringList slips;
-    for (int row = 0; row < model.rowCount(); ++row) {
-        const auto cell = [&](int column) { return model.index(row, column).data().toString(); };
+    for (qsizetype row = 0; row < results.rows.size(); ++row) {
+        const auto cell = [&](int column) { return results.rows[row][column].text; };
         const methods::ValidationRow& number = *model.rows()[static_cast<std::size_t>(row)];
         QString verdict = cell(Model::VerdictColumn).toHtmlEscaped();
         if (number.verdict == methods::Verdict::slip ||

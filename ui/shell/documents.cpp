@@ -162,7 +162,12 @@ void Documents::putPage(OpenDocument& document, ScenePage* page) {
     page->setOpenCases([this](const QString& other) -> std::optional<OpenCase> {
         const auto index = indexOf(other);
         const OpenDocument* last = index ? lastOf(*index) : nullptr;
-        return last != nullptr ? std::optional(last->document->asOpenCase()) : std::nullopt;
+        if (last == nullptr) {
+            return std::nullopt;
+        }
+        OpenCase open = last->document->asOpenCase();
+        open.shown = last->shown;
+        return open;
     });
     page->setShowOther([this, page](const std::function<bool(ScenePage*)>& isWanted) {
         for (const auto& each : documents_) {

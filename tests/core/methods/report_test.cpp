@@ -30,8 +30,6 @@ TEST(MethodsReport, HasARowForEveryMethodAndSetting) {
               1);
     std::size_t with_limit = 0;
     for (const MethodRow& row : report.rows) {
-        EXPECT_EQ(row.title.english, kernel.methods[row.method].title.english);
-        EXPECT_EQ(row.limits.english, kernel.methods[row.method].limits.english);
         EXPECT_EQ(row.holds, !row.result.refused() && row.result.error <= kernel.choice.tolerance);
         EXPECT_GT(row.timing.median, 0.0);
         with_limit += row.fails.empty() ? 0 : 1;
@@ -117,13 +115,13 @@ TEST(MethodsReport, TextAndCsvHoldTheSameRows) {
         const MethodRow& row = report.rows[i];
         const auto& fields = lines[i + 1];
         ASSERT_EQ(fields.size(), lines.front().size());
-        EXPECT_TRUE(says(text, row.title.english)) << row.title.english;
+        EXPECT_TRUE(says(text, report.method(row).title.english)) << row.method;
         EXPECT_EQ(fields[column("kernel")], "moment-range");
-        EXPECT_EQ(fields[column("setting")], row.label.english());
+        EXPECT_EQ(fields[column("setting")], report.setting(row).english());
         EXPECT_EQ(std::stod(fields[column("median_ns")]), row.timing.median);
         EXPECT_EQ(fields[column("error")].empty(), row.result.refused());
         EXPECT_EQ(fields[column("in_use")], row.in_use ? "yes" : "no");
-        EXPECT_EQ(fields[column("limits")], row.limits.english);
+        EXPECT_EQ(fields[column("limits")], report.method(row).limits.english);
     }
 }
 

@@ -95,6 +95,7 @@ class PictureTest : public ::testing::Test {
             return page->viewModel()->shown() != nullptr && !page->viewModel()->isStale();
         };
         constexpr int patience = 60'000;  // ms
+        page->tabs()->setCurrentIndex(1);  // where it measures
         ASSERT_TRUE(QTest::qWaitFor(measured, patience));
         settle();
         auto still = std::make_shared<MethodMeasurement>(*page->viewModel()->shown());
@@ -106,6 +107,7 @@ class PictureTest : public ::testing::Test {
         const methods::StabilityMap* map = still->map.get();
         still->report = methods::make_report(still->work, std::span(&map, 1));
         Q_EMIT page->viewModel()->measurements()->measured(still);
+        page->tabs()->setCurrentIndex(0);
         settle();
     }
     QImage picture() const { return window->grab().toImage(); }

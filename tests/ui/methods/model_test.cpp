@@ -5,15 +5,17 @@
 #include <QApplication>
 #include <QSignalSpy>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "elastic-hinge/presets.h"
-#include "elastic-hinge/scene.h"
+#include "case-file/text_file.h"
+#include "methods/model/case_budget_model.h"
 #include "methods_support.h"
-#include "model/open_case.h"
 #include "processor_time.h"
+#include "scenes/scenes.h"
+#include "text/message_text.h"
 
 namespace ravnoves {
 namespace {
@@ -71,56 +73,51 @@ TEST(MethodsModel, SettingsAreChecked) {
     EXPECT_EQ(model.value(), 0.9);
 }
 
-TEST(MethodsModel, TheValueFollowsTheOpenCaseUntilItIsSetByHand) {
-    MethodsModel model;
-    model.setKernel(kernelIndex(model, "guide"));
-    model.setSweep(model.kernel().find_sweep("lambda"));
-    elastic_hinge::Input hinge = elastic_hinge::preset_zotov();
-    hinge.lambda = 0.45;
-    QStringList asked;
-    model.setOpenCases([&](const QString& scene) -> std::optional<OpenCase> {
-        asked << scene;
-        return OpenCase{QStringLiteral("mine"), elastic_hinge::write_input(hinge), {}};
-    });
-    const auto lookUp = [&] {
-        QSignalSpy found(&model, &MethodsModel::caseChanged);
-        model.setActive(true);
-        ASSERT_TRUE(found.wait(5000));
-        model.setActive(false);
-    };
-    EXPECT_EQ(model.value(), 0.3);  // the preset, before anything is looked up
-    lookUp();
-    EXPECT_EQ(asked, QStringList{QStringLiteral("elastic-hinge")});
-    EXPECT_EQ(*model.caseValue(), 0.45);
-    EXPECT_EQ(model.value(), 0.45);
-    EXPECT_EQ(model.caseTitle(), QStringLiteral("mine"));
-    // The case changes on its own page; coming back shows it.
-    hinge.lambda = 0.6;
-    lookUp();
-    EXPECT_EQ(model.value(), 0.6);
-    model.setValue(0.8);
-    hinge.lambda = 0.7;
-    lookUp();
-    EXPECT_EQ(model.value(), 0.8);
-    EXPECT_EQ(*model.caseValue(), 0.7);
-    model.followCase();
-    EXPECT_EQ(model.value(), 0.7);
+std::optional<OpenCase> openExample(const char* name) {
+    return OpenCase{parse_case(read_text_file(std::filesystem::path(RAVNOVES_EXAMPLES) / name)),
+                    {}};
 }
 
-TEST(MethodsModel, ACaseBeyondTheSweepIsTakenAtItsEnd) {
-    MethodsModel model;
-    model.setKernel(kernelIndex(model, "guide"));
-    model.setSweep(model.kernel().find_sweep("speed"));
-    elastic_hinge::Input hinge = elastic_hinge::preset_zotov();
-    hinge.angular_speed = 5e5;
-    model.setOpenCases([&](const QString&) -> std::optional<OpenCase> {
-        return OpenCase{{}, elastic_hinge::write_input(hinge), {}};
-    });
-    QSignalSpy found(&model, &MethodsModel::caseChanged);
-    model.setActive(true);
-    ASSERT_TRUE(found.wait(5000));
-    EXPECT_EQ(*model.caseValue(), 5e5);
-    EXPECT_EQ(model.value(), model.sweep().to);
+TEST(CaseBudgetModel, ShowsEachLeadingResultWithWhatChangesIt) {
+    CaseBudgetModel model;
+    QSignalSpy changed(&model, &CaseBudgetModel::changed);
+    model.load(std::nullopt);
+    EXPECT_TRUE(model.results().rows.isEmpty());
+    EXPECT_TRUE(messageText(model.verdict().text).startsWith(QStringLiteral("No case is open")));
+    const auto load = [&](const std::optional<OpenCase>& open) {
+        model.load(open);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !model.isRunning(); }, test::patience));
+    };
+    auto open = openExample("tmz-650d.case.json");
+    open->file.study = {{"vary", {{"/crank_radius_mm", {{"plus_minus", 0.5}}}}},
+                        {"watch", Json::object()}};
+    load(open);
+    const auto budget = methods::case_budget(open->file, open->context);
+    const Results results = model.results();
+    qsizetype rows = 0;
+    for (const auto& doubt : budget) {
+        ASSERT_NE(results.rows[rows][1].number(), nullptr);
+        EXPECT_DOUBLE_EQ(results.rows[rows++][1].number()->value,
+                         *doubt.result.si / doubt.result.unit);
+        for (const auto& contribution : doubt.contributions) {
+            ASSERT_NE(results.rows[rows][2].number(), nullptr);
+            EXPECT_DOUBLE_EQ(results.rows[rows++][2].number()->value,
+                             *contribution.change / doubt.result.unit);
+        }
+    }
+    EXPECT_EQ(results.rows.size(), rows);
+    const auto name = [&](int row) { return results.rows[row][0].text.trimmed(); };
+    EXPECT_EQ(name(1), QStringLiteral("Interpolation: periodic cubic spline"));
+    EXPECT_TRUE(results.rows[1][2].text.endsWith(QStringLiteral("N·m")));
+    EXPECT_EQ(name(2), QStringLiteral("Tolerance: Crank radius r"));
+    EXPECT_EQ(name(3), QStringLiteral("Rounding"));
+    EXPECT_TRUE(messageText(model.verdict().text).contains(results.rows[1][2].text));
+    EXPECT_GE(model.leftOut().size(), 3);
+    // A case that is refused is named in the window's words.
+    open->file.input["crank_radius_mm"] = -1;
+    load(open);
+    EXPECT_TRUE(model.results().rows.isEmpty());
+    EXPECT_EQ(model.verdict().severity, Severity::error);
 }
 
 TEST(MethodsModel, MeasuresWhatIsChosenWhenItComesToTheFront) {
@@ -169,23 +166,6 @@ TEST(MethodsModel, KeepsWhatWasMeasured) {
     EXPECT_FALSE(model.isStale());
     QTest::qWait(300);
     EXPECT_EQ(running.count(), 0);
-}
-
-/// The chosen parameter comes first; then the others are looked along, one by one, and the table
-/// tells of all.
-TEST(MethodsModel, LooksAlongEveryHardParameter) {
-    MethodsModel model;
-    model.setActive(true);
-    waitUntilMeasured(model);
-    const auto mapped = [&] {
-        const auto report = model.measurements()->report(*model.shown());
-        const auto used = std::find_if(report.rows.begin(), report.rows.end(),
-                                       [](const auto& row) { return row.in_use; });
-        return used->fails.size();
-    };
-    EXPECT_TRUE(
-        QTest::qWaitFor([&] { return mapped() == model.kernel().sweeps.size(); }, test::patience));
-    EXPECT_FALSE(model.isStale());
 }
 
 TEST(MethodsModel, ADragIsMeasuredWhereItEnds) {

@@ -61,8 +61,8 @@ TEST_F(CaseDocumentTest, IsNamedByItsFileElseByItsTitle) {
     open(written("nine.case.json", 9.0));
     EXPECT_EQ(document.name(), QStringLiteral("nine.case.json"));
     EXPECT_EQ(model.title(), QStringLiteral("A title"));
-    EXPECT_EQ(document.asOpenCase().title, QStringLiteral("A title"));
-    EXPECT_EQ(document.asOpenCase().input.at("crank_radius_mm"), 9.0);
+    EXPECT_EQ(document.asOpenCase().file.title, "A title");
+    EXPECT_EQ(document.asOpenCase().file.input.at("crank_radius_mm"), 9.0);
 }
 
 TEST_F(CaseDocumentTest, FilesThatTheCaseNamesLieBesideIt) {
@@ -196,7 +196,7 @@ TEST_F(CaseDocumentTest, WhatIsBeingTypedIsSaved) {
     EXPECT_FALSE(document.needsSaving());
     model.endEditing();
     EXPECT_FALSE(document.needsSaving());
-    EXPECT_EQ(document.asOpenCase().input.at("crank_radius_mm"), 16.0);
+    EXPECT_EQ(document.asOpenCase().file.input.at("crank_radius_mm"), 16.0);
 }
 
 TEST_F(CaseDocumentTest, RemembersTheLastFiles) {

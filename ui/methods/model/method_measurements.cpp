@@ -4,10 +4,6 @@
 #include <span>
 #include <utility>
 
-#include "case-file/input_error.h"
-#include "methods/present_case.h"
-#include "model/open_case.h"
-
 namespace ravnoves {
 
 using methods::Kernel;
@@ -49,7 +45,7 @@ std::shared_ptr<const MethodMeasurement> measure(const Kernel& kernel, std::size
 }  // namespace
 
 MethodMeasurements::MethodMeasurements(QObject* parent)
-    : QObject(parent), job_(new BackgroundJob(this)), mapJob_(new BackgroundJob(this)) {
+    : QObject(parent), job_(new BackgroundJob(this)) {
     connect(job_, &BackgroundJob::runningChanged, this, &MethodMeasurements::runningChanged);
     connect(job_, &BackgroundJob::failed, this, &MethodMeasurements::failed);
     connect(job_, &BackgroundJob::progress, this, [this](double part) {
@@ -61,7 +57,6 @@ MethodMeasurements::MethodMeasurements(QObject* parent)
 void MethodMeasurements::start(const Kernel& kernel, std::size_t sweep, double value,
                                MeasurementEffort effort) {
     part_ = 0.0;
-    mapJob_->cancel();  // it would disturb the times
     const auto known = maps_.find({&kernel, sweep});
     job_->start([this, &kernel, sweep, value, options = optionsOf(effort),
                  map = known == maps_.end() ? nullptr : known->second](
@@ -72,27 +67,7 @@ void MethodMeasurements::start(const Kernel& kernel, std::size_t sweep, double v
 }
 
 void MethodMeasurements::cancel() {
-    mapJob_->cancel();
     job_->cancel();
-}
-
-void MethodMeasurements::mapOthers(const Kernel& kernel) {
-    std::size_t sweep = 0;
-    while (sweep < kernel.sweeps.size() && maps_.contains({&kernel, sweep})) {
-        ++sweep;
-    }
-    if (sweep == kernel.sweeps.size()) {
-        return;
-    }
-    mapJob_->start([this, &kernel, sweep](const BackgroundJob::Progress& progress) {
-        auto map = std::make_shared<const StabilityMap>(
-            methods::map_stability(kernel, sweep, {}, progress));
-        return [this, &kernel, sweep, map] {
-            maps_[{&kernel, sweep}] = map;
-            Q_EMIT mapped();
-            mapOthers(kernel);
-        };
-    });
 }
 
 std::shared_ptr<const MethodMeasurement> MethodMeasurements::newest(const Kernel& kernel) const {
@@ -100,32 +75,10 @@ std::shared_ptr<const MethodMeasurement> MethodMeasurements::newest(const Kernel
     return found == newest_.end() ? nullptr : found->second;
 }
 
-methods::KernelReport MethodMeasurements::report(const MethodMeasurement& measurement) const {
-    std::vector<const StabilityMap*> maps;
-    for (std::size_t sweep = 0; sweep < measurement.kernel().sweeps.size(); ++sweep) {
-        if (const auto known = maps_.find({&measurement.kernel(), sweep}); known != maps_.end()) {
-            maps.push_back(known->second.get());
-        }
-    }
-    return methods::make_report(measurement.work, maps);
-}
-
 void MethodMeasurements::keep(std::shared_ptr<const MethodMeasurement> measurement) {
     maps_[{measurement->work.kernel, measurement->work.sweep}] = measurement->map;
     newest_[measurement->work.kernel] = measurement;
     Q_EMIT measured(std::move(measurement));
-}
-
-std::vector<std::optional<double>> presentValues(const Kernel& kernel, const OpenCase* open) {
-    std::vector<std::optional<double>> values(kernel.sweeps.size());
-    for (std::size_t sweep = 0; open && sweep < values.size(); ++sweep) {
-        try {
-            values[sweep] = methods::present_value(kernel, sweep, open->input, open->context);
-        } catch (const InputError&) {
-            // A file that the case names has gone meanwhile: the preset stands in for it.
-        }
-    }
-    return values;
 }
 
 }  // namespace ravnoves

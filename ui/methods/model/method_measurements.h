@@ -17,7 +17,7 @@ namespace ravnoves {
 struct MethodMeasurement {
     methods::WorkPrecision work;
     std::shared_ptr<const methods::StabilityMap> map;
-    methods::KernelReport report;  ///< both as a table; report() of the keeper has all maps
+    methods::KernelReport report;  ///< both as a table
 
     const methods::Kernel& kernel() const { return *work.kernel; }
     const methods::SweepInfo& sweep() const { return kernel().sweeps[work.sweep]; }
@@ -25,8 +25,6 @@ struct MethodMeasurement {
         return work.kernel == &kernel && work.sweep == sweep && work.value == value;
     }
 };
-
-struct OpenCase;
 
 /// How much patience a measurement has.
 enum class MeasurementEffort {
@@ -49,19 +47,12 @@ class MethodMeasurements : public QObject {
     void cancel();
     bool isRunning() const { return job_->isRunning(); }
     double part() const { return part_; }  ///< done of the one that runs, 0…1
-    /// Begins to map a kernel's errors along the hard parameters that were not looked at, one after
-    /// the other; the next measurement stops it.
-    void mapOthers(const methods::Kernel& kernel);
 
     /// The newest measurement of a kernel; null before the first.
     std::shared_ptr<const MethodMeasurement> newest(const methods::Kernel& kernel) const;
-    /// A measurement's table, with the stretches along every hard parameter that has been mapped.
-    methods::KernelReport report(const MethodMeasurement& measurement) const;
 
   Q_SIGNALS:
     void measured(std::shared_ptr<const MethodMeasurement> measurement);
-    /// The errors along one more hard parameter are known.
-    void mapped();
     /// The measurement could not be made, and why.
     void failed(const QString& why);
     void runningChanged(bool running);
@@ -73,15 +64,9 @@ class MethodMeasurements : public QObject {
     using Place = std::pair<const methods::Kernel*, std::size_t>;  // kernel, sweep
 
     BackgroundJob* job_;
-    BackgroundJob* mapJob_;
     double part_ = 0.0;
     std::map<const methods::Kernel*, std::shared_ptr<const MethodMeasurement>> newest_;
     std::map<Place, std::shared_ptr<const methods::StabilityMap>> maps_;
 };
-
-/// Where the open cases stand on the sweeps of a kernel, by sweep; empty where they say nothing,
-/// and all where no case is open (null).
-std::vector<std::optional<double>> presentValues(const methods::Kernel& kernel,
-                                                 const OpenCase* open);
 
 }  // namespace ravnoves

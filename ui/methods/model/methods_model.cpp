@@ -10,7 +10,6 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/range.h"
-#include "model/open_case.h"
 
 namespace ravnoves {
 
@@ -38,22 +37,16 @@ std::size_t indexOf(const List& list, const QString& word, const char* place) {
 MethodsModel::MethodsModel(QObject* parent)
     : SceneModel(parent),
       choices_(methods::kernels().size()),
-      caseJob_(new BackgroundJob(this)),
       measurements_(new MethodMeasurements(this)) {
     for (std::size_t i = 0; i < choices_.size(); ++i) {
         choices_[i].method = kernels()[i].chosen_method();
-        caseValues_.emplace_back(kernels()[i].sweeps.size());
     }
     settle_.setSingleShot(true);
-    connect(caseJob_, &BackgroundJob::finished, this, &MethodsModel::measureIfNeeded);
     connect(&settle_, &QTimer::timeout, this, &MethodsModel::measureIfNeeded);
     connect(measurements_, &MethodMeasurements::measured, this,
             [this](std::shared_ptr<const MethodMeasurement> measurement) {
                 shown_ = std::move(measurement);
                 Q_EMIT changed();
-                if (active_ && !settle_.isActive()) {
-                    measurements_->mapOthers(kernel());
-                }
             });
     connect(measurements_, &MethodMeasurements::runningChanged, this,
             &MethodsModel::measurementChanged);
@@ -115,18 +108,10 @@ bool MethodsModel::setViewOption(const QString& key, const QString& value) {
     return false;
 }
 
-void MethodsModel::setOpenCases(OpenCases cases) {
-    openCases_ = std::move(cases);
-}
-
-QString MethodsModel::caseTitle() const {
-    return open_ ? open_->title : QString();
-}
-
 void MethodsModel::setActive(bool active) {
     active_ = active;
     if (active) {
-        lookUpCase();
+        measureIfNeeded();
     } else {
         cancel();
     }
@@ -144,9 +129,7 @@ void MethodsModel::setKernel(std::size_t kernel) {
     }
     Q_EMIT kernelChanged();
     Q_EMIT changed();
-    if (active_) {
-        lookUpCase();
-    }
+    measureIfNeeded();
 }
 
 void MethodsModel::setSweep(std::size_t sweep) {
@@ -161,22 +144,13 @@ void MethodsModel::setSweep(std::size_t sweep) {
     choiceMoved(0);
 }
 
-double MethodsModel::value() const {
-    if (chosen().value) {
-        return *chosen().value;
-    }
-    const SweepInfo& info = sweep();
-    // The last value of a sweep that crowds towards its end lies a little before it.
-    return std::clamp(caseValue().value_or(info.present), info.at(0.0), info.at(1.0));
-}
-
 void MethodsModel::setValue(double value) {
     value = std::clamp(value, sweep().from, sweep().to);
     if (chosen().value == value || !std::isfinite(value)) {
         return;
     }
     if (isEditing() && !before_) {
-        before_ = chosen();
+        before_ = this->value();
     }
     chosen().value = value;
     Q_EMIT valueChanged(value);
@@ -187,24 +161,10 @@ bool MethodsModel::takeBack() {
     if (!before_) {
         return false;
     }
-    chosen().value = std::exchange(before_, std::nullopt)->value;
+    chosen().value = std::exchange(before_, std::nullopt);
     Q_EMIT valueChanged(value());
     choiceMoved(settleMs);
     return true;
-}
-
-void MethodsModel::followCase() {
-    if (followsCase()) {
-        return;
-    }
-    before_.reset();
-    chosen().value.reset();
-    Q_EMIT valueChanged(value());
-    choiceMoved(0);
-}
-
-std::optional<double> MethodsModel::caseValue() const {
-    return caseValues_[kernel_][sweepIndex()];
 }
 
 void MethodsModel::setShownMethod(std::size_t method) {
@@ -218,24 +178,6 @@ bool MethodsModel::isStale() const {
     return measurements_->isRunning() || (shown_ && !shown_->isOf(kernel(), sweepIndex(), value()));
 }
 
-void MethodsModel::lookUpCase() {
-    const std::string_view scene = kernel().choice.scene;
-    open_.reset();
-    if (openCases_) {
-        if (auto open = openCases_(QString::fromUtf8(scene.data(), qsizetype(scene.size())))) {
-            open_ = std::make_shared<const OpenCase>(std::move(*open));
-        }
-    }
-    // Some of the values need a solution of the case, so not here.
-    caseJob_->start([this, index = kernel_,
-                     open = open_](const BackgroundJob::Progress&) -> std::function<void()> {
-        return [this, index, values = presentValues(methods::kernels()[index], open.get())] {
-            caseValues_[index] = values;
-            Q_EMIT caseChanged();
-        };
-    });
-}
-
 void MethodsModel::choiceMoved(int delay) {
     Q_EMIT measurementChanged();
     if (active_) {
@@ -244,13 +186,11 @@ void MethodsModel::choiceMoved(int delay) {
 }
 
 void MethodsModel::measureIfNeeded() {
-    if (!active_ || caseJob_->isRunning()) {
-        return;  // the look-up comes back to this
+    if (!active_) {
+        return;
     }
     if (!shown_ || !shown_->isOf(kernel(), sweepIndex(), value())) {
         measurements_->start(kernel(), sweepIndex(), value(), MeasurementEffort::quick);
-    } else if (!measurements_->isRunning()) {
-        measurements_->mapOthers(kernel());
     }
 }
 

@@ -14,9 +14,8 @@ namespace ravnoves {
 /// The state of the page "Methods": which kernel is looked at, along which hard parameter, at which
 /// value, and what was measured there. It is no case: there is nothing to save.
 ///
-/// The value follows the case that is open in the kernel's scene until it is set by hand. What is
-/// chosen is measured by itself while the page is in front; the newest measurement stays until the
-/// next is complete.
+/// What is chosen is measured by itself while the page is in front; the newest measurement stays
+/// until the next is complete.
 class MethodsModel : public SceneModel {
     Q_OBJECT
 
@@ -39,9 +38,7 @@ class MethodsModel : public SceneModel {
         return shown_ != nullptr ? std::optional(methods::verdict(shown_->report)) : std::nullopt;
     }
 
-    /// How to look up the open cases; nothing is open without it.
-    void setOpenCases(OpenCases cases);
-    /// Only the page in front measures. Coming to the front looks up the open cases anew.
+    /// Only the page in front measures.
     void setActive(bool active);
 
     const std::vector<methods::Kernel>& kernels() const { return methods::kernels(); }
@@ -51,18 +48,10 @@ class MethodsModel : public SceneModel {
     std::size_t sweepIndex() const { return chosen().sweep; }
     const methods::SweepInfo& sweep() const { return kernel().sweeps[sweepIndex()]; }
     void setSweep(std::size_t sweep);
-    /// Of the hard parameter.
-    double value() const;
-    /// By hand; kept within the sweep.
+    /// Of the hard parameter: the preset's until it is set.
+    double value() const { return chosen().value.value_or(sweep().present); }
+    /// Kept within the sweep.
     void setValue(double value);
-    /// The value is that of the open case (or of the preset).
-    bool followsCase() const { return !chosen().value; }
-    void followCase();
-    /// What the open case gives to the hard parameter; empty where it says nothing of it, or where
-    /// no case is open. It may lie outside the sweep.
-    std::optional<double> caseValue() const;
-    /// The case's title; empty where none is open.
-    QString caseTitle() const;
 
     /// The method whose failing regions are shaded; its index in kernel().methods.
     std::size_t shownMethod() const { return chosen().method; }
@@ -78,7 +67,7 @@ class MethodsModel : public SceneModel {
     void measureAgain();
     void cancel();
 
-    // Of an editing of the value: Escape brings back also that it followed the case.
+    // Of an editing of the value.
     bool takeBack() override;
     void editingEnds() override { before_.reset(); }
 
@@ -86,7 +75,6 @@ class MethodsModel : public SceneModel {
     void kernelChanged();
     void sweepChanged();
     void valueChanged(double value);
-    void caseChanged();
     void shownMethodChanged();
     /// shown() or isStale() is another.
     void measurementChanged();
@@ -96,24 +84,18 @@ class MethodsModel : public SceneModel {
     /// What was chosen of a kernel; kept while another is looked at.
     struct Choice {
         std::size_t sweep = 0;
-        std::optional<double> value;  ///< empty: follows the case
+        std::optional<double> value;  ///< empty: the preset's
         std::size_t method = 0;
     };
     const Choice& chosen() const { return choices_[kernel_]; }
     Choice& chosen() { return choices_[kernel_]; }
-    void lookUpCase();
     void choiceMoved(int delay);
     void measureIfNeeded();
 
     std::size_t kernel_ = 0;
     std::vector<Choice> choices_;
-    std::optional<Choice> before_;  ///< the editing that goes on
-    OpenCases openCases_;
-    std::shared_ptr<const OpenCase> open_;
-    /// By kernel, by sweep; the last known until they are looked up anew.
-    std::vector<std::vector<std::optional<double>>> caseValues_;
+    std::optional<double> before_;  ///< the value before the editing that goes on
     bool active_ = false;
-    BackgroundJob* caseJob_;
     MethodMeasurements* measurements_;
     std::shared_ptr<const MethodMeasurement> shown_;
     QTimer settle_;  ///< so that a drag is measured where it ends

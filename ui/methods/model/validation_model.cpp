@@ -5,7 +5,6 @@
 
 #include "methods/model/method_words.h"
 #include "plot/model/ticks.h"
-#include "text/csv_format.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 
@@ -15,11 +14,6 @@ using methods::ValidationReport;
 using methods::ValidationRow;
 
 namespace {
-
-QVariant alignment(int column) {
-    const bool number = column >= ValidationModel::Printed && column <= ValidationModel::Difference;
-    return QVariant((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-}
 
 /// A number of the report with the locale's decimal sign and a true minus.
 QString shownNumber(const std::string& text) {
@@ -48,8 +42,7 @@ QString verdictTitle(methods::Verdict verdict) {
     return shownText(methods::verdict_title(verdict));
 }
 
-ValidationModel::ValidationModel(QObject* parent)
-    : QAbstractTableModel(parent), job_(new BackgroundJob(this)) {
+ValidationModel::ValidationModel(QObject* parent) : QObject(parent), job_(new BackgroundJob(this)) {
     connect(job_, &BackgroundJob::failed, this, &ValidationModel::failed);
 }
 
@@ -77,7 +70,6 @@ void ValidationModel::setVerdict(std::optional<methods::Verdict> verdict) {
 }
 
 void ValidationModel::filter() {
-    beginResetModel();
     rows_.clear();
     if (report_) {
         for (const ValidationRow& row : report_->rows) {
@@ -87,107 +79,29 @@ void ValidationModel::filter() {
             }
         }
     }
-    endResetModel();
     Q_EMIT changed();
 }
 
-int ValidationModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
-int ValidationModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : Columns;
-}
-
-QVariant ValidationModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole) {
-        return alignment(section);
-    }
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
-        return {};
-    }
-    switch (section) {
-        case Paper:
-            return tr("Paper");
-        case Place:
-            return tr("Place");
-        case Quantity:
-            return tr("Quantity");
-        case Unit:
-            return tr("Unit");
-        case Printed:
-            return tr("Printed");
-        case Ours:
-            return tr("Ours");
-        case Difference:
-            return tr("Difference");
-        case VerdictColumn:
-            return tr("Verdict");
-        default:
-            return {};
-    }
-}
-
-QVariant ValidationModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid() || index.row() >= rowCount()) {
-        return {};
-    }
-    const ValidationRow& row = *rows_[static_cast<std::size_t>(index.row())];
-    switch (role) {
-        case Qt::DisplayRole:
-            return cell(row, index.column());
-        case Qt::ToolTipRole:
-            // A narrow table shows neither paper nor place.
-            return cell(row, index.column()) + QLatin1Char('\n') +
-                   (index.column() > Place ? cell(row, Paper) + QStringLiteral(", ") +
-                                                 cell(row, Place) + QLatin1Char('\n')
-                                           : QString()) +
-                   methodText(row.reason);
-        case Qt::TextAlignmentRole:
-            return alignment(index.column());
-        default:
-            return {};
-    }
-}
-
-QString ValidationModel::cell(const ValidationRow& row, int column) const {
+Results ValidationModel::results() const {
+    Results results{{{tr("Place"), tr("Where the paper prints the number")},
+                     {tr("Quantity")},
+                     {tr("Unit")},
+                     {tr("Printed")},
+                     {tr("Ours")},
+                     {tr("Difference")},
+                     {tr("Verdict"), tr("Choose a row to read why")}}};
     const auto papers = methods::papers();
-    switch (column) {
-        case Paper: {
-            const auto paper = std::find_if(papers.begin(), papers.end(),
-                                            [&](const auto& p) { return p.scene == row.scene; });
-            return paper == papers.end() ? QString() : shownText(paper->authors);
-        }
-        case Place:
-            return methodText(row.place);
-        case Quantity:
-            return methodText(row.quantity);
-        case Unit:
-            return unitText(row.unit);
-        case Printed:
-            return shownNumber(row.printed_text);
-        case Ours:
-            return shownNumber(row.ours_text());
-        case Difference:
-            return shownDifference(row);
-        default:
-            return verdictTitle(row.verdict);
+    for (const ValidationRow* row : rows_) {
+        const auto paper = std::find_if(papers.begin(), papers.end(),
+                                        [&](const auto& p) { return p.scene == row->scene; });
+        const QString place = methodText(row->place);
+        results.rows << ResultRow(
+            {paper_ ? place : shownText(paper->authors) + QStringLiteral(", ") + place,
+             methodText(row->quantity), unitText(row->unit), shownNumber(row->printed_text),
+             shownNumber(row->ours_text()), shownDifference(*row), verdictTitle(row->verdict)},
+            methodText(row->reason));
     }
-}
-
-QString ValidationModel::asText() const {
-    QString text;
-    for (int row = -1; row < rowCount(); ++row) {
-        for (int column = 0; column < Columns; ++column) {
-            text += column == 0 ? QString() : QStringLiteral("\t");
-            text +=
-                row < 0
-                    ? headerData(column, Qt::Horizontal).toString()
-                    : CsvFormat::plainMinus(cell(*rows_[static_cast<std::size_t>(row)], column));
-        }
-        text += QLatin1Char('\n');
-    }
-    return text;
+    return results;
 }
 
 QString ValidationModel::countsText() const {

@@ -1,22 +1,24 @@
 #pragma once
 
-#include <QAbstractTableModel>
+#include <QObject>
 #include <QStringList>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "methods/validation/validation.h"
 #include "model/background_job.h"
+#include "text/result_row.h"
 
 namespace ravnoves {
 
 /// The validation report as the page shows it: computed once, in a worker thread, then filtered by
 /// paper and verdict.
-class ValidationModel : public QAbstractTableModel {
+class ValidationModel : public QObject {
     Q_OBJECT
 
   public:
-    enum Column { Paper, Place, Quantity, Unit, Printed, Ours, Difference, VerdictColumn, Columns };
+    enum Column { Place, Quantity, Unit, Printed, Ours, Difference, VerdictColumn };
 
     explicit ValidationModel(QObject* parent = nullptr);
 
@@ -31,19 +33,12 @@ class ValidationModel : public QAbstractTableModel {
     void setVerdict(std::optional<methods::Verdict> verdict);
     std::optional<methods::Verdict> verdict() const { return verdict_; }
 
-    /// The rows that pass the filters.
+    /// The rows that pass the filters, also in the user's words and decimal sign, the verdict last.
     const std::vector<const methods::ValidationRow*>& rows() const { return rows_; }
-    int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& parent = {}) const override;
-    /// Text in the user's words and decimal sign; the tip has the reason too.
-    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(int section, Qt::Orientation orientation,
-                        int role = Qt::DisplayRole) const override;
+    Results results() const;
     /// "430 printed numbers: 370 reproduced, …", of the paper that is chosen.
     QString countsText() const;
     QStringList paperTitles() const;
-    /// The filtered rows as tab-separated text with a heading, as they are shown.
-    QString asText() const;
     /// The filtered rows as CSV with a header, numbers in full precision.
     QString asCsv() const;
 
@@ -53,7 +48,6 @@ class ValidationModel : public QAbstractTableModel {
 
   private:
     void filter();
-    QString cell(const methods::ValidationRow& row, int column) const;
 
     BackgroundJob* job_;
     std::shared_ptr<const methods::ValidationReport> report_;

@@ -1,0 +1,175 @@
+#include "methods/case_budget.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "numerics/constants.h"
+#include "scenes/scenes.h"
+#include "support.h"
+
+namespace ravnoves::methods {
+namespace {
+
+using Kind = Contribution::Kind;
+
+CaseFile example_case(const std::string& name) {
+    return parse_case(read_text_file(RAVNOVES_EXAMPLES "/" + name + ".case.json"));
+}
+
+/// A leading result as the command line prints it, SI.
+double printed(const CaseFile& file, const Json& input, const ResultEntry& result,
+               const std::string& pointer) {
+    CaseFile changed = file;
+    changed.input = input;
+    const Json solved = solve_case(changed, {}, Wanted({pointer}));
+    return solved.at("result").at(Json::json_pointer(pointer)).get<double>() * result.unit;
+}
+
+const Contribution* find(const CaseDoubt& doubt, Kind kind, const std::string& pointer) {
+    const auto found =
+        std::find_if(doubt.contributions.begin(), doubt.contributions.end(),
+                     [&](const Contribution& c) { return c.kind == kind && c.pointer == pointer; });
+    return found == doubt.contributions.end() ? nullptr : &*found;
+}
+
+/// What a change contributes is the difference of two results that the command line prints.
+void expect_differences(const CaseFile& file, Kind kind, const std::string& pointer,
+                        const std::vector<Json>& inputs, const std::string& from = {},
+                        const std::string& to = {}) {
+    int found = 0;
+    for (const CaseDoubt& doubt : case_budget(file, {})) {
+        std::string other = doubt.result.pointer;
+        if (!from.empty()) {
+            other.replace(0, from.size(), to);
+        }
+        double expected = 0.0;
+        for (const Json& input : inputs) {
+            double change = printed(file, input, doubt.result, other) -
+                            printed(file, file.input, doubt.result, doubt.result.pointer);
+            change = doubt.result.unit == units::degree ? std::remainder(change, two_pi) : change;
+            expected = std::max(expected, std::abs(change));
+        }
+        const Contribution* contribution = find(doubt, kind, pointer);
+        const double least = find(doubt, Kind::rounding, "")->change.value();
+        ASSERT_EQ(contribution != nullptr, expected > least) << doubt.result.pointer;
+        if (contribution != nullptr) {
+            EXPECT_NEAR(*contribution->change, expected, 1e-12 * std::abs(*doubt.result.si))
+                << doubt.result.pointer;
+            ++found;
+        }
+    }
+    EXPECT_GT(found, 0) << pointer;
+}
+
+Json with(const CaseFile& file, const std::string& pointer, const Json& value) {
+    Json input = file.input;
+    input[Json::json_pointer(pointer)] = value;
+    return input;
+}
+
+TEST(CaseBudget, AnotherChoiceContributesTheDifferenceOfTwoSolutions) {
+    const CaseFile shaft = example_case("tmz-650d");
+    expect_differences(shaft, Kind::choice, "/interpolation",
+                       {with(shaft, "/interpolation", "periodic-cubic")});
+    const CaseFile hinge = example_case("zotov-energy");
+    expect_differences(hinge, Kind::choice, "/kinematics", {with(hinge, "/kinematics", "series")});
+}
+
+TEST(CaseBudget, TheApproximateFormContributesItsDifference) {
+    const CaseFile engine = example_case("vr5-volkswagen");
+    expect_differences(engine, Kind::approximate, "/two_term", {engine.input}, "/exact",
+                       "/two_term");
+}
+
+/// Each object that is kept is a source of its own; the rows of a table are one together.
+TEST(CaseBudget, ATorqueThatTheCaseKeepsContributesItsDifference) {
+    CaseFile table = example_case("tmz-650d");
+    CaseFile cycle =
+        parse_case(read_text_file(RAVNOVES_EXAMPLES "/../templates/balance-shaft.case.json"));
+    table.input["cylinder"] = cycle.input.at("cylinder");
+    table.kept = {{"torque", cycle.input.at("torque")}};
+    expect_differences(table, Kind::source, "/torque/cycle",
+                       {with(table, "/torque", cycle.input.at("torque"))});
+    cycle.kept = {{"torque", table.input.at("torque")}};
+    expect_differences(cycle, Kind::source, "/torque",
+                       {with(cycle, "/torque", table.input.at("torque"))});
+}
+
+TEST(CaseBudget, AToleranceContributesItsFartherEnd) {
+    CaseFile shaft = example_case("tmz-650d");
+    shaft.study = {{"vary",
+                    {{"/crank_radius_mm", {{"plus_minus", 0.5}}},
+                     {"/centre_distance_mm", {{"normal_sd", 0.2}}},
+                     {"/angular_speed_rad_s", {{"plus_minus_percent", 1.0}}},
+                     {"/cylinder/bore_mm", {{"plus_minus", 0.1}}}}},
+                   {"watch", Json::object()}};
+    const auto ends = [&](const char* pointer, double size) {
+        const double nominal = shaft.input.at(Json::json_pointer(pointer)).get<double>();
+        return std::vector{with(shaft, pointer, nominal - size),
+                           with(shaft, pointer, nominal + size)};
+    };
+    expect_differences(shaft, Kind::tolerance, "/crank_radius_mm", ends("/crank_radius_mm", 0.5));
+    expect_differences(shaft, Kind::tolerance, "/centre_distance_mm",
+                       ends("/centre_distance_mm", 0.2));
+    const double speed = shaft.input.at("angular_speed_rad_s").get<double>();
+    expect_differences(shaft, Kind::tolerance, "/angular_speed_rad_s",
+                       ends("/angular_speed_rad_s", speed / 100.0));
+    // A bore that this source of the torque does not have changes nothing.
+    for (const CaseDoubt& doubt : case_budget(shaft, {})) {
+        EXPECT_EQ(find(doubt, Kind::tolerance, "/cylinder/bore_mm"), nullptr);
+    }
+}
+
+/// Every scene leads with something; its rounding is that of doubles, and the largest is first.
+TEST(CaseBudget, HoldsForTheExamplesOfEveryScene) {
+    std::set<std::string> scenes;
+    for (const auto& entry : std::filesystem::directory_iterator(RAVNOVES_EXAMPLES)) {
+        if (entry.path().extension() != ".json") {
+            continue;
+        }
+        const CaseFile file = parse_case(read_text_file(entry.path()));
+        scenes.insert(file.scene);
+        const auto budget = case_budget(file, {RAVNOVES_EXAMPLES});
+        EXPECT_FALSE(budget.empty()) << entry.path();
+        for (const CaseDoubt& doubt : budget) {
+            const auto& all = doubt.contributions;
+            EXPECT_TRUE(std::is_sorted(all.begin(), all.end(), [](const auto& a, const auto& b) {
+                return a.change.value_or(-1.0) > b.change.value_or(-1.0);
+            })) << doubt.result.pointer;
+            const Contribution* const rounding = find(doubt, Kind::rounding, "");
+            ASSERT_NE(rounding, nullptr) << entry.path() << doubt.result.pointer;
+            EXPECT_LT(rounding->change.value(), 1e-10 * std::abs(*doubt.result.si))
+                << entry.path() << doubt.result.pointer;
+        }
+    }
+    EXPECT_EQ(scenes.size(), scene_solvers().size());
+}
+
+TEST(CaseBudget, IsSaidInTheUnitsOfTheCaseFile) {
+    const std::string text = write_text(case_budget(example_case("tmz-650d"), {}));
+    EXPECT_TRUE(says(text, "/metrics/M_ups/range_Nm")) << text;
+    EXPECT_TRUE(says(text, "/interpolation: periodic-cubic")) << text;
+    EXPECT_TRUE(says(text, "rounding")) << text;
+}
+
+TEST(CaseBudget, ACaseThatIsRefusedIsNamed) {
+    CaseFile shaft = example_case("tmz-650d");
+    shaft.input["crank_radius_mm"] = -1;
+    try {
+        case_budget(shaft, {});
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.where(), "/input/crank_radius_mm");
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves::methods

@@ -1,0 +1,140 @@
+#include "methods/model/case_budget_model.h"
+
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+#include "methods/case_questions.h"
+#include "plot/model/ticks.h"
+#include "scenes/scenes.h"
+#include "text/field_names.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+#include "text/shown_units.h"
+
+namespace ravnoves {
+
+using methods::CaseDoubt;
+using methods::Contribution;
+
+namespace {
+
+/// A change in the unit of its result: two digits, however small; of rounding its power of ten.
+ResultCell changeCell(const Contribution& contribution, const Unit& unit) {
+    if (!contribution.change) {
+        return CaseBudgetModel::tr("cannot be solved");
+    }
+    const ShownUnit shown = shownUnit(unit);
+    const double value = *contribution.change / unit * shown.factor;
+    // The last digits of a rounding are those of a machine.
+    const bool isBound = contribution.kind == Contribution::Kind::rounding;
+    const QString text =
+        isBound ? QStringLiteral("< ") + powerOfTen(static_cast<int>(std::ceil(std::log10(value))))
+                : powerText(value, QLocale(), 2);
+    return {value, withUnit(text, shown.name)};
+}
+
+ResultCell valueCell(const ResultEntry& result) {
+    ResultCell cell = shownCell(*result.si, result.unit, result.decimals);
+    cell.text = withUnit(cell.text, shownUnit(result.unit).name);
+    return cell;
+}
+
+}  // namespace
+
+CaseBudgetModel::CaseBudgetModel(QObject* parent) : QObject(parent), job_(new BackgroundJob(this)) {
+    connect(job_, &BackgroundJob::failed, this, [this](const QString& why) {
+        trouble_ = why;
+        Q_EMIT changed();
+    });
+}
+
+void CaseBudgetModel::load(const std::optional<OpenCase>& open) {
+    open_ = open;
+    budget_.clear();
+    trouble_.clear();
+    if (open) {
+        job_->start([this, open = *open](const BackgroundJob::Progress&) -> std::function<void()> {
+            return [this, budget = methods::case_budget(open.file, open.context)] {
+                budget_ = budget;
+                Q_EMIT changed();
+            };
+        });
+    } else {
+        job_->cancel();
+    }
+    Q_EMIT changed();
+}
+
+Verdict CaseBudgetModel::verdict() const {
+    if (!open_) {
+        return {Severity::note,
+                CORE_TEXT("methods", "No case is open. Open one to see how sure its results are.")};
+    }
+    if (!trouble_.isEmpty()) {
+        return {Severity::error, Message(trouble_.toStdString())};
+    }
+    if (budget_.empty()) {
+        return {Severity::note, CORE_TEXT("methods", "Solving the case with each choice changed.")};
+    }
+    const CaseDoubt& first = budget_.front();
+    return {Severity::note,
+            {CORE_TEXT("methods", "%1: %2. Largest contribution: %3, %4."), first.result.name,
+             valueCell(first.result).text.toStdString(),
+             nameOf(first.contributions.front()).toStdString(),
+             changeCell(first.contributions.front(), first.result.unit).text.toStdString()}};
+}
+
+Results CaseBudgetModel::results() const {
+    Results results{{{tr("Result, and what is changed"),
+                      tr("The leading results of the open case; below each of them the one thing "
+                         "that is changed in a new solution of the case")},
+                     {tr("Value"), tr("As the case is solved")},
+                     {tr("Changes by"), tr("Difference to the value, the larger one of two")}}};
+    const QString indent(3, QChar(0x2002));
+    for (const CaseDoubt& doubt : budget_) {
+        results.rows << ResultRow{messageText(doubt.result.name), valueCell(doubt.result),
+                                  QString()};
+        for (const Contribution& each : doubt.contributions) {
+            results.rows << ResultRow{indent + nameOf(each), QString(),
+                                      changeCell(each, doubt.result.unit)};
+        }
+    }
+    return results;
+}
+
+QStringList CaseBudgetModel::leftOut() const {
+    QStringList sentences;
+    if (open_) {
+        for (const Text& text : scene_solver(open_->file.scene).left_out()) {
+            sentences << shownText(text);
+        }
+    }
+    return sentences;
+}
+
+QString CaseBudgetModel::nameOf(const Contribution& contribution) const {
+    using Kind = Contribution::Kind;
+    const FieldNames names({methods::questions_of(open_->file.scene).fields(open_->file.input)});
+    const QString input = names.name(contribution.pointer);
+    switch (contribution.kind) {
+        case Kind::rounding:
+            return tr("Rounding");
+        case Kind::choice: {
+            const auto words = names.described(contribution.pointer)->field.words;
+            const auto word = std::find_if(words.begin(), words.end(), [&](const Word& each) {
+                return each.word == contribution.word;
+            });
+            return tr("%1: %2").arg(input, shownText(word->label));
+        }
+        case Kind::source:
+            return tr("Other source: %1").arg(input);
+        case Kind::approximate:
+            return tr("Kinematics: two-term form");
+        case Kind::tolerance:
+            break;
+    }
+    return tr("Tolerance: %1").arg(input);
+}
+
+}  // namespace ravnoves
