@@ -122,28 +122,8 @@ Kernel best_angle_kernel() {
                    false},
                   cutting_planes),
     };
-    const TorqueCycle paper = paper_cycle();
-    definition.sweeps = {
-        {{"amplitude", CORE_TEXT("methods", "amplitude of the shaft's moment, the paper's torque"),
-          units::N_m, 1.0, 1e5, Spacing::logarithmic, 0.0, 1.0, 1e5, paper.amplitude},
-         [paper](double amplitude) {
-             AngleCase cycle{paper};
-             cycle.amplitude = amplitude;
-             return cycle;
-         }},
-        {{"second-minimum", CORE_TEXT("methods", "how much better the best of two minima is"),
-          units::none, 1e-12, 1.0, Spacing::logarithmic, 0.0, 1e-12, 1.0, 0.1},
-         [](double share) { return AngleCase{two_minima_cycle(share)}; }},
-        {{"peak-width", CORE_TEXT("methods", "width of the combustion peak"), units::degree, 0.05,
-          60.0, Spacing::logarithmic, 0.0, 0.05, 60.0, 15.0},
-         [](double width) { return AngleCase{peak_cycle(width)}; }},
-        {{"spline-rows", CORE_TEXT("methods", "rows of a table read by the spline"), units::none,
-          8.0, 160.0, Spacing::logarithmic, 0.0, 8.0, 160.0, 48.0},
-         [](double rows) { return AngleCase{spline_cycle(rows)}; }},
-        {{"irregular-rows", CORE_TEXT("methods", "rows of an irregular table"), units::none, 6.0,
-          400.0, Spacing::logarithmic, 0.0, 6.0, 400.0, 48.0},
-         [](double rows) { return AngleCase{irregular_cycle(rows)}; }},
-    };
+    definition.sweeps = torque_sweeps<AngleCase>(
+        {"amplitude", "second-minimum", "peak-width", "spline-rows", "irregular-rows"});
     definition.reference = reference;
     definition.measure = measure;
     return make_kernel(std::move(definition));

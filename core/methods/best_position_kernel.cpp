@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "balance-shaft/method_choices.h"
@@ -48,45 +47,6 @@ Place grid(const MomentPlane& plane, double side) {
         }
     }
     return best;
-}
-
-/// Nelder and Mead's simplex with the usual factors, from the crank's axis.
-Place nelder_mead(const MomentPlane& plane, double steps) {
-    struct Corner {
-        Place at;
-        double range;
-    };
-    const auto corner = [&](const Place& at) { return Corner{at, plane.range(at)}; };
-    const double size = reach_of(plane) / 4.0;
-    std::array<Corner, 3> simplex{corner({0.0, 0.0}), corner({size, 0.0}), corner({0.0, size})};
-    for (int i = 0; i < static_cast<int>(steps); ++i) {
-        std::sort(simplex.begin(), simplex.end(),
-                  [](const Corner& a, const Corner& b) { return a.range < b.range; });
-        const Place middle = (simplex[0].at + simplex[1].at) / 2.0;
-        const Place away = middle - simplex[2].at;
-        const Corner reflected = corner(middle + away);
-        if (reflected.range < simplex[0].range) {
-            const Corner expanded = corner(middle + 2.0 * away);
-            simplex[2] = expanded.range < reflected.range ? expanded : reflected;
-            continue;
-        }
-        if (reflected.range < simplex[1].range) {
-            simplex[2] = reflected;
-            continue;
-        }
-        const bool outside = reflected.range < simplex[2].range;
-        const Corner contracted = corner(middle + (outside ? 0.5 : -0.5) * away);
-        if (contracted.range < std::min(reflected.range, simplex[2].range)) {
-            simplex[2] = contracted;
-            continue;
-        }
-        for (std::size_t k = 1; k < 3; ++k) {
-            simplex[k] = corner((simplex[0].at + simplex[k].at) / 2.0);
-        }
-    }
-    return std::min_element(simplex.begin(), simplex.end(),
-                            [](const Corner& a, const Corner& b) { return a.range < b.range; })
-        ->at;
 }
 
 Place cutting_planes(const MomentPlane& plane, double) {
@@ -150,12 +110,6 @@ Kernel best_position_kernel() {
                    CORE_TEXT("methods", "as good as its step, for the price of its square"),
                    counted(CORE_TEXT("methods", "%1 a side"), {21, 81, 201}), false},
                   grid),
-        method_of({"nelder-mead", CORE_TEXT("methods", "Nelder–Mead simplex"),
-                   CORE_TEXT("methods",
-                             "goes without slopes, but on a kink the simplex may shrink to a place "
-                             "that is not the best, and it does not know"),
-                   counted(CORE_TEXT("methods", "%1 steps"), {30, 60, 120}), false},
-                  nelder_mead),
         method_of({"cutting-planes",
                    CORE_TEXT("methods", "cutting planes"),
                    CORE_TEXT("methods", "exact: the planes prove that no place is better"),
@@ -163,20 +117,8 @@ Kernel best_position_kernel() {
                    false},
                   cutting_planes),
     };
-    definition.sweeps = {
-        {{"second-minimum", CORE_TEXT("methods", "how much better the best of two minima is"),
-          units::none, 1e-12, 1.0, Spacing::logarithmic, 0.0, 1e-12, 1.0, 0.1},
-         [](double share) { return PlaceCase{two_minima_cycle(share)}; }},
-        {{"peak-width", CORE_TEXT("methods", "width of the combustion peak"), units::degree, 0.05,
-          60.0, Spacing::logarithmic, 0.0, 0.05, 60.0, 15.0},
-         [](double width) { return PlaceCase{peak_cycle(width)}; }},
-        {{"spline-rows", CORE_TEXT("methods", "rows of a table read by the spline"), units::none,
-          8.0, 160.0, Spacing::logarithmic, 0.0, 8.0, 160.0, 48.0},
-         [](double rows) { return PlaceCase{spline_cycle(rows)}; }},
-        {{"irregular-rows", CORE_TEXT("methods", "rows of an irregular table"), units::none, 6.0,
-          400.0, Spacing::logarithmic, 0.0, 6.0, 400.0, 48.0},
-         [](double rows) { return PlaceCase{irregular_cycle(rows)}; }},
-    };
+    definition.sweeps =
+        torque_sweeps<PlaceCase>({"second-minimum", "peak-width", "spline-rows", "irregular-rows"});
     definition.reference = reference;
     definition.measure = measure;
     return make_kernel(std::move(definition));

@@ -180,28 +180,8 @@ Kernel cycle_mean_kernel() {
           false},
          exact},
     };
-    const TorqueCycle paper = paper_cycle();
-    definition.sweeps = {
-        {{"shaft-angle", CORE_TEXT("methods", "shaft angle α, the paper's engine"), units::degree,
-          0.0, 360.0, Spacing::linear, 0.0, 0.0, 360.0, paper.alpha / degree},
-         [paper](double alpha) {
-             MeanCase cycle{paper};
-             cycle.alpha = alpha * degree;
-             return cycle;
-         }},
-        {{"pure-sine", CORE_TEXT("methods", "shaft angle α, no torque but the shaft's"),
-          units::degree, 0.0, 360.0, Spacing::linear, 0.0, 0.0, 360.0, 90.0},
-         [](double alpha) { return MeanCase{pure_sine_cycle(alpha)}; }},
-        {{"peak-width", CORE_TEXT("methods", "width of the combustion peak"), units::degree, 0.05,
-          60.0, Spacing::logarithmic, 0.0, 0.05, 60.0, 15.0},
-         [](double width) { return MeanCase{peak_cycle(width)}; }},
-        {{"spline-rows", CORE_TEXT("methods", "rows of a table read by the spline"), units::none,
-          8.0, 160.0, Spacing::logarithmic, 0.0, 8.0, 160.0, 48.0},
-         [](double rows) { return MeanCase{spline_cycle(rows)}; }},
-        {{"irregular-rows", CORE_TEXT("methods", "rows of an irregular table"), units::none, 6.0,
-          400.0, Spacing::logarithmic, 0.0, 6.0, 400.0, 48.0},
-         [](double rows) { return MeanCase{irregular_cycle(rows)}; }},
-    };
+    definition.sweeps = torque_sweeps<MeanCase>(
+        {"shaft-angle", "pure-sine", "peak-width", "spline-rows", "irregular-rows"});
     definition.reference = reference;
     return make_kernel(std::move(definition));
 }

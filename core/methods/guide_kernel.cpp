@@ -92,10 +92,6 @@ struct Slope {
     bool holds(double rho) const { return rho < spring.free_length / 2.0; }
 };
 
-double euler_step(const Slope& slope, double rho, double phi, double h) {
-    return rho + h * slope(rho, phi);
-}
-
 double runge_kutta_step(const Slope& slope, double rho, double phi, double h) {
     const double a = slope(rho, phi);
     const double b = slope(rho + h / 2.0 * a, phi + h / 2.0);
@@ -105,29 +101,24 @@ double runge_kutta_step(const Slope& slope, double rho, double phi, double h) {
 }
 
 /// Steps of a fixed size through the whole turn.
-using Step = double (*)(const Slope& slope, double rho, double phi, double h);
-
-Method<GuideCase> fixed_step(MethodInfo info, Step step) {
-    return {std::move(info), [step](const GuideCase& guide, double steps) -> Run {
-                return
-                    [&guide, step, parts = static_cast<int>(steps) / static_cast<int>(intervals)](
-                        std::span<double> out) {
-                        const Slope slope(guide);
-                        out[0] = slope.start();
-                        for (std::size_t i = 0; i < intervals; ++i) {
-                            const double h = (guide.angle(i + 1) - guide.angle(i)) / parts;
-                            double rho = out[i];
-                            for (int part = 0; part < parts; ++part) {
-                                rho = step(slope, rho, guide.angle(i) + h * part, h);
-                            }
-                            out[i + 1] = rho;
-                            if (!slope.holds(rho)) {
-                                return singular();
-                            }
-                        }
-                        return Message();
-                    };
-            }};
+Run runge_kutta(const GuideCase& guide, double steps) {
+    return [&guide,
+            parts = static_cast<int>(steps) / static_cast<int>(intervals)](std::span<double> out) {
+        const Slope slope(guide);
+        out[0] = slope.start();
+        for (std::size_t i = 0; i < intervals; ++i) {
+            const double h = (guide.angle(i + 1) - guide.angle(i)) / parts;
+            double rho = out[i];
+            for (int part = 0; part < parts; ++part) {
+                rho = runge_kutta_step(slope, rho, guide.angle(i) + h * part, h);
+            }
+            out[i + 1] = rho;
+            if (!slope.holds(rho)) {
+                return singular();
+            }
+        }
+        return Message();
+    };
 }
 
 /// With step control by Odeint, read off every degree.
@@ -274,16 +265,11 @@ Kernel guide_kernel() {
             [](const GuideSpring<double>& spring, double q) {
                 return guide_radius(spring, Branch::compressed, q);
             }),
-        fixed_step({"euler", CORE_TEXT("methods", "Euler's method"),
-                    CORE_TEXT("methods", "order 1: the guide does not close after a turn"),
-                    counted(CORE_TEXT("methods", "%1 steps"), {360, 3600, 36000}), true},
-                   euler_step),
-        fixed_step(
-            {"rk4", CORE_TEXT("methods", "Runge-Kutta of order 4"),
-             CORE_TEXT("methods",
-                       "loses its order where ρ comes near ℓ₀/2: the slope is infinite there"),
-             counted(CORE_TEXT("methods", "%1 steps"), {360, 720, 3600}), true},
-            runge_kutta_step),
+        {{"rk4", CORE_TEXT("methods", "Runge-Kutta of order 4"),
+          CORE_TEXT("methods",
+                    "loses its order where ρ comes near ℓ₀/2: the slope is infinite there"),
+          counted(CORE_TEXT("methods", "%1 steps"), {360, 720, 3600}), true},
+         runge_kutta},
         {{"dormand-prince",
           CORE_TEXT("methods", "Dormand-Prince with step control"),
           CORE_TEXT("methods", "its steps shrink to nothing where ρ comes near ℓ₀/2"),

@@ -110,11 +110,7 @@ class Acceleration {
           weight_(potential_amplitude(mechanism_)),
           torque_(motion.crank_torque) {}
 
-    /// I, I′ and the moment on the crank less d(V + Π)/dφ.
-    struct Parts {
-        double inertia, slope, moment;
-    };
-    Parts parts(double phi) const {
+    double operator()(double phi, double speed) const {
         const double s = std::sin(phi);
         const double c = std::cos(phi);
         const auto inertia = elastic_hinge::reduced_inertia(
@@ -124,12 +120,8 @@ class Acceleration {
             guide_.branch, design_.demand(elastic_hinge::Hinge::crank, phi, {}, rise, 0.0));
         const auto& spring = shape_.spring();
         const double change = spring.free_length - 2.0 * point.radius;
-        return {inertia.value, inertia.slope,
-                torque_ + 2.0 * spring.stiffness * change * point.slope - weight_ * c};
-    }
-    double operator()(double phi, double speed) const {
-        const Parts here = parts(phi);
-        return (here.moment - 0.5 * here.slope * speed * speed) / here.inertia;
+        const double moment = torque_ + 2.0 * spring.stiffness * change * point.slope - weight_ * c;
+        return (moment - 0.5 * inertia.slope * speed * speed) / inertia.value;
     }
 
   private:
@@ -197,63 +189,26 @@ Method<MotionCase> integrated(MethodInfo info, Integrator integrator) {
 }
 
 /// Equal steps, so many a turn, from one wanted time to the next.
-template <typename Step>
-Advance equal_steps(const MotionCase& motion, double per_turn, Step step) {
+Advance runge_kutta_4(const MotionCase& motion, const Acceleration& f, double per_turn) {
     const double longest = motion.seconds_of_turn() / per_turn;
-    return [longest, step](double seconds, TurnState& state) mutable {
+    return [&f, longest](double seconds, TurnState& x) {
         constexpr double rounding = 1e-9;
         const auto steps = std::max(1L, std::lround(std::ceil(seconds / longest - rounding)));
+        const double h = seconds / static_cast<double>(steps);
         for (long i = 0; i < steps; ++i) {
             check_now_and_then(i);
-            step(seconds / static_cast<double>(steps), state);
+            const double a = f(x.angle, x.speed);
+            const double va = x.speed + h / 2.0 * a;
+            const double b = f(x.angle + h / 2.0 * x.speed, va);
+            const double vb = x.speed + h / 2.0 * b;
+            const double c = f(x.angle + h / 2.0 * va, vb);
+            const double vc = x.speed + h * c;
+            const double d = f(x.angle + h * vb, vc);
+            x.angle += h / 6.0 * (x.speed + 2.0 * va + 2.0 * vb + vc);
+            x.speed += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
         }
         return Message();
     };
-}
-
-Advance runge_kutta_4(const MotionCase& motion, const Acceleration& f, double per_turn) {
-    return equal_steps(motion, per_turn, [&f](double h, TurnState& x) {
-        const double a = f(x.angle, x.speed);
-        const double va = x.speed + h / 2.0 * a;
-        const double b = f(x.angle + h / 2.0 * x.speed, va);
-        const double vb = x.speed + h / 2.0 * b;
-        const double c = f(x.angle + h / 2.0 * va, vb);
-        const double vc = x.speed + h * c;
-        const double d = f(x.angle + h * vb, vc);
-        x.angle += h / 6.0 * (x.speed + 2.0 * va + 2.0 * vb + vc);
-        x.speed += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
-    });
-}
-
-/// Störmer–Verlet for H = p²/2I(φ) + U(φ): the half steps of p and φ are implicit, the first a
-/// quadratic equation, the second a fixed point.
-Advance stoermer_verlet(const MotionCase& motion, const Acceleration& f, double per_turn) {
-    auto here = f.parts(0.0);
-    return equal_steps(motion, per_turn, [&f, here](double h, TurnState& x) mutable {
-        const double p = here.inertia * x.speed;
-        // p½ = p + h/2 (moment + I′ p½² / 2I²)
-        const double a = h / 4.0 * here.slope / (here.inertia * here.inertia);
-        const double known = p + h / 2.0 * here.moment;
-        const double root = std::sqrt(std::max(1.0 - 4.0 * a * known, 0.0));
-        const double half = 2.0 * known / (1.0 + root);
-        double next = x.angle + h * half / here.inertia;
-        auto there = f.parts(next);
-        for (int pass = 0; pass < 20; ++pass) {
-            const double better =
-                x.angle + h / 2.0 * half * (1.0 / here.inertia + 1.0 / there.inertia);
-            const bool done = std::abs(better - next) <= 1e-15 * std::abs(better);
-            next = better;
-            there = f.parts(next);
-            if (done) {
-                break;
-            }
-        }
-        const double last = half + h / 2.0 *
-                                       (there.moment + there.slope * half * half /
-                                                           (2.0 * there.inertia * there.inertia));
-        x = {next, last / there.inertia};
-        here = there;
-    });
 }
 
 Advance dormand_prince(const MotionCase& motion, const Acceleration& f, double tolerance) {
@@ -415,11 +370,6 @@ Kernel hinge_motion_kernel() {
                               "thousands of turns, and near λ = 1 at once"),
                     counted(CORE_TEXT("methods", "%1 steps a turn"), {45, 90, 180, 360}), true},
                    runge_kutta_4),
-        integrated(
-            {"stoermer-verlet", CORE_TEXT("methods", "Störmer-Verlet, symplectic"),
-             CORE_TEXT("methods", "its energy never drifts, but order 2 leaves it behind in time"),
-             counted(CORE_TEXT("methods", "%1 steps a turn"), {45, 90, 180, 360}), true},
-            stoermer_verlet),
         integrated({"dormand-prince", CORE_TEXT("methods", "Dormand-Prince with step control"),
                     CORE_TEXT("methods",
                               "the energy drifts by about the tolerance at every turn: a little "

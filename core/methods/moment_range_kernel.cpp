@@ -136,32 +136,8 @@ Kernel moment_range_kernel() {
           false},
          prepare_exact},
     };
-    const TorqueCycle paper = paper_cycle();
-    definition.sweeps = {
-        {{"shaft-angle", CORE_TEXT("methods", "shaft angle α, the paper's engine"), units::degree,
-          0.0, 360.0, Spacing::linear, 0.0, 0.0, 360.0, paper.alpha / degree},
-         [paper](double alpha) {
-             RangeCase cycle{paper};
-             cycle.alpha = alpha * degree;
-             return cycle;
-         }},
-        {{"peak-width", CORE_TEXT("methods", "width of the combustion peak"), units::degree, 0.05,
-          60.0, Spacing::logarithmic, 0.0, 0.05, 60.0, 15.0},
-         [](double width) { return RangeCase{peak_cycle(width)}; }},
-        {{"amplitude", CORE_TEXT("methods", "amplitude of the shaft's moment, the paper's torque"),
-          units::N_m, 1.0, 1e5, Spacing::logarithmic, 0.0, 1.0, 1e5, paper.amplitude},
-         [paper](double amplitude) {
-             RangeCase cycle{paper};
-             cycle.amplitude = amplitude;
-             return cycle;
-         }},
-        {{"spline-rows", CORE_TEXT("methods", "rows of a table read by the spline"), units::none,
-          8.0, 160.0, Spacing::logarithmic, 0.0, 8.0, 160.0, 48.0},
-         [](double rows) { return RangeCase{spline_cycle(rows)}; }},
-        {{"irregular-rows", CORE_TEXT("methods", "rows of an irregular table"), units::none, 6.0,
-          400.0, Spacing::logarithmic, 0.0, 6.0, 400.0, 48.0},
-         [](double rows) { return RangeCase{irregular_cycle(rows)}; }},
-    };
+    definition.sweeps = torque_sweeps<RangeCase>(
+        {"shaft-angle", "peak-width", "amplitude", "spline-rows", "irregular-rows"});
     definition.reference = reference;
     return make_kernel(std::move(definition));
 }

@@ -7,6 +7,7 @@
 #include "balance-shaft/presets.h"
 #include "balance-shaft/solver.h"
 #include "numerics/constants.h"
+#include "numerics/demand.h"
 
 namespace ravnoves::methods {
 
@@ -50,6 +51,55 @@ double outline(double angle_deg, double width_deg) {
              180.0 * std::sin(2.0 * angle_deg * degree));
 }
 
+/// A torque with a combustion peak of 500 N·m and the given half width, on rows that are dense
+/// there and every 15° elsewhere.
+TorqueCycle peak_cycle(double width_deg) {
+    std::vector<double> angle = equal_rows(48);
+    constexpr int steps_per_width = 4;
+    for (int k = -16; k <= 16; ++k) {
+        const double row = peak_deg + width_deg * k / steps_per_width;
+        if (row > 0.0 && row < cycle_deg) {
+            angle.push_back(row);
+        }
+    }
+    std::sort(angle.begin(), angle.end());
+    // Rows closer than a billionth of the cycle are one row.
+    angle.erase(std::unique(angle.begin(), angle.end(),
+                            [](double a, double b) { return b - a < 1e-9 * cycle_deg; }),
+                angle.end());
+    angle.back() = cycle_deg;
+    TorqueCycle cycle =
+        from_rows(std::move(angle), [&](double a) { return outline(a, width_deg); });
+    cycle.alpha = 230.0 * degree;  // where the shaft's moment adds to the peak's
+    return cycle;
+}
+
+/// A smooth torque on n equally spaced rows, read through the periodic spline.
+TorqueCycle spline_cycle(double rows) {
+    TorqueCycle cycle = from_rows(equal_rows(static_cast<std::size_t>(rows)),
+                                  [](double a) { return outline(a, 18.0); });
+    cycle.cubic = true;
+    return cycle;
+}
+
+/// n rows at irregular angles with irregular torques, from a fixed seed.
+TorqueCycle irregular_cycle(double rows) {
+    const auto n = static_cast<std::size_t>(rows);
+    std::mt19937 generator(static_cast<unsigned>(n));
+    // The generator's own numbers: distributions differ between standard libraries.
+    const auto unit = [&] { return static_cast<double>(generator()) / 4294967296.0; };
+    std::vector<double> angle{0.0};
+    for (std::size_t i = 0; i < n; ++i) {
+        angle.push_back(angle.back() + 0.2 + unit());
+    }
+    const double scale = cycle_deg / angle.back();
+    for (double& a : angle) {
+        a *= scale;
+    }
+    angle.back() = cycle_deg;
+    return from_rows(std::move(angle), [&](double) { return 1000.0 * (unit() - 0.5); });
+}
+
 }  // namespace
 
 double TorqueCycle::size() const {
@@ -79,55 +129,51 @@ TorqueCycle pure_sine_cycle(double alpha_deg) {
     return cycle;
 }
 
-TorqueCycle peak_cycle(double width_deg) {
-    std::vector<double> angle = equal_rows(48);
-    constexpr int steps_per_width = 4;
-    for (int k = -16; k <= 16; ++k) {
-        const double row = peak_deg + width_deg * k / steps_per_width;
-        if (row > 0.0 && row < cycle_deg) {
-            angle.push_back(row);
-        }
-    }
-    std::sort(angle.begin(), angle.end());
-    // Rows closer than a billionth of the cycle are one row.
-    angle.erase(std::unique(angle.begin(), angle.end(),
-                            [](double a, double b) { return b - a < 1e-9 * cycle_deg; }),
-                angle.end());
-    angle.back() = cycle_deg;
-    TorqueCycle cycle =
-        from_rows(std::move(angle), [&](double a) { return outline(a, width_deg); });
-    cycle.alpha = 230.0 * degree;  // where the shaft's moment adds to the peak's
-    return cycle;
-}
-
-TorqueCycle spline_cycle(double rows) {
-    TorqueCycle cycle = from_rows(equal_rows(static_cast<std::size_t>(rows)),
-                                  [](double a) { return outline(a, 18.0); });
-    cycle.cubic = true;
-    return cycle;
-}
-
-TorqueCycle irregular_cycle(double rows) {
-    const auto n = static_cast<std::size_t>(rows);
-    std::mt19937 generator(static_cast<unsigned>(n));
-    // The generator's own numbers: distributions differ between standard libraries.
-    const auto unit = [&] { return static_cast<double>(generator()) / 4294967296.0; };
-    std::vector<double> angle{0.0};
-    for (std::size_t i = 0; i < n; ++i) {
-        angle.push_back(angle.back() + 0.2 + unit());
-    }
-    const double scale = cycle_deg / angle.back();
-    for (double& a : angle) {
-        a *= scale;
-    }
-    angle.back() = cycle_deg;
-    return from_rows(std::move(angle), [&](double) { return 1000.0 * (unit() - 0.5); });
-}
-
 TorqueCycle two_minima_cycle(double share) {
     return from_rows(equal_rows(48), [&](double a) {
         return 600.0 * (std::cos(2.0 * a * degree) + share * std::cos(a * degree));
     });
+}
+
+Sweep<TorqueCycle> torque_sweep(std::string_view id) {
+    static const std::vector<Sweep<TorqueCycle>> sweeps = [] {
+        const TorqueCycle paper = paper_cycle();
+        const auto paper_with = [&](double TorqueCycle::*member, double unit) {
+            return [=](double value) {
+                TorqueCycle cycle = paper;
+                cycle.*member = value * unit;
+                return cycle;
+            };
+        };
+        constexpr Spacing by_decades = Spacing::logarithmic;
+        return std::vector<Sweep<TorqueCycle>>{
+            {{"shaft-angle", CORE_TEXT("methods", "shaft angle α, the paper's engine"),
+              units::degree, 0.0, 360.0, Spacing::linear, 0.0, 0.0, 360.0, paper.alpha / degree},
+             paper_with(&TorqueCycle::alpha, degree)},
+            {{"pure-sine", CORE_TEXT("methods", "shaft angle α, no torque but the shaft's"),
+              units::degree, 0.0, 360.0, Spacing::linear, 0.0, 0.0, 360.0, 90.0},
+             pure_sine_cycle},
+            {{"amplitude",
+              CORE_TEXT("methods", "amplitude of the shaft's moment, the paper's torque"),
+              units::N_m, 1.0, 1e5, by_decades, 0.0, 1.0, 1e5, paper.amplitude},
+             paper_with(&TorqueCycle::amplitude, 1.0)},
+            {{"second-minimum", CORE_TEXT("methods", "how much better the best of two minima is"),
+              units::none, 1e-12, 1.0, by_decades, 0.0, 1e-12, 1.0, 0.1},
+             two_minima_cycle},
+            {{"peak-width", CORE_TEXT("methods", "width of the combustion peak"), units::degree,
+              0.05, 60.0, by_decades, 0.0, 0.05, 60.0, 15.0},
+             peak_cycle},
+            {{"spline-rows", CORE_TEXT("methods", "rows of a table read by the spline"),
+              units::none, 8.0, 160.0, by_decades, 0.0, 8.0, 160.0, 48.0},
+             spline_cycle},
+            {{"irregular-rows", CORE_TEXT("methods", "rows of an irregular table"), units::none,
+              6.0, 400.0, by_decades, 0.0, 6.0, 400.0, 48.0},
+             irregular_cycle}};
+    }();
+    const auto found = std::find_if(sweeps.begin(), sweeps.end(),
+                                    [&](const auto& sweep) { return sweep.info.id == id; });
+    RAVNOVES_DEMAND(found != sweeps.end(), "a torque's sweep must be known");
+    return *found;
 }
 
 }  // namespace ravnoves::methods

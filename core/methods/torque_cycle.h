@@ -1,7 +1,11 @@
 #pragma once
 
+#include <functional>
+#include <initializer_list>
+#include <string_view>
 #include <vector>
 
+#include "methods/definition.h"
 #include "numerics/periodic_piecewise.h"
 #include "numerics/real50.h"
 
@@ -30,15 +34,23 @@ struct TorqueCycle {
 TorqueCycle paper_cycle();
 /// The paper's shaft beside a tipping moment of 0: M_ups is a pure sine.
 TorqueCycle pure_sine_cycle(double alpha_deg);
-/// A torque with a combustion peak of 500 N·m and the given half width, on rows that are dense
-/// there and every 15° elsewhere.
-TorqueCycle peak_cycle(double width_deg);
-/// A smooth torque on n equally spaced rows, read through the periodic spline.
-TorqueCycle spline_cycle(double rows);
-/// n rows at irregular angles with irregular torques, from a fixed seed.
-TorqueCycle irregular_cycle(double rows);
 /// A second-order torque whose best angles are two of equal range, and a first-order one of `share`
 /// of it that makes one of them better.
 TorqueCycle two_minima_cycle(double share);
+
+/// The hard parameter of torques with that id.
+Sweep<TorqueCycle> torque_sweep(std::string_view id);
+
+/// Those of a kernel whose case is such a cycle.
+template <typename Case>
+std::vector<Sweep<Case>> torque_sweeps(std::initializer_list<std::string_view> ids) {
+    std::vector<Sweep<Case>> sweeps;
+    for (const std::string_view id : ids) {
+        Sweep<TorqueCycle> sweep = torque_sweep(id);
+        sweeps.push_back(
+            {sweep.info, [make = sweep.make](double value) { return Case{make(value)}; }});
+    }
+    return sweeps;
+}
 
 }  // namespace ravnoves::methods

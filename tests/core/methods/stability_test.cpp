@@ -204,8 +204,7 @@ TEST(GuideStability, WithTheSpringUnloadedAtTheStartThereIsNoGuide) {
     EXPECT_TRUE(says(reason, "preload")) << reason;
     for (const auto& [method, setting] :
          {std::pair{"closed-form", "free of cancellation"}, std::pair{"printed-form", "(3)"},
-          std::pair{"euler", "360 steps"}, std::pair{"rk4", "360 steps"},
-          std::pair{"dormand-prince", "1e-10"}}) {
+          std::pair{"rk4", "360 steps"}, std::pair{"dormand-prince", "1e-10"}}) {
         EXPECT_NE(refusal_of("guide", "preload", -1.0, method, setting), "") << method;
     }
 }
@@ -259,8 +258,7 @@ TEST(GuideStability, CrankSpeedOverFourDecades) {
 
 // ------------------------------------------------------------------------------------- motion
 
-/// Ten thousand turns: the symplectic method's energy does not drift, the others' grows in
-/// proportion to the turns, that of the scene's method by less than 1e-9 a turn.
+/// Ten thousand turns: the error of the energy grows in proportion to the turns.
 TEST(MotionStability, TenThousandTurns) {
     const Kernel& kernel = *find_kernel("hinge-motion");
     const std::size_t sweep = kernel.find_sweep("turns");
@@ -284,12 +282,9 @@ TEST(MotionStability, TenThousandTurns) {
     };
     const double many = slow ? 300.0 : 1e4;
     EXPECT_LT(drift(many, "dormand-prince", "1e-11"), 1e-9 * many);
-    // Fixed steps of order 4 lose energy turn by turn; the symplectic method swings about it.
+    // Fixed steps of order 4 lose energy turn by turn.
     EXPECT_GT(drift(many, "rk4", "45 steps a turn"),
               3.0 * drift(many / 10.0, "rk4", "45 steps a turn"));
-    EXPECT_LT(drift(many, "stoermer-verlet", "45 steps a turn"), 0.1);
-    EXPECT_LT(drift(many, "stoermer-verlet", "45 steps a turn"),
-              5.0 * drift(many / 10.0, "stoermer-verlet", "45 steps a turn") + 0.05);
     EXPECT_TRUE(says(scene_refusal("hinge-motion", "turns", 1e4), "/input/motion/turns"));
 }
 
