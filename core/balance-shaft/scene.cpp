@@ -147,6 +147,10 @@ void read_kept(const Json& kept, const CaseContext& context, Input& input) {
     TorqueSource& source = input.torque;
     const auto take = [&](const Json& torque) {
         const TorqueSource other = read_kept_source(input, torque);
+        // Of the source in use the input's own numbers hold.
+        if (other.is_computed() ? other.kind == source.kind : !source.is_computed()) {
+            return;
+        }
         if (other.is_computed() && !source.is_computed()) {
             source.crankcase_pressure = other.crankcase_pressure;
         }
