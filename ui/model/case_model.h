@@ -90,8 +90,10 @@ class CaseModel : public SceneModel {
                            const std::optional<std::string>& input) override;
     QString inputTrouble(const std::string& input) const override;
     Json keptJson() const override;
+    Json variantInput(int place) const override;
     void loadFile(const CaseFile& file, const CaseContext& context, const Json* named) override;
-    void loadInput(const Json& input, const CaseContext& context) override;
+    void loadInput(const Json& input, const CaseContext& context,
+                   const QString& name = openName()) override;
     void showInput(const Json& input) override;
     void loadDefault() override {
         load(newName(), {scene_.defaultInput(),

@@ -59,13 +59,14 @@ void CaseModel<Scene>::loadFile(const CaseFile& file, const CaseContext& context
 }
 
 template <typename Scene>
-void CaseModel<Scene>::loadInput(const Json& json, const CaseContext& context) {
+void CaseModel<Scene>::loadInput(const Json& json, const CaseContext& context,
+                                 const QString& name) {
     try {
         State next = state();
         next.input = readInput(json, keptJson(), context);
         next.directory = context.directory;
         retitle(next);
-        load(openName(), std::move(next));
+        load(name, std::move(next));
     } catch (const InputError& error) {
         throw RefusedInput(error, explain(error));
     }
@@ -99,6 +100,15 @@ QString CaseModel<Scene>::changeVariants(const QString& name, const Variants& ne
         return explain(error);
     }
     return {};
+}
+
+template <typename Scene>
+Json CaseModel<Scene>::variantInput(int place) const {
+    try {
+        return scene_.write(readInput(SceneModel::variantInput(place), keptJson(), context()));
+    } catch (const InputError&) {
+        return SceneModel::variantInput(place);
+    }
 }
 
 template <typename Scene>

@@ -181,7 +181,7 @@ void SceneModel::loadCase(const Json& input, const CaseContext& context, const Q
     loadFile({sceneName().toStdString(), title.toStdString(), input}, context, nullptr);
 }
 
-void SceneModel::loadInput(const Json& input, const CaseContext& context) {
+void SceneModel::loadInput(const Json& input, const CaseContext& context, const QString& /*name*/) {
     CaseFile file = caseFile();
     file.input = input;
     loadFile(file, context, nullptr);

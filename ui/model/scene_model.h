@@ -68,7 +68,9 @@ class SceneModel : public QObject {
     virtual CaseFile asNew(const CaseFile& file) const;
     void loadCase(const Json& input, const CaseContext& context, const QString& title);
     /// Another input under the present title and notes.
-    virtual void loadInput(const Json& input, const CaseContext& context);
+    /// @param name  of the step
+    virtual void loadInput(const Json& input, const CaseContext& context,
+                           const QString& name = openName());
     /// What the page shows, in its order, the first the most important.
     virtual std::span<const PagePart> parts() const { return {}; }
     /// Makes one of them of the present input and of what is chosen to be seen of it.
@@ -102,6 +104,8 @@ class SceneModel : public QObject {
     virtual std::vector<std::string> replacedInputs() const { return {}; }
     /// Pointers of the objects that count with what is usual where the case does not have them.
     virtual std::vector<std::string> usualObjects() const { return {}; }
+    /// Pointers of the inputs that say which design it is.
+    virtual std::vector<const char*> designInputs() const { return {}; }
     /// The description of a field that the scene has.
     FieldEntry describedField(std::string_view pointer) const;
     /// Why an input is refused, the places by their labels.
@@ -130,6 +134,7 @@ class SceneModel : public QObject {
     /// @throws InputError
     void setByKey(const QString& key, const QString& value);
 
+    static QString openName() { return tr("Open case"); }
     QString title() const { return title_; }
     /// A title as the user reads it.
     static QString titleText(const QString& title);
@@ -160,7 +165,8 @@ class SceneModel : public QObject {
     QString takeVariant(int place);
     /// Why a variant's input is refused; empty where it is none.
     QString variantTrouble(int place) const;
-    Json variantInput(int place) const;
+    /// The variant's input as the model would write it; one that is refused as it is.
+    virtual Json variantInput(int place) const;
 
     /// What scatters and what is watched: "study" of the case file as JSON text; empty where there
     /// is none. It may be refused.
@@ -269,7 +275,6 @@ class SceneModel : public QObject {
     static int oneOf(const QString& key, const QString& value, const QStringList& words);
     static int oneOf(const QString& key, const QString& value,
                      std::initializer_list<const char*> words);
-    static QString openName() { return tr("Open case"); }
     static QString newName() { return tr("New case"); }
     static QString textName() { return tr("Title and notes"); }
     /// Of an engine that was a preset or an example, and is not any more. In every language the

@@ -101,6 +101,10 @@ class MainWindow : public QMainWindow {
     void exportPicture();
     void exportReport();
     void fillRecentFiles();
+    /// The other open cases whose engine can be taken.
+    void fillEngines();
+    /// Of the open case with this number, as one step.
+    void takeEngine(int id);
     void updateTitle();
     void updateSceneActions();
     /// Brings a toolbar that shows all its rows back to one.
@@ -130,6 +134,7 @@ class MainWindow : public QMainWindow {
     QAction* redo_ = nullptr;
     QActionGroup* sceneGroup_ = nullptr;
     QMenu* recentMenu_ = nullptr;
+    QMenu* engineMenu_ = nullptr;
     QMenu* examplesMenu_ = nullptr;
     QMenu* newMenu_ = nullptr;  ///< of the New button
     QAction* newFrom_ = nullptr;

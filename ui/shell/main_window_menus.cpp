@@ -5,6 +5,7 @@
 #include <QClipboard>
 #include <QFileInfo>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
@@ -15,7 +16,10 @@
 #include <QWhatsThis>
 #include <algorithm>
 
+#include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "page/scene_page.h"
+#include "scenes/shared_engine.h"
 #include "shell/case_properties.h"
 #include "shell/changed_field.h"
 #include "shell/documents.h"
@@ -27,6 +31,7 @@
 #include "shop/scale_button.h"
 #include "studies/tolerance_switch.h"
 #include "text/language.h"
+#include "text/message_text.h"
 #include "text/plain_title.h"
 #include "text/preferences.h"
 #include "theme/icons.h"
@@ -34,6 +39,8 @@
 #include "widgets/layouts.h"
 
 namespace ravnoves {
+
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -236,6 +243,8 @@ void MainWindow::buildMenus() {
     });
 
     edit->addSeparator();
+    engineMenu_ = edit->addMenu(tr("Take the &engine from"));
+    connect(engineMenu_, &QMenu::aboutToShow, this, &MainWindow::fillEngines);
     variants_ = new VariantMenu(this);
     edit->addMenu(variants_);
     QAction* tolerances =
@@ -368,6 +377,54 @@ void MainWindow::fillExamples() {
     for (const NewCase& each : newExamples()) {
         examplesMenu_->addAction(themedIcon(QStringLiteral("scene-") + each.scene), each.title,
                                  this, [this, each] { beginOrSayWhy(each.make()); });
+    }
+}
+
+void MainWindow::fillEngines() {
+    engineMenu_->clear();
+    for (const auto& each : documents_->all()) {
+        const SceneModel& other = *each->page->model();
+        if (isAtStart() || each->page == currentPage() ||
+            engine_of(other.sceneName().toStdString(), other.inputJson()) == SharedEngine()) {
+            continue;
+        }
+        QString name = documents_->nameOf(*each);
+        name.replace(QLatin1Char('&'), QLatin1String("&&"));
+        engineMenu_->addAction(themedIcon(QStringLiteral("scene-") + other.sceneName()), name, this,
+                               [this, id = each->id] { takeEngine(id); });
+    }
+    if (engineMenu_->isEmpty()) {
+        engineMenu_->addAction(tr("No other open case has an engine"))->setEnabled(false);
+    }
+}
+
+void MainWindow::takeEngine(int id) {
+    const auto& all = documents_->all();
+    const auto from =
+        std::find_if(all.begin(), all.end(), [id](const auto& each) { return each->id == id; });
+    if (from == all.end()) {
+        return;
+    }
+    const SceneModel& other = *(*from)->page->model();
+    SceneModel& model = *currentPage()->model();
+    Json input = model.inputJson();
+    QStringList changed;
+    for (const Text& each :
+         give_engine(engine_of(other.sceneName().toStdString(), other.inputJson()),
+                     model.sceneName().toStdString(), input)) {
+        changed << shownText(each);
+    }
+    const QString name = documents_->nameOf(**from);
+    try {
+        if (!changed.isEmpty()) {
+            model.loadInput(input, model.context(), tr("Take the engine from %1").arg(name));
+        }
+        say(changed.isEmpty()
+                ? tr("The engine is already the same as in %1.").arg(name)
+                : tr("Copied from %1: %2.").arg(name, changed.join(QStringLiteral(", "))),
+            10s);
+    } catch (const InputError& error) {
+        QMessageBox::warning(this, tr("Take the engine from %1").arg(name), model.explain(error));
     }
 }
 

@@ -11,6 +11,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -315,6 +316,34 @@ TEST_F(DocumentsTest, ClosesByKeyByButtonAndByTheMiddleButton) {
     open(u"honda"_s);
     EXPECT_FALSE(window.isAtStart());
     EXPECT_TRUE(window.windowTitle().contains(u"honda"_s));
+}
+
+TEST_F(DocumentsTest, TheEngineOfAnotherOpenCaseIsTakenAsOneStep) {
+    open(u"tmz-650d"_s);
+    set(u"crank_radius_mm=41"_s);
+    set(u"cylinder/rod_length_mm=164"_s);
+    const double speed = model().inputJson().at("angular_speed_rad_s").get<double>();
+    open(u"zotov-energy"_s);
+    const Json before = model().inputJson();
+    QAction* from = action(u"Take the engine from"_s);
+    ASSERT_NE(from, nullptr);
+    auto* menu = from->menu<QMenu*>();
+    Q_EMIT menu->aboutToShow();
+    ASSERT_EQ(menu->actions().size(), 1) << "not its own";
+    menu->actions().constFirst()->trigger();
+    const Json now = model().inputJson();
+    EXPECT_EQ(now.at("crank_radius_mm"), 41.0);
+    EXPECT_EQ(now.at("lambda"), 0.25);
+    EXPECT_NEAR(now.at("angular_speed_rad_s").get<double>(), speed, 1e-9);
+    const QString said = window.statusBar()->currentMessage();
+    EXPECT_TRUE(said.contains(u"tmz-650d"_s) && said.contains(u"crank radius"_s))
+        << said.toStdString();
+    const int steps = model().history()->index();
+    Q_EMIT menu->aboutToShow();
+    menu->actions().constFirst()->trigger();
+    EXPECT_EQ(model().history()->index(), steps) << "it is the same already";
+    model().undo();
+    EXPECT_EQ(model().inputJson(), before);
 }
 
 TEST_F(DocumentsTest, FilesAreOpenedWhenTheirTabsAreShown) {

@@ -1,0 +1,125 @@
+#include "scenes/shared_engine.h"
+
+#include <array>
+#include <cmath>
+
+#include "case-file/decimal.h"
+#include "case-file/json.h"
+#include "numerics/units.h"
+
+namespace ravnoves {
+
+namespace {
+
+/// Where a scene has a number of the engine.
+struct EnginePlace {
+    std::string_view scene;
+    std::optional<double> SharedEngine::*what;
+    const char* pointer;
+    Unit unit;
+    bool is_ratio = false;  ///< of the crank radius to it
+};
+
+// Of several places for one number the first is written where the case has none of them.
+constexpr std::array engine_places{
+    EnginePlace{"balance-shaft", &SharedEngine::bore, "/cylinder/bore_mm", units::mm},
+    EnginePlace{"balance-shaft", &SharedEngine::crank_radius, "/crank_radius_mm", units::mm},
+    EnginePlace{"balance-shaft", &SharedEngine::rod_length, "/cylinder/rod_length_mm", units::mm},
+    EnginePlace{"balance-shaft", &SharedEngine::offset, "/cylinder/offset_mm", units::mm},
+    EnginePlace{"balance-shaft", &SharedEngine::speed, "/speed_rpm", units::rpm},
+    EnginePlace{"balance-shaft", &SharedEngine::speed, "/angular_speed_rad_s", units::rad_per_s},
+    EnginePlace{"balance-shaft", &SharedEngine::reciprocating_mass, "/reciprocating_mass_kg",
+                units::kg},
+    EnginePlace{"elastic-hinge", &SharedEngine::crank_radius, "/crank_radius_mm", units::mm},
+    EnginePlace{"elastic-hinge", &SharedEngine::rod_length, "/lambda", units::none, true},
+    EnginePlace{"elastic-hinge", &SharedEngine::speed, "/angular_speed_rad_s", units::rad_per_s},
+    EnginePlace{"inertia-moments", &SharedEngine::crank_radius, "/crank_radius_mm", units::mm},
+    EnginePlace{"inertia-moments", &SharedEngine::rod_length, "/lambda", units::none, true},
+    EnginePlace{"inertia-moments", &SharedEngine::rod_length, "/rod_length_mm", units::mm},
+    EnginePlace{"inertia-moments", &SharedEngine::speed, "/speed_rpm", units::rpm},
+    EnginePlace{"inertia-moments", &SharedEngine::reciprocating_mass, "/reciprocating_mass_kg",
+                units::kg},
+};
+
+constexpr const char* mass_parts = "reciprocating_masses_kg";
+
+struct EngineName {
+    std::optional<double> SharedEngine::*what;
+    Text name;
+};
+constexpr std::array engine_names{
+    EngineName{&SharedEngine::bore, CORE_TEXT("core", "bore")},
+    EngineName{&SharedEngine::crank_radius, CORE_TEXT("core", "crank radius")},
+    EngineName{&SharedEngine::rod_length, CORE_TEXT("core", "rod length")},
+    EngineName{&SharedEngine::offset, CORE_TEXT("core", "offset")},
+    EngineName{&SharedEngine::speed, CORE_TEXT("core", "speed")},
+    EngineName{&SharedEngine::reciprocating_mass, CORE_TEXT("core", "reciprocating mass")},
+};
+
+const Json* number_at(const Json& input, const char* pointer) {
+    const Json::json_pointer at(pointer);
+    return input.contains(at) && input.at(at).is_number() ? &input.at(at) : nullptr;
+}
+
+bool is_same(const std::optional<double>& one, const std::optional<double>& other) {
+    constexpr double rounding = 1e-9;
+    return one && other && std::abs(*one - *other) <= rounding * std::abs(*one);
+}
+
+}  // namespace
+
+SharedEngine engine_of(std::string_view scene, const Json& input) {
+    SharedEngine engine;
+    for (const EnginePlace& place : engine_places) {
+        const Json* number = place.scene == scene ? number_at(input, place.pointer) : nullptr;
+        if (number != nullptr) {
+            const double value = number->get<double>() * place.unit.to_si;
+            engine.*place.what = !place.is_ratio ? std::optional(value)
+                                 : engine.crank_radius && value > 0.0
+                                     ? std::optional(*engine.crank_radius / value)
+                                     : std::nullopt;
+        }
+    }
+    if (scene == "balance-shaft" && input.contains(mass_parts)) {
+        double sum = 0.0;
+        for (const Json& part : input[mass_parts]) {
+            sum += part.get<double>();
+        }
+        engine.reciprocating_mass = sum;
+    }
+    return engine;
+}
+
+std::vector<Text> give_engine(const SharedEngine& engine, std::string_view scene, Json& input) {
+    const SharedEngine before = engine_of(scene, input);
+    constexpr int digits = 12;
+    std::vector<Text> changed;
+    for (const auto& [what, name] : engine_names) {
+        // A ratio is another with another crank radius, too.
+        if (!(engine.*what) || is_same(engine.*what, engine_of(scene, input).*what)) {
+            continue;
+        }
+        const EnginePlace* to = nullptr;
+        for (const EnginePlace& place : engine_places) {
+            const bool is_it = place.scene == scene && place.what == what;
+            if (is_it && (to == nullptr || number_at(input, place.pointer) != nullptr)) {
+                to = &place;
+            }
+        }
+        const auto radius = engine.crank_radius ? engine.crank_radius : before.crank_radius;
+        if (to == nullptr || (to->is_ratio && !radius)) {
+            continue;
+        }
+        if (what == &SharedEngine::reciprocating_mass) {
+            input.erase(mass_parts);
+        }
+        const double value = to->is_ratio ? *radius / *(engine.*what) : *(engine.*what);
+        input[Json::json_pointer(to->pointer)] = rounded_to_digits(value / to->unit.to_si, digits);
+        if (!is_same(engine.*what, before.*what)) {
+            changed.push_back(name);
+        }
+    }
+    return changed;
+}
+
+}  // namespace ravnoves

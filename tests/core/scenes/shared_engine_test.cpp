@@ -1,0 +1,70 @@
+// One engine in cases of several scenes.
+
+#include "scenes/shared_engine.h"
+
+#include <gtest/gtest.h>
+
+#include "case-file/json.h"
+#include "scenes/scenes.h"
+
+namespace ravnoves {
+namespace {
+
+const SharedEngine engine{.bore = 0.088,
+                          .crank_radius = 0.0375,
+                          .rod_length = 0.132,
+                          .offset = 0.002,
+                          .speed = 366.5,
+                          .reciprocating_mass = 0.52};
+
+TEST(SharedEngine, IsTheSameInEveryCaseThatHasAPlaceForIt) {
+    int taken = 0;
+    for (const SceneSolver& solver : scene_solvers()) {
+        for (const auto& [title, preset] : solver.presets()) {
+            SCOPED_TRACE(std::string(solver.name));
+            Json input = preset;
+            const SharedEngine before = engine_of(solver.name, input);
+            const std::vector<Text> changed = give_engine(engine, solver.name, input);
+            if (before == SharedEngine()) {
+                EXPECT_TRUE(changed.empty());
+                EXPECT_EQ(input, preset);
+                continue;
+            }
+            ++taken;
+            EXPECT_FALSE(changed.empty());
+            const SharedEngine now = engine_of(solver.name, input);
+            for (const auto what :
+                 {&SharedEngine::bore, &SharedEngine::crank_radius, &SharedEngine::rod_length,
+                  &SharedEngine::offset, &SharedEngine::speed, &SharedEngine::reciprocating_mass}) {
+                if (now.*what) {
+                    EXPECT_NEAR(*(now.*what), *(engine.*what), 1e-11 * *(engine.*what));
+                }
+                EXPECT_TRUE(now.*what || !(before.*what));
+            }
+            EXPECT_TRUE(now.crank_radius && now.rod_length && now.speed);
+            EXPECT_NO_THROW(solver.solve(input, {}, {}));
+            // Given once more, nothing changes; its own engine gives back nothing else.
+            const Json once = input;
+            EXPECT_TRUE(give_engine(engine, solver.name, input).empty());
+            EXPECT_EQ(input, once);
+            Json own = preset;
+            EXPECT_TRUE(give_engine(before, solver.name, own).empty());
+            EXPECT_EQ(own, preset);
+        }
+    }
+    EXPECT_GE(taken, 3);
+}
+
+TEST(SharedEngine, KeepsTheRodWhereAnotherGivesNone) {
+    Json input{{"crank_radius_mm", 50.0}, {"lambda", 0.25}, {"angular_speed_rad_s", 100.0}};
+    const std::vector<Text> changed =
+        give_engine({.crank_radius = 0.04, .rod_length = 0.2}, "elastic-hinge", input);
+    EXPECT_EQ(input["crank_radius_mm"], 40.0);
+    EXPECT_EQ(input["lambda"], 0.2);
+    ASSERT_EQ(changed.size(), 1U) << "the rod is as long as before";
+    EXPECT_EQ(changed[0].english, "crank radius");
+    EXPECT_EQ(input["angular_speed_rad_s"], 100.0);
+}
+
+}  // namespace
+}  // namespace ravnoves
