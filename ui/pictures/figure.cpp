@@ -25,9 +25,13 @@ void FigureMenu::setFirst(const QString& text, std::function<void()> act) {
     first_ = std::move(act);
 }
 
+bool FigureMenu::isEmpty() const {
+    return data_ && data_(CsvFormat(QLocale::c())).count(QLatin1Char('\n')) < 2;  // headings alone
+}
+
 QString FigureMenu::write(const QString& path, const QString& title, int pixels) const {
     if (data_ && path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
-        return writeFile(path, [this] { return data_(CsvFormat(QLocale::c())).toStdString(); });
+        return writeFile(path, [this] { return CsvFormat::file(data_(CsvFormat())); });
     }
     const auto draw = [this](QPainter& painter, double scale) {
         draw_(painter, QRectF(QPointF(), QSizeF(figure_->size()) * scale));
@@ -121,6 +125,11 @@ void makeFigure(QWidget* widget, FigureMenu::Data data) {
 
 bool isFigure(const QWidget* widget) {
     return widget->property("isFigure").toBool();
+}
+
+bool isEmptyFigure(const QWidget* widget) {
+    const auto* menu = widget->findChild<FigureMenu*>({}, Qt::FindDirectChildrenOnly);
+    return menu != nullptr && menu->isEmpty();
 }
 
 void drawFigure(QWidget* figure, QPainter& painter, const QRectF& target) {

@@ -32,7 +32,10 @@ class FigureMenu : public QObject {
     /// Shows on the screen where the focus is, for a figure that does not itself.
     void setFramed() { isFramed_ = true; }
 
-    /// Writes a PNG, SVG or PDF, or the data as CSV with decimal points, by the file's ending.
+    /// True where it has numbers to show, but now none.
+    bool isEmpty() const;
+
+    /// Writes a PNG, SVG or PDF, or the data as CSV for spreadsheets, by the file's ending.
     /// @param pixels  width of a PNG; 0: 300 to the inch that is 96 on screen
     /// @return an empty string, or what went wrong
     QString write(const QString& path, const QString& title, int pixels = 0) const;
@@ -58,6 +61,8 @@ class FigureMenu : public QObject {
 /// @param data  the numbers that it shows
 void makeFigure(QWidget* widget, FigureMenu::Data data = {});
 bool isFigure(const QWidget* widget);
+/// True for a figure that says no more than how to fill it.
+bool isEmptyFigure(const QWidget* widget);
 
 /// Draws a widget that paints itself, without those in it.
 void drawFigure(QWidget* figure, QPainter& painter, const QRectF& target);

@@ -5,6 +5,7 @@
 #include <QRegularExpression>
 #include <QString>
 #include <QStringList>
+#include <string>
 
 namespace ravnoves {
 
@@ -15,11 +16,14 @@ struct CsvFormat {
         : point(locale.decimalPoint()),
           separator(point == QLatin1String(",") ? QLatin1Char(';') : QLatin1Char(',')) {}
 
-    /// A number with as many digits as read back to the same.
+    /// A number with more digits than any input has, and without those that are rounding.
     QString number(double value) const {
-        return QString::number(value, 'g', QLocale::FloatingPointShortest)
-            .replace(QLatin1Char('.'), point);
+        constexpr int digits = 10;
+        return QString::number(value, 'g', digits).replace(QLatin1Char('.'), point);
     }
+
+    /// The bytes of a file: spreadsheets know UTF-8 by its byte-order mark.
+    static std::string file(const QString& text) { return "\xEF\xBB\xBF" + text.toStdString(); }
 
     /// The true minus of a number becomes the one that spreadsheets know.
     static QString plainMinus(QString text) {

@@ -110,7 +110,7 @@ TEST_F(PlotExportTest, EveryFileIsWhatItsEndingSays) {
     EXPECT_TRUE(contents(file("график.pdf")).startsWith("%PDF-"));
     EXPECT_TRUE(contents(file("график.png")).startsWith("\x89PNG\r\n"));
     EXPECT_TRUE(contents(file("график.SVG")).startsWith("<?xml"));
-    EXPECT_TRUE(contents(file("график.csv")).startsWith("\"φ, °\",\"first, N·m\","));
+    EXPECT_TRUE(contents(file("график.csv")).startsWith("\xEF\xBB\xBF\"φ, °\",\"first, N·m\","));
     for (const char* name : {"plot.jpg", "plot.eps", "plot"}) {
         EXPECT_TRUE(write(file(name)).contains(QStringLiteral(".svg"))) << name;
         EXPECT_FALSE(QFile::exists(file(name))) << name;
@@ -302,7 +302,9 @@ TEST_F(PlotExportTest, EveryFigureHasTheMenuAndTheKeyboardReachesIt) {
     for (const char* name : {"a.svg", "a.pdf", "a.png", "a.csv"}) {
         EXPECT_EQ(menu->write(file(name), {}), QString()) << name;
     }
-    EXPECT_EQ(contents(file("a.csv")), "a,1.5\n");
+    EXPECT_EQ(contents(file("a.csv")),
+              "\xEF\xBB\xBF"
+              "a,1.5\n");
     const QImage picture(file("a.png"));
     EXPECT_EQ(picture.width(), printedWidth(square.size()));
     EXPECT_EQ(picture.pixelColor(0, 0), picture.pixelColor(15, 15));

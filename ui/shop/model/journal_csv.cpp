@@ -86,8 +86,7 @@ QString Journal::csvText(const QList<JournalJob>& jobs, const QLocale& locale) {
 }
 
 bool Journal::exportCsv(const QString& file, const QList<JournalJob>& jobs) {
-    const QByteArray text = QByteArrayLiteral("\xEF\xBB\xBF") + csvText(jobs).toUtf8();
-    error_ = writeFile(file, [&] { return text.toStdString(); });
+    error_ = writeFile(file, [&] { return CsvFormat::file(csvText(jobs)); });
     return error_.isEmpty();
 }
 
