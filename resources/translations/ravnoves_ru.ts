@@ -13818,6 +13818,14 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::NewCases</name>
     <message>
+        <source>How much can a balance shaft help?</source>
+        <translation>Насколько поможет балансирный вал?</translation>
+    </message>
+    <message>
+        <source>Which hinge can be made?</source>
+        <translation>Какой шарнир можно изготовить?</translation>
+    </message>
+    <message>
         <source>Preset: %1</source>
         <translation>Образец: %1</translation>
     </message>

@@ -15,24 +15,37 @@ namespace ravnoves {
 
 namespace {
 
-/// The titles of resources/examples, as they stand there: here they are found to be translated.
-[[maybe_unused]] constexpr std::array exampleTitles{
-    QT_TRANSLATE_NOOP("ravnoves::NewCases", "TMZ-650D: balance shaft at 45°"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases",
-                      "Single cylinder 88 × 75 mm: a balance shaft that fits and helps"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases", "Zotov and Sviridov 2021: formulas as printed"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases", "Zotov and Sviridov 2021: counterweight on the rod"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases", "Zotov and Sviridov 2021: guide that keeps the energy"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases",
-                      "Elastic hinge that can be made: softer spring, roller of 10 mm"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8 of 4.25 litres: repair with oversize pistons"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8 of 6 litres: improved pistons and rods"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8, 90°: bob weight and correction"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases",
-                      "V-8 4.25 l: plugs, bob weight, second run on the machine"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases", "Volkswagen VR5 at 6200 min⁻¹"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases", "Radial engine of nine cylinders"),
-};
+/// The titles of resources/examples, as they stand there, and what each answers.
+constexpr auto exampleTitles = std::to_array<std::pair<const char*, const char*>>({
+    {QT_TRANSLATE_NOOP("ravnoves::NewCases", "TMZ-650D: balance shaft at 45°"),
+     QT_TRANSLATE_NOOP("ravnoves::NewCases", "Where does my balance shaft go?")},
+    {QT_TRANSLATE_NOOP("ravnoves::NewCases",
+                       "Single cylinder 88 × 75 mm: a balance shaft that fits and helps"),
+     QT_TRANSLATE_NOOP("ravnoves::NewCases", "How much can a balance shaft help?")},
+    {QT_TRANSLATE_NOOP("ravnoves::NewCases", "Zotov and Sviridov 2021: formulas as printed"),
+     QT_TRANSLATE_NOOP("ravnoves::NewCases", "What do elastic hinges change?")},
+    {QT_TRANSLATE_NOOP("ravnoves::NewCases", "Zotov and Sviridov 2021: counterweight on the rod"),
+     QT_TRANSLATE_NOOP("ravnoves::NewCases", "Which counterweight does the rod need?")},
+    {QT_TRANSLATE_NOOP("ravnoves::NewCases",
+                       "Zotov and Sviridov 2021: guide that keeps the energy"),
+     QT_TRANSLATE_NOOP("ravnoves::NewCases", "Which guide keeps the crank speed constant?")},
+    {QT_TRANSLATE_NOOP("ravnoves::NewCases",
+                       "Elastic hinge that can be made: softer spring, roller of 10 mm"),
+     QT_TRANSLATE_NOOP("ravnoves::NewCases", "Which hinge can be made?")},
+    {QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8 of 4.25 litres: repair with oversize pistons"),
+     QT_TRANSLATE_NOOP("ravnoves::NewCases", "Which plugs compensate oversize pistons?")},
+    {QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8 of 6 litres: improved pistons and rods"),
+     QT_TRANSLATE_NOOP("ravnoves::NewCases", "Which plugs suit lighter pistons and rods?")},
+    {QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8, 90°: bob weight and correction"),
+     QT_TRANSLATE_NOOP("ravnoves::NewCases", "How heavy is the bob weight, and where do I drill?")},
+    {QT_TRANSLATE_NOOP("ravnoves::NewCases",
+                       "V-8 4.25 l: plugs, bob weight, second run on the machine"),
+     QT_TRANSLATE_NOOP("ravnoves::NewCases", "How is a whole job balanced?")},
+    {QT_TRANSLATE_NOOP("ravnoves::NewCases", "Volkswagen VR5 at 6200 min⁻¹"),
+     QT_TRANSLATE_NOOP("ravnoves::NewCases", "How much does a VR5 shake?")},
+    {QT_TRANSLATE_NOOP("ravnoves::NewCases", "Radial engine of nine cylinders"),
+     QT_TRANSLATE_NOOP("ravnoves::NewCases", "How much does a radial engine shake?")},
+});
 
 QString shown(const char* text) {
     return QCoreApplication::translate("ravnoves::NewCases", text);
@@ -70,8 +83,12 @@ std::vector<NewCase> newExamples() {
     for (const QString& name : folder.entryList(QDir::Files, QDir::Name)) {
         const QString path = folder.filePath(name);
         const CaseFile file = readInside(path);
+        const auto known = std::find_if(exampleTitles.begin(), exampleTitles.end(),
+                                        [&](const auto& each) { return each.first == file.title; });
         found.push_back({NewCase::Kind::Example, QString::fromStdString(file.scene),
-                         shown(file.title.c_str()), [path] { return readInside(path); }});
+                         shown(file.title.c_str()),
+                         known != exampleTitles.end() ? shown(known->second) : QString(),
+                         [path] { return readInside(path); }});
     }
     std::vector<NewCase> list;
     for (const SceneSolver& solver : scene_solvers()) {
@@ -92,13 +109,15 @@ std::vector<NewCase> newCases() {
         const QString path = QStringLiteral(":/templates/%1.case.json").arg(scene);
         if (QFile::exists(path)) {
             list.push_back(
-                {NewCase::Kind::Empty, scene,
-                 shown(QT_TRANSLATE_NOOP("ravnoves::NewCases", "Empty: round numbers to replace")),
+                {NewCase::Kind::Empty,
+                 scene,
+                 shown(QT_TRANSLATE_NOOP("ravnoves::NewCases", "Blank (placeholder values)")),
+                 {},
                  [path] { return readInside(path); }});
         }
         for (const auto& [title, input] : solver.presets()) {
             list.push_back(
-                {NewCase::Kind::Preset, scene, presetTitle(title), [scene, title, input] {
+                {NewCase::Kind::Preset, scene, presetTitle(title), {}, [scene, title, input] {
                      return CaseFile{scene.toStdString(), presetTitle(title).toStdString(), input};
                  }});
         }

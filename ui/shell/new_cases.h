@@ -16,8 +16,9 @@ struct NewCase {
         Example,  ///< a case of resources/examples
     };
     Kind kind;
-    QString scene;  ///< its word in case files
-    QString title;  ///< for menus and lists
+    QString scene;          ///< its word in case files
+    QString title;          ///< for menus and lists
+    QString question = {};  ///< of an example: what it answers
     /// Reads or writes it, without a path: it never overwrites what it came from.
     std::function<CaseFile()> make;
 };

@@ -2,10 +2,13 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QDateTime>
+#include <QDir>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLocale>
 #include <QPainter>
 #include <QScrollArea>
 #include <QSvgRenderer>
@@ -148,7 +151,7 @@ class SceneCard : public StartButton {
     mutable std::map<int, Texts> known_;  ///< by width
 };
 
-/// A line that leads to a case: an icon and a text, shortened where it does not fit.
+/// A line that leads to a case: an icon, a text and a pale detail, shortened where they do not fit.
 class StartLine : public StartButton {
   public:
     StartLine(const QString& icon, const QString& text, QWidget* parent) : StartButton(parent) {
@@ -158,9 +161,14 @@ class StartLine : public StartButton {
     }
 
     void setInk(Ink ink) { ink_ = ink; }
+    void setDetail(const QString& detail) {
+        detail_ = detail;
+        setAccessibleDescription(detail);
+        update();
+    }
 
     QSize sizeHint() const override {
-        return {fontMetrics().horizontalAdvance(shown()) + iconSide() + 4 * Theme::space,
+        return {fontMetrics().horizontalAdvance(shown() + detail_) + iconSide() + 4 * Theme::space,
                 fontMetrics().height() + 2 * Theme::gap};
     }
 
@@ -177,6 +185,14 @@ class StartLine : public StartButton {
         const QRect room(side + 3 * Theme::gap, 0, width() - side - 4 * Theme::gap, height());
         painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
                          fontMetrics().elidedText(shown(), Qt::ElideMiddle, room.width()));
+        const QRect beside =
+            room.adjusted(fontMetrics().horizontalAdvance(shown()) + 2 * Theme::space, 0, 0, 0);
+        if (beside.width() > 0) {
+            painter.setFont(font());
+            painter.setPen(theme.mutedText());
+            painter.drawText(beside, Qt::AlignLeft | Qt::AlignVCenter,
+                             fontMetrics().elidedText(detail_, Qt::ElideMiddle, beside.width()));
+        }
         if (hasFocus()) {
             painter.setRenderHint(QPainter::Antialiasing);
             painter.setPen(QPen(theme.accent(), 2.0));
@@ -189,7 +205,16 @@ class StartLine : public StartButton {
     int iconSide() const { return fontMetrics().height(); }
 
     Ink ink_ = &Theme::accent;
+    QString detail_;
 };
+
+QString folderOf(const QString& path) {
+    const QString folder = QFileInfo(path).absolutePath();
+    const QString home = QDir::homePath();
+    return folder == home || folder.startsWith(home + QLatin1Char('/'))
+               ? QLatin1Char('~') + folder.mid(home.size())
+               : folder;
+}
 
 /// When, whose, which engine, what the machine said.
 QString jobText(const Words& words, const JournalJob& job) {
@@ -230,9 +255,17 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
                                Theme::margin);
     layout->setSpacing(Theme::margin);
 
-    auto* heading = new QLabel(tr("What shall be balanced?"), content);
+    auto* heading = new QLabel(tr("What do you want to balance?"), content);
     heading->setFont(Theme::font(Theme::displaySize));
+    heading->setWordWrap(true);
     layout->addWidget(heading);
+    auto* purpose = new QLabel(
+        tr("Ravnoves computes the inertia forces of an engine and shows what a balance shaft, a "
+           "bob weight or a drilled hole changes: for engine designers, balancing shops and "
+           "students."),
+        content);
+    purpose->setWordWrap(true);
+    layout->addWidget(purpose);
 
     cards_ = new QGridLayout;
     cards_->setSpacing(Theme::margin);
@@ -277,10 +310,11 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     examplesBox_ = new QWidget(content);
     QVBoxLayout* examples = column(examplesBox_, tr("Examples"));
     for (const NewCase& each : newExamples()) {
-        auto* made = line(examples, QStringLiteral("scene-") + each.scene, each.title,
+        auto* made = line(examples, QStringLiteral("scene-") + each.scene, each.question,
                           QStringLiteral("start-example"),
                           [this, each] { Q_EMIT newRequested(each.make()); });
-        made->setToolTip(each.title);
+        made->setDetail(each.title);
+        made->setToolTip(each.question + QLatin1Char('\n') + each.title);
     }
     examples->addStretch();
     auto* journal = new QAction(this);
@@ -300,11 +334,10 @@ void StartPage::showRecent() {
     }
     QWidget* before = recent_->itemAt(fixed - 1)->widget();
     for (const QString& path : CaseDocument::recentPaths()) {
-        const QFileInfo file(path);
-        auto* made = new StartLine(QStringLiteral("save"), file.fileName(), recentBox_);
+        auto* made = new StartLine(QStringLiteral("save"), QFileInfo(path).fileName(), recentBox_);
         made->setObjectName(QStringLiteral("start-recent"));
+        made->setDetail(folderOf(path));
         made->setToolTip(path);
-        made->setAccessibleDescription(path);
         connect(made, &QAbstractButton::clicked, this,
                 [this, path] { Q_EMIT openRequested(path); });
         recent_->addWidget(made);
@@ -312,6 +345,21 @@ void StartPage::showRecent() {
         before = made;
     }
     recent_->addStretch();
+}
+
+void StartPage::showDates() {
+    for (int i = 0; i < recent_->count(); ++i) {
+        QWidget* line = recent_->itemAt(i)->widget();
+        if (line != nullptr && line->objectName() == QLatin1String("start-recent")) {
+            const QFileInfo file(line->toolTip());
+            const QString detail = folderOf(file.filePath());
+            static_cast<StartLine*>(line)->setDetail(
+                file.exists()
+                    ? detail + QStringLiteral(" · ") +
+                          QLocale().toString(file.lastModified().date(), QLocale::ShortFormat)
+                    : tr("%1 · not found").arg(detail));
+        }
+    }
 }
 
 void StartPage::showJobs() {
@@ -385,6 +433,7 @@ void StartPage::showEvent(QShowEvent* event) {
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {
     // After the first picture: a slow disk must not delay it.
     if (event->type() == QEvent::Paint && !std::exchange(isLooked_, true)) {
+        QMetaObject::invokeMethod(this, &StartPage::showDates, Qt::QueuedConnection);
         QMetaObject::invokeMethod(this, &StartPage::showJobs, Qt::QueuedConnection);
     }
     return QWidget::eventFilter(watched, event);

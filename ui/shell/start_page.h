@@ -19,6 +19,8 @@ class StartPage : public QWidget {
 
     /// The files opened last, anew.
     void showRecent();
+    /// When these files were written; needs the disk.
+    void showDates();
     /// The newest jobs of the journal, anew; nothing of a journal that cannot be opened.
     void showJobs();
 
@@ -47,7 +49,7 @@ class StartPage : public QWidget {
     QGridLayout* cards_;
     QWidget* jobsBox_;
     QVBoxLayout* jobs_;
-    bool isLooked_ = false;  ///< into the journal, since the page is shown
+    bool isLooked_ = false;  ///< into journal and files, since the page is shown
     QGridLayout* lists_;
     QWidget* recentBox_;
     QVBoxLayout* recent_;

@@ -148,6 +148,7 @@ TEST_F(StartPageTest, AnExampleIsACaseWithoutAFile) {
     const auto examples = page.findChildren<QAbstractButton*>(u"start-example"_s);
     EXPECT_EQ(examples.size(), exampleCount());
     for (QAbstractButton* each : examples) {
+        EXPECT_TRUE(each->text().endsWith(u'?')) << each->text().toStdString();
         each->click();
     }
     ASSERT_EQ(std::ssize(files), exampleCount());
@@ -169,6 +170,10 @@ TEST_F(StartPageTest, ListsTheFilesOpenedLast) {
     auto* recent = page.findChild<QAbstractButton*>(u"start-recent"_s);
     ASSERT_NE(recent, nullptr);
     EXPECT_EQ(recent->text(), u"двигатель.case.json"_s);
+    const QString written = QLocale().toString(QDate::currentDate(), QLocale::ShortFormat);
+    EXPECT_TRUE(QTest::qWaitFor([&] {
+        return recent->accessibleDescription() == folder.path() + u" · "_s + written;
+    })) << recent->accessibleDescription().toStdString();
     recent->click();
     EXPECT_EQ(paths, QStringList{path});
 }
