@@ -5611,6 +5611,30 @@
         <translation>должен быть столбец значений: столбцы считаются с 1</translation>
     </message>
     <message>
+        <source>bore</source>
+        <translation>диаметр цилиндра</translation>
+    </message>
+    <message>
+        <source>crank radius</source>
+        <translation>радиус кривошипа</translation>
+    </message>
+    <message>
+        <source>rod length</source>
+        <translation>длина шатуна</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>дезаксаж</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>частота вращения</translation>
+    </message>
+    <message>
+        <source>reciprocating mass</source>
+        <translation>возвратно-поступательная масса</translation>
+    </message>
+    <message>
         <source>Results use the value before the red entry.</source>
         <translation>Результаты — по значению до красного поля.</translation>
     </message>
@@ -12668,45 +12692,6 @@ but nothing can be built</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::InputComparison</name>
-    <message>
-        <source>Inputs against the reference</source>
-        <translation>Данные против эталона</translation>
-    </message>
-    <message>
-        <source>Inputs that differ</source>
-        <translation>Данные, которые отличаются</translation>
-    </message>
-    <message>
-        <source>Input</source>
-        <translation>Величина</translation>
-    </message>
-    <message>
-        <source>Present</source>
-        <translation>Сейчас</translation>
-    </message>
-    <message>
-        <source>Reference</source>
-        <translation>Эталон</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Ед.</translation>
-    </message>
-    <message>
-        <source>No reference is chosen.</source>
-        <translation>Эталон не выбран.</translation>
-    </message>
-    <message>
-        <source>The present input is that of the reference %1.</source>
-        <translation>Нынешние данные те же, что у эталона %1.</translation>
-    </message>
-    <message>
-        <source>Present input against the reference %1</source>
-        <translation>Нынешние данные против эталона %1</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::JobCard</name>
     <message>
         <source>The shop’s logo cannot be read, and the card is without it: %1</source>
@@ -13373,6 +13358,26 @@ but nothing can be built</source>
         <source>Save %1</source>
         <translation>Сохранить %1</translation>
     </message>
+    <message>
+        <source>Take the &amp;engine from</source>
+        <translation>Взять дви&amp;гатель из</translation>
+    </message>
+    <message>
+        <source>No other open case has an engine</source>
+        <translation>В других открытых задачах двигателя нет</translation>
+    </message>
+    <message>
+        <source>Take the engine from %1</source>
+        <translation>Взять двигатель из %1</translation>
+    </message>
+    <message>
+        <source>The engine is already the same as in %1.</source>
+        <translation>Двигатель уже такой же, как в %1.</translation>
+    </message>
+    <message>
+        <source>Copied from %1: %2.</source>
+        <translation>Скопировано из %1: %2.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::MatchingSheet</name>
@@ -13834,10 +13839,6 @@ but nothing can be built</source>
         <translation>Пример: %1</translation>
     </message>
     <message>
-        <source>Empty: round numbers to replace</source>
-        <translation>С чистого листа: круглые числа на замену</translation>
-    </message>
-    <message>
         <source>TMZ-650D: balance shaft at 45°</source>
         <translation>ТМЗ-650Д: балансирный вал под 45°</translation>
     </message>
@@ -13876,6 +13877,50 @@ but nothing can be built</source>
     <message>
         <source>V-8 4.25 l: plugs, bob weight, second run on the machine</source>
         <translation>V-8 4,25 л: заглушки, балансировочный груз, второй пуск на станке</translation>
+    </message>
+    <message>
+        <source>Where does my balance shaft go?</source>
+        <translation>Где поставить балансирный вал?</translation>
+    </message>
+    <message>
+        <source>What do elastic hinges change?</source>
+        <translation>Что меняют упругие шарниры?</translation>
+    </message>
+    <message>
+        <source>Which counterweight does the rod need?</source>
+        <translation>Какой противовес нужен шатуну?</translation>
+    </message>
+    <message>
+        <source>Which guide keeps the crank speed constant?</source>
+        <translation>Какая направляющая держит скорость кривошипа постоянной?</translation>
+    </message>
+    <message>
+        <source>Which plugs compensate oversize pistons?</source>
+        <translation>Какие заглушки компенсируют ремонтные поршни?</translation>
+    </message>
+    <message>
+        <source>Which plugs suit lighter pistons and rods?</source>
+        <translation>Какие заглушки подходят к облегчённым поршням и шатунам?</translation>
+    </message>
+    <message>
+        <source>How heavy is the bob weight, and where do I drill?</source>
+        <translation>Какова масса балансировочного груза и где сверлить?</translation>
+    </message>
+    <message>
+        <source>How is a whole job balanced?</source>
+        <translation>Как балансируют вал от начала до конца?</translation>
+    </message>
+    <message>
+        <source>How much does a VR5 shake?</source>
+        <translation>Насколько трясёт VR5?</translation>
+    </message>
+    <message>
+        <source>How much does a radial engine shake?</source>
+        <translation>Насколько трясёт звездообразный двигатель?</translation>
+    </message>
+    <message>
+        <source>Blank (placeholder values)</source>
+        <translation>Пустая (значения-заготовки)</translation>
     </message>
     <message>
         <source>Single cylinder 88 × 75 mm: a balance shaft that fits and helps</source>
@@ -14838,10 +14883,6 @@ but nothing can be built</source>
         <translation>Варианты</translation>
     </message>
     <message>
-        <source>Kept beside the present input: %1.</source>
-        <translation>Хранятся рядом с текущими исходными данными: %1.</translation>
-    </message>
-    <message>
         <source>Inputs and their tolerances</source>
         <translation>Исходные данные и допуски</translation>
     </message>
@@ -14880,10 +14921,6 @@ but nothing can be built</source>
     <message>
         <source>Samples solved: %1</source>
         <translation>Решено проб: %1</translation>
-    </message>
-    <message>
-        <source>Refused: %1 × %2</source>
-        <translation>Отклонено: %1 × %2</translation>
     </message>
     <message>
         <source>derived, see Help (F1)</source>
@@ -14934,8 +14971,16 @@ but nothing can be built</source>
         <translation>Графики и таблицы</translation>
     </message>
     <message>
-        <source>The results are seen against the variant %1: its curves are pale and wide, and Δ is the present value less its value.</source>
-        <translation>Результаты сопоставлены с вариантом %1: его кривые бледные и широкие, а Δ — текущее значение минус его значение.</translation>
+        <source>Only what differs is listed, inputs first; in brackets the difference from the reference. ★ marks the best.</source>
+        <translation>Перечислено только то, что отличается, сначала исходные данные; в скобках разность с эталоном. ★ отмечает лучшее.</translation>
+    </message>
+    <message>
+        <source>In the plots the curves of %1 are pale and wide.</source>
+        <translation>На графиках кривые %1 бледные и широкие.</translation>
+    </message>
+    <message>
+        <source>Rejected: %1 × %2</source>
+        <translation>Отклонено: %1 × %2</translation>
     </message>
 </context>
 <context>
@@ -15229,10 +15274,6 @@ but nothing can be built</source>
     <message>
         <source>The case no longer has this input, so the study runs without it. Remove it, or undo.</source>
         <translation>В задаче больше нет этой величины, поэтому исследование идёт без неё. Удалите допуск или отмените изменение.</translation>
-    </message>
-    <message>
-        <source>%1 (no longer in the case)</source>
-        <translation>%1 (в задаче больше нет)</translation>
     </message>
     <message>
         <source>0.02: uniform within ± 0.02. 1 %: uniform within ± 1 % of the value. σ 0.01: normal with this standard deviation.</source>
@@ -16135,10 +16176,6 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::StartPage</name>
     <message>
-        <source>What shall be balanced?</source>
-        <translation>Что уравновешиваем?</translation>
-    </message>
-    <message>
         <source>Files</source>
         <translation>Файлы</translation>
     </message>
@@ -16165,6 +16202,18 @@ but nothing can be built</source>
     <message>
         <source>unfinished</source>
         <translation>не закончена</translation>
+    </message>
+    <message>
+        <source>What do you want to balance?</source>
+        <translation>Что вы хотите уравновесить?</translation>
+    </message>
+    <message>
+        <source>Ravnoves computes the inertia forces of an engine and shows what a balance shaft, a bob weight or a drilled hole changes: for engine designers, balancing shops and students.</source>
+        <translation>Ravnoves вычисляет силы инерции двигателя и показывает, что меняют балансирный вал, балансировочный груз или высверленное отверстие: для конструкторов двигателей, балансировочных мастерских и студентов.</translation>
+    </message>
+    <message>
+        <source>%1 · not found</source>
+        <translation>%1 · не найден</translation>
     </message>
 </context>
 <context>
@@ -16220,6 +16269,10 @@ but nothing can be built</source>
     <message>
         <source>To use tolerances here, undo or clear the study by “Typical tolerances”, “Remove all”.</source>
         <translation>Чтобы использовать допуски здесь, отмените изменение или очистите исследование: «Типовые допуски», «Удалить все».</translation>
+    </message>
+    <message>
+        <source>%1 (no longer in the case)</source>
+        <translation>%1 (в задаче больше нет)</translation>
     </message>
 </context>
 <context>
@@ -16889,14 +16942,6 @@ but nothing can be built</source>
         <translation>Показывает одни нынешние данные; варианты остаются</translation>
     </message>
     <message>
-        <source>&amp;Compare inputs…</source>
-        <translation>С&amp;равнить данные…</translation>
-    </message>
-    <message>
-        <source>Which inputs differ from those of the reference, and by how much</source>
-        <translation>Какие данные отличаются от эталона и насколько</translation>
-    </message>
-    <message>
         <source>&amp;Swap with the present</source>
         <translation>&amp;Обменять с нынешним</translation>
     </message>
@@ -16941,16 +16986,8 @@ but nothing can be built</source>
         <translation>Варианты: эталон – %1</translation>
     </message>
     <message>
-        <source>%1 – refused: %2</source>
-        <translation>%1 – отклонён: %2</translation>
-    </message>
-    <message>
         <source>Show the present input against %1</source>
         <translation>Показать нынешние данные против %1</translation>
-    </message>
-    <message>
-        <source>Kept as variant %1; what changes from here on is shown against it.</source>
-        <translation>Сохранено как вариант %1; что изменится дальше, показывается против него.</translation>
     </message>
     <message>
         <source>Rename variant</source>
@@ -16965,12 +17002,20 @@ but nothing can be built</source>
         <translation>Варианты</translation>
     </message>
     <message>
-        <source>Side &amp;by side…</source>
-        <translation>Р&amp;ядом…</translation>
+        <source>&amp;Compare side by side…</source>
+        <translation>С&amp;равнить рядом…</translation>
     </message>
     <message>
-        <source>The results of the present input and of all variants in one table</source>
-        <translation>Результаты нынешних данных и всех вариантов в одной таблице</translation>
+        <source>Shows what differs between the present input and all variants, then their results</source>
+        <translation>Показывает, чем отличаются нынешние данные и все варианты, затем их результаты</translation>
+    </message>
+    <message>
+        <source>%1 – not accepted: %2</source>
+        <translation>%1 — не принят: %2</translation>
+    </message>
+    <message>
+        <source>Kept as variant %1; later changes are compared with it.</source>
+        <translation>Сохранено как вариант %1; дальнейшие изменения сравниваются с ним.</translation>
     </message>
 </context>
 <context>
@@ -16992,16 +17037,20 @@ but nothing can be built</source>
         <translation>Сейчас</translation>
     </message>
     <message>
-        <source>No variant is kept yet: Ctrl+K keeps the present input as one.</source>
-        <translation>Ни одного варианта ещё нет: Ctrl+K сохраняет нынешние данные как вариант.</translation>
-    </message>
-    <message>
         <source>%1 (reference)</source>
         <translation>%1 (эталон)</translation>
     </message>
     <message>
         <source>An input that differs.</source>
         <translation>Отличающееся исходное данное.</translation>
+    </message>
+    <message>
+        <source>★ marks the best.</source>
+        <translation>★ отмечает лучшее.</translation>
+    </message>
+    <message>
+        <source>No variants yet. Press Ctrl+K to keep the present input as a variant.</source>
+        <translation>Вариантов пока нет. Ctrl+K сохраняет нынешние данные как вариант.</translation>
     </message>
 </context>
 <context>

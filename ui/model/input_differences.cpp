@@ -13,7 +13,6 @@
 #include "text/key_words.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
-#include "text/result_row.h"
 #include "text/shown_units.h"
 
 namespace ravnoves {
@@ -65,6 +64,12 @@ int digitsOf(double now, double was) {
     return digits;
 }
 
+/// What was typed in another unit is the same to its last digits.
+bool isSame(double now, double was) {
+    constexpr double rounding = 1e-12;
+    return std::abs(now - was) <= rounding * std::max(std::abs(now), std::abs(was));
+}
+
 QString shownValue(const Json* value, const FieldEntry* entry, double factor, int digits) {
     if (value == nullptr || value->is_null()) {
         return {};
@@ -87,32 +92,7 @@ QString shownValue(const Json* value, const FieldEntry* entry, double factor, in
     return caseText(text);
 }
 
-/// So many decimals that the number shows its value, six at most beyond its first digits.
-int decimalsOf(double value, int digits) {
-    const QString text = formNumber(value, QLocale::c(), digits);
-    const qsizetype point = text.indexOf(QLatin1Char('.'));
-    return point < 0 || text.contains(QLatin1Char('e')) ? 0
-                                                        : static_cast<int>(text.size() - point) - 1;
-}
-
 }  // namespace
-
-QString InputDifference::absolute() const {
-    if (!presentValue || !referenceValue) {
-        return {};
-    }
-    const double value = *presentValue - *referenceValue;
-    const int decimals =
-        std::max(decimalsOf(*presentValue, digits), decimalsOf(*referenceValue, digits));
-    const QString shown = signedNumber(value, decimals);
-    return value != 0.0 && shown == QLatin1String("0") ? formNumber(value, QLocale(), 3) : shown;
-}
-
-QString InputDifference::percent() const {
-    return presentValue && referenceValue && !isCount && unit != QStringLiteral("°")
-               ? signedPercent(*presentValue - *referenceValue, *referenceValue)
-               : QString();
-}
 
 std::vector<InputDifference> inputDifferences(const SceneModel& model, const Json& reference) {
     Leaves present;
@@ -129,7 +109,7 @@ std::vector<InputDifference> inputDifferences(const SceneModel& model, const Jso
         const bool areNumbers =
             now != nullptr && was != nullptr && now->is_number() && was->is_number();
         if (now != nullptr && was != nullptr &&
-            (areNumbers ? now->get<double>() == was->get<double>() : *now == *was)) {
+            (areNumbers ? isSame(now->get<double>(), was->get<double>()) : *now == *was)) {
             return;
         }
         const FieldEntry* entry = names.described(pointer);
@@ -138,22 +118,16 @@ std::vector<InputDifference> inputDifferences(const SceneModel& model, const Jso
                                                            unit.factor * was->get<double>())
                            : unit.factor == 1.0 ? 10
                                                 : 7;
-        InputDifference difference{.pointer = pointer,
-                                   .name = names.name(pointer),
-                                   .unit = unit.name,
-                                   .present = shownValue(now, entry, unit.factor, digits),
-                                   .reference = shownValue(was, entry, unit.factor, digits),
-                                   .digits = digits};
-        const bool isInteger = areNumbers && now->is_number_integer() && was->is_number_integer();
         // Numbers of cylinders are names.
-        const bool isName = isInteger && entry != nullptr && entry->kind == FieldKind::list &&
+        const bool isName = areNumbers && now->is_number_integer() && was->is_number_integer() &&
+                            entry != nullptr && entry->kind == FieldKind::list &&
                             entry->field.unit == units::none;
-        difference.isCount = entry != nullptr && entry->kind == FieldKind::integer;
-        if (areNumbers && !isName) {
-            difference.presentValue = unit.factor * now->get<double>();
-            difference.referenceValue = unit.factor * was->get<double>();
-        }
-        differences.push_back(std::move(difference));
+        const auto cell = [&](const Json* value) {
+            const QString text = shownValue(value, entry, unit.factor, digits);
+            return areNumbers && !isName ? ResultCell(unit.factor * value->get<double>(), text)
+                                         : ResultCell(text);
+        };
+        differences.push_back({pointer, names.name(pointer), unit.name, cell(now), cell(was)});
     };
     for (const auto& [pointer, value] : present) {
         const auto found = there.find(pointer);
@@ -220,16 +194,34 @@ QString nameByDifferences(const SceneModel& model) {
         return {};
     }
     const auto differences = inputDifferences(model, model.variantInput(model.reference()));
-    constexpr std::size_t most = 2;
+    constexpr std::size_t most = 3;
     if (differences.empty() || differences.size() > most) {
         return {};
     }
     QStringList values;
     for (const InputDifference& each : differences) {
-        if (each.present.isEmpty()) {
+        if (each.present.text.isEmpty()) {
             return {};
         }
-        values << withUnit(each.present, each.unit);
+        values << withUnit(each.present.text, each.unit);
+    }
+    return values.join(QStringLiteral(", "));
+}
+
+QString designText(const SceneModel& model) {
+    constexpr int digits = 7;
+    const Json input = model.inputJson();
+    const FieldNames names = namesOf(model);
+    QStringList values;
+    for (const char* pointer : model.designInputs()) {
+        const Json::json_pointer at(pointer);
+        const FieldEntry* entry = names.described(pointer);
+        if (entry != nullptr && input.contains(at)) {
+            const ShownUnit unit = shownUnit(entry->field);
+            values << names.name(pointer) + QLatin1Char(' ') +
+                          withUnit(shownValue(&input.at(at), entry, unit.factor, digits),
+                                   unit.name);
+        }
     }
     return values.join(QStringLiteral(", "));
 }

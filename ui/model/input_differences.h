@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case-file/json_fwd.h"
+#include "text/result_row.h"
 #include "text/shown_units.h"
 
 namespace ravnoves {
@@ -16,25 +17,20 @@ struct InputDifference {
     std::string pointer;  ///< below "input"
     QString name;         ///< label of the field; of a list's element with its place, from 1
     QString unit;         ///< as the user wants it
-    QString present;      ///< as a person writes it; empty where it is not given
-    QString reference;    ///< likewise
-    // Where both are numbers, in the unit:
-    std::optional<double> presentValue = {};
-    std::optional<double> referenceValue = {};
-    int digits = 10;       ///< significant ones, with which both are shown
-    bool isCount = false;  ///< of what is counted a percentage says nothing
-
-    QString absolute() const;  ///< present − reference with its sign; empty where that is nothing
-    QString percent() const;   ///< of the reference
+    ResultCell present;   ///< as a person writes it; empty where it is not given
+    ResultCell reference;
 };
 
 /// Where the model's input and another of its scene differ, in the order of the case file, list
 /// elements one by one.
 std::vector<InputDifference> inputDifferences(const SceneModel& model, const Json& reference);
 
-/// What tells the present input from the reference, where that is a value or two: "60°, 90 mm";
-/// else empty.
+/// What tells the present input from the reference, where that is a few values: "60°, 90 mm"; else
+/// empty.
 QString nameByDifferences(const SceneModel& model);
+
+/// The values that say which design it is, SceneModel::designInputs(): "Shaft angle α 45°, …".
+QString designText(const SceneModel& model);
 
 /// A number of the input with its name in the form.
 struct InputNumber {

@@ -32,7 +32,7 @@ void ReferenceCase::follow() {
         if (model_ == nullptr || shown_ != variant.input) {
             // Anew: what its jobs had computed is of no other variant.
             model_ = present_->another(true);
-            model_->loadCase(present_->variantInput(place), present_->context(), variant.name);
+            model_->loadCase(parse_json(variant.input), present_->context(), variant.name);
             shown_ = variant.input;
             takeView();
             for (const auto signal :

@@ -10,7 +10,8 @@ namespace ravnoves {
 
 QString changedFilesText(const SceneModel& model, int variant) {
     QStringList names;
-    for (const std::string& name : changed_files(model.variantInput(variant), model.context())) {
+    for (const std::string& name :
+         changed_files(parse_json(model.variants().at(variant).input), model.context())) {
         names << QString::fromStdString(name);
     }
     return names.isEmpty() ? QString()

@@ -75,13 +75,34 @@ const ResultCell* cellOf(const std::vector<Named>& numbers, const QString& key) 
 
 /// The cell with its difference from the reference behind it.
 ResultCell against(const ResultCell& cell, const ResultCell* reference) {
-    const auto difference =
-        reference != nullptr && reference->text != cell.text ? cell.from(*reference) : std::nullopt;
+    const auto difference = reference != nullptr ? cell.from(*reference) : std::nullopt;
     ResultCell shown = cell;
-    if (difference && !difference->absolute.isEmpty()) {
+    if (difference) {
         shown.text += QStringLiteral(" (%1)").arg(difference->absolute);
     }
     return shown;
+}
+
+/// The row of several designs with a star at the best of them, where one is better than another.
+void markBest(ResultRow& row) {
+    std::vector<double> values;
+    for (const ResultCell& cell : row) {
+        if (const ResultNumber* number = cell.number(); number != nullptr && cell.isLeastBest) {
+            values.push_back(std::abs(number->value));
+        }
+    }
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    constexpr double rounding = 1e-9;
+    if (values.size() < 2 || *most - *least <= rounding * *most) {
+        return;
+    }
+    for (ResultCell& cell : row) {
+        const ResultNumber* number = cell.number();
+        if (number != nullptr && std::abs(number->value) - *least <= rounding * *most) {
+            cell.text.prepend(QStringLiteral("★ "));
+        }
+    }
+    row.tip += QLatin1Char('\n') + VariantTableWords::tr("★ marks the best.");
 }
 
 }  // namespace
@@ -127,7 +148,7 @@ Results variantResults(const SceneModel& model, QStringList& troubles) {
                                 : columns[i].title);
     }
     // The inputs that differ in any of them.
-    QList<std::pair<QString, QStringList>> inputs;
+    QList<std::pair<QString, QVector<ResultCell>>> inputs;
     for (std::size_t i = 1; i < columns.size(); ++i) {
         if (columns[i].input.is_null()) {
             continue;
@@ -137,8 +158,8 @@ Results variantResults(const SceneModel& model, QStringList& troubles) {
             auto row = std::find_if(inputs.begin(), inputs.end(),
                                     [&](const auto& known) { return known.first == name; });
             if (row == inputs.end()) {
-                inputs.append(
-                    {name, QStringList(static_cast<qsizetype>(columns.size()), each.present)});
+                inputs.append({name, QVector<ResultCell>(static_cast<qsizetype>(columns.size()),
+                                                         each.present)});
                 row = inputs.end() - 1;
             }
             row->second[static_cast<qsizetype>(i)] = each.reference;
@@ -147,8 +168,10 @@ Results variantResults(const SceneModel& model, QStringList& troubles) {
     for (const auto& [name, values] : inputs) {
         ResultRow row{name};
         for (std::size_t i = 0; i < columns.size(); ++i) {
-            row << ResultCell(columns[i].input.is_null() ? missing
-                                                         : values[static_cast<qsizetype>(i)]);
+            row << (columns[i].input.is_null()
+                        ? ResultCell(missing)
+                        : against(values[static_cast<qsizetype>(i)],
+                                  &values[static_cast<qsizetype>(reference)]));
         }
         row.tip = VariantTableWords::tr("An input that differs.");
         results.rows << row;
@@ -169,10 +192,9 @@ Results variantResults(const SceneModel& model, QStringList& troubles) {
         const ResultCell* base = cellOf(columns[reference].numbers, named.key);
         for (std::size_t i = 0; i < columns.size(); ++i) {
             const ResultCell* cell = cellOf(columns[i].numbers, named.key);
-            row << (cell == nullptr  ? ResultCell(missing)
-                    : i == reference ? *cell
-                                     : against(*cell, base));
+            row << (cell != nullptr ? against(*cell, base) : ResultCell(missing));
         }
+        markBest(row);
         results.rows << row;
     }
     return results;

@@ -1,7 +1,7 @@
 #include "report/case_parts.h"
 
 #include <QElapsedTimer>
-#include <QScrollArea>
+#include <QSet>
 #include <QTabWidget>
 #include <algorithm>
 #include <memory>
@@ -10,6 +10,7 @@
 
 #include "model/background_job.h"
 #include "model/reference_case.h"
+#include "page/mechanism_picture.h"
 #include "page/part_views.h"
 #include "page/scene_page.h"
 #include "pictures/figure.h"
@@ -127,21 +128,62 @@ QString nameOf(const PagePart& part, const ScenePage& page) {
     return {};
 }
 
-void addTable(ScenePage& page, const PagePart& part, const Results& results,
+/// Its differences from the reference stand in the table of variants.
+void addTable(const ScenePage& page, const PagePart& part, const Results& results,
               const PartSpread* spread, PageGroup& group) {
-    if (results.rows.isEmpty()) {
-        return;
-    }
     ResultTable table(nameOf(part, page), nullptr);
     table.setResults(results);
-    if (const auto reference = ofReference(*page.model(), part)) {
-        table.showReference(std::get_if<Results>(&*reference),
-                            page.model()->referenceCase().name());
-    }
     if (spread != nullptr) {
         table.setSpreads(spread->cells, spread->how);
     }
-    group.tables.push_back(tableOf(table));
+    // With all rows first: a spread knows its row by number.
+    for (int row = static_cast<int>(results.rows.size()); row-- > 0;) {
+        if (results.rows[row].isBlank()) {
+            table.removeRow(row);
+        }
+    }
+    if (table.rowCount() > 0) {
+        group.tables.push_back(tableOf(table));
+    }
+}
+
+Drawing sideBySide(const Drawing& left, const Drawing& right) {
+    return {left.caption + QStringLiteral(" · ") + right.caption,
+            left.description + QStringLiteral(" · ") + right.description,
+            QSize(left.size.width() + right.size.width(),
+                  std::max(left.size.height(), right.size.height())),
+            [left, right](QPainter& painter) {
+                left.draw(painter);
+                painter.translate(left.size.width(), 0);
+                right.draw(painter);
+            }};
+}
+
+/// The pictures: that of the mechanism is part of the answer, else the first two beside the tabs.
+void addPictures(ScenePage& page, Groups& groups, PageGroup& answer) {
+    std::vector<QWidget*> others;
+    for (QWidget* picture : page.findChildren<QWidget*>()) {
+        if (!isFigure(picture) || isEmptyFigure(picture) ||
+            qobject_cast<PlotView*>(picture) != nullptr) {
+            continue;
+        }
+        const QString tab = tabOf(picture, page.model()->parts());
+        if (!tab.isEmpty()) {
+            groups.at(tab).figures.push_back(drawingOf(picture));
+        } else if (qobject_cast<MechanismPicture*>(picture) != nullptr) {
+            answer.figures.push_back(drawingOf(picture));
+        } else {
+            others.push_back(picture);
+        }
+    }
+    auto rest = others.begin();
+    if (answer.figures.empty() && others.size() > 1) {
+        answer.figures.push_back(sideBySide(drawingOf(others[0]), drawingOf(others[1])));
+        rest += 2;
+    }
+    for (; rest != others.end(); ++rest) {
+        groups.at({}).figures.push_back(drawingOf(*rest));
+    }
 }
 
 void waitFor(const ScenePage& page, const Patience& patience, qint64 longest) {
@@ -169,7 +211,7 @@ Paragraph::Kind kindOf(Severity severity) {
     return Paragraph::Kind::Text;
 }
 
-std::vector<PageGroup> caseParts(ScenePage& page, const Patience& patience) {
+CaseParts caseParts(ScenePage& page, const Patience& patience) {
     SceneModel& model = *page.model();
     model.needParts();
     if (SceneModel* reference = model.referenceCase().model()) {
@@ -185,29 +227,31 @@ std::vector<PageGroup> caseParts(ScenePage& page, const Patience& patience) {
         });
         waitFor(page, patience, jobPatienceMs);
     }
+    PageGroup answer;
     Groups groups(page);
+    QSet<QString> said;
     for (const PagePart& part : model.parts()) {
         PageGroup& group = groups.at(
             QString::fromLatin1(part.tab.data(), static_cast<qsizetype>(part.tab.size())));
+        PageGroup& words = part.tab.empty() ? answer : group;
         const PartSpread* spread = bands != nullptr ? bands->spreadOf(part.id) : nullptr;
         const Content content = model.part(part.id);
         if (const auto* notes = std::get_if<Notes>(&content)) {
             for (const auto& [severity, line] : notes->lines) {
-                group.words.push_back(Paragraph{line.toHtmlEscaped(), kindOf(severity)});
+                if (!said.contains(line)) {
+                    said.insert(line);
+                    words.words.push_back(Paragraph{line.toHtmlEscaped(), kindOf(severity)});
+                }
             }
         } else if (const auto* results = std::get_if<Results>(&content)) {
-            addTable(page, part, *results, spread, group);
+            addTable(page, part, *results, spread, words);
         } else if (const auto* figure = std::get_if<Figure>(&content)) {
             addFigure(page, model, part, *figure, spread, group);
         }
         patience.wait();
     }
-    for (QWidget* picture : page.findChildren<QWidget*>()) {
-        if (isFigure(picture) && qobject_cast<PlotView*>(picture) == nullptr) {
-            groups.at(tabOf(picture, model.parts())).figures.push_back(drawingOf(picture));
-        }
-    }
-    return groups.take();
+    addPictures(page, groups, answer);
+    return {std::move(answer), groups.take()};
 }
 
 }  // namespace ravnoves

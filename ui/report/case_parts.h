@@ -11,7 +11,7 @@ namespace ravnoves {
 class Patience;
 class ScenePage;
 
-/// What stands on one tab of a page, or beside the tabs.
+/// What a page shows on one tab, or beside the tabs.
 struct PageGroup {
     QString title;  ///< plain; of the tab, empty beside them
     std::vector<report::Item> words;
@@ -21,11 +21,18 @@ struct PageGroup {
     bool isEmpty() const { return words.empty() && tables.empty() && figures.empty(); }
 };
 
+/// The answer for the first page, and all else by tabs.
+struct CaseParts {
+    PageGroup answer;
+    std::vector<PageGroup> groups;
+};
+
 /// As what a report shows a line that means this for the answer.
 report::Paragraph::Kind kindOf(Severity severity);
 
-/// What a page shows, part by part, with its pictures: those beside the tabs first, then tab by
-/// tab. Nothing of the page moves for it: plots and tables are made for the report alone.
-std::vector<PageGroup> caseParts(ScenePage& page, const Patience& patience);
+/// What a page shows, part by part, with its pictures. The answer is what stands beside the tabs:
+/// its words and tables, and the picture of the mechanism. Nothing of the page moves for it: plots
+/// and tables are made for the report alone.
+CaseParts caseParts(ScenePage& page, const Patience& patience);
 
 }  // namespace ravnoves

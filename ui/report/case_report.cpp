@@ -15,7 +15,6 @@
 #include "model/case_document.h"
 #include "model/case_sources.h"
 #include "model/input_differences.h"
-#include "model/variant_files.h"
 #include "model/variant_results.h"
 #include "page/scene_names.h"
 #include "page/scene_page.h"
@@ -248,65 +247,62 @@ void addValidation(Report& report, const QString& scene, const Patience& patienc
     }
 }
 
-/// The variants of the case, and how the present input differs from the one that the curves and
-/// tables are seen against.
+/// The present case and its variants, as far as they differ.
 void addVariants(Report& report, const SceneModel& model) {
     if (model.variants().isEmpty()) {
         return;
     }
     report.items.push_back(Heading{ReportWords::tr("Variants")});
-    QStringList names;
-    for (const Variant& variant : model.variants()) {
-        names << variant.name;
-    }
-    report.items.push_back(Paragraph{ReportWords::tr("Kept beside the present input: %1.")
-                                         .arg(shortened(names.join(QStringLiteral(", "))))
-                                         .toHtmlEscaped()});
-    for (int i = 0; i < names.size(); ++i) {
-        const QString changed = changedFilesText(model, i);
-        if (!changed.isEmpty()) {
-            report.items.push_back(
-                Paragraph{(shortened(names[i]) + QStringLiteral(": ") + changed).toHtmlEscaped(),
-                          Paragraph::Kind::Warning});
-        }
-    }
-    if (model.reference() >= 0) {
-        report.items.push_back(
-            Paragraph{ReportWords::tr("The results are seen against the variant %1: its curves are "
-                                      "pale and wide, and Δ is the present value less its value.")
-                          .arg(shortened(names[model.reference()]))
-                          .toHtmlEscaped()});
-    }
-    QStringList troubles;  // they are said above
+    QStringList troubles;
     const Results results = variantResults(model, troubles);
+    for (const QString& trouble : troubles) {
+        report.items.push_back(
+            Paragraph{shortened(trouble).toHtmlEscaped(), Paragraph::Kind::Warning});
+    }
     Table table;
     for (const ResultColumn& column : results.columns) {
         table.numbers << !table.headings.isEmpty();
         table.headings << column.heading.toHtmlEscaped();
     }
     for (const ResultRow& row : results.rows) {
+        const bool differs = std::any_of(row.begin() + 1, row.end(), [&](const ResultCell& cell) {
+            return cell.text != row[1].text;
+        });
         QStringList cells;
         for (const ResultCell& cell : row) {
             cells << shortened(cell.text).toHtmlEscaped();
         }
-        table.rows << cells;
+        if (differs) {
+            table.rows << cells;
+        }
     }
     table.isSmall = results.columns.size() > 4;
     report.items.push_back(std::move(table));
+    QString how = ReportWords::tr(
+        "Only what differs is listed, inputs first; in brackets the difference from the reference. "
+        "★ marks the best.");
+    if (model.reference() >= 0) {
+        how +=
+            QLatin1Char(' ') + ReportWords::tr("In the plots the curves of %1 are pale and wide.")
+                                   .arg(shortened(model.variants().at(model.reference()).name));
+    }
+    report.items.push_back(Paragraph{how.toHtmlEscaped(), Paragraph::Kind::Muted});
 }
 
 /// The answer: what holds, the picture, the leading results.
-void addAnswer(Report& report, const SceneModel& model, PageGroup& front) {
+void addAnswer(Report& report, const SceneModel& model, PageGroup& answer) {
     if (const std::optional<Verdict> verdict = model.verdictShown()) {
         report.items.push_back(Paragraph{
             (severityName(verdict->severity) + QStringLiteral(": ") + messageText(verdict->text))
                 .toHtmlEscaped(),
             kindOf(verdict->severity)});
     }
-    for (auto* part : {&front.figures, &front.tables, &front.words}) {
+    if (const QString design = designText(model); !design.isEmpty()) {
+        report.items.push_back(Paragraph{design.toHtmlEscaped()});
+    }
+    for (auto* part : {&answer.words, &answer.figures, &answer.tables}) {
         std::move(part->begin(), part->end(), std::back_inserter(report.items));
     }
-    front = {};
 }
 
 Report makeReport(ScenePage& page, CaseDocument& document, const ReportChoice& choice,
@@ -322,8 +318,8 @@ Report makeReport(ScenePage& page, CaseDocument& document, const ReportChoice& c
     report.subtitle =
         ReportWords::tr("Report of a calculation: %1").arg(sceneTitle(model.sceneName()));
     const Patience ofParts = patience.of(0.0, model.study().empty() ? 0.9 : 0.7);
-    std::vector<PageGroup> groups = caseParts(page, ofParts);
-    addAnswer(report, model, groups.front());
+    auto [answer, groups] = caseParts(page, ofParts);
+    addAnswer(report, model, answer);
     addVariants(report, model);
     if (!model.study().empty()) {
         patience.tell(ReportWords::tr("Tolerances"), 0.7);

@@ -1,11 +1,11 @@
 #include "report/figure_drawings.h"
 
 #include <QApplication>
+#include <QPicture>
 #include <QPointer>
 #include <QResizeEvent>
 #include <algorithm>
 
-#include "page/mechanism_picture.h"
 #include "pictures/figure.h"
 #include "plot/plot_view.h"
 #include "widgets/result_table.h"
@@ -16,9 +16,9 @@ using namespace report;
 
 namespace {
 
-constexpr int figureWidth = 660;   ///< pixels, of a plot
-constexpr int narrowWidth = 480;   ///< of one that is high
-constexpr int pictureWidth = 430;  ///< of a picture
+constexpr int figureWidth = 660;  ///< pixels, of a plot
+constexpr int narrowWidth = 480;  ///< of one that is high
+constexpr QSize mostOfPicture(660, 270);
 
 /// A cell's text as a fragment of HTML.
 QString cellHtml(const QString& text) {
@@ -75,16 +75,14 @@ Drawing drawingOf(std::shared_ptr<PlotView> plot) {
 }
 
 Drawing drawingOf(QWidget* picture) {
-    const double shape = static_cast<double>(picture->height()) / std::max(picture->width(), 1);
-    const int width = shape < 0.6 ? figureWidth : pictureWidth;
-    // On the page a mechanism is low, for the plots' sake.
-    const int least = qobject_cast<MechanismPicture*>(picture) != nullptr ? 340 : 160;
-    const QSize size(width, std::clamp(static_cast<int>(width * shape), least, 460));
+    // One that was never shown gets its place now.
+    QPicture nothing;
+    picture->render(&nothing);
+    const QSize size = picture->size().scaled(mostOfPicture, Qt::KeepAspectRatio);
     return {picture->accessibleName(), picture->accessibleDescription(), size,
             [picture = QPointer(picture), size](QPainter& painter) {
                 if (picture) {
-                    drawAt(picture, size,
-                           [&] { drawFigure(picture, painter, QRectF(QPointF(), QSizeF(size))); });
+                    drawFigure(picture, painter, QRectF(QPointF(), QSizeF(size)));
                 }
             }};
 }
@@ -102,15 +100,10 @@ Table tableOf(const ResultTable& table) {
         for (int column = 0; column < table.columnCount(); ++column) {
             const QTableWidgetItem* cell = table.item(row, column);
             cells << (cell != nullptr ? cellHtml(cell->text()) : QString());
-            QStringList parts = table.differenceAt(row, column);
-            parts.removeAll(QString());
-            if (!parts.isEmpty()) {
-                cells.last() += QStringLiteral("<br/><small>Δ %1</small>")
-                                    .arg(parts.join(QStringLiteral("; ")).toHtmlEscaped());
-            }
             const QString spread = table.spreadAt(row, column);
             if (!spread.isEmpty()) {
-                cells.last() += QStringLiteral("<br/><small>%1</small>").arg(spread);
+                cells.last() += QStringLiteral("\u00A0<small>%1</small>")
+                                    .arg(QString(spread).replace(u' ', QChar(0xA0)));
             }
         }
         shown.rows << cells;

@@ -49,18 +49,13 @@ QString shareText(const StudyAnswer& value, const studies::Watched& watched, dou
 Table givenTolerances(const StudyModel& study) {
     Table table;
     table.caption = ReportWords::tr("Inputs and their tolerances");
-    table.headings = {ReportWords::tr("Input"), ReportWords::tr("Value"), QStringLiteral("±"),
-                      ReportWords::tr("Unit")};
-    table.numbers = {false, true, true, false};
+    table.headings = {ReportWords::tr("Input"), ReportWords::tr("Value"), QStringLiteral("±")};
+    table.numbers = {false, true, true};
     for (const StudyModel::Input& input : study.inputs()) {
         if (input.varied) {
-            QStringList cells;
-            const double value = input.shown.factor * input.nominal;
-            for (const QString& text : {input.name, trueMinus(writtenOut(value, QLocale(), 8)),
-                                        StudyModel::scatterText(input), input.shown.name}) {
-                cells << text.toHtmlEscaped();
-            }
-            table.rows << cells;
+            table.rows << QStringList{StudyModel::nameText(input).toHtmlEscaped(),
+                                      StudyModel::nominalText(input).toHtmlEscaped(),
+                                      StudyModel::scatterShown(input).toHtmlEscaped()};
         }
     }
     return table;
@@ -170,7 +165,7 @@ void addTolerances(Report& report, SceneModel& model, const Patience& patience) 
                                          Paragraph::Kind::Muted});
     }
     for (const auto& [reason, count] : study.refused()) {
-        report.items.push_back(Paragraph{ReportWords::tr("Refused: %1 × %2")
+        report.items.push_back(Paragraph{ReportWords::tr("Rejected: %1 × %2")
                                              .arg(QLocale().toString(qulonglong(count)), reason)
                                              .toHtmlEscaped(),
                                          Paragraph::Kind::Muted});

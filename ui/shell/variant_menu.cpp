@@ -6,7 +6,6 @@
 #include "model/input_differences.h"
 #include "model/variant_files.h"
 #include "page/scene_page.h"
-#include "shell/input_comparison.h"
 #include "shell/variant_table.h"
 #include "theme/icons.h"
 #include "widgets/text_length.h"
@@ -27,13 +26,12 @@ VariantMenu::VariantMenu(QWidget* parent)
     none_->setCheckable(true);
     QAction* const end = addSeparator();
     end->setObjectName(QStringLiteral("end-of-list"));
-    table_ = add("table", tr("Side &by side…"), {},
-                 tr("The results of the present input and of all variants in one table"),
-                 &VariantMenu::showTable);
+    table_ =
+        add("table", tr("&Compare side by side…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D),
+            tr("Shows what differs between the present input and all variants, then their "
+               "results"),
+            &VariantMenu::showTable);
     onReference_ = {
-        add("compare", tr("&Compare inputs…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D),
-            tr("Which inputs differ from those of the reference, and by how much"),
-            &VariantMenu::compare),
         add("swap", tr("&Swap with the present"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_X),
             tr("Present input and reference change places"), &VariantMenu::swap),
         add("take", tr("&Take over"), {}, tr("The reference becomes the present input; it stays"),
@@ -125,8 +123,8 @@ void VariantMenu::fillList() {
         const QString trouble = model_->variantTrouble(i);
         QString text = model_->variants().at(i).name;
         text.replace(QLatin1Char('&'), QLatin1String("&&"));
-        auto* action =
-            new QAction(trouble.isEmpty() ? text : tr("%1 – refused: %2").arg(text, trouble), this);
+        auto* action = new QAction(
+            trouble.isEmpty() ? text : tr("%1 – not accepted: %2").arg(text, trouble), this);
         action->setObjectName(QStringLiteral("variant_%1").arg(i));
         const QString changed = trouble.isEmpty() ? changedFilesText(*model_, i) : QString();
         action->setToolTip(!trouble.isEmpty()  ? trouble
@@ -145,8 +143,7 @@ void VariantMenu::fillList() {
 void VariantMenu::keep() {
     model_->keepVariant(nameByDifferences(*model_));
     kept_ = model_->variants().constLast().name;
-    Q_EMIT page_->status(
-        tr("Kept as variant %1; what changes from here on is shown against it.").arg(kept_));
+    Q_EMIT page_->status(tr("Kept as variant %1; later changes are compared with it.").arg(kept_));
 }
 
 void VariantMenu::none() {
@@ -172,12 +169,6 @@ void VariantMenu::rename() {
 
 void VariantMenu::remove() {
     model_->removeVariant(model_->reference());
-}
-
-void VariantMenu::compare() {
-    auto* dialog = new InputComparison(page_, parentWidget());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->show();
 }
 
 void VariantMenu::showTable() {

@@ -34,7 +34,6 @@ class VariantMenu : public QMenu {
     void take();
     void rename();
     void remove();
-    void compare();
     void showTable();
     void say(const QString& trouble);
 

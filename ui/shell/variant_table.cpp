@@ -10,6 +10,7 @@
 #include "model/variant_results.h"
 #include "page/scene_page.h"
 #include "pictures/file_dialogs.h"
+#include "text/csv_format.h"
 #include "text/write_file.h"
 #include "widgets/dialog_size.h"
 #include "widgets/form_section.h"
@@ -55,13 +56,14 @@ void VariantTable::showVariants() {
     const SceneModel& model = *page_->model();
     QStringList troubles;
     table_->setResults(variantResults(model, troubles));
-    sayOrHide(words_, model.variants().isEmpty()
-                          ? tr("No variant is kept yet: Ctrl+K keeps the present input as one.")
-                          : troubles.join(QLatin1Char('\n')));
+    sayOrHide(words_,
+              model.variants().isEmpty()
+                  ? tr("No variants yet. Press Ctrl+K to keep the present input as a variant.")
+                  : troubles.join(QLatin1Char('\n')));
 }
 
 QString VariantTable::exportTo(const QString& path) const {
-    return writeFile(path, [this] { return table_->asCsv().toStdString(); });
+    return writeFile(path, [this] { return CsvFormat::file(table_->asCsv()); });
 }
 
 void VariantTable::saveWithDialog() {

@@ -83,13 +83,14 @@ ResultCell ResultCell::two(const QString& pattern, const ResultCell& first,
 
 std::optional<ShownDifference> ResultCell::from(const ResultCell& reference) const {
     if (numbers.isEmpty() || numbers.size() != reference.numbers.size() ||
-        pattern != reference.pattern) {
+        pattern != reference.pattern ||
+        std::equal(numbers.begin(), numbers.end(), reference.numbers.begin(),
+                   [](const ResultNumber& now, const ResultNumber& was) {
+                       return now.unit == was.unit && asShown(now) == asShown(was);
+                   })) {
         return std::nullopt;
     }
-    auto first = difference(numbers.front(), reference.numbers.front());
-    if (numbers.size() == 1 && first && asShown(numbers[0]) == asShown(reference.numbers[0])) {
-        first->percent.clear();  // "0" says it
-    }
+    const auto first = difference(numbers.front(), reference.numbers.front());
     const auto second = difference(numbers.back(), reference.numbers.back());
     if (numbers.size() == 1 || !first || !second) {
         return numbers.size() == 1 ? first : std::nullopt;
@@ -99,6 +100,21 @@ std::optional<ShownDifference> ResultCell::from(const ResultCell& reference) con
         pattern.arg(first->absolute,
                     isPercent ? withUnit(second->absolute, unitText("%")) : second->absolute),
         second->percent.isEmpty() ? first->percent : pattern.arg(first->percent, second->percent)};
+}
+
+bool ResultRow::isBlank() const {
+    bool hasNumber = false;
+    for (qsizetype column = 1; column < size(); ++column) {
+        for (const ResultNumber& number : at(column).numbers) {
+            if (number.value != 0.0) {
+                return false;
+            }
+            hasNumber = true;
+        }
+    }
+    constexpr qsizetype nameValueUnit = 3;
+    return hasNumber ? size() > nameValueUnit
+                     : value(1).text.isEmpty() || value(1).text == QChar(0x2013);
 }
 
 ResultCell shownCell(double si, const Unit& unit, int decimals) {

@@ -42,14 +42,15 @@ struct ResultCell {
     operator const QString&() const { return text; }
     /// The only number; null where there is none or two.
     const ResultNumber* number() const { return numbers.size() == 1 ? &numbers.front() : nullptr; }
-    /// Nothing where there is nothing to compare.
+    /// Nothing where there is nothing to compare, or nothing that differs.
     std::optional<ShownDifference> from(const ResultCell& reference) const;
     friend bool operator==(const ResultCell& a, const ResultCell& b) { return a.text == b.text; }
     friend bool operator==(const ResultCell& a, const QString& b) { return a.text == b; }
 
     QString text;
     QVector<ResultNumber> numbers;
-    QString pattern;  ///< of two
+    QString pattern;           ///< of two
+    bool isLeastBest = false;  ///< of several designs the one with the smallest number is the best
 };
 
 /// A row of such a table, its name first.
@@ -61,6 +62,8 @@ struct ResultRow : QVector<ResultCell> {
     QStringList texts() const { return {begin(), end()}; }
     /// By which another table has the same row.
     QString key() const { return name.isEmpty() ? value(0).text : name; }
+    /// It says nothing: it has no number, or nothing but 0 in several columns.
+    bool isBlank() const;
 
     QString tip;   ///< what the result is, with its formula
     QString name;  ///< its key(); empty: the text of the first cell

@@ -947,7 +947,7 @@ TEST_F(Tolerances, StandInTheReport) {
     EXPECT_EQ(figures, 1);
     ASSERT_EQ(tables.size(), 2U);
     EXPECT_EQ(tables[0].rows.size(), 1);
-    EXPECT_EQ(tables[0].rows[0][2], u"1"_s);
+    EXPECT_EQ(tables[0].rows[0][2], u"1\u00a0mm"_s);
     const StudyAnswer& shown = tolerances->model()->answers()->values.at(0);
     EXPECT_EQ(tables[1].rows[0][4], shown.text(shown.deviation, 1.0));
 }

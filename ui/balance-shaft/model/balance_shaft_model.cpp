@@ -337,9 +337,10 @@ Results BalanceShaftModel::criteria() const {
     const auto moment = [](double value) { return shownCell(value, units::N_m, 1); };
     const auto row = [&](const QString& name, double MomentMetrics::*value,
                          const ResultCell& change, const QString& tip) {
-        return ResultRow({name, moment(result().M_up.*value), moment(result().M_s.*value),
-                          moment(result().M_ups.*value), change},
-                         tip);
+        ResultCell ups = moment(result().M_ups.*value);
+        ups.isLeastBest = value == &MomentMetrics::range || value == &MomentMetrics::rms;
+        return ResultRow(
+            {name, moment(result().M_up.*value), moment(result().M_s.*value), ups, change}, tip);
     };
     double scale = 0.0;
     for (const MomentMetrics* each : {&result().M_up, &result().M_s, &result().M_ups}) {

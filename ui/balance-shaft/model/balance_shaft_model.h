@@ -158,6 +158,9 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     QString doubtsText() const;
     Verdict verdict() const { return balance_shaft::verdict(result()); }
     std::optional<Verdict> verdictShown() const override { return verdict(); }
+    std::vector<const char*> designInputs() const override {
+        return {"/shaft_angle_deg", "/centre_distance_mm", "/counterweight_radius_mm"};
+    }
     std::vector<std::string> usualObjects() const override { return {"/envelope"}; }
 
   private:

@@ -380,6 +380,7 @@ Results ElasticHingeModel::quantities() const {
     if (with > 0.0 && std::isfinite(reduction)) {
         sideForce.text += QStringLiteral(" (÷ ") + number(reduction, 1) + QLatin1Char(')');
     }
+    sideForce.isLeastBest = true;
     const Unit weight = input().masses_as_weights ? units::newton : units::kg;
     const double counterweight =
         result().counterweight_mass * (input().masses_as_weights ? input().gravity : 1.0);

@@ -110,6 +110,9 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
 
     Verdict verdict() const;
     std::optional<Verdict> verdictShown() const override { return verdict(); }
+    std::vector<const char*> designInputs() const override {
+        return {"/crank_radius_mm", "/lambda", "/angular_speed_rad_s"};
+    }
     /// How guides are exported.
     struct GuideExport {
         elastic_hinge::Hinge hinge = elastic_hinge::Hinge::crank;

@@ -409,7 +409,7 @@ constexpr std::array makers{
           made<&Model::rotatingResults>},
     Maker{{.id = "shafts", .tab = "table-shafts", .isAnswer = true}, made<&Model::shaftResults>},
     Maker{{.id = "weights", .tab = "table-weights", .isAnswer = true}, made<&Model::weightResults>},
-    Maker{{.id = "left", .tab = "table-left", .isAnswer = true}, made<&Model::remainingResults>},
+    Maker{{.id = "left", .isAnswer = true}, made<&Model::remainingResults>},
     Maker{{.id = "hodograph-forces", .tab = "hodographs"}, made<hodographOfForces>},
     Maker{{.id = "hodograph-moments", .tab = "hodographs"}, made<hodographOfMoments>},
     Maker{{.id = "roll", .tab = "roll"}, made<roll>},

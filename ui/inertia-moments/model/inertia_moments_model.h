@@ -150,6 +150,10 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     Results remainingResults() const;
     Verdict verdict() const { return inertia_moments::verdict(input(), result()); }
     std::optional<Verdict> verdictShown() const override { return verdict(); }
+    std::vector<const char*> designInputs() const override {
+        return {"/layout/type", "/layout/name", "/layout/cylinders", "/crank_radius_mm",
+                "/speed_rpm"};
+    }
 
   Q_SIGNALS:
     void tabChanged(InertiaMomentsModel::Tabs group, int index);

@@ -271,16 +271,17 @@ Results InertiaMomentsModel::remainingResults() const {
     ResultRows& rows = results.rows;
     const auto cells = [](double was, double is, double scale, const Unit& unit) {
         const bool isZero = !(was > inertia_moments::zero_share * scale);
-        return QVector<ResultCell>{figure(was, scale, unit), figure(is, scale, unit),
+        ResultCell left = figure(is, scale, unit);
+        left.isLeastBest = true;
+        return QVector<ResultCell>{figure(was, scale, unit), left,
                                    isZero ? ResultCell(dash) : percent(is / was)};
     };
     for (std::size_t i = 0; i < result().unbalanced.orders.size(); ++i) {
         const EngineOrder& before = result().unbalanced.orders[i];
         const EngineOrder& after = result().remaining.orders[i];
-        addOrder(
-            rows, before.order,
-            cells(before.force.max(), after.force.max(), before.force_scale, units::newton),
-            cells(before.moment.max(), after.moment.max(), before.moment_scale, units::N_m));
+        addOrder(rows, before.order,
+                 cells(before.force.max(), after.force.max(), before.force_scale, units::newton),
+                 cells(before.moment.max(), after.moment.max(), before.moment_scale, units::N_m));
     }
     return results;
 }

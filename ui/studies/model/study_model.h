@@ -63,6 +63,10 @@ class StudyModel : public QObject {
 
     /// "0.02", "1 %", "σ 0.5", in the unit of its field; empty where the input does not scatter.
     static QString scatterText(const Input& input);
+    /// With its unit, as it is shown.
+    static QString scatterShown(const Input& input);
+    /// Its name; of one that is gone with a word on that.
+    static QString nameText(const Input& input);
     /// Its value with that unit; a dash where it is gone.
     static QString nominalText(const Input& input);
     /// Takes the same of some inputs by their pointers, as one step; an empty text takes an input

@@ -55,6 +55,16 @@ QString StudyModel::scatterText(const Input& input) {
     return {};
 }
 
+QString StudyModel::scatterShown(const Input& input) {
+    const QString scatter = scatterText(input);
+    return scatter.isEmpty() || scatter.endsWith(u'%') ? scatter
+                                                       : withUnit(scatter, input.shown.name);
+}
+
+QString StudyModel::nameText(const Input& input) {
+    return input.isGone ? tr("%1 (no longer in the case)").arg(input.name) : input.name;
+}
+
 QString StudyModel::nominalText(const Input& input) {
     if (input.isGone) {
         return QStringLiteral("–");

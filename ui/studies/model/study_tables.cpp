@@ -140,15 +140,10 @@ QVariant ScatterTable::data(const QModelIndex& index, int role) const {
 
 QString ScatterTable::text(int row, int column, bool isEdited) const {
     const StudyModel::Input& shown = input(row);
-    if (column == Name) {
-        return shown.isGone ? tr("%1 (no longer in the case)").arg(shown.name) : shown.name;
-    }
-    if (column == Nominal) {
-        return StudyModel::nominalText(shown);
-    }
-    const QString scatter = StudyModel::scatterText(shown);
-    const bool hasUnit = isEdited || scatter.isEmpty() || scatter.endsWith(u'%');
-    return hasUnit ? scatter : withUnit(scatter, shown.shown.name);
+    return column == Name      ? StudyModel::nameText(shown)
+           : column == Nominal ? StudyModel::nominalText(shown)
+           : isEdited          ? StudyModel::scatterText(shown)
+                               : StudyModel::scatterShown(shown);
 }
 
 QString ScatterTable::write(int row, int /*column*/, const std::vector<QStringList>& cells) {

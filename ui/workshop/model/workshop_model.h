@@ -65,6 +65,9 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     void takePlace(const Json& place) override;
     CaseFile asNew(const CaseFile& file) const override;
     std::optional<Verdict> verdictShown() const override { return solved().verdict; }
+    std::vector<const char*> designInputs() const override {
+        return {"/job/engine_number", "/job/customer", "/job/date"};
+    }
     std::vector<std::string> replacedInputs() const override;
     bool setViewOption(const QString& key, const QString& value) override;
     QString jobName() const override;
