@@ -62,7 +62,7 @@ TEST(SharedEngine, KeepsTheRodWhereAnotherGivesNone) {
     EXPECT_EQ(input["crank_radius_mm"], 40.0);
     EXPECT_EQ(input["lambda"], 0.2);
     ASSERT_EQ(changed.size(), 1U) << "the rod is as long as before";
-    EXPECT_EQ(changed[0].english, "crank radius");
+    EXPECT_STREQ(changed[0].english, "crank radius");
     EXPECT_EQ(input["angular_speed_rad_s"], 100.0);
 }
 
