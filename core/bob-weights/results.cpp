@@ -261,15 +261,18 @@ Verdict verdict(const Input& input, const Result& result,
                 const std::array<std::string, 2>& plane_names) {
     Verdict verdict{
         Severity::note,
-        {input.engine.crankpins() == 1
-             ? CORE_TEXT("bob-weights", "Hang a bob weight of %1 on the crankpin.")
-             : CORE_TEXT("bob-weights", "Hang bob weights of %1 on the %2 crankpins."),
-         Number{*result.bob_weight / units::gram, units::gram, -1}, input.engine.crankpins()}};
-    if (balances_itself(input.engine)) {
-        verdict.text = {CORE_TEXT("bob-weights",
-                                  "No bob weights are needed: the crankpins balance one another. "
-                                  "Where they are hung, each weighs %1."),
-                        Number{*result.bob_weight / units::gram, units::gram, -1}};
+        CORE_TEXT("bob-weights", "No bob weights are needed: the crankpins balance one another.")};
+    if (result.bob_weight) {
+        const Number weight{*result.bob_weight / units::gram, units::gram, -1};
+        verdict.text = {
+            balances_itself(input.engine)
+                ? CORE_TEXT("bob-weights",
+                            "No bob weights are needed: the crankpins balance one another. "
+                            "Where they are hung, each weighs %1.")
+            : input.engine.crankpins() == 1
+                ? CORE_TEXT("bob-weights", "Hang a bob weight of %1 on the crankpin.")
+                : CORE_TEXT("bob-weights", "Hang bob weights of %1 on the %2 crankpins."),
+            weight, input.engine.crankpins()};
     }
     const RunResult* newest = result.newest();
     if (newest != nullptr && result.holds() && newest->is_read()) {

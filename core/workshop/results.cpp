@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bob-weights/results.h"
+#include "bob-weights/factor_theory.h"
 #include "shop/results.h"
 #include "shop/sentences.h"
 #include "v8-plugs/results.h"
@@ -57,7 +58,9 @@ Verdict verdict(const Input& input, const Result& result) {
                 {CORE_TEXT("workshop", "STOP. %1"), blocking->text},
                 blocking->rule->act};
     }
-    if (!result.shaft.bob_weight || (result.plugs && !result.plugs->advice)) {
+    const bool is_known =
+        result.shaft.bob_weight || (!input.plugs && bob_weights::balances_itself(input.engine));
+    if (!is_known || (result.plugs && !result.plugs->advice)) {
         return {Severity::note,
                 CORE_TEXT("workshop", "Enter the missing values of engine and parts.")};
     }

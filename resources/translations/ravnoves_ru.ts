@@ -333,10 +333,6 @@
         <translation>Карта работ: балансировка</translation>
     </message>
     <message>
-        <source>No bob weight: correct what is wrong first.</source>
-        <translation>Балансировочного груза нет: сначала исправьте ошибку.</translation>
-    </message>
-    <message>
         <source>Ravnoves %1 · ISO 21940-11 · %2</source>
         <translation>Ravnoves %1 · ISO 21940-11 · %2</translation>
     </message>
@@ -347,6 +343,26 @@
     <message>
         <source>Sheet 5: enter position and radius of both planes.</source>
         <translation>Лист 5: введите положение и радиус обеих плоскостей.</translation>
+    </message>
+    <message>
+        <source>STOP: no bob weight yet</source>
+        <translation>СТОП: балансировочного груза пока нет</translation>
+    </message>
+    <message>
+        <source>Bob weight with the nearest option: %1</source>
+        <translation>Балансировочный груз с ближайшим вариантом: %1</translation>
+    </message>
+    <message>
+        <source>No bob weights are needed</source>
+        <translation>Балансировочные грузы не нужны</translation>
+    </message>
+    <message>
+        <source>The crankpins balance one another.</source>
+        <translation>Шатунные шейки уравновешивают друг друга.</translation>
+    </message>
+    <message>
+        <source>No bob weights are needed: the crankpins balance one another. Where they are hung:</source>
+        <translation>Балансировочные грузы не нужны: шатунные шейки уравновешивают друг друга. Если их навешивают:</translation>
     </message>
 </context>
 <context>
@@ -993,10 +1009,6 @@
         <translation>Цилиндр, из которого приходит шатун</translation>
     </message>
     <message>
-        <source>Take off, %1</source>
-        <translation>Снять, %1</translation>
-    </message>
-    <message>
         <source>Crankpins differ by %1 as they are now and by %2 after moving %3 sets more.</source>
         <translation>Шатунные шейки различаются на %1 как стоят сейчас и на %2, если переставить ещё комплектов: %3.</translation>
     </message>
@@ -1059,6 +1071,10 @@
     <message>
         <source>Too many placings to try all: this is the best found.</source>
         <translation>Расстановок слишком много, чтобы перебрать все: это лучшая из найденных.</translation>
+    </message>
+    <message>
+        <source>Part no.</source>
+        <translation>Деталь №</translation>
     </message>
 </context>
 <context>
@@ -1941,6 +1957,14 @@
     <message>
         <source>changes of mass (sheet 2) or weights of the parts (sheet 3)</source>
         <translation>изменения масс (лист 2) или веса деталей (лист 3)</translation>
+    </message>
+    <message>
+        <source>The values do not go together.</source>
+        <translation>Значения не согласуются.</translation>
+    </message>
+    <message>
+        <source>Still needed for the plugs: %1.</source>
+        <translation>Для заглушек ещё нужно: %1.</translation>
     </message>
 </context>
 <context>
@@ -4958,6 +4982,10 @@
     <message>
         <source>No bob weights are needed: the crankpins balance one another. Where they are hung, each weighs %1.</source>
         <translation>Балансировочные грузы не нужны: шатунные шейки уравновешивают друг друга. Если их всё же навешивают, каждый весит %1.</translation>
+    </message>
+    <message>
+        <source>No bob weights are needed: the crankpins balance one another.</source>
+        <translation>Балансировочные грузы не нужны: шатунные шейки уравновешивают друг друга.</translation>
     </message>
     <message>
         <source>Four in line</source>
@@ -13040,14 +13068,6 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::MachineSheet</name>
     <message>
-        <source>Balancing machine</source>
-        <translation>Балансировочный станок</translation>
-    </message>
-    <message>
-        <source>Type two names, such as left / right.</source>
-        <translation>Введите два названия, например левая / правая.</translation>
-    </message>
-    <message>
         <source>Planes</source>
         <translation>Плоскости</translation>
     </message>
@@ -17215,14 +17235,6 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::WorkshopModel</name>
     <message>
-        <source>STOP: no bob weight yet</source>
-        <translation>СТОП: балансировочного груза пока нет</translation>
-    </message>
-    <message>
-        <source>Still needed for the bob weight: %1</source>
-        <translation>Для балансировочного груза ещё нужно: %1</translation>
-    </message>
-    <message>
         <source>Counts once every cylinder is weighed.</source>
         <translation>Считается, когда взвешены все цилиндры.</translation>
     </message>
@@ -17367,14 +17379,6 @@ but nothing can be built</source>
         <translation>Массы заглушек — как напечатано в статье. Для напечатанных резьб они слишком малы: взвесьте заглушки и введите показания весов.</translation>
     </message>
     <message>
-        <source>The values do not go together.</source>
-        <translation>Значения не согласуются.</translation>
-    </message>
-    <message>
-        <source>Still needed for the plugs: %1.</source>
-        <translation>Для заглушек ещё нужно: %1.</translation>
-    </message>
-    <message>
         <source>Excess Δmᵤ: %1, %2</source>
         <translation>Неуравновешенная масса Δmᵤ: %1, %2</translation>
     </message>
@@ -17495,20 +17499,12 @@ but nothing can be built</source>
         <translation>остаток, г·мм</translation>
     </message>
     <message>
-        <source>Bob weight with the nearest option: %1</source>
-        <translation>Балансировочный груз с ближайшим вариантом: %1</translation>
-    </message>
-    <message>
         <source>STOP: drill nothing before the line at the top is settled.</source>
         <translation>СТОП: ничего не сверлите, пока не улажено то, что стоит в верхней строке.</translation>
     </message>
     <message>
         <source>Not to be used: bob weight %1.</source>
         <translation>Не использовать: балансировочный груз %1.</translation>
-    </message>
-    <message>
-        <source>None are needed: the crankpins balance one another. Where they are hung:</source>
-        <translation>Не нужны: шатунные шейки уравновешивают друг друга. Если их навешивают:</translation>
     </message>
 </context>
 <context>
@@ -18695,6 +18691,17 @@ but nothing can be built</source>
     <message>
         <source>Tolerance: %1</source>
         <translation>Допуск: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::WorkshopSheet</name>
+    <message>
+        <source>Balancing machine</source>
+        <translation>Балансировочный станок</translation>
+    </message>
+    <message>
+        <source>Type two names, such as left / right.</source>
+        <translation>Введите два названия, например левая / правая.</translation>
     </message>
 </context>
 </TS>

@@ -13,6 +13,7 @@
 #include "text/preferences.h"
 #include "theme/theme.h"
 #include "widgets/layouts.h"
+#include "workshop/sheets.h"
 
 namespace ravnoves {
 
@@ -111,9 +112,11 @@ void SettingsDialog::build() {
               [](const QVariant& count) { Preferences::instance().setDigits(count.toInt()); });
 
     addUnits();
+    rows_->addRow(new MachineSettings(content_));
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, content_);
     buttons->button(QDialogButtonBox::Close)->setIcon({});  // black on black in the dark theme
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);  // Enter ends an entry
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     rows_->addRow(buttons);
     if (auto* again = content_->findChild<QWidget*>(focused);

@@ -15,6 +15,7 @@
 #include "theme/theme.h"
 #include "workshop/fields.h"
 #include "workshop/model/bob_text.h"
+#include "workshop/model/shop_machine.h"
 #include "workshop/sheets.h"
 
 namespace ravnoves {
@@ -36,29 +37,7 @@ QString planeNames(const QString& typed) {
 
 }  // namespace
 
-MachineSheet::MachineSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(model, parent) {
-    buildRuns();
-    // Beside the readings: by another convention a hole is drilled on the wrong side.
-    QLabel* convention = line(Theme::baseSize, [this] {
-        return bob_text::machineText(Words(), model_->input().machine);
-    });
-    convention->setObjectName(QStringLiteral("machine_convention"));
-    addHold([this] { return model_->otherRunText(); }, [this] { model_->confirmReadings(); },
-            readings_);
-    buildPlanes();
-    buildTolerance();
-    buildMachine();
-    finish();
-}
-
-QWidget* MachineSheet::nextReading() const {
-    const auto next = std::find_if(readings_.begin(), readings_.end(), [](NumberField* each) {
-        return each->isVisible() && !each->value();
-    });
-    return next == readings_.end() ? nullptr : *next;
-}
-
-void MachineSheet::buildMachine() {
+void WorkshopSheet::addMachine() {
     section(tr("Balancing machine"));
     checked(
         workshop::field::plane_names,
@@ -80,10 +59,44 @@ void MachineSheet::buildMachine() {
     wide(choice("/machine/counts"), 240);
     wide(choice("/machine/shows"), 240);
     text("/machine/zero");
+}
+
+MachineSettings::MachineSettings(QWidget* parent)
+    : WorkshopSheet(new WorkshopModel(QString()), parent) {
+    model_->setParent(this);
+    model_->edit({}, [](workshop::Input& job) { job.machine = ShopMachine::instance().kept(); });
+    connect(model_, &SceneModel::changed, this,
+            [this] { ShopMachine::instance().keep(model_->input().machine); });
+    addMachine();
+    finish();
+}
+
+MachineSheet::MachineSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(model, parent) {
+    buildRuns();
+    // Beside the readings: by another convention a hole is drilled on the wrong side.
+    QLabel* convention = line(Theme::baseSize, [this] {
+        return bob_text::machineText(Words(), model_->input().machine);
+    });
+    convention->setObjectName(QStringLiteral("machine_convention"));
+    addHold([this] { return model_->otherRunText(); }, [this] { model_->confirmReadings(); },
+            readings_);
+    buildPlanes();
+    buildTolerance();
+    addMachine();
     QPushButton* keep =
         button("keep_machine", tr("Make it the shop's own &machine"),
                tr("New jobs begin with this set-up."), [this] { model_->keepMachine(); });
-    follow([this, keep] { keep->setVisible(!model_->isShopsMachine()); });
+    const auto show = [this, keep] { keep->setVisible(!model_->isShopsMachine()); };
+    follow(show);
+    connect(&ShopMachine::instance(), &ShopMachine::changed, keep, show);
+    finish();
+}
+
+QWidget* MachineSheet::nextReading() const {
+    const auto next = std::find_if(readings_.begin(), readings_.end(), [](NumberField* each) {
+        return each->isVisible() && !each->value();
+    });
+    return next == readings_.end() ? nullptr : *next;
 }
 
 /// Headings of columns that are of planes follow their names.

@@ -26,6 +26,8 @@ class WorkshopSheet : public SheetForm {
     /// A grid over the whole width with its headings, and the line for what is refused in it.
     std::pair<QGridLayout*, TroubleLine*> grid(const QStringList& headings);
     NumberField* cell(const Field& field, const QString& name, const QString& spoken);
+    /// How the balancing machine is set up.
+    void addMachine();
 
     WorkshopModel* model_;
 };
@@ -110,12 +112,19 @@ class MachineSheet : public WorkshopSheet {
     void buildRuns();
     void buildPlanes();
     void buildTolerance();
-    void buildMachine();
     void followNames(QGridLayout* grid, const std::vector<std::pair<int, int>>& columns,
                      const QStringList& units);
 
     QList<NumberField*> readings_;  ///< run by run
     QComboBox* grades_ = nullptr;
+};
+
+/// The machine that new jobs begin with, in the settings of the program.
+class MachineSettings : public WorkshopSheet {
+    Q_OBJECT
+
+  public:
+    explicit MachineSettings(QWidget* parent = nullptr);
 };
 
 /// Sheet 6: drills and slugs at hand, and what was really drilled.

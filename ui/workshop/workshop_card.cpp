@@ -203,10 +203,13 @@ std::vector<Block> matchingBlocks(const Words& words, const Input& input, const 
     columns.insert(columns.end(), cylinders,
                    {(cardWidth - nameWidth) / static_cast<double>(cylinders)});
     std::vector<Block> blocks;
-    const auto add = [&](const QString& heading, const ResultRows& rows) {
-        if (!rows.isEmpty()) {
-            blocks.push_back(
-                {heading, columns, matching_text::cylinderHead(words, cylinders), rows});
+    const auto add = [&](const QString& heading, const Results& results) {
+        if (!results.rows.isEmpty()) {
+            QStringList head;
+            for (const ResultColumn& column : results.columns) {
+                head << column.heading;
+            }
+            blocks.push_back({heading, columns, head, results.rows});
         }
     };
     const bool isDoubted = !bob_text::weighAgain(words, input).isEmpty();
@@ -215,8 +218,7 @@ std::vector<Block> matchingBlocks(const Words& words, const Input& input, const 
     if (sheet->is_moved() || moves) {
         add(moves ? words.translate("Matching", "Matched parts: suggested, not applied yet")
                   : words.translate("Matching", "Matched parts: applied, the weights are moved"),
-            matching_text::setsOfCylinders(words, sheet->piston_sets, sheet->rod_sets, cylinders,
-                                           placing));
+            matching_text::setsOfCylinders(words, *sheet, placing));
     }
     add((blocks.empty()
              ? words.translate("Matching",
@@ -224,7 +226,7 @@ std::vector<Block> matchingBlocks(const Words& words, const Input& input, const 
              : words.translate("Matching",
                                "To match the lightest, only if moving is not enough: take off, %1"))
             .arg(words.unit(units::gram)),
-        matching_text::takeOff(words, cylinders, masses_of(*sheet)).rows);
+        matching_text::takeOff(words, *sheet));
     if (!blocks.empty()) {
         blocks.back().say(words.translate(
             "Matching",
@@ -338,82 +340,51 @@ std::vector<Block> plugBlocks(const Words& words, const v8_plugs::Input& input,
 
 }  // namespace
 
-WorkshopCard::WorkshopCard(const WorkshopModel& model, Words words)
-    : JobCard(std::move(words)), input_(model.input()), solved_(model.solvedForCard()) {}
-
 QString WorkshopCard::title() const {
     return words().translate("BobWeights", "Job card: balancing") + QLatin1Char(' ') +
-           QString::fromStdString(input_.job.engine_number);
+           QString::fromStdString(model_.input().job.engine_number);
 }
 
 QString WorkshopCard::verdictWords() const {
-    const RunResult* newest = solved_.allowed.shaft.newest();
-    return newest == nullptr || solved_.found.withheld().any()
+    const RunResult* newest = model_.solution().newest();
+    return newest == nullptr || model_.withheld().any()
                ? QString()
-               : verdictText(words(), readWord(*newest, newest->passes(),
-                                               solved_.allowed.shaft.passes_after()));
+               : verdictText(words(),
+                             readWord(*newest, newest->passes(), model_.solution().passes_after()));
 }
 
 /// What to do in the largest type, and what is wrong.
 double WorkshopCard::answer(CardPage& page, double y) const {
     constexpr double large = 20.0;
-    const Result& shaft = solved_.allowed.shaft;
-    const bool isStopped = solved_.found.withheld().any();
-    const bool isDoubtful = isStopped || !refusedText().isEmpty();
+    constexpr double largest = 26.0;
+    const Withheld withheld = model_.withheld();
+    const bool isDoubtful = withheld.any() || !refusedText().isEmpty();
     const QColor& colour = isDoubtful ? CardPage::amber : CardPage::ink;
+    const bool isKnown = model_.solution().bob_weight.has_value();
     const double inner = cardLeft + 3.0;
     const double room = cardWidth - 6.0;
-    QStringList more;
-    QString plugs;
-    if (solved_.plugs && solved_.allowed.plugs) {
-        const auto& result = *solved_.allowed.plugs;
-        plugs = v8_text::advice(words(), *solved_.plugs, result);
-        if (result.advice && result.advice->kind == v8_plugs::Advice::Kind::option) {
-            more << v8_text::boring(words(), *solved_.plugs, result, result.advice->option->id);
-        }
-        more << v8_text::plugsWhileHung(words(), result);
-    } else if (shaft.bob_weight) {
-        more << bob_text::factor(words(), input_, shaft);
-    }
-    if (shaft.bob_weight && bob_text::isMean(words(), shaft)) {
-        more << bob_text::weighIn(words(), input_, shaft)
-             << bob_text::placedWeighIn(words(), input_, shaft);
+    QStringList more{isKnown && !model_.hasPlugs() ? model_.factorText(words()) : QString(),
+                     model_.boringText(words())};
+    if (bob_text::isMean(words(), model_.solution())) {
+        more << bob_text::placedWeighIn(words(), model_.input(), model_.solution());
     }
     more.removeAll(QString());
-    QStringList warnings{refusedText()};
-    for (const workshop::Doubt& doubt : solved_.found.doubts) {
-        if (isStopped ? doubt.rule->blocks.any() : doubt.rule->severity == Severity::warning) {
-            warnings << words().message(doubt.text);
-        }
-    }
-    warnings << bob_text::notGiven(words(), shaft)
-             << bob_text::missingAngles(words(), input_, shaft)
-             << bob_text::shortfalls(words(), input_.machine, shaft);
-    const auto broken = bob_text::brokenRule(words(), input_, shaft);
-    warnings << broken.text;
+    QStringList warnings = QStringList{refusedText()} + model_.troubles(words(), true);
     warnings.removeAll(QString());
-    warnings.removeDuplicates();
     const auto content = [&](double from) {
         double at = from;
-        if (isStopped) {
-            at += page.paragraph(inner, at, room, words().translate("Workshop", "STOP"), 26, true,
-                                 colour);
+        if (withheld.any() && !withheld.bob_weight) {
+            at += page.paragraph(inner, at, room, words().translate("Workshop", "STOP"), largest,
+                                 true, colour);
         }
-        const QString weight =
-            solved_.found.withheld().bob_weight
-                ? words().translate("BobWeights", "No bob weight: correct what is wrong first.")
-            : shaft.bob_weight || !input_.plugs
-                ? bob_text::headline(words(), input_, shaft)
-                : words()
-                      .translate("BobWeights", "The bob weight still needs: %1")
-                      .arg(v8_names::missingNames(words(), *solved_.plugs, true));
-        at +=
-            page.paragraph(inner, at, room, weight, shaft.bob_weight ? large : 12.0, true, colour);
-        if (shaft.bob_weight) {
-            at += page.paragraph(inner, at, room, bob_text::hang(words(), input_.engine), 11);
-        }
+        at += page.paragraph(inner, at, room, model_.headline(words()),
+                             withheld.bob_weight ? largest
+                             : isKnown           ? large
+                                                 : 12.0,
+                             true, colour);
+        at += page.paragraph(inner, at, room, model_.hangText(words()), 11);
         at += page.paragraph(inner, at + 0.4, room, verdictWords(), large, true);
-        at += page.paragraph(inner, at + 0.4, room, plugs, 12, true) + 0.4;
+        at += page.paragraph(inner, at + 0.4, room, model_.adviceText(words()), 12, true) + 0.4;
         at += page.paragraph(inner, at + 0.4, room, more.join(QLatin1Char(' ')), 8.5);
         return at + page.paragraph(inner, at + 0.4, room,
                                    warnings.join(QChar(QChar::LineSeparator)), 10, true,
@@ -430,15 +401,16 @@ double WorkshopCard::clocks(CardPage& page, double y) const {
     constexpr double gap = 4.0;
     constexpr double clock = 46.0;
     const double width = (cardWidth - gap) / 2.0;
-    const Result& shaft = solved_.allowed.shaft;
+    const Result& shaft = model_.solution();
     double end = y;
     for (std::size_t plane = 0; plane < 2; ++plane) {
         const double x = cardLeft + static_cast<double>(plane) * (width + gap);
-        page.heading(x, y, width, bob_text::planeName(words(), input_.machine, plane));
+        page.heading(x, y, width, bob_text::planeName(words(), model_.input().machine, plane));
         double at = y + headingHeight;
         if (!page.isMeasuring()) {
             const QColor amber = CardPage::amber;
-            drawPlane(page.painter(), page.rect(x, at, width, clock), {input_, shaft, plane},
+            drawPlane(page.painter(), page.rect(x, at, width, clock),
+                      {model_.input(), shaft, plane},
                       {.line = CardPage::ink,
                        .thin = CardPage::hair,
                        .text = CardPage::ink,
@@ -452,7 +424,7 @@ double WorkshopCard::clocks(CardPage& page, double y) const {
                        .lineWidth = 0.3 * page.unit()});
         }
         at += clock + 1.0;
-        const auto rows = bob_text::holes(words(), input_, shaft, plane);
+        const auto rows = bob_text::holes(words(), model_.input(), shaft, plane);
         if (!rows.isEmpty()) {
             CardTable table({{38, Qt::AlignLeft}, {20}, {15}, {15}}, 9.0, 5.2);
             table.head(bob_text::holeHead(words()));
@@ -476,7 +448,7 @@ void WorkshopCard::drawPlugBeside(CardPage& page, double y) const {
         static const QColor cut(0xB0, 0x30, 0x10);
         drawPlug(
             page.painter(), page.rect(x, y + headingHeight, width, height),
-            plannedPlug(*solved_.plugs, *solved_.allowed.plugs),
+            plannedPlug(*model_.plugsInput(), *model_.plugs()),
             {CardPage::ink, CardPage::hair, CardPage::ink, cut, page.font(7.5), 0.35 * page.unit()},
             words());
     }
@@ -486,25 +458,26 @@ void WorkshopCard::draw(CardPage& page) const {
     constexpr double gap = 2.5;
     constexpr double signaturesTop = 273.5;
     constexpr double rowHeight = 4.4;
-    const Result& shaft = solved_.allowed.shaft;
+    const Result& shaft = model_.solution();
     page.setFoot(signaturesTop, [&] {
         cardSignatures(page, words(),
                        words()
                            .translate("BobWeights", "Ravnoves %1 · ISO 21940-11 · %2")
                            .arg(QStringLiteral(RAVNOVES_VERSION),
-                                bob_text::machineText(words(), input_.machine)),
+                                bob_text::machineText(words(), model_.input().machine)),
                        signaturesTop);
     });
-    const QString engine = input_.plugs
-                               ? words()
-                                     .translate("JobCard", "V-8 engine: %1")
-                                     .arg(v8_names::engineName(words(), input_.plugs->engine.name))
-                               : bob_text::engineName(words(), input_.engine);
-    double y = cardHead(
-        page, words(),
-        {words().translate("BobWeights", "Job card: balancing"), engine, input_.job,
-         words().translate("BobWeights", "Balanced"), bob_text::balance(words(), input_.balance)},
-        CardPage::top);
+    const QString engine =
+        model_.input().plugs
+            ? words()
+                  .translate("JobCard", "V-8 engine: %1")
+                  .arg(v8_names::engineName(words(), model_.input().plugs->engine.name))
+            : bob_text::engineName(words(), model_.input().engine);
+    double y = cardHead(page, words(),
+                        {words().translate("BobWeights", "Job card: balancing"), engine,
+                         model_.input().job, words().translate("BobWeights", "Balanced"),
+                         bob_text::balance(words(), model_.input().balance)},
+                        CardPage::top);
     y = answer(page, y + gap);
     const bool hasMetal = std::any_of(shaft.runs.begin(), shaft.runs.end(),
                                       [](const RunResult& run) { return run.is_drilled(); });
@@ -516,23 +489,22 @@ void WorkshopCard::draw(CardPage& page) const {
         machine.push_back({words().translate("BobWeights", "Correction: measured → after it"),
                            {{30, Qt::AlignLeft}, {30}, {22}, {26}, {28}, {46, Qt::AlignRight}},
                            bob_text::planeHead(words()),
-                           bob_text::planes(words(), input_.machine, shaft)});
+                           bob_text::planes(words(), model_.input().machine, shaft)});
         machine.back().say(bob_text::holeNote(words(), shaft) + QLatin1Char(' ') +
-                           bob_text::metals(words(), input_, shaft));
+                           bob_text::metals(words(), model_.input(), shaft));
     }
-    machine.push_back(runBlock(words(), input_, shaft));
-    machine.back().say(bob_text::limits(words(), input_, shaft));
-    machine.back().say(bob_text::correctedRuns(words(), input_, shaft).join(QLatin1Char(' ')),
-                       CardPage::amber);
-    if (auto drilled = bob_text::drilled(words(), input_.machine, shaft); !drilled.isEmpty()) {
+    machine.push_back(runBlock(words(), model_.input(), shaft));
+    machine.back().say(bob_text::limits(words(), model_.input(), shaft));
+    if (auto drilled = bob_text::drilled(words(), model_.input().machine, shaft);
+        !drilled.isEmpty()) {
         machine.push_back({words().translate("BobWeights", "Already drilled"),
                            {{22, Qt::AlignLeft}, {62, Qt::AlignLeft}, {20}, {54}, {24}},
                            bob_text::drilledHead(words()),
                            std::move(drilled)});
     }
-    if (input_.correction && input_.correction->planes.size() == 2 &&
-        input_.correction->readings.size() == 2) {
-        machine.push_back(planeBlock(words(), input_, shaft));
+    if (model_.input().correction && model_.input().correction->planes.size() == 2 &&
+        model_.input().correction->readings.size() == 2) {
+        machine.push_back(planeBlock(words(), model_.input(), shaft));
     }
     const auto place = [&](const Block& block) {
         y = page.place(y + gap, [&](double at) { return drawBlock(page, block, at, rowHeight); });
@@ -540,37 +512,34 @@ void WorkshopCard::draw(CardPage& page) const {
     for (const Block& block : machine) {
         place(block);
     }
-    const QString typed = QString::fromStdString(input_.job.notes).simplified();
+    const QString typed = QString::fromStdString(model_.input().job.notes).simplified();
     y = page.flow(y + 1.0, otherRefusedText(), notePoints, CardPage::amber);
     y = cardNotes(page, words(), typed, y + gap);
 
     std::vector<Block> parts;
-    const bool hasPlug = shaft.bob_weight && solved_.plugs && solved_.allowed.plugs;
+    const bool hasPlug = shaft.bob_weight && model_.plugs() != nullptr;
     if (shaft.bob_weight) {
         parts.push_back(lineBlock(words(), shaft, hasPlug));
     }
-    if (solved_.plugs && solved_.allowed.plugs) {
-        for (Block& block : plugBlocks(words(), *solved_.plugs, *solved_.allowed.plugs)) {
+    if (model_.plugs() != nullptr) {
+        for (Block& block : plugBlocks(words(), *model_.plugsInput(), *model_.plugs())) {
             parts.push_back(std::move(block));
         }
     }
     const std::size_t matching = parts.size();
-    for (Block& block : matchingBlocks(words(), input_, shaft)) {
+    for (Block& block : matchingBlocks(words(), model_.input(), shaft)) {
         parts.push_back(std::move(block));
     }
-    for (Block& block : weightBlocks(words(), input_)) {
+    for (Block& block : weightBlocks(words(), model_.input())) {
         parts.push_back(std::move(block));
     }
-    if (const auto matched = solved_.plugs
-                                 ? v8_text::matchingShown(*solved_.plugs, *solved_.allowed.plugs)
-                                 : bob_text::matchingShown(input_, shaft);
-        matched && matching < parts.size()) {
+    if (const auto matched = model_.matchingShown(); matched && matching < parts.size()) {
         parts[matching].say((matching_text::summary(words(), *matched) + QLatin1Char(' ') +
                              matching_text::felt(words(), *matched))
                                 .trimmed());
     }
     if (matching < parts.size()) {
-        parts[matching].say(bob_text::weighAgain(words(), input_), CardPage::amber);
+        parts[matching].say(bob_text::weighAgain(words(), model_.input()), CardPage::amber);
     }
     if (!parts.empty()) {
         y = page.nextSheet();  // the first page goes to the machine

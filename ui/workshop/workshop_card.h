@@ -10,8 +10,9 @@ namespace ravnoves {
 /// Parts, plugs and take-offs follow.
 class WorkshopCard : public JobCard {
   public:
-    /// Of the model as it stands: the card withholds what the page withholds.
-    WorkshopCard(const WorkshopModel& model, Words words);
+    /// Of the model as it stands when it is painted: the card says what the page says.
+    WorkshopCard(const WorkshopModel& model, Words words)
+        : JobCard(std::move(words)), model_(model) {}
 
   protected:
     void draw(CardPage& page) const override;
@@ -23,8 +24,7 @@ class WorkshopCard : public JobCard {
     void drawPlugBeside(CardPage& page, double y) const;
     QString verdictWords() const;
 
-    workshop::Input input_;
-    WorkshopScene::Solved solved_;
+    const WorkshopModel& model_;
 };
 
 }  // namespace ravnoves

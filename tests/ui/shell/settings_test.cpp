@@ -9,14 +9,15 @@
 #include <QMenuBar>
 #include <QSettings>
 #include <QTabWidget>
+#include <QTemporaryDir>
 
 #include "balance-shaft/shaft_map_view.h"
 #include "balance-shaft/speed_view.h"
 #include "case-file/json.h"
 #include "events.h"
+#include "page/scene_page.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
-#include "page/scene_page.h"
 #include "shell/settings_dialog.h"
 #include "text/language.h"
 #include "text/number_text.h"
@@ -24,6 +25,8 @@
 #include "theme/theme.h"
 #include "widgets/number_field.h"
 #include "widgets/value_slider.h"
+#include "workshop/model/shop_machine.h"
+#include "workshop/sheets.h"
 
 namespace ravnoves {
 namespace {
@@ -266,6 +269,24 @@ TEST_F(Settings, DigitsOfResults) {
     EXPECT_EQ(fixedNumber(-7.8357568328379722e26, 4, english), u"−7.83576E+26"_s);
     choose(dialog, "digits", 0);
     EXPECT_EQ(fixedNumber(1234.5678, 1, english), u"1234.6"_s);
+}
+
+TEST_F(Settings, TheMachineOfNewJobsIsSetUpOnceForAll) {
+    const QTemporaryDir folder;
+    const WorkshopModel untouched(folder.filePath(u"journal.sqlite"_s));
+    SettingsDialog* dialog = open();
+    test::type(test::named<EntryField>(*dialog, "planes"), u"left / right"_s);
+    EXPECT_TRUE(dialog->isVisible()) << "Enter ends the entry alone";
+    auto* shows = test::named<QComboBox>(*dialog, "shows");
+    shows->setFocus();
+    QTest::keyClick(shows, Qt::Key_Down);
+    const workshop::Machine kept = ShopMachine::instance().kept();
+    EXPECT_EQ(kept.planes[1], "right");
+    EXPECT_EQ(kept.shows, workshop::Machine::Shows::light);
+    EXPECT_EQ(untouched.input().machine, kept);
+    const MachineSettings again;
+    EXPECT_EQ(test::named<QComboBox>(again, "shows")->currentIndex(), 1);
+    EXPECT_EQ(test::named<EntryField>(again, "planes")->text(), u"left / right"_s);
 }
 
 TEST_F(Settings, EveryRowOfTheDialogIsSpokenAndHasAKey) {

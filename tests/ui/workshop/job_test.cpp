@@ -300,6 +300,66 @@ TEST_F(JobPageTest, TheCardSaysWhetherPartsAreMoved) {
     EXPECT_TRUE(card().contains(applied));
 }
 
+TEST_F(JobPageTest, WhatToTakeOffIsSaidByTheNumberOfThePart) {
+    typeShopCard();
+    model->editWeights(u"Weights"_s, [](WeighIn& sheet) {
+        sheet[shop::Part::piston].mass = {0.58, 0.59, 0.6, 0.61, 0.58, 0.59, 0.6, 0.61};
+    });
+    const auto takeOff = [this] { return test::textsOf(model->takeOffResults().rows); };
+    const QStringList weighed{u"Piston"_s, u"·"_s,     u"10.00"_s, u"20.00"_s, u"30.00"_s,
+                              u"·"_s,      u"10.00"_s, u"20.00"_s, u"30.00"_s};
+    EXPECT_EQ(takeOff(), QVector<QStringList>{weighed});
+    EXPECT_EQ(model->takeOffResults().columns.front().heading, u"Cylinder"_s);
+    model->moveParts();
+    ASSERT_TRUE(model->input().weigh_in->is_moved());
+    EXPECT_EQ(takeOff(), QVector<QStringList>{weighed}) << "wherever the pistons are now";
+    EXPECT_EQ(model->takeOffResults().columns.front().heading, u"Part no."_s);
+    const QString printed = card();
+    EXPECT_TRUE(printed.contains(u"Part no.\n1\n2"_s)) << qPrintable(printed);
+    EXPECT_TRUE(printed.contains(weighed.join(u'\n'))) << qPrintable(printed);
+}
+
+TEST_F(JobPageTest, CrankpinsThatBalanceOneAnotherNeedNoBobWeights) {
+    const QString none = u"No bob weights are needed"_s;
+    model->edit(u"engine"_s, [](Job& job) {
+        job.engine = {EngineType::in_line, 4, std::nullopt, 1, 0.0};
+    });
+    EXPECT_EQ(label("headline"), none);
+    for (const QString& said : {label("verdict"), card()}) {
+        EXPECT_TRUE(said.contains(none)) << qPrintable(said);
+        EXPECT_FALSE(said.contains(u"needs:"_s)) << qPrintable(said);
+    }
+    typeShopCard();
+    for (const QString& said : {label("verdict"), label("hang"), card()}) {
+        EXPECT_TRUE(said.contains(none)) << qPrintable(said);
+    }
+    // What is missing is no reason for a job not to be finished.
+    type("piston", QString());
+    type("engine_number", u"4"_s);
+    pressSave();
+    EXPECT_TRUE(jobs().at(0).isFinished);
+    model->edit(u"engine"_s, [](Job& job) { job.engine.cylinders = 5; });
+    EXPECT_TRUE(label("headline").contains(u"needs: piston"_s)) << qPrintable(label("headline"));
+}
+
+TEST_F(JobPageTest, AnUntouchedNewJobTakesTheMachineThatIsKept) {
+    const auto back = qScopeGuard([] { QSettings().clear(); });
+    const auto journal = [this] { return QDir(folder.path()).filePath(u"journal.sqlite"_s); };
+    WorkshopModel untouched(journal());
+    WorkshopModel begun(journal());
+    begun.edit(u"customer"_s, [](Job& job) { job.job.customer = "Smith"; });
+    type("planes", u"left / right"_s);
+    auto* keep = find<QPushButton>("keep_machine");
+    ASSERT_FALSE(keep->isHidden());
+    QTest::mouseClick(keep, Qt::LeftButton);
+    EXPECT_TRUE(keep->isHidden());
+    EXPECT_EQ(untouched.planeName(1), u"Right"_s);
+    EXPECT_FALSE(untouched.hasChanges());
+    EXPECT_EQ(begun.planeName(1), u"Rear plane"_s);
+    WorkshopPage other(journal(), nullptr);
+    EXPECT_EQ(other.viewModel()->planeName(1), u"Right"_s);
+}
+
 TEST_F(JobPageTest, NoPartIsMovedByDoubtedWeights) {
     typeShopCard();
     const auto weigh = [&](double first, double bigEnd) {

@@ -7,6 +7,7 @@
 #include "plugs_page_test.h"
 #include "shop/model/verdict.h"
 #include "workshop/model/bob_text.h"
+#include "workshop/solver.h"
 
 namespace ravnoves {
 namespace {
@@ -51,9 +52,8 @@ class DoubtedJobTest : public PlugsPageTest {
         return texts;
     }
     void expectNothingToDo(const workshop::DoubtRule& rule) {
-        const WorkshopScene::Solved solved = model->solvedForCard();
-        const QString weight =
-            Words().number(solved.found.shaft.bob_weight.value_or(0.0), units::gram, 1);
+        const auto found = workshop::solve(model->input()).shaft.bob_weight;
+        const QString weight = Words().number(found.value_or(0.0), units::gram, 1);
         const QString pass = verdictText(Words(), u"passes"_s);
         EXPECT_EQ(model->verdictShown()->severity, Severity::error);
         EXPECT_TRUE(model->holeResults().rows.isEmpty());

@@ -182,16 +182,21 @@ Results effects(const Words& words, const Shown& shown) {
     return results;
 }
 
-QStringList cylinderHead(const Words& words, std::size_t cylinders) {
-    QStringList head{words.translate("Matching", "Cylinder")};
-    for (std::size_t i = 1; i <= cylinders; ++i) {
-        head << QString::number(i);
+namespace {
+
+/// The first heading, then the numbers from 1 on.
+ResultColumns numbered(const ResultColumn& first, std::size_t count) {
+    ResultColumns columns{first};
+    for (std::size_t i = 1; i <= count; ++i) {
+        columns.push_back(QString::number(i));
     }
-    return head;
+    return columns;
 }
 
-ResultRows setsOfCylinders(const Words& words, const SetNumbers& pistons, const SetNumbers& rods,
-                           std::size_t cylinders, const Matched* placing) {
+}  // namespace
+
+Results setsOfCylinders(const Words& words, const WeighIn& sheet, const Matched* placing) {
+    const std::size_t cylinders = sheet.columns.front().mass.size();
     const auto row = [&](const QString& name, const SetNumbers& numbers, auto Matched::*from) {
         ResultRow cells{name};
         for (const int number :
@@ -201,20 +206,11 @@ ResultRows setsOfCylinders(const Words& words, const SetNumbers& pistons, const 
         }
         return cells;
     };
-    return {row(words.translate("JobCard", "Piston set from"), pistons, &Matched::pistons),
-            row(words.translate("JobCard", "Rod set from"), rods, &Matched::rods)};
+    return {
+        numbered(words.translate("Matching", "Cylinder"), cylinders),
+        {row(words.translate("JobCard", "Piston set from"), sheet.piston_sets, &Matched::pistons),
+         row(words.translate("JobCard", "Rod set from"), sheet.rod_sets, &Matched::rods)}};
 }
-
-namespace {
-
-ResultColumns columnsOf(const Words& words, std::size_t cylinders, const ResultColumn& first) {
-    const QStringList head = cylinderHead(words, cylinders);
-    ResultColumns columns(head.begin(), head.end());
-    columns.front() = first;
-    return columns;
-}
-
-}  // namespace
 
 Results assignment(const Words& words, const Shown& shown) {
     const auto row = [](const QString& name, const SetNumbers& numbers,
@@ -232,43 +228,39 @@ Results assignment(const Words& words, const Shown& shown) {
                                              "A dot: the part stays; a number: it comes from that "
                                              "cylinder"));
     return {
-        columnsOf(words, shown.matched.pistons.size(), first),
+        numbered(first, shown.matched.pistons.size()),
         {row(words.translate("Matching", "Piston from"), shown.piston_sets, shown.matched.pistons,
              words.translate("Matching", "Cylinder from which the piston comes")),
          row(words.translate("Matching", "Rod from"), shown.rod_sets, shown.matched.rods,
              words.translate("Matching", "Cylinder from which the rod comes"))}};
 }
 
-ResultRow takeOff(const Words& words, const std::array<std::span<const Weighed>, 6>& masses,
-                  Part part) {
-    const auto& column = masses[static_cast<std::size_t>(part)];
-    const auto of = [&](Part each) { return masses[static_cast<std::size_t>(each)]; };
-    const bool isRod = part == Part::rod_big_end || part == Part::rod_small_end;
-    if (odd_mass(std::nullopt, column) ||
-        (isRod && !swapped_rod_ends(of(Part::rod_big_end), of(Part::rod_small_end)).empty())) {
-        return ResultRow(static_cast<qsizetype>(column.size()));
+Results takeOff(const Words& words, WeighIn sheet) {
+    const bool isMoved = sheet.is_moved();
+    if (isMoved) {
+        move_back(sheet);  // the number of a part is that of the cylinder that it was weighed in
     }
-    constexpr double nothing = 0.005 * units::gram;  // of what a scale reads
-    ResultRow cells;
-    for (const Weighed& mass : take_off(column)) {
-        cells << (!mass              ? ResultCell()
-                  : *mass <= nothing ? ResultCell(dot)
-                                     : words.cell(*mass, units::gram, 2));
-    }
-    return cells;
-}
-
-Results takeOff(const Words& words, std::size_t cylinders,
-                const std::array<std::span<const Weighed>, 6>& masses) {
-    const QString name = words.translate("Matching", "Take off, %1").arg(words.unit(units::gram));
-    Results results{columnsOf(words, cylinders, name)};
+    const bool areSwapped =
+        !swapped_rod_ends(sheet[Part::rod_big_end].mass, sheet[Part::rod_small_end].mass).empty();
+    Results results{numbered(
+        isMoved ? words.translate("Matching", "Part no.") : words.translate("Matching", "Cylinder"),
+        sheet.columns.front().mass.size())};
     for (const Part part : all_parts) {
-        ResultRow cells = takeOff(words, masses, part);
-        const bool differs = std::any_of(cells.begin(), cells.end(), [](const QString& cell) {
-            return !cell.isEmpty() && cell != dot;
-        });
+        const bool isRod = part == Part::rod_big_end || part == Part::rod_small_end;
+        if (odd_mass(std::nullopt, sheet[part].mass) || (isRod && areSwapped)) {
+            continue;
+        }
+        constexpr double nothing = 0.005 * units::gram;  // of what a scale reads
+        ResultRow cells{words.text(part_word(part).label)};
+        bool differs = false;
+        for (const Weighed& mass : take_off(sheet[part].mass)) {
+            const bool isMore = mass && *mass > nothing;
+            differs = differs || isMore;
+            cells << (isMore ? words.cell(*mass, units::gram, 2)
+                      : mass ? ResultCell(dot)
+                             : ResultCell());
+        }
         if (differs) {
-            cells.prepend(words.text(part_word(part).label));
             results.rows << cells;
         }
     }

@@ -39,22 +39,16 @@ QString felt(const Words& words, const Shown& shown);
 /// What is gained: a quantity, as weighed, placed so.
 Results effects(const Words& words, const Shown& shown);
 
-/// "Cylinder", 1, 2, …
-QStringList cylinderHead(const Words& words, std::size_t cylinders);
 /// From which cylinder each set comes; a dot where it was weighed there.
 Results assignment(const Words& words, const Shown& shown);
 /// The number of the set that goes to each cylinder, a row of pistons and one of rods.
 /// @param placing  null: as the sheet has them
-ResultRows setsOfCylinders(const Words& words, const shop::SetNumbers& pistons,
-                           const shop::SetNumbers& rods, std::size_t cylinders,
-                           const shop::Matched* placing);
+Results setsOfCylinders(const Words& words, const shop::WeighIn& sheet,
+                        const shop::Matched* placing);
 
-/// What to take off each part to reach the lightest of its column, for columns that differ.
-Results takeOff(const Words& words, std::size_t cylinders,
-                const std::array<std::span<const shop::Weighed>, 6>& masses);
-/// The same of one column, empty cells for what is the lightest or not weighed, and for all of it
-/// where its weights are doubted: nobody is told to grind parts to a slip of the keys.
-ResultRow takeOff(const Words& words, const std::array<std::span<const shop::Weighed>, 6>& masses,
-                  shop::Part part);
+/// What to take off each part to reach the lightest of its column, for columns that differ; by the
+/// numbers of the parts, wherever they are moved. Nothing of a column whose weights are doubted:
+/// nobody is told to grind parts to a slip of the keys.
+Results takeOff(const Words& words, shop::WeighIn sheet);
 
 }  // namespace ravnoves::matching_text

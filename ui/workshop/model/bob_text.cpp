@@ -160,8 +160,8 @@ QString valueMissing(const Words& words, const workshop::Input& input, std::size
              words.name(field));
 }
 
-}  // namespace
-
+/// What an error says of the sheets of the machine and of the weights, with its place on the form:
+/// "Sheet 4, Front plane: Radius is still needed. …"; empty of other places.
 QString sheetError(const Words& words, const workshop::Input& input, const InputError& error) {
     const QStringList place =
         QString::fromStdString(error.where()).split(QLatin1Char('/'), Qt::SkipEmptyParts);
@@ -206,6 +206,8 @@ QString sheetError(const Words& words, const workshop::Input& input, const Input
     return {};
 }
 
+}  // namespace
+
 QStringList missingAngles(const Words& words, const workshop::Input& input, const Result& result) {
     QStringList list;
     const RunResult* newest = result.newest();
@@ -223,7 +225,7 @@ QStringList missingAngles(const Words& words, const workshop::Input& input, cons
     return list;
 }
 
-BrokenRule brokenRule(const Words& words, const workshop::Input& input, const Result& result) {
+QString brokenRule(const Words& words, const workshop::Input& input, const Result& result) {
     if (!result.bob_weight) {
         return {};
     }
@@ -231,15 +233,7 @@ BrokenRule brokenRule(const Words& words, const workshop::Input& input, const Re
         workshop::check_input(input);
     } catch (const InputError& error) {
         const QString said = sheetError(words, input, error);
-        const auto isBelow = [&](std::string_view place) {
-            return error.where().starts_with(place);
-        };
-        using Of = BrokenRule::Of;
-        return {said.isEmpty() ? ruleText(words, error) : said,
-                isBelow("/input/correction/readings") || isBelow("/input/correction/earlier_runs")
-                    ? Of::Readings
-                : isBelow("/input/correction") || isBelow("/input/tolerance") ? Of::Planes
-                                                                              : Of::Parts};
+        return said.isEmpty() ? ruleText(words, error) : said;
     }
     return {};
 }
@@ -254,23 +248,6 @@ QString contradiction(const Words& words, const Input& input) {
         return ruleText(words, error);
     }
     return {};
-}
-
-QString headline(const Words& words, const Input& input, const Result& result) {
-    if (result.bob_weight) {
-        return (isMean(words, result) ? words.translate("BobWeights", "Mean bob weight %1")
-                                      : words.translate("BobWeights", "Bob weight %1"))
-            .arg(words.number(*result.bob_weight, units::gram, 1));
-    }
-    if (QString why = contradiction(words, input); !why.isEmpty()) {
-        return why;
-    }
-    QStringList missing;
-    for (const Field* field : missing_for_bob_weight(input)) {
-        missing << inSentence(words.name(*field));
-    }
-    return words.translate("BobWeights", "The bob weight still needs: %1")
-        .arg(missing.join(QStringLiteral(", ")));
 }
 
 QString hang(const Words& words, const Engine& engine) {

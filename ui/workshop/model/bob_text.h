@@ -18,21 +18,10 @@ QString engineName(const Words& words, const bob_weights::Engine& engine);
 QString engineName(const Words& words, const QString& english);
 /// Why engine and factor give no answer; empty where they do, or where something is missing.
 QString contradiction(const Words& words, const bob_weights::Input& input);
-/// What an error says of the sheets of the machine and of the weights, with its place on the form:
-/// "Sheet 4, Front plane: Radius is still needed. …"; empty of other places.
-QString sheetError(const Words& words, const workshop::Input& input, const InputError& error);
-/// The rule that the input breaks first, and what it is of; empty where it breaks none, or where
-/// there is no bob weight, which is said by itself.
-struct BrokenRule {
-    QString text;
-    enum class Of { Parts, Planes, Readings } of = Of::Parts;  ///< drills and limits: of planes
-};
-BrokenRule brokenRule(const Words& words, const workshop::Input& input,
-                      const bob_weights::Result& result);
-/// "Bob weight 1505.2 g", "Mean bob weight …" where the crankpins differ, or what contradicts
-/// itself, or what is missing.
-QString headline(const Words& words, const bob_weights::Input& input,
-                 const bob_weights::Result& result);
+/// The rule that the input breaks first, with its place on the form; empty where it breaks none, or
+/// where there is no bob weight, which is said by itself.
+QString brokenRule(const Words& words, const workshop::Input& input,
+                   const bob_weights::Result& result);
 QString hang(const Words& words, const bob_weights::Engine& engine);
 /// "Factor 50 % + 2 % overbalance, by theory 50 %. …"
 QString factor(const Words& words, const bob_weights::Input& input,

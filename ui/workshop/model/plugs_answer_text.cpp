@@ -21,21 +21,22 @@ const QString dash = QStringLiteral("–");
 
 }  // namespace
 
-QString WorkshopModel::adviceText() const {
+QString WorkshopModel::adviceText(const Words& words) const {
     if (plugs() == nullptr || withheld().bob_weight) {
         return {};
     }
     if (plugs()->advice) {
-        return v8_text::advice(Words(), *plugsInput(), *plugs());
+        return v8_text::advice(words, *plugsInput(), *plugs());
     }
-    const QString names = v8_names::missingNames(Words(), *plugsInput(), false);
-    return names.isEmpty() ? tr("The values do not go together.")
-                           : tr("Still needed for the plugs: %1.").arg(names);
+    const QStringList names = v8_names::missing(words, *plugsInput(), false);
+    return names.isEmpty() ? words.translate("V8", "The values do not go together.")
+                           : words.translate("V8", "Still needed for the plugs: %1.")
+                                 .arg(names.join(QStringLiteral(", ")));
 }
 
-QString WorkshopModel::boringText() const {
+QString WorkshopModel::boringText(const Words& words) const {
     return plugs() != nullptr && plugs()->advice && plugs()->advice->kind == Advice::Kind::option
-               ? v8_text::boring(Words(), *plugsInput(), *plugs(), plugs()->advice->option->id)
+               ? v8_text::boring(words, *plugsInput(), *plugs(), plugs()->advice->option->id)
                : QString();
 }
 

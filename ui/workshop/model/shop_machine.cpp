@@ -14,7 +14,12 @@ namespace {
 const QString machineKey = QStringLiteral("workshop/machine");
 }  // namespace
 
-workshop::Machine shop_machine::kept() {
+ShopMachine& ShopMachine::instance() {
+    static ShopMachine only;
+    return only;
+}
+
+workshop::Machine ShopMachine::kept() const {
     const QString text = QSettings().value(machineKey).toString();
     try {
         return text.isEmpty() ? workshop::Machine()
@@ -25,8 +30,12 @@ workshop::Machine shop_machine::kept() {
     }
 }
 
-void shop_machine::keep(const workshop::Machine& machine) {
-    QSettings().setValue(machineKey, QString::fromStdString(write_fields(machine).dump()));
+void ShopMachine::keep(const workshop::Machine& machine) {
+    const workshop::Machine before = kept();
+    if (machine != before) {
+        QSettings().setValue(machineKey, QString::fromStdString(write_fields(machine).dump()));
+        Q_EMIT changed(before);
+    }
 }
 
 }  // namespace ravnoves

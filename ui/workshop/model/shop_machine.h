@@ -1,11 +1,23 @@
 #pragma once
 
+#include <QObject>
+
 #include "workshop/input.h"
 
+namespace ravnoves {
+
 /// The balancing machine as the shop has set it up: new jobs begin with it.
-namespace ravnoves::shop_machine {
+class ShopMachine : public QObject {
+    Q_OBJECT
 
-workshop::Machine kept();
-void keep(const workshop::Machine& machine);
+  public:
+    static ShopMachine& instance();
 
-}  // namespace ravnoves::shop_machine
+    workshop::Machine kept() const;
+    void keep(const workshop::Machine& machine);
+
+  Q_SIGNALS:
+    void changed(const ravnoves::workshop::Machine& before);
+};
+
+}  // namespace ravnoves

@@ -5,6 +5,7 @@
 #include "bob-weights/fields.h"
 #include "case-file/input_error.h"
 #include "shop/model/weigh_again.h"
+#include "text/capital.h"
 #include "text/message_text.h"
 #include "workshop/model/bob_text.h"
 #include "workshop/model/workshop_model.h"
@@ -15,30 +16,37 @@ namespace ravnoves {
 
 using namespace bob_weights;
 
-QString WorkshopModel::shownError(const InputError& error) const {
-    const QString placed = bob_text::sheetError(Words(), input(), error);
-    return placed.isEmpty() ? explain(error) : placed;
-}
-
 QString WorkshopModel::planeName(std::size_t plane) const {
     return bob_text::planeName(Words(), input().machine, plane);
 }
 
-QString WorkshopModel::headline() const {
-    const workshop::Withheld withheld = this->withheld();
-    if (withheld.bob_weight) {
-        return tr("STOP: no bob weight yet");
+QString WorkshopModel::headline(const Words& words) const {
+    if (withheld().bob_weight) {
+        return words.translate("BobWeights", "STOP: no bob weight yet");
     }
-    if (!solution().bob_weight && hasPlugs()) {
-        return tr("Still needed for the bob weight: %1")
-            .arg(v8_names::missingNames(Words(), *plugsInput(), true));
+    if (const auto& weight = solution().bob_weight) {
+        const bool isNearest = plugs() != nullptr && plugs()->advice && !v8_text::works(*plugs());
+        return (isNearest ? words.translate("BobWeights", "Bob weight with the nearest option: %1")
+                : bob_text::isMean(words, solution())
+                    ? words.translate("BobWeights", "Mean bob weight %1")
+                    : words.translate("BobWeights", "Bob weight %1"))
+            .arg(words.number(*weight, units::gram, 1));
     }
-    if (solution().bob_weight && plugs() != nullptr && plugs()->advice &&
-        !v8_text::works(*plugs())) {
-        return tr("Bob weight with the nearest option: %1")
-            .arg(Words().number(*solution().bob_weight, units::gram, 1));
+    if (bob_weights::balances_itself(input().engine)) {
+        return words.translate("BobWeights", "No bob weights are needed");
     }
-    return bob_text::headline(Words(), input(), solution());
+    QStringList missing;
+    if (hasPlugs()) {
+        missing = v8_names::missing(words, *plugsInput(), true);
+    } else if (QString why = bob_text::contradiction(words, input()); !why.isEmpty()) {
+        return why;
+    } else {
+        for (const Field* field : missing_for_bob_weight(input())) {
+            missing << inSentence(words.name(*field));
+        }
+    }
+    return words.translate("BobWeights", "The bob weight still needs: %1")
+        .arg(missing.join(QStringLiteral(", ")));
 }
 
 QString WorkshopModel::doubtfulText() const {
@@ -48,26 +56,32 @@ QString WorkshopModel::doubtfulText() const {
                : QString();
 }
 
-QString WorkshopModel::hangText() const {
+QString WorkshopModel::hangText(const Words& words) const {
+    const bool isNeeded = !bob_weights::balances_itself(input().engine);
     if (!solution().bob_weight) {
-        return {};
+        return isNeeded || withheld().bob_weight
+                   ? QString()
+                   : words.translate("BobWeights", "The crankpins balance one another.");
     }
     QStringList said;
-    if (bob_weights::balances_itself(input().engine)) {
-        said << tr("None are needed: the crankpins balance one another. Where they are hung:");
+    if (!isNeeded) {
+        said << words.translate("BobWeights",
+                                "No bob weights are needed: the crankpins balance one another. "
+                                "Where they are hung:");
     }
-    said << bob_text::hang(Words(), input().engine);
-    if (bob_text::isMean(Words(), solution())) {
-        said << weighInText();
+    said << bob_text::hang(words, input().engine);
+    if (bob_text::isMean(words, solution())) {
+        said << bob_text::weighIn(words, input(), solution());
     }
     if (plugs() != nullptr) {
-        said << v8_text::plugsWhileHung(Words(), *plugs());
+        said << v8_text::plugsWhileHung(words, *plugs());
     }
+    said.removeAll(QString());
     return said.join(QLatin1Char(' '));
 }
 
-QString WorkshopModel::factorText() const {
-    return bob_text::factor(Words(), input(), solution());
+QString WorkshopModel::factorText(const Words& words) const {
+    return bob_text::factor(words, input(), solution());
 }
 
 QString WorkshopModel::reasonText() const {
@@ -87,8 +101,7 @@ QString WorkshopModel::holeNote() const {
     return bob_text::holeNote(Words(), solution());
 }
 
-QStringList WorkshopModel::notCounted() const {
-    const Words words;
+QStringList WorkshopModel::notCounted(const Words& words) const {
     QStringList list;
     for (const Message& message :
          hasPlugs() ? v8_plugs::not_counted(*plugsInput()) : bob_weights::not_counted(input())) {
@@ -97,26 +110,19 @@ QStringList WorkshopModel::notCounted() const {
     return list;
 }
 
-QStringList WorkshopModel::troubles() const {
-    const Words words;
-    QStringList list;
-    if (solution().bob_weight) {
-        try {
-            workshop::check_input(input());
-        } catch (const InputError& error) {
-            list << shownError(error);
-        }
-    }
+QStringList WorkshopModel::troubles(const Words& words, bool withDoubts) const {
+    QStringList list{bob_text::brokenRule(words, input(), solution())};
     // The first of those that block stands in the verdict, and so do the warnings where it is one.
-    const bool hasWarnings = withheld().any() || solved().verdict.severity != Severity::note;
-    bool isSaid = false;
+    const bool hasWarnings =
+        withheld().any() || (!withDoubts && solved().verdict.severity != Severity::note);
+    bool isSaid = withDoubts;
     for (const workshop::Doubt& doubt : doubts()) {
         if (doubt.rule->blocks.any() ? std::exchange(isSaid, true)
                                      : !hasWarnings && doubt.rule->severity == Severity::warning) {
             list << words.message(doubt.text);
         }
     }
-    list << notCounted() << bob_text::notGiven(words, solution())
+    list << notCounted(words) << bob_text::notGiven(words, solution())
          << bob_text::missingAngles(words, input(), solution())
          << bob_text::shortfalls(words, input().machine, solution())
          << bob_text::correctedRuns(words, input(), solution());
@@ -124,6 +130,7 @@ QStringList WorkshopModel::troubles() const {
         list << v8_text::troubles(words, *plugsInput());
     }
     list.removeAll(QString());
+    list.removeDuplicates();
     return list;
 }
 
@@ -185,10 +192,7 @@ Results WorkshopModel::effectResults() const {
 
 Results WorkshopModel::takeOffResults() const {
     const auto sheet = fitted(input()).weigh_in;
-    return sheet
-               ? matching_text::takeOff(Words(), static_cast<std::size_t>(input().engine.cylinders),
-                                        masses_of(*sheet))
-               : Results();
+    return sheet ? matching_text::takeOff(Words(), *sheet) : Results();
 }
 
 bool WorkshopModel::canMoveBack() const {

@@ -9,6 +9,7 @@
 #include "bob-weights/solver.h"
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "model/case_document.h"
 #include "model/case_model_json.h"
 #include "shop/model/verdict.h"
 #include "shop/weigh_in.h"
@@ -101,7 +102,7 @@ void WorkshopScene::startJob(Job& input) const {
         return;
     }
     if (input.machine == workshop::Machine{}) {
-        input.machine = shop_machine::kept();
+        input.machine = ShopMachine::instance().kept();
     }
     if (input.plugs) {
         startPlugs(*input.plugs);
@@ -150,6 +151,10 @@ WorkshopModel::WorkshopModel(const QString& journalPath, QObject* parent)
              [this] { return hasNumbers(); }, [this] { return answerLacks(); },
              [this](const CaseFile& file) { return isEngineOf(file); }}) {
     connect(desk(), &JobDesk::journalOpened, this, &WorkshopModel::reloadEngines);
+    if (scene().dated) {
+        connect(&ShopMachine::instance(), &ShopMachine::changed, this,
+                &WorkshopModel::takeShopsMachine);
+    }
 }
 
 bool WorkshopModel::setViewOption(const QString& key, const QString& value) {
@@ -241,9 +246,12 @@ QString WorkshopModel::engineTrouble(const Job& next) {
 
 QString WorkshopModel::edit(const QString& name, const std::function<void(Job&)>& mutate,
                             const QString& title) {
-    // A case that came so stays as it came, until its engine changes.
     Job next = input();
+    if (bobWeightAsLoaded_) {
+        noteBobWeight(next, *bobWeightAsLoaded_);
+    }
     mutate(next);
+    // A case that came so stays as it came, until its engine changes.
     if (QString why = engineTrouble(next); !why.isEmpty() && next.engine != input().engine) {
         sayRefused(why);
         return why;
@@ -251,19 +259,11 @@ QString WorkshopModel::edit(const QString& name, const std::function<void(Job&)>
     if (!isTyped()) {
         beforeEditing_ = input();
     }
+    if (next.job != input().job) {
+        noteShaft(next, beforeEditing_);
+    }
     return CaseModel::edit(
-        name,
-        [&](Job& input) {
-            if (bobWeightAsLoaded_) {
-                noteBobWeight(input, *bobWeightAsLoaded_);
-            }
-            const auto before = input.job;
-            mutate(input);
-            if (input.job != before) {
-                noteShaft(input, beforeEditing_);
-            }
-        },
-        title);
+        name, [&](Job& input) { input = std::move(next); }, title);
 }
 
 void WorkshopModel::noteBobWeight(Job& input, double bobWeight) {
@@ -551,13 +551,22 @@ QString WorkshopModel::otherRunText() const {
 
 void WorkshopModel::keepMachine() {
     if (scene().dated) {
-        shop_machine::keep(input().machine);
-        Q_EMIT changed();
+        ShopMachine::instance().keep(input().machine);
+    }
+}
+
+/// A new job that nobody has touched yet was begun with the machine before.
+void WorkshopModel::takeShopsMachine(const workshop::Machine& before) {
+    if (!hasChanges() && !CaseDocument::hasFile(*this) && desk_.jobId() == 0 &&
+        input().machine == before) {
+        Job next = input();
+        next.machine = ShopMachine::instance().kept();
+        restart(next);
     }
 }
 
 bool WorkshopModel::isShopsMachine() const {
-    return !scene().dated || input().machine == shop_machine::kept();
+    return !scene().dated || input().machine == ShopMachine::instance().kept();
 }
 
 // ------------------------------------------------------------------------------------ the job
@@ -646,7 +655,7 @@ QString WorkshopModel::answerLacks() const {
     if (withheld().any()) {
         return Words().message(solved().verdict.text);
     }
-    if (!solution().bob_weight) {
+    if (!solution().bob_weight && !balances_itself(input().engine)) {
         return headline();
     }
     if (plugs() != nullptr && !plugs()->advice) {

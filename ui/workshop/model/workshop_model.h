@@ -82,8 +82,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     const v8_plugs::Input* plugsInput() const {
         return solved().plugs ? &*solved().plugs : nullptr;
     }
-    /// A copy of it all, for the job card.
-    WorkshopScene::Solved solvedForCard() const { return solved(); }
     const std::vector<workshop::Doubt>& doubts() const { return solved().found.doubts; }
     workshop::Withheld withheld() const { return solved().found.withheld(); }
     /// What is withheld, to be seen and not to be used; empty where nothing is.
@@ -191,7 +189,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     Results effectResults() const;
     Results takeOffResults() const;
     /// What was typed or weighed, but does not count (yet).
-    QStringList notCounted() const;
+    QStringList notCounted(const Words& words = {}) const;
     /// The weights change places as the placing says.
     void moveParts();
     /// The weights go back to where they were weighed.
@@ -201,14 +199,18 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
 
     // -------------------------------------------------------------------- what the page shows
     QString planeName(std::size_t plane) const;
-    QString headline() const;  ///< the bob weight; why where it is not known
-    QString hangText() const;  ///< on what it is hung
-    QString factorText() const;
+    // In the language of the page, or of the job card.
+    /// The bob weight; where it is not known why, or what is missing.
+    QString headline(const Words& words = {}) const;
+    QString hangText(const Words& words = {}) const;  ///< on what it is hung
+    QString factorText(const Words& words = {}) const;
     QString reasonText() const;
     QString limitText() const;
     QString holeNote() const;
     /// What is wrong or to be known beside the verdict, a sentence each.
-    QStringList troubles() const;
+    QStringList troubles() const { return troubles(Words(), false); }
+    /// @param withDoubts  and what the verdict says of doubts
+    QStringList troubles(const Words& words, bool withDoubts) const;
     /// What is to be known of the answer, a sentence each.
     QStringList remarks() const;
     Results lineResults() const;
@@ -218,8 +220,9 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     Results holeResults() const;
 
     // Of the plugs; empty without.
-    QString adviceText() const;  ///< what to do; what is missing where that is not known
-    QString boringText() const;
+    /// What to do; what is missing where that is not known.
+    QString adviceText(const Words& words = {}) const;
+    QString boringText(const Words& words = {}) const;
     QString excessText() const;
     QString shiftText() const;
     QString checkText() const;  ///< after equals nominal
@@ -246,10 +249,10 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     void taken() override;
 
   private:
+    void takeShopsMachine(const workshop::Machine& before);
     std::size_t firstRun() const;
     /// That hangs on the crankpins, doubted or not.
     std::optional<double> bobWeightNow() const { return solved().found.shaft.bob_weight; }
-    QString shownError(const InputError& error) const;
     /// Why there are not such an engine and such plugs; empty where there may be.
     static QString engineTrouble(const Input& next);
     template <typename Said>

@@ -18,11 +18,6 @@ constexpr const char* shortOptions[] = {
     QT_TRANSLATE_NOOP("V8", "new: steel"), QT_TRANSLATE_NOOP("V8", "new: its own"),
     QT_TRANSLATE_NOOP("V8", "new: aluminium")};
 
-template <typename Enum, std::size_t N>
-QString named(const Words& words, const char* const (&names)[N], Enum value) {
-    return words.translate("V8", names[static_cast<std::size_t>(value)]);
-}
-
 }  // namespace
 
 QString engineName(const Words& words, const std::string& name) {
@@ -42,7 +37,7 @@ QString optionName(const Words& words, OptionId option) {
 }
 
 QString shortOption(const Words& words, OptionId option) {
-    return named(words, shortOptions, option);
+    return words.translate("V8", shortOptions[static_cast<std::size_t>(option)]);
 }
 
 QStringList missing(const Words& words, const Input& input, bool withBobWeight) {
@@ -55,10 +50,6 @@ QStringList missing(const Words& words, const Input& input, bool withBobWeight) 
                                  "changes of mass (sheet 2) or weights of the parts (sheet 3)");
     }
     return names;
-}
-
-QString missingNames(const Words& words, const Input& input, bool withBobWeight) {
-    return missing(words, input, withBobWeight).join(QStringLiteral(", "));
 }
 
 }  // namespace ravnoves::v8_names

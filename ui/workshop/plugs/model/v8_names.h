@@ -19,7 +19,5 @@ QString optionName(const Words& words, v8_plugs::OptionId option);
 QString shortOption(const Words& words, v8_plugs::OptionId option);
 /// The names of the values that the answer lacks: "oil in a crankpin mₘ", "oil coefficient kₘ".
 QStringList missing(const Words& words, const v8_plugs::Input& input, bool withBobWeight);
-/// The same one after the other.
-QString missingNames(const Words& words, const v8_plugs::Input& input, bool withBobWeight);
 
 }  // namespace ravnoves::v8_names
