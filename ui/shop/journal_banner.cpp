@@ -4,20 +4,21 @@
 #include <QPushButton>
 
 #include "shop/model/job_desk.h"
-#include "shop/sheet_form.h"
 #include "theme/theme.h"
+#include "widgets/form_section.h"
 #include "widgets/layouts.h"
 
 namespace ravnoves {
 
 JournalBanner::JournalBanner(JobDesk* desk, QWidget* parent) : Panel(parent), desk_(desk) {
+    constexpr int buttonHeight = 34;  // designed pixels
     QHBoxLayout* row = rowIn(this, -1, barMargins);
     text_ = copyableLabel("banner", Theme::baseSize, this, true);
     row->addWidget(text_, 1);
     const auto button = [&](const QString& name, const QString& text) {
         auto* made = new QPushButton(text, this);
         made->setObjectName(name);
-        made->setMinimumHeight(Theme::withText(SheetForm::fieldHeight));
+        made->setMinimumHeight(Theme::withText(buttonHeight));
         row->addWidget(made);
         return made;
     };

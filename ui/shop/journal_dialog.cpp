@@ -12,7 +12,6 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <numeric>
 
 #include "pictures/file_dialogs.h"
 #include "shop/checked_field.h"
@@ -31,26 +30,20 @@ namespace ravnoves {
 namespace {
 
 constexpr int buttonHeight = 36;
-constexpr int resultColumn = 6;
-constexpr int lastWidth = 120;     // designed pixels
+constexpr int widest = 320;        // designed pixels of a column
 constexpr int longestList = 1000;  // more is not looked through by eye
 
-struct JournalColumn {
-    QString title;
-    int width;  ///< designed pixels
-};
-
 /// What cellsOf() fills.
-QList<JournalColumn> journalColumns() {
-    return {{JournalDialog::tr("Date"), 84},
-            {JournalDialog::tr("Engine number"), 124},
-            {JournalDialog::tr("Crankshaft"), 84},
-            {JournalDialog::tr("Customer"), 116},
-            {JournalDialog::tr("Engine"), 62},
-            {JournalDialog::tr("Technician"), 96},
-            {JournalDialog::tr("Result"), 150},
-            {JournalDialog::tr("Bob weight, g"), 108},
-            {JournalDialog::tr("Machine, g·mm"), lastWidth}};
+QStringList journalColumns() {
+    QStringList titles{JournalDialog::tr("Date"),         JournalDialog::tr("Engine number"),
+                       JournalDialog::tr("Crankshaft"),   JournalDialog::tr("Customer"),
+                       JournalDialog::tr("Engine"),       JournalDialog::tr("Technician"),
+                       JournalDialog::tr("Result"),       JournalDialog::tr("Bob weight, g"),
+                       JournalDialog::tr("Machine, g·mm")};
+    for (QString& each : titles) {
+        each = shownTitle(each).text;
+    }
+    return titles;
 }
 
 }  // namespace
@@ -137,22 +130,14 @@ JournalDialog::JournalDialog(Journal* journal, Listed listed, QWidget* parent)
     table_->setTabKeyNavigation(false);
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(Theme::withText(30));
-    const QList<JournalColumn> columns = journalColumns();
-    table_->setColumnCount(static_cast<int>(columns.size()));
-    QStringList titles;
-    for (const JournalColumn& each : columns) {
-        titles << shownTitle(each.title).text;
-    }
+    const QStringList titles = journalColumns();
+    table_->setColumnCount(static_cast<int>(titles.size()));
     table_->setHorizontalHeaderLabels(titles);
-    const QFontMetrics headings(table_->horizontalHeader()->font());
-    for (int i = 0; i < titles.size(); ++i) {
-        table_->setColumnWidth(
-            i, std::max(Theme::withText(columns[i].width),
-                        headings.horizontalAdvance(titles[i]) + Theme::withText(2 * Theme::space)));
-    }
-    table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    table_->horizontalHeader()->setStretchLastSection(true);
-    table_->viewport()->installEventFilter(this);
+    QHeaderView* header = table_->horizontalHeader();
+    header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    header->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header->setMaximumSectionSize(Theme::withText(widest));
+    header->setStretchLastSection(true);
     column->addWidget(table_, 1);
 
     message_ = new QLabel(this);
@@ -195,8 +180,7 @@ JournalDialog::JournalDialog(Journal* journal, Listed listed, QWidget* parent)
     search();
     text_->setFocus();
     // As wide as its words, within the window.
-    const QList<int> needed = neededWidths();
-    const int wanted = std::accumulate(needed.begin(), needed.end(), Theme::withText(60));
+    const int wanted = header->length() + Theme::withText(60);
     if (parent != nullptr && wanted > width()) {
         resize(std::max(width(), std::min(wanted, parent->window()->width())), height());
     }
@@ -276,7 +260,6 @@ void JournalDialog::search() {
                                : kind == VerdictKind::Open ? QBrush(theme.warning())
                                                            : QBrush());
     }
-    giveRoom();
     if (table_->rowCount() > 0) {
         table_->setCurrentCell(0, 0);
     }
@@ -295,58 +278,8 @@ void JournalDialog::searchFor(const QString& text) {
     text_->setText(text);
 }
 
-QList<int> JournalDialog::neededWidths() const {
-    QList<int> needed;
-    for (int column = 0; column < table_->columnCount(); ++column) {
-        constexpr int seen = 100;  // rows; those further down are not read at once
-        needed << table_->horizontalHeader()->sectionSizeHint(column);
-        for (int row = 0; row < std::min(table_->rowCount(), seen); ++row) {
-            const QModelIndex cell = table_->model()->index(row, column);
-            needed.last() = std::max(needed.last(), table_->sizeHintForIndex(cell).width());
-        }
-    }
-    return needed;
-}
-
-void JournalDialog::giveRoom() {
-    if (!table_->isVisible()) {
-        return;  // its width is not known yet
-    }
-    const int last = table_->columnCount() - 1;
-    const QList<int> needed = neededWidths();
-    QList<int> widths;
-    int left = table_->viewport()->width();
-    for (int column = 0; column < last; ++column) {
-        widths << table_->columnWidth(column);
-        left -= widths.last();
-    }
-    widths << left;
-    // Result and machine have the longest words, and are what one looks for.
-    QList<int> order{resultColumn, last};
-    for (int column = 0; column < last; ++column) {
-        order << column;
-    }
-    for (const int column : order) {
-        for (int from = last; from >= 0; --from) {
-            const int spare = widths[from] - needed[from];
-            const int lack = needed[column] - widths[column];
-            if (spare > 0 && lack > 0) {
-                widths[from] -= std::min(spare, lack);
-                widths[column] += std::min(spare, lack);
-            }
-        }
-    }
-    for (int column = 0; column < last; ++column) {
-        if (widths[column] != table_->columnWidth(column)) {
-            table_->setColumnWidth(column, widths[column]);
-        }
-    }
-}
-
 bool JournalDialog::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Resize && watched == table_->viewport()) {
-        giveRoom();
-    } else if (event->type() == QEvent::KeyPress && watched == text_) {
+    if (event->type() == QEvent::KeyPress && watched == text_) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Down || key == Qt::Key_Up) {  // through the list, while one searches
             QApplication::sendEvent(table_, event);

@@ -52,10 +52,6 @@ class JournalDialog : public QDialog {
 
   private:
     void search();
-    /// Of the columns, by heading and words.
-    QList<int> neededWidths() const;
-    /// Columns that need more width get it from those that need less.
-    void giveRoom();
     void showDayTrouble(const JournalQuery& wanted);
     JournalQuery query() const;
     void choose(Choice choice);

@@ -72,22 +72,8 @@ void ScaleButton::showConnection() {
 }
 
 void ScaleButton::showLine(const ScaleLine& line) {
-    switch (line.kind) {
-        case ScaleLine::Kind::stable:
-            setText(tr("Scale: %1").arg(scaleText(line)));
-            break;
-        case ScaleLine::Kind::moving:
-            setText(tr("Scale: %1, not settled").arg(scaleText(line)));
-            break;
-        case ScaleLine::Kind::overload:
-        case ScaleLine::Kind::underload:
-            setText(tr("Scale: out of its range"));
-            break;
-        case ScaleLine::Kind::garbled:
-            setText(tr("Scale: not understood"));
-            break;
-        case ScaleLine::Kind::other:
-            break;
+    if (line.kind != ScaleLine::Kind::other) {
+        setText(tr("Scale: %1").arg(meaningOf(line)));
     }
 }
 

@@ -202,27 +202,8 @@ void ScaleDialog::showConnection() {
 }
 
 void ScaleDialog::showLine(const QByteArray& raw, const ScaleLine& line) {
-    QString meaning;
-    switch (line.kind) {
-        case ScaleLine::Kind::stable:
-            meaning = tr("%1, stable").arg(scaleText(line));
-            break;
-        case ScaleLine::Kind::moving:
-            meaning = tr("%1, not settled").arg(scaleText(line));
-            break;
-        case ScaleLine::Kind::overload:
-            meaning = tr("too much on the pan");
-            break;
-        case ScaleLine::Kind::underload:
-            meaning = tr("too little on the pan");
-            break;
-        case ScaleLine::Kind::other:
-            meaning = tr("no weight");
-            break;
-        case ScaleLine::Kind::garbled:
-            meaning = reader_->refusal().isEmpty() ? tr("not understood") : reader_->refusal();
-            break;
-    }
+    const bool isRefused = line.kind == ScaleLine::Kind::garbled && !reader_->refusal().isEmpty();
+    const QString meaning = isRefused ? reader_->refusal() : meaningOf(line);
     lines_->appendPlainText(shownLine(raw) + QStringLiteral("  →  ") + meaning);
     // The first weight shows what the last digit is.
     if (line.kind == ScaleLine::Kind::stable && !resolution_->value() &&

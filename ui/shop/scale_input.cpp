@@ -74,6 +74,24 @@ QString scaleText(const shop::ScaleLine& line) {
     return withUnit(fixedDecimals(line.number, line.decimals, QLocale()), unitText(line.unit.name));
 }
 
+QString meaningOf(const shop::ScaleLine& line) {
+    switch (line.kind) {
+        case shop::ScaleLine::Kind::stable:
+            return ScaleInput::tr("%1, stable").arg(scaleText(line));
+        case shop::ScaleLine::Kind::moving:
+            return ScaleInput::tr("%1, not settled").arg(scaleText(line));
+        case shop::ScaleLine::Kind::overload:
+            return ScaleInput::tr("too much on the pan");
+        case shop::ScaleLine::Kind::underload:
+            return ScaleInput::tr("too little on the pan");
+        case shop::ScaleLine::Kind::garbled:
+            return ScaleInput::tr("not understood");
+        case shop::ScaleLine::Kind::other:
+            break;
+    }
+    return ScaleInput::tr("no weight");
+}
+
 ScaleEntry enterWeight(const shop::ScaleLine& line) {
     const QString weight = scaleText(line);
     QWidget* focus = QApplication::focusWidget();

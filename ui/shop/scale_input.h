@@ -9,6 +9,9 @@ namespace ravnoves {
 /// A weight as text that every mass field takes: "568.50 g".
 QString scaleText(const shop::ScaleLine& line);
 
+/// What a line means: "568.50 g, stable".
+QString meaningOf(const shop::ScaleLine& line);
+
 /// What became of a weight.
 struct ScaleEntry {
     QString text;          ///< in words, for the status bar

@@ -192,7 +192,7 @@ TEST_F(Faults, AFullDiskKeepsTheJobOnTheSheet) {
     EXPECT_EQ(said(Qt::Key_F2, {}), QString());
     EXPECT_TRUE(QTest::qWaitFor([&] { return desk->jobId() != 0; }));
     EXPECT_EQ(desk->journal()->search({}).size(), 1);
-    EXPECT_EQ(desk->journal()->setAsidePath(), QString());
+    EXPECT_EQ(desk->journal()->openMessage(), QString());
 }
 
 TEST_F(Faults, AReadOnlyFolderIsSaid) {

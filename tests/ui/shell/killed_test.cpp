@@ -102,7 +102,7 @@ TEST_F(KilledWindow, LosesNothingThatItSaved) {
         // So is the job.
         Journal journal(QDir(data).filePath(u"journal.sqlite"_s));
         ASSERT_TRUE(journal.open()) << journal.lastError().toStdString();
-        EXPECT_TRUE(journal.setAsidePath().isEmpty());
+        EXPECT_TRUE(journal.openMessage().isEmpty());
         const QList<JournalJob> jobs = journal.search({});
         ASSERT_FALSE(jobs.isEmpty());
         int inJournal = -1;

@@ -129,7 +129,7 @@ TEST_F(ScaleTest, WeightsGoDownTheSheet) {
     scale.send("S S    5x8.10 g\r\n");
     EXPECT_TRUE(shows(u"not understood"_s));
     scale.send("S +\r\n");
-    EXPECT_TRUE(shows(u"out of its range"_s));
+    EXPECT_TRUE(shows(u"too much on the pan"_s));
     EXPECT_EQ(focus(), "mass_piston_2");
 
     // A line comes in pieces; half a line that does not go on is no line, nor part of the next.

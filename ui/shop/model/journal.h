@@ -114,8 +114,6 @@ class Journal : public QObject {
     const QString& lastError() const { return error_; }
     /// What the user should know of the opening: a damaged file was set aside. Empty else.
     const QString& openMessage() const { return openMessage_; }
-    /// The file that open() set aside; empty where there was no need.
-    const QString& setAsidePath() const { return setAside_; }
     /// The backup that can be restored in its place; empty where there is none.
     const QString& offeredBackup() const { return offered_; }
 
@@ -181,7 +179,6 @@ class Journal : public QObject {
     QString connection_;
     QString error_;
     QString openMessage_;
-    QString setAside_;
     QString offered_;
     bool isBusy_ = false;  ///< the last fault was that another program writes
     std::optional<std::pair<quint64, quint64>> identity_;  // device and inode of the open file

@@ -58,7 +58,6 @@ QString noFileOf(const QString& path) {
 bool Journal::open() {
     error_.clear();
     openMessage_.clear();
-    setAside_.clear();
     closeDatabase();
     const QFileInfo info(path_);
     if (!QDir().mkpath(info.absolutePath())) {
@@ -412,10 +411,9 @@ bool Journal::putAside(const QString& why) {
             QFile::remove(side);
         }
     }
-    setAside_ = target;
     openMessage_ = tr("The journal was damaged. The damaged file was kept as %1, and a new journal "
                       "was begun.")
-                       .arg(setAside_);
+                       .arg(target);
     for (const QFileInfo& backup : backupsOf(path_).mid(0, 1)) {
         offered_ = backup.filePath();
         openMessage_ += QLatin1Char(' ') + tr("Its last backup is of %1.")
