@@ -937,10 +937,6 @@
         <translation>Момент учтён; для его величины нужен шаг цилиндров.</translation>
     </message>
     <message>
-        <source>, couple %1 → %2.</source>
-        <translation>, момент %1 → %2.</translation>
-    </message>
-    <message>
         <source>What differs</source>
         <translation>Разница</translation>
     </message>
@@ -1013,10 +1009,6 @@
         <translation>Шатунные шейки различаются на %1 как стоят сейчас и на %2, если переставить ещё комплектов: %3.</translation>
     </message>
     <message>
-        <source>First-order unbalance of the differences %1 → %2</source>
-        <translation>Дисбаланс первого порядка от разницы масс %1 → %2</translation>
-    </message>
-    <message>
         <source>Unbalance</source>
         <translation>Дисбаланс</translation>
     </message>
@@ -1071,6 +1063,10 @@
     <message>
         <source>Too many placings to try all: this is the best found.</source>
         <translation>Расстановок слишком много, чтобы перебрать все: это лучшая из найденных.</translation>
+    </message>
+    <message>
+        <source>What the placing changes</source>
+        <translation>Что меняет перестановка</translation>
     </message>
     <message>
         <source>Part no.</source>
@@ -1783,14 +1779,6 @@
         <translation>Головка × %1: 2 за два шатуна, как обычно, kᵣ = %2 по методу, здесь это %3.</translation>
     </message>
     <message>
-        <source>%1 in each plane is what Nazarov&apos;s experiments left: the limit of this method.</source>
-        <translation>%1 в каждой плоскости оставалось в опытах Назарова: это предел метода.</translation>
-    </message>
-    <message>
-        <source>%1 in each plane is the shop&apos;s own limit.</source>
-        <translation>%1 в каждой плоскости — предел, принятый в мастерской.</translation>
-    </message>
-    <message>
         <source>Weighed to %1, the bob weight is sure to ±%2 and the unbalance of a crankpin to ±%3 (19 times of 20).</source>
         <translation>При взвешивании до %1 масса балансировочного груза известна до ±%2, а дисбаланс шейки — до ±%3 (в 19 случаях из 20).</translation>
     </message>
@@ -1969,14 +1957,6 @@
 </context>
 <context>
     <name>Workshop</name>
-    <message>
-        <source>The readings were taken with another bob weight: %1 then, %2 now. Take them again, or say on the sheet of the machine that they hold.</source>
-        <translation>Показания сняты с другим балансировочным грузом: тогда %1, сейчас %2. Снимите их заново или подтвердите на листе станка, что они верны.</translation>
-    </message>
-    <message>
-        <source>The readings are of another crankshaft: number %1 then, %2 now. Take them again, or say on the sheet of the machine that they hold.</source>
-        <translation>Показания сняты с другого вала: тогда номер %1, сейчас %2. Снимите их заново или подтвердите на листе станка, что они верны.</translation>
-    </message>
     <message>
         <source>another bob weight</source>
         <translation>другой груз</translation>
@@ -12795,6 +12775,10 @@ but nothing can be built</source>
         <source>Crankpin plugs of a V-8 at 90° are bored or replaced to balance heavier or lighter parts.</source>
         <translation>Заглушки шатунных шеек V-8 с углом 90° растачивают или заменяют, чтобы уравновесить более тяжёлые или лёгкие детали.</translation>
     </message>
+    <message>
+        <source>Job</source>
+        <translation>Работа</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::Journal</name>
@@ -13111,6 +13095,14 @@ but nothing can be built</source>
         <source>New jobs begin with this set-up.</source>
         <translation>Новые работы начинаются с этой настройки.</translation>
     </message>
+    <message>
+        <source>Readings &amp;hold</source>
+        <translation>Показания &amp;верны</translation>
+    </message>
+    <message>
+        <source>They are of this crankshaft, with the bob weight that there is now.</source>
+        <translation>Они сняты с этого вала, с тем грузом, который указан сейчас.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::MainWindow</name>
@@ -13397,69 +13389,6 @@ but nothing can be built</source>
     <message>
         <source>Copied from %1: %2.</source>
         <translation>Скопировано из %1: %2.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::MatchingSheet</name>
-    <message>
-        <source>may go</source>
-        <translation>подбор</translation>
-    </message>
-    <message>
-        <source>with it</source>
-        <translation>с ним</translation>
-    </message>
-    <message>
-        <source>The small end goes with the big end: they are one rod.</source>
-        <translation>Верхняя головка идёт вместе с нижней: это один шатун.</translation>
-    </message>
-    <message>
-        <source>&amp;Move them here</source>
-        <translation>Пере&amp;ставить здесь</translation>
-    </message>
-    <message>
-        <source>The weights change places on this sheet as the parts do.</source>
-        <translation>Массы на этом листе меняются местами, как и детали.</translation>
-    </message>
-    <message>
-        <source>What the placing makes of the differences</source>
-        <translation>Что даёт расстановка</translation>
-    </message>
-    <message>
-        <source>Which set goes to which cylinder</source>
-        <translation>Какой комплект в какой цилиндр</translation>
-    </message>
-    <message>
-        <source>What to take off each part to reach the lightest</source>
-        <translation>Сколько снять с каждой детали до самой лёгкой</translation>
-    </message>
-    <message>
-        <source>Parts have been moved by this rule: press “As weighed” to change it.</source>
-        <translation>Детали переставлены по этому правилу: чтобы изменить его, нажмите «Как взвешено».</translation>
-    </message>
-    <message>
-        <source>As &amp;weighed</source>
-        <translation>Как &amp;взвешено</translation>
-    </message>
-    <message>
-        <source>The weights go back to the cylinders that they were weighed in.</source>
-        <translation>Массы возвращаются к цилиндрам, в которых их взвесили.</translation>
-    </message>
-    <message>
-        <source>Where matching may put a part – free: in any cylinder, bank: within its bank, goes: with its piston or rod, stays: where it is.</source>
-        <translation>Куда можно поставить деталь при подборе — везде: в любой цилиндр; ряд: в своём ряду; идёт: вместе со своим поршнем или шатуном; стоит: где стояла.</translation>
-    </message>
-    <message>
-        <source>mean, g</source>
-        <translation>среднее, г</translation>
-    </message>
-    <message>
-        <source>to nominal, g</source>
-        <translation>к номиналу, г</translation>
-    </message>
-    <message>
-        <source>spread, g</source>
-        <translation>разброс, г</translation>
     </message>
 </context>
 <context>
@@ -15099,18 +15028,6 @@ but nothing can be built</source>
         <source>Scale: %1</source>
         <translation>Весы: %1</translation>
     </message>
-    <message>
-        <source>Scale: %1, not settled</source>
-        <translation>Весы: %1, не установились</translation>
-    </message>
-    <message>
-        <source>Scale: out of its range</source>
-        <translation>Весы: вне диапазона</translation>
-    </message>
-    <message>
-        <source>Scale: not understood</source>
-        <translation>Весы: непонятная строка</translation>
-    </message>
 </context>
 <context>
     <name>ravnoves::ScaleDialog</name>
@@ -15214,30 +15131,6 @@ but nothing can be built</source>
         <source>Connected to %1.</source>
         <translation>Подключены: %1.</translation>
     </message>
-    <message>
-        <source>%1, stable</source>
-        <translation>%1, установились</translation>
-    </message>
-    <message>
-        <source>%1, not settled</source>
-        <translation>%1, не установились</translation>
-    </message>
-    <message>
-        <source>too much on the pan</source>
-        <translation>перегрузка</translation>
-    </message>
-    <message>
-        <source>too little on the pan</source>
-        <translation>недогрузка</translation>
-    </message>
-    <message>
-        <source>no weight</source>
-        <translation>не вес</translation>
-    </message>
-    <message>
-        <source>not understood</source>
-        <translation>непонятно</translation>
-    </message>
 </context>
 <context>
     <name>ravnoves::ScaleInput</name>
@@ -15256,6 +15149,30 @@ but nothing can be built</source>
     <message>
         <source>%1 from the scale goes nowhere: no field for a mass has the focus.</source>
         <translation>%1 с весов некуда записать: курсор не в поле массы.</translation>
+    </message>
+    <message>
+        <source>%1, stable</source>
+        <translation>%1, установились</translation>
+    </message>
+    <message>
+        <source>%1, not settled</source>
+        <translation>%1, не установились</translation>
+    </message>
+    <message>
+        <source>too much on the pan</source>
+        <translation>перегрузка</translation>
+    </message>
+    <message>
+        <source>too little on the pan</source>
+        <translation>недогрузка</translation>
+    </message>
+    <message>
+        <source>not understood</source>
+        <translation>непонятно</translation>
+    </message>
+    <message>
+        <source>no weight</source>
+        <translation>не вес</translation>
     </message>
 </context>
 <context>
@@ -15917,29 +15834,6 @@ but nothing can be built</source>
     <message>
         <source>switched on</source>
         <translation>включён</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::SheetForm</name>
-    <message>
-        <source>Readings &amp;hold</source>
-        <translation>Показания &amp;верны</translation>
-    </message>
-    <message>
-        <source>They are of this crankshaft, with the bob weight that there is now.</source>
-        <translation>Они сняты с этого вала, с тем грузом, который указан сейчас.</translation>
-    </message>
-    <message>
-        <source>Job</source>
-        <translation>Работа</translation>
-    </message>
-    <message>
-        <source>Read as one: %1</source>
-        <translation>Прочитано как одно: %1</translation>
-    </message>
-    <message>
-        <source>Read as %1: %2</source>
-        <translation>Прочитано как %1: %2</translation>
     </message>
 </context>
 <context>
@@ -17125,6 +17019,66 @@ but nothing can be built</source>
         <source>The sheet shows %1 of %2 cylinders. Paste a column of a spreadsheet for all, or type the means on sheet 2.</source>
         <translation>На листе %1 из %2 цилиндров. Вставьте столбец из таблицы для всех или введите средние на листе 2.</translation>
     </message>
+    <message>
+        <source>mean, g</source>
+        <translation>среднее, г</translation>
+    </message>
+    <message>
+        <source>to nominal, g</source>
+        <translation>к номиналу, г</translation>
+    </message>
+    <message>
+        <source>spread, g</source>
+        <translation>разброс, г</translation>
+    </message>
+    <message>
+        <source>may go</source>
+        <translation>подбор</translation>
+    </message>
+    <message>
+        <source>Parts have been moved by this rule: press “As weighed” to change it.</source>
+        <translation>Детали переставлены по этому правилу: чтобы изменить его, нажмите «Как взвешено».</translation>
+    </message>
+    <message>
+        <source>with it</source>
+        <translation>с ним</translation>
+    </message>
+    <message>
+        <source>The small end goes with the big end: they are one rod.</source>
+        <translation>Верхняя головка идёт вместе с нижней: это один шатун.</translation>
+    </message>
+    <message>
+        <source>Where matching may put a part – free: in any cylinder, bank: within its bank, goes: with its piston or rod, stays: where it is.</source>
+        <translation>Куда можно поставить деталь при подборе — везде: в любой цилиндр; ряд: в своём ряду; идёт: вместе со своим поршнем или шатуном; стоит: где стояла.</translation>
+    </message>
+    <message>
+        <source>&amp;Move them here</source>
+        <translation>Пере&amp;ставить здесь</translation>
+    </message>
+    <message>
+        <source>The weights change places on this sheet as the parts do.</source>
+        <translation>Массы на этом листе меняются местами, как и детали.</translation>
+    </message>
+    <message>
+        <source>As &amp;weighed</source>
+        <translation>Как &amp;взвешено</translation>
+    </message>
+    <message>
+        <source>The weights go back to the cylinders that they were weighed in.</source>
+        <translation>Массы возвращаются к цилиндрам, в которых их взвесили.</translation>
+    </message>
+    <message>
+        <source>What the placing makes of the differences</source>
+        <translation>Что даёт расстановка</translation>
+    </message>
+    <message>
+        <source>Which set goes to which cylinder</source>
+        <translation>Какой комплект в какой цилиндр</translation>
+    </message>
+    <message>
+        <source>What to take off each part to reach the lightest</source>
+        <translation>Сколько снять с каждой детали до самой лёгкой</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::WeighInTable</name>
@@ -17183,10 +17137,6 @@ but nothing can be built</source>
     <message>
         <source>Nothing is pasted: the block does not fit on the sheet from here, which has %1 cylinders.</source>
         <translation>Ничего не вставлено: отсюда блок не помещается на лист, где цилиндров %1.</translation>
-    </message>
-    <message>
-        <source>%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.</source>
-        <translation>%1: взвешено %2; тяжелее всех в цилиндре %3, легче всех в цилиндре %4.</translation>
     </message>
 </context>
 <context>
@@ -17505,6 +17455,18 @@ but nothing can be built</source>
     <message>
         <source>Not to be used: bob weight %1.</source>
         <translation>Не использовать: балансировочный груз %1.</translation>
+    </message>
+    <message>
+        <source>%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.</source>
+        <translation>%1: взвешено %2; тяжелее всех в цилиндре %3, легче всех в цилиндре %4.</translation>
+    </message>
+    <message>
+        <source>%1 in each plane is what Nazarov&apos;s experiments left: the limit of this method.</source>
+        <translation>%1 в каждой плоскости оставалось в опытах Назарова: это предел метода.</translation>
+    </message>
+    <message>
+        <source>%1 in each plane is the shop&apos;s own limit.</source>
+        <translation>%1 в каждой плоскости — предел, принятый в мастерской.</translation>
     </message>
 </context>
 <context>
@@ -18702,6 +18664,18 @@ but nothing can be built</source>
     <message>
         <source>Type two names, such as left / right.</source>
         <translation>Введите два названия, например левая / правая.</translation>
+    </message>
+    <message>
+        <source>Read as one: %1</source>
+        <translation>Прочитано как одно: %1</translation>
+    </message>
+    <message>
+        <source>Read as %1: %2</source>
+        <translation>Прочитано как %1: %2</translation>
+    </message>
+    <message>
+        <source>“%1” was read as %2. Type %3 if that is meant.</source>
+        <translation>«%1» прочитано как %2. Если имеется в виду %3, введите %3.</translation>
     </message>
 </context>
 </TS>

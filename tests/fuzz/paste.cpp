@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "balance-shaft/model/torque_table_model.h"
-#include "bob-weights/fields.h"
 #include "case-file/input_error.h"
 #include "finite.h"
 #include "inertia-moments/model/cylinder_table_model.h"
@@ -16,6 +15,7 @@
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"
 #include "window_target.h"
+#include "workshop/model/weigh_in_table.h"
 #include "workshop/model/workshop_model.h"
 
 namespace {
@@ -47,15 +47,10 @@ void paste(SceneModel& model, const std::function<QString()>& write) {
 struct Pages {
     Pages() { plugs.setHasPlugs(true); }
 
-    static WeighInTable::Source weightsOf(WorkshopModel* model) {
-        return WeighInTable::sourceOf(model, bob_weights::field::part_mass, true,
-                                      [model] { return model->input().engine.cylinders; });
-    }
-
     WorkshopModel shaft{QString()};
     WorkshopModel plugs{QString()};
-    WeighInTable weights{weightsOf(&shaft)};
-    WeighInTable weightsWithPlugs{weightsOf(&plugs)};
+    WeighInTable weights{&shaft};
+    WeighInTable weightsWithPlugs{&plugs};
     InertiaMomentsModel engine;
     CylinderTableModel cylinders{&engine};
     StudyModel study{&engine};

@@ -2,6 +2,8 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include "shop/job_header.h"
+#include "shop/journal_dialog.h"
 #include "text/message_text.h"
 #include "theme/theme.h"
 #include "v8-plugs/fields.h"
@@ -16,6 +18,26 @@ JobSheet::JobSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(model,
     section(tr("Notes on the job card"));
     text("/job/notes", longestNotes);
     finish();
+}
+
+/// Whose job it is, and when.
+void JobSheet::addJob() {
+    section(tr("Job"));
+    text("/job/engine_number");
+    text("/job/crankshaft_number");
+    text("/job/customer");
+    static const std::string date = "/job/date";
+    checked(shop::field::date,
+            {[](const QString& typed) { return readDay(typed).toString(Qt::ISODate); }, dayTrouble,
+             [this] {
+                 return QString::fromStdString(
+                     std::get<std::string>(model_->fields(date).front().value));
+             },
+             [this](const QString& name, const QString& day) {
+                 model_->editField(date, day.toStdString(), name);
+             },
+             [](const QString& day) { return Words().day(day); }, false});
+    text("/job/technician");
 }
 
 void JobSheet::buildEngine() {

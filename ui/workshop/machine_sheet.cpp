@@ -78,8 +78,7 @@ MachineSheet::MachineSheet(WorkshopModel* model, QWidget* parent) : WorkshopShee
         return bob_text::machineText(Words(), model_->input().machine);
     });
     convention->setObjectName(QStringLiteral("machine_convention"));
-    addHold([this] { return model_->otherRunText(); }, [this] { model_->confirmReadings(); },
-            readings_);
+    addHold();
     buildPlanes();
     buildTolerance();
     addMachine();
@@ -94,9 +93,9 @@ MachineSheet::MachineSheet(WorkshopModel* model, QWidget* parent) : WorkshopShee
 
 QWidget* MachineSheet::nextReading() const {
     const auto next = std::find_if(readings_.begin(), readings_.end(), [](NumberField* each) {
-        return each->isVisible() && !each->value();
+        return !each->isHidden() && !each->value();
     });
-    return next == readings_.end() ? nullptr : *next;
+    return next == readings_.end() ? readings_.first() : *next;
 }
 
 /// Headings of columns that are of planes follow their names.
@@ -110,6 +109,30 @@ void MachineSheet::followNames(QGridLayout* grid, const std::vector<std::pair<in
             heading->setText(unit.isEmpty() ? name : name + QStringLiteral(", ") + unit);
         }
     });
+}
+
+bool MachineSheet::isDoubtful() const {
+    return !model_->otherRunText().isEmpty();
+}
+
+/// What is wrong with readings, and a button that says that they hold for the crankshaft and the
+/// bob weight of now.
+void MachineSheet::addHold() {
+    QLabel* said = line(Theme::baseSize, [this] { return model_->otherRunText(); });
+    said->setObjectName(QStringLiteral("other_bob_weight"));
+    colourText(said, &Theme::warning);
+    hold_ =
+        button("readings_hold", tr("Readings &hold"),
+               tr("They are of this crankshaft, with the bob weight that there is now."), [this] {
+                   // The button goes with what it says: under the focus it would hand it on to
+                   // what follows, and the sheet would scroll there.
+                   nextReading()->setFocus(Qt::OtherFocusReason);
+                   model_->confirmReadings();
+                   if (hold_->isVisible()) {
+                       hold_->setFocus(Qt::OtherFocusReason);  // others do not hold
+                   }
+               });
+    follow([this] { hold_->setVisible(isDoubtful()); });
 }
 
 void MachineSheet::buildPlanes() {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "shop/matching_sheet.h"
-#include "workshop/model/workshop_model.h"
+#include "workshop/workshop_sheet.h"
 
 class QComboBox;
 class QGridLayout;
@@ -9,28 +8,7 @@ class QPushButton;
 
 namespace ravnoves {
 
-/// A sheet of the workshop's form.
-class WorkshopSheet : public SheetForm {
-    Q_OBJECT
-
-  public:
-    explicit WorkshopSheet(WorkshopModel* model, QWidget* parent = nullptr)
-        : SheetForm(model, parent), model_(model) {}
-
-  protected:
-    /// The section that is begun is there with plugs alone, or without them alone.
-    void withPlugs(bool there);
-    /// A line of buttons.
-    QPushButton* button(const char* name, const QString& label, const QString& tip,
-                        std::function<void()> press);
-    /// A grid over the whole width with its headings, and the line for what is refused in it.
-    std::pair<QGridLayout*, TroubleLine*> grid(const QStringList& headings);
-    NumberField* cell(const Field& field, const QString& name, const QString& spoken);
-    /// How the balancing machine is set up.
-    void addMachine();
-
-    WorkshopModel* model_;
-};
+class WeighInTable;
 
 /// Sheet 1: whose job it is, which engine, whether it has plugs.
 class JobSheet : public WorkshopSheet {
@@ -40,6 +18,7 @@ class JobSheet : public WorkshopSheet {
     explicit JobSheet(WorkshopModel* model, QWidget* parent = nullptr);
 
   private:
+    void addJob();
     void buildEngine();
     void buildPlugs();
     void showEngines();
@@ -59,14 +38,43 @@ class PartsSheet : public WorkshopSheet {
     void buildChanges();
 };
 
-/// Sheet 3: every part of every cylinder on the scale. What is weighed whole goes before sheet 2.
-class WeighInSheet : public MatchingSheet {
+/// Sheet 3: every part of every cylinder on the scale, a column for each kind of part and a row for
+/// each cylinder; what may move, what the parts are placed for, and what comes out. What is weighed
+/// whole goes before sheet 2. Enter goes down the columns, as one weighs; a block of a spreadsheet
+/// is pasted from the cell that has the focus.
+class WeighInSheet : public WorkshopSheet {
     Q_OBJECT
 
   public:
-    static constexpr int mostRows = 16;  ///< further cylinders come by pasting a column
-
     explicit WeighInSheet(WorkshopModel* model, QWidget* parent = nullptr);
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    using Rules = shop::MatchingRules;
+
+    void addSource();
+    void addWeights();
+    QLabel* put(int row, int column, const QString& text, int size, bool bold = false);
+    void addColumn(int column);
+    NumberField* addCell(int row, int column);
+    void addMoves(int row);
+    /// @return true where the clipboard has several numbers
+    bool pasteBlock(int row, int column);
+    void addGoal();
+    void addFindings();
+    void addTable(std::string_view part, const QString& name);
+    Rules rules() const;
+    void editRules(const QString& name, const std::function<void(Rules&)>& change);
+
+    WeighInTable* table_;
+    TroubleLine* trouble_;
+    HowRead* read_;
+    int rows_;  ///< that have cells
+    QGridLayout* grid_ = nullptr;
+    std::vector<NumberField*> cells_;  ///< column by column
+    QComboBox* goal_ = nullptr;        ///< what the parts are placed for
 };
 
 /// Sheet 4: the plugs of a V-8.
@@ -104,11 +112,12 @@ class MachineSheet : public WorkshopSheet {
   public:
     explicit MachineSheet(WorkshopModel* model, QWidget* parent = nullptr);
 
-    /// Where one goes on: the first reading of the run that is not read yet; null where there is
-    /// none.
+    /// Where one goes on: the first reading of the run that is not read yet; else the first one.
     QWidget* nextReading() const;
+    bool isDoubtful() const override;
 
   private:
+    void addHold();
     void buildRuns();
     void buildPlanes();
     void buildTolerance();
@@ -116,6 +125,7 @@ class MachineSheet : public WorkshopSheet {
                      const QStringList& units);
 
     QList<NumberField*> readings_;  ///< run by run
+    QPushButton* hold_ = nullptr;
     QComboBox* grades_ = nullptr;
 };
 

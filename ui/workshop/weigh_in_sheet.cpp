@@ -1,28 +1,66 @@
 #include <QCheckBox>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
 
 #include "bob-weights/fields.h"
+#include "page/part_views.h"
 #include "text/message_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "v8-plugs/fields.h"
+#include "widgets/form_section.h"
+#include "workshop/model/weigh_in_table.h"
 #include "workshop/sheets.h"
 
 namespace ravnoves {
 
-WeighInSheet::WeighInSheet(WorkshopModel* model, QWidget* parent) : MatchingSheet(model, parent) {
+namespace {
+
+constexpr int cellHeight = 30;  // all of the sheet has to be seen on 800 lines
+constexpr int cellWidth = 44;
+constexpr int titleColumn = 73;  // the longest word of its titles, in Russian
+constexpr int mostRows = 16;     // further cylinders come by pasting a column
+
+}  // namespace
+
+WeighInSheet::WeighInSheet(WorkshopModel* model, QWidget* parent)
+    : WorkshopSheet(model, parent),
+      table_(new WeighInTable(model, this)),
+      trouble_(new TroubleLine(this)),
+      read_(new HowRead(model, this)),
+      rows_(WeighInTable::firstCylinder + mostRows) {
     column()->setSpacing(Theme::space);
+    addSource();
+    addWeights();
+    section({});
+    line(Theme::baseSize, [model] { return model->weighInText(); });
+    addGoal();
+    addFindings();
+    addTable("crankpins", tr("Excess on each crankpin, as weighed and after moving"));
+    finish();
+}
+
+/// What the weights are for, and which cylinders share a crankpin.
+void WeighInSheet::addSource() {
     section({});
     QCheckBox* source = ordered(box(
         QStringLiteral("changes_from_weigh_in"), tr("Take the mass changes &from this sheet"),
         fieldHint(v8_plugs::field::changes_source),
-        [model] { return model->hasPlugs() && model->input().plugs->changes_from_weigh_in; },
-        [model](bool on) {
-            model->editPlugs(fieldName(v8_plugs::field::changes_source),
-                             [on](v8_plugs::Input& plugs) { plugs.changes_from_weigh_in = on; });
+        [this] { return model_->hasPlugs() && model_->input().plugs->changes_from_weigh_in; },
+        [this](bool on) {
+            model_->editPlugs(fieldName(v8_plugs::field::changes_source),
+                              [on](v8_plugs::Input& plugs) { plugs.changes_from_weigh_in = on; });
         }));
-    follow([model, source] { source->setVisible(model->hasPlugs()); });
+    follow([this, source] { source->setVisible(model_->hasPlugs()); });
     QComboBox* pairs = wide(choice("/weigh_in/cylinder_numbering"), 250);
-    const auto noPairs = [model] {
-        return model->input().engine.type == bob_weights::EngineType::in_line
+    const auto noPairs = [this] {
+        return model_->input().engine.type == bob_weights::EngineType::in_line
                    ? tr("In line each cylinder has a crankpin of its own.")
                    : QString();
     };
@@ -32,8 +70,8 @@ WeighInSheet::WeighInSheet(WorkshopModel* model, QWidget* parent) : MatchingShee
         pairs->setToolTip(why.isEmpty() ? hint : why);
     });
     line(Theme::smallSize, noPairs);
-    line(Theme::smallSize, [model] {
-        const int cylinders = model->input().engine.cylinders;
+    line(Theme::smallSize, [this] {
+        const int cylinders = model_->input().engine.cylinders;
         return cylinders > mostRows
                    ? tr("The sheet shows %1 of %2 cylinders. Paste a column of a spreadsheet for "
                         "all, or type the means on sheet 2.")
@@ -41,17 +79,290 @@ WeighInSheet::WeighInSheet(WorkshopModel* model, QWidget* parent) : MatchingShee
                          .arg(cylinders)
                    : QString();
     });
-    addWeights(new WeighInTable(
-                   WeighInTable::sourceOf(model, bob_weights::field::part_mass, true,
-                                          [model] { return model->input().engine.cylinders; }),
-                   this),
-               mostRows, [model](shop::Part part) { return model->columnNote(part); });
+}
+
+/// The grid of weights, with what stands below its columns and where their parts may go.
+void WeighInSheet::addWeights() {
+    grid_ = new QGridLayout;
+    column()->addLayout(grid_);
+    grid_->setHorizontalSpacing(Theme::gap / 2);  // "1568.52" is seen whole
+    grid_->setVerticalSpacing(2);
+    grid_->setColumnMinimumWidth(0, Theme::withText(50));
+    for (int row = 0; row < rows_; ++row) {
+        QLabel* title =
+            put(row + 1, 0, table_->headerData(row, Qt::Vertical, Qt::DisplayRole).toString(),
+                row < WeighInTable::firstCylinder ? Theme::smallSize : Theme::titleSize);
+        follow([this, title, row] { title->setVisible(row < table_->rowCount()); });
+    }
+    int row = rows_ + 1;
+    for (const QString& title : {tr("mean, g"), tr("to nominal, g"), tr("spread, g")}) {
+        put(row++, 0, shownTitle(title).text, Theme::smallSize);
+    }
+    trouble_->setObjectName(QStringLiteral("weigh_in_trouble"));
+    for (int column = 0; column < table_->columnCount(); ++column) {
+        addColumn(column);
+    }
+    QList<QList<QWidget*>> rows(rows_);
+    for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+        rows[static_cast<int>(cell) % rows_] << cells_[cell];
+    }
+    addGrid(rows);
+    addMoves(row);
+    column()->addWidget(trouble_);
+    column()->addWidget(read_);
+}
+
+/// A label of the grid; those above and to the left of the cells wrap.
+QLabel* WeighInSheet::put(int row, int column, const QString& text, int size, bool bold) {
+    // A unit stays with the word before it.
+    const QString whole = QString(text).replace(QStringLiteral(", "), QStringLiteral(",\u00A0"));
+    auto* label = new QLabel(column == 0 ? whole : text, this);
+    label->setFont(Theme::font(size, bold));
+    label->setWordWrap(column == 0 || row == 0);
+    if (column == 0) {
+        label->setMaximumWidth(Theme::withText(titleColumn));  // the numbers need the room
+    }
+    label->setAlignment(row == 0 ? Qt::AlignCenter : Qt::AlignRight | Qt::AlignVCenter);
+    grid_->addWidget(label, row, column);
+    return label;
+}
+
+void WeighInSheet::addColumn(int column) {
+    const int place = column + 1;
+    put(0, place, table_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString(),
+        Theme::smallSize, true);
+    grid_->setColumnStretch(place, 1);
+    for (int row = 0; row < rows_; ++row) {
+        grid_->addWidget(addCell(row, column), row + 1, place);
+    }
+    int row = rows_ + 1;
+    QLabel* mean = put(row++, place, {}, Theme::baseSize);
+    QLabel* deviation = put(row++, place, {}, Theme::baseSize);
+    QLabel* spread = put(row++, place, {}, Theme::baseSize);
+    const auto show = [=, this, part = shop::all_parts[static_cast<std::size_t>(column)]] {
+        const WeighedColumn weighed = model_->columnNote(part);
+        const auto say = [&](QLabel* label, const QString& text, Ink ink) {
+            label->setText(text);
+            label->setToolTip(weighed.toolTip);
+            colourText(label, ink);
+        };
+        say(mean, weighed.mean, weighed.counts ? &Theme::text : &Theme::warning);
+        say(deviation, weighed.deviation, weighed.counts ? &Theme::text : &Theme::warning);
+        say(spread, weighed.tooWide ? weighed.spread + QStringLiteral(" !") : weighed.spread,
+            weighed.tooWide ? &Theme::error : &Theme::text);
+    };
+    follow(show);
+}
+
+NumberField* WeighInSheet::addCell(int row, int column) {
+    // Rows that are not there yet have names, too.
+    const QModelIndex named = table_->createdIndex(row, column);
+    auto* field = ordered(new NumberField(table_->fieldOf(row), this));
+    field->setObjectName(table_->data(named, WeighInTable::KeyRole).toString());
+    field->setAccessibleName(table_->data(named, Qt::AccessibleTextRole).toString());
+    field->setHint(table_->data(named, Qt::ToolTipRole).toString());
+    field->setOptional(true);
+    field->setMinimumWidth(Theme::withText(cellWidth));
+    field->setMinimumHeight(Theme::withText(cellHeight));
+    field->setFont(Theme::font(Theme::baseSize));
+    field->setTextMargins(-1, 0, -1, 0);  // "1568.52" is seen whole
+    field->setDecimals(2 + shownUnit(table_->fieldOf(row).unit).decimals);
+    bind(
+        field,
+        [this, row, column]() -> std::optional<double> {
+            const QVariant mass = table_->index(row, column).data(Qt::EditRole);
+            return mass.isValid() ? std::optional(mass.toDouble()) : std::nullopt;
+        },
+        [this, row, column](std::optional<double> value) {
+            table_->setData(table_->index(row, column), value ? QVariant(*value) : QVariant());
+        });
+    makeCell(field);
+    trouble_->watch(field);
+    read_->follow(field, true);
+    cells_.push_back(field);
+    follow([this, field, row] { field->setVisible(row < table_->rowCount()); });
+    return field;
+}
+
+bool WeighInSheet::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent*>(event)->matches(QKeySequence::Paste)) {
+        const auto found = std::find(cells_.begin(), cells_.end(), watched);
+        if (found != cells_.end()) {
+            const auto place = static_cast<int>(found - cells_.begin());
+            if (pasteBlock(place % rows_, place / rows_)) {
+                return true;
+            }
+        }
+    }
+    return WorkshopSheet::eventFilter(watched, event);
+}
+
+bool WeighInSheet::pasteBlock(int row, int column) {
+    const QString text = QGuiApplication::clipboard()->text();
+    const bool isBlock = text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\t'));
+    if (isBlock) {
+        trouble_->say(table_->paste(row, column, readTextTable(text, EmptyLine::gap)));
+    }
+    return isBlock;
+}
+
+void WeighInSheet::addMoves(int row) {
+    auto* title = new QLabel(tr("may go"), this);
+    title->setFont(Theme::font(Theme::smallSize));
+    title->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    grid_->addWidget(title, row, 0);
+    const auto add = [&](shop::Part part, const Field& field, auto Rules::*member) {
+        using Moves = std::decay_t<decltype(Rules().*member)>;
+        auto* box = ordered(new QComboBox(this));
+        box->setObjectName(
+            QStringLiteral("moves_") +
+            QString::fromUtf8(field.key.data(), static_cast<qsizetype>(field.key.size())));
+        makeCell(box);
+        box->setAccessibleName(fieldName(field));
+        box->setToolTip(fieldHint(field));
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumWidth(Theme::withText(cellWidth));
+        box->setMinimumHeight(Theme::withText(cellHeight));
+        box->setFont(Theme::font(Theme::smallSize));
+        for (const Word& word : field.words) {
+            box->addItem(shownText(word.label));
+        }
+        connect(box, &QComboBox::activated, this, [this, member, name = fieldName(field)](int at) {
+            editRules(name, [&](Rules& rules) { rules.*member = static_cast<Moves>(at); });
+        });
+        const bool isSet = part == shop::Part::piston || part == shop::Part::rod_big_end;
+        follow([this, box, member, isSet, hint = fieldHint(field)] {
+            box->setCurrentIndex(static_cast<int>(rules().*member));
+            // By another rule the parts would not go back to where they were weighed.
+            const bool isFixed = !isSet && model_->canMoveBack();
+            box->setEnabled(!isFixed);
+            box->setToolTip(isFixed ? tr("Parts have been moved by this rule: press “As weighed” "
+                                         "to change it.")
+                                    : hint);
+        });
+        grid_->addWidget(box, row, static_cast<int>(part) + 1);
+    };
+    add(shop::Part::piston, shop::field::piston_moves, &Rules::pistons);
+    add(shop::Part::pin, shop::field::pin_moves, &Rules::pins);
+    add(shop::Part::rings, shop::field::ring_moves, &Rules::rings);
+    add(shop::Part::rod_big_end, shop::field::rod_moves, &Rules::rods);
+    auto* withRod = new QLabel(tr("with it"), this);
+    withRod->setFont(Theme::font(Theme::smallSize));
+    withRod->setAlignment(Qt::AlignCenter);
+    withRod->setToolTip(tr("The small end goes with the big end: they are one rod."));
+    grid_->addWidget(withRod, row, static_cast<int>(shop::Part::rod_small_end) + 1);
+    add(shop::Part::shells, shop::field::shell_moves, &Rules::shells);
+    QLabel* words = captionLabel(
+        tr("Where matching may put a part – free: in any cylinder, bank: within its bank, goes: "
+           "with its piston or rod, stays: where it is."),
+        this);
+    words->setObjectName(QStringLiteral("moves_words"));
+    QSizePolicy policy = words->sizePolicy();
+    policy.setHorizontalPolicy(QSizePolicy::Ignored);  // the columns are those of the cells
+    words->setSizePolicy(policy);
+    grid_->addWidget(words, row + 1, 0, 1, -1);
+}
+
+shop::MatchingRules WeighInSheet::rules() const {
+    const auto& sheet = model_->input().weigh_in;
+    return sheet ? sheet->matching : shop::MatchingRules();
+}
+
+void WeighInSheet::editRules(const QString& name,
+                             const std::function<void(shop::MatchingRules&)>& change) {
+    model_->editWeights(name, [&](shop::WeighIn& sheet) { change(sheet.matching); });
+}
+
+/// What the parts are placed for, with what that needs.
+void WeighInSheet::addGoal() {
     section({});
-    line(Theme::baseSize, [model] { return model->weighInText(); });
-    addGoal(true);
-    addFindings([model] { return model->hasPlugs() ? model->notCounted() : QStringList(); });
-    addTable("crankpins", tr("Excess on each crankpin, as weighed and after moving"));
-    finish();
+    goal_ = wide(choice("/weigh_in/matching/goal"), 200);
+    QWidget* moves = section({});
+    number("/weigh_in/matching/permitted_spread_g")
+        ->setObjectName(QStringLiteral("permitted_crankpin_spread"));
+    QWidget* shaking = section({});
+    numberList(
+        shop::field::crankpin_angles, [this] { return rules().crankpin_angles_deg; },
+        [this](const QString& name, const std::vector<double>& angles) {
+            editRules(name, [&](Rules& rules) { rules.crankpin_angles_deg = angles; });
+        });
+    number("/weigh_in/matching/cylinder_spacing_mm");
+    number("/weigh_in/matching/bank_offset_mm");
+    number("/weigh_in/matching/crank_radius_mm")
+        ->setObjectName(QStringLiteral("matching_crank_radius"));
+    follow([this, moves, shaking] {
+        const shop::MatchingGoal goal = rules().goal;
+        const auto ask = [](QWidget* section, bool asked) {
+            section->setVisible(asked);
+            for (EntryField* each : section->findChildren<EntryField*>()) {
+                each->setEnabled(asked);
+            }
+        };
+        ask(moves, goal == shop::MatchingGoal::fewest_moves);
+        ask(shaking, goal == shop::MatchingGoal::least_shaking);
+    });
+}
+
+/// A table that is there while it has rows.
+void WeighInSheet::addTable(std::string_view part, const QString& name) {
+    auto* table = new PartTable(model(), part, name, this);
+    table->hideWhereEmpty();
+    table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    column()->addWidget(table);
+}
+
+/// What comes out, and the buttons that move the weights on the sheet and back.
+void WeighInSheet::addFindings() {
+    auto* summary = new QLabel(this);
+    summary->setObjectName(QStringLiteral("weigh_in_summary"));
+    summary->setWordWrap(true);
+    summary->setFont(Theme::font(Theme::baseSize, true));
+    auto* button = new QPushButton(tr("&Move them here"), this);
+    button->setObjectName(QStringLiteral("move_parts"));
+    button->setToolTip(tr("The weights change places on this sheet as the parts do."));
+    button->setMinimumHeight(Theme::withText(cellHeight));
+    auto* found = new QHBoxLayout;
+    found->addWidget(summary, 1);
+    found->addWidget(button, 0, Qt::AlignTop);
+    auto* back = new QPushButton(tr("As &weighed"), this);
+    back->setObjectName(QStringLiteral("move_back"));
+    back->setToolTip(tr("The weights go back to the cylinders that they were weighed in."));
+    back->setMinimumHeight(Theme::withText(cellHeight));
+    // The button goes with what it does: under the focus it would hand it on to what follows, and
+    // the sheet would scroll there.
+    const auto handOn = [this](QPushButton* pressed, QPushButton* other,
+                               void (WorkshopModel::*act)()) {
+        connect(pressed, &QPushButton::clicked, this, [this, other, act] {
+            other->setVisible(true);
+            other->setFocus(Qt::OtherFocusReason);
+            (model_->*act)();
+        });
+    };
+    handOn(button, back, &WorkshopModel::moveParts);
+    handOn(back, button, &WorkshopModel::moveBack);
+    found->addWidget(back, 0, Qt::AlignTop);
+    column()->addLayout(found);
+    addTable("effects", tr("What the placing makes of the differences"));
+    addTable("assignment", tr("Which set goes to which cylinder"));
+    addTable("take-off", tr("What to take off each part to reach the lightest"));
+    follow([=, this] {
+        const auto shown = model_->matchingShown();
+        const bool isAmber =
+            shown ? !shown->matched.remark.empty() : !model_->weighAgain().isEmpty();
+        const bool canMove = shown && shown->matched.moved > 0;
+        back->setVisible(model_->canMoveBack());
+        const QStringList gaps = model_->hasPlugs() ? model_->notCounted() : QStringList();
+        QStringList said =
+            gaps + QStringList(model_->assignmentText()) + model_->assignmentRemarks();
+        said.removeAll(QString());
+        summary->setText(said.join(QLatin1Char('\n')));
+        colourText(summary, isAmber || !gaps.isEmpty() ? &Theme::warning : &Theme::text);
+        if (button->hasFocus() && !canMove) {
+            goal_->setFocus(Qt::OtherFocusReason);
+        }
+        button->setVisible(canMove);
+    });
 }
 
 }  // namespace ravnoves

@@ -214,8 +214,6 @@ void WorkshopAnswer::showAnswer() {
     limits.removeAll(QString());
     sayOrHide(limits_, limits.join(QLatin1Char('\n')));
     sayOrHide(troubles_, model_->troubles().join(QLatin1Char('\n')));
-    const auto* newest = solution.newest();
-    troubles_->setToolTip(newest != nullptr ? otherTip(*newest) : QString());
     colourText(troubles_, &Theme::warning);
     sayOrHide(doubtful_, model_->doubtfulText());
     colourText(doubtful_, &Theme::mutedText);

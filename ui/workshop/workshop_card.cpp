@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <optional>
 
 #include "bob-weights/fields.h"
-#include "shop/card_blocks.h"
+#include "shop/card_page.h"
+#include "shop/model/job_desk.h"
 #include "shop/model/verdict.h"
 #include "v8-plugs/fields.h"
 #include "workshop/model/bob_text.h"
@@ -23,7 +25,10 @@ namespace {
 
 constexpr double cardLeft = CardPage::left;
 constexpr double cardWidth = CardPage::full;
+constexpr double cardRight = CardPage::right;
 constexpr double headingHeight = 5.0;  // mm
+/// What is left to be written by hand.
+const QString byHand = QStringLiteral("…………………");
 constexpr double notePoints = 8.0;
 constexpr double aboveNote = 0.6;  // mm
 
@@ -33,6 +38,91 @@ struct Note {
 
     bool isWarning() const { return colour == CardPage::amber; }
 };
+
+// Places are in mm; what returns a number returns where the block ends.
+
+/// Whose job it is.
+double drawHead(CardPage& page, const Words& words, const workshop::Input& input, double y) {
+    page.text(cardLeft, y, cardWidth * 0.7, words.translate("BobWeights", "Job card: balancing"),
+              14, Qt::AlignLeft, true);
+    const QString engine = input.plugs
+                               ? words.translate("JobCard", "V-8 engine: %1")
+                                     .arg(v8_names::engineName(words, input.plugs->engine.name))
+                               : bob_text::engineName(words, input.engine);
+    const double x = cardLeft + cardWidth * 0.7;
+    double end = y + 7.5;
+    if (page.textWidth(engine, CardPage::smallestType, true) <= cardRight - x) {
+        page.text(x, y + 1.2, cardRight - x, engine, 10, Qt::AlignRight, true);
+    } else {
+        end = std::max(
+            end, y + page.paragraph(x, y, cardRight - x, engine, CardPage::smallestType, true));
+    }
+    y = end;
+    page.line(cardLeft, y, cardRight, y, 0.5, CardPage::ink);
+    y += 1.5;
+    const double third = cardWidth / 3.0;
+    const JournalJob job = JobDesk::entryOf(input.job);
+    const auto row = [&](const std::array<std::pair<QString, QString>, 3>& blanks) {
+        double height = 0.0;
+        for (std::size_t i = 0; i < blanks.size(); ++i) {
+            const auto& [caption, value] = blanks.at(i);
+            height = std::max(height, page.blank(cardLeft + static_cast<double>(i) * third, y,
+                                                 i == 2 ? third + 3 : third, caption, value));
+        }
+        y += height + 1.3;
+    };
+    row({{{words.translate("JobCard", "Engine number"), job.engineNumber},
+          {words.translate("JobCard", "Crankshaft number"), job.crankshaftNumber},
+          {words.translate("JobCard", "Date"),
+           words.day(QString::fromStdString(input.job.date))}}});
+    row({{{words.translate("JobCard", "Customer"), job.customer},
+          {words.translate("JobCard", "Technician"), job.technician},
+          {words.translate("BobWeights", "Balanced"), bob_text::balance(words, input.balance)}}});
+    return y - 1.0;
+}
+
+/// More than a line is set smaller.
+double notesPoints(const CardPage& page, const QString& notes) {
+    return page.textWidth(notes, 8.5) <= cardWidth ? 8.5 : 7.2;
+}
+
+/// What the technician typed, all of it; on the first sheet lines to write on fill its room.
+double drawNotes(CardPage& page, const Words& words, const QString& notes, double y) {
+    constexpr double lineStep = 6.5;
+    constexpr double leastToWrite = 9.0;
+    const double points = notesPoints(page, notes);
+    if (notes.isEmpty() && page.end() - y < leastToWrite) {
+        return y;
+    }
+    // The heading is not left alone.
+    if (y + headingHeight + page.lineHeight(points) > page.end()) {
+        y = page.nextSheet();
+    }
+    page.heading(cardLeft, y, cardWidth, words.translate("JobCard", "Notes"));
+    y = page.flow(y + headingHeight, notes, points);
+    if (page.number() > 1) {
+        return y;
+    }
+    const int ruled = static_cast<int>(std::max(0.0, std::ceil((page.end() - y) / lineStep) - 1.0));
+    for (int line = 1; line <= ruled; ++line) {
+        page.line(cardLeft, y + line * lineStep, cardRight, y + line * lineStep);
+    }
+    return page.end();
+}
+
+/// Lines to sign on, and the method in small print.
+void drawSignatures(CardPage& page, const Words& words, const QString& method, double y) {
+    const double third = cardWidth / 3.0;
+    const QStringList captions{words.translate("JobCard", "Technician, signature"),
+                               words.translate("JobCard", "Inspector, signature"),
+                               words.translate("JobCard", "Date")};
+    for (int i = 0; i < 3; ++i) {
+        const double x = cardLeft + i * third;
+        page.line(x, y + 7.0, x + third - 6.0, y + 7.0, 0.2, CardPage::ink);
+        page.text(x, y + 7.3, third - 6.0, captions.at(i), 7, Qt::AlignLeft, false, CardPage::grey);
+    }
+    page.text(cardLeft, y + 13.0, cardWidth, method, 6.5, Qt::AlignLeft, false, CardPage::grey);
+}
 
 /// A table of the card, or two beside each other, and what is to be said of it.
 struct Block {
@@ -44,18 +134,10 @@ struct Block {
     ResultRows beside{};  ///< of the same columns
     std::vector<Note> notes{};
 
-    double lines() const { return 1.0 + static_cast<double>(std::max(rows.size(), beside.size())); }
     void say(const QString& text, const QColor& colour = CardPage::ink) {
         if (!text.isEmpty()) {
             notes.push_back({text, colour});
         }
-    }
-    double notesHeight(const CardPage& page) const {
-        double height = 0.0;
-        for (const Note& note : notes) {
-            height += aboveNote + page.heightOf(note.text, notePoints, cardWidth, note.isWarning());
-        }
-        return height;
     }
 };
 
@@ -189,6 +271,14 @@ Block runBlock(const Words& words, const workshop::Input& input, const Result& r
     return block;
 }
 
+QStringList headOf(const Results& results) {
+    QStringList head;
+    for (const ResultColumn& column : results.columns) {
+        head << column.heading;
+    }
+    return head;
+}
+
 /// Which set goes to which cylinder, and apart from it what to take off the parts who want them
 /// closer; nothing where nothing is to be done, or there are more cylinders than columns.
 std::vector<Block> matchingBlocks(const Words& words, const Input& input, const Result& result) {
@@ -205,11 +295,7 @@ std::vector<Block> matchingBlocks(const Words& words, const Input& input, const 
     std::vector<Block> blocks;
     const auto add = [&](const QString& heading, const Results& results) {
         if (!results.rows.isEmpty()) {
-            QStringList head;
-            for (const ResultColumn& column : results.columns) {
-                head << column.heading;
-            }
-            blocks.push_back({heading, columns, head, results.rows});
+            blocks.push_back({heading, columns, headOf(results), results.rows});
         }
     };
     const bool isDoubted = !bob_text::weighAgain(words, input).isEmpty();
@@ -277,6 +363,28 @@ std::vector<Block> weightBlocks(const Words& words, const Input& input) {
     if (input.engine.rods_on_crankpin() > 1 && !pins.isEmpty()) {
         blocks.back().say(words.translate("BobWeights", "Cylinders that share a crankpin: %1.")
                               .arg(pins.join(QStringLiteral("; "))));
+    }
+    return blocks;
+}
+
+/// All that follows from the weights.
+std::vector<Block> weighedBlocks(const Words& words, const WorkshopModel& model) {
+    std::vector<Block> blocks = matchingBlocks(words, model.input(), model.solution());
+    std::ranges::move(weightBlocks(words, model.input()), std::back_inserter(blocks));
+    if (blocks.empty()) {
+        return blocks;
+    }
+    blocks.front().say(bob_text::weighAgain(words, model.input()), CardPage::amber);
+    if (const auto shown = model.matchingShown()) {
+        blocks.front().say(matching_text::summary(words, *shown));
+        const Results effects = matching_text::effects(words, *shown);
+        if (effects.rows.size() > 1) {  // the spread is in the summary
+            blocks.insert(blocks.begin() + 1,
+                          {words.translate("Matching", "What the placing changes"),
+                           {{80, Qt::AlignLeft}, {51}, {51}},
+                           headOf(effects),
+                           effects.rows});
+        }
     }
     return blocks;
 }
@@ -460,24 +568,14 @@ void WorkshopCard::draw(CardPage& page) const {
     constexpr double rowHeight = 4.4;
     const Result& shaft = model_.solution();
     page.setFoot(signaturesTop, [&] {
-        cardSignatures(page, words(),
+        drawSignatures(page, words(),
                        words()
                            .translate("BobWeights", "Ravnoves %1 · ISO 21940-11 · %2")
                            .arg(QStringLiteral(RAVNOVES_VERSION),
                                 bob_text::machineText(words(), model_.input().machine)),
                        signaturesTop);
     });
-    const QString engine =
-        model_.input().plugs
-            ? words()
-                  .translate("JobCard", "V-8 engine: %1")
-                  .arg(v8_names::engineName(words(), model_.input().plugs->engine.name))
-            : bob_text::engineName(words(), model_.input().engine);
-    double y = cardHead(page, words(),
-                        {words().translate("BobWeights", "Job card: balancing"), engine,
-                         model_.input().job, words().translate("BobWeights", "Balanced"),
-                         bob_text::balance(words(), model_.input().balance)},
-                        CardPage::top);
+    double y = drawHead(page, words(), model_.input(), CardPage::top);
     y = answer(page, y + gap);
     const bool hasMetal = std::any_of(shaft.runs.begin(), shaft.runs.end(),
                                       [](const RunResult& run) { return run.is_drilled(); });
@@ -514,7 +612,7 @@ void WorkshopCard::draw(CardPage& page) const {
     }
     const QString typed = QString::fromStdString(model_.input().job.notes).simplified();
     y = page.flow(y + 1.0, otherRefusedText(), notePoints, CardPage::amber);
-    y = cardNotes(page, words(), typed, y + gap);
+    y = drawNotes(page, words(), typed, y + gap);
 
     std::vector<Block> parts;
     const bool hasPlug = shaft.bob_weight && model_.plugs() != nullptr;
@@ -526,20 +624,8 @@ void WorkshopCard::draw(CardPage& page) const {
             parts.push_back(std::move(block));
         }
     }
-    const std::size_t matching = parts.size();
-    for (Block& block : matchingBlocks(words(), model_.input(), shaft)) {
+    for (Block& block : weighedBlocks(words(), model_)) {
         parts.push_back(std::move(block));
-    }
-    for (Block& block : weightBlocks(words(), model_.input())) {
-        parts.push_back(std::move(block));
-    }
-    if (const auto matched = model_.matchingShown(); matched && matching < parts.size()) {
-        parts[matching].say((matching_text::summary(words(), *matched) + QLatin1Char(' ') +
-                             matching_text::felt(words(), *matched))
-                                .trimmed());
-    }
-    if (matching < parts.size()) {
-        parts[matching].say(bob_text::weighAgain(words(), model_.input()), CardPage::amber);
     }
     if (!parts.empty()) {
         y = page.nextSheet();  // the first page goes to the machine

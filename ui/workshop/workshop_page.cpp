@@ -27,7 +27,6 @@
 #include "shop/journal_dialog.h"
 #include "shop/model/job_desk.h"
 #include "shop/model/verdict.h"
-#include "shop/sheet_form.h"
 #include "shop/shop_dialog.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
@@ -55,7 +54,7 @@ constexpr int sheetWidth = 470;
 constexpr int narrowestSheet = 280;
 
 /// One types into it.
-bool isEntry(const QWidget* field, const SheetForm& sheet) {
+bool isEntry(const QWidget* field, const WorkshopSheet& sheet) {
     return qobject_cast<const EntryField*>(field) != nullptr && field->isEnabled() &&
            field->isVisibleTo(&sheet);
 }
@@ -202,7 +201,7 @@ QString WorkshopPage::resultsAsText() const {
     return (refused.isEmpty() ? refused : refused + QLatin1Char('\n')) + ScenePage::resultsAsText();
 }
 
-void WorkshopPage::addSheet(SheetForm* form, const QString& title) {
+void WorkshopPage::addSheet(WorkshopSheet* form, const QString& title) {
     auto* scroll = scrolled(form, sheets_);
     sheets_->addTab(scroll, title);
     forms_ << form;
@@ -219,7 +218,7 @@ void WorkshopPage::addSheet(SheetForm* form, const QString& title) {
         }
     };
     std::for_each(order.begin(), order.end(), follow);
-    connect(form, &SheetForm::fieldAdded, this, follow);
+    connect(form, &WorkshopSheet::fieldAdded, this, follow);
     connect(model(), &SceneModel::changed, this, [this, tab] { markTab(tab); });
     connect(&Theme::instance(), &Theme::changed, this, [this, tab] { markTab(tab); });
     for (qsizetype i = 1; i < order.size(); ++i) {
@@ -230,7 +229,7 @@ void WorkshopPage::addSheet(SheetForm* form, const QString& title) {
 
 void WorkshopPage::markTab(int tab) {
     // A tab that hides a refused entry says so, or readings that may not hold.
-    const SheetForm* form = forms_.at(tab);
+    const WorkshopSheet* form = forms_.at(tab);
     const Theme& theme = Theme::instance();
     const QColor colour = !form->refused().isEmpty() ? theme.error()
                           : form->isDoubtful()       ? theme.warning()
@@ -325,7 +324,7 @@ bool WorkshopPage::eventFilter(QObject* watched, QEvent* event) {
         for (QWidget* parent = field->parentWidget(); parent != nullptr;
              parent = parent->parentWidget()) {
             if (auto* scroll = qobject_cast<QScrollArea*>(parent)) {
-                scroll->ensureWidgetVisible(field, 0, SheetForm::fieldHeight);
+                scroll->ensureWidgetVisible(field, 0, WorkshopSheet::fieldHeight);
                 break;
             }
         }
@@ -335,7 +334,7 @@ bool WorkshopPage::eventFilter(QObject* watched, QEvent* event) {
 
 /// Where one begins to type: the number of the engine, where the sheet has it; not a list, which
 /// would take its letters for a choice.
-QWidget* WorkshopPage::firstEntry(const SheetForm& sheet) {
+QWidget* WorkshopPage::firstEntry(const WorkshopSheet& sheet) {
     QWidget* first = nullptr;
     for (QWidget* each : sheet.order()) {
         if (qobject_cast<EntryField*>(each) == nullptr || !each->isEnabled()) {
@@ -349,11 +348,9 @@ QWidget* WorkshopPage::firstEntry(const SheetForm& sheet) {
     return first != nullptr ? first : sheet.order().constFirst();
 }
 
-QWidget* WorkshopPage::firstEmpty(const SheetForm& sheet) {
+QWidget* WorkshopPage::firstEmpty(const WorkshopSheet& sheet) {
     if (const auto* machine = qobject_cast<const MachineSheet*>(&sheet)) {
-        if (QWidget* reading = machine->nextReading()) {
-            return reading;
-        }
+        return machine->nextReading();
     }
     for (QWidget* each : sheet.order()) {
         if (isEntry(each, sheet) && static_cast<EntryField*>(each)->text().isEmpty()) {
@@ -396,7 +393,7 @@ void WorkshopPage::goOn(QWidget* from) {
             ++then;  // that of the plugs, where there are none
         }
         if (then < forms_.size()) {
-            const SheetForm& following = *forms_.at(then);
+            const WorkshopSheet& following = *forms_.at(then);
             sheets_->setCurrentIndex(then);
             const auto field =
                 std::find_if(following.order().begin(), following.order().end(),
@@ -471,15 +468,7 @@ bool WorkshopPage::leaveJob() {
     box.button(QMessageBox::Discard)->setText(tr("Do&n’t save"));
     const int answer = box.exec();
     if (answer == QMessageBox::Save) {
-        if (!isJobKnown()) {
-            return false;
-        }
-        bool saved = false;
-        const QString text = desk()->saveJob(&saved, refusedEntries(this).isEmpty());
-        if (!saved) {
-            QMessageBox::warning(this, tr("Journal"), text);
-        }
-        return saved;
+        return store(true);
     }
     return answer == QMessageBox::Discard;
 }
@@ -554,13 +543,16 @@ std::unique_ptr<JobCard> WorkshopPage::shopsCard() {
 }
 
 bool WorkshopPage::saveJob(bool isFinished) {
-    // What is not what stands on the sheet is no finished job.
-    isFinished = isFinished && refusedEntries(this).isEmpty();
-    if (!refusedEntriesAreKnown() || !isJobKnown()) {
+    return refusedEntriesAreKnown() && store(isFinished);
+}
+
+bool WorkshopPage::store(bool isFinished) {
+    if (!isJobKnown()) {
         return false;
     }
     bool saved = false;
-    const QString text = desk()->saveJob(&saved, isFinished);
+    // What is not what stands on the sheet is no finished job.
+    const QString text = desk()->saveJob(&saved, isFinished && refusedEntries(this).isEmpty());
     Q_EMIT status(saved ? text : QString());
     if (saved) {
         banner_->say({});
@@ -570,36 +562,35 @@ bool WorkshopPage::saveJob(bool isFinished) {
     return saved;
 }
 
+int WorkshopPage::ask(const QString& question, const QStringList& answers, int usual) {
+    QMessageBox box(QMessageBox::Question, tr("Journal"), question, QMessageBox::NoButton, this);
+    QList<QPushButton*> buttons;
+    for (const QString& answer : answers) {
+        buttons << box.addButton(answer, QMessageBox::AcceptRole);
+    }
+    box.addButton(QMessageBox::Cancel);
+    box.setDefaultButton(buttons.at(usual));
+    box.exec();
+    return static_cast<int>(
+        buttons.indexOf(static_cast<QPushButton*>(box.clickedButton())));  // -1: to stay
+}
+
 bool WorkshopPage::isJobKnown() {
-    if (desk()->isNameless()) {
-        QMessageBox box(QMessageBox::Question, tr("Journal"),
-                        tr("The sheet has neither a number of engine or crankshaft nor a customer: "
-                           "nobody could find the job in the journal."),
-                        QMessageBox::NoButton, this);
-        auto* enter = box.addButton(tr("&Enter one"), QMessageBox::RejectRole);
-        const auto* save = box.addButton(tr("Save &without"), QMessageBox::DestructiveRole);
-        box.setDefaultButton(enter);
-        box.setEscapeButton(enter);
-        box.exec();
-        if (box.clickedButton() != save) {
-            goToBeginning();
-            return false;
-        }
+    if (desk()->isNameless() &&
+        ask(tr("The sheet has neither a number of engine or crankshaft nor a customer: nobody "
+               "could find the job in the journal."),
+            {tr("&Enter one"), tr("Save &without")}, 0) != 1) {
+        goToBeginning();
+        return false;
     }
     const QString here = desk()->engineOnSheet();
     const auto same = desk()->sameJob();
     if (same) {
-        QMessageBox box(QMessageBox::Question, tr("Journal"),
-                        tr("The journal has a job of %1 and this day already, saved on %2.")
-                            .arg(here, timeText(same->saved)),
-                        QMessageBox::NoButton, this);
-        const auto* replace = box.addButton(tr("&Replace it"), QMessageBox::DestructiveRole);
-        auto* another = box.addButton(tr("Save as &another"), QMessageBox::AcceptRole);
-        box.addButton(QMessageBox::Cancel);
-        box.setDefaultButton(another);
-        box.exec();
-        if (box.clickedButton() != replace) {
-            return box.clickedButton() == another;
+        const int answer = ask(tr("The journal has a job of %1 and this day already, saved on %2.")
+                                   .arg(here, timeText(same->saved)),
+                               {tr("&Replace it"), tr("Save as &another")}, 1);
+        if (answer != 0) {
+            return answer == 1;
         }
         desk()->replaceInJournal(*same);
     }
@@ -619,17 +610,11 @@ bool WorkshopPage::isJobKnown() {
     } else {
         return true;
     }
-    QMessageBox box(QMessageBox::Question, tr("Journal"), text, QMessageBox::NoButton, this);
-    const auto* asNew = box.addButton(tr("Save as a &new job"), QMessageBox::AcceptRole);
-    const auto* change = box.addButton(tr("&Change that job"), QMessageBox::DestructiveRole);
-    box.addButton(QMessageBox::Cancel);
-    box.setDefaultButton(qobject_cast<QPushButton*>(box.buttons().constFirst()));
-    box.exec();
-    const bool isSaved = box.clickedButton() == asNew || box.clickedButton() == change;
-    if (box.clickedButton() == asNew || (same && !isSaved)) {
+    const int answer = ask(text, {tr("Save as a &new job"), tr("&Change that job")}, 0);
+    if (answer == 0 || (same && answer < 0)) {
         desk()->forgetJob();
     }
-    return isSaved;
+    return answer >= 0;
 }
 
 void WorkshopPage::newJob() {

@@ -17,7 +17,7 @@ class JobDesk;
 class JournalBanner;
 struct ListedJob;
 class MachineSheet;
-class SheetForm;
+class WorkshopSheet;
 class VerdictLine;
 class Words;
 class WorkshopAnswer;
@@ -70,14 +70,14 @@ class WorkshopPage : public ScenePage {
     void doVerdictAct();
     void showVerdict();
     void showSheet(int sheet);
-    void addSheet(SheetForm* form, const QString& title);
+    void addSheet(WorkshopSheet* form, const QString& title);
     void markTab(int tab);
     void buildActions();
     void buildCardLanguages();
-    static QWidget* firstEntry(const SheetForm& sheet);
+    static QWidget* firstEntry(const WorkshopSheet& sheet);
     void goToBeginning();
     /// Where one goes on with a sheet: its first empty field, or where it begins.
-    static QWidget* firstEmpty(const SheetForm& sheet);
+    static QWidget* firstEmpty(const WorkshopSheet& sheet);
     /// Another job is on the sheets: none of them is gone on with where the last one was.
     void beginSheets();
     void goOn(QWidget* from);
@@ -90,6 +90,9 @@ class WorkshopPage : public ScenePage {
     bool refusedEntriesAreKnown();
     /// @return false where it is not saved
     bool saveJob(bool isFinished);
+    bool store(bool isFinished);
+    /// Asks about a job of the journal. @return the place of the answer; -1 to stay
+    int ask(const QString& question, const QStringList& answers, int usual);
     /// Where F2 would save a job that nobody could find again, make a second one of the same engine
     /// and day, or overwrite the job of another engine, or a verdict by readings that may not hold
     /// any more: asks. @return false to stay
@@ -116,8 +119,8 @@ class WorkshopPage : public ScenePage {
     CorrectionSheet* correction_ = nullptr;
     JournalBanner* banner_ = nullptr;
     QTabWidget* sheets_ = nullptr;
-    QList<SheetForm*> forms_;  // in the order of the tabs
-    QSet<int> unseen_;         ///< sheets that nobody has looked at since the job came
+    QList<WorkshopSheet*> forms_;  // in the order of the tabs
+    QSet<int> unseen_;             ///< sheets that nobody has looked at since the job came
     bool journalTried_ = false;
     QList<QAction*> actions_;
 };

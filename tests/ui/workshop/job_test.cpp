@@ -46,6 +46,7 @@
 #include "workshop/model/bob_text.h"
 #include "workshop/model/workshop_model.h"
 #include "workshop/plane_view.h"
+#include "workshop/sheets.h"
 #include "workshop/workshop_card.h"
 #include "workshop_page_test.h"
 
@@ -88,6 +89,14 @@ class JobPageTest : public test::WorkshopPageTest<WorkshopPage> {
             type(key, QString::fromLatin1(value));
         }
         type("diameters_mm", u"8 10 12.5; 16"_s);
+    }
+    /// Both planes of a run: unbalance and angle, then the same of the rear one.
+    void typeRun(int run, const QStringList& values) {
+        const char* const keys[] = {"unbalance_1", "angle_1", "unbalance_2", "angle_2"};
+        for (qsizetype i = 0; i < values.size(); ++i) {
+            type(u"run_%1_%2"_s.arg(run).arg(QLatin1String(keys[i])).toLatin1().constData(),
+                 values[i]);
+        }
     }
     int rowsOf(const char* accessibleName) {
         for (const ResultTable* table : page.findChildren<ResultTable*>()) {
@@ -360,13 +369,43 @@ TEST_F(JobPageTest, AnUntouchedNewJobTakesTheMachineThatIsKept) {
     EXPECT_EQ(other.viewModel()->planeName(1), u"Right"_s);
 }
 
+TEST_F(JobPageTest, AMassThatMayMeanThousandsSaysHowItWasRead) {
+    const auto note = [this] {
+        QStringList said;
+        for (const HowRead* each : page.findChildren<HowRead*>()) {
+            said << each->text();
+        }
+        said.removeAll(QString());
+        return said.join(u'\n');
+    };
+    for (const char* field : {"piston", "mass_piston_1"}) {
+        for (const auto& [typed, isEither] : {std::pair("1.100", true),
+                                              {"568.512", false},
+                                              {"0.584", false},
+                                              {"1.10", false},
+                                              {"1.1000", false},
+                                              {"1.100 kg", false}}) {
+            type(field, QString::fromLatin1(typed));
+            EXPECT_EQ(note().contains(u"“1.100” was read as 1.1. Type 1100 if"_s), isEither)
+                << field << ": " << typed;
+            EXPECT_EQ(note().isEmpty(), !isEither) << qPrintable(note());
+        }
+        type(field, u"1.100"_s);
+        EXPECT_FALSE(note().isEmpty());
+        model->history()->undo();
+        EXPECT_TRUE(note().isEmpty());
+        type(field, {});
+    }
+}
+
 TEST_F(JobPageTest, NoPartIsMovedByDoubtedWeights) {
     typeShopCard();
     const auto weigh = [&](double first, double bigEnd) {
         model->editWeights(u"Weights"_s, [&](WeighIn& sheet) {
             using shop::Part;
             sheet[Part::piston].mass = {first, 0.59, 0.6, 0.61, 0.58, 0.59, 0.6, 0.61};
-            sheet[Part::rod_big_end].mass = {0.45, bigEnd, 0.45, 0.46, 0.45, 0.45, 0.46, 0.45};
+            sheet[Part::rod_big_end].mass = {0.45,  bigEnd, 0.452, 0.454,
+                                             0.451, 0.453,  0.455, 0.449};
             sheet[Part::rod_small_end].mass = {0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2, 0.2};
         });
     };
@@ -757,10 +796,7 @@ TEST_F(JobPageTest, ReadingsHoldForTheirBobWeightAlone) {
     EXPECT_FALSE(hold->isVisibleTo(&page));
     model->history()->undo();
     EXPECT_EQ(verdict(), u"STOP"_s);
-    type("run_1_unbalance_1", u"100"_s);
-    type("run_1_angle_1", u"10"_s);
-    type("run_1_unbalance_2", u"100"_s);
-    type("run_1_angle_2", u"20"_s);
+    typeRun(1, {u"100"_s, u"10"_s, u"100"_s, u"20"_s});
     EXPECT_EQ(verdict(), u"Passes"_s);
     EXPECT_EQ(model->runResults().rows.at(0).constLast(), u"another bob weight"_s);
     EXPECT_EQ(model->runResults().rows.at(1).constLast(), u"PASS"_s);
@@ -795,12 +831,7 @@ TEST_F(JobPageTest, ReadingsAreOfTheirCrankshaftAlone) {
     // As the file keeps it.
     model->loadInput(model->inputJson(), {});
     EXPECT_EQ(verdict(), u"STOP"_s);
-    for (const auto& [key, value] : {std::pair("run_1_unbalance_1", "100"),
-                                     {"run_1_angle_1", "10"},
-                                     {"run_1_unbalance_2", "100"},
-                                     {"run_1_angle_2", "20"}}) {
-        type(key, QString::fromLatin1(value));
-    }
+    typeRun(1, {u"100"_s, u"10"_s, u"100"_s, u"20"_s});
     EXPECT_EQ(verdict(), u"Passes"_s);
     EXPECT_EQ(model->runResults().rows.at(0).constLast(), u"another crankshaft"_s);
     type("crankshaft_number", u"C"_s);
@@ -983,6 +1014,25 @@ TEST_F(JobPageTest, TabGoesAlongTheRowsOfThePlanes) {
     EXPECT_EQ(press(Qt::Key_Right), u"angle_1"_s);
 }
 
+TEST_F(JobPageTest, TheMachineBeginsAtTheNextReading) {
+    const Json example = Json::parse(read_text_file(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json"));
+    model->loadInput(example.at("input"), {});
+    ASSERT_TRUE(model->isPlanned());
+    page.sheets()->setCurrentIndex(4);
+    EXPECT_EQ(page.focusWidget(), find<QWidget>("run_1_unbalance_1"));
+    // Where all is read and nothing is to be drilled, at the readings.
+    model->editTolerance(u"limit"_s, [](Tolerance& it) {
+        it.by_grade = false;
+        it.plane = 5000 * units::gram_mm;
+    });
+    ASSERT_FALSE(model->isPlanned());
+    WorkshopPage other(QString(), nullptr);
+    test::showAt(other, {1187, 712});
+    other.model()->loadInput(model->inputJson(), {});
+    other.sheets()->setCurrentIndex(4);
+    EXPECT_EQ(other.focusWidget(), test::named<QWidget>(other, "unbalance_1"));
+}
+
 TEST_F(JobPageTest, EnterOnTheLastFieldStaysThereAndCounts) {
     type("slug_density_kg_m3", u"17500"_s);
     EXPECT_EQ(page.focusWidget(), find<QWidget>("slug_direction"));
@@ -1138,32 +1188,6 @@ TEST_F(JobPageTest, WhatMayBeWrongIsSaid) {
     EXPECT_TRUE(card().replace(u'\n', u' ').contains(u"far outside"_s));
 }
 
-TEST_F(JobPageTest, SwappedEndsChangePlacesByTheButtonOfTheVerdict) {
-    typeShopCard();
-    type("small_end", u"229.8"_s);
-    type("big_end", u"162.4"_s);
-    EXPECT_EQ(verdict(), u"STOP"_s);
-    auto* act = find<QPushButton>("verdict_act");
-    ASSERT_TRUE(act->isVisible());
-    QTest::mouseClick(act, Qt::LeftButton);
-    EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
-    EXPECT_FALSE(act->isVisible());
-    model->history()->undo();
-    EXPECT_EQ(verdict(), u"STOP"_s);
-    model->history()->redo();
-    // Those of the weigh-in sheet.
-    type("cylinders", u"2"_s);
-    for (const char* cylinder : {"1", "2"}) {
-        type((std::string("mass_rod_big_end_") + cylinder).c_str(), u"160"_s);
-        type((std::string("mass_rod_small_end_") + cylinder).c_str(), u"230"_s);
-    }
-    EXPECT_EQ(verdict(), u"STOP"_s);
-    EXPECT_TRUE(model->takeOffResults().rows.isEmpty());
-    QTest::mouseClick(act, Qt::LeftButton);
-    EXPECT_EQ(find<NumberField>("mass_rod_big_end_1")->value(), 230.0);
-    EXPECT_NE(verdict(), u"STOP"_s) << qPrintable(label("verdict"));
-}
-
 TEST_F(JobPageTest, WhatIsTypedAgainstTheScaleCanBePutRight) {
     typeShopCard();
     type("cylinders", u"2"_s);
@@ -1308,10 +1332,7 @@ TEST_F(JobPageTest, AnUnbalanceThatGrewByTheDrillingIsNoJobWellDone) {
     page.sheets()->setCurrentIndex(4);
     QTest::mouseClick(find<QCheckBox>("own_limit"), Qt::LeftButton, Qt::NoModifier, {8, 10});
     type("g_mm", u"300"_s);
-    type("run_1_unbalance_1", u"5100"_s);
-    type("run_1_angle_1", u"75"_s);
-    type("run_1_unbalance_2", u"1450"_s);
-    type("run_1_angle_2", u"210"_s);
+    typeRun(1, {u"5100"_s, u"75"_s, u"1450"_s, u"210"_s});
     const QString said = label("troubles");
     EXPECT_TRUE(label("verdict").startsWith(
         u"STOP. Front plane: the drilling has increased the unbalance to "_s))
@@ -1358,10 +1379,7 @@ TEST_F(JobPageTest, RunsFollowOneAnother) {
     EXPECT_EQ(model->runResults().rows.at(0).last(), u"FAIL"_s);
     EXPECT_EQ(verdict(), u"Fails"_s);
     EXPECT_TRUE(label("verdict").contains(u"After the planned correction: "_s));
-    type("run_2_unbalance_1", u"60"_s);
-    type("run_2_angle_1", u"10"_s);
-    type("run_2_unbalance_2", u"20"_s);
-    type("run_2_angle_2", u"300"_s);
+    typeRun(2, {u"60"_s, u"10"_s, u"20"_s, u"300"_s});
     EXPECT_EQ(model->runResults().rows.at(2).last(), u"PASS"_s);
     const QString printed = card();
     for (const char* text : {"Run 2", "2600.0", "350.0", "60.0", "300.0 g·mm", "480 mm", "85 mm"}) {
@@ -1388,9 +1406,7 @@ TEST_F(JobPageTest, RunsFollowOneAnother) {
     EXPECT_EQ(model->inputJson().at("correction").at("earlier_runs").size(), 2u);
     EXPECT_EQ(model->resultJson().at("correction").at("runs").size(), 3u);
     // A run without any reading is none.
-    for (const char* name : {"unbalance_1", "angle_1", "unbalance_2", "angle_2"}) {
-        type(QByteArray("run_2_").append(name).constData(), QString());
-    }
+    typeRun(2, {{}, {}, {}, {}});
     EXPECT_EQ(model->newestRun(), 1u);
     EXPECT_NEAR(*model->input().correction->readings[0].unbalance, 350e-6, 1e-12);
     page.model()->undo();
@@ -1439,19 +1455,11 @@ TEST_F(JobPageTest, WhatIsDrilledStaysInSight) {
     type("angle_1", u"75"_s);
     EXPECT_FALSE(label("troubles").contains(corrected));
     // Nor do they where the next run is emptied and typed anew.
-    const std::pair<const char*, QString> next[] = {{"run_1_unbalance_1", u"900"_s},
-                                                    {"run_1_angle_1", u"73"_s},
-                                                    {"run_1_unbalance_2", u"100"_s},
-                                                    {"run_1_angle_2", u"210"_s}};
-    for (const auto& cell : next) {
-        type(cell.first, QString());
-    }
+    typeRun(1, {{}, {}, {}, {}});
     EXPECT_EQ(model->newestRun(), 0u);
     model->loadInput(model->inputJson(), {});
     page.sheets()->setCurrentIndex(4);
-    for (const auto& [key, value] : next) {
-        type(key, value);
-    }
+    typeRun(1, {u"900"_s, u"73"_s, u"100"_s, u"210"_s});
     EXPECT_EQ(shown(), planned);
     // The picture has them where nothing is to be drilled, too.
     const auto picture = [this] {
@@ -1466,10 +1474,7 @@ TEST_F(JobPageTest, WhatIsDrilledStaysInSight) {
     EXPECT_EQ(picture(), drawn);
     page.model()->undo();
     // Once all is within its limits they are still there.
-    type("run_2_unbalance_1", u"1"_s);
-    type("run_2_angle_1", u"10"_s);
-    type("run_2_unbalance_2", u"1"_s);
-    type("run_2_angle_2", u"10"_s);
+    typeRun(2, {u"1"_s, u"10"_s, u"1"_s, u"10"_s});
     ASSERT_TRUE(shown().size() > 2);
     EXPECT_EQ(shown().mid(0, 2), planned);
     EXPECT_TRUE(shown().at(2).startsWith(u"Run 1 | Front"_s));
@@ -1487,10 +1492,7 @@ TEST_F(JobPageTest, ReadingsMayBeSaidToHoldAfterTheNextRun) {
         if (isHeldBefore) {
             hold->click();
         }
-        type("run_1_unbalance_1", u"900"_s);
-        type("run_1_angle_1", u"73"_s);
-        type("run_1_unbalance_2", u"100"_s);
-        type("run_1_angle_2", u"210"_s);
+        typeRun(1, {u"900"_s, u"73"_s, u"100"_s, u"210"_s});
         if (!isHeldBefore) {
             EXPECT_TRUE(drilled().rows.isEmpty());
             hold->click();
@@ -1667,85 +1669,6 @@ TEST_F(JobPageTest, UnbalancesFollowTheirUnit) {
     EXPECT_TRUE(printed.contains(u"Front plane, g·in"_s)) << qPrintable(printed);
     EXPECT_FALSE(printed.contains(u"g·mm"_s)) << qPrintable(printed);
     EXPECT_TRUE(limit.contains(u"g·in"_s)) << qPrintable(limit);
-}
-
-TEST_F(JobPageTest, WhatWasReallyDrilledIsEntered) {
-    typeShopCard();
-    typeReadings();
-    model->editTolerance(u"limit"_s, [](Tolerance& it) {
-        it.by_grade = false;
-        it.plane = 300 * units::gram_mm;
-    });
-    for (const auto& [key, value] : {std::pair("run_1_unbalance_1", "900"),
-                                     {"run_1_angle_1", "73"},
-                                     {"run_1_unbalance_2", "100"},
-                                     {"run_1_angle_2", "210"}}) {
-        type(key, QString::fromLatin1(value));
-    }
-    auto* depth = find<NumberField>("drilled_depth_1");
-    auto* state = find<QComboBox>("drilled_state_1");
-    ASSERT_TRUE(depth->isVisibleTo(page.sheets()->widget(5)));
-    EXPECT_EQ(state->currentIndex(), static_cast<int>(HoleState::as_planned));
-    const auto hole = [&] { return model->input().correction->earlier_runs[0].drilled->at(0); };
-    const double planned = hole().depth;
-    // A refused depth stands where any refused entry does.
-    type(depth, u"5x"_s);
-    EXPECT_FALSE(label("refused").isEmpty());
-    EXPECT_EQ(hole().depth, planned);
-    type(depth, u"5"_s);
-    EXPECT_TRUE(label("refused").isEmpty());
-    EXPECT_NEAR(hole().depth, 5e-3, 1e-12);
-    EXPECT_EQ(hole().state, HoleState::measured);
-    EXPECT_EQ(state->currentIndex(), static_cast<int>(HoleState::measured));
-    const double angle = hole().angle;
-    const auto shown = [&] { return drilled().rows.at(0).texts(); };
-    const QStringList measured = shown();
-    EXPECT_TRUE(measured.contains(u"5.0"_s)) << qPrintable(measured.join(u' '));
-    const auto choose = [&](HoleState wanted) {
-        page.sheets()->setCurrentIndex(5);
-        state->setFocus();
-        QTest::keyClick(state, Qt::Key_Home);
-        for (int i = 0; i < static_cast<int>(wanted); ++i) {
-            QTest::keyClick(state, Qt::Key_Down);
-        }
-        EXPECT_EQ(hole().state, wanted);
-    };
-    choose(HoleState::wrong_side);
-    EXPECT_NE(shown(), measured);
-    EXPECT_EQ(hole().angle, angle) << "as it was to be";
-    choose(HoleState::not_drilled);
-    EXPECT_NE(shown(), measured);
-    const auto undoAll = model->history()->index();
-    choose(HoleState::measured);
-    EXPECT_EQ(shown(), measured);
-    while (model->history()->index() > undoAll) {
-        model->history()->undo();
-    }
-    EXPECT_EQ(hole().state, HoleState::not_drilled);
-    // A hole that was there before any of it.
-    page.sheets()->setCurrentIndex(5);
-    test::whenModal<QDialog>(qApp, [](QDialog* dialog) {
-        for (const auto& [key, value] : {std::pair("hole_diameter_mm", "10"),
-                                         {"hole_depth_mm", "12"},
-                                         {"hole_angle_deg", "30"}}) {
-            auto* field = test::named<NumberField>(*dialog, key);
-            field->setFocus();
-            QTest::keyClicks(field, QString::fromLatin1(value));
-        }
-        QPushButton* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
-        EXPECT_TRUE(ok->isEnabled());
-        QTest::mouseClick(ok, Qt::LeftButton);
-    });
-    QTest::mouseClick(find<QPushButton>("add_hole"), Qt::LeftButton);
-    ASSERT_EQ(model->input().correction->earlier_runs.size(), 2u);
-    EXPECT_EQ(model->newestRun(), 1u) << "it is of no run";
-    EXPECT_EQ(find<NumberField>("run_1_unbalance_1")->value(), 900.0);
-    EXPECT_EQ(drilled().rows.at(0).at(0).text, u"There before"_s);
-    EXPECT_EQ(find<NumberField>("drilled_depth_1")->value(), 12.0);
-    const Json kept = model->inputJson();
-    model->loadInput(kept, {});
-    EXPECT_EQ(model->inputJson(), kept);
-    EXPECT_EQ(model->newestRun(), 1u);
 }
 
 TEST_F(JobPageTest, TheMachineIsSetUpAsItCountsAndShows) {

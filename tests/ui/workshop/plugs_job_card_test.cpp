@@ -58,10 +58,9 @@ class JobCardTest : public ::testing::Test {
     }
 
     /// The card of a case, as the page makes it.
-    static WorkshopCard card(const Json& input, const QString& language) {
-        WorkshopModel model({});
-        model.loadInput(input, {});
-        return {model, Words(language)};
+    WorkshopCard card(const Json& input, const QString& language) {
+        model_.loadInput(input, {});
+        return {model_, Words(language)};
     }
     /// The text of the card's PDF, in rows as they are printed.
     QStringList cardRows(const Json& input, const QString& language) {
@@ -73,8 +72,9 @@ class JobCardTest : public ::testing::Test {
         return cardRows(input, language).join(u' ').simplified();
     }
 
-    /// The numbers of the row that begins with the text, after it.
-    static std::vector<double> numbers(const QStringList& rows, const QString& start) {
+    /// The numbers of the first row that begins with the text and has as many, after it.
+    static std::vector<double> numbers(const QStringList& rows, const QString& start,
+                                       std::size_t least = 0) {
         for (const QString& row : rows) {
             const qsizetype at = row.indexOf(start);
             // A title begins its row; a name in a sentence does not.
@@ -89,7 +89,9 @@ class JobCardTest : public ::testing::Test {
                 text.replace(u'−', u'-').replace(u',', u'.');
                 found.push_back(text.toDouble());
             }
-            return found;
+            if (found.size() >= least) {
+                return found;  // a warning may begin so, too
+            }
         }
         ADD_FAILURE() << "no row begins with " << qPrintable(start) << " in\n"
                       << qPrintable(rows.join(u'\n'));
@@ -123,9 +125,9 @@ class JobCardTest : public ::testing::Test {
         ASSERT_EQ(lines.size(), static_cast<qsizetype>(result.at("lines").size()) + 1);
         for (qsizetype i = 0; i < lines.size(); ++i) {
             // Beside the last of them there may be a drawing of the plug.
-            const auto row = numbers(rows, lines.at(i).at(0).text);
             const bool isSum = i + 1 == lines.size();
-            ASSERT_GE(row.size(), isSum ? 1U : 3U);
+            const auto row = numbers(rows, lines.at(i).at(0).text, isSum ? 1U : 3U);
+            ASSERT_FALSE(row.empty());
             if (isSum) {
                 EXPECT_NEAR(row[0], weight, 0.0501);
                 EXPECT_NEAR(row[0], sum, 1e-9 * sum);
@@ -166,6 +168,7 @@ class JobCardTest : public ::testing::Test {
     }
 
     QTemporaryDir folder_;
+    WorkshopModel model_{QString()};
 };
 
 TEST_F(JobCardTest, EveryNumberIsTheCommandLines) {

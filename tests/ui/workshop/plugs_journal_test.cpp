@@ -237,7 +237,7 @@ TEST_F(PlugsPageTest, JobWithoutAnAnswerIsSavedAndSaidSo) {
     press(Qt::Key_F2);
     ASSERT_EQ(status.count(), 1);
     EXPECT_TRUE(status.at(0).at(0).toString().contains(
-        u"put aside in the journal, unfinished. Still needed"_s));
+        u"put aside in the journal, unfinished. The bob weight still needs"_s));
     const auto job = model->desk()->journal()->job(model->desk()->jobId());
     ASSERT_TRUE(job);
     EXPECT_FALSE(job->unbalancedMass);

@@ -60,7 +60,7 @@ TEST_F(PlugsPageTest, AnswerFollowsTyping) {
     type("repair_piston_and_rings", u"2"_s);
     type("repair_bearing", u"1.1"_s);
     EXPECT_EQ(label("advice"), u"Machine all 8 steel plugs by 1.83\u00A0g each."_s);
-    EXPECT_TRUE(label("headline").startsWith(u"Still needed for the bob weight: "_s));
+    EXPECT_TRUE(label("headline").startsWith(u"The bob weight still needs: "_s));
     typeGear();
     EXPECT_EQ(label("headline"), u"Bob weight 2326.6\u00A0g"_s);
     EXPECT_TRUE(label("hang").startsWith(u"On each of the 4 crankpins."_s));

@@ -199,7 +199,7 @@ TEST_F(PlugsPageTest, FittedPistonsStayAndWhatTheEngineFeelsIsMadeSmall) {
     // The card says what to take off pistons too far apart, and what is gained.
     const QString printed = card();
     EXPECT_TRUE(printed.contains(u"take off"_s)) << qPrintable(printed);
-    EXPECT_TRUE(printed.contains(u"First-order unbalance of the differences"_s));
+    EXPECT_TRUE(printed.contains(u"What the placing changes"_s));
     show(WeighIn);
     model->newJob();
     EXPECT_EQ(model->input().weigh_in->matching.pistons, shop::SetMoves::stays);

@@ -136,6 +136,7 @@ TEST_F(DoubtedJobTest, SwapsTheColumnsByTheButtonOfTheVerdict) {
     auto* act = find<QPushButton>("verdict_act");
     ASSERT_TRUE(act->isVisible());
     EXPECT_EQ(act->text(), u"Swap the rod ends"_s);
+    EXPECT_TRUE(model->takeOffResults().rows.isEmpty());
     QTest::mouseClick(act, Qt::LeftButton);
     const auto& sheet = *model->input().weigh_in;
     EXPECT_NEAR(*sheet[shop::Part::rod_big_end].mass[0], 429.8 * units::gram, 1e-12);

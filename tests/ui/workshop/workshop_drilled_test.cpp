@@ -83,7 +83,13 @@ TEST_F(DrilledTest, AMeasuredAngleAndDepthCount) {
     EXPECT_EQ(find<QComboBox>("drilled_state_1")->currentIndex(),
               static_cast<int>(HoleState::measured));
     EXPECT_NE(plan(), before);
+    // A refused depth stands where any refused entry does.
+    const double planned = hole(0).depth;
+    type("drilled_depth_1", u"5x"_s);
+    EXPECT_FALSE(label("refused").isEmpty());
+    EXPECT_EQ(hole(0).depth, planned);
     type("drilled_depth_1", u"4.5"_s);
+    EXPECT_TRUE(label("refused").isEmpty());
     EXPECT_NEAR(hole(0).depth, 4.5 * units::mm, 1e-12);
     EXPECT_TRUE(std::ranges::any_of(drilled().holes, [](const bob_weights::Hole& each) {
         return std::abs(each.depth - 4.5 * units::mm) < 1e-12 &&
@@ -120,6 +126,8 @@ TEST_F(DrilledTest, AHoleThatWasThereBeforeIsAddedAndKeptClearOf) {
     find<QPushButton>("add_hole")->click();
     ASSERT_EQ(model->input().correction->earlier_runs.size(), 1U);
     EXPECT_EQ(model->newestRun(), 0U) << "no run of the machine";
+    EXPECT_EQ(std::get<Results>(model->part("drilled")).rows.at(0).at(0).text, u"There before"_s);
+    const Json kept = model->inputJson();
     EXPECT_TRUE(find<QComboBox>("drilled_state_1")->isVisible());
     for (const bob_weights::Hole& each : holes()) {
         EXPECT_TRUE(each.deepens || std::abs(each.angle - angle) > 5.0 * degree);
@@ -127,6 +135,9 @@ TEST_F(DrilledTest, AHoleThatWasThereBeforeIsAddedAndKeptClearOf) {
     EXPECT_EQ(model->reading(0, 0, false), 2500 * units::gram_mm);
     model->history()->undo();
     EXPECT_TRUE(model->input().correction->earlier_runs.empty());
+    model->loadInput(kept, {});
+    EXPECT_EQ(model->inputJson(), kept);
+    EXPECT_EQ(model->newestRun(), 0U);
 }
 
 TEST_F(DrilledTest, AHoleThatIsThoughtOfSaysWhatItWouldLeaveAndChangesNothing) {

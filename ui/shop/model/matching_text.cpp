@@ -110,24 +110,6 @@ QStringList remarks(const Words& words, const Shown& shown) {
     return list;
 }
 
-QString felt(const Words& words, const Shown& shown) {
-    const auto& before =
-        shown.shaking_as_weighed ? shown.shaking_as_weighed : shown.matched.shaking_before;
-    const auto& after = shown.matched.shaking;
-    if (!before || !after) {
-        return {};
-    }
-    const QString force =
-        words.translate("Matching", "First-order unbalance of the differences %1 → %2")
-            .arg(forceOf(words, shown, before->force), forceOf(words, shown, after->force));
-    if (!shown.matched.spacing_known) {
-        return force + QLatin1Char('.');
-    }
-    return force +
-           words.translate("Matching", ", couple %1 → %2.")
-               .arg(coupleOf(words, shown, before->couple), coupleOf(words, shown, after->couple));
-}
-
 Results effects(const Words& words, const Shown& shown) {
     const Matched& matched = shown.matched;
     Results results{

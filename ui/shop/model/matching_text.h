@@ -33,9 +33,6 @@ void takeAsWeighed(Shown& shown, const shop::MatchingTask& task, const shop::Wei
 QString summary(const Words& words, const Shown& shown);
 /// Why it is not the goal asked for, what is not proven, what is taken for granted.
 QStringList remarks(const Words& words, const Shown& shown);
-/// What the engine feels before and after in a line; empty where that is not known.
-QString felt(const Words& words, const Shown& shown);
-
 /// What is gained: a quantity, as weighed, placed so.
 Results effects(const Words& words, const Shown& shown);
 

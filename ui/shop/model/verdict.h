@@ -2,7 +2,6 @@
 
 #include <QStringList>
 #include <optional>
-#include <string>
 
 #include "shop/model/words.h"
 
@@ -42,24 +41,6 @@ enum class VerdictKind {
     Open  ///< to be measured again, or doubted
 };
 VerdictKind verdictKind(const QString& verdict);
-/// What is to be done about them.
-QString otherBobWeightText(const Words& words, double then, double now);
-QString otherCrankshaftText(const Words& words, const std::string& then, const std::string& now);
-/// Both numbers, a line each, where one of them is shortened there; else empty.
-QString longNumbersTip(const std::string& then, const std::string& now);
-/// The same of a run or the sheet.
-template <typename Read>
-QString otherTip(const Read& read) {
-    return read.read_on ? longNumbersTip(read.read_on->then, read.read_on->now) : QString();
-}
-/// The sentence of a run or the sheet; empty where it holds.
-template <typename Read>
-QString otherText(const Words& words, const Read& read, double bobWeightNow) {
-    return read.read_on     ? otherCrankshaftText(words, read.read_on->then, read.read_on->now)
-           : read.read_with ? otherBobWeightText(words, *read.read_with, bobWeightNow)
-                            : QString();
-}
-
 /// That what is said is of the values before entries that a form refuses; empty without such.
 QString refusedNote(const Words& words, const QStringList& refused);
 

@@ -8,12 +8,11 @@
 
 #include "bob-weights/fields.h"
 #include "bob-weights/matching.h"
-#include "bob-weights/weighing.h"
 #include "case-file/field_index.h"
 #include "shop/balance_grade.h"
-#include "shop/model/scale_settings.h"
 #include "shop/model/verdict.h"
 #include "shop/model/weigh_again.h"
+#include "shop/results.h"
 #include "text/capital.h"
 #include "text/shown_units.h"
 #include "text/typed_number.h"
@@ -250,12 +249,6 @@ QString contradiction(const Words& words, const Input& input) {
     return {};
 }
 
-QString hang(const Words& words, const Engine& engine) {
-    const int count = engine.crankpins();
-    return count == 1 ? words.translate("BobWeights", "On the crankpin.")
-                      : words.translate("BobWeights", "On each of the %1 crankpins.").arg(count);
-}
-
 QString factor(const Words& words, const Input& input, const Result& result) {
     const auto percent = [&](double share) {
         return words.plain(100.0 * share, 2) + QStringLiteral("\u00A0%");
@@ -294,13 +287,14 @@ QString limits(const Words& words, const Input& input, const Result& result) {
 }
 
 QString otherRun(const Words& words, const Result& result) {
-    if (!result.holds()) {
-        return otherText(words, *result.newest(), result.bob_weight.value_or(0.0));
-    }
     for (std::size_t run = result.runs.size(); run-- > 0;) {
-        if (!result.runs[run].holds()) {
-            return runName(words, run - firstRun(result)) + QStringLiteral(": ") +
-                   otherText(words, result.runs[run], result.bob_weight.value_or(0.0));
+        const RunResult& read = result.runs[run];
+        if (!read.holds()) {
+            const QString said = words.message(
+                shop::other_readings(read.read_with, read.read_on, result.bob_weight));
+            return &read == result.newest()
+                       ? said
+                       : runName(words, run - firstRun(result)) + QStringLiteral(": ") + said;
         }
     }
     return {};
@@ -410,28 +404,6 @@ QString metals(const Words& words, const Input& input, const Result& result) {
         said += words.translate("BobWeights", ", slugs of %1").arg(density(*slug->density));
     }
     return said + QLatin1Char('.');
-}
-
-QString weighing(const Words& words, const Input& input, const Result& result) {
-    const double resolution = ScaleSettings::load().resolution;
-    const auto found =
-        resolution > 0.0 ? bob_weights::weighing(input, result, resolution) : std::nullopt;
-    if (!found) {
-        return {};
-    }
-    const QString sure =
-        words
-            .translate("BobWeights", "Weighed to %1, a bob weight is sure to ±%2 (19 times of 20).")
-            .arg(words.plainWithUnit(resolution, units::gram, 6),
-                 words.number(found->bob_weight, units::gram, 2));
-    return !found->largest_radius
-               ? sure
-               : sure + QLatin1Char(' ') +
-                     words
-                         .translate("BobWeights",
-                                    "That is enough for what may remain in a plane with a crank "
-                                    "radius up to %1.")
-                         .arg(words.number(*found->largest_radius, units::mm, 0));
 }
 
 QString planeName(const Words& words, const workshop::Machine& machine, std::size_t plane) {

@@ -22,17 +22,12 @@ QString contradiction(const Words& words, const bob_weights::Input& input);
 /// where there is no bob weight, which is said by itself.
 QString brokenRule(const Words& words, const workshop::Input& input,
                    const bob_weights::Result& result);
-QString hang(const Words& words, const bob_weights::Engine& engine);
 /// "Factor 50 % + 2 % overbalance, by theory 50 %. …"
 QString factor(const Words& words, const bob_weights::Input& input,
                const bob_weights::Result& result);
 /// What may remain, and where that comes from.
 QString limits(const Words& words, const bob_weights::Input& input,
                const bob_weights::Result& result);
-/// What the last digit of the scale that is set up leaves uncertain, and whether that is enough;
-/// empty where scale or bob weight are not known.
-QString weighing(const Words& words, const bob_weights::Input& input,
-                 const bob_weights::Result& result);
 /// The angles that a correction still needs, each with its place; nothing where none is begun, or
 /// the readings pass as they are.
 QStringList missingAngles(const Words& words, const workshop::Input& input,

@@ -69,11 +69,13 @@ QString WorkshopModel::toleranceText() const {
     if (!hasPlugs()) {
         return {};
     }
-    const QString owner = v8_text::toleranceOwner(Words(), *plugsInput());
-    return isShopsTolerance() || v8_text::isPapersTolerance(*plugsInput())
-               ? owner
-               : tr("%1 in each plane is for this job alone.")
-                     .arg(v8_text::gramMillimetres(Words(), plugsInput()->tolerance));
+    const double tolerance = plugsInput()->tolerance;
+    const bool isPapers = std::abs(tolerance - default_tolerance) < 1e-6 * default_tolerance;
+    return (isPapers ? tr("%1 in each plane is what Nazarov's experiments left: the limit of this "
+                          "method.")
+            : isShopsTolerance() ? tr("%1 in each plane is the shop's own limit.")
+                                 : tr("%1 in each plane is for this job alone."))
+        .arg(v8_text::gramMillimetres(Words(), tolerance));
 }
 
 QString WorkshopModel::plugWeightText() const {

@@ -69,7 +69,10 @@ QString WorkshopModel::hangText(const Words& words) const {
                                 "No bob weights are needed: the crankpins balance one another. "
                                 "Where they are hung:");
     }
-    said << bob_text::hang(words, input().engine);
+    const int crankpins = input().engine.crankpins();
+    said << (crankpins == 1
+                 ? words.translate("BobWeights", "On the crankpin.")
+                 : words.translate("BobWeights", "On each of the %1 crankpins.").arg(crankpins));
     if (bob_text::isMean(words, solution())) {
         said << bob_text::weighIn(words, input(), solution());
     }
@@ -149,14 +152,32 @@ QStringList WorkshopModel::remarks() const {
 WeighedColumn WorkshopModel::columnNote(shop::Part part) const {
     const auto sheet = bob_weights::fitted(input()).weigh_in;
     const auto statistics = sheet ? shop::statistics((*sheet)[part]) : std::nullopt;
+    WeighedColumn column;
     if (!statistics) {
-        return weighedColumn(Words(), part, {}, {}, true);
+        return column;
     }
-    const bool isWhole = (*sheet)[part].is_weighed();
-    const bool counts =
-        hasPlugs() ? input().plugs->changes_from_weigh_in && (*sheet)[part].is_complete() : isWhole;
-    return weighedColumn(Words(), part, statistics, (*sheet)[part].nominal, counts,
-                         isWhole ? QString() : tr("Counts once every cylinder is weighed."));
+    const Words words;
+    const shop::PartColumn& weighed = (*sheet)[part];
+    const auto grams = [&](double mass) { return words.digits(mass, units::gram, 2); };
+    column.mean = grams(statistics->mean);
+    if (weighed.nominal) {
+        const double deviation = statistics->mean - *weighed.nominal;
+        column.deviation =
+            (deviation >= 0.005 * units::gram ? QStringLiteral("+") : QString()) + grams(deviation);
+    }
+    column.spread = grams(statistics->spread);
+    column.tooWide = !statistics->within_permitted;
+    column.counts = hasPlugs() ? input().plugs->changes_from_weigh_in && weighed.is_complete()
+                               : weighed.is_weighed();
+    column.toolTip = tr("%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.")
+                         .arg(shownText(shop::part_word(part).label))
+                         .arg(statistics->count)
+                         .arg(statistics->heaviest + 1)
+                         .arg(statistics->lightest + 1);
+    if (!weighed.is_weighed()) {
+        column.toolTip += QLatin1Char('\n') + tr("Counts once every cylinder is weighed.");
+    }
+    return column;
 }
 
 QString WorkshopModel::weighInText() const {

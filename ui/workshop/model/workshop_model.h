@@ -8,7 +8,6 @@
 #include "model/case_model.h"
 #include "shop/model/job_desk.h"
 #include "shop/model/matching_text.h"
-#include "shop/model/weigh_in_table.h"
 #include "text/result_row.h"
 #include "workshop/input.h"
 #include "workshop/model/workshop_parts.h"
@@ -17,6 +16,16 @@
 namespace ravnoves {
 
 class InputError;
+
+/// What stands below a column of the weigh-in sheet; dashes where nothing is weighed.
+struct WeighedColumn {
+    QString mean = QStringLiteral("–");
+    QString deviation = QStringLiteral("–");  ///< of the mean from nominal, with its sign
+    QString spread = QStringLiteral("–");
+    bool tooWide = false;
+    bool counts = true;  ///< or nothing is weighed
+    QString toolTip;
+};
 
 /// What CaseModel knows of the scene.
 struct WorkshopScene {

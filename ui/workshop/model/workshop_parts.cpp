@@ -4,13 +4,15 @@
 #include <array>
 #include <cmath>
 
+#include "bob-weights/weighing.h"
+#include "shop/model/scale_settings.h"
 #include "text/number_text.h"
 #include "v8-plugs/compensation.h"
+#include "v8-plugs/weighing.h"
 #include "workshop/model/bob_text.h"
 #include "workshop/model/workshop_model.h"
 #include "workshop/plugs/model/v8_names.h"
 #include "workshop/plugs/model/v8_text.h"
-#include "workshop/plugs/model/weighing_text.h"
 
 namespace ravnoves {
 
@@ -253,11 +255,48 @@ constexpr std::array makers{
 }  // namespace
 
 QString weighingNote(const WorkshopModel& model) {
-    if (!model.solution().bob_weight) {
+    const double resolution = ScaleSettings::load().resolution;
+    if (!model.solution().bob_weight || resolution <= 0.0) {
         return {};
     }
-    return model.hasPlugs() ? v8_text::weighingNote(Words(), *model.plugsInput()).text
-                            : bob_text::weighing(Words(), model.input(), model.solution());
+    const Words words;
+    const auto digit = [&](double mass) { return words.plainWithUnit(mass, units::gram, 6); };
+    const auto weight = [&](double mass) { return words.number(mass, units::gram, 2); };
+    QStringList said;
+    if (model.hasPlugs()) {
+        if (const auto found = v8_plugs::weighing(*model.plugsInput(), resolution)) {
+            said << words
+                        .translate("V8",
+                                   "Weighed to %1, the bob weight is sure to ±%2 and the unbalance "
+                                   "of a crankpin to ±%3 (19 times of 20).")
+                        .arg(digit(resolution), weight(found->bob_weight),
+                             words.number(found->unbalance, units::gram_mm, 1));
+            const QString tolerance =
+                words.number(model.plugsInput()->tolerance, units::gram_mm, 0);
+            said << (found->enough
+                         ? words.translate("V8", "That is enough for the tolerance of %1.")
+                               .arg(tolerance)
+                         : words
+                               .translate("V8",
+                                          "That is too coarse for the tolerance of %1: take a "
+                                          "scale that shows %2.")
+                               .arg(tolerance, digit(found->coarsest)));
+        }
+    } else if (const auto found =
+                   bob_weights::weighing(model.input(), model.solution(), resolution)) {
+        said << words
+                    .translate("BobWeights",
+                               "Weighed to %1, a bob weight is sure to ±%2 (19 times of 20).")
+                    .arg(digit(resolution), weight(found->bob_weight));
+        if (found->largest_radius) {
+            said << words
+                        .translate("BobWeights",
+                                   "That is enough for what may remain in a plane with a crank "
+                                   "radius up to %1.")
+                        .arg(words.number(*found->largest_radius, units::mm, 0));
+        }
+    }
+    return said.join(QLatin1Char(' '));
 }
 
 std::span<const PagePart> workshopParts() {

@@ -167,21 +167,6 @@ QString rodFactor(const Words& words, const Input& input, const Result& solution
              grams(words, *k * solution.changes.rod_big_end));
 }
 
-bool isPapersTolerance(const Input& input) {
-    return std::abs(input.tolerance - default_tolerance) < 1e-6 * default_tolerance;
-}
-
-QString toleranceOwner(const Words& words, const Input& input) {
-    return isPapersTolerance(input)
-               ? words
-                     .translate("V8",
-                                "%1 in each plane is what Nazarov's experiments left: the "
-                                "limit of this method.")
-                     .arg(gramMillimetres(words, input.tolerance))
-               : words.translate("V8", "%1 in each plane is the shop's own limit.")
-                     .arg(gramMillimetres(words, input.tolerance));
-}
-
 QString bobWeightCheck(const Words& words, const Input& input, const Result& solution) {
     if (!solution.nominal || !solution.before) {
         return {};

@@ -54,9 +54,6 @@ QString plugsWhileHung(const Words& words, const v8_plugs::Result& solution);
 /// Why a big end counts more than twice.
 QString rodFactor(const Words& words, const v8_plugs::Input& input,
                   const v8_plugs::Result& solution);
-/// Whose the tolerance is.
-bool isPapersTolerance(const v8_plugs::Input& input);
-QString toleranceOwner(const Words& words, const v8_plugs::Input& input);
 /// Which sets to move; nothing where there is no weigh-in sheet.
 std::optional<matching_text::Shown> matchingShown(const v8_plugs::Input& input,
                                                   const v8_plugs::Result& solution);

@@ -1,48 +1,63 @@
-#include "shop/model/weigh_in_table.h"
+#include "workshop/model/weigh_in_table.h"
 
-#include "shop/model/words.h"
+#include "bob-weights/fields.h"
 #include "text/message_text.h"
 #include "text/shown_units.h"
 #include "text/typed_number.h"
+#include "workshop/model/workshop_model.h"
 
 namespace ravnoves {
-
-using namespace shop;
 
 namespace {
 
 QString partOf(int column) {
-    return shownText(part_word(all_parts[static_cast<std::size_t>(column)]).label);
+    return shownText(shop::part_word(shop::all_parts[static_cast<std::size_t>(column)]).label);
+}
+
+auto& cellOf(auto& sheet, int row, int column) {
+    auto& part = sheet.columns[static_cast<std::size_t>(column)];
+    constexpr int first = WeighInTable::firstCylinder;
+    return row >= first ? part.mass[static_cast<std::size_t>(row - first)]
+           : row == 0   ? part.nominal
+                        : part.permitted_spread;
 }
 
 }  // namespace
 
-WeighInTable::WeighInTable(Source source, QObject* parent)
-    : EditableTable(parent), source_(std::move(source)) {}
+WeighInTable::WeighInTable(WorkshopModel* model, QObject* parent)
+    : EditableTable(parent), model_(model) {}
 
-const Field& WeighInTable::fieldOf(int row) const {
-    return row >= firstCylinder() ? source_.mass
-           : row == 0             ? field::nominal
-                                  : field::permitted_spread;
+int WeighInTable::cylinders() const {
+    return model_->input().engine.cylinders;
+}
+
+const Field& WeighInTable::fieldOf(int row) {
+    return row >= firstCylinder ? bob_weights::field::part_mass
+           : row == 0           ? shop::field::nominal
+                                : shop::field::permitted_spread;
 }
 
 int WeighInTable::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : firstCylinder() + source_.cylinders();
+    return parent.isValid() ? 0 : firstCylinder + cylinders();
 }
 
 int WeighInTable::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(all_parts.size());
+    return parent.isValid() ? 0 : static_cast<int>(shop::all_parts.size());
 }
 
 QVariant WeighInTable::data(const QModelIndex& cell, int role) const {
     const int row = cell.row();
     const QString part = partOf(cell.column());
-    const int cylinder = row - firstCylinder() + 1;
+    const int cylinder = row - firstCylinder + 1;
     const bool isNominal = cylinder < 1 && row == 0;
     const bool isSpread = cylinder < 1 && row == 1;
     switch (role) {
         case Qt::EditRole: {
-            const Mass mass = source_.read(row, cell.column());
+            const auto& sheet = model_->input().weigh_in;
+            const bool isThere =
+                sheet && row < firstCylinder + static_cast<int>(sheet->columns[0].mass.size());
+            const shop::Weighed mass =
+                isThere ? cellOf(*sheet, row, cell.column()) : shop::Weighed();
             return mass ? QVariant(from_si(fieldOf(row), *mass)) : QVariant();
         }
         case Qt::AccessibleTextRole:
@@ -58,7 +73,7 @@ QVariant WeighInTable::data(const QModelIndex& cell, int role) const {
                               : tr("%1 of cylinder %2 as the scale says.").arg(part).arg(cylinder);
         case KeyRole: {
             const std::string_view word =
-                part_word(all_parts[static_cast<std::size_t>(cell.column())]).word;
+                shop::part_word(shop::all_parts[static_cast<std::size_t>(cell.column())]).word;
             const auto key = QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
             return isNominal  ? QStringLiteral("nominal_") + key
                    : isSpread ? QStringLiteral("spread_") + key
@@ -76,9 +91,9 @@ QVariant WeighInTable::headerData(int section, Qt::Orientation orientation, int 
     if (orientation == Qt::Horizontal) {
         return partOf(section);
     }
-    return section >= firstCylinder() ? QString::number(section - firstCylinder() + 1)
-           : section == 0             ? shownTitle(tr("nominal, g")).text
-                                      : shownTitle(tr("permitted spread, g")).text;
+    return section >= firstCylinder ? QString::number(section - firstCylinder + 1)
+           : section == 0           ? shownTitle(tr("nominal, g")).text
+                                    : shownTitle(tr("permitted spread, g")).text;
 }
 
 bool WeighInTable::setData(const QModelIndex& cell, const QVariant& value, int role) {
@@ -87,16 +102,16 @@ bool WeighInTable::setData(const QModelIndex& cell, const QVariant& value, int r
     }
     const int row = cell.row();
     const QString part = partOf(cell.column());
-    const QString step = row >= firstCylinder()
-                             ? tr("%1 %2").arg(part).arg(row - firstCylinder() + 1)
-                         : row == 0 ? tr("%1, nominal").arg(part)
-                                    : tr("%1, spread").arg(part);
-    return source_
-        .edit(step,
-              [&](const Cells& at) {
-                  at(row, cell.column()) =
-                      value.isValid() ? Mass(value.toDouble() * fieldOf(row).unit) : std::nullopt;
-              })
+    const QString step = row >= firstCylinder ? tr("%1 %2").arg(part).arg(row - firstCylinder + 1)
+                         : row == 0           ? tr("%1, nominal").arg(part)
+                                              : tr("%1, spread").arg(part);
+    return model_
+        ->editWeights(step,
+                      [&](shop::WeighIn& sheet) {
+                          cellOf(sheet, row, cell.column()) =
+                              value.isValid() ? shop::Weighed(value.toDouble() * fieldOf(row).unit)
+                                              : std::nullopt;
+                      })
         .isEmpty();
 }
 
@@ -118,7 +133,7 @@ QString WeighInTable::pasteBlock(int row, int column, const std::vector<QStringL
             if (!index(toRow, toColumn).isValid()) {
                 return tr("Nothing is pasted: the block does not fit on the sheet from here, which "
                           "has %1 cylinders.")
-                    .arg(source_.cylinders());
+                    .arg(cylinders());
             }
             // In the unit that the cells show.
             const Field& field = fieldOf(toRow);
@@ -130,37 +145,11 @@ QString WeighInTable::pasteBlock(int row, int column, const std::vector<QStringL
             pasted.push_back({toRow, toColumn, *value / unit.factor * field.unit});
         }
     }
-    return source_.edit(tr("Paste weights"), [&](const Cells& at) {
+    return model_->editWeights(tr("Paste weights"), [&](shop::WeighIn& sheet) {
         for (const Pasted& each : pasted) {
-            at(each.row, each.column) = each.mass;
+            cellOf(sheet, each.row, each.column) = each.mass;
         }
     });
-}
-
-WeighedColumn weighedColumn(const Words& words, Part part,
-                            const std::optional<ColumnStatistics>& statistics,
-                            const std::optional<double>& nominal, bool counts,
-                            const QString& whyNot) {
-    const QString dash = QStringLiteral("–");
-    if (!statistics) {
-        return {dash, dash, dash, false, true, {}};
-    }
-    const auto grams = [&](double mass) { return words.digits(mass, units::gram, 2); };
-    const QString text =
-        WeighInTable::tr("%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.")
-            .arg(shownText(part_word(part).label))
-            .arg(statistics->count)
-            .arg(statistics->heaviest + 1)
-            .arg(statistics->lightest + 1);
-    const double deviation = statistics->mean - nominal.value_or(0.0);
-    return {grams(statistics->mean),
-            !nominal ? dash
-                     : (deviation >= 0.005 * units::gram ? QStringLiteral("+") : QString()) +
-                           grams(deviation),
-            grams(statistics->spread),
-            !statistics->within_permitted,
-            counts,
-            counts || whyNot.isEmpty() ? text : text + QLatin1Char('\n') + whyNot};
 }
 
 }  // namespace ravnoves

@@ -3,24 +3,38 @@
 #include <QList>
 
 #include "widgets/form.h"
+#include "workshop/model/workshop_model.h"
 
+class QGridLayout;
 class QKeyEvent;
 class QLabel;
 class QPushButton;
 
 namespace ravnoves {
 
-class CheckedField;
+/// Below fields of masses: that a number which may mean thousands was read otherwise.
+class HowRead : public TroubleLine {
+    Q_OBJECT
 
-/// One sheet of the job's form: large fields bound to the input, in the order in which one fills
+  public:
+    HowRead(WorkshopModel* model, QWidget* parent);
+    /// @param isNamed  several fields share the line: it says which one is meant
+    void follow(NumberField* field, bool isNamed);
+
+  private:
+    NumberField* noted_ = nullptr;
+    std::optional<double> value_;  ///< of it
+};
+
+/// A sheet of the workshop's form: large fields bound to the input, in the order in which one fills
 /// them.
-class SheetForm : public Form {
+class WorkshopSheet : public Form {
     Q_OBJECT
 
   public:
     static constexpr int fieldHeight = 34;  ///< pixels; a target that a thumb finds
 
-    explicit SheetForm(SceneModel* model, QWidget* parent = nullptr);
+    explicit WorkshopSheet(WorkshopModel* model, QWidget* parent = nullptr);
 
     /// Every field in the order of Enter.
     const QList<QWidget*>& order() const { return order_; }
@@ -29,7 +43,7 @@ class SheetForm : public Form {
 
     /// Its readings are of another bob weight or crankshaft: its tab is amber, and so are their
     /// fields.
-    bool isDoubtful() const { return isDoubted_ && isDoubted_(); }
+    virtual bool isDoubtful() const { return false; }
 
   Q_SIGNALS:
     /// One more is in the order.
@@ -64,19 +78,12 @@ class SheetForm : public Form {
     };
     /// Its row; what is wrong with it stands below the field.
     void checked(const Field& description, const CheckedText& text);
-    /// The section of whose job it is, and when.
-    void addJob();
     /// A row of numbers, as readNumberList() takes them; each is described by the field.
     void numberList(
         const Field& description, std::function<std::vector<double>()> read,
         std::function<void(const QString& name, const std::vector<double>& values)> write);
     /// A line of text over the whole width that follows the model; hidden while there is none.
     QLabel* line(int pixelSize, std::function<QString()> text);
-    /// What is wrong with readings, and a button that says that they hold for the crankshaft and
-    /// the bob weight of now; neither where `why` is empty.
-    /// @param readings  the first of them that is empty has the keys next, else the first
-    void addHold(std::function<QString()> why, std::function<void()> hold,
-                 const QList<NumberField*>& readings);
     /// A field is amber while it holds a reading of another bob weight.
     void doubt(EntryField* field, std::function<bool()> isDoubtful);
     /// Takes a field into the order.
@@ -94,18 +101,28 @@ class SheetForm : public Form {
     /// As wide as a text: its words are read whole.
     /// @param width  designed pixels
     QComboBox* wide(QComboBox* box, int width = 290);
+    /// The section that is begun is there with plugs alone, or without them alone.
+    void withPlugs(bool there);
+    /// A line of buttons.
+    QPushButton* button(const char* name, const QString& label, const QString& tip,
+                        std::function<void()> press);
+    /// A grid over the whole width with its headings, and the line for what is refused in it.
+    std::pair<QGridLayout*, TroubleLine*> grid(const QStringList& headings);
+    NumberField* cell(const Field& field, const QString& name, const QString& spoken);
+    /// How the balancing machine is set up.
+    void addMachine();
     /// Ends the sheet: labels without a mnemonic get one that no other label or button has.
     void finish();
+
+    WorkshopModel* model_;
 
   private:
     NumberField* large(NumberField* field);
     /// @return true for an arrow that leaves the field of a grid
     static bool goInGrid(const QList<QList<QWidget*>>& rows, QWidget* from, const QKeyEvent& key);
 
-    SceneModel* model_;
     QList<QWidget*> order_;
     QList<QList<QList<QWidget*>>> grids_;
-    std::function<bool()> isDoubted_;
 };
 
 }  // namespace ravnoves

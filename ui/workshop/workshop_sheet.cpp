@@ -1,7 +1,8 @@
-#include "shop/sheet_form.h"
+#include "workshop/workshop_sheet.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -9,10 +10,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "shop/checked_field.h"
-#include "shop/job_header.h"
-#include "shop/journal_dialog.h"
 #include "text/capital.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
@@ -27,13 +27,52 @@ namespace ravnoves {
 namespace {
 
 constexpr int numberWidth = 140;
-constexpr int textWidth = 290;
+constexpr int textFieldWidth = 290;
+
+/// That the sign with three digits behind it was read as the decimal one: "1.100" as 1.1. Empty for
+/// a text that is plain, has a unit or can mean no part's thousands.
+QString decimalNote(const QString& typed, const std::optional<double>& read) {
+    constexpr double heaviest = 100'000.0;  // g
+    const QString text = typed.trimmed();
+    const bool isEither =
+        read && text.back().isDigit() &&
+        may_have_thousands(QString(text).replace(QLatin1Char('.'), QLatin1Char(',')).toStdString());
+    constexpr int digits = 15;
+    const auto shown = [](double value) { return shownFormNumber(value, QLocale(), digits); };
+    return isEither && 1000.0 * *read <= heaviest
+               ? WorkshopSheet::tr("“%1” was read as %2. Type %3 if that is meant.")
+                     .arg(text, shown(*read), shown(1000.0 * *read))
+               : QString();
+}
 
 }  // namespace
 
-SheetForm::SheetForm(SceneModel* model, QWidget* parent) : Form(model, parent), model_(model) {}
+HowRead::HowRead(WorkshopModel* model, QWidget* parent) : TroubleLine(parent) {
+    connect(model, &SceneModel::changed, this, [this] {
+        if (noted_ != nullptr && noted_->value() != value_) {
+            noted_ = nullptr;
+            say({});
+        }
+    });
+}
 
-QList<QWidget*> SheetForm::tabOrder() const {
+void HowRead::follow(NumberField* field, bool isNamed) {
+    connect(field, &QLineEdit::textEdited, this, [=, this](const QString& typed) {
+        const QString note = decimalNote(typed, field->value());
+        if (note.isEmpty() && noted_ != field) {
+            return;
+        }
+        noted_ = note.isEmpty() ? nullptr : field;
+        value_ = field->value();
+        const bool hasName = isNamed && noted_ != nullptr;
+        say(hasName ? field->accessibleName() + QStringLiteral(": ") + note : note, false);
+    });
+}
+
+WorkshopSheet::WorkshopSheet(WorkshopModel* model, QWidget* parent)
+    : Form(model, parent), model_(model) {}
+
+QList<QWidget*> WorkshopSheet::tabOrder() const {
     QList<QWidget*> order = order_;
     for (const auto& rows : grids_) {
         qsizetype at = order.indexOf(rows.constFirst().constFirst());
@@ -46,7 +85,7 @@ QList<QWidget*> SheetForm::tabOrder() const {
     return order;
 }
 
-void SheetForm::addGrid(const QList<QList<QWidget*>>& rows) {
+void WorkshopSheet::addGrid(const QList<QList<QWidget*>>& rows) {
     grids_ << rows;
     for (const auto& row : rows) {
         for (QWidget* field : row) {
@@ -55,7 +94,7 @@ void SheetForm::addGrid(const QList<QList<QWidget*>>& rows) {
     }
 }
 
-bool SheetForm::eventFilter(QObject* watched, QEvent* event) {
+bool WorkshopSheet::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::KeyPress) {
         for (const auto& rows : grids_) {
             if (goInGrid(rows, static_cast<QWidget*>(watched), *static_cast<QKeyEvent*>(event))) {
@@ -66,7 +105,8 @@ bool SheetForm::eventFilter(QObject* watched, QEvent* event) {
     return Form::eventFilter(watched, event);
 }
 
-bool SheetForm::goInGrid(const QList<QList<QWidget*>>& rows, QWidget* from, const QKeyEvent& key) {
+bool WorkshopSheet::goInGrid(const QList<QList<QWidget*>>& rows, QWidget* from,
+                             const QKeyEvent& key) {
     const int down = key.key() == Qt::Key_Down ? 1 : key.key() == Qt::Key_Up ? -1 : 0;
     const int right = key.key() == Qt::Key_Right ? 1 : key.key() == Qt::Key_Left ? -1 : 0;
     if ((down == 0 && right == 0) || (key.modifiers() & ~Qt::KeypadModifier) != 0) {
@@ -98,12 +138,12 @@ bool SheetForm::goInGrid(const QList<QList<QWidget*>>& rows, QWidget* from, cons
     return true;
 }
 
-void SheetForm::enlarge(QWidget* field) {
+void WorkshopSheet::enlarge(QWidget* field) {
     field->setMinimumHeight(Theme::withText(fieldHeight));
     field->setFont(Theme::font(Theme::titleSize + 1));
 }
 
-QComboBox* SheetForm::wide(QComboBox* box, int width) {
+QComboBox* WorkshopSheet::wide(QComboBox* box, int width) {
     box->setMinimumWidth(Theme::withText(width));
     box->setFont(Theme::font(Theme::baseSize));
     // The list is as wide as its words.
@@ -111,26 +151,31 @@ QComboBox* SheetForm::wide(QComboBox* box, int width) {
     return box;
 }
 
-NumberField* SheetForm::large(NumberField* field) {
+NumberField* WorkshopSheet::large(NumberField* field) {
     field->setMaximumWidth(Theme::withText(numberWidth));
     enlarge(field);
+    if (isMassUnit(field->unit())) {
+        auto* read = new HowRead(model_, current());
+        current()->addWide(read);
+        read->follow(field, false);
+    }
     return ordered(field);
 }
 
-QComboBox* SheetForm::choice(const char* pointer) {
+QComboBox* WorkshopSheet::choice(const char* pointer) {
     QComboBox* box = ordered(Form::choice(pointer));
     enlarge(box);
     return box;
 }
 
-void SheetForm::text(const char* pointer, int longest) {
+void WorkshopSheet::text(const char* pointer, int longest) {
     EntryField* field = ordered(Form::text(pointer, longest));
     field->setIsOfResult(false);
-    field->setMinimumWidth(Theme::withText(textWidth));
+    field->setMinimumWidth(Theme::withText(textFieldWidth));
     enlarge(field);
 }
 
-void SheetForm::checked(const Field& description, const CheckedText& text) {
+void WorkshopSheet::checked(const Field& description, const CheckedText& text) {
     auto* field = ordered(new CheckedField(
         [text](const QString& typed) {
             return text.normal(typed).isEmpty() ? text.refusal(typed) : QString();
@@ -163,27 +208,9 @@ void SheetForm::checked(const Field& description, const CheckedText& text) {
     });
 }
 
-void SheetForm::addJob() {
-    section(tr("Job"));
-    text("/job/engine_number");
-    text("/job/crankshaft_number");
-    text("/job/customer");
-    static const std::string date = "/job/date";
-    checked(shop::field::date,
-            {[](const QString& typed) { return readDay(typed).toString(Qt::ISODate); }, dayTrouble,
-             [this] {
-                 return QString::fromStdString(
-                     std::get<std::string>(model_->fields(date).front().value));
-             },
-             [this](const QString& name, const QString& day) {
-                 model_->editField(date, day.toStdString(), name);
-             },
-             [](const QString& day) { return Words().day(day); }, false});
-    text("/job/technician");
-}
-
-void SheetForm::numberList(const Field& description, std::function<std::vector<double>()> read,
-                           std::function<void(const QString&, const std::vector<double>&)> write) {
+void WorkshopSheet::numberList(
+    const Field& description, std::function<std::vector<double>()> read,
+    std::function<void(const QString&, const std::vector<double>&)> write) {
     const auto trouble = [&description](const QString& typed) {
         try {
             readNumberList(typed, description, {});
@@ -215,44 +242,63 @@ void SheetForm::numberList(const Field& description, std::function<std::vector<d
     understood->setTextInteractionFlags(Qt::NoTextInteraction);  // of the form: no report has it
 }
 
-QLabel* SheetForm::line(int pixelSize, std::function<QString()> text) {
+QLabel* WorkshopSheet::line(int pixelSize, std::function<QString()> text) {
     QLabel* label = copyableLabel("", pixelSize, current());
     current()->addWide(label);
     follow([label, text = std::move(text)] { sayOrHide(label, text()); });
     return label;
 }
 
-void SheetForm::addHold(std::function<QString()> why, std::function<void()> hold,
-                        const QList<NumberField*>& readings) {
-    QLabel* said = line(Theme::baseSize, why);
-    said->setObjectName(QStringLiteral("other_bob_weight"));
-    colourText(said, &Theme::warning);
-    auto* button = new QPushButton(tr("Readings &hold"), current());
-    button->setObjectName(QStringLiteral("readings_hold"));
-    button->setToolTip(tr("They are of this crankshaft, with the bob weight that there is now."));
-    button->setMinimumHeight(Theme::withText(fieldHeight));
-    current()->addWide(button);
-    connect(button, &QPushButton::clicked, this, [button, readings, hold = std::move(hold)] {
-        // The button goes with what it says: under the focus it would hand it on to what follows,
-        // and the sheet would scroll there.
-        const auto next = std::find_if(
-            readings.begin(), readings.end(),
-            [](const NumberField* reading) { return reading->isVisible() && !reading->value(); });
-        (next == readings.end() ? readings.first() : *next)->setFocus(Qt::OtherFocusReason);
-        hold();
-        if (button->isVisible()) {
-            button->setFocus(Qt::OtherFocusReason);  // there are others that do not hold
-        }
-    });
-    isDoubted_ = [why = std::move(why)] { return !why().isEmpty(); };
-    follow([this, button] { button->setVisible(isDoubted_()); });
-}
-
-void SheetForm::doubt(EntryField* field, std::function<bool()> isDoubtful) {
+void WorkshopSheet::doubt(EntryField* field, std::function<bool()> isDoubtful) {
     follow([field, isDoubtful = std::move(isDoubtful)] { field->setDoubtful(isDoubtful()); });
 }
 
-void SheetForm::finish() {
+void WorkshopSheet::withPlugs(bool there) {
+    follow([this, there, made = current()] { made->setVisible(model_->hasPlugs() == there); });
+}
+
+QPushButton* WorkshopSheet::button(const char* name, const QString& label, const QString& tip,
+                                   std::function<void()> press) {
+    auto* made = new QPushButton(label, current());
+    made->setObjectName(QLatin1String(name));
+    made->setToolTip(tip);
+    made->setMinimumHeight(Theme::withText(fieldHeight));
+    current()->addWide(made);
+    connect(made, &QPushButton::clicked, this, std::move(press));
+    return made;
+}
+
+std::pair<QGridLayout*, TroubleLine*> WorkshopSheet::grid(const QStringList& headings) {
+    auto* holder = new QWidget(current());
+    auto* made = new QGridLayout(holder);
+    made->setContentsMargins(0, 0, 0, 0);
+    made->setHorizontalSpacing(Theme::gap);
+    made->setVerticalSpacing(Theme::gap);
+    current()->addWide(holder);
+    auto* trouble = new TroubleLine(current());
+    current()->addWide(trouble);
+    for (int column = 0; column < headings.size(); ++column) {
+        auto* heading = new QLabel(headings.at(column), holder);
+        heading->setFont(Theme::font(Theme::smallSize, true));
+        heading->setAlignment(Qt::AlignCenter);
+        heading->setWordWrap(true);
+        made->addWidget(heading, 0, column);
+        made->setColumnStretch(column, column == 0 ? 0 : 1);
+    }
+    return {made, trouble};
+}
+
+NumberField* WorkshopSheet::cell(const Field& field, const QString& name, const QString& spoken) {
+    auto* made = new NumberField(field, current());
+    made->setObjectName(name);
+    made->setAccessibleName(spoken);
+    made->setOptional(true);
+    enlarge(made);
+    makeCell(made);
+    return made;
+}
+
+void WorkshopSheet::finish() {
     column()->addStretch();
     QString used;
     const auto take = [&used](const QString& text) {
