@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "bob-weights/results.h"
 #include "bob-weights/factor_theory.h"
+#include "bob-weights/results.h"
 #include "shop/results.h"
 #include "shop/sentences.h"
 #include "v8-plugs/results.h"
