@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <filesystem>
@@ -209,6 +210,13 @@ TEST_F(CaseDocumentTest, RemembersTheLastFiles) {
     EXPECT_EQ(recent[0], file("5.case.json"));
     EXPECT_EQ(recent[1], file("9.case.json"));
     EXPECT_EQ(recent.count(file("5.case.json")), 1);
+    // No more of them, whoever has written the settings.
+    QStringList many;
+    for (int i = 0; i < 5000; ++i) {
+        many << QString::number(i);
+    }
+    QSettings().setValue(QStringLiteral("files/recent"), many);
+    EXPECT_EQ(CaseDocument::recentPaths(), many.mid(0, 8));
 }
 
 TEST_F(CaseDocumentTest, KeepsNotesVariantsAndStudyOfTheFile) {
