@@ -10071,6 +10071,57 @@ but nothing can be built</source>
     </message>
 </context>
 <context>
+    <name>ravnoves::CaseBudgetModel</name>
+    <message>
+        <source>cannot be solved</source>
+        <translation>не решается</translation>
+    </message>
+    <message>
+        <source>Result, and what is changed</source>
+        <translation>Результат и что меняется</translation>
+    </message>
+    <message>
+        <source>The leading results of the open case; below each of them the one thing that is changed in a new solution of the case</source>
+        <translation>Главные результаты открытой задачи; под каждым — единственное изменение в новом решении задачи</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>As the case is solved</source>
+        <translation>Результат решения задачи</translation>
+    </message>
+    <message>
+        <source>Changes by</source>
+        <translation>Меняется на</translation>
+    </message>
+    <message>
+        <source>Difference to the value, the larger one of two</source>
+        <translation>Отличие от значения, большее из двух</translation>
+    </message>
+    <message>
+        <source>Rounding</source>
+        <translation>Округление</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Other source: %1</source>
+        <translation>Другой источник: %1</translation>
+    </message>
+    <message>
+        <source>Kinematics: two-term form</source>
+        <translation>Кинематика: двучленная форма</translation>
+    </message>
+    <message>
+        <source>Tolerance: %1</source>
+        <translation>Допуск: %1</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::CaseDocument</name>
     <message>
         <source>%1 is an open case; choose another file.</source>
@@ -17713,6 +17764,29 @@ but nothing can be built</source>
     </message>
 </context>
 <context>
+    <name>ravnoves::WorkshopSheet</name>
+    <message>
+        <source>Balancing machine</source>
+        <translation>Балансировочный станок</translation>
+    </message>
+    <message>
+        <source>Type two names, such as left / right.</source>
+        <translation>Введите два названия, например левая / правая.</translation>
+    </message>
+    <message>
+        <source>Read as one: %1</source>
+        <translation>Прочитано как одно: %1</translation>
+    </message>
+    <message>
+        <source>Read as %1: %2</source>
+        <translation>Прочитано как %1: %2</translation>
+    </message>
+    <message>
+        <source>“%1” was read as %2. Type %3 if that is meant.</source>
+        <translation>«%1» прочитано как %2. Если имеется в виду %3, введите %3.</translation>
+    </message>
+</context>
+<context>
     <name>scenes</name>
     <message>
         <source>Balance shaft</source>
@@ -18602,80 +18676,6 @@ but nothing can be built</source>
     <message>
         <source>%1 at %2 is not before %3 at %4. Check the positions of the planes.</source>
         <translation>%1 (%2) не впереди другой: %3 (%4). Проверьте положения плоскостей.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::CaseBudgetModel</name>
-    <message>
-        <source>cannot be solved</source>
-        <translation>не решается</translation>
-    </message>
-    <message>
-        <source>Result, and what is changed</source>
-        <translation>Результат и что меняется</translation>
-    </message>
-    <message>
-        <source>The leading results of the open case; below each of them the one thing that is changed in a new solution of the case</source>
-        <translation>Главные результаты открытой задачи; под каждым — единственное изменение в новом решении задачи</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Значение</translation>
-    </message>
-    <message>
-        <source>As the case is solved</source>
-        <translation>Результат решения задачи</translation>
-    </message>
-    <message>
-        <source>Changes by</source>
-        <translation>Меняется на</translation>
-    </message>
-    <message>
-        <source>Difference to the value, the larger one of two</source>
-        <translation>Отличие от значения, большее из двух</translation>
-    </message>
-    <message>
-        <source>Rounding</source>
-        <translation>Округление</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Other source: %1</source>
-        <translation>Другой источник: %1</translation>
-    </message>
-    <message>
-        <source>Kinematics: two-term form</source>
-        <translation>Кинематика: двучленная форма</translation>
-    </message>
-    <message>
-        <source>Tolerance: %1</source>
-        <translation>Допуск: %1</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::WorkshopSheet</name>
-    <message>
-        <source>Balancing machine</source>
-        <translation>Балансировочный станок</translation>
-    </message>
-    <message>
-        <source>Type two names, such as left / right.</source>
-        <translation>Введите два названия, например левая / правая.</translation>
-    </message>
-    <message>
-        <source>Read as one: %1</source>
-        <translation>Прочитано как одно: %1</translation>
-    </message>
-    <message>
-        <source>Read as %1: %2</source>
-        <translation>Прочитано как %1: %2</translation>
-    </message>
-    <message>
-        <source>“%1” was read as %2. Type %3 if that is meant.</source>
-        <translation>«%1» прочитано как %2. Если имеется в виду %3, введите %3.</translation>
     </message>
 </context>
 </TS>
