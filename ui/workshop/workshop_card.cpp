@@ -465,7 +465,7 @@ QString WorkshopCard::verdictWords() const {
 double WorkshopCard::answer(CardPage& page, double y) const {
     constexpr double large = 20.0;
     constexpr double largest = 26.0;
-    const Withheld withheld = model_.withheld();
+    const workshop::Withheld withheld = model_.withheld();
     const bool isDoubtful = withheld.any() || !refusedText().isEmpty();
     const QColor& colour = isDoubtful ? CardPage::amber : CardPage::ink;
     const bool isKnown = model_.solution().bob_weight.has_value();
