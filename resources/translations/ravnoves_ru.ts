@@ -13923,8 +13923,8 @@ but nothing can be built</source>
         <translation>Пустая (значения-заготовки)</translation>
     </message>
     <message>
-        <source>Single cylinder 88 × 75 mm: a balance shaft that fits and helps</source>
-        <translation>Одноцилиндровый 88 × 75 мм: балансирный вал помещается и помогает</translation>
+        <source>88 × 75 mm: a balance shaft that helps</source>
+        <translation>88 × 75 мм: балансирный вал, который помогает</translation>
     </message>
     <message>
         <source>Elastic hinge that can be made: softer spring, roller of 10 mm</source>
@@ -17783,7 +17783,7 @@ but nothing can be built</source>
     </message>
     <message>
         <source>“%1” was read as %2. Type %3 if that is meant.</source>
-        <translation>«%1» прочитано как %2. Если имеется в виду %3, введите %3.</translation>
+        <translation>«%1» прочитано как %2. Если имеется в виду %3, введите это число.</translation>
     </message>
 </context>
 <context>

@@ -19,8 +19,7 @@ namespace {
 constexpr auto exampleTitles = std::to_array<std::pair<const char*, const char*>>({
     {QT_TRANSLATE_NOOP("ravnoves::NewCases", "TMZ-650D: balance shaft at 45°"),
      QT_TRANSLATE_NOOP("ravnoves::NewCases", "Where does my balance shaft go?")},
-    {QT_TRANSLATE_NOOP("ravnoves::NewCases",
-                       "Single cylinder 88 × 75 mm: a balance shaft that fits and helps"),
+    {QT_TRANSLATE_NOOP("ravnoves::NewCases", "88 × 75 mm: a balance shaft that helps"),
      QT_TRANSLATE_NOOP("ravnoves::NewCases", "How much can a balance shaft help?")},
     {QT_TRANSLATE_NOOP("ravnoves::NewCases", "Zotov and Sviridov 2021: formulas as printed"),
      QT_TRANSLATE_NOOP("ravnoves::NewCases", "What do elastic hinges change?")},

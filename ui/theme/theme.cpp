@@ -58,6 +58,26 @@ QPalette lasting(const QPalette& palette) {
     return same;
 }
 
+/// The palette with another window colour; the same one for the same question.
+QPalette withWindow(const QPalette& palette, const QColor& window) {
+    static QHash<std::pair<qint64, QRgb>, QPalette> known;
+    constexpr qsizetype many = 1000;
+    const QPalette of = lasting(palette);
+    const std::pair key(of.cacheKey(), window.rgba());
+    auto found = known.constFind(key);
+    if (found == known.constEnd()) {
+        if (known.size() >= many) {
+            known.clear();
+        }
+        QPalette other = of;
+        other.setColor(QPalette::Window, window);
+        found = known.insert(key, other);
+    }
+    QPalette other = *found;
+    other.setCurrentColorGroup(palette.currentColorGroup());
+    return other;
+}
+
 template <typename Option>
 Option withLastingPalette(Option option) {
     option.palette = lasting(option.palette);
@@ -71,8 +91,8 @@ Option outlined(Option option) {
     constexpr int darkening = 140;  // percent, Fusion's
     const QColor outline =
         Theme::instance().fieldBorder(option.state.testFlag(QStyle::State_Enabled));
-    option.palette.setColor(QPalette::Window, outline.lighter(darkening));
-    return withLastingPalette(option);
+    option.palette = withWindow(option.palette, outline.lighter(darkening));
+    return option;
 }
 
 /// Fusion with narrower tabs, so that seven of them fit beside each other in a small window, with

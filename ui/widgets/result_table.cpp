@@ -223,9 +223,6 @@ void ResultTable::setRows(const ResultRows& rows) {
             }
         }
     }
-    if (!hasSameTips || !isSameShape) {
-        showTips();
-    }
     if (!spreads_.empty()) {
         showSpreads();
     }
@@ -233,6 +230,9 @@ void ResultTable::setRows(const ResultRows& rows) {
         showDifferences();
     } else if (!isSameShape) {
         fitColumns();
+    }
+    if (!hasSameTips || !isSameShape || referenceRows_) {
+        showTips();
     }
 }
 

@@ -15,6 +15,7 @@
 #include <QPlainTextEdit>
 #include <QSet>
 #include <QSlider>
+#include <QStackedWidget>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
@@ -538,6 +539,13 @@ TEST_P(EveryPage, ResetsTheZoomOfEveryPlot) {
     EXPECT_FALSE(plots.isEmpty());
     bool zoomed = false;
     for (PlotView* plot : plots) {
+        for (QWidget* each = plot; each != page.get(); each = each->parentWidget()) {
+            auto* stack = qobject_cast<QStackedWidget*>(each->parentWidget());
+            if (stack != nullptr && qobject_cast<QTabWidget*>(stack->parentWidget()) != nullptr) {
+                qobject_cast<QTabWidget*>(stack->parentWidget())->setCurrentWidget(each);
+            }
+        }
+        QApplication::processEvents();
         test::turnWheel(plot, plot->plotArea().center().toPoint(), 2, Qt::ControlModifier);
         zoomed = zoomed || plot->isZoomed();
     }
