@@ -17,22 +17,14 @@ shot() {
 }
 
 shot "$here/balance-shaft.png" --language en --scene balance-shaft
-shot "$here/methods.png" --language en --scene methods
+shot "$here/balance-shaft-map.png" --language en --scene balance-shaft --set tab=map \
+    --set shaft_angle_deg=57.2 --set centre_distance_mm=105.4
+shot "$here/methods.png" --language en --scene methods --set tab=charts
 
 # The map alone, without form and table.
-map='470x440+438+298'
+map='470x454+438+288'
 for language in en ru; do
     shot "$folder/$language.png" --language $language --scene balance-shaft --set tab=map
 done
 convert "$folder/en.png" -crop $map +repage -colors 160 "$here/../help/balance-shaft-map.png"
 convert "$folder/ru.png" -crop $map +repage -colors 160 "$here/../help/balance-shaft-map.ru.png"
-
-# The shaft on its way from below the crank to the best place.
-frame=10
-for place in 150:62 130:66 112:70 98:74 86:78 76:82 68:86 62:90 57.5:94 54.5:98 53.5:102 53.1:106; do
-    shot "$folder/frame-$frame.png" --language en --scene balance-shaft --set tab=map \
-        --set "shaft_angle_deg=${place%:*}" --set "centre_distance_mm=${place#*:}"
-    frame=$((frame + 1))
-done
-convert -delay 18 -loop 0 "$folder"/frame-*.png -crop 830x690+432+60 +repage +dither -colors 64 \
-    '(' -clone -1 -set delay 200 ')' -layers optimize "$here/map.gif"
