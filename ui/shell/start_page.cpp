@@ -216,6 +216,15 @@ QString folderOf(const QString& path) {
                : folder;
 }
 
+/// With the day on which the file was written; needs the disk.
+QString datedFolderOf(const QString& path) {
+    const QFileInfo file(path);
+    const QString folder = folderOf(path);
+    return file.exists() ? folder + QStringLiteral(" · ") +
+                               QLocale().toString(file.lastModified().date(), QLocale::ShortFormat)
+                         : StartPage::tr("%1 · not found").arg(folder);
+}
+
 /// When, whose, which engine, what the machine said.
 QString jobText(const Words& words, const JournalJob& job) {
     QStringList said{words.day(job.date.toString(Qt::ISODate)),
@@ -332,12 +341,14 @@ void StartPage::showRecent() {
         const std::unique_ptr<QLayoutItem> item(recent_->takeAt(fixed));
         delete item->widget();
     }
+    dates_.clear();
     QWidget* before = recent_->itemAt(fixed - 1)->widget();
     for (const QString& path : CaseDocument::recentPaths()) {
         auto* made = new StartLine(QStringLiteral("save"), QFileInfo(path).fileName(), recentBox_);
         made->setObjectName(QStringLiteral("start-recent"));
         made->setDetail(folderOf(path));
         made->setToolTip(path);
+        dates_.emplace_back([made, path] { made->setDetail(datedFolderOf(path)); });
         connect(made, &QAbstractButton::clicked, this,
                 [this, path] { Q_EMIT openRequested(path); });
         recent_->addWidget(made);
@@ -348,17 +359,8 @@ void StartPage::showRecent() {
 }
 
 void StartPage::showDates() {
-    for (int i = 0; i < recent_->count(); ++i) {
-        QWidget* line = recent_->itemAt(i)->widget();
-        if (line != nullptr && line->objectName() == QLatin1String("start-recent")) {
-            const QFileInfo file(line->toolTip());
-            const QString detail = folderOf(file.filePath());
-            static_cast<StartLine*>(line)->setDetail(
-                file.exists()
-                    ? detail + QStringLiteral(" · ") +
-                          QLocale().toString(file.lastModified().date(), QLocale::ShortFormat)
-                    : tr("%1 · not found").arg(detail));
-        }
+    for (const auto& show : dates_) {
+        show();
     }
 }
 

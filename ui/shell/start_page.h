@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
+#include <vector>
 
 #include "shell/new_cases.h"
 
@@ -53,6 +55,7 @@ class StartPage : public QWidget {
     QGridLayout* lists_;
     QWidget* recentBox_;
     QVBoxLayout* recent_;
+    std::vector<std::function<void()>> dates_;  ///< show that of each file opened last
     QWidget* examplesBox_;
     int columns_ = 0;
 };
