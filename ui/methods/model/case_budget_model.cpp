@@ -7,7 +7,6 @@
 #include "methods/case_questions.h"
 #include "plot/model/ticks.h"
 #include "scenes/scenes.h"
-#include "text/field_names.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -57,6 +56,8 @@ void CaseBudgetModel::load(const std::optional<OpenCase>& open) {
         job_->start([this, open = *open](const BackgroundJob::Progress&) -> std::function<void()> {
             return [this, budget = methods::case_budget(open.file, open.context)] {
                 budget_ = budget;
+                names_ = FieldNames(
+                    {methods::questions_of(open_->file.scene).fields(open_->file.input)});
                 Q_EMIT changed();
             };
         });
@@ -115,13 +116,12 @@ QStringList CaseBudgetModel::leftOut() const {
 
 QString CaseBudgetModel::nameOf(const Contribution& contribution) const {
     using Kind = Contribution::Kind;
-    const FieldNames names({methods::questions_of(open_->file.scene).fields(open_->file.input)});
-    const QString input = names.name(contribution.pointer);
+    const QString input = names_.name(contribution.pointer);
     switch (contribution.kind) {
         case Kind::rounding:
             return tr("Rounding");
         case Kind::choice: {
-            const auto words = names.described(contribution.pointer)->field.words;
+            const auto words = names_.described(contribution.pointer)->field.words;
             const auto word = std::find_if(words.begin(), words.end(), [&](const Word& each) {
                 return each.word == contribution.word;
             });

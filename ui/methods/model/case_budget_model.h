@@ -9,6 +9,7 @@
 #include "methods/case_budget.h"
 #include "model/background_job.h"
 #include "model/open_case.h"
+#include "text/field_names.h"
 #include "text/result_row.h"
 
 namespace ravnoves {
@@ -41,6 +42,7 @@ class CaseBudgetModel : public QObject {
 
     BackgroundJob* job_;
     std::optional<OpenCase> open_;
+    FieldNames names_;  ///< of its input
     std::vector<methods::CaseDoubt> budget_;
     QString trouble_;
 };
