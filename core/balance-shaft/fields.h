@@ -150,7 +150,7 @@ inline constexpr Field counterweight_mass{
     .hint = CORE_TEXT("balance-shaft", "One of the two equal counterweights."),
     .if_empty =
         CORE_TEXT("balance-shaft", "by equation (1), m₁ = mⱼ r / (2 ρ₁); a number overrides it"),
-    .placeholder = CORE_TEXT("balance-shaft", "by (1)")};
+    .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field centre_distance{
     .key = "centre_distance_mm",
     .unit = units::mm,

@@ -2057,10 +2057,6 @@
         <translation>&amp;Масса противовеса m₁</translation>
     </message>
     <message>
-        <source>by (1)</source>
-        <translation>по (1)</translation>
-    </message>
-    <message>
         <source>Centre &amp;distance l</source>
         <translation>Ме&amp;жосевое расстояние l</translation>
     </message>
