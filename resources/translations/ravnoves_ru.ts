@@ -12345,35 +12345,35 @@ but nothing can be built</source>
     </message>
     <message>
         <source>vertical (My)</source>
-        <translation>вертикальный (My)</translation>
+        <translation>вертик. (My)</translation>
     </message>
     <message>
         <source>vertical (Fy)</source>
-        <translation>вертикальная (Fy)</translation>
+        <translation>вертик. (Fy)</translation>
     </message>
     <message>
-        <source>horizontal (Mx)</source>
-        <translation>горизонтальный (Mx)</translation>
+        <source>horiz. (Mx)</source>
+        <translation>гориз. (Mx)</translation>
     </message>
     <message>
-        <source>horizontal (Fx)</source>
-        <translation>горизонтальная (Fx)</translation>
+        <source>horiz. (Fx)</source>
+        <translation>гориз. (Fx)</translation>
     </message>
     <message>
-        <source>two-term (My)</source>
-        <translation>два члена (My)</translation>
+        <source>2-term (My)</source>
+        <translation>2 члена (My)</translation>
     </message>
     <message>
-        <source>two-term (Fy)</source>
-        <translation>два члена (Fy)</translation>
+        <source>2-term (Fy)</source>
+        <translation>2 члена (Fy)</translation>
     </message>
     <message>
-        <source>two-term (Mx)</source>
-        <translation>два члена (Mx)</translation>
+        <source>2-term (Mx)</source>
+        <translation>2 члена (Mx)</translation>
     </message>
     <message>
-        <source>two-term (Fx)</source>
-        <translation>два члена (Fx)</translation>
+        <source>2-term (Fx)</source>
+        <translation>2 члена (Fx)</translation>
     </message>
     <message>
         <source>residual (My)</source>
@@ -12393,7 +12393,7 @@ but nothing can be built</source>
     </message>
     <message>
         <source>roll (Mz)</source>
-        <translation>опрокидывающий (Mz)</translation>
+        <translation>опрокид. (Mz)</translation>
     </message>
     <message>
         <source>residual (Mz)</source>

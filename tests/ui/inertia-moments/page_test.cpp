@@ -507,7 +507,7 @@ TEST_F(InertiaMomentsPageTest, ARadialShowsStrokesAndForces) {
     }
     model->chooseLayout(QStringLiteral("vw-vr5"));
     EXPECT_EQ(ofOrder(2)->title(), QStringLiteral("Order 2"));
-    EXPECT_EQ(ofOrder(2)->curveName(1), QStringLiteral("horizontal (Mx)"));
+    EXPECT_EQ(ofOrder(2)->curveName(1), QStringLiteral("horiz. (Mx)"));
 }
 
 TEST_F(InertiaMomentsPageTest, AnEngineBesideAnotherShowsTheSameQuantity) {

@@ -127,13 +127,12 @@ void addCourse(Figure& figure, bool force, Course course, const std::array<QStri
     };
     add("vertical", named(EnginePlots::tr("vertical (My)"), EnginePlots::tr("vertical (Fy)")),
         Role::Vertical, 2.8, tips[0], course.exact.y);
-    add("horizontal", named(EnginePlots::tr("horizontal (Mx)"), EnginePlots::tr("horizontal (Fx)")),
+    add("horizontal", named(EnginePlots::tr("horiz. (Mx)"), EnginePlots::tr("horiz. (Fx)")),
         Role::Horizontal, 2.8, tips[1], course.exact.x);
-    add("vertical-two-term",
-        named(EnginePlots::tr("two-term (My)"), EnginePlots::tr("two-term (Fy)")),
+    add("vertical-two-term", named(EnginePlots::tr("2-term (My)"), EnginePlots::tr("2-term (Fy)")),
         Role::TwoTermVertical, 1.4, tips[2], course.twoTerm.y);
     add("horizontal-two-term",
-        named(EnginePlots::tr("two-term (Mx)"), EnginePlots::tr("two-term (Fx)")),
+        named(EnginePlots::tr("2-term (Mx)"), EnginePlots::tr("2-term (Fx)")),
         Role::TwoTermHorizontal, 1.4, tips[3], course.twoTerm.x);
     add("vertical-left", named(EnginePlots::tr("residual (My)"), EnginePlots::tr("residual (Fy)")),
         Role::ResidualVertical, 2.2, tips[4], course.left.y);
