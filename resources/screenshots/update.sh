@@ -17,8 +17,8 @@ shot() {
 }
 
 shot "$here/balance-shaft.png" --language en --scene balance-shaft
-shot "$here/balance-shaft-map.png" --language en --scene balance-shaft --set tab=map \
-    --set shaft_angle_deg=57.2 --set centre_distance_mm=105.4
+shot "$here/balance-shaft-map.png" --language en --set tab=map \
+    --case "$here/../examples/with-shaft-88x75.case.json"
 shot "$here/methods.png" --language en --scene methods --set tab=charts
 
 # The map alone, without form and table.
