@@ -100,7 +100,7 @@ for case_file in "$examples"/*.case.json; do
     fi
     {
         printf '<h2>%s</h2>\n' "$(printf '%s' "${title:-$name}" | escape)"
-        printf '<p>Scene %s, case %s</p>\n' "$scene" "$(basename "$case_file" | escape)"
+        printf '<p>Module %s, case %s</p>\n' "$scene" "$(basename "$case_file" | escape)"
         if [ $drawn = yes ]; then
             printf '<p><img src="%s.png" alt="The page of this case"></p>\n' "$name"
         else
@@ -109,11 +109,9 @@ for case_file in "$examples"/*.case.json; do
         fi
         if [ $mapped = yes ]; then
             printf '<p><img src="%s.map.png" alt="The map of the shaft'"'"'s places"></p>\n' "$name"
-            printf '<p>Range of the moment on the mounts over the places of the shaft, against the engine '
-            printf 'without a shaft: blue where it helps, orange where it harms, hatched what cannot be '
-            printf 'built. Range and RMS are convex over the places, so each has one best place: '
-            printf '<code>best_position</code> of the result, and '
-            printf '<code>best_position_buildable</code> with the places that none beats.</p>\n'
+            printf '<p>Change in the range of the moment on the mounts vs. no shaft: blue where the shaft '
+            printf 'helps, orange where it harms, hatched where it does not fit. Proven optima: '
+            printf '<code>best_position</code> and, with clearance, <code>best_position_buildable</code>.</p>\n'
         fi
         if [ $paper = yes ]; then
             printf '<p><a href="%s.pdf">Report of this case</a> (PDF): inputs, results, plots, formulas, ' "$name"
@@ -139,7 +137,7 @@ done
 picture=$report/methods.png
 if complaint=$("$program" --screenshot "$picture" --scene methods 2>&1) && [ -s "$picture" ]; then
     {
-        printf '<h2>Methods: speed against accuracy</h2>\n'
+        printf '<h2>Methods: speed, accuracy, limits</h2>\n'
         printf '<p><img src="methods.png" alt="The page of the methods"></p>\n'
     } >>"$page"
     printf '  %-22s %-16s measured, methods.png\n' methods methods

@@ -28,7 +28,7 @@ int run(int argc, char** argv) {
             const std::string word = argv[1];
             text = (word.starts_with('-') ? "unknown option '" : "unknown command '") + word + "'";
         }
-        return one_line("ravnoves-cli: " + text + "; run with --help for what there is") + "\n";
+        return one_line("ravnoves-cli: " + text + "; --help lists the options") + "\n";
     });
 
     const std::array<std::unique_ptr<Command>, 4> commands{

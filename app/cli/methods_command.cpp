@@ -58,7 +58,7 @@ class MethodsCommand final : public Command {
         // Made when it is read: to have the kernels' names is to prepare the kernels.
         app_->footer([] {
             return "Kernels: " + kernel_names() +
-                   ".\nTimes are of this machine; errors are against 50 digits. Progress goes to "
+                   ".\nTimes are of this machine; errors are against 50 digits. Progress: "
                    "standard error.\n";
         });
         CLI::Option* kernel = app_->add_option("--kernel", kernel_, "One kernel instead of all");

@@ -11,7 +11,7 @@ inline constexpr int exit_done = 0;
 inline constexpr int exit_our_fault = 1;
 inline constexpr int exit_bad_input = 2;
 
-inline constexpr const char* no_memory = "needs more memory than there is";
+inline constexpr const char* no_memory = "needs more memory than available";
 
 /// The text as a terminal may show it: control characters and ends of lines as their codes.
 std::string one_line(const std::string& text);

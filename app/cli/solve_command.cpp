@@ -21,7 +21,7 @@ namespace {
 
 int solve_file(const std::string& case_path, const std::string& result_path, const Wanted& wanted) {
     if (is_same_file(case_path, result_path)) {
-        complain(result_path, "is the case itself; the result must go to another file");
+        complain(result_path, "is the case itself; write the result to another file");
         return exit_bad_input;
     }
     Json result;
@@ -30,7 +30,7 @@ int solve_file(const std::string& case_path, const std::string& result_path, con
         const CaseFile file = parse_case(text);
         if (is_named_by(file, context, result_path)) {
             complain(result_path,
-                     "is a file that the case reads; the result must go to another file");
+                     "is a file that the case reads; write the result to another file");
             return exit_bad_input;
         }
         result = solve_case(file, context, wanted);
@@ -90,7 +90,7 @@ class SolveCommand final : public Command {
         app_ = app.add_subcommand(
             "solve", "Solve a case file and print its result, as JSON, on standard output");
         app_->footer(
-            "Exit status: 0 solved (a design that cannot exist is a result that says so),\n"
+            "Exit status: 0 solved (a design that cannot exist is a result with a reason),\n"
             "2 bad input, named on standard error; nothing is written then.\n");
         CLI::Option* case_option =
             app_->add_option("CASE", case_path_, "Case file (JSON); - is standard input");

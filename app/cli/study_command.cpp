@@ -94,8 +94,8 @@ struct ProgressError : InputError {
     using InputError::InputError;
 };
 
-/// What a study with an output has done, in a file beside that, so that it goes on from there. No
-/// other study touches it: it is locked while a study runs, and is refused where it is another's.
+/// What a study with an output has done, in a file beside that, so that it continues from there. No
+/// other study touches it: it is locked while a study runs, and is rejected where it is another's.
 class Progress {
   public:
     /// @throws ProgressError where another study is at work for that output
@@ -179,7 +179,7 @@ class StudyCommand final : public Command {
             "study", "Vary a case's inputs as its \"study\" says, and print what that does");
         app_->footer(
             "Any number of shards, put together by --merge, prints what one run prints, to the\n"
-            "last digit. With -o a run that was interrupted goes on where it stopped.\n");
+            "last digit. With -o an interrupted run continues where it stopped.\n");
         CLI::Option* case_option = app_->add_option(
             "CASE", case_path_, "Case file (JSON) with a study; - is standard input");
         case_option->type_name("")->check(names_a_file);
@@ -192,7 +192,7 @@ class StudyCommand final : public Command {
                 ->type_name("K/N");
         CLI::Option* threads_option =
             app_->add_option("--threads", threads_,
-                             "Work with so many threads; usually, and at most, one a core")
+                             "Number of threads; default and maximum: one a core")
                 ->type_name("COUNT")
                 ->check(CLI::Range(1, 1024));
         app_->add_option("--merge", parts_, "Put the parts of a study together")
@@ -254,7 +254,7 @@ class StudyCommand final : public Command {
 
     int run_case() {
         if (is_same_file(case_path_, output_path_)) {
-            complain(output_path_, "is the case itself; the study must go to another file");
+            complain(output_path_, "is the case itself; write the study to another file");
             return exit_bad_input;
         }
         if (!output_path_.empty() && !can_write_file(output_path_)) {
@@ -265,7 +265,7 @@ class StudyCommand final : public Command {
             const CaseFile file = parse_case(text);
             if (is_named_by(file, context, output_path_)) {
                 complain(output_path_,
-                         "is a file that the case reads; the study must go to another file");
+                         "is a file that the case reads; write the study to another file");
                 return exit_bad_input;
             }
             return run_problem(studies::problem_of(file, context, text));
@@ -296,7 +296,7 @@ class StudyCommand final : public Command {
                                       std::filesystem::is_regular_file(output_path_, ignored));
         if (keeps && would_destroy(problem)) {
             complain(output_path_,
-                     "holds the study of another case, or of this one before it changed; move it "
+                     "has the study of another case, or of this one before it changed; move it "
                      "or choose another file");
             return exit_bad_input;
         }
@@ -340,8 +340,7 @@ class StudyCommand final : public Command {
             for (const std::string& each : parts_) {
                 path = each;
                 if (is_same_file(each, output_path_)) {
-                    complain(output_path_,
-                             "is one of the parts; the study must go to another file");
+                    complain(output_path_, "is one of the parts; write the study to another file");
                     return exit_bad_input;
                 }
                 merger.add(studies::read_part(parse_json(read_text_file(each))), each);

@@ -14,10 +14,10 @@ class ValidateCommand final : public Command {
         app_ = app.add_subcommand("validate",
                                   "Compute every number printed in the four papers and compare");
         app_->footer(
-            "Verdicts: reproduced; artefact (of the way it was computed); slip (a mistake in\n"
-            "print); not derivable (what it takes is not printed); given (stated by the paper, or\n"
-            "the inverse of another number: nothing is tested by it).\n"
-            "Exit status: 0 each printed number has one of these, 1 not so.\n");
+            "Verdicts: reproduced; artefact (of the paper's way of computing); misprint;\n"
+            "not derivable (necessary data are not printed); given (stated by the paper, or the\n"
+            "inverse of another number).\n"
+            "Exit status: 0 each printed number has one of these, else 1.\n");
         app_->add_option("--csv", csv_path_, "Write the table to this file too")
             ->type_name("FILE")
             ->check(names_a_file);

@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
         qunsetenv("QT_FONT_DPI");
         // Before Qt starts: what an option says, or none.
         const QByteArray scale = valueOf(argc, argv, "--scale");
-        // What else is given is refused below.
+        // What else is given is rejected below.
         scale == "2" ? qputenv("QT_SCALE_FACTOR", scale) : qunsetenv("QT_SCALE_FACTOR");
     }
     if (report && !given(argc, argv, {"-platform"})) {
@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
     const QCommandLineOption versionOption = parser.addVersionOption();
     parser.addPositionalArgument(u"case"_s, u"Case files to open."_s, u"[case…]"_s);
     const QCommandLineOption sceneOption(
-        u"scene"_s, u"Start with this scene (balance-shaft, elastic-hinge, …)."_s, u"name"_s);
+        u"scene"_s, u"Open this module (balance-shaft, elastic-hinge, …)."_s, u"name"_s);
     const QCommandLineOption caseOption(u"case"_s, u"Open this case file; may be repeated."_s,
                                         u"file"_s);
     const QCommandLineOption setOption(
@@ -200,7 +200,7 @@ int main(int argc, char** argv) {
             return fail(u"--text: must be from 80 to 200, got %1"_s.arg(parser.value(textOption)));
         }
     }
-    // What stands in the settings keeps nobody from starting.
+    // What is in the settings keeps nobody from starting.
     ravnoves::Theme::instance().setTextScale(fits(percent) ? percent / 100.0 : 1.0);
     ravnoves::Theme::instance().install(mode);
 
@@ -244,8 +244,8 @@ int main(int argc, char** argv) {
             break;
         }
         if (!scene.isEmpty() && scene != start && window.currentScene() != scene) {
-            return fail(u"--scene %1 does not fit the case, whose scene is %2"_s.arg(
-                scene, window.currentScene()));
+            return fail(
+                u"--scene %1 does not match the case (%2)"_s.arg(scene, window.currentScene()));
         }
     }
     if (!refused.isEmpty() && !window.documents().hasCurrent()) {

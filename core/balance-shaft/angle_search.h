@@ -56,7 +56,7 @@ struct AngleMinimum {
 /// bound lies under the best value. Kinks and several minima need no care, since the bounds are
 /// global. Of angles at the ends that are as good up to rounding it is the least.
 /// @param steepest  Lipschitz constant of the function
-/// @param size      scale of its rounding, besides its values
+/// @param size      scale of its rounding, also its values
 /// @param within    the angles to choose from, one stretch at least; default: all
 AngleMinimum minimise_over_angle(const std::function<Cut(double)>& evaluate, double steepest,
                                  double size,

@@ -131,8 +131,7 @@ std::vector<AngleStretch> clear_angles(const ShaftPlaces& places, double distanc
         open.pop_back();
         const double width = next.alpha - left.alpha;
         const bool changes = (left.spare >= 0.0) != (next.spare >= 0.0);
-        if (!changes &&
-            std::abs(left.spare) + std::abs(next.spare) > distance * width) {
+        if (!changes && std::abs(left.spare) + std::abs(next.spare) > distance * width) {
             continue;
         }
         if (width <= narrow) {
@@ -184,12 +183,12 @@ BuildableAngles buildable_angles(const FrontView& view, const PlaceLimits& limit
         answer.reason =
             clear_angles(ShaftPlaces(view, {}), distance).empty()
                 ? Message(CORE_TEXT("balance-shaft",
-                                    "At every angle the shaft's swing circle (radius %1, gap %2) "
-                                    "meets the cylinder or what the rod sweeps."),
+                                    "At every angle the shaft's swing circle (radius %1, clearance "
+                                    "%2) meets the cylinder or the rod."),
                           millimetres(view.shaft_swing_radius), millimetres(view.clearance))
                 : Message(CORE_TEXT("balance-shaft",
-                                    "At the centre distance %1 no angle that clears cylinder and "
-                                    "rod is within the limits on the shaft's axis."),
+                                    "At the centre distance %1 no angle within the limits clears "
+                                    "cylinder and rod."),
                           millimetres(distance));
     }
     return answer;

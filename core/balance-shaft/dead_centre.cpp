@@ -237,8 +237,8 @@ Message DeadCentre::describe() const {
                 ? CORE_TEXT("balance-shaft",
                             "The dead centre is at %1 ± %2 of the trace: shift the angles by %3.")
                 : CORE_TEXT("balance-shaft",
-                            "The dead centre may be at %1 ± %2 of the trace, a shift of %3: the "
-                            "compression line does not show it better."),
+                            "The dead centre may be at %1 ± %2 of the trace, a shift of %3; the "
+                            "compression line is not more precise."),
             degrees(angle, 2), degrees(uncertainty, 2), degrees(shift, 2)};
 }
 

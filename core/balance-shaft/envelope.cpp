@@ -96,8 +96,7 @@ Message assumed_sizes(const Input& input) {
     add(input.cylinder.bore, CORE_TEXT("balance-shaft", "bore"), view.cylinder_bore);
     add(given.cylinder_wall, CORE_TEXT("balance-shaft", "wall of the cylinder"),
         view.cylinder_wall);
-    add(given.cylinder_bottom, CORE_TEXT("balance-shaft", "its lower end at"),
-        view.cylinder_bottom);
+    add(given.cylinder_bottom, CORE_TEXT("balance-shaft", "its lower end"), view.cylinder_bottom);
     return sizes.empty()
                ? sizes
                : Message(CORE_TEXT("balance-shaft", "Sizes not given are assumed: %1."), sizes);

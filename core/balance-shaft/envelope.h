@@ -48,7 +48,7 @@ struct FrontView {
 /// what they have to do: a half disc of steel (7850 kg/m³) of radius R and as long as the bore b
 /// has the unbalance (2/3) ρ b R³, so m₁ ρ₁ needs R = (3 m₁ ρ₁ / (2 ρ b))^⅓. A relieved shaft that
 /// the input gives sweeps the circle of its bar instead. The crank's circle holds the crankpin with
-/// half the rod's width besides.
+/// half the rod's width also.
 FrontView front_view(const Input& input);
 
 /// The sizes of the relieved shaft as the input gives them, else those of the half disc that

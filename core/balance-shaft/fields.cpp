@@ -135,7 +135,7 @@ std::string without_dots(std::string_view unit) {
     return text;
 }
 
-/// The unit alone; what else may stand in a heading is none.
+/// The unit alone; what else may be in a heading is none.
 struct UnitValue final : FieldVisitor::Custom {
     UnitValue(TableReading& it, Measured what) : reading(it), measured(what) {}
     void read(const Json& value, const std::string& pointer) override {
@@ -238,7 +238,7 @@ void visit_torque(FieldVisitor& visitor, Input& input) {
     });
     if (visitor.is_reading() && given != 1) {
         throw InputError("/input/torque",
-                         {CORE_TEXT("balance-shaft", "must hold one of: %1 with %2, %3, %4, %5"),
+                         {CORE_TEXT("balance-shaft", "must have one of: %1 with %2, %3, %4, %5"),
                           field::table_angle.key, field::table_torque.key, field::csv.key,
                           field::pressure.key, field::cycle.key},
                          given == 0 ? CORE_TEXT("balance-shaft", "none of them")

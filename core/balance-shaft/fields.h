@@ -63,8 +63,8 @@ inline constexpr Field rod_length{
     .label = CORE_TEXT("balance-shaft", "Rod lengt&h L"),
     .symbol = "L",
     .hint = CORE_TEXT("balance-shaft",
-                      "Between the centres of the rod's eyes. It decides what can be built, the "
-                      "r/L of the torque's check and a computed torque, which needs it."),
+                      "Distance between the centres of the rod's eyes. Clearance, the check of the "
+                      "torque and a computed torque use it."),
     .if_empty = CORE_TEXT("balance-shaft", "r / 0.3"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field offset{
@@ -75,15 +75,14 @@ inline constexpr Field offset{
     .symbol = "e",
     .hint = CORE_TEXT("balance-shaft",
                       "Distance of the cylinder axis from the crank axis, positive on the side to "
-                      "which the crankpin moves first. Crank angles count from the true top dead "
-                      "centre, α from the direction of the cylinder.")};
+                      "which the crankpin moves first. φ starts at the true top dead centre.")};
 /// The object {name: kg}; its parts must add up to more than 0.
 inline constexpr Field reciprocating_masses{
     .key = "reciprocating_masses_kg",
     .unit = units::kg,
-    .hint = CORE_TEXT("balance-shaft",
-                      "Parts by name that add up to the reciprocating mass, for example piston, "
-                      "pin, rings, rod_small_end.")};
+    .hint = CORE_TEXT(
+        "balance-shaft",
+        "Parts of the reciprocating mass by name, for example piston, pin, rings, rod_small_end.")};
 /// The sum, where the parts are not given one by one.
 inline constexpr Field reciprocating_mass{
     .key = "reciprocating_mass_kg",
@@ -127,8 +126,8 @@ inline constexpr Field rod_mass{
     .size = engine_masses,
     .label = CORE_TEXT("balance-shaft", "Whole rod with she&lls"),
     .hint = CORE_TEXT("balance-shaft",
-                      "Its small-end share above is a part of it; the rest turns with the crankpin "
-                      "and is balanced by the crank's own counterweights."),
+                      "Mass of the whole rod, including the small-end share above; the crank's own "
+                      "counterweights balance the rest."),
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field counterweight_radius{
     .key = "counterweight_radius_mm",
@@ -147,7 +146,7 @@ inline constexpr Field counterweight_mass{
     .size = engine_masses,
     .label = CORE_TEXT("balance-shaft", "Counterweight &mass m₁"),
     .symbol = "m₁",
-    .hint = CORE_TEXT("balance-shaft", "One of the two equal counterweights."),
+    .hint = CORE_TEXT("balance-shaft", "Mass of one of the two equal counterweights."),
     .if_empty =
         CORE_TEXT("balance-shaft", "by equation (1), m₁ = mⱼ r / (2 ρ₁); a number overrides it"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
@@ -172,10 +171,9 @@ inline constexpr Word stroke_words[] = {{"2", CORE_TEXT("balance-shaft", "two-st
 inline constexpr Field strokes{
     .key = "strokes",
     .label = CORE_TEXT("balance-shaft", "Stro&kes"),
-    .hint =
-        CORE_TEXT("balance-shaft",
-                  "A four-stroke engine has a cycle of two turns, 720°, a two-stroke engine one "
-                  "of one turn, 360°. Torque table and pressure trace must span it."),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Four strokes: a cycle of two turns, 720°; two strokes: one turn, 360°. "
+                      "Torque table and pressure trace must span the cycle."),
     .words = stroke_words};
 inline constexpr Word interpolation_words[] = {
     {"linear", CORE_TEXT("balance-shaft", "straight lines")},
@@ -183,8 +181,7 @@ inline constexpr Word interpolation_words[] = {
 inline constexpr Field interpolation{
     .key = "interpolation",
     .label = CORE_TEXT("balance-shaft", "I&nterpolation"),
-    .hint = CORE_TEXT("balance-shaft",
-                      "Criteria are those of the curve between the rows, not of the rows alone."),
+    .hint = CORE_TEXT("balance-shaft", "Criteria use the curve between the rows."),
     .words = interpolation_words};
 /// In the struct in degrees too.
 inline constexpr Field step{
@@ -201,7 +198,7 @@ inline constexpr Field crank_share{
     .symbol = "κ",
     .hint = CORE_TEXT("balance-shaft",
                       "Part of mⱼ r balanced on the crank alone, without a shaft. The force then "
-                      "runs on an ellipse: a line at 0 and 1, a circle at ½.")};
+                      "describes an ellipse: a line at 0 and 1, a circle at ½.")};
 
 inline constexpr Field envelope{.key = "envelope",
                                 .hint = CORE_TEXT("balance-shaft", "Sizes of the front view.")};
@@ -222,7 +219,7 @@ inline constexpr Field cylinder_bottom{
     .label = CORE_TEXT("balance-shaft", "Cylinder bott&om"),
     .hint = CORE_TEXT("balance-shaft", "Lower end of the cylinder above the crank axis."),
     .if_empty =
-        CORE_TEXT("balance-shaft", "the piston pin at bottom dead centre less 0.3 of the bore"),
+        CORE_TEXT("balance-shaft", "the piston pin at bottom dead centre minus 0.3 of the bore"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field cylinder_wall{
     .key = "cylinder_wall_mm",
@@ -230,8 +227,7 @@ inline constexpr Field cylinder_wall{
     .range = Range::at_least(0),
     .size = some_lengths,
     .label = CORE_TEXT("balance-shaft", "C&ylinder wall"),
-    .hint = CORE_TEXT("balance-shaft",
-                      "Thickness of the cylinder's wall, which the shaft must not meet."),
+    .hint = CORE_TEXT("balance-shaft", "Thickness of the cylinder wall; the shaft must clear it."),
     .if_empty = CORE_TEXT("balance-shaft", "0.06 of the bore"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field rod_width{
@@ -240,9 +236,9 @@ inline constexpr Field rod_width{
     .range = Range::greater_than(0),
     .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Rod widt&h"),
-    .hint = CORE_TEXT("balance-shaft",
-                      "Across the rod, round ends included, in the front view; the shaft must "
-                      "clear all that the rod sweeps."),
+    .hint = CORE_TEXT(
+        "balance-shaft",
+        "Width of the rod in the front view, including its ends; the shaft must clear the rod."),
     .if_empty = CORE_TEXT("balance-shaft", "r / 2"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field clearance{
@@ -250,10 +246,9 @@ inline constexpr Field clearance{
     .unit = units::mm,
     .range = Range::at_least(0),
     .size = some_lengths,
-    .label = CORE_TEXT("balance-shaft", "Gap of the sha&ft"),
+    .label = CORE_TEXT("balance-shaft", "Clearance to sha&ft"),
     .hint = CORE_TEXT("balance-shaft",
-                      "Least gap between the shaft's swing circle and crank, rod and cylinder; "
-                      "an angle with less cannot be built.")};
+                      "Minimum clearance of the shaft's swing circle to crank, rod and cylinder.")};
 inline constexpr Field crank_swing_radius{
     .key = "crank_swing_radius_mm",
     .unit = units::mm,
@@ -261,8 +256,8 @@ inline constexpr Field crank_swing_radius{
     .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Crank swing radi&us"),
     .hint = CORE_TEXT("balance-shaft", "Circle swept by crank and counterweight."),
-    .if_empty = CORE_TEXT(
-        "balance-shaft", "r and half the rod's width, or the shaft's default where that is larger"),
+    .if_empty =
+        CORE_TEXT("balance-shaft", "r plus half the rod's width, at least the shaft's default"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field shaft_swing_radius{
     .key = "shaft_swing_radius_mm",
@@ -271,10 +266,9 @@ inline constexpr Field shaft_swing_radius{
     .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Shaft swin&g radius"),
     .hint = CORE_TEXT("balance-shaft", "Circle swept by the balance shaft."),
-    .if_empty =
-        CORE_TEXT("balance-shaft",
-                  "the bar of the relieved shaft, else the half disc of steel, as long as the "
-                  "bore, with the unbalance m₁ ρ₁"),
+    .if_empty = CORE_TEXT("balance-shaft",
+                          "the bar of the relieved shaft, else a steel half disc as long as the "
+                          "bore with the unbalance m₁ ρ₁"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field gear_tip_radius{
     .key = "gear_tip_radius_mm",
@@ -297,24 +291,22 @@ inline constexpr Field wall{.key = "wall_mm",
 inline constexpr Field place_limits{
     .key = "place_limits",
     .hint = CORE_TEXT("balance-shaft",
-                      "Limits on the place of the shaft's axis, beside what it must clear.")};
+                      "Limits on the place of the shaft's axis, in addition to the clearance.")};
 inline constexpr Field centre_distance_min{
     .key = "centre_distance_min_mm",
     .unit = units::mm,
     .range = Range::between(0, 1e6),
-    .label = CORE_TEXT("balance-shaft", "Least l"),
+    .label = CORE_TEXT("balance-shaft", "Minimum l"),
     .symbol = "l",
-    .hint =
-        CORE_TEXT("balance-shaft", "Least distance between the crank axis and the shaft's axis."),
+    .hint = CORE_TEXT("balance-shaft", "Minimum distance between crank axis and shaft axis."),
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field centre_distance_max{
     .key = "centre_distance_max_mm",
     .unit = units::mm,
     .range = Range::between(0, 1e6),
-    .label = CORE_TEXT("balance-shaft", "Largest l"),
+    .label = CORE_TEXT("balance-shaft", "Maximum l"),
     .symbol = "l",
-    .hint =
-        CORE_TEXT("balance-shaft", "Largest distance between the crank axis and the shaft's axis."),
+    .hint = CORE_TEXT("balance-shaft", "Maximum distance between crank axis and shaft axis."),
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field shaft_angle_from{
     .key = "shaft_angle_from_deg",
@@ -322,9 +314,8 @@ inline constexpr Field shaft_angle_from{
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("balance-shaft", "α from"),
     .symbol = "α",
-    .hint = CORE_TEXT("balance-shaft",
-                      "The shaft's angle is at least this, in the direction of rotation."),
-    .if_empty = CORE_TEXT("balance-shaft", "0 where the other end is given"),
+    .hint = CORE_TEXT("balance-shaft", "Minimum angle of the shaft, in the direction of rotation."),
+    .if_empty = CORE_TEXT("balance-shaft", "0 if the other end is given"),
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field shaft_angle_to{
     .key = "shaft_angle_to_deg",
@@ -332,43 +323,43 @@ inline constexpr Field shaft_angle_to{
     .range = Range::between(-360, 720),
     .label = CORE_TEXT("balance-shaft", "α to"),
     .symbol = "α",
-    .hint = CORE_TEXT("balance-shaft", "The shaft's angle is at most this."),
-    .if_empty = CORE_TEXT("balance-shaft", "360° where the other end is given"),
+    .hint = CORE_TEXT("balance-shaft", "Maximum angle of the shaft."),
+    .if_empty = CORE_TEXT("balance-shaft", "360° if the other end is given"),
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field place_left{
     .key = "left_mm",
     .unit = units::mm,
     .range = Range::between(-1e6, 1e6),
-    .label = CORE_TEXT("balance-shaft", "Least x"),
+    .label = CORE_TEXT("balance-shaft", "Minimum x"),
     .symbol = "x",
     .hint = CORE_TEXT("balance-shaft",
-                      "The shaft's axis lies to the right of this line; x counts to the right from "
-                      "the crank axis. Of a wall: its place, the shaft's swing radius and a gap."),
+                      "The shaft axis must be to the right of this line, x from the crank axis. "
+                      "For a wall: add swing radius and clearance."),
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field place_right{
     .key = "right_mm",
     .unit = units::mm,
     .range = Range::between(-1e6, 1e6),
-    .label = CORE_TEXT("balance-shaft", "Largest x"),
+    .label = CORE_TEXT("balance-shaft", "Maximum x"),
     .symbol = "x",
-    .hint = CORE_TEXT("balance-shaft", "The shaft's axis lies to the left of this line."),
+    .hint = CORE_TEXT("balance-shaft", "The shaft axis must be to the left of this line."),
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field place_bottom{
     .key = "bottom_mm",
     .unit = units::mm,
     .range = Range::between(-1e6, 1e6),
-    .label = CORE_TEXT("balance-shaft", "Least y"),
+    .label = CORE_TEXT("balance-shaft", "Minimum y"),
     .symbol = "y",
     .hint = CORE_TEXT("balance-shaft",
-                      "The shaft's axis lies above this line; y counts up from the crank axis."),
+                      "The shaft axis must be above this line, y from the crank axis."),
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field place_top{
     .key = "top_mm",
     .unit = units::mm,
     .range = Range::between(-1e6, 1e6),
-    .label = CORE_TEXT("balance-shaft", "Largest y"),
+    .label = CORE_TEXT("balance-shaft", "Maximum y"),
     .symbol = "y",
-    .hint = CORE_TEXT("balance-shaft", "The shaft's axis lies below this line."),
+    .hint = CORE_TEXT("balance-shaft", "The shaft axis must be below this line."),
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 
 inline constexpr Field gears{
@@ -385,8 +376,7 @@ inline constexpr Field shifted_teeth{
     .label = CORE_TEXT("balance-shaft", "Teeth out, &k"),
     .symbol = "k",
     .hint = CORE_TEXT("balance-shaft",
-                      "The shaft is assembled k teeth ahead of its right place: a phase error of "
-                      "360° k / z.")};
+                      "The shaft is assembled k teeth ahead: a phase error of 360° k / z.")};
 inline constexpr Field backlash{
     .key = "backlash_mm",
     .unit = units::mm,
@@ -397,9 +387,9 @@ inline constexpr Field backlash{
 
 inline constexpr Field torque{
     .key = "torque",
-    .hint = CORE_TEXT("balance-shaft",
-                      "Where the torque of the engine comes from: one of crank_angle_deg with "
-                      "torque_Nm, csv, pressure, cycle.")};
+    .hint = CORE_TEXT(
+        "balance-shaft",
+        "Source of the engine torque: crank_angle_deg with torque_Nm, csv, pressure, or cycle.")};
 inline constexpr Field table_angle{
     .key = "crank_angle_deg",
     .unit = {units::degree.name},
@@ -409,7 +399,7 @@ inline constexpr Field table_torque{
     .key = "torque_Nm",
     .unit = units::N_m,
     .range = Range::between(-1e12, 1e12),
-    .hint = CORE_TEXT("balance-shaft", "The torque at them; the last equals the first.")};
+    .hint = CORE_TEXT("balance-shaft", "Torque at these angles; the last value equals the first.")};
 inline constexpr Field csv{
     .key = "csv",
     .hint = CORE_TEXT("balance-shaft",
@@ -417,17 +407,15 @@ inline constexpr Field csv{
                       "pressure: cylinder pressure). Several cycles are averaged.")};
 inline constexpr Field csv_sum{
     .key = "csv_sha256",
-    .label = CORE_TEXT("balance-shaft", "Sum of the file"),
+    .label = CORE_TEXT("balance-shaft", "Checksum"),
     .hint = CORE_TEXT("balance-shaft",
-                      "SHA-256 of that file as the case was made: where it is another now, the "
-                      "result says so.")};
+                      "SHA-256 of the file when the case was made; a note reports a change.")};
 inline constexpr Field csv_columns{
     .key = "columns",
     .label = CORE_TEXT("balance-shaft", "Columns"),
     .hint = CORE_TEXT("balance-shaft",
-                      "Columns of the crank angle and of the value: two numbers from 1, or two "
-                      "headings. A file with more than two columns needs them. 0 for the angle: "
-                      "the rows are equal steps over one cycle.")};
+                      "Columns of crank angle and value: numbers from 1, or headings; required for "
+                      "more than two columns. Angle 0: equal steps over one cycle.")};
 inline constexpr Field csv_unit{
     .key = "unit",
     .label = CORE_TEXT("balance-shaft", "Unit of the file"),
@@ -441,7 +429,7 @@ inline constexpr Field csv_gauge{
     .hint = CORE_TEXT("balance-shaft",
                       "True for pressures above the atmosphere: 1.01325 bar is added. False for "
                       "absolute pressures."),
-    .if_empty = CORE_TEXT("balance-shaft", "as the heading says, else absolute")};
+    .if_empty = CORE_TEXT("balance-shaft", "by the heading, else absolute")};
 inline constexpr Field pressure{
     .key = "pressure",
     .hint = CORE_TEXT("balance-shaft", "Gas torque from a measured cylinder pressure.")};
@@ -451,8 +439,8 @@ inline constexpr Field trace_shift{
     .range = Range::between(-720, 720),
     .label = CORE_TEXT("balance-shaft", "&Shift of the angles"),
     .hint = CORE_TEXT("balance-shaft",
-                      "Added to the crank angles of the pressure trace; 360° of one that counts "
-                      "from the firing top dead centre.")};
+                      "Added to the crank angles of the trace; 360° if the trace starts at the "
+                      "firing dead centre.")};
 inline constexpr Field cycle{.key = "cycle",
                              .hint = CORE_TEXT("balance-shaft", "Gas torque of a computed cycle.")};
 inline constexpr Field crankcase_pressure{
@@ -467,7 +455,7 @@ inline constexpr Field compression_ratio{
     .range = Range::greater_than(1, 100),
     .label = CORE_TEXT("balance-shaft", "Compression &ratio ε"),
     .symbol = "ε",
-    .hint = CORE_TEXT("balance-shaft", "Largest over smallest volume.")};
+    .hint = CORE_TEXT("balance-shaft", "Maximum over minimum volume.")};
 inline constexpr Field intake_pressure{
     .key = "intake_pressure_bar",
     .unit = units::bar,
@@ -504,8 +492,7 @@ inline constexpr Field imep{
     .unit = units::bar,
     .range = Range::between(-1e3, 1e3),
     .label = CORE_TEXT("balance-shaft", "I&MEP"),
-    .hint = CORE_TEXT("balance-shaft",
-                      "Indicated mean effective pressure; the heat that gives it is found."),
+    .hint = CORE_TEXT("balance-shaft", "Indicated mean effective pressure; the heat follows."),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field combustion_start{
     .key = "combustion_start_deg",
@@ -533,12 +520,13 @@ inline constexpr Field ports_open{
     .range = Range::between(60, 175),
     .label = CORE_TEXT("balance-shaft", "Ports ope&n"),
     .hint = CORE_TEXT("balance-shaft",
-                      "Of a two-stroke engine: crank angle after top dead centre at which the "
-                      "exhaust opens. It closes at the same place of the piston.")};
+                      "Crank angle after top dead centre at which the exhaust opens (two-stroke). "
+                      "It closes at the same piston position.")};
 
 inline constexpr Field flywheel{
     .key = "flywheel",
-    .hint = CORE_TEXT("balance-shaft", "What evens out the speed within a cycle: J or δ.")};
+    .hint = CORE_TEXT("balance-shaft",
+                      "Flywheel: moment of inertia J, or coefficient of fluctuation δ.")};
 inline constexpr Field flywheel_inertia{
     .key = "inertia_kg_m2",
     .unit = units::kg_m2,
@@ -546,8 +534,8 @@ inline constexpr Field flywheel_inertia{
     .label = CORE_TEXT("balance-shaft", "Inertia &J"),
     .symbol = "J",
     .hint = CORE_TEXT("balance-shaft",
-                      "Of flywheel, crank and all that turns with them. The coefficient of "
-                      "fluctuation follows from it."),
+                      "Moment of inertia of flywheel, crank and all parts that turn with them. The "
+                      "coefficient of fluctuation follows."),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field fluctuation{
     .key = "fluctuation",
@@ -555,9 +543,8 @@ inline constexpr Field fluctuation{
     .label = CORE_TEXT("balance-shaft", "Fl&uctuation δ"),
     .symbol = "δ",
     .hint = CORE_TEXT("balance-shaft",
-                      "Coefficient of fluctuation wanted: highest less lowest speed over the mean "
-                      "one. About 1/20 for pumps, 1/100 for generators. The moment of inertia "
-                      "follows from it."),
+                      "Required (maximum − minimum) / mean speed; the moment of inertia follows. "
+                      "About 1/20 for pumps, 1/100 for generators."),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 
 inline constexpr Field speed_band{.key = "speed_band",
@@ -567,19 +554,19 @@ inline constexpr Field band_from{.key = "from_rpm",
                                  .range = Range::greater_than(0),
                                  .size = Range::at_least(0.1),  // below it inertia is rounding
                                  .label = CORE_TEXT("balance-shaft", "&Band from"),
-                                 .hint = CORE_TEXT("balance-shaft", "Lowest speed of the band."),
+                                 .hint = CORE_TEXT("balance-shaft", "Minimum speed of the band."),
                                  .is_setting = true};
 inline constexpr Field band_to{.key = "to_rpm",
                                .unit = units::rpm,
                                .range = Range::greater_than(0),
                                .size = {.max = engine_speeds.max},
                                .label = CORE_TEXT("balance-shaft", "Band &to"),
-                               .hint = CORE_TEXT("balance-shaft", "Highest speed of the band."),
+                               .hint = CORE_TEXT("balance-shaft", "Maximum speed of the band."),
                                .is_setting = true};
 inline constexpr Field band_speeds{
     .key = "speeds",
     .range = Range::between(2, 1000),
-    .hint = CORE_TEXT("balance-shaft", "How many speeds, with both ends.")};
+    .hint = CORE_TEXT("balance-shaft", "Number of speeds, including both ends.")};
 inline constexpr Field band_map{
     .key = "map",
     .hint = CORE_TEXT("balance-shaft", "Prints range and RMS over angle and speed too.")};
@@ -594,29 +581,29 @@ inline constexpr Field bar_diameter{
     .range = Range::between(1e-3, 1e5),
     .label = CORE_TEXT("balance-shaft", "&Diameter D"),
     .symbol = "D",
-    .hint = CORE_TEXT("balance-shaft", "Of the round bar; also the circle that the shaft sweeps.")};
+    .hint = CORE_TEXT("balance-shaft",
+                      "Diameter of the round bar; also the swing circle of the shaft.")};
 inline constexpr Field relief_depth{
     .key = "depth_mm",
     .unit = units::mm,
     .range = Range::between(1e-6, 1e5),
     .label = CORE_TEXT("balance-shaft", "Depth &h"),
     .symbol = "h",
-    .hint =
-        CORE_TEXT("balance-shaft", "Of the segment that is milled away, from the bar's surface.")};
+    .hint = CORE_TEXT("balance-shaft", "Depth of the milled segment, from the bar's surface.")};
 inline constexpr Field relief_length{
     .key = "length_mm",
     .unit = units::mm,
     .range = Range::between(1e-3, 1e5),
     .label = CORE_TEXT("balance-shaft", "&Length b"),
     .symbol = "b",
-    .hint = CORE_TEXT("balance-shaft", "Over which the segment is milled away.")};
+    .hint = CORE_TEXT("balance-shaft", "Length of the milled segment.")};
 inline constexpr Field density{
     .key = "density_kg_m3",
     .unit = units::kg_m3,
     .range = Range::between(100, 30000),
     .label = CORE_TEXT("balance-shaft", "Densit&y"),
     .hint = CORE_TEXT("balance-shaft",
-                      "Of the bar. Steel 7850, cast iron 7200, tungsten alloy 17500.")};
+                      "Density of the bar. Steel 7850, cast iron 7200, tungsten alloy 17500.")};
 /// Of the shaft's bending in cases of before: read, and no longer used.
 inline constexpr std::string_view bending_keys[] = {"elastic_modulus_GPa",  "bearing_span_mm",
                                                     "allowable_stress_MPa", "permitted_sag_mm",

@@ -30,11 +30,11 @@ void add_torque(std::vector<Formula>& list) {
 
 void add_gears(std::vector<Formula>& list, const GearPair& gears) {
     if (gears.shifted_teeth != 0) {
-        list.push_back({CORE_TEXT("balance-shaft", "Shaft fitted k teeth out"),
-                        "δ = 360° k / z, ΔF = 2 P<sub>1</sub> |sin(δ/2)|", "", "",
-                        CORE_TEXT("balance-shaft",
-                                  "z teeth of each gear; its moment is that of α + δ, and ΔF "
-                                  "remains of the first order")});
+        list.push_back(
+            {CORE_TEXT("balance-shaft", "Shaft fitted k teeth out"),
+             "δ = 360° k / z, ΔF = 2 P<sub>1</sub> |sin(δ/2)|", "", "",
+             CORE_TEXT("balance-shaft",
+                       "z teeth of each gear; moment as at α + δ; ΔF residual first-order force")});
     }
     if (gears.backlash > 0.0) {
         list.push_back({CORE_TEXT("balance-shaft", "Play of the gears"), "|Δα| ≤ b / l", "", "",
@@ -100,11 +100,11 @@ std::vector<Formula> formulas(const Input& input) {
                     {}});
     list.push_back({CORE_TEXT("balance-shaft", "Range"),
                     "ΔM = max M<sub>ups</sub> − min M<sub>ups</sub>", gots_klevtsov, "",
-                    CORE_TEXT("balance-shaft", "of the continuous cycle, not of the rows alone")});
+                    CORE_TEXT("balance-shaft", "of the continuous cycle")});
     list.push_back({CORE_TEXT("balance-shaft", "RMS about the mean"),
                     "√( (1/Φ) ∫ (M<sub>ups</sub> − M<sub>m</sub>)<sup>2</sup> dφ )", "", "",
                     CORE_TEXT("balance-shaft", "Φ length of the cycle, Mₘ its mean")});
-    list.push_back({CORE_TEXT("balance-shaft", "Place of the least RMS"),
+    list.push_back({CORE_TEXT("balance-shaft", "Place of the minimum RMS"),
                     offset ? "x = (s<sub>1</sub> sin ε − c<sub>1</sub> cos ε) / P<sub>1</sub>, "
                              "y = −(c<sub>1</sub> sin ε + s<sub>1</sub> cos ε) / P<sub>1</sub>, "
                              "ε = θ − δ − φ"
@@ -151,23 +151,21 @@ std::span<const Text> left_out() {
     static constexpr std::array texts{
         CORE_TEXT(
             "balance-shaft",
-            "Second-order forces (mⱼ r ω² λ cos 2φ) stay and are not counted in the moment on "
-            "the mounts."),
-        CORE_TEXT("balance-shaft",
-                  "The rotating part of the rod and the crank are taken as balanced by the crank's "
-                  "own counterweights."),
-        CORE_TEXT("balance-shaft",
-                  "The engine block is rigid, and the speed within a cycle is constant."),
-        CORE_TEXT("balance-shaft",
-                  "Over the speed band the gas torque stays that of the one pressure trace, cycle "
-                  "or torque given: how it changes with the speed is not known."),
+            "Second-order forces (mⱼ r ω² λ cos 2φ) are not included in the moment on the mounts."),
         CORE_TEXT(
             "balance-shaft",
-            "The play of the gears moves the shaft to any place within it; how it moves there "
-            "is not computed."),
+            "The rotating part of rod and crank is balanced by the crank's own counterweights."),
+        CORE_TEXT("balance-shaft",
+                  "The engine block is rigid, and the speed within a cycle is constant."),
+        CORE_TEXT(
+            "balance-shaft",
+            "Over the speed band the gas torque is constant: its change with speed is not known."),
+        CORE_TEXT(
+            "balance-shaft",
+            "The play of the gears allows any shaft angle within it; the motion is not computed."),
         CORE_TEXT("balance-shaft", "Of the relieved shaft: bending, stress and bearing loads."),
         CORE_TEXT("balance-shaft",
-                  "Whether parts that meet in the front view lie behind one another is not known."),
+                  "Parts that overlap in the front view may be one behind another."),
     };
     return texts;
 }

@@ -195,27 +195,20 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
     if (!is_believed(fit) || !(check.entered > 0.0)) {
         check.is_of_other_rod = false;
         check.lambda_fitted = !lambda;
-        check.text =
-            four_stroke
-                ? CORE_TEXT(
-                      "balance-shaft",
-                      "The torque on the gas-exchange strokes does not look like the inertia "
-                      "torque of a slider-crank, so it cannot be compared with the masses and "
-                      "the speed entered.")
-                : CORE_TEXT(
-                      "balance-shaft",
-                      "A two-stroke engine has no stroke on which the gas torque is small, so "
-                      "the torque cannot be compared with the masses and the speed entered.");
+        check.text = four_stroke
+                         ? CORE_TEXT("balance-shaft",
+                                     "The torque during gas exchange does not resemble an inertia "
+                                     "torque, so masses and speed cannot be checked.")
+                         : CORE_TEXT("balance-shaft",
+                                     "A two-stroke engine has no stroke with a small gas torque, "
+                                     "so masses and speed cannot be checked.");
         return check;
     }
     if (fit.at_bound) {
-        check.text = {
-            CORE_TEXT("balance-shaft",
-                      "The torque on the gas-exchange stroke would be the inertia torque of a "
-                      "crank with r/L = %1, as far as the search goes, so it cannot be compared "
-                      "with the masses and the speed entered. Enter the rod length, and that is "
-                      "held instead."),
-            number(fit.lambda)};
+        check.text = {CORE_TEXT("balance-shaft",
+                                "The fitted r/L = %1 is at the limit of the search, so masses and "
+                                "speed cannot be checked. Enter the rod length."),
+                      number(fit.lambda)};
         return check;
     }
     check.fitted = fit.scale;
@@ -230,10 +223,9 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
     if (check.is_of_other_rod) {
         check.text = {
             CORE_TEXT("balance-shaft",
-                      "The torque on the gas-exchange stroke holds the inertia torque of a crank "
-                      "with r/L = %1; crank radius and rod length entered have %2. They do not "
-                      "belong together: with this crank radius the torque fits a rod length of "
-                      "%3. The best angles are not meaningful until torque and masses agree."),
+                      "Torque and rod do not match, so the best angles are not meaningful: the "
+                      "torque contains r/L = %1, crank radius and rod length give %2. With this "
+                      "crank radius the torque matches a rod length of %3."),
             number(fit.lambda), number(*lambda),
             Number{rounded_to_digits(input.crank_radius / fit.lambda / units::mm, 3), units::mm}};
         return check;
@@ -241,19 +233,16 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
     check.text =
         *check.consistent
             ? Message(CORE_TEXT("balance-shaft",
-                                "The torque on the gas-exchange stroke holds an inertia torque of "
-                                "mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered "
-                                "give %3. They belong together: they differ by %4, and up to %5 "
-                                "is what a table may be off."),
+                                "Torque and masses match: the torque contains mⱼ r² ω² = %1 (r/L = "
+                                "%2), masses and speed give %3. Difference %4, tolerance %5."),
                       moment(fit.scale), number(fit.lambda), moment(check.entered),
                       Number{100.0 * std::abs(ratio - 1.0), units::percent, -1},
                       Number{100.0 * InertiaCheck::tolerance, units::percent, 2})
-            : Message(CORE_TEXT("balance-shaft",
-                                "The torque on the gas-exchange stroke holds an inertia torque of "
-                                "mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered "
-                                "give %3. They do not belong together: the torque fits these "
-                                "masses at %4, or %5 at this speed. The best angles are "
-                                "not meaningful until torque and masses agree."),
+            : Message(CORE_TEXT(
+                          "balance-shaft",
+                          "Torque and masses do not match, so the best angles are not meaningful: "
+                          "the torque contains mⱼ r² ω² = %1 (r/L = %2), masses and speed give %3. "
+                          "The torque matches these masses at %4, or %5 at this speed."),
                       moment(fit.scale), number(fit.lambda), moment(check.entered),
                       Number{rounded_to_digits(check.matching_speed / units::rpm, 4), units::rpm},
                       Number{rounded_to_digits(check.matching_mass, 3), units::kg});
@@ -267,9 +256,9 @@ InertiaCheck check_inertia(const Input& input) {
     InertiaCheck check;
     check.entered = input.reciprocating_mass() * input.crank_radius * input.crank_radius *
                     input.angular_speed * input.angular_speed;
-    check.text = CORE_TEXT("balance-shaft",
-                           "The torque is computed from the masses and the speed entered, so there "
-                           "is nothing to compare.");
+    check.text =
+        CORE_TEXT("balance-shaft",
+                  "The torque is computed from the masses and the speed: no check is necessary.");
     return check;
 }
 

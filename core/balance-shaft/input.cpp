@@ -76,7 +76,7 @@ void check_cycle(const GasCycle& cycle, const SliderCrank<double>& crank, int st
                  const std::string& parent) {
     if (cycle.heat.has_value() == cycle.imep.has_value()) {
         throw InputError(parent,
-                         {CORE_TEXT("balance-shaft", "must hold either %1 or %2"), field::heat.key,
+                         {CORE_TEXT("balance-shaft", "must have either %1 or %2"), field::heat.key,
                           field::imep.key},
                          cycle.heat ? CORE_TEXT("balance-shaft", "both")
                                     : CORE_TEXT("balance-shaft", "neither"));
@@ -117,16 +117,16 @@ void check_rod(const Input& input) {
         if (!input.cylinder.rod_length) {
             throw InputError(
                 pointer(field::offset, parent),
-                {CORE_TEXT("balance-shaft",
-                           "must be less than %1 in size, half of what the rod is longer than the "
-                           "crank radius"),
+                {CORE_TEXT(
+                     "balance-shaft",
+                     "must be less than %1 in magnitude, half of rod length minus crank radius"),
                  shown(field::offset, 0.5 * (input.effective_rod_length() - input.crank_radius))},
                 shown(field::offset, offset));
         }
         throw InputError(
             pointer(field::rod_length, parent),
             {CORE_TEXT("balance-shaft",
-                       "must be greater than the crank radius and twice the offset together, %1"),
+                       "must be greater than the crank radius plus twice the offset, %1"),
              shown(field::crank_radius, rounded_to_digits(least, 12))},
             shown(field::rod_length, input.effective_rod_length()));
     }
@@ -193,7 +193,7 @@ void check_limits(const PlaceLimits& limits) {
                 // Angles from 350 to 20 are meant across 0.
                 throw InputError(
                     pointer(wrong, parent),
-                    {CORE_TEXT("balance-shaft", "must be greater than %1; across 0° write %2"),
+                    {CORE_TEXT("balance-shaft", "must be greater than %1; across 0° enter %2"),
                      Number{from_si(pair.low, *pair.from), wrong.unit, 6},
                      Number{from_si(pair.high, *pair.to + two_pi), wrong.unit, 6}},
                     shown(wrong, *pair.to));
@@ -216,8 +216,8 @@ Message TorqueSource::changed_note() const {
         return {};
     }
     return {CORE_TEXT("balance-shaft",
-                      "%1 has changed since it was read for this case: all results are of what is "
-                      "in it now. Read it again to keep that, or bring the old file back."),
+                      "%1 has changed since this case was made; the results use the present file. "
+                      "Import it again to accept the change, or restore the old file."),
             kind == Kind::csv ? csv : trace_csv};
 }
 
@@ -254,7 +254,7 @@ void check_speed_band(const SpeedBand& band) {
     if (band.to < band.from) {
         throw InputError(
             pointer(field::band_to, parent),
-            {CORE_TEXT("balance-shaft", "must be at least the lowest speed of the band, %1"),
+            {CORE_TEXT("balance-shaft", "must be at least the minimum speed of the band, %1"),
              shown(field::band_from, band.from)},
             shown(field::band_to, band.to));
     }
@@ -272,7 +272,7 @@ void check_joined(const Input& input) {
     if (input.flywheel &&
         input.flywheel->inertia.has_value() == input.flywheel->fluctuation.has_value()) {
         throw InputError(pointer(field::flywheel),
-                         {CORE_TEXT("balance-shaft", "must hold either %1 or %2"),
+                         {CORE_TEXT("balance-shaft", "must have either %1 or %2"),
                           field::flywheel_inertia.key, field::fluctuation.key},
                          input.flywheel->inertia ? CORE_TEXT("balance-shaft", "both")
                                                  : CORE_TEXT("balance-shaft", "neither"));

@@ -64,7 +64,7 @@ struct FileSum {
 /// Where the engine torque comes from.
 struct TorqueSource {
     enum class Kind {
-        table,     ///< the table itself stands in the case file
+        table,     ///< the table itself is in the case file
         csv,       ///< the case file names a file beside it
         pressure,  ///< gas torque from a measured pressure trace, inertia torque from the masses
         cycle,     ///< gas torque from a computed cycle, inertia torque from the masses
@@ -162,7 +162,7 @@ struct Input {
     bool speed_in_rpm = true;    ///< the case file gives the speed in min⁻¹ (not rad/s)
     double crank_radius = 0.0;   ///< r, m
     CylinderSizes cylinder;      ///< a computed torque needs its bore and its rod length
-    /// Their sum is m_j, kg. One entry with an empty name stands for reciprocating_mass_kg.
+    /// Their sum is m_j, kg. One entry with an empty name represents reciprocating_mass_kg.
     std::vector<NamedMass> reciprocating_masses;
     std::optional<double> rod_mass;     ///< kg, the whole rod with shells (the paper's Table 1)
     double counterweight_radius = 0.0;  ///< ρ₁, m

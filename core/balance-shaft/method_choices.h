@@ -15,10 +15,9 @@ inline constexpr MethodChoice cycle_mean_choice{
     "pieces",
     1e-9,
     CORE_TEXT("methods",
-              "The paper's conclusions rest on a mean, so it has to be that of the cycle and not "
-              "of a choice of nodes: nine digits for any table, however uneven its rows. The "
-              "pieces between the rows are integrated exactly; after that every angle of the shaft "
-              "costs three multiplications.")};
+              "The paper's conclusions use a mean, so it must be the mean of the cycle, not of "
+              "some nodes: nine digits for any table. The pieces between the rows are integrated "
+              "exactly; then each shaft angle needs three multiplications.")};
 
 /// Range of M_ups at one α: MomentPlane.
 inline constexpr MethodChoice moment_range_choice{
@@ -28,9 +27,9 @@ inline constexpr MethodChoice moment_range_choice{
     "pieces",
     1e-9,
     CORE_TEXT("methods",
-              "The best angle is found from differences of ranges, so nine digits. Nodes miss a "
-              "peak between them; the extremum of a line plus a sine is known in closed form, and "
-              "only the few intervals that can hold it are solved.")};
+              "The optimum angle compares ranges, so nine digits. Nodes miss a peak between them; "
+              "the extremum of a line plus a sine has a closed form, and only the few intervals "
+              "that may contain it are solved.")};
 
 /// The angle with the least range: minimise_range().
 inline constexpr MethodChoice best_angle_choice{
@@ -39,11 +38,10 @@ inline constexpr MethodChoice best_angle_choice{
     "cutting-planes",
     "exact",
     1e-9,
-    CORE_TEXT(
-        "methods",
-        "The range is the largest of many sinusoids: it has kinks at its minima and several of "
-        "them. Sinusoids that bound it from below tell where no better angle can be, so the best "
-        "one is found and not just a good one, with fewer evaluations than a scan of 5°.")};
+    CORE_TEXT("methods",
+              "The range is the maximum of many sinusoids, with kinks and several minima. "
+              "Sinusoids that bound it from below exclude worse angles, so the optimum is proven, "
+              "with fewer evaluations than a scan of 5°.")};
 
 /// The place with the least range: minimise_range().
 inline constexpr MethodChoice best_position_choice{
@@ -53,9 +51,9 @@ inline constexpr MethodChoice best_position_choice{
     "exact",
     1e-9,
     CORE_TEXT("methods",
-              "Over the plane of places the range is convex: the largest of linear functions less "
-              "the smallest. Planes under it find its kinks, where methods without slopes stop "
-              "short and methods with slopes jump, and prove that no place is better.")};
+              "Over the plane of places the range is convex: the maximum of linear functions minus "
+              "their minimum. Planes below find its kinks, where other methods stop or jump, and "
+              "prove that no place is better.")};
 
 /// What an answer leads with, below "result".
 inline constexpr std::array<std::string_view, 6> leading_results{

@@ -25,7 +25,7 @@ class MomentPlane {
 
     explicit MomentPlane(const PeriodicPiecewise& moment);
 
-    /// A place φ of the cycle and what stands there.
+    /// A place φ of the cycle and what is there.
     struct Place {
         double value = 0.0;   ///< M(φ) + a cos φ + b sin φ, N·m
         double moment = 0.0;  ///< M(φ), N·m

@@ -34,7 +34,7 @@ double size_of(const MomentMetrics& moment) {
 }
 
 constexpr Text makes_no_moment =
-    CORE_TEXT("balance-shaft", "The shaft makes no moment, so its angle changes nothing.");
+    CORE_TEXT("balance-shaft", "The shaft has no moment: its angle has no effect.");
 
 }  // namespace
 
@@ -113,7 +113,7 @@ Optimum Moments::best_range(const MomentMetrics& tipping) const {
         return {wrap_turn(best.alpha - phase), best.value, {}};
     }
     return {std::nullopt, best.value,
-            CORE_TEXT("balance-shaft", "The range is the same at every angle of the shaft.")};
+            CORE_TEXT("balance-shaft", "The angle of the shaft does not affect the range.")};
 }
 
 Optimum Moments::best_rms(const MomentMetrics& tipping) const {
@@ -128,8 +128,8 @@ Optimum Moments::best_rms(const MomentMetrics& tipping) const {
     }
     return {std::nullopt, plane.rms(shaft_moment(0.0)),
             CORE_TEXT("balance-shaft",
-                      "The tipping moment has no first order, so the RMS is the same "
-                      "at every angle of the shaft.")};
+                      "The tipping moment has no first order: the angle of the shaft does not "
+                      "affect the RMS.")};
 }
 
 void Moments::fill(const Input& input, bool optima, Result& result) const {

@@ -122,8 +122,8 @@ void gather_cylinder(CaseFile& file) {
             if (&size == &sizes[0] && value && !value->is_null() && *value != bore) {
                 file.changes.push_back(
                     {CORE_TEXT("balance-shaft",
-                               "A torque source that is not in use had the bore %1. All sources "
-                               "have one bore now: enter it at the cylinder if it is right."),
+                               "An unused torque source had the bore %1. All sources share one "
+                               "bore now: enter it at the cylinder if it is correct."),
                      show(*value)});
             }
         }

@@ -24,7 +24,7 @@ struct PlaceLimit {
     double most = 0.0;
 };
 
-/// What a search needs besides.
+/// What a search needs also.
 struct PlaceQuestion {
     PlaceCriterion criterion;
     double growth = 0.0;     ///< the criterion at a distance l of the crank's axis is at least

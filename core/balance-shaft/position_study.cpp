@@ -201,7 +201,7 @@ double PositionStudy::rms_without() const {
 }
 
 Message no_moment() {
-    return CORE_TEXT("balance-shaft", "The shaft makes no moment, so its place changes nothing.");
+    return CORE_TEXT("balance-shaft", "The shaft has no moment: its place has no effect.");
 }
 
 BestPositions PositionStudy::best() const {
@@ -214,9 +214,9 @@ BestPositions PositionStudy::best() const {
         BestPosition at_crank;
         at_crank.criteria = prepared_->criteria({});
         answer.range = answer.rms = at_crank;
-        answer.reason = CORE_TEXT("balance-shaft",
-                                  "The tipping moment is constant: every shaft away from the "
-                                  "crank's axis only adds to it.");
+        answer.reason = CORE_TEXT(
+            "balance-shaft",
+            "The tipping moment is constant: a shaft away from the crank axis only adds to it.");
         return answer;
     }
     answer.range = prepared_->best_range();

@@ -30,7 +30,7 @@ void check_relieved_shaft(const RelievedShaftSizes& sizes) {
     if (given < 2) {
         throw InputError(
             root,
-            {CORE_TEXT("balance-shaft", "must hold two of %1, %2 and %3"), field::bar_diameter.key,
+            {CORE_TEXT("balance-shaft", "must have two of %1, %2 and %3"), field::bar_diameter.key,
              field::relief_depth.key, field::relief_length.key},
             Number{1.0 * given});
     }
@@ -51,8 +51,7 @@ RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double requ
     shaft.length = sizes.length.value_or(0.0);
     const double per_volume = 2.0 / 3.0 * sizes.density;  // U = per_volume b a³
     if (!(required > 0.0)) {
-        shaft.reason =
-            CORE_TEXT("balance-shaft", "No unbalance is needed, so there is nothing to mill away.");
+        shaft.reason = CORE_TEXT("balance-shaft", "No unbalance is required: no relief.");
         return shaft;
     }
     if (sizes.length) {
@@ -101,13 +100,13 @@ RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double requ
         RelievedShaft none;
         none.required = required;
         none.reason =
-            CORE_TEXT("balance-shaft", "The unbalance needed is beyond any shaft of such sizes.");
+            CORE_TEXT("balance-shaft", "No shaft of these sizes has the required unbalance.");
         return none;
     }
     const double ratio = shaft.unbalance / required;
     if (std::abs(ratio - 1.0) > relieved_shaft_tolerance) {
         shaft.reason = {
-            CORE_TEXT("balance-shaft", "These sizes give %1 % of the unbalance that is needed."),
+            CORE_TEXT("balance-shaft", "These sizes give %1 % of the required unbalance."),
             Number{100.0 * ratio, {}, 4}};
         return shaft;
     }
@@ -124,8 +123,7 @@ RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double requ
 
 std::string relieved_shaft_dxf(const RelievedShaft& shaft, const std::string& title) {
     if (!shaft.feasible) {
-        throw InputError(
-            "", {CORE_TEXT("balance-shaft", "there is no shaft to draw: %1"), shaft.reason});
+        throw InputError("", {CORE_TEXT("balance-shaft", "no drawing: %1"), shaft.reason});
     }
     DxfDocument drawing({{"SHAFT", DxfDocument::white},
                          {"REMOVED", DxfDocument::cyan},

@@ -92,7 +92,7 @@ struct Result {
     BuildableAngles buildable;
     Optimum best_range_buildable;  ///< of the angles that can be built
     Optimum best_rms_buildable;
-    /// Crank angle φ at top dead centre is 0; there the crank stands at this angle from the
+    /// Crank angle φ at top dead centre is 0; there the crank is at this angle from the
     /// cylinder's direction, rad: 0 where the cylinder is not offset.
     double dead_centre = 0.0;
     /// Both counterweights lag by this behind the direction opposite the crankpin, rad.

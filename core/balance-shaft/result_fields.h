@@ -83,7 +83,7 @@ inline constexpr ResultField clearances{"clearances", units::none, 3,
 inline constexpr ResultField crank_only{"crank_only", units::none, 3,
                                         CORE_TEXT("balance-shaft", "Without shaft")};
 inline constexpr ResultField envelope_study{"envelope_study", units::none, 3,
-                                            CORE_TEXT("balance-shaft", "Range against size")};
+                                            CORE_TEXT("balance-shaft", "Range and size")};
 inline constexpr ResultField best_position{
     "best_position", units::none, 3, CORE_TEXT("balance-shaft", "Optimum ignoring clearance")};
 inline constexpr ResultField best_position_buildable{

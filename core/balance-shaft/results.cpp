@@ -522,7 +522,7 @@ Text what_is_met(Obstacle obstacle) {
             return CORE_TEXT("balance-shaft", "Does not fit: at this α the shaft meets the rod.");
         case Obstacle::limits:
             return CORE_TEXT("balance-shaft",
-                             "Does not fit: at this α the shaft is outside the limits given.");
+                             "Does not fit: at this α the shaft is outside the limits.");
         default:
             return CORE_TEXT("balance-shaft",
                              "Does not fit: at this α the shaft meets the cylinder.");
@@ -546,7 +546,7 @@ Verdict shaft_verdict(const Result& result) {
     }
     if (!result.range_change || !result.rms_change) {
         return {Severity::note,
-                Message(CORE_TEXT("balance-shaft", "The torque is constant: nothing to balance."))};
+                Message(CORE_TEXT("balance-shaft", "The torque is constant: no shaft required."))};
     }
     const double range = *result.range_change;
     const double rms = *result.rms_change;
@@ -585,11 +585,10 @@ Verdict verdict(const Result& result) {
     // The notes say how that is known.
     const InertiaCheck& check = result.inertia_check;
     if (check.consistent == false && check.is_of_other_rod) {
-        verdict.warn(CORE_TEXT("balance-shaft", "Torque and rod do not belong together."));
+        verdict.warn(CORE_TEXT("balance-shaft", "Torque and rod do not match."));
     } else if (check.consistent == false) {
         verdict.warn({CORE_TEXT("balance-shaft",
-                                "Torque and masses do not belong together: the torque fits %1 or "
-                                "%2."),
+                                "Torque and masses do not match: the torque fits %1 or %2."),
                       Number{rounded_to_digits(check.matching_speed / units::rpm, 4), units::rpm},
                       Number{rounded_to_digits(check.matching_mass, 3), units::kg}});
     }

@@ -77,9 +77,9 @@ ShaftPlaces::ShaftPlaces(const FrontView& view, const PlaceLimits& limits)
 }
 
 Message ShaftPlaces::reason_for_none() {
-    return CORE_TEXT("balance-shaft",
-                     "No place of the shaft is within the limits, clears crank, cylinder and rod "
-                     "and lets the gears mesh.");
+    return CORE_TEXT(
+        "balance-shaft",
+        "No place within the limits clears crank, cylinder and rod with the gears in mesh.");
 }
 
 Obstacle ShaftPlaces::obstacle_at_distance(double l) const {
@@ -126,40 +126,37 @@ Message ShaftPlaces::reason(Obstacle obstacle, double l) const {
         case Obstacle::none:
             break;
         case Obstacle::crank:
+            return {CORE_TEXT("balance-shaft",
+                              "The shaft's swing circle (radius %1, clearance %2) meets the crank: "
+                              "centre distance %4, minimum %3."),
+                    swing, gap, millimetres(needed_crank_), millimetres(l)};
+        case Obstacle::cylinder:
             return {
                 CORE_TEXT("balance-shaft",
-                          "The shaft's swing circle (radius %1, gap %2) meets that of the crank: "
-                          "the centre distance must be at least %3, and it is %4."),
-                swing, gap, millimetres(needed_crank_), millimetres(l)};
-        case Obstacle::cylinder:
-            return {CORE_TEXT("balance-shaft",
-                              "The shaft's swing circle (radius %1, gap %2) meets the cylinder."),
-                    swing, gap};
+                          "The shaft's swing circle (radius %1, clearance %2) meets the cylinder."),
+                swing, gap};
         case Obstacle::rod:
             return {CORE_TEXT("balance-shaft",
-                              "The shaft's swing circle (radius %1, gap %2) meets what the rod "
-                              "sweeps."),
+                              "The shaft's swing circle (radius %1, clearance %2) meets the rod."),
                     swing, gap};
         case Obstacle::gears:
             return {CORE_TEXT("balance-shaft",
-                              "The gears do not mesh: with their tip radius %1 the centre distance "
-                              "must be from %2 to %3, and it is %4."),
+                              "The gears do not mesh: with a tip radius of %1 the centre distance "
+                              "must be %2 to %3, not %4."),
                     millimetres(view_.gear_tip_radius), millimetres(gears_min_),
                     millimetres(gears_max_), millimetres(l)};
         case Obstacle::limits:
             if (l < limits_.centre_distance_min.value_or(l)) {
-                return {CORE_TEXT("balance-shaft",
-                                  "The limits on the shaft's axis ask for a centre distance of at "
-                                  "least %1, and it is %2."),
-                        millimetres(*limits_.centre_distance_min), millimetres(l)};
+                return {
+                    CORE_TEXT("balance-shaft", "Centre distance %2 is below the minimum of %1."),
+                    millimetres(*limits_.centre_distance_min), millimetres(l)};
             }
             if (l > limits_.centre_distance_max.value_or(l)) {
-                return {CORE_TEXT("balance-shaft",
-                                  "The limits on the shaft's axis ask for a centre distance of at "
-                                  "most %1, and it is %2."),
-                        millimetres(*limits_.centre_distance_max), millimetres(l)};
+                return {
+                    CORE_TEXT("balance-shaft", "Centre distance %2 is above the maximum of %1."),
+                    millimetres(*limits_.centre_distance_max), millimetres(l)};
             }
-            return CORE_TEXT("balance-shaft", "The place is outside the limits given.");
+            return CORE_TEXT("balance-shaft", "The place is outside the limits.");
     }
     return {};
 }

@@ -65,10 +65,10 @@ RelievedShaft relieved_shaft(const Input& input, const FrontView& view) {
     if (shaft.feasible && swing < shaft.diameter / 2.0 * (1.0 - rounding)) {
         const auto in_mm = [](double metres) { return Number{metres / units::mm, units::mm, 4}; };
         shaft.feasible = false;
-        shaft.reason = {CORE_TEXT("balance-shaft",
-                                  "The bar does not fit in the swing circle given: its radius is "
-                                  "%1, the swing radius %2."),
-                        in_mm(shaft.diameter / 2.0), in_mm(swing)};
+        shaft.reason = {
+            CORE_TEXT("balance-shaft",
+                      "The bar (radius %1) does not fit in the swing circle (radius %2)."),
+            in_mm(shaft.diameter / 2.0), in_mm(swing)};
     }
     constexpr double usual = 2.0;  // a crank with its webs takes less
     if (shaft.feasible && shaft.length > usual * view.cylinder_bore) {
@@ -269,11 +269,10 @@ void Solver::Prepared::prepare_notes() {
         base.notes.push_back(std::move(changed));
     }
     if (input.relieved_shaft && input.relieved_shaft->had_bending) {
-        base.notes.emplace_back(
-            CORE_TEXT("balance-shaft",
-                      "Bending of the relieved shaft is no longer computed. These sizes of the "
-                      "case are not used: elastic modulus, bearing span, allowable stress, "
-                      "permitted sag, speed margin, bearing load."));
+        base.notes.emplace_back(CORE_TEXT(
+            "balance-shaft",
+            "Bending of the relieved shaft is no longer computed. Not used: elastic modulus, "
+            "bearing span, allowable stress, deflection, critical-speed ratio, bearing load."));
     }
     if (input.relieved_shaft && !base.relieved_shaft.feasible) {
         base.doubts.emplace_back(CORE_TEXT("balance-shaft", "Relieved shaft: %1"),
@@ -286,32 +285,29 @@ void Solver::Prepared::prepare_notes() {
         base.notes.push_back(base.best_range.note);
     } else {
         if (base.best_range.value >= base.M_up.range) {
-            base.notes.emplace_back(
-                CORE_TEXT("balance-shaft",
-                          "No angle of the shaft makes the range smaller than without a shaft: at "
-                          "best %1 against %2."),
-                moment(base.best_range.value), moment(base.M_up.range));
+            base.notes.emplace_back(CORE_TEXT("balance-shaft",
+                                              "At every angle the range is larger than without a "
+                                              "shaft: at best %1, without %2."),
+                                    moment(base.best_range.value), moment(base.M_up.range));
         }
         if (base.best_rms.value >= base.M_up.rms) {
-            base.notes.emplace_back(
-                CORE_TEXT("balance-shaft",
-                          "No angle of the shaft makes the RMS smaller than without a shaft: at "
-                          "best %1 against %2."),
-                moment(base.best_rms.value), moment(base.M_up.rms));
+            base.notes.emplace_back(CORE_TEXT("balance-shaft",
+                                              "At every angle the RMS is larger than without a "
+                                              "shaft: at best %1, without %2."),
+                                    moment(base.best_rms.value), moment(base.M_up.rms));
         }
     }
     prepare_notes_on_building();
     const double balanced = 2.0 * forces.counterweight_force / forces.inertia_force_1_max;
     constexpr double noticeable = 1e-3;
     if (input.counterweight_mass && std::abs(balanced - 1.0) > noticeable) {
-        base.notes.emplace_back(
-            CORE_TEXT("balance-shaft",
-                      "The counterweight given balances %1 % of the first-order inertia force; "
-                      "equation (1) asks for %2."),
-            Number{100.0 * balanced, units::none, 4},
-            Number{input.reciprocating_mass() * input.crank_radius /
-                       (2.0 * input.counterweight_radius),
-                   units::kg, 4});
+        base.notes.emplace_back(CORE_TEXT("balance-shaft",
+                                          "The counterweight balances %1 % of the first-order "
+                                          "inertia force; equation (1) requires %2."),
+                                Number{100.0 * balanced, units::none, 4},
+                                Number{input.reciprocating_mass() * input.crank_radius /
+                                           (2.0 * input.counterweight_radius),
+                                       units::kg, 4});
     }
 }
 
@@ -320,14 +316,13 @@ void Solver::Prepared::prepare_notes_on_building() {
     if (crank.offset != 0.0) {
         base.notes.emplace_back(
             CORE_TEXT("balance-shaft",
-                      "The cylinder is offset: crank angles count from the true top dead centre, "
-                      "where the crank stands %1 from the cylinder's direction, α from that "
-                      "direction; both counterweights lag by %2, so that they meet the first "
-                      "order's part in quadrature too."),
+                      "Offset cylinder: φ starts at the true top dead centre, with the crank %1 "
+                      "from the cylinder's direction. Both counterweights lag by %2 and balance "
+                      "the quadrature part of the first order."),
             in_degrees(top), in_degrees(piston_1.lag));
     }
     if (buildable.stretches.empty()) {
-        base.notes.emplace_back(CORE_TEXT("balance-shaft", "Nothing can be built: %1"),
+        base.notes.emplace_back(CORE_TEXT("balance-shaft", "No feasible position: %1"),
                                 buildable.reason);
     } else {
         const auto lost = [](const Optimum& built, const Optimum& all, double without) {
@@ -336,14 +331,12 @@ void Solver::Prepared::prepare_notes_on_building() {
         if (lost(base.best_range_buildable, base.best_range, base.M_up.range)) {
             base.notes.emplace_back(
                 CORE_TEXT("balance-shaft",
-                          "No angle that can be built makes the range smaller than without a "
-                          "shaft."));
+                          "At every feasible angle the range is larger than without a shaft."));
         }
         if (lost(base.best_rms_buildable, base.best_rms, base.M_up.rms)) {
             base.notes.emplace_back(
                 CORE_TEXT("balance-shaft",
-                          "No angle that can be built makes the RMS smaller than without a "
-                          "shaft."));
+                          "At every feasible angle the RMS is larger than without a shaft."));
         }
     }
     base.assumed_sizes = balance_shaft::assumed_sizes(input);

@@ -51,9 +51,8 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
         if (!parts) {
             reason_ = check.fitted
                           ? Message(CORE_TEXT("balance-shaft",
-                                              "The torque does not belong to the masses and the "
-                                              "speed entered, so it cannot be taken to other "
-                                              "speeds. %1"),
+                                              "The torque does not match masses and speed, so "
+                                              "other speeds cannot be computed. %1"),
                                     check.text)
                           : check.text;
             return;
@@ -67,8 +66,8 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
     gas_ = with_offset_term(parts->gas.negated(), crank, 0.0);
     inertia_ = with_offset_term(parts->unit_inertia.negated(), crank, input.reciprocating_mass());
     inertia_variance_ = inertia_.variance();
-    twice_covariance_ = PeriodicPiecewise::sum(gas_, inertia_, 1.0).variance() -
-                        gas_.variance() - inertia_variance_;
+    twice_covariance_ = PeriodicPiecewise::sum(gas_, inertia_, 1.0).variance() - gas_.variance() -
+                        inertia_variance_;
     unit_amplitude_ = input.unbalance() * input.centre_distance;
     points_.reserve(static_cast<std::size_t>(band.speeds));
     speeds_.reserve(static_cast<std::size_t>(band.speeds));
@@ -191,8 +190,8 @@ SpeedStudy::AtSpeeds SpeedStudy::least_bad_of(const std::vector<const Speed*>& s
     const auto evaluate = [&](double alpha) {
         double highest = -1.0;
         for (std::size_t k = 0; k < speeds.size(); ++k) {
-            const double value = speeds[k]->with_shaft(criterion, alpha) /
-                                 divisor(*speeds[k], criterion, measure);
+            const double value =
+                speeds[k]->with_shaft(criterion, alpha) / divisor(*speeds[k], criterion, measure);
             if (value > highest) {
                 highest = value;
                 worst = k;
@@ -209,8 +208,9 @@ SpeedStudy::AtSpeeds SpeedStudy::least_bad_of(const std::vector<const Speed*>& s
 /// largest, by branch and bound over q = ω²: both are convex in q (the largest of differences that
 /// are linear in it; a square), so between two speeds that with the shaft lies under its chord,
 /// that without over its tangents.
-std::optional<SpeedStudy::Speed> SpeedStudy::worst_speed_of(
-    const std::vector<const Speed*>& speeds, Criterion criterion, double alpha) const {
+std::optional<SpeedStudy::Speed> SpeedStudy::worst_speed_of(const std::vector<const Speed*>& speeds,
+                                                            Criterion criterion,
+                                                            double alpha) const {
     struct End {
         double q = 0.0;  ///< ω²
         double with = 0.0;

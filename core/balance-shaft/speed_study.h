@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "balance-shaft/clearance.h"
-#include "balance-shaft/moment_plane.h"
 #include "balance-shaft/input.h"
+#include "balance-shaft/moment_plane.h"
 #include "balance-shaft/result.h"
 #include "numerics/periodic_piecewise.h"
 
@@ -98,7 +98,7 @@ class SpeedStudy {
             return criterion == Criterion::range ? without.range() : plane.variance({0.0, 0.0});
         }
     };
-    /// The least bad angle for some speeds; of the RMS the square.
+    /// The best compromise angle for some speeds; of the RMS the square.
     struct AtSpeeds {
         double alpha = 0.0;
         double value = 0.0;
@@ -125,7 +125,7 @@ class SpeedStudy {
     PeriodicPiecewise inertia_;  ///< N·m s²
     double inertia_variance_ = 0.0;
     double twice_covariance_ = 0.0;  ///< of the two
-    double unit_amplitude_ = 0.0;  ///< P₁ l for ω = 1, N·m s²
+    double unit_amplitude_ = 0.0;    ///< P₁ l for ω = 1, N·m s²
     std::vector<Point> points_;
     std::vector<Speed> speeds_;
 };

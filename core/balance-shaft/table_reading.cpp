@@ -160,19 +160,19 @@ Message TableFormat::describe() const {
                          : CORE_TEXT("balance-shaft", "angles in degrees"));
     add(header_lines > 0, CORE_TEXT("balance-shaft", "with a header"));
     if (what == Measured::pressure) {
-        add(true, {!unit_named ? CORE_TEXT("balance-shaft",
-                                           "pressure taken for %1, as the heading names no unit "
-                                           "that is known")
-                   : gauge     ? CORE_TEXT("balance-shaft", "gauge pressure in %1")
-                               : CORE_TEXT("balance-shaft", "pressure in %1"),
-                   name});
+        add(true,
+            {!unit_named ? CORE_TEXT("balance-shaft",
+                                     "pressure assumed in %1, without a known unit in the heading")
+             : gauge     ? CORE_TEXT("balance-shaft", "gauge pressure in %1")
+                         : CORE_TEXT("balance-shaft", "pressure in %1"),
+             name});
     } else if (unit_named) {
         add(unit != units::N_m, {CORE_TEXT("balance-shaft", "torque in %1"), name});
     } else {
-        add(header_lines > 0, {CORE_TEXT("balance-shaft",
-                                         "torque taken for %1, as the heading names no unit that "
-                                         "is known"),
-                               name});
+        add(header_lines > 0,
+            {CORE_TEXT("balance-shaft",
+                       "torque assumed in %1, without a known unit in the heading"),
+             name});
     }
     add(strokes == 2, CORE_TEXT("balance-shaft", "360°, the cycle of a two-stroke engine"));
     add(cycles > 1, {CORE_TEXT("balance-shaft", "mean of %1 cycles"), cycles});
@@ -263,7 +263,7 @@ void check_length(std::size_t rows) {
     if (rows > largest_torque_table) {
         throw InputError(
             "",
-            {CORE_TEXT("balance-shaft", "a cycle must have at most %1 rows: take larger steps"),
+            {CORE_TEXT("balance-shaft", "a cycle must have at most %1 rows: use larger steps"),
              largest_torque_table},
             Number{static_cast<double>(rows)});
     }
@@ -317,13 +317,12 @@ void convert(const TwoColumns& rows, const Column& column, const TableReading& r
             throw InputError(
                 rows.place(i, 1),
                 may_be_gauge ? Message(CORE_TEXT("balance-shaft",
-                                                 "%1; is it gauge pressure? Then the case says "
-                                                 "\"gauge\": true"),
+                                                 "%1; for gauge pressure set \"gauge\": true"),
                                        shown.message())
                 : format.unit_named || format.what == Measured::torque || si < column.range.min
                     ? shown.message()
                     : Message(CORE_TEXT("balance-shaft",
-                                        "%1 in %2, which is taken where the heading names no unit; "
+                                        "%1 in %2, the default without a unit in the heading; "
                                         "write the unit above the column, for example Pa"),
                               shown.message(), Text{"core", format.unit.name.data()}),
                 Number{values[i]});
@@ -622,7 +621,7 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
         looks.push_back(look_at_column(column));
     }
     if (looks.empty() || cells.front().size() < fewest_rows || looks.front().numbers == 0.0) {
-        throw InputError("", CORE_TEXT("balance-shaft", "must hold rows of numbers"));
+        throw InputError("", CORE_TEXT("balance-shaft", "must have rows of numbers"));
     }
     const auto heading = [&](std::size_t column) {
         return view.headings.empty() ? std::string() : view.headings[column];
@@ -642,12 +641,11 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
         if (counts) {
             proposal.doubts.emplace_back(
                 CORE_TEXT("balance-shaft",
-                          "The file has no crank angles: its rows are taken for equal steps over "
-                          "one cycle."));
+                          "The file has no crank angles: equal steps over one cycle are assumed."));
         } else if (angle_score(looks[angle], heading(angle)) < 2.0) {
             proposal.doubts.emplace_back(
                 CORE_TEXT("balance-shaft",
-                          "No column is certain to be the crank angle; column %1 is proposed."),
+                          "The column of the crank angle is uncertain; column %1 is proposed."),
                 angle + 1);
         }
     }
@@ -665,7 +663,7 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
         reading.unit = named ? *named : what == Measured::torque ? units::N_m : likely_unit(look);
         if (!named && what == Measured::pressure) {
             proposal.doubts.emplace_back(
-                CORE_TEXT("balance-shaft", "The heading names no unit; the numbers look like %1."),
+                CORE_TEXT("balance-shaft", "No unit in the heading; the numbers look like %1."),
                 Text{"core", reading.unit->name.data()});
         }
     }
@@ -676,7 +674,7 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
         reading.gauge = says_so || look.lowest < 0.0 || low < least_absolute;
         if (*reading.gauge && !says_so) {
             proposal.doubts.emplace_back(
-                CORE_TEXT("balance-shaft", "The lowest pressure is %1 %2: gauge pressure?"),
+                CORE_TEXT("balance-shaft", "The minimum pressure is %1 %2: gauge pressure?"),
                 Number{look.lowest, {}, 4}, Text{"core", reading.unit->name.data()});
         }
     }

@@ -90,13 +90,13 @@ struct ReadingProposal {
     TableReading reading;  ///< all of it decided but the decimal sign, which the numbers show
     std::vector<std::string> headings;  ///< of the columns; empty where there are none
     std::size_t columns = 0;
-    std::vector<std::vector<std::string>> rows;  ///< the first ones, as they stand there
+    std::vector<std::vector<std::string>> rows;  ///< the first ones, as they are there
     std::vector<Message> doubts;  ///< what is not certain, with its reason: "gauge pressure?"
 };
 
 /// Looks at the lines of a file: separator, decimal sign, header lines, which column is the angle
 /// and which the pressure (or torque), unit, gauge or absolute, strokes.
-/// @param decided  what a person has decided already; all else is proposed anew
+/// @param decided  what a person has decided already; all else is proposed again
 /// @param rows     how many of them to show
 /// @throws InputError where the text holds no rows of at least two numbers
 ReadingProposal propose_reading(std::string_view text, Measured what,

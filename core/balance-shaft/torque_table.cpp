@@ -41,19 +41,19 @@ void check_table(const std::vector<double>& angle, const std::vector<double>& va
                  const std::string& values) {
     if (angle.size() != value.size()) {
         throw InputError(values,
-                         {CORE_TEXT("balance-shaft", "must hold as many numbers as %1, %2"),
+                         {CORE_TEXT("balance-shaft", "must have as many numbers as %1, %2"),
                           field::table_angle.key, angle.size()},
                          count(value));
     }
     if (angle.size() < 3) {
-        throw InputError(angles, CORE_TEXT("balance-shaft", "must hold at least 3 numbers"),
+        throw InputError(angles, CORE_TEXT("balance-shaft", "must have at least 3 numbers"),
                          count(angle));
     }
     if (angle.size() > largest_torque_table) {
         throw InputError(
             angles,
             {CORE_TEXT("balance-shaft",
-                       "must hold at most %1 numbers: average the cycles, or take larger steps"),
+                       "must have at most %1 numbers: average the cycles, or use larger steps"),
              largest_torque_table},
             count(angle));
     }

@@ -130,18 +130,18 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
     const double late = lateness(input, gas);
     if (!is_usual_lateness(late)) {
         if (peaks_a_turn_off(input, gas)) {
-            return {CORE_TEXT("balance-shaft",
-                              "The peak of the pressure trace lies at %1, beside the top dead "
-                              "centre of the gas exchange. The firing one is at 360°: move the "
-                              "trace by a turn."),
+            return {CORE_TEXT(
+                        "balance-shaft",
+                        "The peak of the pressure trace is at %1, near the gas-exchange dead "
+                        "centre. The firing dead centre is at 360°: shift the trace by one turn."),
                     Number{peak_deg, units::degree, 4}};
         }
-        return {CORE_TEXT("balance-shaft",
-                          "The peak of the pressure trace lies %1 after the firing top dead centre "
-                          "at %2; from 5° before to 45° after it is usual. The crank angles of the "
-                          "trace look out of phase."),
-                Number{late, units::degree, 3},
-                Number{input.strokes == 4 ? 360.0 : 0.0, units::degree}};
+        return {
+            CORE_TEXT("balance-shaft",
+                      "The peak of the pressure trace is %1 after the firing dead centre at %2; "
+                      "usual: 5° before to 45° after. Check the phase of the crank angles."),
+            Number{late, units::degree, 3},
+            Number{input.strokes == 4 ? 360.0 : 0.0, units::degree}};
     }
 
     // Pressure at the bottom dead centre before compression.
@@ -159,9 +159,8 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
             return {};  // both are gauge pressures, so the torque is right
         }
         return {CORE_TEXT("balance-shaft",
-                          "The pressure trace looks like gauge pressure: at the bottom dead centre "
-                          "before compression it has %1 bar. Read it as gauge pressure "
-                          "(\"gauge\": true)."),
+                          "The trace looks like gauge pressure: %1 bar at the bottom dead centre "
+                          "before compression. Read it as gauge pressure (\"gauge\": true)."),
                 rounded(bottom / units::bar, 3)};
     }
     if (parts > largest_bottom || parts < least_bottom) {
@@ -175,16 +174,16 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
                 likely = unit;
             }
         }
-        return {trace.unit_named
-                    ? CORE_TEXT("balance-shaft",
-                                "At the bottom dead centre before compression the pressure trace "
-                                "has %1 bar. Its numbers look like %2, though its heading says %3.")
-                    : CORE_TEXT("balance-shaft",
-                                "At the bottom dead centre before compression the pressure trace "
-                                "has %1 bar. Its numbers look like %2, but its heading names no "
-                                "unit and %3 was taken."),
-                rounded(bottom / units::bar, 3), Text{"core", likely.name.data()},
-                Text{"core", trace.unit.name.data()}};
+        return {
+            trace.unit_named
+                ? CORE_TEXT("balance-shaft",
+                            "Pressure at the bottom dead centre before compression: %1 bar. The "
+                            "numbers look like %2, but the heading has %3.")
+                : CORE_TEXT("balance-shaft",
+                            "Pressure at the bottom dead centre before compression: %1 bar. The "
+                            "numbers look like %2; without a unit in the heading, %3 was used."),
+            rounded(bottom / units::bar, 3), Text{"core", likely.name.data()},
+            Text{"core", trace.unit.name.data()}};
     }
     constexpr double least_exponent = 1.2;
     constexpr double largest_exponent = 1.48;
@@ -192,9 +191,8 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
     if (fit && fit->residual < largest_residual &&
         !(fit->exponent >= least_exponent && fit->exponent <= largest_exponent)) {
         return {CORE_TEXT("balance-shaft",
-                          "The compression in the pressure trace has the polytropic exponent %1; "
-                          "1.25 to 1.42 is usual. The crank angles may be out of phase by a few "
-                          "degrees, or the zero of the pressure off."),
+                          "Polytropic exponent of the compression: %1; usual: 1.25 to 1.42. Check "
+                          "the phase of the crank angles and the zero of the pressure."),
                 rounded(fit->exponent, 3)};
     }
     return {};

@@ -90,8 +90,7 @@ const Source& source(std::string_view key) {
 Message citation(const Source& source) {
     if (source.year == 0) {
         return {CORE_TEXT("core",
-                          "%1, \"%2\", not before %3 (the copy at hand shows neither journal nor "
-                          "year)"),
+                          "%1, \"%2\", not before %3 (our copy shows neither journal nor year)"),
                 source.authors, source.title, source.not_before};
     }
     Message line{CORE_TEXT("core", "%1, \"%2\", %3, %4"), source.authors, source.title,

@@ -66,69 +66,61 @@ Message factor_reason(const Engine& engine) {
     if (engine.type == EngineType::v && is_pair(engine)) {
         if (engine.pin_split != 0.0) {
             if (left < nothing) {
-                return {CORE_TEXT("bob-weights",
-                                  "Banks at %1 with crankpins split by %2: the parts of the "
-                                  "first-order force that turn against the crank cancel, and 50 % "
-                                  "takes up the rest. Nothing remains."),
-                        degrees(bank_angle(engine)), degrees(engine.pin_split)};
+                return {
+                    CORE_TEXT(
+                        "bob-weights",
+                        "Banks at %1, crankpins split by %2: the backward parts of the first order "
+                        "cancel, 50 % balances the rest. First-order force fully balanced."),
+                    degrees(bank_angle(engine)), degrees(engine.pin_split)};
             }
             if (left > forward_share(engine)) {
                 return {CORE_TEXT("bob-weights",
-                                  "Split crankpins: banks at %1 and a split of %2 leave a part of "
-                                  "%3 of the reciprocating mass that turns against the crank. The "
-                                  "part that turns with it is smaller, %4, even at 0 %: no factor "
-                                  "makes both equal. With a balance shaft that turns against the "
-                                  "crank it is 50 %."),
+                                  "Banks at %1, crankpins split by %2: %3 of the reciprocating "
+                                  "mass turns against the crank, with the crank only %4 even at 0 "
+                                  "%. With a backward balance shaft use 50 %."),
                         degrees(bank_angle(engine)), degrees(engine.pin_split), percent(left),
                         percent(forward_share(engine))};
             }
             return {CORE_TEXT("bob-weights",
-                              "Split crankpins: banks at %1 and a split of %2 leave a part of %3 "
-                              "of the reciprocating mass that turns against the crank. At %4 the "
-                              "part that turns with it is as large, and both make a motion to and "
-                              "fro in one direction, which mounts bear best. With a balance shaft "
-                              "that turns against the crank it is 50 %."),
+                              "Banks at %1, crankpins split by %2: %3 of the reciprocating mass "
+                              "turns against the crank. At %4 the residual is a straight motion, "
+                              "easiest on the mounts; with a backward balance shaft use 50 %."),
                     degrees(bank_angle(engine)), degrees(engine.pin_split), percent(left),
                     percent(theory_factor(engine))};
         }
         if (left < nothing) {
-            return CORE_TEXT("bob-weights",
-                             "Two cylinders at 90° on one crankpin: their first-order forces add "
-                             "up to one of constant size that turns with the crank, as a mass of "
-                             "half of both on the crankpin would. 50 % takes up all of it.");
+            return CORE_TEXT(
+                "bob-weights",
+                "Two cylinders at 90° on one crankpin: their first-order forces add up to a "
+                "constant force that turns with the crank. 50 % balances it fully.");
         }
         if (engine.crankpins() == 1) {
             return {CORE_TEXT("bob-weights",
-                              "Banks at %1: with 50 % the part of the first-order force that turns "
-                              "with the crank is taken up; a part of %2 of the reciprocating mass "
-                              "turns against it and no counterweight reaches it."),
+                              "Banks at %1: 50 % balances the forward part of the first order. "
+                              "Counterweights cannot balance the backward part, %2 of the "
+                              "reciprocating mass."),
                     degrees(bank_angle(engine)), percent(left)};
         }
-        return {
-            CORE_TEXT("bob-weights",
-                      "Banks at %1: with 50 % the part of the first-order force that turns "
-                      "with the crank is taken up; a part of %2 of the reciprocating mass turns "
-                      "against it and no counterweight reaches it. The crankpins together may "
-                      "cancel it."),
-            degrees(bank_angle(engine)), percent(left)};
+        return {CORE_TEXT("bob-weights",
+                          "Banks at %1: 50 % balances the forward part of the first order. The "
+                          "backward part, %2 of the reciprocating mass, may cancel between the "
+                          "crankpins, not by counterweights."),
+                degrees(bank_angle(engine)), percent(left)};
     }
     if (engine.type == EngineType::boxer) {
         return CORE_TEXT("bob-weights",
-                         "Boxer: opposite pistons cancel each other's force. The factor concerns "
-                         "what is left of their couple and the load of the main bearings; 50 % "
-                         "makes its largest value smallest.");
+                         "Boxer: opposite pistons cancel each other's force. The factor affects "
+                         "residual couple and main bearing load; 50 % minimises the maximum.");
     }
     if (engine.type == EngineType::in_line) {
         return CORE_TEXT(
             "bob-weights",
-            "In line: 50 % turns the to and fro of each piston into a circle of half "
-            "the size. Where the crankpins balance one another (four, six in line) the "
-            "factor changes the load of the main bearings alone, and no bob weights "
-            "are needed where all would weigh the same.");
+            "In line: 50 % halves the first-order force of each piston. If the crankpins balance "
+            "one another (four, six in line), equal bob weights are not needed.");
     }
     return CORE_TEXT("bob-weights",
-                     "Each rod on a crankpin of its own: 50 % turns the to and fro of each piston "
-                     "into a circle of half the size that turns against the crank.");
+                     "Each rod on its own crankpin: 50 % leaves half the first-order force of each "
+                     "piston, turning against the crank.");
 }
 
 bool balances_itself(const Engine& engine) {
@@ -139,33 +131,34 @@ Message factor_effect(const Engine& engine, double factor) {
     const FirstOrder left = first_order(engine, factor, 1.0);
     const double whole = is_pair(engine) ? 2.0 : 1.0;
     if (left.greatest() < nothing * whole) {
-        return CORE_TEXT("bob-weights", "Of the first-order force nothing remains.");
+        return CORE_TEXT("bob-weights", "First-order force fully balanced.");
     }
     if (std::abs(left.forward) < nothing) {
         return {CORE_TEXT("bob-weights",
-                          "A circle remains that turns against the crank: %1 of the reciprocating "
-                          "mass of a cylinder."),
+                          "Residual: a circle against the crank, %1 of the reciprocating mass of a "
+                          "cylinder."),
                 percent(left.greatest())};
     }
     if (std::abs(left.backward) < nothing) {
-        return {CORE_TEXT("bob-weights",
-                          "A circle remains that turns with the crank: %1 of the reciprocating "
-                          "mass of a cylinder."),
-                percent(left.greatest())};
+        return {
+            CORE_TEXT(
+                "bob-weights",
+                "Residual: a circle with the crank, %1 of the reciprocating mass of a cylinder."),
+            percent(left.greatest())};
     }
     if (std::min(left.upright(), left.across()) < nothing) {
         return {left.upright() > left.across()
                     ? CORE_TEXT("bob-weights",
-                                "A motion straight up and down remains: %1 of the reciprocating "
+                                "Residual: a straight vertical motion, %1 of the reciprocating "
                                 "mass of a cylinder.")
                     : CORE_TEXT("bob-weights",
-                                "A motion straight across remains: %1 of the reciprocating mass of "
-                                "a cylinder."),
+                                "Residual: a straight horizontal motion, %1 of the reciprocating "
+                                "mass of a cylinder."),
                 percent(left.greatest())};
     }
     return {CORE_TEXT("bob-weights",
-                      "An ellipse remains: %1 of the reciprocating mass of a cylinder upright, %2 "
-                      "across."),
+                      "Residual: an ellipse, %1 of the reciprocating mass of a cylinder "
+                      "vertically, %2 horizontally."),
             percent(left.upright()), percent(left.across())};
 }
 

@@ -7,11 +7,11 @@
 
 namespace ravnoves::bob_weights {
 
-/// The first-order inertia force of the cylinders that one bob weight stands for, the
+/// The first-order inertia force of the cylinders that one bob weight represents, the
 /// counterweights being what the bob weight balances: a part that turns with the crank and one that
 /// turns against it. Together they run round an ellipse.
 ///
-/// A piston whose axis stands at β, its crankpin at ψ, pushes along its axis with
+/// A piston whose axis is at β, its crankpin at ψ, pushes along its axis with
 ///     m r ω² cos(ψ − β) e^{iβ} = ½ m r ω² (e^{iψ} + e^{2iβ} e^{−iψ}).
 /// A mass F m on the crankpin that the counterweights hold takes F m r ω² e^{iψ} off the first
 /// part. Of a throw with axes at ±γ/2 and crankpins at φ ∓ δ/2 both add up to
@@ -49,10 +49,10 @@ double theory_factor(const Engine& engine);
 /// number of cylinders in line, four or more.
 bool balances_itself(const Engine& engine);
 
-/// Why that, in words.
+/// Why that, as text.
 Message factor_reason(const Engine& engine);
 
-/// What the factor in use makes of the force, in words.
+/// What the factor in use makes of the force, as text.
 /// @param factor  F in all
 Message factor_effect(const Engine& engine, double factor);
 

@@ -36,30 +36,29 @@ namespace field {
 using namespace shop::field;
 
 // --------------------------------------------------------------------------------- engine
-inline constexpr Field engine{.key = "engine",
-                              .hint = CORE_TEXT("bob-weights", "Which engine it is.")};
+inline constexpr Field engine{.key = "engine", .hint = CORE_TEXT("bob-weights", "The engine.")};
 inline constexpr Field type{.key = "type",
                             .label = CORE_TEXT("bob-weights", "&Engine"),
-                            .hint = CORE_TEXT("bob-weights", "How the cylinders stand."),
+                            .hint = CORE_TEXT("bob-weights", "Layout of the cylinders."),
                             .words = type_words};
 inline constexpr Field cylinders{.key = "cylinders",
                                  .range = Range::between(1, most_cylinders),
                                  .label = CORE_TEXT("bob-weights", "&Cylinders"),
-                                 .hint = CORE_TEXT("bob-weights", "How many the engine has.")};
-inline constexpr Field bank_angle{.key = "bank_angle_deg",
-                                  .unit = units::degree,
-                                  .range = Range::between(0, 180),
-                                  .label = CORE_TEXT("bob-weights", "&Bank angle γ"),
-                                  .hint = CORE_TEXT("bob-weights", "Between the two banks of a V."),
-                                  .placeholder = CORE_TEXT("V8", "needed")};
+                                 .hint = CORE_TEXT("bob-weights", "Number of cylinders.")};
+inline constexpr Field bank_angle{
+    .key = "bank_angle_deg",
+    .unit = units::degree,
+    .range = Range::between(0, 180),
+    .label = CORE_TEXT("bob-weights", "&Bank angle γ"),
+    .hint = CORE_TEXT("bob-weights", "Angle between the two banks of a V."),
+    .placeholder = CORE_TEXT("V8", "required")};
 inline constexpr Field rods_per_pin{
     .key = "rods_per_pin",
     .range = Range::between(1, 2),
     .label = CORE_TEXT("bob-weights", "&Rods on a bob weight"),
-    .hint =
-        CORE_TEXT("bob-weights",
-                  "Two where two rods share a crankpin. Of split crankpins each carries one rod "
-                  "and one bob weight."),
+    .hint = CORE_TEXT(
+        "bob-weights",
+        "Two if two rods share a crankpin. Each split crankpin has one rod and one bob weight."),
     .words = rods_words};
 inline constexpr Field pin_split{
     .key = "pin_split_deg",
@@ -67,8 +66,8 @@ inline constexpr Field pin_split{
     .range = Range::between(-120, 120),
     .label = CORE_TEXT("bob-weights", "Crankpin &split δ"),
     .hint = CORE_TEXT("bob-weights",
-                      "By how much the two crankpins of a throw are turned apart, positive where "
-                      "the firing interval becomes γ + δ: 30° makes a 90° V-6 fire evenly.")};
+                      "Angle between the two crankpins of a throw; positive if the firing interval "
+                      "is γ + δ. A 90° V-6 with 30° fires evenly.")};
 
 // --------------------------------------------------------------------------------- factor
 inline constexpr Field factor{
@@ -78,11 +77,9 @@ inline constexpr Field reciprocating_percent{
     .key = "reciprocating_percent",
     .unit = units::percent,
     .range = Range::between(0, 100),
-    .label = CORE_TEXT("bob-weights", "Reciprocating &factor"),
-    .hint =
-        CORE_TEXT("bob-weights", "Part of the reciprocating mass that the counterweights take up."),
-    .if_empty = CORE_TEXT("bob-weights",
-                          "what theory gives for the engine; the maker's figure goes before it"),
+    .label = CORE_TEXT("bob-weights", "Balance &factor"),
+    .hint = CORE_TEXT("bob-weights", "Part of the reciprocating mass in the bob weight."),
+    .if_empty = CORE_TEXT("bob-weights", "by theory; prefer the manufacturer's figure"),
     .placeholder = CORE_TEXT("bob-weights", "by theory")};
 inline constexpr Field overbalance_percent{
     .key = "overbalance_percent",
@@ -96,10 +93,11 @@ inline constexpr Field overbalance_percent{
 // ---------------------------------------------------------------------------------- parts
 inline constexpr Field parts{.key = "parts_g",
                              .hint = CORE_TEXT("bob-weights", "Masses of one cylinder's parts.")};
-inline constexpr Field numbering{.key = "cylinder_numbering",
-                                 .label = CORE_TEXT("bob-weights", "C&ylinders of a crankpin"),
-                                 .hint = CORE_TEXT("V8", "Which two cylinders share a crankpin."),
-                                 .words = numbering_words};
+inline constexpr Field numbering{
+    .key = "cylinder_numbering",
+    .label = CORE_TEXT("bob-weights", "C&ylinders of a crankpin"),
+    .hint = CORE_TEXT("V8", "The two cylinders that share a crankpin."),
+    .words = numbering_words};
 inline constexpr Field part_mass{.key = "mass_g",
                                  .unit = units::gram,
                                  .range = nominal.range,
@@ -107,15 +105,15 @@ inline constexpr Field part_mass{.key = "mass_g",
 inline constexpr Field balance{
     .key = "balance",
     .label = CORE_TEXT("bob-weights", "B&alanced"),
-    .hint = CORE_TEXT("bob-weights",
-                      "An externally balanced crankshaft is balanced with its damper and its "
-                      "flywheel in place."),
+    .hint =
+        CORE_TEXT("bob-weights",
+                  "Balance an externally balanced crankshaft with damper and flywheel in place."),
     .words = balance_words};
 
 // ----------------------------------------------------------------------------- correction
 inline constexpr Field correction{
     .key = "correction",
-    .hint = CORE_TEXT("bob-weights", "Readings of the machine, and how they are corrected.")};
+    .hint = CORE_TEXT("bob-weights", "Readings of the machine and their correction.")};
 inline constexpr Field planes{.key = "planes",
                               .hint = CORE_TEXT("bob-weights", "The two correction planes.")};
 inline constexpr Field plane_position{
@@ -124,127 +122,124 @@ inline constexpr Field plane_position{
     .range = Range::between(-10'000, 10'000),
     .label = CORE_TEXT("bob-weights", "Position"),
     .hint = CORE_TEXT("bob-weights",
-                      "Along the crankshaft, from a point of your choice: of both planes, of "
-                      "readings and bearings alike."),
-    .placeholder = CORE_TEXT("V8", "needed")};
+                      "Position along the crankshaft, from any point; use the same point for "
+                      "planes, readings and bearings."),
+    .placeholder = CORE_TEXT("V8", "required")};
 inline constexpr Field plane_radius{
     .key = "radius_mm",
     .unit = units::mm,
     .range = Range::between(1, 2000),
     .label = CORE_TEXT("bob-weights", "Radius"),
-    .hint = CORE_TEXT(
-        "bob-weights",
-        "From the axis to the rim that is drilled: what is to be taken off at a radius is "
-        "given for this one."),
-    .placeholder = CORE_TEXT("V8", "needed")};
+    .hint = CORE_TEXT("bob-weights",
+                      "From the axis to the drilled rim; masses to take off refer to this radius."),
+    .placeholder = CORE_TEXT("V8", "required")};
 inline constexpr Field from_angle{
     .key = "from_deg",
     .unit = units::degree,
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("bob-weights", "Drill from"),
     .hint = CORE_TEXT("bob-weights",
-                      "The sector of the counterweight that may be drilled begins here. Its limits "
-                      "are those of the holes' middles; whole holes lie in it where that takes "
-                      "off as much."),
-    .if_empty = CORE_TEXT("bob-weights", "all round"),
-    .placeholder = CORE_TEXT("bob-weights", "all round")};
+                      "Start of the drilling sector of the counterweight, for the centres of the "
+                      "holes. Whole holes are inside if that takes off as much."),
+    .if_empty = CORE_TEXT("bob-weights", "whole rim"),
+    .placeholder = CORE_TEXT("bob-weights", "whole rim")};
 inline constexpr Field to_angle{
     .key = "to_deg",
     .unit = units::degree,
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("bob-weights", "Drill to"),
     .hint = CORE_TEXT("bob-weights",
-                      "The sector ends here, in the sense of growing angles: a limit of the holes' "
-                      "middles."),
-    .if_empty = CORE_TEXT("bob-weights", "all round"),
-    .placeholder = CORE_TEXT("bob-weights", "all round")};
+                      "End of the sector, towards larger angles, for the centres of the holes."),
+    .if_empty = CORE_TEXT("bob-weights", "whole rim"),
+    .placeholder = CORE_TEXT("bob-weights", "whole rim")};
 inline constexpr Field readings{
     .key = "readings",
     .hint = CORE_TEXT("bob-weights",
-                      "What the machine reads, the bob weights on the crankpins: the newest run, "
-                      "which is corrected.")};
+                      "Readings of the newest run, with the bob weights on the crankpins.")};
 inline constexpr Field earlier_runs{
     .key = "earlier_runs",
     .hint = CORE_TEXT("bob-weights",
-                      "Runs of the machine before the newest, the first as the crankshaft came; "
-                      "each with two readings, taken where the newest are.")};
-inline constexpr Field run_readings{
-    .key = "readings", .hint = CORE_TEXT("bob-weights", "What the machine read in that run.")};
+                      "Runs before the newest; the first is the crankshaft as received. Each has "
+                      "two readings, at the positions of the newest.")};
+inline constexpr Field run_readings{.key = "readings",
+                                    .hint = CORE_TEXT("bob-weights", "Readings of that run.")};
 inline constexpr Field reading_position{
     .key = "position_mm",
     .unit = units::mm,
     .range = plane_position.range,
     .label = CORE_TEXT("bob-weights", "Read at"),
-    .hint = CORE_TEXT("bob-weights", "Where the machine reads."),
-    .if_empty = CORE_TEXT("bob-weights", "in the correction plane itself"),
+    .hint = CORE_TEXT("bob-weights", "Position of the reading."),
+    .if_empty = CORE_TEXT("bob-weights", "in the correction plane"),
     .placeholder = CORE_TEXT("bob-weights", "the plane")};
 inline constexpr Field unbalance{.key = "unbalance_g_mm",
                                  .unit = units::gram_mm,
                                  .range = Range::between(0, 1e9),
                                  .label = CORE_TEXT("bob-weights", "Unbalance"),
                                  .hint = CORE_TEXT("bob-weights", "Reading of the machine."),
-                                 .placeholder = CORE_TEXT("V8", "needed")};
+                                 .placeholder = CORE_TEXT("V8", "required")};
 inline constexpr Field angle{
     .key = "angle_deg",
     .unit = units::degree,
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("bob-weights", "Heavy spot"),
     .hint = CORE_TEXT("bob-weights",
-                      "Angle of the heavy spot from the machine's zero mark; a machine that shows "
-                      "the light spot shows it 180° from here. A reading of 0 has none."),
-    .placeholder = CORE_TEXT("V8", "needed")};
+                      "Angle of the heavy spot from the machine's zero mark; the light spot is "
+                      "180° away. A reading of 0 has no angle."),
+    .placeholder = CORE_TEXT("V8", "required")};
 using shop::field::bob_weight_then;
-inline constexpr Field drill{.key = "drill", .hint = CORE_TEXT("bob-weights", "Drills at hand.")};
+inline constexpr Field drill{.key = "drill", .hint = CORE_TEXT("bob-weights", "Available drills.")};
 inline constexpr Field diameters{
     .key = "diameters_mm",
     .unit = units::mm,
     .range = Range::greater_than(0, 100),
     .label = CORE_TEXT("bob-weights", "&Drills"),
-    .hint = CORE_TEXT("bob-weights", "Diameters of the drills at hand.")};
+    .hint = CORE_TEXT("bob-weights", "Diameters of the available drills.")};
 inline constexpr Field density{
     .key = "density_kg_m3",
     .unit = units::kg_m3,
     .range = Range::between(1000, 25'000),
     .label = CORE_TEXT("bob-weights", "De&nsity"),
-    .hint = CORE_TEXT("bob-weights", "Of the crankshaft: steel 7850, cast iron 7200 kg/m³.")};
+    .hint =
+        CORE_TEXT("bob-weights", "Density of the crankshaft: steel 7850, cast iron 7200 kg/m³.")};
 inline constexpr Field maximum_depth{
     .key = "maximum_depth_mm",
     .unit = units::mm,
     .range = Range::greater_than(0, 500),
-    .label = CORE_TEXT("bob-weights", "&Deepest hole"),
-    .hint = CORE_TEXT("bob-weights",
-                      "To the full diameter: the cone of the drill's point lies beyond it."),
-    .placeholder = CORE_TEXT("V8", "needed")};
+    .label = CORE_TEXT("bob-weights", "&Maximum depth"),
+    .hint = CORE_TEXT("bob-weights", "Depth of the full diameter, without the drill point."),
+    .placeholder = CORE_TEXT("V8", "required")};
 inline constexpr Field point_angle{
     .key = "point_angle_deg",
     .unit = units::degree,
     .range = Range::between(60, 180),
     .label = CORE_TEXT("bob-weights", "&Point angle"),
     .hint = CORE_TEXT("bob-weights",
-                      "Of the drill's point: 118°, 135°; 180° for a flat end. Holes of slugs "
-                      "have it, too.")};
+                      "Angle of the drill's point: 118°, 135°; 180° for a flat end. It applies to "
+                      "holes of slugs too.")};
 inline constexpr Field depth_step{
     .key = "depth_step_mm",
     .unit = units::mm,
     .range = Range::between(0, 10),
     .label = CORE_TEXT("bob-weights", "Depth &step"),
-    .hint = CORE_TEXT("bob-weights", "Depths are rounded to it. 0: they are not.")};
+    .hint = CORE_TEXT("bob-weights", "Depths are rounded to this step. 0: no rounding.")};
 inline constexpr Field minimum_wall{
     .key = "minimum_wall_mm",
     .unit = units::mm,
     .range = Range::between(0, 100),
     .label = CORE_TEXT("bob-weights", "&Wall between holes"),
-    .hint = CORE_TEXT("bob-weights", "The least that stays between two holes at their bottoms.")};
-inline constexpr Field maximum_holes{.key = "maximum_holes",
-                                     .range = Range::between(1, 15),
-                                     .label = CORE_TEXT("bob-weights", "&Most holes"),
-                                     .hint = CORE_TEXT("bob-weights", "In one plane.")};
+    .hint = CORE_TEXT("bob-weights", "Minimum wall between two holes at their bottoms.")};
+inline constexpr Field maximum_holes{
+    .key = "maximum_holes",
+    .range = Range::between(1, 15),
+    .label = CORE_TEXT("bob-weights", "&Maximum holes"),
+    .hint = CORE_TEXT("bob-weights", "Maximum number of holes in one plane.")};
 inline constexpr Field maximum_angle{
     .key = "maximum_angle_deg",
     .unit = units::degree,
     .range = Range::between(0, 85),
-    .label = CORE_TEXT("bob-weights", "&Farthest hole"),
-    .hint = CORE_TEXT("bob-weights", "From the heavy spot to the last hole on either side.")};
+    .label = CORE_TEXT("bob-weights", "Max. an&gle from heavy spot"),
+    .hint =
+        CORE_TEXT("bob-weights", "Maximum angle from the heavy spot to a hole, on either side.")};
 inline constexpr Field smallest_depth{
     .key = "smallest_depth_mm",
     .unit = units::mm,
@@ -254,29 +249,26 @@ inline constexpr Field smallest_depth{
 inline constexpr Field aim{
     .key = "aim",
     .label = CORE_TEXT("bob-weights", "Aim"),
-    .hint = CORE_TEXT("bob-weights",
-                      "Take off all that the holes can, or stop within the limit with the fewest "
-                      "holes."),
+    .hint =
+        CORE_TEXT("bob-weights",
+                  "Take off as much as possible, or stop within the limit with the fewest holes."),
     .words = aim_words};
 inline constexpr Field drilled{
     .key = "drilled",
     .hint = CORE_TEXT("bob-weights",
-                      "Holes and slugs that were planned after that run, taken as drilled as "
-                      "planned; later holes keep clear of them. Where the list is missing they are "
-                      "planned from its readings with the planes and drills of the case.")};
+                      "Holes and slugs planned after that run; later holes keep clear of them. "
+                      "Without a list they are planned from its readings.")};
 inline constexpr Field drilled_after_newest{
     .key = drilled.key,
     .hint = CORE_TEXT("bob-weights",
-                      "The same of the newest run, where a further one was begun and emptied "
-                      "again: for when it is typed anew.")};
+                      "Holes of the newest run, if a further run was begun and cleared again.")};
 inline constexpr Field drilled_by{
     .key = "drilled_by",
     .hint = CORE_TEXT("bob-weights",
-                      "The readings from which the holes of drilled were planned, where those of "
-                      "the run have been put right since.")};
+                      "Readings from which the holes were planned, if they were corrected since.")};
 inline constexpr Field drilled_plane{.key = "plane",
                                      .label = CORE_TEXT("bob-weights", "Plane"),
-                                     .hint = CORE_TEXT("bob-weights", "Where it was drilled."),
+                                     .hint = CORE_TEXT("bob-weights", "Plane of the hole."),
                                      .words = plane_words};
 inline constexpr Field drilled_diameter{
     .key = "diameter_mm",
@@ -294,20 +286,19 @@ inline constexpr Field drilled_angle{
     .unit = units::degree,
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("bob-weights", "Angle"),
-    .hint = CORE_TEXT("bob-weights", "From the machine's zero mark.")};
+    .hint = CORE_TEXT("bob-weights", "Angle from the machine's zero mark.")};
 inline constexpr Field drilled_mass{
     .key = "removed_g",
     .unit = units::gram,
     .range = Range::between(-1e6, 1e6),
     .label = CORE_TEXT("bob-weights", "Takes off"),
     .hint = CORE_TEXT("bob-weights",
-                      "Negative: a slug, which adds so much more than its hole took off.")};
-inline constexpr Field drilled_slug{
-    .key = "slug_g",
-    .unit = units::gram,
-    .range = Range::between(0, 1e6),
-    .label = CORE_TEXT("bob-weights", "Slug"),
-    .hint = CORE_TEXT("bob-weights", "The slug's own mass, as on the scale.")};
+                      "Mass taken off; negative for a slug, minus the mass of its hole.")};
+inline constexpr Field drilled_slug{.key = "slug_g",
+                                    .unit = units::gram,
+                                    .range = Range::between(0, 1e6),
+                                    .label = CORE_TEXT("bob-weights", "Slug"),
+                                    .hint = CORE_TEXT("bob-weights", "Mass of the slug itself.")};
 inline constexpr Field drilled_from_depth{
     .key = "from_depth_mm",
     .unit = units::mm,
@@ -322,8 +313,8 @@ inline constexpr Field drilled_state{
     .key = "state",
     .label = CORE_TEXT("bob-weights", "State"),
     .hint = CORE_TEXT("bob-weights",
-                      "What was really drilled. Measured: depth and angle are those found. Wrong "
-                      "side: half a turn from the angle given."),
+                      "Actual drilling. Measured: depth and angle as found; wrong side: half a "
+                      "turn from the given angle."),
     .words = state_words};
 inline constexpr Field slug{
     .key = "slug",
@@ -333,7 +324,7 @@ inline constexpr Field slug_diameter{
     .unit = units::mm,
     .range = Range::greater_than(0, 100),
     .label = CORE_TEXT("bob-weights", "Slug diame&ter"),
-    .hint = CORE_TEXT("bob-weights", "Diameter of the slugs at hand."),
+    .hint = CORE_TEXT("bob-weights", "Diameter of the available slugs."),
     .if_empty = CORE_TEXT("bob-weights", "no slugs"),
     .placeholder = CORE_TEXT("bob-weights", "no slugs")};
 inline constexpr Field slug_density{
@@ -342,23 +333,25 @@ inline constexpr Field slug_density{
     .range = Range::between(1000, 25'000),
     .label = CORE_TEXT("bob-weights", "Slu&g density"),
     .hint = CORE_TEXT("bob-weights", "Tungsten heavy metal 17 000 to 18 500 kg/m³."),
-    .placeholder = CORE_TEXT("V8", "needed")};
+    .placeholder = CORE_TEXT("V8", "required")};
 
-inline constexpr Field slug_direction{.key = "direction",
-                                      .label = CORE_TEXT("bob-weights", "Direction"),
-                                      .hint = CORE_TEXT("bob-weights", "How slugs are pressed in."),
-                                      .words = direction_words};
+inline constexpr Field slug_direction{
+    .key = "direction",
+    .label = CORE_TEXT("bob-weights", "Direction"),
+    .hint = CORE_TEXT("bob-weights", "Direction in which slugs are pressed in."),
+    .words = direction_words};
 
 // ------------------------------------------------------------------------------ tolerance
 inline constexpr Field tolerance{
-    .key = "tolerance", .hint = CORE_TEXT("bob-weights", "What may remain in each plane.")};
+    .key = "tolerance",
+    .hint = CORE_TEXT("bob-weights", "Permissible residual unbalance in each plane.")};
 inline constexpr Field plane_tolerance{
     .key = "g_mm",
     .unit = units::gram_mm,
     .range = Range::between(0, 1e9),
     .label = CORE_TEXT("bob-weights", "&Limit of a plane"),
-    .hint = CORE_TEXT("bob-weights", "Unbalance that may remain in each plane."),
-    .placeholder = CORE_TEXT("V8", "needed")};
+    .hint = CORE_TEXT("bob-weights", "Permissible residual unbalance in each plane."),
+    .placeholder = CORE_TEXT("V8", "required")};
 inline constexpr Field centre_of_mass{.key = "centre_of_mass_mm",
                                       .unit = units::mm,
                                       .range = plane_position.range,
@@ -372,17 +365,17 @@ inline constexpr Field front_bearing{
     .range = plane_position.range,
     .label = CORE_TEXT("bob-weights", "Front bearing"),
     .hint = CORE_TEXT("bob-weights",
-                      "With both end bearings the standard's limits hold there, and the planes' "
-                      "follow from the distances."),
-    .if_empty = CORE_TEXT("bob-weights", "the standard's limits are shared out to the planes"),
+                      "With both end bearings the standard's limits apply there; the limits of the "
+                      "planes follow from the distances."),
+    .if_empty = CORE_TEXT("bob-weights", "the standard's limits are shared between the planes"),
     .placeholder = CORE_TEXT("bob-weights", "not given")};
 inline constexpr Field front_share{
     .key = "front_share",
     .range = Range::between(0.3, 0.7),
     .label = CORE_TEXT("V8", "&Share of the front plane"),
-    .hint = CORE_TEXT("bob-weights",
-                      "Of the permissible unbalance, where positions of planes, bearings or centre "
-                      "of mass do not give it.")};
+    .hint = CORE_TEXT(
+        "bob-weights",
+        "Share of the permissible unbalance, without positions of bearings or centre of mass.")};
 inline constexpr Field rear_bearing{.key = "rear_bearing_mm",
                                     .unit = units::mm,
                                     .range = plane_position.range,

@@ -25,16 +25,16 @@ std::vector<Formula> formulas(const Input& input) {
                               "β direction of the cylinder, ψ of its crankpin: one half turns with "
                               "the crank, one against it")});
     list.push_back(
-        {CORE_TEXT("bob-weights", "What the counterweights leave"),
+        {CORE_TEXT("bob-weights", "Residual after the counterweights"),
          pair ? "m<sub>j</sub> r ω<sup>2</sup> [(1 − 2F) cos(δ/2) e<sup>iφ</sup> + cos(γ + δ/2) "
                 "e<sup>−iφ</sup>]"
               : "½ m<sub>j</sub> r ω<sup>2</sup> [(1 − 2F) e<sup>iφ</sup> + e<sup>−iφ</sup>]",
          "", "",
          CORE_TEXT("bob-weights",
-                   "of the cylinders of a throw; F factor in all, γ bank angle, δ split of the "
-                   "crankpins, φ direction of the throw from the middle of the banks")});
+                   "of the cylinders of a throw; F factor with overbalance, γ bank angle, δ split "
+                   "of the crankpins, φ direction of the throw from the middle of the banks")});
     list.push_back(
-        {CORE_TEXT("bob-weights", "Factor by theory"),
+        {CORE_TEXT("bob-weights", "Balance factor by theory"),
          input.engine.pin_split == 0.0 ? "F = ½" : "F = ½ [1 − |cos(γ + δ/2)| / cos(δ/2)]",
          "",
          "",
@@ -43,7 +43,7 @@ std::vector<Formula> formulas(const Input& input) {
                     "B = m<sub>m</sub> + n [m<sub>r</sub> + F m<sub>j</sub>]", "", "",
                     CORE_TEXT("bob-weights", "n rods on it, mₘ oil in the crankpin")});
     if (input.correction) {
-        list.push_back({CORE_TEXT("bob-weights", "Readings taken to the planes"),
+        list.push_back({CORE_TEXT("bob-weights", "Readings transferred to the planes"),
                         "U<sub>1</sub> + U<sub>2</sub> = A + B, z<sub>1</sub>U<sub>1</sub> + "
                         "z<sub>2</sub>U<sub>2</sub> = aA + bB",
                         "", "",
@@ -58,12 +58,12 @@ std::vector<Formula> formulas(const Input& input) {
                        "R radius of the rim, d diameter, h depth of the full diameter, σ angle of "
                        "the point, ρ density")});
         if (input.correction->slug) {
-            list.push_back(
-                {CORE_TEXT("bob-weights", "Unbalance that a slug adds"),
-                 "u<sub>s</sub> = ρ<sub>s</sub> (πd<sup>2</sup>/4) h (R − h/2) − u", "", "",
-                 CORE_TEXT("bob-weights",
-                           "ρₛ density of the slug, h its length, u what its hole takes off: the "
-                           "cone beneath it stays empty")});
+            list.push_back({CORE_TEXT("bob-weights", "Unbalance that a slug adds"),
+                            "u<sub>s</sub> = ρ<sub>s</sub> (πd<sup>2</sup>/4) h (R − h/2) − u", "",
+                            "",
+                            CORE_TEXT("bob-weights",
+                                      "ρₛ density of the slug, h its length, u unbalance of its "
+                                      "hole; the cone below is empty")});
         }
     }
     if (input.tolerance && input.tolerance->by_grade) {
@@ -76,14 +76,11 @@ std::span<const Text> left_out() {
     static constexpr std::array texts{
         CORE_TEXT("bob-weights", "The crankshaft is rigid."),
         CORE_TEXT("bob-weights",
-                  "The factor follows from the first order alone; higher orders no bob weight "
-                  "reaches."),
+                  "The factor uses the first order only; bob weights cannot affect higher orders."),
         CORE_TEXT("bob-weights",
-                  "Where couples of the crankpins add up along the crankshaft, the factor of one "
-                  "throw does not tell their sum: see inertia moments."),
-        CORE_TEXT("bob-weights",
-                  "The rim of a counterweight is taken as flat where a hole begins."),
-        CORE_TEXT("bob-weights", "All bob weights are alike, with the means of the weighed parts."),
+                  "Couples along the crankshaft are not part of the factor: see inertia moments."),
+        CORE_TEXT("bob-weights", "The rim of a counterweight is taken as flat at a hole."),
+        CORE_TEXT("bob-weights", "All bob weights are equal, from the means of the weighed parts."),
     };
     return texts;
 }

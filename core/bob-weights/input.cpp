@@ -24,17 +24,17 @@ void check_engine(const Engine& engine) {
     }
     if (engine.cylinders % engine.rods_per_pin != 0) {
         throw InputError(place + std::string(field::cylinders.key),
-                         CORE_TEXT("bob-weights", "must be even where two rods share a bob weight"),
+                         CORE_TEXT("bob-weights", "must be even if two rods share a bob weight"),
                          Number{1.0 * engine.cylinders});
     }
     if (engine.type == EngineType::in_line && engine.rods_per_pin != 1) {
         throw InputError(place + std::string(field::rods_per_pin.key),
-                         CORE_TEXT("bob-weights", "must be 1 where the cylinders stand in line"),
+                         CORE_TEXT("bob-weights", "must be 1 for cylinders in line"),
                          Number{1.0 * engine.rods_per_pin});
     }
     if (engine.type != EngineType::v && engine.pin_split != 0.0) {
         throw InputError(place + std::string(field::pin_split.key),
-                         CORE_TEXT("bob-weights", "must be 0 but for a V"),
+                         CORE_TEXT("bob-weights", "must be 0 except for a V"),
                          Number{from_si(field::pin_split, engine.pin_split)});
     }
 }
@@ -73,7 +73,7 @@ void check_correction(const Correction& correction) {
     const auto apart = [&](const char* list, const Field& field, double first, double second) {
         if (first == second) {
             throw InputError(place + list + "/1/" + std::string(field.key),
-                             CORE_TEXT("bob-weights", "must differ from that of the first"),
+                             CORE_TEXT("bob-weights", "must differ from the first"),
                              Number{from_si(field, second)});
         }
     };
@@ -172,13 +172,13 @@ void check_tolerance(const Tolerance& tolerance) {
     }
     if (tolerance.front_bearing && *tolerance.front_bearing == *tolerance.rear_bearing) {
         throw InputError(place + std::string(field::rear_bearing.key),
-                         CORE_TEXT("bob-weights", "must differ from that of the first"),
+                         CORE_TEXT("bob-weights", "must differ from the first"),
                          Number{from_si(field::rear_bearing, *tolerance.rear_bearing)});
     }
     if (tolerance.front_share != 0.5 && (tolerance.centre_of_mass || tolerance.front_bearing)) {
         throw InputError(
             place + std::string(field::front_share.key),
-            CORE_TEXT("bob-weights", "must be left out where centre of mass or bearings give it"),
+            CORE_TEXT("bob-weights", "must be left out if centre of mass or bearings are given"),
             Number{tolerance.front_share});
     }
 }
@@ -268,15 +268,16 @@ std::vector<Message> not_counted(const Input& input) {
         if (is_weighed(input, part)) {
             if (typed) {
                 list.emplace_back(
-                    CORE_TEXT("bob-weights", "%1: the typed %2 is replaced by the weights."),
+                    CORE_TEXT("bob-weights", "%1: the weighed masses replace the typed %2."),
                     shop::part_word(*part.column).label, shop::in_grams(*typed));
             }
         } else if (const auto weighed = shop::statistics((*input.weigh_in)[*part.column])) {
             list.emplace_back(
-                typed ? CORE_TEXT("bob-weights",
-                                  "%1: %2 of %3 weighed; the typed mass counts until all are.")
+                typed ? CORE_TEXT(
+                            "bob-weights",
+                            "%1: %2 of %3 weighed; the typed mass is used until all are weighed.")
                       : CORE_TEXT("bob-weights",
-                                  "%1: %2 of %3 weighed; they do not count until all are."),
+                                  "%1: %2 of %3 weighed; not used until all are weighed."),
                 shop::part_word(*part.column).label, weighed->count, input.engine.cylinders);
         }
     }

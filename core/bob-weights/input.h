@@ -222,7 +222,7 @@ struct Correction {
     friend bool operator==(const Correction&, const Correction&) = default;
 };
 
-/// Whether its first run has no readings: it stands for the holes that were there before.
+/// Whether its first run has no readings: it represents the holes that were there before.
 inline bool starts_with_holes(const Correction& correction) {
     return !correction.earlier_runs.empty() && correction.earlier_runs.front().drilled &&
            std::none_of(correction.earlier_runs.front().readings.begin(),
@@ -283,7 +283,7 @@ void fit_weigh_in(Input& input);
 /// The input with its sheet so fitted.
 Input fitted(Input input);
 
-/// Whether the mean of its column stands for a part: all of it is weighed.
+/// Whether the mean of its column represents a part: all of it is weighed.
 bool is_weighed(const Input& input, const PartField& part);
 /// The mass of a part that counts: the mean of its column where all of it is weighed, else what is
 /// typed.

@@ -28,37 +28,34 @@ Message cause_of(Shortfall shortfall, const Correction& correction, bool beside)
         case Shortfall::none:
             return {};
         case Shortfall::nothing_fits:
-            return CORE_TEXT("bob-weights",
-                             "The smallest hole takes off more than is to go: use a thinner drill "
-                             "or one with a flatter point.");
+            return CORE_TEXT(
+                "bob-weights",
+                "The smallest hole takes off too much: use a thinner drill or a flatter point.");
         case Shortfall::rounding:
             return CORE_TEXT("bob-weights",
-                             "The rounding of the depths leaves more than the limit: take a finer "
-                             "step or a thinner drill.");
+                             "Rounding of the depths leaves more than the limit: use a finer step "
+                             "or a thinner drill.");
         case Shortfall::beside_sector:
             return CORE_TEXT("bob-weights",
-                             "The heavy spot lies outside the sector that may be drilled, and "
-                             "holes at its edge take off only a part.");
+                             "The heavy spot is outside the drilling sector; holes at its edge "
+                             "take off only a part.");
         case Shortfall::outside_sector:
-            return CORE_TEXT("bob-weights",
-                             "The heavy spot lies outside the sector that may be drilled.");
+            return CORE_TEXT("bob-weights", "The heavy spot is outside the drilling sector.");
         case Shortfall::light_slugs:
             return {CORE_TEXT("bob-weights",
-                              "Slugs of %1 hardly outweigh the %2 of the crankshaft that their "
-                              "holes take off: none is planned."),
+                              "Slugs of %1 are hardly heavier than the crankshaft metal (%2) of "
+                              "their holes: none are planned."),
                     density_of(correction.slug->density.value()),
                     density_of(correction.drill.density)};
         case Shortfall::short_slugs:
             return {CORE_TEXT("bob-weights",
-                              "A slug of %1 as long as the deepest hole may be does not outweigh "
-                              "the %2 of the crankshaft that its hole takes off with the cone "
-                              "beneath it: none is planned."),
+                              "A slug of %1 of maximum depth is lighter than the crankshaft metal "
+                              "(%2) of its hole with the cone: none are planned."),
                     density_of(correction.slug->density.value()),
                     density_of(correction.drill.density)};
         case Shortfall::too_little_room:
             return beside ? CORE_TEXT("bob-weights",
-                                      "The holes have too little room beside those of earlier "
-                                      "runs.")
+                                      "There is too little room next to the holes of earlier runs.")
                           : CORE_TEXT("bob-weights", "The holes have too little room.");
     }
     return {};
@@ -73,18 +70,17 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
         shortfall == Shortfall::rounding) {
         return cause;
     }
-    const Message remains{CORE_TEXT("bob-weights", "%1 at the radius remain at %2."),
+    const Message remains{CORE_TEXT("bob-weights", "Residual: %1 at the drilling radius at %2."),
                           shop::in_grams(std::abs(left) / *plane.radius),
                           Number{turn_of(angle) / degree, units::degree, -1}};
     const Message remedy =
-        !can_press ? CORE_TEXT("bob-weights",
-                               "The side opposite lies outside the sector, too: drill deeper or "
-                               "wider, or as a last resort weld that much on opposite.")
-        : has_slugs
-            ? CORE_TEXT("bob-weights", "As a last resort weld that much on opposite.")
-            : CORE_TEXT("bob-weights",
-                        "Press heavy metal in opposite, drill deeper or wider, or as a last resort "
-                        "weld that much on opposite.");
+        !can_press  ? CORE_TEXT("bob-weights",
+                                "The opposite side is outside the sector too: drill deeper or "
+                                 "wider, or as a last resort weld the same mass on opposite.")
+        : has_slugs ? CORE_TEXT("bob-weights", "As a last resort weld the same mass on opposite.")
+                    : CORE_TEXT("bob-weights",
+                                "Press in heavy metal opposite, drill deeper or wider, or as a "
+                                "last resort weld the same mass on opposite.");
     return {Text{"", "%1 %2 %3"}, cause, remains, remedy};
 }
 
@@ -213,7 +209,7 @@ class PlanePlanner {
     }
     void take(const Hole& hole, const Cut& cut) { take(hole, cut, limits_); }
 
-    /// A hole that was deepened stands in the record more than once.
+    /// A hole that was deepened is in the record more than once.
     void keep_deepest(const Hole& hole) {
         for (Hole& there : there_) {
             if (are_one_hole(there, hole, cut_.radius)) {

@@ -8,10 +8,10 @@ namespace ravnoves::bob_weights::result_field {
 // ------------------------------------------------------------------------------ bob weight
 inline constexpr ResultField reciprocating{"reciprocating_g", units::gram, 1,
                                            CORE_TEXT("bob-weights", "Reciprocating mass"),
-                                           CORE_TEXT("bob-weights", "Of one cylinder.")};
+                                           CORE_TEXT("bob-weights", "Mass of one cylinder.")};
 inline constexpr ResultField rotating{"rotating_g", units::gram, 1,
                                       CORE_TEXT("bob-weights", "Rotating mass"),
-                                      CORE_TEXT("bob-weights", "Of one cylinder.")};
+                                      CORE_TEXT("bob-weights", "Mass of one cylinder.")};
 inline constexpr ResultField reciprocating_percent{"reciprocating_percent", units::percent, 1,
                                                    CORE_TEXT("bob-weights", "Balance factor")};
 inline constexpr ResultField bob_weight{"bobweight_g", units::gram, 1,
@@ -95,7 +95,7 @@ inline constexpr ResultField from_depth{"from_depth_mm", units::mm, 1,
                                         CORE_TEXT("bob-weights", "Depth before")};
 inline constexpr ResultField centrifugal_force{
     "centrifugal_force_N", units::newton, 0, CORE_TEXT("bob-weights", "Centrifugal force"),
-    CORE_TEXT("bob-weights", "Of the slug at the service speed.")};
+    CORE_TEXT("bob-weights", "Centrifugal force of the slug at the service speed.")};
 inline constexpr ResultField direction{.key = "direction"};
 inline constexpr ResultField slug_mass{"slug_g", units::gram, 2,
                                        CORE_TEXT("bob-weights", "Mass of the slug")};

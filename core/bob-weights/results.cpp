@@ -267,8 +267,8 @@ Verdict verdict(const Input& input, const Result& result,
         verdict.text = {
             balances_itself(input.engine)
                 ? CORE_TEXT("bob-weights",
-                            "No bob weights are needed: the crankpins balance one another. "
-                            "Where they are hung, each weighs %1.")
+                            "No bob weights are needed: the crankpins balance one another. If you "
+                            "use them: %1 each.")
             : input.engine.crankpins() == 1
                 ? CORE_TEXT("bob-weights", "Hang a bob weight of %1 on the crankpin.")
                 : CORE_TEXT("bob-weights", "Hang bob weights of %1 on the %2 crankpins."),
@@ -279,10 +279,11 @@ Verdict verdict(const Input& input, const Result& result,
         verdict = {Severity::good, {}};
         shop::add_machine_verdict(verdict, newest->unbalances(), result.permissible, plane_names);
         if (verdict.text.empty()) {
-            verdict = {Severity::note,
-                       result.permissible
-                           ? CORE_TEXT("bob-weights", "Enter the reading of the other plane.")
-                           : CORE_TEXT("bob-weights", "Enter what may remain for a verdict.")};
+            verdict = {
+                Severity::note,
+                result.permissible
+                    ? CORE_TEXT("bob-weights", "Enter the reading of the other plane.")
+                    : CORE_TEXT("bob-weights", "Enter the permissible residual for a verdict.")};
         }
         if (result.correction && newest->passes() != true) {
             const auto& planes = *result.correction;
@@ -297,8 +298,8 @@ Verdict verdict(const Input& input, const Result& result,
         }
         if (!newest->acted_as_meant()) {
             verdict.warn(CORE_TEXT("bob-weights",
-                                   "The last drilling did not act as planned: find out why before "
-                                   "drilling again."));
+                                   "The last drilling did not have the planned effect: find the "
+                                   "cause before drilling again."));
         }
     } else if (!result.holds()) {
         verdict.warn(shop::other_readings(result.newest()->read_with, result.newest()->read_on,

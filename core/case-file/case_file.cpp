@@ -13,7 +13,7 @@ namespace ravnoves {
 
 namespace {
 
-constexpr Text no_nul = CORE_TEXT("core", "must not hold the character NUL");
+constexpr Text no_nul = CORE_TEXT("core", "must not contain the character NUL");
 
 Message line_and_column(std::string_view text, std::size_t byte) {
     byte = std::min(byte, text.size());
@@ -31,7 +31,7 @@ constexpr std::size_t deepest = 100;
 constexpr std::size_t most_values = 5'000'000;
 constexpr std::size_t most_names = 1000;  // of an object: each is compared with those before it
 
-/// Builds the document as the library's own parser does, but refuses what that takes in silence: a
+/// Builds the document as the library's own parser does, but rejects what that takes in silence: a
 /// key given twice, whose last value would count, and NUL, which cuts the name of a file short.
 class DocumentBuilder final : public nlohmann::json_sax<Json> {
   public:
@@ -64,7 +64,7 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
         if (names.size() >= most_names) {
             levels_.pop_back();
             throw InputError(pointer(),
-                             {CORE_TEXT("core", "must hold at most %1 names"), most_names});
+                             {CORE_TEXT("core", "must have at most %1 names"), most_names});
         }
         return true;
     }
@@ -76,7 +76,8 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
         constexpr int number_overflow = 406;
         if (error.id == number_overflow) {
             throw InputError(
-                pointer(), CORE_TEXT("core", "holds a number that is too large for this program"));
+                pointer(),
+                CORE_TEXT("core", "contains a number that is too large for this program"));
         }
         throw InputError(line_and_column(text_, position), CORE_TEXT("core", "is not valid JSON"));
     }
@@ -108,7 +109,7 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
     template <typename Value>
     bool put(Value&& value) {
         if (++values_ > most_values) {
-            throw InputError("", {CORE_TEXT("core", "must hold at most %1 values"), most_values});
+            throw InputError("", {CORE_TEXT("core", "must have at most %1 values"), most_values});
         }
         if (levels_.empty()) {
             root_ = std::forward<Value>(value);

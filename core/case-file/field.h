@@ -27,8 +27,8 @@ struct Field {
     Text label{};
     std::string_view symbol{};  ///< in formulas, for example "r"
     Text hint{};                ///< what it means, an example, its source
-    Text if_empty{};            ///< what an empty field stands for, as read after "Empty:"
-    Text placeholder{};         ///< what an empty field of the form stands for ("auto")
+    Text if_empty{};            ///< what an empty field represents, as read after "Empty:"
+    Text placeholder{};         ///< what an empty field of the form represents ("auto")
     /// Of a choice, in the order of its enumeration; of a whole number, the two that it can be.
     std::span<const Word> words{};
     /// Of a curve or a computation, not of the engine: it has no tolerance, and is not swept.
@@ -38,7 +38,7 @@ struct Field {
     const Range* left_by(double value) const { return left_one({&range, &size}, value); }
     /// True for a whole number of the range or, where there are words, one that they name.
     bool allows_whole(double value) const;
-    /// The rule in words: "must be a whole number from 6 to 1000", "must be 2 or 4".
+    /// The rule as text: "must be a whole number from 6 to 1000", "must be 2 or 4".
     Message whole_number_rule() const;
 };
 

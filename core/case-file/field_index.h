@@ -23,7 +23,7 @@ struct FieldEntry {
     bool may_be_empty = false;  ///< a number that may be left out
     FieldValue value{};
     bool required = false;    ///< the case must give it where it gives the object around it
-    FieldValue usual{};       ///< what stands in for it; nothing where nothing does
+    FieldValue usual{};       ///< its replacement; nothing without one
     std::string_view word{};  ///< a word that may stand for the number, for example "solve"
     /// Keys of which one is to be given, this one among them; empty where there is no such choice.
     std::vector<std::string> alternatives{};

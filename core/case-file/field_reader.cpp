@@ -18,7 +18,7 @@ class FieldReader final : public FieldVisitor {
         readers_.emplace_back(json, "/input");
     }
 
-    /// Refuses what no field has asked for.
+    /// Rejects what no field has asked for.
     void finish() const { readers_.back().finish(); }
 
     bool is_reading() const override { return true; }
@@ -33,7 +33,7 @@ class FieldReader final : public FieldVisitor {
     void leaf(const Field& field, const Leaf& leaf) override {
         if (!reader().has(field.key)) {
             if (leaf.required && (!is_lenient_ || leaf.is_list())) {
-                reader().raw(field.key);  // refuses it
+                reader().raw(field.key);  // rejects it
             }
             take_usual(leaf);
             return;
@@ -143,7 +143,7 @@ int FieldReader::one_of(std::initializer_list<std::string_view> keys, int presen
         if (reader().has(key)) {
             if (found >= 0) {
                 throw InputError(reader().pointer_to(key),
-                                 {CORE_TEXT("core", "must be left out where %1 is given"), first});
+                                 {CORE_TEXT("core", "must be left out if %1 is given"), first});
             }
             found = index;
             first = key;

@@ -12,7 +12,7 @@ enum class Completeness {
 };
 
 /// Fills an input from the "input" object of a case, each value checked against its range, and
-/// refuses every missing key, wrong type and unknown key; rules that join fields are the scene's.
+/// rejects every missing key, wrong type and unknown key; rules that join fields are the scene's.
 /// @throws InputError that names the JSON pointer
 void read_fields(const Json& json, Completeness completeness, const VisitFields& visit);
 

@@ -37,7 +37,7 @@ struct Leaf {
     bool required = false;    ///< the case must give it, though a form not finished may lack it
     bool always = false;      ///< written even where it is the usual one
     bool is_choice = false;   ///< one of field.words
-    std::string_view word{};  ///< that stands for an empty number
+    std::string_view word{};  ///< that represents an empty number
 
     bool is_list() const {
         return std::holds_alternative<std::vector<double>*>(at) ||
@@ -92,7 +92,7 @@ class FieldVisitor {
     void required(const Field& field, std::optional<double>& si) {
         leaf(field, {.at = &si, .required = true});
     }
-    /// A number, or a word that stands for "by formula": then it is empty, as where it is left out.
+    /// A number, or a word that represents "by formula": then it is empty, as where it is left out.
     void number_or_word(const Field& field, std::optional<double>& si, std::string_view word) {
         leaf(field, {.at = &si, .word = word});
     }

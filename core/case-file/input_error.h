@@ -23,7 +23,7 @@ class InputError : public std::runtime_error {
 
     /// @param where    the place, as above
     /// @param allowed  what is allowed there, as a phrase ("must be greater than 0")
-    /// @param found    what stood there instead; empty where there is nothing to show
+    /// @param found    what was there instead; empty where there is nothing to show
     InputError(Message where, Message allowed, Message found = {})
         : std::runtime_error(join(where, allowed, found).english()),
           where_(std::move(where)),
@@ -36,7 +36,7 @@ class InputError : public std::runtime_error {
         error.of_ = Of::unknown_key;
         return error;
     }
-    /// Of what stands in a file that the case names; the rule's arguments are the file's name and
+    /// Of what is in a file that the case names; the rule's arguments are the file's name and
     /// what is wrong with it.
     /// @param where  of the name
     static InputError in_file(Message where, std::string name, const InputError& fault) {

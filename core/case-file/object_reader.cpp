@@ -179,7 +179,7 @@ void ObjectReader::refuse_mistyped(std::string_view key) const {
             (is_without_unit(given, key) || (is_as_long && edit_distance(key, given) <= slip))) {
             throw InputError(
                 pointer_to(key),
-                {CORE_TEXT("core", "is required and missing; there is %1"), quoted_list({given})});
+                {CORE_TEXT("core", "is required and missing; found: %1"), quoted_list({given})});
         }
     }
 }

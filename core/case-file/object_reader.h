@@ -13,7 +13,7 @@
 
 namespace ravnoves {
 
-/// Reads one JSON object of a case and refuses, with an InputError that names the JSON pointer,
+/// Reads one JSON object of a case and rejects, with an InputError that names the JSON pointer,
 /// every missing key, wrong type, value out of range and (in finish()) unknown key.
 ///
 /// Every key that is asked for becomes a known key; finish() offers the nearest one for a
@@ -39,7 +39,7 @@ class ObjectReader {
     int integer(std::string_view key, int min, int max);
     std::string text(std::string_view key);
     std::string text(std::string_view key, std::string fallback);
-    /// Place of the word that stands there.
+    /// Place of the word that is there.
     int choice(std::string_view key, std::span<const Word> words);
     /// The raw list.
     const Json& list(std::string_view key);
@@ -53,10 +53,10 @@ class ObjectReader {
     /// Every key with a value, in the file's order, made known (objects such as {name: kg}).
     std::vector<std::string> keys();
 
-    /// Refuses a required key that is missing while one that was not asked for is nearly it, or it
+    /// Rejects a required key that is missing while one that was not asked for is nearly it, or it
     /// without its unit.
     void refuse_mistyped(std::string_view key) const;
-    /// Refuses any key that was not asked for, with the nearest known key.
+    /// Rejects any key that was not asked for, with the nearest known key.
     void finish(const Text& unknown = CORE_TEXT("core", "is not a known key")) const;
 
   private:

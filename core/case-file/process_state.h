@@ -6,7 +6,7 @@
 
 namespace ravnoves {
 
-/// What a program takes over from whoever starts it, before anything else.
+/// What a program adopts from whoever starts it, before anything else.
 inline void prepare_process() {
     // The next file would get a standard descriptor that is closed, and messages would go into it.
     // So to read or to write it fails, as if it was closed.

@@ -13,7 +13,7 @@ namespace ravnoves {
 
 /// The interval in which an input may lie, in the unit that the user sees.
 ///
-/// Case files and forms read the same Range, so both refuse the same values.
+/// Case files and forms read the same Range, so both reject the same values.
 struct Range {
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
@@ -37,7 +37,7 @@ struct Range {
                (max_open ? x < max : x <= max);
     }
 
-    /// The rule in words: "must be greater than 0", "must be from 0 to 360".
+    /// The rule as text: "must be greater than 0", "must be from 0 to 360".
     Message message(Unit unit = units::none) const;
     /// The rule for a whole number: "must be a whole number from 1 to 12".
     Message whole_number_message() const;

@@ -8,7 +8,7 @@ namespace ravnoves {
 
 /// Why a value does not exist.
 struct Reason {
-    Message where{};  ///< JSON pointer of the input that is refused, or of the value
+    Message where{};  ///< JSON pointer of the input that is rejected, or of the value
     Message why{};    ///< "must be at least 0", or what the result says
 
     bool empty() const { return where.empty() && why.empty(); }
@@ -34,7 +34,7 @@ class Response {
     /// none
     /// @return false where one of them does not exist: reason() says why
     virtual bool evaluate(std::span<const double> x, std::span<double> y) = 0;
-    /// Of the last refusal.
+    /// Of the last rejection.
     const Reason& reason() const { return reason_; }
 
   protected:

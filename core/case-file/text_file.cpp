@@ -93,7 +93,7 @@ class SignalsWait {
     sigset_t before_{};
 };
 
-/// The target's name, shortened to whole letters where nothing more could stand behind it.
+/// The target's name, shortened to whole letters where nothing more could are behind it.
 std::string short_name(const std::filesystem::path& target) {
     constexpr std::size_t longest = 200;  // bytes, of 255
     std::string name = target.filename().string();
@@ -132,7 +132,7 @@ void replace_file(const std::filesystem::path& target, std::string_view text) {
     const bool is_there = ::stat(target.c_str(), &old) == 0;
     constexpr mode_t anybody_writes = S_IWUSR | S_IWGRP | S_IWOTH;
     if (is_there && ((old.st_mode & anybody_writes) == 0 || ::access(target.c_str(), W_OK) != 0)) {
-        throw InputError("", CORE_TEXT("core", "is read-only and stays as it is"));
+        throw InputError("", CORE_TEXT("core", "is read-only and was not changed"));
     }
     const SignalsWait wait;
     std::filesystem::path partial;
@@ -286,7 +286,7 @@ void write_text_file(const std::filesystem::path& path, std::string_view text) {
             path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOCTTY | O_CLOEXEC | waits_not, 0666));
         if (device.number < 0) {
             if (waits_not != 0 && errno == ENXIO) {
-                throw InputError("", CORE_TEXT("core", "is a pipe that nobody reads"));
+                throw InputError("", CORE_TEXT("core", "is a pipe without a reader"));
             }
             throw not_written();
         }

@@ -49,7 +49,7 @@ bool is_not_a_number_word(std::string_view text) {
     return word.starts_with("nan") || word.starts_with("inf") || word.starts_with("#n/a");
 }
 
-/// What stood there, for a message: of a file that may be no table only what can be a number is
+/// What was there, for a message: of a file that may be no table only what can be a number is
 /// said. The file's name may be in a case that somebody else wrote.
 Message found(std::string_view text, bool is_table) {
     const bool is_number =
@@ -59,7 +59,7 @@ Message found(std::string_view text, bool is_table) {
     return is_table || is_number || is_none ? Message(quote(text)) : Message();
 }
 
-/// Fields of a line; a blank separator stands for any run of blanks. Quotes around a field go.
+/// Fields of a line; a blank separator represents any run of blanks. Quotes around a field go.
 void split(std::string_view line, char separator, std::vector<std::string_view>& fields) {
     fields.clear();
     line = separator == '\t' ? line : trim(line);
@@ -396,12 +396,12 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule,
                 line_place(number),
                 fields.size() > 2 && takes_all
                     ? Message(CORE_TEXT("core",
-                                        "must hold two columns, %1 and %2, or the case must name "
+                                        "must have two columns, %1 and %2, or the case must name "
                                         "two of them in \"columns\""),
                               rule.first, rule.second)
-                : takes_all ? Message(CORE_TEXT("core", "must hold two columns, %1 and %2"),
+                : takes_all ? Message(CORE_TEXT("core", "must have two columns, %1 and %2"),
                                       rule.first, rule.second)
-                            : Message(CORE_TEXT("core", "must hold at least %1 columns"), needed),
+                            : Message(CORE_TEXT("core", "must have at least %1 columns"), needed),
                 fields.size() == 1 ? found(fields[0], !is_first)
                                    : Message(CORE_TEXT("core", "%1 columns"), fields.size()));
         }
@@ -444,8 +444,8 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule,
             throw InputError(
                 table_place(seen.doubtful_line, static_cast<int>(rows.column[which]) + 1),
                 CORE_TEXT("core",
-                          "must not leave open whether its comma divides thousands or is a decimal "
-                          "sign: other numbers of the column have none"),
+                          "must be unambiguous: its comma may divide thousands or be a decimal "
+                          "sign, as no other number of the column has one"),
                 found(seen.doubtful, true));
         }
     }

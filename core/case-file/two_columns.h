@@ -26,7 +26,7 @@ struct TableView {
     std::size_t columns = 0;            ///< of the first row
     std::string header;                 ///< the lines of words, each with its line feed
     std::vector<std::string> headings;  ///< of the columns; empty where the words do not fit them
-    std::vector<std::vector<std::string>> rows;  ///< the first ones, as they stand there
+    std::vector<std::vector<std::string>> rows;  ///< the first ones, as they are there
 };
 
 /// Looks at the first lines: header lines (any number), comments (#), a byte-order mark, the
@@ -50,7 +50,7 @@ struct TwoColumns {
     std::array<std::size_t, 2> column{};  ///< which they are, from 0
     std::vector<double> first;
     std::vector<double> second;     ///< as many
-    std::vector<std::size_t> line;  ///< of the text, from 1, that each row stands in
+    std::vector<std::size_t> line;  ///< of the text, from 1, that each row is in
 
     /// The words above a column; where they do not fit the columns, the whole header.
     const std::string& heading(std::size_t which) const;

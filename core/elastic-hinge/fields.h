@@ -12,9 +12,7 @@ namespace ravnoves::elastic_hinge::field {
 inline constexpr Field given_as{
     .key = "masses_given_as",
     .label = CORE_TEXT("elastic-hinge", "Given &as"),
-    .hint = CORE_TEXT("elastic-hinge",
-                      "With masses gravity may be 0: a mechanism that lies "
-                      "flat."),
+    .hint = CORE_TEXT("elastic-hinge", "With masses, gravity may be 0 (horizontal mechanism)."),
 };
 inline constexpr Field weights{
     .key = "weights_N", .hint = CORE_TEXT("elastic-hinge", "Weights of crank, rod and slider.")};
@@ -29,7 +27,7 @@ inline constexpr Text crank_hint =
 inline constexpr Text rod_hint =
     CORE_TEXT("elastic-hinge", "The rod is a uniform bar of length r/λ.");
 inline constexpr Text slider_hint =
-    CORE_TEXT("elastic-hinge", "All that moves along the slider line.");
+    CORE_TEXT("elastic-hinge", "All parts that move along the slider line.");
 // Together they must be more than 0. The unit of weights is made with gravity, by as_weight().
 inline constexpr Field crank_weight{
     .key = "crank",
@@ -107,9 +105,8 @@ inline constexpr Field lambda{
     .range = Range::between(1e-6, 1),
     .label = CORE_TEXT("elastic-hinge", "Ratio λ"),
     .symbol = "λ",
-    .hint = CORE_TEXT("elastic-hinge",
-                      "Crank radius to rod length. Below 1; λ = 1 can be drawn with the "
-                      "series only."),
+    .hint =
+        CORE_TEXT("elastic-hinge", "Crank radius to rod length, below 1 (1 with the series only)."),
 };
 inline constexpr Field angular_speed{
     .key = "angular_speed_rad_s",
@@ -117,7 +114,7 @@ inline constexpr Field angular_speed{
     .range = Range::between(0, 1e6),
     .label = CORE_TEXT("elastic-hinge", "Crank speed"),
     .symbol = "ω",
-    .hint = CORE_TEXT("elastic-hinge", "Crank speed that the hinges are designed for."),
+    .hint = CORE_TEXT("elastic-hinge", "Design speed of the hinges."),
 };
 inline constexpr std::array kinematics_words{
     Word{"exact", CORE_TEXT("elastic-hinge", "exact")},
@@ -127,8 +124,8 @@ inline constexpr Field kinematics{
     .key = "kinematics",
     .label = CORE_TEXT("elastic-hinge", "&Kinematics of M₁₂"),
     .hint = CORE_TEXT("elastic-hinge",
-                      "The paper's series for cos ψ is good for small λ only; the exact one needs "
-                      "λ < 1. M and the crank's guide are always exact."),
+                      "The paper's series for cos ψ is accurate for small λ only; the exact form "
+                      "needs λ < 1. M and the crank's guide are always exact."),
     .words = kinematics_words,
 };
 inline constexpr std::array guide_sign_words{
@@ -139,8 +136,8 @@ inline constexpr Field guide_sign{
     .key = "guide_sign",
     .label = CORE_TEXT("elastic-hinge", "Sign of the g&uide"),
     .hint = CORE_TEXT("elastic-hinge",
-                      "A spring that keeps the crank's speed gives out what the mechanism takes "
-                      "up: Π = const − (T + V). Equation (1) as printed has a plus."),
+                      "For constant crank speed the spring releases the energy that the mechanism "
+                      "absorbs: Π = const − (T + V). Equation (1) is printed with a plus."),
     .words = guide_sign_words,
 };
 
@@ -162,7 +159,7 @@ inline constexpr Field free_length{
     .range = Range::between(1e-3, 1e6),
     .label = CORE_TEXT("elastic-hinge", "&Free length ℓ₀"),
     .symbol = "ℓ₀",
-    .hint = CORE_TEXT("elastic-hinge", "Length of the unloaded spring of the crank's hinge."),
+    .hint = CORE_TEXT("elastic-hinge", "Unloaded length of the spring of the crank's hinge."),
     .placeholder = CORE_TEXT("elastic-hinge", "none"),
 };
 inline constexpr Field guide_radius{
@@ -171,14 +168,15 @@ inline constexpr Field guide_radius{
     .range = Range::between(1e-6, 1e6),
     .label = CORE_TEXT("elastic-hinge", "Guide radius ρ₀"),
     .symbol = "ρ₀",
-    .hint = CORE_TEXT("elastic-hinge",
-                      "Radius of the guide at φ = 0. Below ℓ₀/2 the spring is compressed, above it "
-                      "is stretched."),
+    .hint = CORE_TEXT(
+        "elastic-hinge",
+        "Radius of the guide at φ = 0: below ℓ₀/2 the spring is compressed, above it stretched."),
 };
 inline constexpr Field rod_hinge_spring{
     .key = "rod_hinge_spring",
     .label = CORE_TEXT("elastic-hinge", "Own spring for the rod's &hinge"),
-    .hint = CORE_TEXT("elastic-hinge", "Else the rod's hinge has the same spring as the crank's"),
+    .hint = CORE_TEXT("elastic-hinge",
+                      "If off, the rod's hinge has the same spring as the crank's hinge"),
 };
 inline constexpr Field rod_stiffness{
     .key = stiffness.key,
@@ -186,7 +184,7 @@ inline constexpr Field rod_stiffness{
     .range = stiffness.range,
     .label = CORE_TEXT("elastic-hinge", "Its &stiffness c"),
     .symbol = stiffness.symbol,
-    .hint = CORE_TEXT("elastic-hinge", "Of the rod hinge's own spring"),
+    .hint = CORE_TEXT("elastic-hinge", "Value of the rod hinge's own spring"),
 };
 inline constexpr Field rod_free_length{
     .key = free_length.key,
@@ -202,15 +200,15 @@ inline constexpr Field rod_guide_radius{
     .range = guide_radius.range,
     .label = CORE_TEXT("elastic-hinge", "Its radius ρ&₀"),
     .symbol = guide_radius.symbol,
-    .hint = CORE_TEXT("elastic-hinge", "Of the rod hinge's own guide at θ = 0"),
+    .hint = CORE_TEXT("elastic-hinge", "Radius of the rod hinge's own guide at θ = 0"),
 };
 
 inline constexpr Field rod_counterweight{
     .key = "rod_counterweight",
     .label = CORE_TEXT("elastic-hinge", "Counter&weight beyond the crankpin"),
     .hint = CORE_TEXT("elastic-hinge",
-                      "At the distance ℓ₂ beyond the crankpin (slider above). With the weight of "
-                      "(10) the rod's hinge makes the side force zero."),
+                      "Counterweight at the distance ℓ₂ beyond the crankpin (slider above). With "
+                      "the weight of (10) the rod's hinge makes the side force zero."),
 };
 inline constexpr Field counterweight_distance{
     .key = "distance_mm",
@@ -225,8 +223,8 @@ inline constexpr Field counterweight_weight{
     .range = Range::between(0, 1e12),
     .label = CORE_TEXT("elastic-hinge", "Weight P&₄"),
     .symbol = "P₄",
-    .if_empty = CORE_TEXT("elastic-hinge",
-                          "solved from (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, so that M₁₂ has no mean"),
+    .if_empty =
+        CORE_TEXT("elastic-hinge", "solved from (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, for zero mean of M₁₂"),
     .placeholder = CORE_TEXT("elastic-hinge", "by (10)"),
 };
 inline constexpr Field counterweight_mass{
@@ -246,8 +244,8 @@ inline constexpr Field counterweight_inertia{
     .key = "inertia",
     .label = CORE_TEXT("elastic-hinge", "&Inertia in M₁₂"),
     .hint = CORE_TEXT("elastic-hinge",
-                      "Equation (9) as printed has the wrong sign at the counterweight's inertia "
-                      "forces; with moments about A the side force vanishes."),
+                      "Equation (9) as printed has the wrong sign of the counterweight's inertia "
+                      "forces; Newton–Euler makes the side force zero."),
     .words = counterweight_inertia_words,
 };
 
@@ -257,50 +255,50 @@ inline constexpr Field roller_radius{
     .range = Range::between(0, 1e5),
     .label = CORE_TEXT("elastic-hinge", "Roller radi&us"),
     .hint = CORE_TEXT("elastic-hinge",
-                      "ρ is the path of the roller's centre; the profile is offset from it by the "
-                      "roller's radius. The paper takes 0."),
+                      "ρ is the path of the roller's centre; the profile is offset by the roller's "
+                      "radius. Paper: 0."),
 };
 inline constexpr Field profile_error{
     .key = "profile_error_um",
     .unit = units::micrometre,
     .range = Range::between(0, 1e4),
     .label = CORE_TEXT("elastic-hinge", "Profile error"),
-    .hint = CORE_TEXT("elastic-hinge",
-                      "Amplitude of the waves on the guide's profile as it is made. Good grinding "
-                      "leaves a few micrometres."),
+    .hint = CORE_TEXT(
+        "elastic-hinge",
+        "Amplitude of the waves of the manufactured profile. Good grinding: a few micrometres."),
 };
 inline constexpr Field profile_error_waves{
     .key = "profile_error_waves",
     .range = Range::between(1, 1000),
     .label = CORE_TEXT("elastic-hinge", "Error &waves"),
     .hint = CORE_TEXT("elastic-hinge",
-                      "The profile's error is taken as so many waves in one turn: 1 is a guide out "
-                      "of centre, 2 an oval one. A whole number."),
+                      "Number of error waves in one turn, a whole number: 1 is an eccentric guide, "
+                      "2 an oval guide."),
 };
 
 inline constexpr Field guide_search{
     .key = "guide_search",
-    .hint = CORE_TEXT("elastic-hinge", "Asks for a spring whose guide can be made.")};
+    .hint = CORE_TEXT("elastic-hinge", "Search for a spring with a feasible guide.")};
 inline constexpr Field wanted_relief{
     .key = "relief_mm",
     .unit = units::mm,
     .range = Range::between(1e-6, 1e5),
     .label = CORE_TEXT("elastic-hinge", "R&elief"),
-    .hint = CORE_TEXT("elastic-hinge", "Difference between the guide's largest and least radius"),
+    .hint = CORE_TEXT("elastic-hinge", "Maximum minus minimum radius of the guide"),
 };
 inline constexpr Field outer_diameter{
     .key = "outer_diameter_mm",
     .unit = units::mm,
     .range = Range::between(1e-3, 1e6),
     .label = CORE_TEXT("elastic-hinge", "&Outer diameter"),
-    .hint = CORE_TEXT("elastic-hinge", "Guide and rollers must fit in it"),
+    .hint = CORE_TEXT("elastic-hinge", "Guide and rollers must fit in this diameter"),
 };
 inline constexpr Field smallest_spring_length{
     .key = "smallest_spring_length_mm",
     .unit = units::mm,
     .range = Range::between(0, 1e6),
     .label = CORE_TEXT("elastic-hinge", "&Shortest spring"),
-    .hint = CORE_TEXT("elastic-hinge", "The spring gets no shorter than that (its solid length)."),
+    .hint = CORE_TEXT("elastic-hinge", "Minimum length of the spring (solid length)."),
     .if_empty = CORE_TEXT("elastic-hinge", "0.4 ℓ₀"),
     .placeholder = CORE_TEXT("elastic-hinge", "0.4 ℓ₀"),
 };
@@ -309,11 +307,11 @@ inline constexpr Field preload_margin{
     .unit = units::mm,
     .range = Range::between(0, 1e3),
     .label = CORE_TEXT("elastic-hinge", "Preload &margin"),
-    .hint = CORE_TEXT("elastic-hinge", "Preload beyond the minimum that the guide needs."),
+    .hint = CORE_TEXT("elastic-hinge", "Preload beyond the guide's minimum."),
 };
 
-inline constexpr Field motion{
-    .key = "motion", .hint = CORE_TEXT("elastic-hinge", "Asks for the motion, by integration.")};
+inline constexpr Field motion{.key = "motion",
+                              .hint = CORE_TEXT("elastic-hinge", "Motion, by integration.")};
 inline constexpr Field turns{
     .key = "turns",
     .range = Range::between(0.01, 1000),
@@ -327,8 +325,8 @@ inline constexpr Field start_speed{
     .range = Range::between(-1e6, 1e6),
     .label = CORE_TEXT("elastic-hinge", "Off-design sp&eed"),
     .hint = CORE_TEXT("elastic-hinge",
-                      "A start away from the design speed ω, for comparison: the hinge is exact at "
-                      "one speed only."),
+                      "Start speed for comparison with the design speed ω, the only speed at which "
+                      "the hinge is exact."),
     .if_empty = CORE_TEXT("elastic-hinge", "ω; the page compares it with 1.2 ω"),
     .placeholder = CORE_TEXT("elastic-hinge", "1.2 ω"),
 };
@@ -351,8 +349,7 @@ inline constexpr Field with_profile_error{
     .key = "with_profile_error",
     .label = CORE_TEXT("elastic-hinge", "With the profile &error"),
     .hint = CORE_TEXT("elastic-hinge",
-                      "The crank's guide as it was made, with the waves of the profile error: the "
-                      "crank's speed then follows them"),
+                      "Uses the manufactured guide, with the waves of the profile error"),
 };
 
 // Of a guide's drawing and table; not in the case file.
@@ -361,7 +358,7 @@ inline constexpr Field chord_tolerance{
     .unit = units::mm,
     .range = Range::between(1e-5, 1),
     .label = CORE_TEXT("elastic-hinge", "Chord to&lerance"),
-    .hint = CORE_TEXT("elastic-hinge", "DXF: the polyline leaves the curve by no more than that"),
+    .hint = CORE_TEXT("elastic-hinge", "DXF: maximum distance of the polyline from the curve"),
 };
 inline constexpr Field table_step{
     .key = "step_deg",

@@ -36,8 +36,7 @@ void add_rod_hinge(std::vector<Formula>& list, const Input& input) {
                         zotov_sviridov, "(9)",
                         CORE_TEXT("elastic-hinge",
                                   "h₅ = ℓ₂ cos ψ, h₆ = ℓ₂ sin ψ, a acceleration; the paper prints "
-                                  "+ before both inertia terms, "
-                                  "Newton and Euler ask for −")});
+                                  "+ before both inertia terms, correct is −")});
         list.push_back({CORE_TEXT("elastic-hinge", "Counterweight"),
                         "P<sub>4</sub> ℓ<sub>2</sub> = (P<sub>3</sub> + P<sub>2</sub>/2) ℓ",
                         zotov_sviridov, "(10)",
@@ -55,12 +54,12 @@ void add_rod_hinge(std::vector<Formula>& list, const Input& input) {
                     zotov_sviridov,
                     "(6)",
                     {}});
-    list.push_back({CORE_TEXT("elastic-hinge", "Side force without it"),
+    list.push_back({CORE_TEXT("elastic-hinge", "Side force without the hinge"),
                     "−M<sub>12</sub> / (ℓ cos ψ)",
                     zotov_sviridov,
                     "(7)",
                     {}});
-    list.push_back({CORE_TEXT("elastic-hinge", "Moment on the crank beside the rod's hinge"),
+    list.push_back({CORE_TEXT("elastic-hinge", "Moment on the crank with the rod's hinge"),
                     "M<sub>1</sub> = M + (M<sub>12</sub> − (1/2π) ∮ M<sub>12</sub> dφ) "
                     "(1 + λ cos φ / cos ψ)",
                     zotov_sviridov, input.rod_counterweight ? "(11)" : "(8)",
@@ -84,8 +83,8 @@ std::vector<Formula> formulas(const Input& input) {
                "cos φ)",
          zotov_sviridov, "[13]",
          CORE_TEXT("elastic-hinge",
-                   "T kinetic and V potential energy, I reduced moment of inertia, P₁ "
-                   "and P₂ weights of crank and rod, φ crank angle from the slider line")});
+                   "T kinetic and V potential energy, I reduced inertia, P₁ and P₂ weights of "
+                   "crank and rod, φ crank angle from the slider line")});
     list.push_back({CORE_TEXT("elastic-hinge", "Energy of the spring"),
                     input.guide_sign == GuideSign::energy
                         ? "Π = ½ c (ℓ<sub>0</sub> − 2ρ)<sup>2</sup> = const − (T + V)"
@@ -103,14 +102,15 @@ std::vector<Formula> formulas(const Input& input) {
                               "a stretched one")});
     if (input.guide_sign == GuideSign::energy) {
         list.push_back(
-            {CORE_TEXT("elastic-hinge", "Least preload"),
+            {CORE_TEXT("elastic-hinge", "Minimum preload"),
              "|ℓ<sub>0</sub>/2 − ρ<sub>0</sub>| ≥ √( max(T + V − T<sub>0</sub> − "
              "V<sub>0</sub>) / 2c )",
              "", "",
-             CORE_TEXT("elastic-hinge",
-                       "the spring must store what the mechanism takes up; 0: at φ = 0")});
+             CORE_TEXT(
+                 "elastic-hinge",
+                 "the spring must store the energy that the mechanism absorbs; 0: at φ = 0")});
     }
-    list.push_back({CORE_TEXT("elastic-hinge", "Moment that a profile error makes"),
+    list.push_back({CORE_TEXT("elastic-hinge", "Moment due to a profile error"),
                     "|ΔM| ≤ 4cε √(ρ′<sup>2</sup> + n<sup>2</sup> (ℓ<sub>0</sub>/2 − "
                     "ρ)<sup>2</sup>) + 2cnε<sup>2</sup>",
                     "", "", CORE_TEXT("elastic-hinge", "ε amplitude, n waves in a turn")});

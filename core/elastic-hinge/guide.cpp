@@ -26,7 +26,7 @@ Text name_of(Hinge hinge) {
         case Hinge::crank:
             return CORE_TEXT("elastic-hinge", "the crank's hinge");
         case Hinge::crank_with_rod:
-            return CORE_TEXT("elastic-hinge", "the crank's hinge beside the rod's");
+            return CORE_TEXT("elastic-hinge", "the crank's hinge with the rod's hinge");
         case Hinge::rod:
             break;
     }
@@ -256,15 +256,14 @@ double largest_moment(const Design& design, Hinge hinge, const std::vector<Deman
 
 /// Why there is no guide where the preload is too small.
 Message preload_reason(const Guide& guide) {
-    const Message reason{
-        CORE_TEXT("elastic-hinge",
-                  "from a crank angle of %1 the spring would have to give out more energy than "
-                  "it stores (most at %2): the preload |ℓ₀/2 − ρ₀| is %3 and must be at least "
-                  "%4"),
-        number(guide.first_missing_angle, units::degree), number(guide.worst_angle, units::degree),
-        number(guide.preload, units::mm), number_up(guide.minimum_preload, units::mm)};
+    const Message reason{CORE_TEXT("elastic-hinge",
+                                   "from a crank angle of %1 the spring stores too little energy "
+                                   "(worst at %2): the preload |ℓ₀/2 − ρ₀| is %3, the minimum %4"),
+                         number(guide.first_missing_angle, units::degree),
+                         number(guide.worst_angle, units::degree), number(guide.preload, units::mm),
+                         number_up(guide.minimum_preload, units::mm)};
     if (guide.minimum_stiffness && std::isfinite(*guide.minimum_stiffness)) {
-        return {CORE_TEXT("elastic-hinge", "%1, or the stiffness at least %2 with this preload"),
+        return {CORE_TEXT("elastic-hinge", "%1; with this preload the minimum stiffness is %2"),
                 reason, number_up(*guide.minimum_stiffness, units::kN_per_m)};
     }
     return reason;
@@ -299,9 +298,8 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     if (!design->has_exact_kinematics()) {
         guide.problem = GuideProblem::mechanism_locks;
         guide.reason = CORE_TEXT("elastic-hinge",
-                                 "at λ = 1 the mechanism locks at a crank angle of 90°: there is "
-                                 "no guide and no motion; "
-                                 "the series still draws M₁₂ and the side force");
+                                 "at λ = 1 the mechanism locks at a crank angle of 90°: no guide "
+                                 "and no motion, only M₁₂ and side force by the series");
         return guide;
     }
     if (!spring) {
@@ -410,10 +408,10 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
 
     if (guide.branch == Branch::compressed && !fits) {
         guide.problem = GuideProblem::radius_not_positive;
-        guide.reason = {CORE_TEXT("elastic-hinge",
-                                  "the spring would have to be compressed by %1, its whole free "
-                                  "length of %2 or more"),
-                        number(2.0 * highest, units::mm), number(spring->free_length, units::mm)};
+        guide.reason = {
+            CORE_TEXT("elastic-hinge",
+                      "the spring would be compressed by %1, its whole free length (%2) or more"),
+            number(2.0 * highest, units::mm), number(spring->free_length, units::mm)};
         return guide;
     }
     guide.feasible = true;

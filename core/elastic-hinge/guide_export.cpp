@@ -23,9 +23,8 @@ void check_drawing(const Guide& guide, const GuideDrawing& drawing) {
     if (!guide.shape || !summary.exists) {
         throw InputError(
             "", guide.reason.empty()
-                    ? Message(CORE_TEXT("elastic-hinge", "there is no guide to export"))
-                    : Message(CORE_TEXT("elastic-hinge", "there is no guide to export: %1"),
-                              guide.reason));
+                    ? Message(CORE_TEXT("elastic-hinge", "no feasible guide"))
+                    : Message(CORE_TEXT("elastic-hinge", "no feasible guide: %1"), guide.reason));
     }
     check_range(field::chord_tolerance, drawing.chord_tolerance / units::mm,
                 CORE_TEXT("elastic-hinge", "chord tolerance"), units::mm);
@@ -88,11 +87,10 @@ class ClosedPolyline {
             return;
         }
         if (result_.size() >= most_points) {
-            throw InputError(CORE_TEXT("elastic-hinge", "chord tolerance"),
-                             {CORE_TEXT("elastic-hinge",
-                                        "is too small for this guide: it would take more than %1 "
-                                        "points"),
-                              most_points});
+            throw InputError(
+                CORE_TEXT("elastic-hinge", "chord tolerance"),
+                {CORE_TEXT("elastic-hinge", "is too small for this guide: more than %1 points"),
+                 most_points});
         }
         divide(from, a, middle, m, depth + 1);
         result_.push_back(m);

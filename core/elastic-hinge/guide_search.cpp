@@ -34,8 +34,9 @@ std::optional<double> largest_roller(const GuideShape& shape, Branch branch) {
     return sharpest > 0.0 ? std::optional(1.0 / sharpest) : std::nullopt;
 }
 
-/// The least d_min whose preload √(d_min² + G) is more than the least one, √G, by the margin that is
-/// wanted. G = greatest energy / 2c grows with d_min as c falls: d_min² = m² + 2 m √G, by iteration.
+/// The least d_min whose preload √(d_min² + G) is more than the least one, √G, by the margin that
+/// is wanted. G = greatest energy / 2c grows with d_min as c falls: d_min² = m² + 2 m √G, by
+/// iteration.
 double deflection_with_margin(const GuideWish& wish, double greatest_share) {
     const double margin = wish.preload_margin;
     double least = margin;
@@ -60,14 +61,13 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         return proposal;
     };
     if (!design->has_exact_kinematics()) {
-        return refuse(
-            CORE_TEXT("elastic-hinge", "at λ = 1 the mechanism locks: there is no guide"));
+        return refuse(CORE_TEXT("elastic-hinge", "at λ = 1 the mechanism locks: no guide"));
     }
     const DemandRange range = design->range(hinge);
     const double span = range.span();
     if (!(span > 0.0)) {
-        return refuse(CORE_TEXT("elastic-hinge",
-                                "the hinge has no energy to give out: its guide is a circle"));
+        return refuse(
+            CORE_TEXT("elastic-hinge", "the hinge releases no energy: its guide is a circle"));
     }
     const bool reversed = sign == GuideSign::as_printed && hinge != Hinge::rod;
     const double greatest = reversed ? -range.min : range.max;
@@ -87,15 +87,15 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         high = 0.5 * (free_length - shortest) - relief;
         if (high < least_deflection) {
             return refuse({CORE_TEXT("elastic-hinge",
-                                     "a spring of %1 that gets no shorter than %2 leaves no room "
-                                     "for a relief of %3; it must be at least %4 long"),
+                                     "a spring of %1 with a minimum length of %2 has no room for a "
+                                     "relief of %3; it must be at least %4 long"),
                            millimetres(free_length), millimetres(shortest), millimetres(relief),
                            millimetres(shortest + 2.0 * (least_deflection + relief))});
         }
         const double needed = 2.0 * (half - high + roller_radius);
         if (low > high) {
             return refuse({CORE_TEXT("elastic-hinge",
-                                     "a compressed spring of %1 that gets no shorter than %2 needs "
+                                     "a compressed spring of %1 with a minimum length of %2 needs "
                                      "an outer diameter of at least %3 for a relief of %4"),
                            millimetres(free_length), millimetres(shortest), millimetres(needed),
                            millimetres(relief)});
@@ -135,8 +135,8 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
     }
     if (first > looks) {
         return refuse({CORE_TEXT("elastic-hinge",
-                                 "a roller of radius %1 undercuts every guide with a relief of %2; "
-                                 "a smaller roller or less relief is needed"),
+                                 "a roller of radius %1 undercuts every guide with a relief of %2: "
+                                 "use a smaller roller or less relief"),
                        millimetres(roller_radius), millimetres(relief)});
     }
     double least = look(first);
@@ -149,9 +149,8 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
     try {
         check_fields(proposal.spring);
     } catch (const InputError&) {
-        return refuse(
-            {CORE_TEXT("elastic-hinge", "the stiffness that would be needed, %1, is out of range"),
-             Number{proposal.spring.stiffness, units::N_per_m}});
+        return refuse({CORE_TEXT("elastic-hinge", "the required stiffness, %1, is out of range"),
+                       Number{proposal.spring.stiffness, units::N_per_m}});
     }
     const double most = least + relief;
     proposal.found = true;

@@ -19,9 +19,8 @@ void check_input(const Input& input) {
         throw InputError(
             "/input/lambda",
             CORE_TEXT("elastic-hinge",
-                      "must be less than 1 for the exact kinematics (a rod no longer than the "
-                      "crank locks the mechanism at a crank angle of 90°; \"kinematics\": "
-                      "\"series\" still draws the paper's curves)"),
+                      "must be less than 1 for the exact kinematics (else the mechanism locks at a "
+                      "crank angle of 90°; \"kinematics\": \"series\" draws the paper's curves)"),
             Number{input.lambda});
     }
 }

@@ -15,10 +15,10 @@ inline constexpr MethodChoice guide_choice{
     "free of cancellation",
     1e-7,
     CORE_TEXT("methods",
-              "What a guide does lies in its relief, which may be a few micrometres on a radius of "
-              "a hundred millimetres: seven digits of the relief. The closed form needs no step "
-              "and no start; written without a difference of nearly equal squares it keeps its "
-              "digits down to the point where the spring gives out all that it stores.")};
+              "A guide acts by its relief, which may be a few micrometres on a radius of a hundred "
+              "millimetres: seven digits of the relief. The closed form needs no step and no "
+              "start. Without a difference of nearly equal squares it stays accurate until the "
+              "spring releases all its energy.")};
 
 /// Motion with hinges: simulate() at MotionSetup's own tolerance.
 inline constexpr MethodChoice motion_choice{
@@ -27,13 +27,11 @@ inline constexpr MethodChoice motion_choice{
     "energy-series",
     "1e-8",
     1e-7,
-    CORE_TEXT(
-        "methods",
-        "Ripple is read off to parts of a million, after up to a thousand turns: so an error of "
-        "1e-7 a turn. The energy gives the speed at every angle, so only the time is integrated, "
-        "and nothing can drift. Series over stretches that are halved where they must be find the "
-        "steep places of a turn by themselves, and they hold with a moment on the crank, from rest "
-        "and up to a reversal, where turns do not repeat.")};
+    CORE_TEXT("methods",
+              "Ripple is read to parts of a million after up to a thousand turns: an error of 1e-7 "
+              "a turn. The energy gives the speed at every angle; only the time is integrated, "
+              "without drift. Adaptive series find the steep places of a turn, also with a moment "
+              "on the crank, from rest and up to a reversal.")};
 
 /// What an answer leads with, below "result".
 inline constexpr std::array<std::string_view, 6> leading_results{

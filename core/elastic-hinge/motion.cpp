@@ -238,15 +238,13 @@ void check_work(std::size_t points, const Design& design, const MotionSetup& set
     if (lambda > nearly_one) {
         throw InputError(
             "/input/lambda",
-            {CORE_TEXT("elastic-hinge",
-                       "must be further from 1 for a motion: it takes more than %1 points"),
+            {CORE_TEXT("elastic-hinge", "must be further from 1 for a motion: more than %1 points"),
              points},
             Number{lambda});
     }
     throw InputError(
         "/input/motion/turns",
-        {CORE_TEXT("elastic-hinge",
-                   "must be less for this motion: more than %1 points brought it only to turn %2"),
+        {CORE_TEXT("elastic-hinge", "must be less for this motion: %1 points reach only turn %2"),
          points, turns_of(turned)},
         Number{setup.turns});
 }
@@ -264,10 +262,10 @@ void check_setup(const Design& design, const Guide& guide, const MotionSetup& se
             throw InputError(
                 "/input/spring",
                 guide.reason.empty()
-                    ? Message(CORE_TEXT("elastic-hinge",
-                                        "must make a guide that exists for this motion"))
+                    ? Message(
+                          CORE_TEXT("elastic-hinge", "must give a feasible guide for this motion"))
                     : Message(CORE_TEXT("elastic-hinge",
-                                        "must make a guide that exists for this motion: %1"),
+                                        "must give a feasible guide for this motion: %1"),
                               guide.reason));
         }
     }
@@ -614,14 +612,14 @@ class Run {
             case MotionEnd::completed:
                 break;
             case MotionEnd::reversed:
-                motion_.reason = {CORE_TEXT("elastic-hinge",
-                                            "the crank stops after %1 turns and would turn back"),
-                                  turns_of(turned)};
+                motion_.reason = {
+                    CORE_TEXT("elastic-hinge", "the crank stops after %1 turns and reverses"),
+                    turns_of(turned)};
                 break;
             case MotionEnd::too_slow:
                 motion_.reason =
                     turned == 0.0
-                        ? Message(CORE_TEXT("elastic-hinge", "the crank stands still"))
+                        ? Message(CORE_TEXT("elastic-hinge", "the crank is at rest"))
                         : Message{CORE_TEXT("elastic-hinge", "the crank made only %1 turns in %2"),
                                   turns_of(turned), Number{motion_.time.back(), units::second, 6}};
                 break;

@@ -9,20 +9,20 @@ namespace ravnoves::elastic_hinge::result_field {
 inline constexpr ResultField rod_hinge_moment_integral{
     "rod_hinge_moment_integral_J", units::joule, 3, CORE_TEXT("elastic-hinge", "∮ M₁₂ dφ"),
     CORE_TEXT("elastic-hinge",
-              "Work of the rod hinge's moment over a turn; 0 where a spring can give it.")};
+              "Work of the rod hinge's moment over a turn; 0 if a spring can supply it.")};
 inline constexpr ResultField counterweight_weight{
     "counterweight_weight_N", units::newton, 3, CORE_TEXT("elastic-hinge", "Counterweight P₄"),
-    CORE_TEXT("elastic-hinge", "On the rod, with which ∮ M₁₂ dφ = 0, or as entered.")};
+    CORE_TEXT("elastic-hinge", "Weight on the rod for ∮ M₁₂ dφ = 0, or as entered.")};
 inline constexpr ResultField counterweight_mass{
     "counterweight_mass_kg", units::kg, 4, CORE_TEXT("elastic-hinge", "Counterweight P₄"),
-    CORE_TEXT("elastic-hinge", "On the rod, with which ∮ M₁₂ dφ = 0, or as entered.")};
+    CORE_TEXT("elastic-hinge", "Weight on the rod for ∮ M₁₂ dφ = 0, or as entered.")};
 inline constexpr ResultField balancing_weight{"balancing_weight_N", units::newton, 3,
                                               CORE_TEXT("elastic-hinge", "Balancing weight")};
 inline constexpr ResultField guide{"guide", units::none, 3,
                                    CORE_TEXT("elastic-hinge", "Crank guide")};
 inline constexpr ResultField guide_beside_rod_hinge{
     "guide_beside_rod_hinge", units::none, 3,
-    CORE_TEXT("elastic-hinge", "Crank guide beside the rod hinge")};
+    CORE_TEXT("elastic-hinge", "Crank guide with the rod hinge")};
 inline constexpr ResultField rod_hinge_guide{"rod_hinge_guide", units::none, 3,
                                              CORE_TEXT("elastic-hinge", "Rod hinge guide")};
 inline constexpr ResultField guide_search{"guide_search", units::none, 3,
@@ -40,7 +40,7 @@ inline constexpr ResultField preload{"preload_mm", units::mm, 2,
                                      CORE_TEXT("elastic-hinge", "|ℓ₀/2 − ρ₀| of the spring.")};
 inline constexpr ResultField minimum_preload{
     "minimum_preload_mm", units::mm, 2, CORE_TEXT("elastic-hinge", "Minimum preload"),
-    CORE_TEXT("elastic-hinge", "|ℓ₀/2 − ρ₀| with which the spring can store the energy.")};
+    CORE_TEXT("elastic-hinge", "Minimum |ℓ₀/2 − ρ₀| to store the energy.")};
 inline constexpr ResultField minimum_stiffness{"minimum_stiffness_N_m", units::N_per_m, 0,
                                                CORE_TEXT("elastic-hinge", "Minimum stiffness")};
 inline constexpr ResultField first_missing_crank_angle{
@@ -48,22 +48,22 @@ inline constexpr ResultField first_missing_crank_angle{
     CORE_TEXT("elastic-hinge", "Guide ends at φ")};
 inline constexpr ResultField worst_crank_angle{
     "worst_crank_angle_deg", units::degree, 1,
-    CORE_TEXT("elastic-hinge", "φ of the largest energy")};
+    CORE_TEXT("elastic-hinge", "φ of the maximum energy")};
 inline constexpr ResultField branch{"branch", units::none, 3, CORE_TEXT("elastic-hinge", "Branch")};
 inline constexpr ResultField relief{
     "relief_mm", units::mm, 4, CORE_TEXT("elastic-hinge", "Relief of the guide"),
-    CORE_TEXT("elastic-hinge", "Largest minus smallest radius of the guide.")};
+    CORE_TEXT("elastic-hinge", "Maximum minus minimum radius of the guide.")};
 inline constexpr ResultField spring_travel{
     "spring_travel_mm", units::mm, 3, CORE_TEXT("elastic-hinge", "Spring travel"),
-    CORE_TEXT("elastic-hinge", "Largest minus smallest length of the spring over a turn.")};
+    CORE_TEXT("elastic-hinge", "Maximum minus minimum length of the spring over a turn.")};
 inline constexpr ResultField largest_spring_force{
-    "largest_spring_force_N", units::newton, 1, CORE_TEXT("elastic-hinge", "Largest spring force"),
-    CORE_TEXT("elastic-hinge", "c |ℓ − ℓ₀|, largest over a turn.")};
+    "largest_spring_force_N", units::newton, 1, CORE_TEXT("elastic-hinge", "Maximum spring force"),
+    CORE_TEXT("elastic-hinge", "c |ℓ − ℓ₀|, maximum over a turn.")};
 inline constexpr ResultField smallest_spring_force{
     "smallest_spring_force_N", units::newton, 1,
-    CORE_TEXT("elastic-hinge", "Smallest spring force")};
+    CORE_TEXT("elastic-hinge", "Minimum spring force")};
 inline constexpr ResultField largest_moment{"largest_moment_Nm", units::N_m, 3,
-                                            CORE_TEXT("elastic-hinge", "Largest moment")};
+                                            CORE_TEXT("elastic-hinge", "Maximum moment")};
 inline constexpr ResultField compressed{"compressed", units::none, 3,
                                         CORE_TEXT("elastic-hinge", "Spring compressed")};
 inline constexpr ResultField stretched{"stretched", units::none, 3,
@@ -75,10 +75,10 @@ inline constexpr ResultField max_radius{"max_radius_mm", units::mm, 3,
 inline constexpr ResultField smallest_curvature_radius{
     "smallest_curvature_radius_mm", units::mm, 2,
     CORE_TEXT("elastic-hinge", "Minimum curvature radius"),
-    CORE_TEXT("elastic-hinge", "Of the guide; a cutter must be smaller.")};
+    CORE_TEXT("elastic-hinge", "Radius of curvature of the guide; a cutter must be smaller.")};
 inline constexpr ResultField largest_roller_radius{
-    "largest_roller_radius_mm", units::mm, 2, CORE_TEXT("elastic-hinge", "Largest roller radius"),
-    CORE_TEXT("elastic-hinge", "A roller up to this radius touches the whole guide.")};
+    "largest_roller_radius_mm", units::mm, 2, CORE_TEXT("elastic-hinge", "Maximum roller radius"),
+    CORE_TEXT("elastic-hinge", "Maximum radius of a roller that touches the whole guide.")};
 inline constexpr ResultField undercut{"undercut", units::none, 3,
                                       CORE_TEXT("elastic-hinge", "Undercut")};
 inline constexpr ResultField profile_min_radius{
@@ -87,7 +87,7 @@ inline constexpr ResultField profile_max_radius{
     "profile_max_radius_mm", units::mm, 3, CORE_TEXT("elastic-hinge", "Maximum profile radius")};
 inline constexpr ResultField max_pressure_angle{
     "max_pressure_angle_deg", units::degree, 2,
-    CORE_TEXT("elastic-hinge", "Largest pressure angle")};
+    CORE_TEXT("elastic-hinge", "Maximum pressure angle")};
 inline constexpr ResultField profile_error{"profile_error", units::none, 3,
                                            CORE_TEXT("elastic-hinge", "Profile error")};
 inline constexpr ResultField amplitude{"amplitude_um", units::micrometre, 3,
@@ -95,11 +95,10 @@ inline constexpr ResultField amplitude{"amplitude_um", units::micrometre, 3,
 inline constexpr ResultField waves{"waves", units::none, 3, CORE_TEXT("elastic-hinge", "Waves")};
 inline constexpr ResultField error_torque{
     "torque_Nm", units::N_m, 2, CORE_TEXT("elastic-hinge", "Moment error"),
-    CORE_TEXT("elastic-hinge",
-              "Largest error of the hinge's moment for a guide this far off its profile.")};
+    CORE_TEXT("elastic-hinge", "Maximum error of the hinge's moment at this profile error.")};
 inline constexpr ResultField relative_torque{
     "relative_torque", units::none, 3, CORE_TEXT("elastic-hinge", "Moment error, share"),
-    CORE_TEXT("elastic-hinge", "Moment error over the hinge's largest moment.")};
+    CORE_TEXT("elastic-hinge", "Moment error over the hinge's maximum moment.")};
 inline constexpr ResultField error_energy{"energy_J", units::joule, 3,
                                           CORE_TEXT("elastic-hinge", "Energy error")};
 inline constexpr ResultField hinge_angle{"hinge_angle_deg", units::degree, 3,
@@ -120,32 +119,30 @@ inline constexpr ResultField guide_radius_at_zero{"guide_radius_at_zero_mm", uni
 inline constexpr ResultField outer_diameter{"outer_diameter_mm", units::mm, 1,
                                             CORE_TEXT("elastic-hinge", "Outer diameter")};
 inline constexpr ResultField smallest_spring_length{
-    "smallest_spring_length_mm", units::mm, 1,
-    CORE_TEXT("elastic-hinge", "Smallest spring length")};
+    "smallest_spring_length_mm", units::mm, 1, CORE_TEXT("elastic-hinge", "Minimum spring length")};
 inline constexpr ResultField largest_spring_energy{
     "largest_spring_energy_J", units::joule, 3,
-    CORE_TEXT("elastic-hinge", "Largest spring energy")};
+    CORE_TEXT("elastic-hinge", "Maximum spring energy")};
 
 // ------------------------------------------------------------------------------ side force
 inline constexpr ResultField largest_without_hinge{
     "largest_without_hinge_N", units::newton, 1, CORE_TEXT("elastic-hinge", "Side force, no hinge"),
-    CORE_TEXT("elastic-hinge", "Largest force of the slider on its guide.")};
+    CORE_TEXT("elastic-hinge", "Maximum force of the slider on its guide.")};
 inline constexpr ResultField largest_with_hinge{
     "largest_with_hinge_N", units::newton, 2, CORE_TEXT("elastic-hinge", "Side force, rod hinge"),
-    CORE_TEXT("elastic-hinge",
-              "Largest force of the slider on its guide with the hinge in the rod.")};
+    CORE_TEXT("elastic-hinge", "Maximum force of the slider on its guide with the rod hinge.")};
 inline constexpr ResultField largest_by_newton_euler{
     "largest_by_newton_euler_N", units::newton, 2,
     CORE_TEXT("elastic-hinge", "Side force by Newton–Euler")};
 inline constexpr ResultField reduction_factor{
     "reduction_factor", units::none, 1, CORE_TEXT("elastic-hinge", "Side force, reduction factor")};
 inline constexpr ResultField largest_cos_psi_error{
-    "largest_cos_psi_error", units::none, 6, CORE_TEXT("elastic-hinge", "Largest error of cos ψ")};
+    "largest_cos_psi_error", units::none, 6, CORE_TEXT("elastic-hinge", "Maximum error of cos ψ")};
 inline constexpr ResultField at_crank_angle{"at_crank_angle_deg", units::degree, 1,
-                                            CORE_TEXT("elastic-hinge", "φ of the largest error")};
+                                            CORE_TEXT("elastic-hinge", "φ of the maximum error")};
 inline constexpr ResultField largest_rod_hinge_moment_error{
     "largest_rod_hinge_moment_error_Nm", units::N_m, 3,
-    CORE_TEXT("elastic-hinge", "Largest error of M₁₂")};
+    CORE_TEXT("elastic-hinge", "Maximum error of M₁₂")};
 
 // ---------------------------------------------------------------------------------- motion
 inline constexpr ResultField without_hinge{"without_hinge", units::none, 3,
@@ -194,6 +191,6 @@ inline constexpr ResultField side_force_with_hinge{
     CORE_TEXT("elastic-hinge", "Side force with hinge")};
 inline constexpr ResultField crank_moment_with_rod_hinge{
     "crank_moment_with_rod_hinge_Nm", units::N_m, 3,
-    CORE_TEXT("elastic-hinge", "Crank hinge moment beside the rod hinge")};
+    CORE_TEXT("elastic-hinge", "Crank hinge moment with the rod hinge")};
 
 }  // namespace ravnoves::elastic_hinge::result_field

@@ -169,8 +169,7 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
     if (input.guide_search) {
         visitor.object(key::guide_search, [&] {
             GuideProposal none;
-            none.reason =
-                CORE_TEXT("elastic-hinge", "no spring is given: its free length is needed");
+            none.reason = CORE_TEXT("elastic-hinge", "no spring is given: enter its free length");
             visit_proposal(visitor, result.proposal.value_or(none));
         });
     }
@@ -272,9 +271,9 @@ Verdict verdict(const Input& input, const Result& result) {
         return verdict;
     }
     if (input.guide_sign == GuideSign::as_printed) {
-        verdict.warn(CORE_TEXT("elastic-hinge",
-                               "The sign is that printed in the paper: the crank does not keep its "
-                               "speed."));
+        verdict.warn(
+            CORE_TEXT("elastic-hinge",
+                      "The sign is as printed in the paper: the crank does not keep its speed."));
     }
     const double margin = guide.preload - guide.minimum_preload;
     if (guide.minimum_preload > 0.0 && margin < least_preload_margin) {

@@ -52,10 +52,10 @@ bool all_finite(const MechanismCurves& curves) {
 }
 
 [[noreturn]] void refuse_extreme() {
-    throw InputError("/input",
-                     CORE_TEXT("elastic-hinge",
-                               "holds values so far apart that the result leaves the range of "
-                               "numbers; bring them nearer to those of a machine"));
+    throw InputError(
+        "/input",
+        CORE_TEXT("elastic-hinge",
+                  "has values whose result exceeds the range of numbers; enter realistic values"));
 }
 
 void resize(MechanismCurves& curves, std::size_t n, bool exact) {
@@ -100,7 +100,7 @@ void fill(MechanismCurves& curves, const Mechanism<double>& mechanism,
     }
 }
 
-/// The rod's moments and the side forces for one λ (the counterweight solved anew, where it is).
+/// The rod's moments and the side forces for one λ (the counterweight solved again, where it is).
 MechanismCurves curves_at_lambda(Input input, double lambda, const AngleGrid& grid) {
     input.lambda = lambda;
     const Mechanism<double> mechanism = mechanism_of(input);
@@ -239,34 +239,32 @@ void add_notes(const Input& input, Result& result) {
                                           0.0,  // the ratio is typed itself
                                           {input.crank_mass, input.rod_mass, input.slider_mass}});
     if (input.kinematics == Kinematics::series && input.lambda > 0.4) {
-        result.notes.emplace_back(
-            CORE_TEXT("elastic-hinge",
-                      "The series is off by %1 in cos ψ at φ = %2°; use the exact kinematics for a "
-                      "design."),
-            Number{result.series_error, units::none, 3},
-            std::round(result.series_error_angle / units::degree));
+        result.notes.emplace_back(CORE_TEXT("elastic-hinge",
+                                            "Error of the series in cos ψ: %1 at φ = %2°. Use the "
+                                            "exact kinematics for a design."),
+                                  Number{result.series_error, units::none, 3},
+                                  std::round(result.series_error_angle / units::degree));
     }
     if (input.guide_sign == GuideSign::as_printed) {
         result.guide_notes.emplace_back(
             CORE_TEXT("elastic-hinge",
-                      "The guide's sign is that printed in the paper: such a guide drives the "
-                      "crank's speed away from the design speed; the energy sign keeps it."));
+                      "The guide has the sign as printed in the paper: the crank leaves its design "
+                      "speed. The energy sign keeps the speed."));
     }
     if (input.rod_counterweight &&
         input.rod_counterweight->inertia == CounterweightInertia::as_printed &&
         result.counterweight_mass > 0.0 && !result.side_force_true.empty()) {
         result.notes.emplace_back(
             CORE_TEXT("elastic-hinge",
-                      "Equation (9) as printed has the wrong sign at the counterweight's inertia: "
-                      "the slider would still bear up to %1. Newton–Euler makes the side force "
-                      "zero."),
+                      "Equation (9) as printed has the wrong sign of the counterweight's inertia: "
+                      "residual side force up to %1. Newton–Euler makes it zero."),
             Number{std::round(result.largest_side_force_true), units::newton});
     }
     if (guide.feasible && guide.relief < 0.1 * units::mm && guide.error.relative > 0.02) {
         result.guide_notes.emplace_back(
             CORE_TEXT("elastic-hinge",
                       "The crank's guide has a relief of only %1: a profile error of %2 changes "
-                      "its moment by up to %3; a softer spring gives more relief."),
+                      "its moment by up to %3. A softer spring gives more relief."),
             Number{rounded_to_decimals(guide.relief / units::micrometre, 1), units::micrometre},
             Number{rounded_to_decimals(guide.error.amplitude / units::micrometre, 2),
                    units::micrometre},

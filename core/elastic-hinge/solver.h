@@ -29,7 +29,7 @@ Result solve(const Input& input, const SolveOptions& options = {});
 Motion simulate(const Input& input, const Result& result, HingeSet hinges,
                 const MotionProgress& progress = {});
 
-/// Where the parts stand at one crank angle, for the picture; m.
+/// Where the parts are at one crank angle, for the picture; m.
 struct MechanismPose {
     PlanePoint crankpin;
     PlanePoint slider;

@@ -82,17 +82,16 @@ std::size_t master_of(std::span<const Cylinder> cylinders, const Throw& pin, std
     const std::string pointer = rod_pointer(own, field::master);
     if (number == 0) {
         if (plain.size() != 1) {
-            throw InputError(
-                pointer,
-                plain.empty()
-                    ? Message(CORE_TEXT("inertia-moments",
-                                        "must have a master rod: none of the rods on the crankpin "
-                                        "of cylinder %1 is without articulated"),
-                              own + 1)
-                    : Message(CORE_TEXT("inertia-moments",
-                                        "must be given: the rods of cylinders %1 run on this "
-                                        "crankpin, and each could be the master"),
-                              numbers_of(plain)));
+            throw InputError(pointer,
+                             plain.empty()
+                                 ? Message(CORE_TEXT("inertia-moments",
+                                                     "must have a master rod: all rods on the "
+                                                     "crankpin of cylinder %1 are articulated"),
+                                           own + 1)
+                                 : Message(CORE_TEXT("inertia-moments",
+                                                     "must be given: any of the rods of cylinders "
+                                                     "%1 on this crankpin could be the master"),
+                                           numbers_of(plain)));
         }
         return plain.front();
     }
@@ -105,16 +104,17 @@ std::size_t master_of(std::span<const Cylinder> cylinders, const Throw& pin, std
                 cylinders.size()});
     }
     if (cylinders[master].articulated) {
-        refuse({CORE_TEXT("inertia-moments",
-                          "must be a rod on the crankpin itself; that of cylinder %1 is "
-                          "articulated too"),
-                number});
+        refuse(
+            {CORE_TEXT("inertia-moments",
+                       "must be a rod on the crankpin; the rod of cylinder %1 is articulated too"),
+             number});
     }
     if (std::find(plain.begin(), plain.end(), master) == plain.end()) {
-        refuse({CORE_TEXT("inertia-moments",
-                          "must run on the same crankpin (same angle, another direction, less than "
-                          "the crank radius away); cylinder %1 runs on that of cylinders %2"),
-                own + 1, numbers_of(pin.cylinders)});
+        refuse(
+            {CORE_TEXT("inertia-moments",
+                       "must run on the same crankpin (same angle, another direction, less than "
+                       "the crank radius away); cylinder %1 runs on the crankpin of cylinders %2"),
+             own + 1, numbers_of(pin.cylinders)});
     }
     return master;
 }
@@ -282,8 +282,8 @@ std::vector<Message> unusual_rod_notes(std::span<const std::optional<KnuckleRod>
     if (!longer.empty()) {
         notes.emplace_back(
             CORE_TEXT("inertia-moments",
-                      "The articulated rods of cylinders %1 are longer than the master rod (%2): "
-                      "usual ones are shorter by about the knuckle radius."),
+                      "The articulated rods of cylinders %1 are longer than the master rod (%2); "
+                      "usual: shorter by about the knuckle radius."),
             numbers_of(longer),
             Number{.value = rod_length / units::mm, .unit = units::mm, .digits = 6});
     }

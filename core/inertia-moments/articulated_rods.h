@@ -23,7 +23,7 @@ struct ArticulatedMotion {
 
 /// The mechanism of a cylinder whose rod hangs on a master rod, in units of R.
 ///
-/// The crankpin stands at e^{iθ} from the cylinder's axis; the master rod swings by its own
+/// The crankpin is at e^{iθ} from the cylinder's axis; the master rod swings by its own
 /// slider-crank, sin ψ = λ(K_m − sin θ_m) with θ_m = θ + β − β_m, and carries the knuckle pin:
 /// q = e^{iθ} + ρ e^{i(ψ + c)}, ρ = r_k/R, c = γ − (β − β_m). The piston pin closes the loop on
 /// its axis, s = Re q + √(l² − (Im q − K)²). Derived from the geometry alone; with ρ = 0 and l = L
@@ -81,7 +81,7 @@ std::vector<std::optional<KnuckleRod>> knuckle_rods(std::span<const Cylinder> cy
 std::vector<Message> unusual_rod_notes(std::span<const std::optional<KnuckleRod>> rods,
                                        double rod_length);
 
-/// The usual knuckle radius of a radial: the pins stand close round the crankpin's bearing.
+/// The usual knuckle radius of a radial: the pins are close round the crankpin's bearing.
 inline constexpr double usual_knuckle_share = 0.75;  ///< of the crank radius
 
 /// Hangs the rods of each throw on that of its first cylinder, as in a radial; throws with one rod

@@ -90,11 +90,11 @@ Message describe(const Difference& difference) {
         return Number{share / units::percent, units::none, -1};
     };
     if (difference.two_term == 0.0) {
-        return {CORE_TEXT("inertia-moments",
-                          "%1: the two-term form leaves it out, %2 % of the largest order"),
-                component, percent(difference.of_largest)};
+        return {
+            CORE_TEXT("inertia-moments", "%1: not in the two-term form, %2 % of the maximum order"),
+            component, percent(difference.of_largest)};
     }
-    return {CORE_TEXT("inertia-moments", "%1: the two-term form is %2 % off"), component,
+    return {CORE_TEXT("inertia-moments", "%1: error of the two-term form %2 %"), component,
             percent(difference.relative.value_or(0.0))};
 }
 

@@ -98,8 +98,8 @@ Message describe(const Locking& locking) {
     const auto number = static_cast<double>(locking.cylinder + 1);
     if (!locking.angles) {
         return {CORE_TEXT("inertia-moments",
-                          "the mechanism of cylinder %1 cannot be joined: the rod reaches the "
-                          "piston at no crank angle"),
+                          "the mechanism of cylinder %1 is not possible: the rod does not reach "
+                          "the piston at any crank angle"),
                 number};
     }
     return {CORE_TEXT("inertia-moments",

@@ -74,7 +74,7 @@ struct Locking {
 std::optional<Locking> find_locking(double crank_radius, double lambda,
                                     const std::vector<Cylinder>& cylinders);
 
-/// The first cylinder whose articulated rod stands across before the crank is round, if any does.
+/// The first cylinder whose articulated rod is across before the crank is round, if any does.
 /// @param engine  whose other mechanisms do not lock
 std::optional<Locking> find_articulated_locking(const Engine& engine);
 

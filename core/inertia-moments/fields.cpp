@@ -108,8 +108,7 @@ void visit_rotating_mass(FieldVisitor& visitor, Input& input) {
         if (of_throw && of_cylinder) {
             throw InputError(
                 visitor.pointer() + "/" + std::string(field::rotating_mass_per_throw.key),
-                {CORE_TEXT("core", "must be left out where %1 is given"),
-                 field::rotating_mass.key});
+                {CORE_TEXT("core", "must be left out if %1 is given"), field::rotating_mass.key});
         }
         input.rotating_mass_of_throw = of_throw;
     }

@@ -17,14 +17,13 @@ inline constexpr Field crank_radius{
     .symbol = "R",
     .hint = CORE_TEXT("inertia-moments",
                       "Half the stroke (a little less with offset). Volkswagen VR5: 45 mm.")};
-inline constexpr Field lambda{
-    .key = "lambda",
-    .range = Range::greater_than(0),
-    .label = CORE_TEXT("inertia-moments", "&λ = R / L"),
-    .symbol = "λ",
-    .hint = CORE_TEXT("inertia-moments",
-                      "Crank radius over rod length. Volkswagen VR5: 0.265. The crank turns where "
-                      "λ (1 + |e|/R) < 1.")};
+inline constexpr Field lambda{.key = "lambda",
+                              .range = Range::greater_than(0),
+                              .label = CORE_TEXT("inertia-moments", "&λ = R / L"),
+                              .symbol = "λ",
+                              .hint = CORE_TEXT("inertia-moments",
+                                                "Crank radius over rod length; the crank turns if "
+                                                "λ (1 + |e|/R) < 1. Volkswagen VR5: 0.265.")};
 inline constexpr Field rod_length{
     .key = "rod_length_mm",
     .unit = units::mm,
@@ -32,8 +31,8 @@ inline constexpr Field rod_length{
     .label = CORE_TEXT("inertia-moments", "Ro&d length L"),
     .symbol = "L",
     .hint = CORE_TEXT("inertia-moments",
-                      "From crankpin to piston pin, instead of λ = R / L. It stays when the crank "
-                      "radius changes; λ stays where λ is given.")};
+                      "From crankpin to piston pin. Enter λ or the length; the entered one is kept "
+                      "when the crank radius changes.")};
 inline constexpr Field speed{
     .key = "speed_rpm",
     .unit = units::rpm,
@@ -48,58 +47,57 @@ inline constexpr Field reciprocating_mass{
     .range = Range::greater_than(0),
     .label = CORE_TEXT("inertia-moments", "Re&ciprocating mass"),
     .hint = CORE_TEXT("inertia-moments",
-                      "Of one cylinder: piston with pin and rings, and the rod's share unless the "
-                      "rod is a rigid body below. Volkswagen VR5: 0.622 kg.")};
+                      "Mass of one cylinder: piston with pin and rings, and the rod's share unless "
+                      "the rod is a rigid body. Volkswagen VR5: 0.622 kg.")};
 inline constexpr Field rotating_mass{
     .key = "rotating_mass_kg",
     .unit = units::kg,
     .range = Range::at_least(0),
     .label = CORE_TEXT("inertia-moments", "R&otating mass"),
-    .hint = CORE_TEXT("inertia-moments",
-                      "Of one cylinder, reduced to the crank radius: its part of the throw's "
-                      "unbalance, and the rod's share unless the rod is a rigid body below. A pin "
-                      "that two rods share carries it twice.")};
+    .hint =
+        CORE_TEXT("inertia-moments",
+                  "Mass of one cylinder at the crank radius: its part of the throw, and the rod's "
+                  "share unless the rod is a rigid body. A pin with two rods carries it twice.")};
 inline constexpr Field rotating_mass_per_throw{
     .key = "rotating_mass_per_throw_kg",
     .unit = units::kg,
     .range = Range::at_least(0),
     .label = CORE_TEXT("inertia-moments", "R&otating mass of a throw"),
     .hint = CORE_TEXT("inertia-moments",
-                      "Instead of the mass of one cylinder: all that turns on one crankpin, with "
-                      "the shares of its rods unless the rod is a rigid body below. Only where all "
-                      "pins carry the same number of rods.")};
+                      "Rotating mass on one crankpin, with the shares of its rods unless the rod "
+                      "is a rigid body. All pins must carry the same number of rods.")};
 inline constexpr Word stroke_words[] = {{"2", CORE_TEXT("inertia-moments", "two strokes, 360°")},
                                         {"4", CORE_TEXT("inertia-moments", "four strokes, 720°")}};
 inline constexpr Field strokes{
     .key = "strokes",
     .label = CORE_TEXT("inertia-moments", "C&ycle"),
     .hint = CORE_TEXT("inertia-moments",
-                      "4 or 2 strokes: the cylinders fire over 720° or over 360° of the crank. "
-                      "Crankpins for even firing follow it."),
+                      "The cylinders fire over 720° (four strokes) or 360° (two strokes). "
+                      "Crankpins for even firing follow."),
     .words = stroke_words};
 inline constexpr Field reference_position{
     .key = "reference_position_mm",
     .unit = units::mm,
     .label = CORE_TEXT("inertia-moments", "Centre of mass &z"),
     .symbol = "z",
-    .hint = CORE_TEXT("inertia-moments",
-                      "Axial position of the point that moments refer to, in the coordinates of "
-                      "the cylinders; positive towards cylinder 1.")};
+    .hint = CORE_TEXT(
+        "inertia-moments",
+        "Axial position of the reference point of moments, positive towards cylinder 1.")};
 inline constexpr Field step{
     .key = "step_deg",
     .unit = units::degree,
     .range = Range::between(0.01, 90),
     .hint = CORE_TEXT("inertia-moments",
-                      "Step of the curves in the result; without it there are none."),
+                      "Step of the curves in the result; without a step there are no curves."),
     .is_setting = true};
 /// Of a table; also of a layout.
 inline constexpr Field firing_order{
     .key = "firing_order",
     .range = Range::between(1, most_cylinders),
     .label = CORE_TEXT("inertia-moments", "&Firing order"),
-    .hint = CORE_TEXT("inertia-moments",
-                      "Numbers of the cylinders, for example 1-2-4-5-3. Layouts with crankpins for "
-                      "even firing follow it.")};
+    .hint = CORE_TEXT(
+        "inertia-moments",
+        "Numbers of the cylinders, for example 1-2-4-5-3. Crankpins for even firing follow.")};
 
 // Of each entry of "cylinders".
 inline constexpr Field cylinders{
@@ -135,8 +133,8 @@ inline constexpr Field crankpin_angle{
 inline constexpr Field articulated{
     .key = "articulated",
     .hint = CORE_TEXT("inertia-moments",
-                      "The cylinder's rod hangs on the master rod of its crankpin by a knuckle pin "
-                      "(radials); without it the rod runs on the crankpin itself.")};
+                      "The rod is attached to the master rod by a knuckle pin (radials); otherwise "
+                      "it runs on the crankpin.")};
 inline constexpr Field knuckle_radius{
     .key = "knuckle_radius_mm",
     .unit = units::mm,
@@ -144,7 +142,7 @@ inline constexpr Field knuckle_radius{
     .symbol = "rₖ",
     .hint = CORE_TEXT("inertia-moments",
                       "Articulated rod: distance of its knuckle pin from the crankpin's centre."),
-    .if_empty = CORE_TEXT("inertia-moments", "the rod runs on the crankpin itself")};
+    .if_empty = CORE_TEXT("inertia-moments", "the rod runs on the crankpin")};
 inline constexpr Field knuckle_angle{
     .key = "knuckle_angle_deg",
     .unit = units::degree,
@@ -161,22 +159,21 @@ inline constexpr Field articulated_length{
     .symbol = "l",
     .hint =
         CORE_TEXT("inertia-moments", "Articulated rod: its length from knuckle pin to piston pin."),
-    .if_empty = CORE_TEXT("inertia-moments", "the master rod's less the knuckle radius")};
+    .if_empty = CORE_TEXT("inertia-moments", "the master rod's length minus the knuckle radius")};
 inline constexpr Field master{
     .key = "master",
     .range = Range::between(0, most_cylinders),
     .hint = CORE_TEXT("inertia-moments",
                       "Articulated rod: number of the cylinder with its master rod."),
-    .if_empty =
-        CORE_TEXT("inertia-moments", "as 0, the only rod that runs on the crankpin itself")};
+    .if_empty = CORE_TEXT("inertia-moments", "0, the only rod on the crankpin")};
 inline constexpr Field knuckle_mass{
     .key = "knuckle_mass_kg",
     .unit = units::kg,
     .range = Range::at_least(0),
     .symbol = "mₖ",
     .hint = CORE_TEXT("inertia-moments",
-                      "Articulated rod: part of the cylinder's rotating mass that lies at the "
-                      "knuckle pin instead of the crankpin")};
+                      "Articulated rod: part of the cylinder's rotating mass at the knuckle pin "
+                      "instead of the crankpin")};
 
 // Of the object "layout".
 enum class LayoutType { vr, library };
@@ -204,16 +201,16 @@ inline constexpr Field included_angle{
     .label = CORE_TEXT("inertia-moments", "Bank an&gle γ"),
     .symbol = "γ",
     .hint = CORE_TEXT("inertia-moments",
-                      "Between the banks, 0 to 180°. Crankpins for even firing follow it; those of "
-                      "a table stay, and its bank angles are scaled.")};
+                      "Angle between the banks, 0 to 180°. Crankpins for even firing follow; in a "
+                      "table only the bank angles are scaled.")};
 inline constexpr Field layout_offset{
     .key = "offset_mm",
     .unit = units::mm,
     .label = CORE_TEXT("inertia-moments", "O&ffset e"),
     .symbol = "e",
     .hint = CORE_TEXT("inertia-moments",
-                      "Distance of the cylinder axes from the crank axis, as far as the mechanism "
-                      "does not lock. Of a table: the largest; the others are scaled with it.")};
+                      "Distance of the cylinder axes from the crank axis. In a table: the maximum; "
+                      "the others are scaled.")};
 inline constexpr Field spacing{
     .key = "spacing_mm",
     .unit = units::mm,
@@ -221,15 +218,14 @@ inline constexpr Field spacing{
     .label = CORE_TEXT("inertia-moments", "&Spacing a"),
     .symbol = "a",
     .hint = CORE_TEXT("inertia-moments",
-                      "Between neighbouring crankpins (in V engines: throws) along the crank. "
-                      "Volkswagen VR5: 63 mm.")};
-inline constexpr Field stagger{
-    .key = "stagger_mm",
-    .unit = units::mm,
-    .label = CORE_TEXT("inertia-moments", "Sta&gger"),
-    .hint = CORE_TEXT("inertia-moments",
-                      "From bank 1's cylinder to bank 2's at the same throw, along the crank. 0 "
-                      "where the rods are forked.")};
+                      "Distance between neighbouring crankpins (in V engines: throws) along the "
+                      "crank. Volkswagen VR5: 63 mm.")};
+inline constexpr Field stagger{.key = "stagger_mm",
+                               .unit = units::mm,
+                               .label = CORE_TEXT("inertia-moments", "Sta&gger"),
+                               .hint = CORE_TEXT("inertia-moments",
+                                                 "Distance along the crank from bank 1's to bank "
+                                                 "2's cylinder of a throw. 0 for forked rods.")};
 inline constexpr Field first_position{
     .key = "first_position_mm",
     .unit = units::mm,
@@ -244,7 +240,7 @@ inline constexpr Field first_position{
 inline constexpr Field rod{
     .key = "rod",
     .hint = CORE_TEXT("inertia-moments",
-                      "The rod as a rigid body; without it its shares are in the masses.")};
+                      "The rod as a rigid body; otherwise its shares are in the masses.")};
 inline constexpr Field rod_mass{.key = "mass_kg",
                                 .unit = units::kg,
                                 .range = Range::at_least(0),
@@ -260,7 +256,7 @@ inline constexpr Field rod_inertia{
     .unit = units::kg_m2,
     .range = Range::at_least(0),
     .label = CORE_TEXT("inertia-moments", "&Inertia"),
-    .hint = CORE_TEXT("inertia-moments", "About its centre of mass")};
+    .hint = CORE_TEXT("inertia-moments", "Moment of inertia about the centre of mass")};
 
 // Of each entry of "balance_shafts", and what they are designed for.
 inline constexpr Word bases[] = {{"exact", CORE_TEXT("inertia-moments", "exact orders")},
@@ -274,8 +270,8 @@ inline constexpr Field shaft_basis{
     .key = "balance_shaft_basis",
     .label = CORE_TEXT("inertia-moments", "&Designed for"),
     .hint = CORE_TEXT("inertia-moments",
-                      "The paper designs its shafts for the two-term form; what they leave of the "
-                      "exact order is then what the two-term form leaves out."),
+                      "The paper designs its shafts by the two-term form; the residual is then the "
+                      "error of this form."),
     .words = bases};
 inline constexpr Field shafts{
     .key = "balance_shafts",
@@ -286,8 +282,9 @@ inline constexpr Field shaft_order{
     .range = Range::between(1, highest_order),
     .label = CORE_TEXT("inertia-moments", "Order of the shaft"),
     .symbol = "k",
-    .hint = CORE_TEXT("inertia-moments",
-                      "Order that the shaft cancels; it turns k times as fast as the crank.")};
+    .hint =
+        CORE_TEXT("inertia-moments",
+                  "Order that the shaft cancels; the shaft turns k times as fast as the crank.")};
 inline constexpr Field shaft_direction{
     .key = "direction",
     .label = CORE_TEXT("inertia-moments", "Direction of the shaft"),
@@ -312,7 +309,7 @@ inline constexpr Field shaft_position{
     .label = CORE_TEXT("inertia-moments", "Place of the shaft"),
     .symbol = "z",
     .hint = CORE_TEXT("inertia-moments", "Axial position of the weight."),
-    .if_empty = CORE_TEXT("inertia-moments", "at the point that moments refer to"),
+    .if_empty = CORE_TEXT("inertia-moments", "at the reference point of moments"),
     .placeholder = CORE_TEXT("inertia-moments", "c. m.")};
 inline constexpr Field weight_radius{
     .key = "weight_radius_mm",
@@ -329,13 +326,13 @@ inline constexpr Field phase_error{
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("inertia-moments", "Phase of the shaft"),
     .symbol = "δ",
-    .hint = CORE_TEXT("inertia-moments",
-                      "Error of the shaft's phase, ahead in its own direction: 0 when it is timed "
-                      "right.")};
+    .hint = CORE_TEXT(
+        "inertia-moments",
+        "Phase error of the shaft, positive ahead in its own direction; 0 for correct timing.")};
 inline constexpr Field shaft_enabled{
     .key = "enabled",
     .label = CORE_TEXT("inertia-moments", "Shaft on"),
-    .hint = CORE_TEXT("inertia-moments", "Switched on, the shaft counts in what is left over.")};
+    .hint = CORE_TEXT("inertia-moments", "If on, the shaft is included in the residual.")};
 
 // Of the object "counterweights".
 inline constexpr Field end_webs{
@@ -356,23 +353,24 @@ inline constexpr Field front_radius{
     .unit = units::mm,
     .range = weight_range,
     .label = CORE_TEXT("inertia-moments", "Front &radius ρ"),
-    .hint = CORE_TEXT("inertia-moments", "Of the front weight's centre of mass")};
+    .hint = CORE_TEXT("inertia-moments", "Radius of the front weight's centre of mass")};
 inline constexpr Field rear_radius{
     .key = "rear_radius_mm",
     .unit = units::mm,
     .range = weight_range,
     .label = CORE_TEXT("inertia-moments", "Rear ra&dius ρ"),
-    .hint = CORE_TEXT("inertia-moments", "Of the rear weight's centre of mass")};
+    .hint = CORE_TEXT("inertia-moments", "Radius of the rear weight's centre of mass")};
 inline constexpr Field first_order_share{
     .key = "first_order_share",
     .range = Range::between(0, 1),
     .label = CORE_TEXT("inertia-moments", "&Share of order 1 cancelled"),
     .hint = CORE_TEXT("inertia-moments",
-                      "1 cancels the forward half of the reciprocating first order. Of a single "
-                      "cylinder that is a balance factor of 50 %.")};
+                      "1 cancels the forward half of the reciprocating first order; in a single "
+                      "cylinder this is a balance factor of 50 %.")};
 inline constexpr Field webs_enabled{
     .key = "enabled",
-    .hint = CORE_TEXT("inertia-moments", "Switched on, they count in what is left over.")};
+    .hint =
+        CORE_TEXT("inertia-moments", "If on, the counterweights are included in the residual.")};
 
 }  // namespace ravnoves::inertia_moments::field
 
@@ -383,7 +381,7 @@ namespace ravnoves::inertia_moments {
 /// @param key  of the cylinder's field or of its articulated rod's
 Message cylinder_place(std::size_t cylinder, std::string_view key);
 
-/// A refusal for people who see the table, not the file: "/input/cylinders/1/articulated/master"
+/// A rejection for people who see the table, not the file: "/input/cylinders/1/articulated/master"
 /// becomes "Cylinder 2, master rod". Other places stay.
 InputError in_words(const InputError& error);
 

@@ -95,9 +95,7 @@ std::vector<Formula> formulas(const Input& input) {
                     offset ? "F = m<sub>j</sub> R ω<sup>2</sup> (cos θ + K λ sin θ + λ cos 2θ)"
                            : "F = m<sub>j</sub> R ω<sup>2</sup> (cos θ + λ cos 2θ)",
                     chainov, "(1)–(4)",
-                    CORE_TEXT("inertia-moments",
-                              "the paper's form, beside which the exact one "
-                              "stands")});
+                    CORE_TEXT("inertia-moments", "the paper's form, compared with the exact one")});
     if (offset) {
         list.push_back({CORE_TEXT("inertia-moments", "Top dead centre"), "θ = arcsin(λK / (1 + λ))",
                         chainov, "Fig. 1",
@@ -116,23 +114,23 @@ std::vector<Formula> formulas(const Input& input) {
                     "F = Σ F<sub>i</sub> "
                     "u<sub>i</sub>",
                     chainov, "Fig. 4", CORE_TEXT("inertia-moments", "uᵢ direction of cylinder i")});
-    list.push_back({CORE_TEXT("inertia-moments", "Moments in the horizontal and vertical plane"),
-                    "(M<sub>x</sub>, M<sub>y</sub>) = Σ F<sub>i</sub> u<sub>i</sub> (z<sub>i</sub> "
-                    "− z<sub>0</sub>)",
-                    chainov, "(1)–(4)",
-                    CORE_TEXT("inertia-moments",
-                              "zᵢ place of cylinder i along the crank, z₀ the point that moments "
-                              "refer to")});
+    list.push_back(
+        {CORE_TEXT("inertia-moments", "Moments in the horizontal and vertical plane"),
+         "(M<sub>x</sub>, M<sub>y</sub>) = Σ F<sub>i</sub> u<sub>i</sub> (z<sub>i</sub> "
+         "− z<sub>0</sub>)",
+         chainov, "(1)–(4)",
+         CORE_TEXT("inertia-moments",
+                   "zᵢ place of cylinder i along the crank, z₀ reference point of moments")});
     list.push_back({CORE_TEXT("inertia-moments", "Roll moment"),
                     "M<sub>z</sub> = −Σ e F − Σ F ds/dφ", "", "",
                     CORE_TEXT("inertia-moments",
                               "of the offset axes, and the reaction to the torque on the crank")});
     if (input.rod) {
-        list.push_back({CORE_TEXT("inertia-moments", "Rod as a rigid body"), "ΔJ = J − m c (L − c)",
-                        "", "",
-                        CORE_TEXT("inertia-moments",
-                                  "what its inertia differs from two masses; acts on roll moment "
-                                  "and torque")});
+        list.push_back(
+            {CORE_TEXT("inertia-moments", "Rod as a rigid body"), "ΔJ = J − m c (L − c)", "", "",
+             CORE_TEXT(
+                 "inertia-moments",
+                 "difference of its inertia from two masses; acts on roll moment and torque")});
     }
     add_weights(list, input);
     return list;
@@ -143,15 +141,13 @@ std::span<const Text> left_out() {
         CORE_TEXT("inertia-moments", "The engine is rigid, and the crank turns at constant speed."),
         CORE_TEXT(
             "inertia-moments",
-            "Gas forces act inside the engine and come out as torque only; half orders belong "
-            "to them."),
-        CORE_TEXT("inertia-moments",
-                  "All cylinders have the same masses, the same crank radius and the same rod, but "
-                  "for articulated rods."),
+            "Gas forces act inside the engine, outside only as torque; they have the half orders."),
         CORE_TEXT(
             "inertia-moments",
-            "The inertia of a master rod's big end beyond the mass at its knuckle pins is left "
-            "out."),
+            "All cylinders have the same masses, crank radius and rod, except articulated rods."),
+        CORE_TEXT("inertia-moments",
+                  "The inertia of a master rod's big end beyond the mass at its knuckle pins is "
+                  "neglected."),
     };
     return texts;
 }

@@ -79,11 +79,12 @@ void check_locking(const Input& input, const std::vector<Cylinder>& cylinders) {
     const std::string pointer =
         input.layout ? "/input/layout/offset_mm"
                      : "/input/cylinders/" + std::to_string(locking->cylinder) + "/offset_mm";
-    throw InputError(pointer,
-                     {CORE_TEXT("inertia-moments",
-                                "must be less than %1 in size (rod length less crank radius); %2"),
-                      bound(limit, std::abs(offset)), describe(*locking)},
-                     bound(offset, std::copysign(limit, offset)));
+    throw InputError(
+        pointer,
+        {CORE_TEXT("inertia-moments",
+                   "must be less than %1 in magnitude (rod length minus crank radius); %2"),
+         bound(limit, std::abs(offset)), describe(*locking)},
+        bound(offset, std::copysign(limit, offset)));
 }
 
 /// What joins articulated rods with the rest: a rod as a rigid body, the rotating mass, locking.
@@ -93,12 +94,12 @@ void check_articulated(const Input& input, const Engine& engine) {
             continue;
         }
         if (input.rod) {
-            throw InputError("/input/rod",
-                             {CORE_TEXT("inertia-moments",
-                                        "must be left out where rods are articulated (that of "
-                                        "cylinder %1): master and articulated rods differ in mass, "
-                                        "and their shares belong in the masses"),
-                              i + 1});
+            throw InputError(
+                "/input/rod",
+                {CORE_TEXT("inertia-moments",
+                           "must be left out with articulated rods (cylinder %1): master and "
+                           "articulated rods differ in mass, so enter their shares in the masses"),
+                 i + 1});
         }
         const double mass = engine.knuckles[i]->knuckle_mass;
         if (!(mass <= engine.rotating_mass)) {
@@ -119,8 +120,8 @@ void check_articulated(const Input& input, const Engine& engine) {
         throw InputError(
             "/input/cylinders/" + std::to_string(i) + "/articulated/" + std::string(field.key),
             {CORE_TEXT("inertia-moments",
-                       "must leave the articulated rod longer than %1, which its knuckle pin goes "
-                       "from the cylinder's axis; %2"),
+                       "must leave the articulated rod longer than %1, the distance of its knuckle "
+                       "pin from the cylinder's axis; %2"),
              Number{.value = reach / units::mm, .digits = 6}, describe(*locking)},
             Number{.value = from_si(field, given ? rod.rod_length : rod.knuckle_radius),
                    .digits = 6});
@@ -143,8 +144,8 @@ void check_throws(const Input& input, const Engine& engine) {
     if (input.rotating_mass_of_throw && !rods_per_throw(engine.throws)) {
         throw InputError("/input/rotating_mass_per_throw_kg",
                          {CORE_TEXT("inertia-moments",
-                                    "must be given for one cylinder (%1) on a crank whose throws "
-                                    "carry different numbers of rods"),
+                                    "must be given for one cylinder (%1) if the throws carry "
+                                    "different numbers of rods"),
                           field::rotating_mass.key},
                          describe_difference(engine.throws));
     }
@@ -152,10 +153,10 @@ void check_throws(const Input& input, const Engine& engine) {
 
 void check_size(const Input& input, const Engine& engine) {
     if (input.rod && !(engine.reciprocating_mass > 0.0 && engine.rotating_mass >= 0.0)) {
-        throw InputError("/input/rod/centre_from_big_end_mm",
-                         CORE_TEXT("inertia-moments",
-                                   "must leave both ends of the rod a mass that is not negative"),
-                         Number{.value = input.rod->centre_from_big_end / units::mm, .digits = 6});
+        throw InputError(
+            "/input/rod/centre_from_big_end_mm",
+            CORE_TEXT("inertia-moments", "must give both ends of the rod a mass of at least 0"),
+            Number{.value = input.rod->centre_from_big_end / units::mm, .digits = 6});
     }
     double lever = engine.crank_radius;
     for (const Cylinder& cylinder : engine.cylinders) {

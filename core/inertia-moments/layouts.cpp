@@ -303,13 +303,13 @@ bool fires_evenly(std::span<const FiringEvent> firing) {
 
 Message describe_misfit(const Engine& engine, std::span<const int> firing_order, double cycle) {
     if (cycle > two_pi) {
-        return {CORE_TEXT("inertia-moments",
-                          "The order %1 cannot be run through in two turns of this crank."),
-                firing_order_text(firing_order)};
+        return {
+            CORE_TEXT("inertia-moments", "This crank cannot fire in the order %1 in two turns."),
+            firing_order_text(firing_order)};
     }
     return {CORE_TEXT("inertia-moments",
-                      "The order %1 cannot be run through in one turn of this crank, as a "
-                      "two-stroke has to: its cylinders come to the top in the order %2."),
+                      "This crank cannot fire in the order %1 in one turn (two-stroke); the order "
+                      "of its dead centres is %2."),
             firing_order_text(firing_order), firing_order_text(dead_centre_order(engine))};
 }
 

@@ -14,12 +14,11 @@ inline constexpr MethodChoice slider_crank_choice{
     "exact-table",
     "double",
     1e-9,
-    CORE_TEXT(
-        "methods",
-        "Reports print six digits and layouts in balance must come out as zero, which is a "
-        "difference of large forces: so nine digits. The exact form needs one square root; a "
-        "series of the same cost has three digits at λ = 0.5 and none near locking. The sines of "
-        "the nodes are kept, because every cylinder and every turn needs the same ones.")};
+    CORE_TEXT("methods",
+              "Reports print six digits, and balanced layouts must give zero as a difference of "
+              "large forces: nine digits. The exact form needs one square root; a series of the "
+              "same cost has three digits at λ = 0.5 and none near locking. The sines of the nodes "
+              "are stored: every cylinder and turn needs them.")};
 
 /// Orders of force and torque: discrete Fourier transform whose length follows from the accuracy.
 inline constexpr MethodChoice orders_choice{
@@ -29,9 +28,9 @@ inline constexpr MethodChoice orders_choice{
     "1e-13",
     1e-11,
     CORE_TEXT("methods",
-              "A balanced layout is a sum of orders that cancel; what is left must be rounding, so "
-              "eleven digits. No fixed number of points holds that for every λ and K: the order's "
-              "decay is known in closed form, and the number of points follows from it.")};
+              "In a balanced layout orders cancel and only rounding may remain: eleven digits. No "
+              "fixed number of points suffices for every λ and K; the number follows from the "
+              "known decay of the orders.")};
 
 /// What an answer leads with, below "result".
 inline constexpr std::array<std::string_view, 8> leading_results{

@@ -301,12 +301,12 @@ Verdict residual_verdict(const EngineOrders& remaining) {
     }
     std::vector<Message> said;
     if (force != nullptr) {
-        said.emplace_back(CORE_TEXT("inertia-moments", "Largest residual force: %1, order %2."),
+        said.emplace_back(CORE_TEXT("inertia-moments", "Maximum residual force: %1, order %2."),
                           Number{rounded_to_digits(force->force.max(), 4), units::newton},
                           force->order);
     }
     if (moment != nullptr) {
-        said.emplace_back(CORE_TEXT("inertia-moments", "Largest residual moment: %1, order %2."),
+        said.emplace_back(CORE_TEXT("inertia-moments", "Maximum residual moment: %1, order %2."),
                           Number{rounded_to_digits(moment->moment.max(), 4), units::N_m},
                           moment->order);
     }

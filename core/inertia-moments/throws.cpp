@@ -44,7 +44,7 @@ std::vector<Throw> crank_throws(std::span<const Cylinder> cylinders, double cran
         return cylinders[a].axial_position > cylinders[b].axial_position;
     };
     std::stable_sort(order.begin(), order.end(), front_first);
-    // Masters that are named first, then the rods that name them: what else stands in the direction
+    // Masters that are named first, then the rods that name them: what else is in the direction
     // of one of these has a crankpin of its own.
     const auto names = [&](const Cylinder& rod, std::size_t i) {
         return rod.articulated && static_cast<std::size_t>(rod.articulated->master) == i + 1;
@@ -157,11 +157,9 @@ std::vector<Message> articulated_rod_notes(std::span<const Throw> throws,
         if (most >= 3) {
             notes.emplace_back(
                 CORE_TEXT("inertia-moments",
-                          "Cylinders %1 share a crankpin in one plane: there one rod is the master "
-                          "and the others hang on it. All are computed as plain rods on the pin; "
-                          "articulated ones add a second order to the force, of 5 to 12 % of "
-                          "the first, and uneven dead centres. \"Articulated rods\" above the "
-                          "table of cylinders computes them (articulated in the case file)."),
+                          "Cylinders %1 share a crankpin in one plane but are computed as plain "
+                          "rods. Tick \"Articulated rods\" above the table: they add a second "
+                          "order of 5 to 12 % and uneven dead centres."),
                 widest);
         }
     }

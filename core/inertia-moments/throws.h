@@ -17,8 +17,8 @@ struct Throw {
     double crankpin_angle = 0.0;         ///< κ, rad
 };
 
-/// The throws, from the front to the rear. Rods share a crankpin where it stands at the same angle
-/// for both, their cylinders stand in different directions, and less than the crank radius lies
+/// The throws, from the front to the rear. Rods share a crankpin where it is at the same angle
+/// for both, their cylinders are in different directions, and less than the crank radius lies
 /// between them along the crank (0 where they are forked, else the width of a big end).
 std::vector<Throw> crank_throws(std::span<const Cylinder> cylinders, double crank_radius);
 

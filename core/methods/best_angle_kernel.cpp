@@ -91,9 +91,9 @@ Kernel best_angle_kernel() {
     Kernel& kernel = definition.kernel;
     kernel.id = "best-angle";
     kernel.title = CORE_TEXT("methods", "Best shaft angle");
-    kernel.quantity = CORE_TEXT("methods", "the α with the least range of Mᵤₚₛ");
+    kernel.quantity = CORE_TEXT("methods", "the α of the minimum range of Mᵤₚₛ");
     kernel.error_measure =
-        CORE_TEXT("methods", "range there less the least range, part of the largest torque + A");
+        CORE_TEXT("methods", "range minus minimum range, share of the maximum torque + A");
     kernel.evaluation = CORE_TEXT("methods", "one search over all α, the table being prepared");
     kernel.reference = CORE_TEXT(
         "methods", "every angle of a scan where the slope turns, halved until it is found");
@@ -101,7 +101,7 @@ Kernel best_angle_kernel() {
     definition.methods = {
         method_of({"scan",
                    CORE_TEXT("methods", "scan"),
-                   CORE_TEXT("methods", "as good as its step, whatever the table"),
+                   CORE_TEXT("methods", "limited by its step, for any table"),
                    {{"30°", 30}, {"5°", 5}, {"1°", 1}, {"0.1°", 0.1}},
                    false},
                   scan),

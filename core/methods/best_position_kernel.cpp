@@ -92,22 +92,23 @@ Kernel best_position_kernel() {
     Kernel& kernel = definition.kernel;
     kernel.id = "best-position";
     kernel.title = CORE_TEXT("methods", "Best place of the shaft");
-    kernel.quantity = CORE_TEXT("methods", "the place of the shaft with the least range of M_ups");
+    kernel.quantity =
+        CORE_TEXT("methods", "the place of the shaft with the minimum range of M_ups");
     kernel.error_measure =
-        CORE_TEXT("methods", "range there less the least range, part of the largest torque + A");
+        CORE_TEXT("methods", "range minus minimum range, share of the maximum torque + A");
     kernel.evaluation =
         CORE_TEXT("methods", "one search over all places, the table being prepared");
-    kernel.reference = CORE_TEXT("methods", "ellipsoids around the place, halved by slopes");
+    kernel.reference = CORE_TEXT("methods", "ellipsoids around the place, cut by slopes");
     kernel.choice = balance_shaft::best_position_choice;
     definition.methods = {
         {{"first-order",
           CORE_TEXT("methods", "place without first order"),
-          CORE_TEXT("methods", "the best place for the RMS, not for the range"),
+          CORE_TEXT("methods", "the optimum of the RMS, not of the range"),
           {{CORE_TEXT("methods", "closed form"), 0}},
           false},
          first_order},
         method_of({"grid", CORE_TEXT("methods", "grid"),
-                   CORE_TEXT("methods", "as good as its step, for the price of its square"),
+                   CORE_TEXT("methods", "limited by its step, at a quadratic cost"),
                    counted(CORE_TEXT("methods", "%1 a side"), {21, 81, 201}), false},
                   grid),
         method_of({"cutting-planes",

@@ -172,7 +172,7 @@ class Question {
         try {
             solver_.respond(input, context_, {}, pointers)->evaluate({}, values);
         } catch (const InputError&) {
-            // The scene refuses the case with this change.
+            // The scene rejects the case with this change.
         }
         return values;
     }

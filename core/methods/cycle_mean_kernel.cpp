@@ -138,7 +138,7 @@ Kernel cycle_mean_kernel() {
     kernel.quantity = CORE_TEXT("methods",
                                 "mean of Mᵤₚₛ, its RMS about the mean, and the first order, which "
                                 "gives the RMS at every α");
-    kernel.error_measure = CORE_TEXT("methods", "part of the largest torque of the table + A");
+    kernel.error_measure = CORE_TEXT("methods", "share of the maximum torque of the table + A");
     kernel.evaluation = CORE_TEXT("methods", "all of these, from the table");
     kernel.reference =
         CORE_TEXT("methods", "Gauss-Legendre sums over the pieces, the spline by its bends");
@@ -174,8 +174,8 @@ Kernel cycle_mean_kernel() {
         {{"exact",
           CORE_TEXT("methods", "exact integral of the interpolant"),
           CORE_TEXT("methods",
-                    "exact for the table as it is read; what the engine did between the "
-                    "rows is not in the table"),
+                    "exact for the interpolated table; the table does not show the engine between "
+                    "its rows"),
           {{CORE_TEXT("methods", "pieces"), 0}},
           false},
          exact},

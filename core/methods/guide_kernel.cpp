@@ -52,7 +52,7 @@ struct GuideCase {
 };
 
 Message no_guide() {
-    return CORE_TEXT("methods", "the spring would have to give out more energy than it stores");
+    return CORE_TEXT("methods", "the spring stores too little energy");
 }
 
 Message singular() {
@@ -219,7 +219,7 @@ std::function<GuideCase(double)> paper_with(const Change& change) {
                 guide.hardest_angle = 0.0;
             }
         } catch (const InputError&) {
-            // Refused by every method and by the scene; the whole degrees do.
+            // Rejected by every method and by the scene; the whole degrees do.
         }
         return guide;
     };
@@ -236,8 +236,8 @@ Kernel guide_kernel() {
     kernel.quantity = CORE_TEXT("methods", "radius ρ(φ) of the crank's guide over one turn");
     kernel.error_measure = CORE_TEXT("methods", "part of the guide's relief");
     kernel.evaluation = CORE_TEXT("methods", "ρ at one crank angle");
-    kernel.reference = CORE_TEXT(
-        "methods", "the energy that the spring has left beside the energy of the three bodies");
+    kernel.reference =
+        CORE_TEXT("methods", "residual energy of the spring, from the energy of the three bodies");
     kernel.choice = elastic_hinge::guide_choice;
     definition.methods = {
         closed_form(
@@ -254,25 +254,24 @@ Kernel guide_kernel() {
                 const double rho = spring.radius_at_zero;
                 return l / 2.0 - std::sqrt(l * l / 4.0 - (l * rho - rho * rho + q));
             }),
-        closed_form(
-            {"closed-form",
-             CORE_TEXT("methods", "closed form"),
-             CORE_TEXT("methods",
-                       "half of the digits are left where the spring gives out all that it stores; "
-                       "beyond there is no guide"),
-             {{CORE_TEXT("methods", "free of cancellation"), 0}},
-             false},
-            [](const GuideSpring<double>& spring, double q) {
-                return guide_radius(spring, Branch::compressed, q);
-            }),
+        closed_form({"closed-form",
+                     CORE_TEXT("methods", "closed form"),
+                     CORE_TEXT("methods",
+                               "half of the digits remain where the spring releases all its "
+                               "energy; beyond that no guide exists"),
+                     {{CORE_TEXT("methods", "free of cancellation"), 0}},
+                     false},
+                    [](const GuideSpring<double>& spring, double q) {
+                        return guide_radius(spring, Branch::compressed, q);
+                    }),
         {{"rk4", CORE_TEXT("methods", "Runge-Kutta of order 4"),
           CORE_TEXT("methods",
-                    "loses its order where ρ comes near ℓ₀/2: the slope is infinite there"),
+                    "loses its order where ρ approaches ℓ₀/2: the slope is infinite there"),
           counted(CORE_TEXT("methods", "%1 steps"), {360, 720, 3600}), true},
          runge_kutta},
         {{"dormand-prince",
           CORE_TEXT("methods", "Dormand-Prince with step control"),
-          CORE_TEXT("methods", "its steps shrink to nothing where ρ comes near ℓ₀/2"),
+          CORE_TEXT("methods", "its steps shrink to 0 where ρ approaches ℓ₀/2"),
           {{"1e-6", 1e-6}, {"1e-8", 1e-8}, {"1e-10", 1e-10}, {"1e-12", 1e-12}},
           false},
          dormand_prince},
@@ -281,7 +280,7 @@ Kernel guide_kernel() {
     const double least_preload = scene_guide(paper.input).minimum_preload;
     const double margin = paper.spring().preload() / least_preload - 1.0;
     definition.sweeps = {
-        {{"preload", CORE_TEXT("methods", "preload above the least one, part of it"), units::none,
+        {{"preload", CORE_TEXT("methods", "preload above the minimum, relative"), units::none,
           1e-12, 1e2, Spacing::logarithmic, 0.0, 1e-12, 1e2, margin},
          paper_with([least_preload](elastic_hinge::Input& input, double excess) {
              input.spring->guide_radius_at_zero =
@@ -290,7 +289,7 @@ Kernel guide_kernel() {
         {{"stiffness", CORE_TEXT("methods", "stiffness c of the spring"), units::N_per_m, 1e4, 1e12,
           Spacing::logarithmic, 0.0, 1e5, 1e10, paper.input.spring->stiffness},
          paper_with([](elastic_hinge::Input& input, double c) { input.spring->stiffness = c; })},
-        {{"stiffness-preloaded", CORE_TEXT("methods", "stiffness c, preload 1.1 times the least"),
+        {{"stiffness-preloaded", CORE_TEXT("methods", "stiffness c, preload 1.1 times the minimum"),
           units::N_per_m, 1e7, 1e15, Spacing::logarithmic, 0.0, 1e7, 1e15,
           paper.input.spring->stiffness},
          paper_with([paper_least = least_preload](elastic_hinge::Input& input, double c) {

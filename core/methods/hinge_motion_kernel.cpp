@@ -142,7 +142,7 @@ Message why_not(const MotionCase& motion) {
     return std::isnormal(square) && motion.seconds > 0.0 && std::isfinite(motion.seconds)
                ? Text{}
                : CORE_TEXT("methods",
-                           "at this speed the turns take no time that a number can hold");
+                           "at this speed the time of a turn is below the range of numbers");
 }
 
 /// Thousands of turns take seconds.
@@ -221,7 +221,7 @@ Advance dormand_prince(const MotionCase& motion, const Acceleration& f, double t
                                   tolerance, odeint::runge_kutta_dopri5<State>());
     stepper.initialize(State{0.0, motion.start_speed}, 0.0, 1e-3 / motion.start_speed);
     const auto most_steps = static_cast<long>(1e5 * motion.turns);
-    const Message lost = CORE_TEXT("methods", "its steps shrink to nothing");
+    const Message lost = CORE_TEXT("methods", "its steps shrink to 0");
     return [&f, stepper, lost, most_steps, end = 0.0](double seconds,
                                                       TurnState& x) mutable -> Message {
         end += seconds;
@@ -342,7 +342,7 @@ MotionCase make_motion(double lambda, double start_share, double turns, double t
         motion.before = time_of_turns(motion, motion.turns - 1.0);
         motion.seconds = static_cast<double>(time_of_turns(motion, motion.turns));
     } catch (const InputError&) {
-        motion.solved = nullptr;  // λ = 1: refused by every method
+        motion.solved = nullptr;  // λ = 1: rejected by every method
     }
     return motion;
 }
@@ -358,7 +358,7 @@ Kernel hinge_motion_kernel() {
     kernel.title = CORE_TEXT("methods", "Motion with a hinge");
     kernel.quantity = CORE_TEXT(
         "methods", "crank angle and speed at nine times of the last turn, off the design speed");
-    kernel.error_measure = CORE_TEXT("methods", "rad, or part of the speed, for each turn made");
+    kernel.error_measure = CORE_TEXT("methods", "rad, or share of the speed, per turn");
     kernel.evaluation = CORE_TEXT("methods", "one turn of motion");
     kernel.reference = CORE_TEXT(
         "methods", "speeds by the energy of the three bodies, times by Gauss-Legendre sums");
@@ -366,20 +366,20 @@ Kernel hinge_motion_kernel() {
     definition.methods = {
         integrated({"rk4", CORE_TEXT("methods", "Runge-Kutta of order 4, fixed step"),
                     CORE_TEXT("methods",
-                              "its energy drifts steadily: with 90 steps a turn it is wrong after "
-                              "thousands of turns, and near λ = 1 at once"),
+                              "its energy drifts: with 90 steps a turn it is wrong after thousands "
+                              "of turns, near λ = 1 at once"),
                     counted(CORE_TEXT("methods", "%1 steps a turn"), {45, 90, 180, 360}), true},
                    runge_kutta_4),
-        integrated({"dormand-prince", CORE_TEXT("methods", "Dormand-Prince with step control"),
-                    CORE_TEXT("methods",
-                              "the energy drifts by about the tolerance at every turn: a little "
-                              "less than its tolerance promises, but without end"),
-                    tolerances, false},
-                   dormand_prince),
+        integrated(
+            {"dormand-prince", CORE_TEXT("methods", "Dormand-Prince with step control"),
+             CORE_TEXT("methods",
+                       "the energy drifts by about the tolerance at every turn, without limit"),
+             tolerances, false},
+            dormand_prince),
         {{"energy-series", CORE_TEXT("methods", "energy, time by Chebyshev series"),
           CORE_TEXT("methods",
-                    "stretches are halved near a standstill, which costs; where the crank "
-                    "can just pass a dead point or just not, rounding decides which"),
+                    "slower near a standstill; where the crank barely passes a dead point, "
+                    "rounding decides"),
           tolerances, false},
          energy_series},
     };

@@ -127,7 +127,7 @@ Kernel inertia_orders_kernel() {
     kernel.title = CORE_TEXT("methods", "Inertia orders");
     kernel.quantity = CORE_TEXT("methods", "orders 0 to 12 of force and torque of one cylinder");
     kernel.error_measure =
-        CORE_TEXT("methods", "part of the largest order, or of m R ω² and m R² ω²");
+        CORE_TEXT("methods", "share of the maximum order, or of m R ω² and m R² ω²");
     kernel.evaluation = CORE_TEXT("methods", "all the orders of one cylinder");
     kernel.reference =
         CORE_TEXT("methods", "integrals of s″ over half turns by the double exponential rule");
@@ -162,10 +162,10 @@ Kernel inertia_orders_kernel() {
                   }),
         method_of(
             {"transform-by-accuracy",
-             CORE_TEXT("methods", "Fourier transform as long as needed"),
+             CORE_TEXT("methods", "Fourier transform of sufficient length"),
              CORE_TEXT("methods",
                        "the number of points grows as 1/√(1 − λ(1 + K)); nearer to locking than "
-                       "4·10⁻⁹ the scene rejects the mechanism"),
+                       "4·10⁻⁹ the module rejects the mechanism"),
              {{"1e-4", 1e-4}, {"1e-8", 1e-8}, {"1e-13", 1e-13}},
              false},
             [](const OrdersCase& problem, double accuracy) {

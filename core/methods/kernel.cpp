@@ -141,7 +141,7 @@ Result evaluate(const Problem& problem, std::size_t method, std::size_t setting)
     }
     result.error = problem.error(out);
     if (!std::isfinite(result.error)) {
-        result.refusal = CORE_TEXT("methods", "is off by more than numbers can say");
+        result.refusal = CORE_TEXT("methods", "has an error beyond the range of numbers");
         result.error = 0.0;
     }
     return result;

@@ -23,7 +23,7 @@ struct Setting {
     double value = 0.0;  ///< the number in it; what it means is the method's affair
 };
 
-/// Settings whose number stands in the label: "64 points".
+/// Settings whose number is in the label: "64 points".
 inline Setting counted(Text label, double value) {
     return {Message(label, value), value};
 }
@@ -34,7 +34,7 @@ struct MethodInfo {
     std::string id;                 ///< "trapezoid"
     Text title;                     ///< "trapezoid rule"
     Text limits;                    ///< where it stops being trustworthy and why, as a sentence
-    std::vector<Setting> settings;  ///< the finest last: it stands in the stability map
+    std::vector<Setting> settings;  ///< the finest last: it is in the stability map
     /// True where Setting::value counts nodes, steps or terms, so that an order of convergence
     /// −d log(error) / d log(value) can be found.
     bool has_order = false;
@@ -63,14 +63,14 @@ struct SweepInfo {
     std::size_t points = 25;  ///< of a stability curve
 
     /// The value at a place 0…1 of the sweep, spread by `spacing`: its scale, on which values that
-    /// crowd towards a limit stand apart. Places outside 0…1 are its ends.
+    /// crowd towards a limit are apart. Places outside 0…1 are its ends.
     double at(double place) const;
     /// The place of a value, 0…1; values outside the sweep lie at its ends.
     double place(double value) const;
     /// n ≥ 2 values from `from` to `to`, spread by `spacing`; ends included (with towards_end the
     /// last value is `to` less the smallest distance).
     std::vector<double> values(std::size_t n) const;
-    /// True where a value can stand on a logarithmic axis.
+    /// True where a value can be on a logarithmic axis.
     bool logarithmic() const { return spacing == Spacing::logarithmic; }
     /// True where the values crowd towards their end, which is a limit.
     bool crowded() const { return spacing == Spacing::towards_end; }
@@ -128,7 +128,7 @@ const Kernel* find_kernel(std::string_view id);
 
 /// What became of one run.
 struct Result {
-    double error = 0.0;  ///< in the kernel's measure; meaningless where refused
+    double error = 0.0;  ///< in the kernel's measure; meaningless where rejected
     Message refusal;     ///< why there are no numbers; empty where there are
     bool refused() const { return !refusal.empty(); }
 };

@@ -64,7 +64,7 @@ struct StabilityCurve {
     std::size_t setting = 0;
     std::vector<Result> results;  ///< one for each value
 
-    /// Indices of values at which it fails a tolerance or refuses, as runs [first, last].
+    /// Indices of values at which it fails a tolerance or rejects, as runs [first, last].
     struct Span {
         std::size_t first = 0;
         std::size_t last = 0;

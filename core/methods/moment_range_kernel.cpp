@@ -107,31 +107,28 @@ Kernel moment_range_kernel() {
     kernel.id = "moment-range";
     kernel.title = CORE_TEXT("methods", "Range of Mᵤₚₛ");
     kernel.quantity =
-        CORE_TEXT("methods", "ΔMᵤₚₛ, largest less smallest moment over the cycle, at one α");
-    kernel.error_measure = CORE_TEXT("methods", "part of the largest torque of the table + A");
+        CORE_TEXT("methods", "ΔMᵤₚₛ, maximum minus minimum moment over the cycle, at one α");
+    kernel.error_measure = CORE_TEXT("methods", "share of the maximum torque of the table + A");
     kernel.evaluation = CORE_TEXT("methods", "the range at one α, the table being prepared");
     kernel.reference = CORE_TEXT("methods", "extrema of every half degree by Newton's method");
     kernel.choice = balance_shaft::moment_range_choice;
     definition.methods = {
         {{"nodes",
-          CORE_TEXT("methods", "largest and smallest node"),
-          CORE_TEXT("methods",
-                    "an extremum between the nodes is cut off, and a narrow peak is not seen at "
-                    "all"),
+          CORE_TEXT("methods", "maximum and minimum node"),
+          CORE_TEXT("methods", "cuts off an extremum between the nodes and misses a narrow peak"),
           {{"30°", 30}, {"15°", 15}, {"5°", 5}, {"1°", 1}, {"0.1°", 0.1}},
           false},
          prepare_nodes},
         {{"brent",
           CORE_TEXT("methods", "Brent's method between the rows"),
-          CORE_TEXT("methods",
-                    "finds one of two extrema between two rows, which long straight pieces have"),
+          CORE_TEXT("methods", "finds only one of two extrema on long straight pieces"),
           {counted(CORE_TEXT("methods", "to %1 bits"), 8),
            counted(CORE_TEXT("methods", "to %1 bits"), 24)},
           false},
          prepare_brent},
         {{"exact",
           CORE_TEXT("methods", "exact extrema of the pieces"),
-          CORE_TEXT("methods", "exact for the table as it is read"),
+          CORE_TEXT("methods", "exact for the interpolated table"),
           {{CORE_TEXT("methods", "pieces"), 0}},
           false},
          prepare_exact},

@@ -87,15 +87,15 @@ Verdict verdict(const KernelReport& report) {
     if (used->result.refused()) {
         return {
             Severity::note,
-            {CORE_TEXT("methods", "In use: %1. No numbers here: %2."), name, used->result.refusal}};
+            {CORE_TEXT("methods", "In use: %1. No values here: %2."), name, used->result.refusal}};
     }
     if (!used->holds) {
         return {Severity::warning,
-                {CORE_TEXT("methods", "In use: %1. It misses the tolerance at this value."), name}};
+                {CORE_TEXT("methods", "In use: %1. Beyond the tolerance at this value."), name}};
     }
     return {Severity::good,
             {CORE_TEXT("methods",
-                       "In use: %1. It holds the tolerance; %2 of %3 settings that do are faster."),
+                       "In use: %1. Within the tolerance; %2 of %3 settings within it are faster."),
              name, faster, holding}};
 }
 

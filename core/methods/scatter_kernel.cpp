@@ -20,7 +20,7 @@ using studies::Law;
 constexpr std::size_t seeds = 16;
 constexpr double jump_deg = 60.0;  ///< between the two minima
 constexpr double sway_deg = 10.0;  ///< of each of them
-/// What no number holds: it is refused.
+/// What no number holds: it is rejected.
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double aside = 0.5;  ///< part of the value that another input makes, unbound
 
@@ -173,13 +173,12 @@ Kernel scatter_kernel() {
     Definition<ScatterCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "scatter";
-    kernel.title = CORE_TEXT("methods", "Inputs that scatter");
+    kernel.title = CORE_TEXT("methods", "Uncertain inputs");
     kernel.quantity =
-        CORE_TEXT("methods", "mean and standard deviation of a result of scattering inputs");
+        CORE_TEXT("methods", "mean and standard deviation of a result of uncertain inputs");
     kernel.error_measure = CORE_TEXT(
-        "methods",
-        "larger error of both, part of the standard deviation, root mean square over 16 seeds");
-    kernel.evaluation = CORE_TEXT("methods", "one study, without what the result itself costs");
+        "methods", "larger error of both, share of the standard deviation, RMS over 16 seeds");
+    kernel.evaluation = CORE_TEXT("methods", "one study, without the cost of the result itself");
     kernel.reference = CORE_TEXT("methods", "closed forms of mean and variance");
     kernel.choice = studies::scatter_choice;
     constexpr Text samples = CORE_TEXT("methods", "%1 samples");
@@ -187,22 +186,21 @@ Kernel scatter_kernel() {
         {{"linear",
           CORE_TEXT("methods", "slopes at the nominal"),
           CORE_TEXT("methods",
-                    "knows nothing of what lies away from the nominal: a jump, a corner, "
-                    "a curve"),
+                    "does not include anything away from the nominal: a jump, a corner, a curve"),
           {{CORE_TEXT("methods", "differences"), 0}},
           false},
          linear},
-        sampled(
-            {"monte-carlo", CORE_TEXT("methods", "Monte Carlo"),
-             CORE_TEXT("methods",
-                       "always right in the end, but a digit costs a hundred times the samples"),
-             counted(samples, {64, 256, 1024, 8192}), true},
-            studies::Method::monte_carlo),
-        sampled({"sobol", CORE_TEXT("methods", "scrambled Sobol points"),
+        sampled({"monte-carlo", CORE_TEXT("methods", "Monte Carlo"),
                  CORE_TEXT("methods",
-                           "a digit costs some ten times the samples; across a jump a little more"),
-                 counted(samples, {64, 256, 1024, 4096}), true},
-                studies::Method::sobol),
+                           "converges always, but a digit needs a hundred times the samples"),
+                 counted(samples, {64, 256, 1024, 8192}), true},
+                studies::Method::monte_carlo),
+        sampled(
+            {"sobol", CORE_TEXT("methods", "scrambled Sobol points"),
+             CORE_TEXT("methods",
+                       "a digit needs about ten times the samples; across a jump a little more"),
+             counted(samples, {64, 256, 1024, 4096}), true},
+            studies::Method::sobol),
     };
     using Kind = ScatterCase::Kind;
     constexpr std::size_t points = 13;  // each takes some hundred thousand samples
@@ -212,12 +210,12 @@ Kernel scatter_kernel() {
          [](double size) {
              return ScatterCase{Kind::amplitude, size};
          }},
-        {{"jump", CORE_TEXT("methods", "lead of the best of two minima, part of its scatter"),
+        {{"jump", CORE_TEXT("methods", "difference of two minima, share of its scatter"),
           units::none, 0.05, 1.2, Spacing::linear, 0.0, 0.05, 1.2, 0.8, points},
          [](double gap) {
              return ScatterCase{Kind::jump, gap};
          }},
-        {{"corner", CORE_TEXT("methods", "where a clearance binds, part of the input's scatter"),
+        {{"corner", CORE_TEXT("methods", "where a clearance limits, share of the input's scatter"),
           units::none, -0.95, 0.9, Spacing::linear, 0.0, -0.95, 0.9, -0.5, points},
          [](double place) {
              return ScatterCase{Kind::corner, place};

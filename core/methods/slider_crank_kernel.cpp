@@ -26,7 +26,7 @@ struct Turn {
 
 Message refusal_of(const Turn& turn) {
     return turn.crank.locks()
-               ? CORE_TEXT("methods", "the mechanism locks: the crank cannot turn round")
+               ? CORE_TEXT("methods", "the mechanism locks: the crank cannot make a turn")
                : Text{};
 }
 
@@ -154,7 +154,7 @@ Kernel slider_crank_kernel() {
     kernel.id = "slider-crank";
     kernel.title = CORE_TEXT("methods", "Slider-crank kinematics");
     kernel.quantity = CORE_TEXT("methods", "s, s′, s″ of the piston pin over one turn");
-    kernel.error_measure = CORE_TEXT("methods", "part of the largest |s|, |s′|, |s″| of the turn");
+    kernel.error_measure = CORE_TEXT("methods", "share of the maximum |s|, |s′|, |s″| of the turn");
     kernel.evaluation = CORE_TEXT("methods", "s, s′ and s″ at one crank angle");
     kernel.reference = CORE_TEXT("methods", "the closure |crankpin − pin| = L, differentiated");
     kernel.choice = inertia_moments::slider_crank_choice;
@@ -181,8 +181,8 @@ Kernel slider_crank_kernel() {
          }},
         {{"exact-table", CORE_TEXT("methods", "exact, sines kept"),
           CORE_TEXT("methods",
-                    "near locking the error grows as the rounding divided by 1 − λ(1 + "
-                    "K): nine digits are left at 1 − λ(1 + K) = 10⁻⁶"),
+                    "near locking the error grows as the rounding divided by 1 − λ(1 + K): nine "
+                    "digits remain at 1 − λ(1 + K) = 10⁻⁶"),
           precision, false},
          [](const Turn& turn, double wide) {
              return wide > 0.0 ? prepare_table<double>(turn) : prepare_table<float>(turn);

@@ -10,7 +10,7 @@
 namespace ravnoves {
 
 /// min c·v over the v with aᵢ·v ≥ bᵢ, while constraints are added: the dual simplex method, which
-/// goes on from the last vertex. For a few variables and some hundred constraints.
+/// continues from the last vertex. For a few variables and some hundred constraints.
 ///
 /// @tparam N  variables
 template <typename Scalar, int N>

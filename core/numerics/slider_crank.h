@@ -47,7 +47,7 @@ struct SliderCrank {
     Scalar relative_offset() const { return offset / crank_radius; }  ///< K = e/R
 
     /// True where the crank cannot turn round: λ(1 + |K|) ≥ 1, that is L ≤ R + |e|. At equality
-    /// the crank passes, but s″ is infinite where the rod stands across the cylinder.
+    /// the crank passes, but s″ is infinite where the rod is across the cylinder.
     bool locks() const {
         using std::abs;
         return !(rod_length > crank_radius + abs(offset));

@@ -19,7 +19,7 @@ bool is_named_by(const CaseFile& file, const CaseContext& context,
                  const std::filesystem::path& path);
 
 /// The files that an input names together with their SHA-256 and that are others now, by their
-/// names in it. One that cannot be read is none of them: the input is refused then.
+/// names in it. One that cannot be read is none of them: the input is rejected then.
 std::vector<std::string> changed_files(const Json& input, const CaseContext& context);
 
 }  // namespace ravnoves

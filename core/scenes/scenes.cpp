@@ -211,7 +211,7 @@ const SceneSolver& scene_solver(const std::string& name) {
     const auto found = std::find_if(scenes.begin(), scenes.end(),
                                     [&](const SceneSolver& each) { return each.name == name; });
     if (found == scenes.end()) {
-        throw InputError("/scene", CORE_TEXT("core", "must be a known scene"), name);
+        throw InputError("/scene", CORE_TEXT("core", "must be a known module"), name);
     }
     return *found;
 }

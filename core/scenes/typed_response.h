@@ -18,7 +18,7 @@
 
 namespace ravnoves {
 
-/// Visits each input's results anew.
+/// Visits each input's results again.
 template <typename Input>
 struct AnewResults {
     explicit AnewResults(std::span<const std::string> /*varied*/) {}
@@ -29,7 +29,7 @@ struct AnewResults {
 /// visits what is watched, without a file in between. A number that the fields hand out as a copy
 /// is put into the JSON instead, which is read again for each evaluation.
 /// @tparam read_input   of the scene, from the "input" object of a case
-/// @tparam check_input  throws where the input as a whole is refused
+/// @tparam check_input  throws where the input as a whole is rejected
 /// @tparam Results      visits the results of one input after the other
 template <typename Input, auto read_input, auto check_input, typename Results>
 class TypedResponse final : public Response {

@@ -54,23 +54,21 @@ inline constexpr Field grade{
     .unit = units::mm_per_s,
     .range = Range::between(0.1, 10'000),
     .label = CORE_TEXT("V8", "&Grade G"),
-    .hint = CORE_TEXT(
-        "V8",
-        "Balance quality grade. The standard's table has 0.4, 1, 2.5, 6.3, 16, 40, 100, 250, "
-        "630, 1600, 4000 mm/s; crankshaft drives of car, truck and locomotive engines G 100, "
-        "inherently balanced crankshafts better.")};
+    .hint = CORE_TEXT("V8",
+                      "Balance quality grade of ISO 21940-11, 0.4 to 4000 mm/s. Engines of cars, "
+                      "trucks and locomotives: G 100; inherently balanced crankshafts: better.")};
 inline constexpr Field rotor_mass{
     .key = "rotor_mass_kg",
     .unit = units::kg,
     .range = Range::between(0.1, 100'000),
     .label = CORE_TEXT("V8", "&Mass of the crankshaft"),
-    .hint = CORE_TEXT("V8", "As it lies on the machine, with the bob weights.")};
+    .hint = CORE_TEXT("V8", "Mass on the machine, with the bob weights.")};
 inline constexpr Field service_speed{
     .key = "service_speed_rpm",
     .unit = units::rpm,
     .range = Range::between(1, 100'000),
     .label = CORE_TEXT("V8", "Service s&peed"),
-    .hint = CORE_TEXT("V8", "The highest speed in service, not that of the machine.")};
+    .hint = CORE_TEXT("V8", "Maximum speed in service, not the speed of the machine.")};
 
 }  // namespace field
 }  // namespace ravnoves::shop

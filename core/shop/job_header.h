@@ -52,38 +52,38 @@ std::optional<OtherShaft> other_shaft(const ReadShaft& read, const JobHeader& no
 namespace field {
 
 inline constexpr Field job{.key = "job", .hint = CORE_TEXT("V8", "Head of the job card.")};
-inline constexpr Field engine_number{.key = "engine_number",
-                                     .label = CORE_TEXT("V8", "Engine &number"),
-                                     .hint = CORE_TEXT("V8", "The journal finds the job by it.")};
-inline constexpr Field crankshaft_number{.key = "crankshaft_number",
-                                         .label = CORE_TEXT("V8", "Crankshaft num&ber"),
-                                         .hint = CORE_TEXT("V8", "As stamped on the crankshaft.")};
+inline constexpr Field engine_number{
+    .key = "engine_number",
+    .label = CORE_TEXT("V8", "Engine &number"),
+    .hint = CORE_TEXT("V8", "The journal finds the job by this number.")};
+inline constexpr Field crankshaft_number{
+    .key = "crankshaft_number",
+    .label = CORE_TEXT("V8", "Crankshaft num&ber"),
+    .hint = CORE_TEXT("V8", "Number stamped on the crankshaft.")};
 inline constexpr Field read_shaft{
     .key = "read_of",
-    .hint = CORE_TEXT("V8",
-                      "Whose readings they are, where the head of the card has become that of "
-                      "another crankshaft since.")};
+    .hint = CORE_TEXT("V8", "Engine and crankshaft of the readings, if the job now names others.")};
 inline constexpr Field engine_then{
     .key = "engine_number",
-    .label = CORE_TEXT("V8", "Engine number then"),
-    .hint = CORE_TEXT("V8", "Of the engine whose crankshaft the machine read.")};
+    .label = CORE_TEXT("V8", "Engine number of the reading"),
+    .hint = CORE_TEXT("V8", "Number of the engine during the reading.")};
 inline constexpr Field crankshaft_then{
     .key = "crankshaft_number",
-    .label = CORE_TEXT("V8", "Crankshaft number then"),
-    .hint = CORE_TEXT("V8", "Of the crankshaft that the machine read.")};
+    .label = CORE_TEXT("V8", "Crankshaft number of the reading"),
+    .hint = CORE_TEXT("V8", "Number of the crankshaft during the reading.")};
 inline constexpr Field customer{
     .key = "customer",
     .label = CORE_TEXT("V8", "C&ustomer"),
-    .hint = CORE_TEXT("V8", "Who brought the engine; the journal finds the job by it.")};
+    .hint = CORE_TEXT("V8", "Owner of the engine; the journal finds the job by this name.")};
 inline constexpr Field date{.key = "date",
                             .label = CORE_TEXT("V8", "&Date"),
                             .hint = CORE_TEXT("V8", "Year-month-day or day.month.year.")};
 inline constexpr Field technician{.key = "technician",
                                   .label = CORE_TEXT("V8", "&Technician"),
-                                  .hint = CORE_TEXT("V8", "Who does the work.")};
+                                  .hint = CORE_TEXT("V8", "Name of the technician.")};
 inline constexpr Field notes{.key = "notes",
                              .label = CORE_TEXT("V8", "&Notes"),
-                             .hint = CORE_TEXT("V8", "Printed on the job card.")};
+                             .hint = CORE_TEXT("V8", "Notes on the job card.")};
 
 }  // namespace field
 }  // namespace ravnoves::shop

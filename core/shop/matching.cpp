@@ -192,8 +192,7 @@ Message crank_fault(const Crank& crank) {
         return CORE_TEXT("matching", "the bank angle is missing");
     }
     if (crank.angles.size() != static_cast<std::size_t>(crank.angle_count())) {
-        return {CORE_TEXT("matching", "%1 angles of the crankpins are needed"),
-                crank.angle_count()};
+        return {CORE_TEXT("matching", "enter %1 angles of the crankpins"), crank.angle_count()};
     }
     if (crank.bank_offset != 0.0 && !crank.spacing) {
         return CORE_TEXT("matching", "the bank offset needs the cylinder spacing");
@@ -330,16 +329,17 @@ std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rule
     matched.spacing_known = task.spacing_known;
     if (rules.goal == MatchingGoal::fewest_moves && !rules.permitted_spread) {
         matched.goal = MatchingGoal::least_spread;
-        matched.remark = CORE_TEXT("matching",
-                                   "By how much the crankpins may differ is missing: they are "
-                                   "made as equal as can be.");
+        matched.remark = CORE_TEXT(
+            "matching",
+            "The permitted range of the crankpins is missing: they are made as equal as possible.");
     }
     if (rules.goal == MatchingGoal::least_shaking && !task.no_shaking.empty()) {
         matched.goal = MatchingGoal::least_spread;
-        matched.remark = {CORE_TEXT("matching",
-                                    "What the engine feels is not known (%1): the crankpins are "
-                                    "made as equal as can be."),
-                          task.no_shaking};
+        matched.remark = {
+            CORE_TEXT(
+                "matching",
+                "Shaking cannot be computed (%1): the crankpins are made as equal as possible."),
+            task.no_shaking};
     }
     const SetSearch by_spread = search_of_spread(task, rules);
     SetSearch search =
@@ -366,15 +366,12 @@ std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rule
     matched.shaking = shaking_of(task, rules, found.from);
     if (has_limit && matched.spread > search.enough) {
         matched.remark = {
-            found.proven
-                ? CORE_TEXT("matching",
-                            "No placing brings the crankpins within %1 of one another: they are "
-                            "made as equal as can be. Take off what the heavier parts have too "
-                            "much.")
-                : CORE_TEXT(
-                      "matching",
-                      "No placing found brings the crankpins within %1 of one another: they are "
-                      "made as equal as can be. Take off what the heavier parts have too much."),
+            found.proven ? CORE_TEXT("matching",
+                                     "No combination gives a range of %1: the crankpins are made "
+                                     "as equal as possible. Make the heavier parts lighter.")
+                         : CORE_TEXT("matching",
+                                     "No combination found gives a range of %1: the crankpins are "
+                                     "made as equal as possible. Make the heavier parts lighter."),
             in_grams(*rules.permitted_spread)};
     }
     return matched;
@@ -390,7 +387,7 @@ void check_matching(const MatchingRules& rules, int angle_count) {
     }
     if (rules.bank_offset && !rules.cylinder_spacing) {
         throw InputError(place + std::string(field::cylinder_spacing.key),
-                         CORE_TEXT("matching", "is required where the bank offset is given"));
+                         CORE_TEXT("matching", "is required with the bank offset"));
     }
 }
 

@@ -44,64 +44,60 @@ struct MatchingRules {
 
 inline constexpr Word goal_words[] = {{"least-spread", CORE_TEXT("matching", "Equal crankpins")},
                                       {"fewest-moves", CORE_TEXT("matching", "Fewest moves")},
-                                      {"least-shaking", CORE_TEXT("matching", "Least shaking")}};
-inline constexpr Word set_moves_words[] = {{"anywhere", CORE_TEXT("matching", "free")},
-                                           {"within-bank", CORE_TEXT("matching", "bank")},
-                                           {"stay", CORE_TEXT("matching", "stays")}};
-inline constexpr Word part_moves_words[] = {{"with-set", CORE_TEXT("matching", "goes")},
-                                            {"stay", CORE_TEXT("matching", "stays")}};
+                                      {"least-shaking", CORE_TEXT("matching", "Minimum shaking")}};
+inline constexpr Word set_moves_words[] = {{"anywhere", CORE_TEXT("matching", "anywhere")},
+                                           {"within-bank", CORE_TEXT("matching", "within bank")},
+                                           {"stay", CORE_TEXT("matching", "fixed")}};
+inline constexpr Word part_moves_words[] = {{"with-set", CORE_TEXT("matching", "with its set")},
+                                            {"stay", CORE_TEXT("matching", "fixed")}};
 
 namespace field {
 
 inline constexpr Field matching{
     .key = "matching",
-    .hint = CORE_TEXT("matching", "How weighed parts are matched: the goal, and what may move.")};
+    .hint = CORE_TEXT("matching", "Matching of weighed parts: goal, and permitted moves.")};
 inline constexpr Field goal{
     .key = "goal",
     .label = CORE_TEXT("matching", "Place the parts for"),
     .hint = CORE_TEXT("matching",
-                      "Crankpins whose weights differ least; the fewest sets moved that bring "
-                      "them within what they may differ by; or the least first-order force at "
-                      "both ends of the crankshaft, force and couple together, of what the parts "
-                      "differ by."),
+                      "Minimum range of the crankpins, fewest moves to the permitted range, or "
+                      "minimum first-order shaking at the ends of the crankshaft."),
     .words = goal_words};
 inline constexpr Field piston_moves{
     .key = "pistons",
-    .label = CORE_TEXT("matching", "Piston sets may go"),
+    .label = CORE_TEXT("matching", "Piston sets may move"),
     .hint = CORE_TEXT("matching",
-                      "Piston with pin and rings: anywhere, within their bank where pockets or an "
-                      "offset pin ask for it, or they stay: fitted to their bores."),
+                      "Piston with pin and rings: anywhere; within its bank (valve pockets, offset "
+                      "pin); or fixed (fitted to the bore)."),
     .words = set_moves_words};
-inline constexpr Field pin_moves{
-    .key = "pins",
-    .label = CORE_TEXT("matching", "Pins may go"),
-    .hint = CORE_TEXT("matching", "With their piston, or they stay where they are."),
-    .words = part_moves_words};
+inline constexpr Field pin_moves{.key = "pins",
+                                 .label = CORE_TEXT("matching", "Pins may move"),
+                                 .hint = CORE_TEXT("matching", "With its set, or fixed."),
+                                 .words = part_moves_words};
 inline constexpr Field ring_moves{
     .key = "rings",
-    .label = CORE_TEXT("matching", "Rings may go"),
-    .hint = CORE_TEXT("matching", "With their piston, or they stay: gapped to their bores."),
+    .label = CORE_TEXT("matching", "Rings may move"),
+    .hint = CORE_TEXT("matching", "With its set, or fixed (gapped to the bore)."),
     .words = part_moves_words};
 inline constexpr Field rod_moves{
     .key = "rods",
-    .label = CORE_TEXT("matching", "Rods may go"),
+    .label = CORE_TEXT("matching", "Rods may move"),
     .hint = CORE_TEXT("matching",
-                      "Rod with its shells: anywhere, within their bank where each faces its side "
-                      "of the crankpin, or they stay."),
+                      "Rod with its shells: anywhere; within its bank (each faces its side of the "
+                      "crankpin); or fixed."),
     .words = set_moves_words};
 inline constexpr Field shell_moves{
     .key = "shells",
-    .label = CORE_TEXT("matching", "Shells may go"),
-    .hint = CORE_TEXT("matching", "With their rod, or they stay: chosen for their journal."),
+    .label = CORE_TEXT("matching", "Shells may move"),
+    .hint = CORE_TEXT("matching", "With its set, or fixed (chosen for the journal)."),
     .words = part_moves_words};
 inline constexpr Field permitted_crankpin_spread{
     .key = "permitted_spread_g",
     .unit = units::gram,
     .range = Range::between(0, 100'000),
-    .label = CORE_TEXT("matching", "Crankpins may differ by"),
-    .hint = CORE_TEXT("matching",
-                      "Heaviest less lightest crankpin, as their bob weights: for the fewest moves "
-                      "within it."),
+    .label = CORE_TEXT("matching", "Permitted crankpin range"),
+    .hint = CORE_TEXT(
+        "matching", "Heaviest minus lightest crankpin by bob weight, for the goal “Fewest moves”."),
     .placeholder = CORE_TEXT("matching", "no limit")};
 inline constexpr Field crankpin_angles{
     .key = "crankpin_angles_deg",
@@ -110,18 +106,16 @@ inline constexpr Field crankpin_angles{
     .label = CORE_TEXT("matching", "Crankpins at"),
     .hint = CORE_TEXT(
         "matching",
-        "Angles of the throws from the front, in the sense from the second bank to the first."),
-    .if_empty =
-        CORE_TEXT("matching", "those usual for the engine, a cross-plane V-8 at 0; 90; 270; 180"),
+        "Angles of the throws from the front, positive from the second bank to the first."),
+    .if_empty = CORE_TEXT("matching", "usual for the engine, cross-plane V-8: 0; 90; 270; 180"),
     .placeholder = CORE_TEXT("matching", "as usual")};
 inline constexpr Field cylinder_spacing{
     .key = "cylinder_spacing_mm",
     .unit = units::mm,
     .range = Range::between(1, 10'000),
     .label = CORE_TEXT("matching", "Cylinder spacing"),
-    .hint = CORE_TEXT("matching",
-                      "Between neighbours of a bank, along the crankshaft: for the size of the "
-                      "couple."),
+    .hint = CORE_TEXT(
+        "matching", "Distance between neighbours of a bank along the crankshaft, for the couple."),
     .placeholder = CORE_TEXT("matching", "no couple")};
 inline constexpr Field bank_offset{
     .key = "bank_offset_mm",
@@ -129,15 +123,17 @@ inline constexpr Field bank_offset{
     .range = Range::between(-1000, 1000),
     .label = CORE_TEXT("matching", "Bank offset"),
     .hint = CORE_TEXT("matching",
-                      "By how much the second bank stands behind the first: the width of a big "
-                      "end. It needs the spacing."),
+                      "Distance of the second bank behind the first (width of a big end). Enter "
+                      "the spacing too."),
     .placeholder = {"", "0"}};
 inline constexpr Field matching_crank_radius{
     .key = "crank_radius_mm",
     .unit = units::mm,
     .range = Range::between(1, 5000),
     .label = CORE_TEXT("matching", "Crank radius"),
-    .hint = CORE_TEXT("matching", "For forces in g·mm and N; without it they are masses at it."),
+    .hint = CORE_TEXT(
+        "matching",
+        "Crank radius for forces in g·mm and N; without it they are masses at the crank radius."),
     .placeholder = CORE_TEXT("matching", "no force")};
 
 }  // namespace field

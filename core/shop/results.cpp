@@ -109,16 +109,18 @@ Message other_readings(const std::optional<double>& read_with,
                        const std::optional<double>& bob_weight_now) {
     const auto grams = [](double mass) { return Number{mass / units::gram, units::gram, -1}; };
     if (read_on) {
-        return {CORE_TEXT("workshop",
-                          "The readings are of another crankshaft: number %1 then, %2 now. Take "
-                          "them again."),
-                read_on->then, read_on->now};
+        return {
+            CORE_TEXT(
+                "workshop",
+                "The readings are of another crankshaft: number %1 then, %2 now. Measure again."),
+            read_on->then, read_on->now};
     }
     if (read_with) {
-        return {CORE_TEXT("workshop",
-                          "The readings were taken with another bob weight: %1 then, %2 now. Take "
-                          "them again."),
-                grams(*read_with), grams(bob_weight_now.value_or(0.0))};
+        return {
+            CORE_TEXT(
+                "workshop",
+                "The readings were taken with another bob weight: %1 then, %2 now. Measure again."),
+            grams(*read_with), grams(bob_weight_now.value_or(0.0))};
     }
     return {};
 }

@@ -17,32 +17,32 @@ namespace result_field {
 inline constexpr ResultField weigh_in{.key = "weigh_in",
                                       .label = CORE_TEXT("workshop", "Weigh-in")};
 inline constexpr ResultField mean{"mean_g", units::gram, 2, CORE_TEXT("workshop", "Mean")};
-inline constexpr ResultField spread{"spread_g", units::gram, 2, CORE_TEXT("workshop", "Spread"),
+inline constexpr ResultField spread{"spread_g", units::gram, 2, CORE_TEXT("workshop", "Range"),
                                     CORE_TEXT("workshop", "Heaviest minus lightest.")};
 inline constexpr ResultField heaviest_cylinder{
     .key = "heaviest_cylinder", .label = CORE_TEXT("workshop", "Heaviest, cylinder")};
 inline constexpr ResultField lightest_cylinder{
     .key = "lightest_cylinder", .label = CORE_TEXT("workshop", "Lightest, cylinder")};
 inline constexpr ResultField within_permitted_spread{
-    .key = "within_permitted_spread", .label = CORE_TEXT("workshop", "Within permitted spread")};
-inline constexpr ResultField part_numbers{
-    .key = "part_numbers", .label = CORE_TEXT("workshop", "Number of the part")};
+    .key = "within_permitted_spread", .label = CORE_TEXT("workshop", "Within permitted range")};
+inline constexpr ResultField part_numbers{.key = "part_numbers",
+                                          .label = CORE_TEXT("workshop", "Part number")};
 inline constexpr ResultField take_off{"take_off_g", units::gram, 2,
                                       CORE_TEXT("workshop", "Take off")};
 inline constexpr ResultField mean_deviation{"mean_deviation_g", units::gram, 2,
                                             CORE_TEXT("workshop", "Mean minus nominal")};
 
 inline constexpr ResultField assignment{.key = "assignment",
-                                        .label = CORE_TEXT("workshop", "Placing of the parts")};
+                                        .label = CORE_TEXT("workshop", "Matching of the parts")};
 inline constexpr ResultField pistons_from{.key = "pistons_from_cylinder"};
 inline constexpr ResultField rods_from{.key = "rods_from_cylinder"};
 inline constexpr ResultField sets_moved{.key = "sets_moved",
                                         .label = CORE_TEXT("workshop", "Sets moved")};
 inline constexpr ResultField goal{.key = "goal"};
 inline constexpr ResultField spread_before{"spread_before_g", units::gram, 2,
-                                           CORE_TEXT("workshop", "Spread of the crankpins before")};
+                                           CORE_TEXT("workshop", "Range of the crankpins before")};
 inline constexpr ResultField spread_after{"spread_g", units::gram, 2,
-                                          CORE_TEXT("workshop", "Spread of the crankpins")};
+                                          CORE_TEXT("workshop", "Range of the crankpins")};
 inline constexpr ResultField proven{.key = "proven", .label = CORE_TEXT("workshop", "Proven")};
 inline constexpr ResultField shaking_before{.key = "shaking_before",
                                             .label = CORE_TEXT("workshop", "Shaking before")};
@@ -69,7 +69,7 @@ inline constexpr ResultField lines{.key = "lines", .label = CORE_TEXT("workshop"
 inline constexpr ResultField part{.key = "part"};
 inline constexpr ResultField factor{"factor", units::none, 4, CORE_TEXT("workshop", "Factor")};
 inline constexpr ResultField mass{"mass_g", units::gram, 2, CORE_TEXT("workshop", "Mass")};
-inline constexpr ResultField product{"product_g", units::gram, 2, CORE_TEXT("workshop", "In all")};
+inline constexpr ResultField product{"product_g", units::gram, 2, CORE_TEXT("workshop", "Total")};
 }  // namespace result_field
 
 /// The weighed columns under the words of their parts.

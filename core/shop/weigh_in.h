@@ -126,35 +126,30 @@ inline bool is_other_bob_weight(const std::optional<double>& then,
 namespace field {
 
 inline constexpr Field weigh_in{.key = "weigh_in",
-                                .hint = CORE_TEXT("V8", "Weights of the parts as the scale says.")};
+                                .hint = CORE_TEXT("V8", "Masses of the parts by the scale.")};
 inline constexpr Field nominal{.key = "nominal_g",
                                .unit = units::gram,
                                .range = Range::between(0.001, 100'000),
                                .hint = CORE_TEXT("V8", "Nominal mass of the part.")};
-inline constexpr Field permitted_spread{
-    .key = "permitted_spread_g",
-    .unit = units::gram,
-    .range = Range::between(0, 100'000),
-    .hint = CORE_TEXT("V8", "By how much the parts may differ from one another.")};
+inline constexpr Field permitted_spread{.key = "permitted_spread_g",
+                                        .unit = units::gram,
+                                        .range = Range::between(0, 100'000),
+                                        .hint = CORE_TEXT("V8", "Permitted range of the masses.")};
 inline constexpr Field piston_sets{
     .key = "piston_sets",
-    .hint = CORE_TEXT("V8",
-                      "Number of the piston set in each cylinder, where it is not that of the "
-                      "cylinder: it was weighed there.")};
+    .hint = CORE_TEXT("V8", "Piston set in each cylinder, by the cylinder where it was weighed.")};
 inline constexpr Field rod_sets{
     .key = "rod_sets",
-    .hint = CORE_TEXT("V8",
-                      "Number of the rod in each cylinder, where it is not that of the cylinder: "
-                      "it was weighed there.")};
+    .hint = CORE_TEXT("V8", "Rod in each cylinder, by the cylinder where it was weighed.")};
 /// Of a reading of the balancing machine.
 inline constexpr Field bob_weight_then{
     .key = "bobweight_g",
     .unit = units::gram,
     .range = Range::between(0, 100'000'000),
-    .label = CORE_TEXT("V8", "Bob weight then"),
-    .hint = CORE_TEXT("V8",
-                      "That hung on each crankpin when the machine read; readings hold for it "
-                      "alone.")};
+    .label = CORE_TEXT("V8", "Bob weight of the reading"),
+    .hint = CORE_TEXT(
+        "V8",
+        "Bob weight on each crankpin during the reading; the reading is valid only with it.")};
 
 }  // namespace field
 

@@ -12,10 +12,9 @@ inline constexpr MethodChoice scatter_choice{
     "4096 samples",
     1e-2,
     CORE_TEXT("methods",
-              "What scatters is known to a few digits itself, so a hundredth of the standard "
-              "deviation will do. Slopes give that for the price of some samples, but not where an "
-              "optimum jumps or a clearance binds, and they do not know that they fail there. "
-              "Scrambled Sobol points hold it everywhere with the fewest samples, and other seeds "
-              "tell their error.")};
+              "Uncertain inputs are known to a few digits, so a hundredth of the standard "
+              "deviation suffices. Slopes give that for a few samples, but fail unnoticed where an "
+              "optimum jumps or a clearance limits. Scrambled Sobol points give it everywhere with "
+              "the fewest samples; other seeds show their error.")};
 
 }  // namespace ravnoves::studies

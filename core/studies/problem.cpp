@@ -35,17 +35,16 @@ std::vector<double> nominal_inputs(const Json& input, const Study& study) {
         const bool there = input.contains(place);
         if (!there || !input.at(place).is_number()) {
             throw InputError(vary_place(varied.pointer),
-                             CORE_TEXT("studies", "must lead to a number of the input"),
+                             CORE_TEXT("studies", "must point to a number of the input"),
                              there ? show(input.at(place)) : Message());
         }
         nominal.push_back(input.at(place).get<double>());
         const Law law = law_of(varied, nominal.back());
         if (varied.spread != Varied::Spread::grid &&
             !std::isfinite(law.deviation * law.deviation)) {
-            throw InputError(vary_place(varied.pointer),
-                             CORE_TEXT("studies",
-                                       "must scatter less: its moments are no numbers "
-                                       "any more"));
+            throw InputError(
+                vary_place(varied.pointer),
+                CORE_TEXT("studies", "must scatter less: its moments exceed the range of numbers"));
         }
     }
     return nominal;
@@ -65,7 +64,7 @@ std::vector<std::optional<double>> nominal_result(const SceneSolver& solver, con
         const Json& value = result.at(place);
         if (value.is_structured() || value.is_string()) {
             throw InputError(watch_place(watched.pointer),
-                             CORE_TEXT("studies", "must lead to a number of the result"),
+                             CORE_TEXT("studies", "must point to a number of the result"),
                              show(value));
         }
         const double number = value.is_boolean()  ? (value.get<bool>() ? 1.0 : 0.0)

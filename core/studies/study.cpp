@@ -108,11 +108,11 @@ Varied read_varied(const std::string& pointer, ObjectReader reader) {
         varied.from = reader.number("from", Range{});
         varied.to = reader.number("to", Range::greater_than(varied.from));
         if (!std::isfinite(varied.to - varied.from)) {
-            throw InputError(reader.pointer_to("to"),
-                             CORE_TEXT("studies",
-                                       "must lie nearer to from: their difference is no "
-                                       "number any more"),
-                             Number{varied.to});
+            throw InputError(
+                reader.pointer_to("to"),
+                CORE_TEXT("studies",
+                          "must be nearer to from: their difference exceeds the range of numbers"),
+                Number{varied.to});
         }
         varied.spread = Spread::uniform;
         if (reader.has("steps")) {
@@ -125,7 +125,7 @@ Varied read_varied(const std::string& pointer, ObjectReader reader) {
     if (given != 1) {
         throw InputError(reader.pointer(),
                          CORE_TEXT("studies",
-                                   "must hold one of: plus_minus, plus_minus_percent, normal_sd, "
+                                   "must have one of: plus_minus, plus_minus_percent, normal_sd, "
                                    "from with to, values"));
     }
     return varied;
@@ -140,7 +140,7 @@ auto read_each(ObjectReader& reader, const char* key, bool half_filled, std::siz
     const auto keys = object.keys();
     if ((keys.empty() && !half_filled) || keys.size() > most) {
         throw InputError(object.pointer(),
-                         {CORE_TEXT("studies", "must hold from 1 to %1 pointers"), most},
+                         {CORE_TEXT("studies", "must have from 1 to %1 pointers"), most},
                          Number{static_cast<double>(keys.size())});
     }
     for (const std::string& pointer : keys) {
@@ -156,7 +156,7 @@ Watched read_watched(const std::string& pointer, ObjectReader reader) {
     watched.max = reader.optional_number("max", Range{});
     if (const auto across = upper_across_zero(watched)) {
         throw InputError(reader.pointer_to("max"),
-                         {CORE_TEXT("studies", "must be at least %1; across 0° write %2"),
+                         {CORE_TEXT("studies", "must be at least %1; across 0° enter %2"),
                           Number{*watched.min}, Number{*across}},
                          Number{*watched.max});
     }
@@ -179,8 +179,8 @@ void check_grid(const Study& study, bool method_is_given) {
     }
     if (method_is_given && (study.method == Method::grid) != first) {
         throw InputError("/study/method",
-                         first ? CORE_TEXT("studies", "must be \"grid\" where values are listed")
-                               : CORE_TEXT("studies", "must not be \"grid\" where none is given"));
+                         first ? CORE_TEXT("studies", "must be \"grid\" with listed values")
+                               : CORE_TEXT("studies", "must not be \"grid\" without a grid"));
     }
     if (first && study.points() > most_grid_points) {
         throw InputError("/study/vary", {CORE_TEXT("studies", "must make at most %1 points"),

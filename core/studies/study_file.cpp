@@ -232,8 +232,8 @@ std::optional<Message> note_of_linear(const Part& part, std::size_t w,
         return std::nullopt;
     }
     return Message{CORE_TEXT("studies",
-                             "The linear answer fails for %1: samples lie %2 from it (root mean "
-                             "square), at a standard deviation of %3."),
+                             "The linear answer fails for %1: distance of the samples %2 (RMS), "
+                             "standard deviation %3."),
                    part.study.watch[w].pointer, Number{distance, {}, 4},
                    Number{linear.deviation, {}, 4}};
 }
@@ -252,14 +252,15 @@ std::optional<Message> note_of_samples(const Part& part, std::size_t w,
         return std::nullopt;
     }
     const double size = std::max(std::abs(found.mean), found.plain_deviation);
-    return Message{CORE_TEXT("studies",
-                             "The linear answer fails for %1: mean %2 and standard deviation %3 "
-                             "against %4 and %5 of the samples."),
-                   part.study.watch[w].pointer,
-                   shown(mean, size, 6),
-                   shown(linear.deviation, size, 4),
-                   shown(mean + shift, size, 6),
-                   shown(found.plain_deviation, size, 4)};
+    return Message{
+        CORE_TEXT(
+            "studies",
+            "The linear answer fails for %1: mean %2, standard deviation %3; samples %4 and %5."),
+        part.study.watch[w].pointer,
+        shown(mean, size, 6),
+        shown(linear.deviation, size, 4),
+        shown(mean + shift, size, 6),
+        shown(found.plain_deviation, size, 4)};
 }
 
 /// Where sensitivities are vague, their largest standard error.
@@ -300,14 +301,13 @@ std::vector<Note> noted(const Part& part) {
     }
     if (linear_study && !basis.refusals.empty()) {
         notes.push_back(
-            {{CORE_TEXT("studies",
-                        "%1 of %2 samples that were tried cannot be solved; the linear "
-                        "answer does not show that."),
+            {{CORE_TEXT(
+                  "studies",
+                  "%1 of %2 trial samples cannot be solved; the linear answer does not show that."),
               std::to_string(count_of(basis.refusals)), std::to_string(tried_samples)}});
     }
     if (!linear_study && part.tally.solved() < 2) {
-        notes.push_back(
-            {CORE_TEXT("studies", "A standard deviation takes two samples that can be solved.")});
+        notes.push_back({CORE_TEXT("studies", "A standard deviation needs two solved samples.")});
         return notes;
     }
     for (std::size_t w = 0; w < part.study.watch.size(); ++w) {
@@ -381,9 +381,10 @@ Part read_part(Json json) {
     const std::string sum = reader.text("sha256");
     json.erase("sha256");
     if (sum != sum_of(json)) {
-        throw InputError("/sha256", CORE_TEXT("studies",
-                                              "is not the sum of the part, which was changed since "
-                                              "it was written; run it again"));
+        throw InputError(
+            "/sha256",
+            CORE_TEXT("studies",
+                      "is not the checksum of the part: the part was changed; run it again"));
     }
     try {
         Part part;

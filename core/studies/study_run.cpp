@@ -50,7 +50,7 @@ class ExpansionResponse final : public Response {
 
   private:
     const Basis& basis_;
-    std::vector<bool> known_;  ///< 0 stands for the others, which are not shown
+    std::vector<bool> known_;  ///< 0 represents the others, which are not shown
 };
 
 /// One thread's samples.
@@ -409,10 +409,12 @@ void PartMerger::add(Part part, const std::string& name) {
     }
     if (whole_ &&
         (part.origin.program != whole_->origin.program || !same_basis(part.basis, whole_->basis))) {
-        throw InputError(name, {CORE_TEXT("studies",
-                                          "was computed by another program or machine than %1: "
-                                          "it began with other numbers"),
-                                first_name_});
+        throw InputError(
+            name,
+            {CORE_TEXT(
+                 "studies",
+                 "was computed by another program or machine than %1: the first numbers differ"),
+             first_name_});
     }
     if (!part.finished()) {
         throw InputError(

@@ -140,7 +140,7 @@ struct Note {
 /// what too few samples do not tell.
 std::vector<Note> noted(const Part& part);
 
-/// Why samples were refused, the most frequent first.
+/// Why samples were rejected, the most frequent first.
 std::vector<Refusal> refusals_of(const Part& part);
 
 /// The "ravnoves-study" document; of a part that is not done yet, of its samples so far.

@@ -58,7 +58,7 @@ struct Statistics {
     std::vector<std::optional<Estimate>> total;
 };
 
-/// Why samples were refused, alike but for the numbers in it.
+/// Why samples were rejected, alike but for the numbers in it.
 struct Refusal {
     std::uint64_t count = 0;
     std::uint64_t first = 0;  ///< the sample that the reason is of
@@ -95,7 +95,7 @@ struct Block {
 };
 
 /// Of a part that this program did not write, or not so.
-inline constexpr Text not_ours = CORE_TEXT("studies", "is not what this program writes");
+inline constexpr Text not_ours = CORE_TEXT("studies", "was not written by this program");
 
 /// Whole numbers that samples add up to, whatever their order. 65536 bins of each watched value are
 /// fixed beforehand; their places serve the sensitivities too.
@@ -156,7 +156,7 @@ class Tally {
     Refusals refusals_;
 };
 
-/// The text with its numbers left out: refusals of one kind read the same.
+/// The text with its numbers left out: rejections of one kind read the same.
 std::string without_numbers(const std::string& text);
 
 /// The 95 % interval of a share by Wilson's score: near its nominal coverage on average for any

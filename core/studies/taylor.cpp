@@ -43,7 +43,7 @@ Taylor::Slope extrapolate(const std::array<double, levels>& differences, int pow
     return best;
 }
 
-/// The watched values with one input moved from the means; nothing where they are refused.
+/// The watched values with one input moved from the means; nothing where they are rejected.
 using MovedBy = std::function<std::optional<std::vector<double>>(double step)>;
 
 /// @return nothing where a slope does not exist

@@ -41,7 +41,7 @@ bool scatters(const Law& law);
 /// Expands a response about the means of its inputs.
 ///
 /// Derivatives by Ridders' extrapolation of central differences, one-sided where one side is
-/// refused; the error is what two extrapolations differ by, and at least what rounding leaves.
+/// rejected; the error is what two extrapolations differ by, and at least what rounding leaves.
 /// @param periods  of the watched values that are angles; else 0
 std::vector<Taylor> expand(Response& response, std::span<const Law> laws,
                            std::span<const double> periods);

@@ -15,17 +15,17 @@ Message action(const Option& option, const Message& off) {
     const bool machined = option.machined();
     if (has_new_plugs(option.id)) {
         return machined ? Message(CORE_TEXT("V8", "Machine all 8 new steel plugs by %1 each."), off)
-                        : CORE_TEXT("V8", "Leave the 8 new steel plugs as they are.");
+                        : CORE_TEXT("V8", "Leave the 8 new steel plugs unchanged.");
     }
     if (has_steel_plugs(option.id)) {
         return machined ? Message(CORE_TEXT("V8", "Machine all 8 steel plugs by %1 each."), off)
-                        : CORE_TEXT("V8", "Fit today's 8 steel plugs as they are.");
+                        : CORE_TEXT("V8", "Fit the 8 present steel plugs unchanged.");
     }
     return machined
-               ? Message(
-                     CORE_TEXT("V8", "Replace all 8 plugs by aluminium ones lightened by %1 each."),
-                     off)
-               : CORE_TEXT("V8", "Replace all 8 plugs by aluminium ones as they are.");
+               ? Message(CORE_TEXT("V8",
+                                   "Replace all 8 plugs by aluminium plugs, lightened by %1 each."),
+                         off)
+               : CORE_TEXT("V8", "Replace all 8 plugs by aluminium plugs, unchanged.");
 }
 
 Message action(const Option& option) {
@@ -33,7 +33,7 @@ Message action(const Option& option) {
 }
 
 Message over_or_under(const Option& option) {
-    return {option.residual_mass > 0 ? CORE_TEXT("V8", "leaves %1 too much on each crankpin")
+    return {option.residual_mass > 0 ? CORE_TEXT("V8", "leaves an excess of %1 on each crankpin")
                                      : CORE_TEXT("V8", "over-compensates by %1 on each crankpin"),
             in_grams(std::abs(option.residual_mass))};
 }
@@ -238,9 +238,9 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
     Message text;
     switch (advice.kind) {
         case Advice::Kind::none_needed:
-            return {CORE_TEXT("V8",
-                              "Leave the plugs as they are: the excess of %1 per crankpin is %2."),
-                    in_grams(unbalanced_mass), within(unbalance, tolerance)};
+            return {
+                CORE_TEXT("V8", "Leave the plugs unchanged: the excess of %1 per crankpin is %2."),
+                in_grams(unbalanced_mass), within(unbalance, tolerance)};
         case Advice::Kind::option: {
             const Option& option = advice.option.value();
             return option.residual_mass == 0.0
@@ -250,13 +250,13 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
                                         within(option.residual_unbalance, tolerance)});
         }
         case Advice::Kind::no_new_plug_data:
-            return CORE_TEXT("V8",
-                             "The crankshaft is made for plugs of the new design; their mass and "
-                             "radius are needed.");
+            return CORE_TEXT(
+                "V8",
+                "The crankshaft is made for plugs of the new design: enter their mass and radius.");
         case Advice::Kind::too_light:
             text = {CORE_TEXT("V8",
-                              "The parts are %1 per crankpin lighter than nominal (%2), and plugs "
-                              "can only be lightened: heavier parts or heavier plugs are needed."),
+                              "The parts are %1 per crankpin lighter than nominal (%2). Plugs can "
+                              "only be lightened: use heavier parts or heavier plugs."),
                     in_grams(-unbalanced_mass), in_gram_millimetres(-unbalance)};
             break;
         case Advice::Kind::cannot_be_made: {
@@ -264,10 +264,11 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
             text = two_sentences(
                 option.machined()
                     ? Message(CORE_TEXT("V8",
-                                        "“%1” would do with %2 off each plug, but the plug cannot "
-                                        "be made so."),
+                                        "“%1” would be suitable with %2 off each plug, but such a "
+                                        "plug cannot be made."),
                               option_word(option.id).label, in_grams(option.reduction))
-                    : Message(CORE_TEXT("V8", "“%1” would do, but the plug cannot be made so."),
+                    : Message(CORE_TEXT("V8",
+                                        "“%1” would be suitable, but such a plug cannot be made."),
                               option_word(option.id).label),
                 advice.hindrance);
             break;
@@ -278,14 +279,14 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
             text = two_sentences(
                 advice.kind == Advice::Kind::none_sufficient
                     ? CORE_TEXT("V8", "No plug of this crankshaft can be made light enough.")
-                    : CORE_TEXT("V8", "No plug of this crankshaft has the mass that is needed."),
-                {CORE_TEXT("V8", "The nearest is “%1”, which %2: %3."),
+                    : CORE_TEXT("V8", "No plug of this crankshaft has the required mass."),
+                {CORE_TEXT("V8", "The nearest option is “%1”, which %2: %3."),
                  option_word(closest.id).label, over_or_under(closest),
                  against(closest.residual_unbalance, tolerance)});
             if (closest.residual_mass > 0.0) {
                 // Each piston counts once in the excess of its crankpin.
                 text = two_sentences(std::move(text),
-                                     {CORE_TEXT("V8", "With it take %1 off each piston."),
+                                     {CORE_TEXT("V8", "Also take %1 off each piston."),
                                       in_grams(closest.residual_mass)});
             }
             break;
@@ -295,8 +296,8 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
         return two_sentences(
             std::move(text),
             {needs_new_crankshaft(*other)
-                 ? CORE_TEXT("V8", "A crankshaft made for the new plugs would do: “%1”.")
-                 : CORE_TEXT("V8", "A standard crankshaft would do: “%1”."),
+                 ? CORE_TEXT("V8", "A crankshaft for the new plugs would be suitable: “%1”.")
+                 : CORE_TEXT("V8", "A standard crankshaft would be suitable: “%1”."),
              option_word(*other).label});
     }
     return text;

@@ -91,9 +91,9 @@ inline constexpr std::array<OptionId, 5> all_options{
 
 /// Names of the options, in the order of the enumeration.
 inline constexpr Word option_words[] = {
-    {"steel-machined", CORE_TEXT("V8", "Machine today's steel plugs")},
+    {"steel-machined", CORE_TEXT("V8", "Machine the steel plugs")},
     {"steel-to-aluminium", CORE_TEXT("V8", "Aluminium plugs")},
-    {"new-steel-to-steel", CORE_TEXT("V8", "New crankshaft, today's steel plugs")},
+    {"new-steel-to-steel", CORE_TEXT("V8", "New crankshaft, steel plugs")},
     {"new-steel-machined", CORE_TEXT("V8", "New crankshaft, its own plugs")},
     {"new-steel-to-aluminium", CORE_TEXT("V8", "New crankshaft, aluminium plugs")}};
 constexpr const Word& option_word(OptionId option) {

@@ -21,7 +21,7 @@ constexpr Field described(std::string_view key, Unit unit, Range range, Text lab
             .range = range,
             .label = label,
             .hint = hint,
-            .placeholder = CORE_TEXT("V8", "needed")};
+            .placeholder = CORE_TEXT("V8", "required")};
 }
 
 constexpr std::array<EngineField, 14> fields{{
@@ -29,54 +29,50 @@ constexpr std::array<EngineField, 14> fields{{
                CORE_TEXT("V8", "Half the stroke.")),
      &Engine::crank_radius, EngineGroup::basic},
     {described("plug_radius_mm", units::mm, length_range, CORE_TEXT("V8", "Plug radius rₚ"),
-               CORE_TEXT("V8", "From the crank axis to the centre of mass of today's plug.")),
+               CORE_TEXT("V8", "From the crank axis to the centre of mass of the present plug.")),
      &Engine::plug_radius, EngineGroup::basic},
     {described(
          "new_plug_radius_mm", units::mm, length_range, CORE_TEXT("V8", "New plug radius rₚₙ"),
          CORE_TEXT("V8", "From the crank axis to the centre of mass of a plug of the new design.")),
      &Engine::new_plug_radius, EngineGroup::new_plug},
     {described("steel_plug_mass_g", units::gram, plug_mass_range, CORE_TEXT("V8", "Steel plug mₚ"),
-               CORE_TEXT("V8", "One plug as the scale says, before it is machined.")),
+               CORE_TEXT("V8", "Mass of one plug by the scale, before machining.")),
      &Engine::steel_plug_mass, EngineGroup::basic},
     {described("aluminium_plug_mass_g", units::gram, plug_mass_range,
                CORE_TEXT("V8", "Aluminium plug mₐ"),
-               CORE_TEXT("V8", "One plug as the scale says, before it is machined.")),
+               CORE_TEXT("V8", "Mass of one plug by the scale, before machining.")),
      &Engine::aluminium_plug_mass, EngineGroup::aluminium_plug},
     {described(
          "new_steel_plug_mass_g", units::gram, plug_mass_range,
          CORE_TEXT("V8", "New steel plug mₚₙ"),
-         CORE_TEXT(
-             "V8",
-             "One plug of the new design, for which the crankshaft's counterweights are made.")),
+         CORE_TEXT("V8",
+                   "Mass of one plug of the new design, for which the counterweights are made.")),
      &Engine::new_steel_plug_mass, EngineGroup::new_plug},
     {described(
          "new_aluminium_plug_mass_g", units::gram, plug_mass_range,
          CORE_TEXT("V8", "New aluminium plug mₐₙ"),
-         CORE_TEXT(
-             "V8",
-             "One plug of the new design, for which the crankshaft's counterweights are made.")),
+         CORE_TEXT("V8",
+                   "Mass of one plug of the new design, for which the counterweights are made.")),
      &Engine::new_aluminium_plug_mass, EngineGroup::new_plug},
-    {described(
-         "max_steel_reduction_g", units::gram, reduction_range,
-         CORE_TEXT("V8", "Most off steel plug Δmₚₘ"),
-         CORE_TEXT("V8", "The most that the strength of its walls allows to take off one plug.")),
+    {described("max_steel_reduction_g", units::gram, reduction_range,
+               CORE_TEXT("V8", "Max. off steel plug Δmₚₘ"),
+               CORE_TEXT("V8", "Maximum to take off one plug, by the strength of its walls.")),
      &Engine::max_steel_reduction, EngineGroup::basic},
-    {described(
-         "max_aluminium_reduction_g", units::gram, reduction_range,
-         CORE_TEXT("V8", "Most off aluminium plug Δmₐₘ"),
-         CORE_TEXT("V8", "The most that the strength of its walls allows to take off one plug.")),
+    {described("max_aluminium_reduction_g", units::gram, reduction_range,
+               CORE_TEXT("V8", "Max. off aluminium plug Δmₐₘ"),
+               CORE_TEXT("V8", "Maximum to take off one plug, by the strength of its walls.")),
      &Engine::max_aluminium_reduction, EngineGroup::aluminium_plug},
     {described(
          "rod_coefficient", units::none, coefficient_range, CORE_TEXT("V8", "Rod coefficient kᵣ"),
-         CORE_TEXT("V8", "Design coefficient of the rod: a heavier big end counts (2 + k) times.")),
+         CORE_TEXT("V8",
+                   "Design coefficient of the rod: a heavier big end has the factor (2 + k).")),
      &Engine::rod_coefficient, EngineGroup::basic},
     {described("oil_mass_g", units::gram, oil_range, CORE_TEXT("V8", "Oil in a crankpin mₘ"),
                CORE_TEXT("V8", "Oil in the sludge trap of one crankpin of a running engine.")),
      &Engine::oil_mass, EngineGroup::bob_weight},
     {described(
          "oil_coefficient", units::none, coefficient_range, CORE_TEXT("V8", "Oil coefficient kₘ"),
-         CORE_TEXT("V8",
-                   "What the oil counts for on the crankpin's axis, from its centre of mass.")),
+         CORE_TEXT("V8", "Factor of the oil on the crankpin's axis, from its centre of mass.")),
      &Engine::oil_coefficient, EngineGroup::bob_weight},
     {described("reciprocating_mass_g", units::gram, gear_mass_range,
                CORE_TEXT("V8", "Reciprocating mass mⱼ"),

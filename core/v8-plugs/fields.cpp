@@ -192,7 +192,7 @@ void visit_fields(FieldVisitor& visitor, BalancingSheet& sheet) {
 
 namespace {
 
-/// @param sheet  visits the weigh-in, which stands in the middle, and says whether there is one
+/// @param sheet  visits the weigh-in, which is in the middle, and says whether there is one
 void visit_method(FieldVisitor& visitor, Input& input, const auto& sheet) {
     if (!visitor.is_reading()) {
         // Forms and checks see the engine's values, wherever they come from. The file may have its

@@ -19,7 +19,7 @@ inline constexpr Word crankshaft_words[] = {
 inline constexpr Word numbering_words[] = {{"bank-by-bank", CORE_TEXT("V8", "1+5, 2+6, 3+7, 4+8")},
                                            {"alternating", CORE_TEXT("V8", "1+2, 3+4, 5+6, 7+8")}};
 inline constexpr Word source_words[] = {{"typed", CORE_TEXT("V8", "Typed")},
-                                        {"weigh-in", CORE_TEXT("V8", "Weights of the parts")}};
+                                        {"weigh-in", CORE_TEXT("V8", "Masses of the parts")}};
 
 namespace field {
 
@@ -30,26 +30,25 @@ inline constexpr Field engine{
     .placeholder = CORE_TEXT("V8", "other")};
 inline constexpr Field engine_overrides{
     .key = "engine_overrides",
-    .hint = CORE_TEXT("V8", "Values that replace those of the preset, or that it does not give.")};
+    .hint = CORE_TEXT("V8", "Values that replace or complete the preset.")};
 inline constexpr Field process{
     .key = "process",
     .label = CORE_TEXT("V8", "&Work"),
-    .hint = CORE_TEXT("V8", "In manufacture repair pistons and repair shells are not counted."),
+    .hint = CORE_TEXT("V8", "In manufacture, repair pistons and repair shells are not used."),
     .words = process_words};
 inline constexpr Field crankshaft{
     .key = "crankshaft",
     .label = CORE_TEXT("V8", "Cran&kshaft"),
-    .hint = CORE_TEXT("V8", "Which plugs the counterweights of the crankshaft were made for."),
+    .hint = CORE_TEXT("V8", "Plugs for which the counterweights of the crankshaft were made."),
     .words = crankshaft_words};
 inline constexpr Field mass_changes{
     .key = "mass_changes_g",
-    .hint =
-        CORE_TEXT("V8", "How much heavier the parts are than nominal; negative where lighter.")};
+    .hint = CORE_TEXT("V8", "Mass of the parts minus nominal; negative if lighter.")};
 inline constexpr Field changes_source{
     .key = "mass_changes_from",
     .label = CORE_TEXT("V8", "Source of the mass changes"),
-    .hint =
-        CORE_TEXT("V8", "The weights of the parts count, or the changes typed on the sheet “Job”."),
+    .hint = CORE_TEXT("V8",
+                      "Source of the changes: weighed masses, or the changes typed on the sheet."),
     .words = source_words};
 inline constexpr Field tolerance{
     .key = "tolerance_g_mm",
@@ -57,17 +56,18 @@ inline constexpr Field tolerance{
     .range = Range::between(0, 1e6),
     .label = CORE_TEXT("V8", "Residual unbalance &allowed"),
     .hint = CORE_TEXT("V8",
-                      "In each correction plane. 5 g·mm is what Nazarov's experiments left; a "
-                      "repair manual may allow much more (2 oz·in is 1440 g·mm).")};
+                      "Limit in each correction plane. Nazarov's experiments left 5 g·mm; a repair "
+                      "manual may allow much more (2 oz·in is 1440 g·mm).")};
 
 // ------------------------------------------------------------------------- weigh-in sheet
 using shop::field::nominal;
 using shop::field::permitted_spread;
 using shop::field::weigh_in;
-inline constexpr Field numbering{.key = "cylinder_numbering",
-                                 .label = CORE_TEXT("V8", "C&ylinders of a crankpin"),
-                                 .hint = CORE_TEXT("V8", "Which two cylinders share a crankpin."),
-                                 .words = numbering_words};
+inline constexpr Field numbering{
+    .key = "cylinder_numbering",
+    .label = CORE_TEXT("V8", "C&ylinders of a crankpin"),
+    .hint = CORE_TEXT("V8", "The two cylinders that share a crankpin."),
+    .words = numbering_words};
 inline constexpr Field part_mass{.key = "mass_g",
                                  .unit = units::gram,
                                  .range = nominal.range,
@@ -84,18 +84,18 @@ inline constexpr Field plug_height{.key = "height_mm",
                                    .unit = units::mm,
                                    .range = Range::between(0.1, 200),
                                    .label = CORE_TEXT("V8", "&Height h"),
-                                   .hint = CORE_TEXT("V8", "Of the whole plug.")};
+                                   .hint = CORE_TEXT("V8", "Height of the whole plug.")};
 inline constexpr Field bore_diameter{.key = "bore_diameter_mm",
                                      .unit = units::mm,
                                      .range = Range::between(0, 200),
                                      .label = CORE_TEXT("V8", "&Bore diameter"),
-                                     .hint = CORE_TEXT("V8", "Of the bore that is there."),
+                                     .hint = CORE_TEXT("V8", "Diameter of the present bore."),
                                      .if_empty = CORE_TEXT("V8", "a solid plug")};
 inline constexpr Field bore_depth{.key = "bore_depth_mm",
                                   .unit = units::mm,
                                   .range = Range::between(0, 200),
                                   .label = CORE_TEXT("V8", "Bore de&pth"),
-                                  .hint = CORE_TEXT("V8", "From the outer face."),
+                                  .hint = CORE_TEXT("V8", "Depth from the outer face."),
                                   .if_empty = CORE_TEXT("V8", "a solid plug")};
 inline constexpr Field cutter_diameter{.key = "cutter_diameter_mm",
                                        .unit = units::mm,
@@ -106,15 +106,15 @@ inline constexpr Field minimum_wall{
     .key = "minimum_wall_mm",
     .unit = units::mm,
     .range = Range::between(0, 100),
-    .label = CORE_TEXT("V8", "&Wall that must stay"),
-    .hint = CORE_TEXT("V8", "Between the bore and the root of the thread."),
+    .label = CORE_TEXT("V8", "Minimum &wall"),
+    .hint = CORE_TEXT("V8", "Minimum between the bore and the root of the thread."),
     .if_empty = CORE_TEXT("V8", "no limit")};
 inline constexpr Field minimum_bottom{
     .key = "minimum_bottom_mm",
     .unit = units::mm,
     .range = Range::between(0, 100),
-    .label = CORE_TEXT("V8", "B&ottom that must stay"),
-    .hint = CORE_TEXT("V8", "Between the bore and the inner face."),
+    .label = CORE_TEXT("V8", "Minimum b&ottom"),
+    .hint = CORE_TEXT("V8", "Minimum between the bore and the inner face."),
     .if_empty = CORE_TEXT("V8", "no limit")};
 inline constexpr Field steel_density{.key = "steel_density_kg_m3",
                                      .unit = units::kg_m3,
@@ -138,10 +138,9 @@ inline constexpr Field front_share{
     .key = "front_share",
     .range = Range::between(0.3, 0.7),
     .label = CORE_TEXT("V8", "&Share of the front plane"),
-    .hint = CORE_TEXT(
-        "V8",
-        "Half for a crankshaft whose mass lies midway between the planes; the standard allows "
-        "0.3 to 0.7.")};
+    .hint = CORE_TEXT("V8",
+                      "Half if the centre of mass is midway between the planes; the standard "
+                      "allows 0.3 to 0.7.")};
 inline constexpr Field front_reading{
     .key = "front_reading_g_mm",
     .unit = units::gram_mm,
@@ -156,15 +155,16 @@ inline constexpr Field rear_reading{
     .hint = CORE_TEXT("V8", "Residual unbalance after correction.")};
 
 using shop::field::bob_weight_then;
-inline constexpr Field front_bob_weight{.key = "front_bobweight_g",
-                                        .unit = bob_weight_then.unit,
-                                        .range = bob_weight_then.range,
-                                        .label = CORE_TEXT("V8", "Bob weight then, front"),
-                                        .hint = bob_weight_then.hint};
+inline constexpr Field front_bob_weight{
+    .key = "front_bobweight_g",
+    .unit = bob_weight_then.unit,
+    .range = bob_weight_then.range,
+    .label = CORE_TEXT("V8", "Bob weight of the reading, front"),
+    .hint = bob_weight_then.hint};
 inline constexpr Field rear_bob_weight{.key = "rear_bobweight_g",
                                        .unit = bob_weight_then.unit,
                                        .range = bob_weight_then.range,
-                                       .label = CORE_TEXT("V8", "Bob weight then, rear"),
+                                       .label = CORE_TEXT("V8", "Bob weight of the reading, rear"),
                                        .hint = bob_weight_then.hint};
 
 inline constexpr Field front_shaft{.key = "front_read_of", .hint = shop::field::read_shaft.hint};

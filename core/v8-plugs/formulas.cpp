@@ -40,14 +40,13 @@ void add_bob_weights(std::vector<Formula>& list, bool repair) {
 std::vector<Formula> formulas(const Input& input) {
     const bool repair = input.process == Process::repair;
     std::vector<Formula> list;
-    list.push_back(
-        {CORE_TEXT("v8-plugs", "Coefficients"),
-         "k<sub>p</sub> = r<sub>p</sub>/r, k<sub>u</sub> = 2 r<sub>p</sub>/r, "
-         "k<sub>un</sub> = 2 r<sub>pn</sub>/r",
-         nazarov, "(11)",
-         CORE_TEXT("v8-plugs",
-                   "r crank radius, rₚ and rₚₙ distance of the centre of mass of today's "
-                   "and of the new plug from the crank axis")});
+    list.push_back({CORE_TEXT("v8-plugs", "Coefficients"),
+                    "k<sub>p</sub> = r<sub>p</sub>/r, k<sub>u</sub> = 2 r<sub>p</sub>/r, "
+                    "k<sub>un</sub> = 2 r<sub>pn</sub>/r",
+                    nazarov, "(11)",
+                    CORE_TEXT("v8-plugs",
+                              "r crank radius, rₚ and rₚₙ distance of the centre of mass of the "
+                              "present and the new plug from the crank axis")});
     list.push_back(
         {CORE_TEXT("v8-plugs", "Excess on the crankpin axis"),
          repair ? "Δm<sub>u</sub> = Δm<sub>p</sub> + (2 + k<sub>r</sub>) Δm<sub>b</sub> + "
@@ -68,13 +67,14 @@ std::vector<Formula> formulas(const Input& input) {
                               "constant part; mₛ and mₐ mass of a plug of steel and of "
                               "aluminium")});
     if (input.crankshaft != Crankshaft::standard) {
-        list.push_back({CORE_TEXT("v8-plugs", "Crankshaft made for new plugs, today's fitted"),
-                        "k<sub>un</sub> m<sub>sn</sub> − k<sub>u</sub> m<sub>s</sub>, "
-                        "k<sub>un</sub> m<sub>sn</sub> − k<sub>u</sub> m<sub>a</sub>",
-                        nazarov, "(13), (14), (16), (17)",
-                        CORE_TEXT("v8-plugs",
-                                  "constant parts with plugs of steel and of aluminium; "
-                                  "mₛₙ mass of a new steel plug")});
+        list.push_back(
+            {CORE_TEXT("v8-plugs", "Crankshaft made for new plugs, present plugs fitted"),
+             "k<sub>un</sub> m<sub>sn</sub> − k<sub>u</sub> m<sub>s</sub>, "
+             "k<sub>un</sub> m<sub>sn</sub> − k<sub>u</sub> m<sub>a</sub>",
+             nazarov, "(13), (14), (16), (17)",
+             CORE_TEXT("v8-plugs",
+                       "constant parts with plugs of steel and of aluminium; "
+                       "mₛₙ mass of a new steel plug")});
     }
     list.push_back(
         {CORE_TEXT("v8-plugs", "Compensated by an option"),
@@ -83,11 +83,11 @@ std::vector<Formula> formulas(const Input& input) {
                    "Cᵢ its constant part, Δmᵢ lightening of each plug, up to the limit of its "
                    "wall")});
     add_bob_weights(list, repair);
-    list.push_back({CORE_TEXT("v8-plugs", "What the shift of the centre of mass leaves"),
-                    "U = 2 Δm d", "", "",
-                    CORE_TEXT("v8-plugs",
-                              "d distance by which the metal bored off lies beyond the "
-                              "centre of mass of the plug")});
+    list.push_back(
+        {CORE_TEXT("v8-plugs", "Residual due to the shift of the centre of mass"), "U = 2 Δm d", "",
+         "",
+         CORE_TEXT("v8-plugs",
+                   "d distance of the bored metal from the centre of mass of the plug")});
     if (input.balancing && input.balancing->grade) {
         list.push_back(shop::permissible_unbalance_formula());
     }
@@ -96,12 +96,9 @@ std::vector<Formula> formulas(const Input& input) {
 
 std::span<const Text> left_out() {
     static constexpr std::array texts{
-        CORE_TEXT("v8-plugs",
-                  "All four crankpins are treated alike, with the means of the weighed parts."),
+        CORE_TEXT("v8-plugs", "All four crankpins use the means of the weighed parts."),
         CORE_TEXT("v8-plugs", "The crankshaft is rigid."),
-        CORE_TEXT(
-            "v8-plugs",
-            "Drilling in the webs, flywheel and damper are the balancing machine's business."),
+        CORE_TEXT("v8-plugs", "Not included: drilling in the webs, flywheel and damper."),
     };
     return texts;
 }

@@ -21,16 +21,16 @@ constexpr Field change(std::string_view key, Text label, Text hint) {
 
 constexpr std::array<MassChangeField, 4> change_fields{{
     {change("piston", CORE_TEXT("V8", "Improved piston Δmₚᵢ"),
-            CORE_TEXT("V8", "Δmₚᵢ: one piston against nominal.")),
+            CORE_TEXT("V8", "Δmₚᵢ: one piston minus nominal.")),
      &MassChanges::piston, false},
     {change("rod_big_end", CORE_TEXT("V8", "Rod big end"),
-            CORE_TEXT("V8", "One big end against nominal.")),
+            CORE_TEXT("V8", "One big end minus nominal.")),
      &MassChanges::rod_big_end, false},
     {change("repair_piston_and_rings", CORE_TEXT("V8", "Repair piston and rings Δmᵣₚ"),
-            CORE_TEXT("V8", "Δmᵣₚ: one repair piston with its rings against nominal.")),
+            CORE_TEXT("V8", "Δmᵣₚ: one repair piston with rings minus nominal.")),
      &MassChanges::repair_piston_and_rings, true},
     {change("repair_bearing", CORE_TEXT("V8", "Repair shells of one crankpin Δmₛₕ"),
-            CORE_TEXT("V8", "Δmₛₕ: the repair shells of one crankpin against nominal.")),
+            CORE_TEXT("V8", "Δmₛₕ: repair shells of one crankpin minus nominal.")),
      &MassChanges::repair_bearing, true},
 }};
 
@@ -124,18 +124,19 @@ std::vector<Message> not_counted(const Input& input) {
         }
         const Number grams = shop::in_grams(typed);
         if (!input.takes_typed(each.member)) {
-            list.emplace_back(CORE_TEXT("V8", "%1: the typed %2 is replaced by the weights."),
+            list.emplace_back(CORE_TEXT("V8", "%1: the weighed masses replace the typed %2."),
                               each.field.label, grams);
         } else if (each.repair_only && input.process == Process::manufacture) {
-            list.emplace_back(CORE_TEXT("V8", "%1: the typed %2 does not count in manufacture."),
+            list.emplace_back(CORE_TEXT("V8", "%1: the typed %2 is not used in manufacture."),
                               each.field.label, grams);
         } else if (weighs && !input.weigh_in->is_empty()) {
-            list.emplace_back(input.changes_known()
-                                  ? CORE_TEXT("V8", "%1: the typed %2 counts beside the weights.")
-                                  : CORE_TEXT("V8",
-                                              "%1: the typed %2 does not count yet. The weights "
-                                              "are to count, and no column is complete."),
-                              each.field.label, grams);
+            list.emplace_back(
+                input.changes_known()
+                    ? CORE_TEXT("V8", "%1: the typed %2 is used with the weighed masses.")
+                    : CORE_TEXT("V8",
+                                "%1: the typed %2 is not used. Weighed masses are selected, but no "
+                                "column is complete."),
+                each.field.label, grams);
         }
     }
     if (!input.weigh_in || input.weigh_in->is_empty()) {
@@ -143,7 +144,7 @@ std::vector<Message> not_counted(const Input& input) {
     }
     if (!weighs) {
         list.emplace_back(
-            CORE_TEXT("V8", "The weights do not count: the typed mass changes are used."));
+            CORE_TEXT("V8", "Weighed masses are not used: the typed changes are selected."));
         return list;
     }
     for (const Part part : all_parts) {
@@ -152,17 +153,18 @@ std::vector<Message> not_counted(const Input& input) {
             continue;
         }
         if (!column.nominal) {
-            list.emplace_back(
-                CORE_TEXT("V8", "%1: the weights do not count without a nominal mass."),
-                part_word(part).label);
+            list.emplace_back(CORE_TEXT("V8", "%1: weighed masses need a nominal mass."),
+                              part_word(part).label);
             continue;
         }
         const auto change = change_of(part, input.process);
         const bool typed =
             input.changes_known() && input.changes().*change != 0.0 && input.takes_typed(change);
         list.emplace_back(
-            typed ? CORE_TEXT("V8", "%1: %2 of 8 weighed; the typed change counts until all are.")
-                  : CORE_TEXT("V8", "%1: %2 of 8 weighed; nominal counts until all are."),
+            typed
+                ? CORE_TEXT("V8",
+                            "%1: %2 of 8 weighed; the typed change is used until all are weighed.")
+                : CORE_TEXT("V8", "%1: %2 of 8 weighed; nominal is used until all are weighed."),
             part_word(part).label, statistics(column)->count);
     }
     return list;

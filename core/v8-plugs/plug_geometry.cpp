@@ -102,11 +102,11 @@ double PlugGeometry::centre_of_mass() const {
 
 std::optional<Message> geometry_fault(const PlugGeometry& plug) {
     if (plug.bore_depth > 0.0 && plug.bore_depth >= plug.height) {
-        return CORE_TEXT("V8", "The bore is as deep as the plug is high: there is no bottom.");
+        return CORE_TEXT("V8", "The bore is as deep as the plug: no bottom remains.");
     }
     if (plug.bore_diameter >= plug.thread.root_diameter()) {
         return Message(
-            CORE_TEXT("V8", "The bore is wider than the root of the thread, %1: there is no wall."),
+            CORE_TEXT("V8", "The bore is wider than the root of the thread, %1: no wall remains."),
             millimetres(plug.thread.root_diameter()));
     }
     return std::nullopt;
@@ -186,15 +186,14 @@ Message describe(const Boring& boring, const BoreLimits& limits) {
     }
     switch (boring.limit) {
         case Boring::Limit::wall:
-            return {CORE_TEXT("V8",
-                              "It cannot be bored with a cutter of %1: a wall of %2 would be left "
-                              "under the thread, and %3 must stay."),
+            return {CORE_TEXT(
+                        "V8",
+                        "A cutter of %1 leaves a wall of %2 under the thread; the minimum is %3."),
                     cutter, millimetres(boring.wall), millimetres(limits.minimum_wall)};
         case Boring::Limit::bottom:
             return {
                 CORE_TEXT("V8",
-                          "It cannot be bored with a cutter of %1: a bore %2 deep is needed, and "
-                          "a bottom of %3 must stay."),
+                          "A cutter of %1 needs a depth of %2; the bottom must be at least %3."),
                 cutter, depth, millimetres(limits.minimum_bottom)};
         case Boring::Limit::none:
             break;

@@ -51,7 +51,7 @@ struct PlugGeometry {
     friend bool operator==(const PlugGeometry&, const PlugGeometry&) = default;
 };
 
-/// What is wrong with the dimensions, in words; nothing where the plug can exist.
+/// What is wrong with the dimensions, as text; nothing where the plug can exist.
 std::optional<Message> geometry_fault(const PlugGeometry& plug);
 
 /// The cutter and the walls that must stay.

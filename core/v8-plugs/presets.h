@@ -19,7 +19,7 @@ std::span<const Engine> engine_presets();
 const Engine* find_preset(std::string_view name);
 
 /// Thread and height of today's plug as Table 1 prints them for the preset; empty for the engines
-/// of which it prints none. The bore stays empty: the table's letters stand on a drawing that the
+/// of which it prints none. The bore stays empty: the table's letters are on a drawing that the
 /// print does not show well enough to tell which of them is the bore.
 PlugSheet printed_plug(std::string_view preset);
 /// True where both the mass and the plug's sizes are those that the paper prints: they do not fit

@@ -11,7 +11,7 @@
 
 namespace ravnoves::v8_plugs {
 
-/// Where an option's values stand in the arrays below.
+/// Where an option's values are in the arrays below.
 constexpr std::size_t index(OptionId id) {
     return static_cast<std::size_t>(id);
 }

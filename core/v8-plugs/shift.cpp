@@ -90,28 +90,26 @@ Message describe(const ShiftEffect& effect, double tolerance) {
     const Message neglect =
         effect.planned
             ? Message(CORE_TEXT("V8",
-                                "The method neglects that the plug's centre of mass moves: "
-                                "bored like this %1 would be left, beyond the %2 allowed."),
+                                "The method neglects the shift of the plug's centre of mass: the "
+                                "residual is %1, permissible %2."),
                       beyond, allowed)
             : Message(CORE_TEXT("V8",
-                                "The method neglects that the centre of mass of a machined plug "
-                                "moves, by %3 to %4 in the paper: with it up to %1 would be "
-                                "left, beyond the %2 allowed."),
+                                "The method neglects the shift of the plug's centre of mass, %3 to "
+                                "%4 in the paper: the residual is up to %1, permissible %2."),
                       beyond, allowed, Number{smallest_shift / units::mm, units::mm, 0, true},
                       Number{largest_shift / units::mm, units::mm});
     const Number least = shop::in_grams(effect.least_reduction);
     if (!effect.planned) {
-        return two_sentences(neglect, {CORE_TEXT("V8",
-                                                 "Give the plug's sizes and the cutter, or take "
-                                                 "off %1 to %2 each instead."),
-                                       least, shop::in_grams(effect.greatest_reduction)});
+        return two_sentences(
+            neglect,
+            {CORE_TEXT("V8", "Enter the plug's sizes and the cutter, or take off %1 to %2 each."),
+             least, shop::in_grams(effect.greatest_reduction)});
     }
     if (!effect.depth) {
-        return two_sentences(neglect, {CORE_TEXT("V8", "Take off %1 each instead."), least});
+        return two_sentences(neglect, {CORE_TEXT("V8", "Take off %1 each."), least});
     }
-    return two_sentences(neglect,
-                         {CORE_TEXT("V8", "Bore to %1 from the face instead, %2 off each plug."),
-                          Number{*effect.depth / units::mm, units::mm, -2}, least});
+    return two_sentences(neglect, {CORE_TEXT("V8", "Bore to %1 from the face, %2 off each plug."),
+                                   Number{*effect.depth / units::mm, units::mm, -2}, least});
 }
 
 }  // namespace ravnoves::v8_plugs

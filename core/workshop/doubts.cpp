@@ -114,7 +114,7 @@ Messages odd_mass(const DoubtCase& job) {
         const Text name = shop::part_word(part).label;
         if (!odd->also.empty()) {
             list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: cylinders %2 are unlike the others (%3 against %4). "
+                                        "%1: cylinders %2 differ from the others (%3, others %4). "
                                         "Weigh them again or match the parts."),
                               name, cylinders(odd->cylinders()), in_grams(odd->mass),
                               in_grams(odd->usual));
@@ -166,11 +166,10 @@ Messages typed_against_weighed(const DoubtCase& job) {
     for (const bob_weights::PartField& part : bob_weights::part_fields()) {
         if (contradicts_scale(job.input, part)) {
             const auto weighed = shop::statistics((*job.input.weigh_in)[*part.column]);
-            list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: %2 entered, but %3 weighed. Correct the one that is "
-                                        "wrong."),
-                              shop::part_word(*part.column).label,
-                              in_grams(*(job.input.parts.*part.member)), in_grams(weighed->mean));
+            list.emplace_back(
+                CORE_TEXT("workshop", "%1: %2 entered, but %3 weighed. Correct the wrong value."),
+                shop::part_word(*part.column).label, in_grams(*(job.input.parts.*part.member)),
+                in_grams(weighed->mean));
         }
     }
     return list;
@@ -182,11 +181,9 @@ Messages nominal_against_weighed(const DoubtCase& job) {
         const double mean = shop::statistics(column)->mean;
         if (column.nominal && !is_in_kilograms(part, column) &&
             differ(*column.nominal, mean, same_part)) {
-            list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: nominal %2, but %3 weighed. Correct the one that is "
-                                        "wrong."),
-                              shop::part_word(part).label, in_grams(*column.nominal),
-                              in_grams(mean));
+            list.emplace_back(
+                CORE_TEXT("workshop", "%1: nominal %2, but %3 weighed. Correct the wrong value."),
+                shop::part_word(part).label, in_grams(*column.nominal), in_grams(mean));
         }
     });
     return list;
@@ -196,10 +193,10 @@ Messages share_of_one(const DoubtCase& job) {
     if (!bob_weights::is_share_of_one(job.input.factor)) {
         return {};
     }
-    return {{CORE_TEXT("workshop",
-                       "A balance factor of %1 looks like a share of 1. Enter per cent: 50 for one "
-                       "half."),
-             Number{*job.input.factor.reciprocating / units::percent, units::percent, -2}}};
+    return {
+        {CORE_TEXT("workshop",
+                   "A balance factor of %1 looks like a fraction. Enter percent: 50 for one half."),
+         Number{*job.input.factor.reciprocating / units::percent, units::percent, -2}}};
 }
 
 Messages gear_against_parts(const DoubtCase& job) {
@@ -212,10 +209,11 @@ Messages gear_against_parts(const DoubtCase& job) {
                            const std::optional<double>& parts) {
         // Bob weights are hung to a tenth of a gram.
         if (typed && parts && std::abs(*typed - *parts) >= 0.1 * units::gram) {
-            list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: %2 entered, but the nominal parts add up to %3. "
-                                        "Correct the one that is wrong."),
-                              name, in_grams(*typed), in_grams(*parts));
+            list.emplace_back(
+                CORE_TEXT(
+                    "workshop",
+                    "%1: %2 entered, but the nominal parts add up to %3. Correct the wrong value."),
+                name, in_grams(*typed), in_grams(*parts));
         }
     };
     check(CORE_TEXT("bob-weights", "Reciprocating mass"),
@@ -284,17 +282,16 @@ Messages spread_of_parts(const DoubtCase& job) {
             return;  // which is said by itself
         }
         if (!found->within_permitted) {
-            list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: spread %2, permitted %3 (heaviest: cylinder %4, "
-                                        "lightest: %5)."),
-                              shop::part_word(part).label, in_grams(found->spread),
-                              in_grams(*column.permitted_spread), found->heaviest + 1,
-                              found->lightest + 1);
+            list.emplace_back(
+                CORE_TEXT("workshop",
+                          "%1: range %2, permitted %3 (heaviest: cylinder %4, lightest: %5)."),
+                shop::part_word(part).label, in_grams(found->spread),
+                in_grams(*column.permitted_spread), found->heaviest + 1, found->lightest + 1);
         } else if (!column.permitted_spread &&
                    found->spread > std::max(usual_spread * found->mean, 1.0 * units::gram)) {
             list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: spread %2 (heaviest: cylinder %3, lightest: %4). "
-                                        "Weigh them again or match the parts."),
+                                        "%1: range %2 (heaviest: cylinder %3, lightest: %4). Weigh "
+                                        "them again or match the parts."),
                               shop::part_word(part).label, in_grams(found->spread),
                               found->heaviest + 1, found->lightest + 1);
         }
@@ -316,8 +313,8 @@ Messages unlike_halves(const DoubtCase& job) {
         return {};
     }
     return {{CORE_TEXT("workshop",
-                       "Reciprocating mass %1 and rotating mass %2 of a cylinder do not go "
-                       "together. Check the masses of the parts."),
+                       "Reciprocating mass %1 and rotating mass %2 of a cylinder are inconsistent. "
+                       "Check the masses of the parts."),
              in_grams(*reciprocating), in_grams(*rotating)}};
 }
 
@@ -373,13 +370,13 @@ Messages drilled_otherwise(const DoubtCase& job) {
             const auto& now = (*job.shaft.newest()->planes)[i];
             list.emplace_back(
                 other->is_opposite
-                    ? CORE_TEXT("workshop",
-                                "%1: the drilling has increased the unbalance to %2 instead of %3. "
-                                "Mark holes on the wrong side, or check whether the machine shows "
-                                "the light spot.")
+                    ? CORE_TEXT(
+                          "workshop",
+                          "%1: drilling increased the unbalance to %2 instead of %3. Mark holes on "
+                          "the wrong side, or check whether the machine shows the light spot.")
                     : CORE_TEXT("workshop",
-                                "%1: the drilling has left %2 instead of %3. Enter what was really "
-                                "drilled: angle, depth, zero and direction of counting."),
+                                "%1: residual %2 after drilling instead of %3. Check the actual "
+                                "holes: angle, depth, zero mark and direction of degrees."),
                 plane_name(job, i), at_angle(now.unbalance, now.angle),
                 at_angle(other->expected, other->expected_angle));
         }
@@ -406,9 +403,7 @@ Messages beside_planes(const DoubtCase& job) {
                     })) {
         return {};
     }
-    return {{CORE_TEXT("workshop",
-                       "The machine reads beside the planes. Enter the angles of the "
-                       "readings.")}};
+    return {{CORE_TEXT("workshop", "The readings are not in the planes. Enter their angles.")}};
 }
 
 bool is_by_grade(const DoubtCase& job) {
@@ -444,7 +439,7 @@ Messages service_speed(const DoubtCase& job) {
     if (!shop::is_odd_speed(speed)) {
         return {};
     }
-    return {{CORE_TEXT("workshop", "No engine runs at %1 in service. Correct the speed."),
+    return {{CORE_TEXT("workshop", "A service speed of %1 is implausible. Correct the speed."),
              Number{*speed / units::rpm, units::rpm, 0}}};
 }
 
@@ -452,12 +447,12 @@ Messages bearings(const DoubtCase& job) {
     switch (bob_weights::places_of_bearings(job.input)) {
         case bob_weights::BearingPlaces::reversed:
             return {CORE_TEXT("workshop",
-                              "The bearings lie the other way round than the planes. Measure all "
+                              "The bearings are in reverse order to the planes. Measure all "
                               "positions from one point in one direction.")};
         case bob_weights::BearingPlaces::centre_beyond:
-            return {CORE_TEXT("workshop",
-                              "The centre of mass lies beyond planes and bearings. Correct its "
-                              "position.")};
+            return {CORE_TEXT(
+                "workshop",
+                "The centre of mass is beyond planes and bearings. Correct its position.")};
         case bob_weights::BearingPlaces::plausible:
             break;
     }
@@ -480,8 +475,8 @@ Messages plane_radius(const DoubtCase& job) {
         const auto& radius = planes[i].radius;
         if (radius && (*radius < least * *crank || *radius > most * *crank)) {
             list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: a drilling radius of %2 does not go with a crank "
-                                        "radius of %3. Enter the radius, not the diameter."),
+                                        "%1: a drilling radius of %2 does not match a crank radius "
+                                        "of %3. Enter the radius, not the diameter."),
                               plane_name(job, i), millimetres(*radius), millimetres(*crank));
         }
     }
@@ -526,8 +521,8 @@ Messages amplification(const DoubtCase& job) {
         return {};
     }
     return {{CORE_TEXT("workshop",
-                       "The machine reads far outside the planes: an error of its readings may be "
-                       "%1 times as large in them. Read nearer to the planes."),
+                       "The machine reads far outside the planes: errors may be %1 times as large "
+                       "in the planes. Measure nearer to the planes."),
              Number{*times, units::none, -1}}};
 }
 
@@ -537,8 +532,8 @@ Messages beyond_sector(const DoubtCase& job) {
         const double beyond = (*job.shaft.correction)[i].beyond_sector;
         if (beyond > 0.0) {
             list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: the edge of a hole reaches %2 beyond the sector that "
-                                        "may be drilled. Check that there is metal enough."),
+                                        "%1: the edge of a hole is %2 beyond the drilling sector. "
+                                        "Check that there is enough metal."),
                               plane_name(job, i), Number{beyond / units::mm, units::mm, -2});
         }
     }
@@ -550,8 +545,8 @@ Messages all_round(const DoubtCase& job) {
     for (std::size_t i = 0; job.shaft.correction && i < 2; ++i) {
         if (!job.input.correction->planes[i].from_angle) {
             list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: no sector is given; holes may lie anywhere on the "
-                                        "rim. Enter the sector of the counterweight."),
+                                        "%1: no sector is given; holes may be anywhere on the rim. "
+                                        "Enter the sector of the counterweight."),
                               plane_name(job, i));
         }
     }

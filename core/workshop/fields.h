@@ -16,10 +16,10 @@ namespace field {
 inline constexpr Field plugs{
     .key = "plugs",
     .hint = CORE_TEXT("workshop",
-                      "Sludge-trap plugs of a V-8, as in the scene v8-plugs, without its "
+                      "Sludge-trap plugs of a V-8, as in the module v8-plugs, without its "
                       "weigh-in, balancing and job.")};
-inline constexpr Field machine{
-    .key = "machine", .hint = CORE_TEXT("workshop", "How the balancing machine is set up.")};
+inline constexpr Field machine{.key = "machine",
+                               .hint = CORE_TEXT("workshop", "Settings of the balancing machine.")};
 inline constexpr Field plane_names{
     .key = "planes",
     .label = CORE_TEXT("workshop", "Names of the planes"),
@@ -27,14 +27,13 @@ inline constexpr Field plane_names{
 inline constexpr Field counts{
     .key = "counts",
     .label = CORE_TEXT("workshop", "Degrees count"),
-    .hint = CORE_TEXT("workshop", "Seen from the front of the crankshaft."),
+    .hint = CORE_TEXT("workshop", "Direction seen from the front of the crankshaft."),
     .words = counts_words};
 inline constexpr Field shows{
     .key = "shows",
     .label = CORE_TEXT("workshop", "Machine shows"),
     .hint = CORE_TEXT("workshop",
-                      "The spot whose angle the machine shows; holes are planned at the heavy "
-                      "spot either way."),
+                      "Spot shown by the machine; holes are always planned at the heavy spot."),
     .words = shows_words};
 inline constexpr Field zero{.key = "zero",
                             .label = CORE_TEXT("workshop", "Zero mark"),

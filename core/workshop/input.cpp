@@ -51,7 +51,7 @@ void check_plugs(const Input& input) {
     }
     const auto refuse = [](const Field& field) {
         throw InputError("/input/" + std::string(field.key),
-                         CORE_TEXT("workshop", "must be left out where plugs are given"));
+                         CORE_TEXT("workshop", "must be left out with plugs"));
     };
     if (!(input.parts == bob_weights::Parts{})) {
         refuse(bob_weights::field::parts);

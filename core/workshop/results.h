@@ -8,7 +8,7 @@
 namespace ravnoves::workshop {
 
 /// The values of a solved input, in the order of the contract. What a doubt blocks is null, and the
-/// number stands under "doubtful".
+/// number is under "doubtful".
 /// @param result  solve(input) of an input that holds all that a result needs
 void visit_results(ResultVisitor& visitor, const Input& input, const Result& result);
 /// The same, which solves the input first.

@@ -102,7 +102,7 @@ Result allowed(Result result) {
     if (withheld.holes) {
         shaft.correction.reset();
     }
-    // No verdict stands beside a STOP, whatever that is for.
+    // No verdict is beside a STOP, whatever that is for.
     if (withheld.any()) {
         for (bob_weights::RunResult& run : shaft.runs) {
             for (std::size_t i = 0; i < 2; ++i) {

@@ -25,9 +25,9 @@ case $command in
         ;;
     study)
         _arguments $help '(-o --output)'{-o,--output}'[write to this file]:file:_files' \
-            '(--merge)--shard[take the K-th of N parts]:K/N' \
-            '(--shard 1)--merge[put parts together]:*:part:_files' \
-            '--threads[work with so many threads]:count' \
+            '(--merge)--shard[compute the K-th of N parts]:K/N' \
+            '(--shard 1)--merge[merge parts]:*:part:_files' \
+            '--threads[number of threads]:count' \
             '1:case file:_files -g "*.json"'
         ;;
     methods)

@@ -1,7 +1,7 @@
 # fish completion for ravnoves
 
 complete -c ravnoves -f -a '(__fish_complete_suffix .json)'
-complete -c ravnoves -l scene -x -a 'start @pages@' -d 'Start with this scene'
+complete -c ravnoves -l scene -x -a 'start @pages@' -d 'Open this module'
 complete -c ravnoves -l case -r -d 'Open this case file'
 complete -c ravnoves -l set -x -d 'Set a value of the case or of the page'
 complete -c ravnoves -l screenshot -r -d 'Write the window as a PNG picture and exit'

@@ -1,7 +1,7 @@
 #compdef ravnoves
 
 _arguments \
-    '--scene[start with this scene]:scene:(start @pages@)' \
+    '--scene[open this module]:scene:(start @pages@)' \
     '*--case[open this case file]:case file:_files -g "*.json"' \
     '*--set[set a value of the case or of the page]:key=value' \
     '--screenshot[write the window as a PNG picture and exit]:picture:_files -g "*.png"' \

@@ -44,57 +44,21 @@
         <translation>На каждую шатунную шейку (всего %1).</translation>
     </message>
     <message>
-        <source>Factor %1 (theory: %2)</source>
-        <translation>Доля %1 (по теории %2)</translation>
-    </message>
-    <message>
-        <source>Factor %1, by theory</source>
-        <translation>Доля %1, по теории</translation>
-    </message>
-    <message>
         <source> + %1 overbalance</source>
         <comment>after the factor; negative numbers have their sign</comment>
-        <translation> + перебалансировка %1</translation>
+        <translation> + перебаланс %1</translation>
     </message>
     <message>
         <source>%1 in each plane</source>
         <translation>%1 в каждой плоскости</translation>
     </message>
     <message>
-        <source>%1 in the front plane, %2 in the rear one</source>
-        <translation>%1 в передней плоскости, %2 в задней</translation>
-    </message>
-    <message>
-        <source>May remain: %1, of %2 for the crankshaft.</source>
-        <translation>Может остаться: %1, из %2 для всего вала.</translation>
-    </message>
-    <message>
-        <source>May remain: %1.</source>
-        <translation>Может остаться: %1.</translation>
-    </message>
-    <message>
-        <source>Bob weights of the crankpins by themselves, %1: %2.</source>
-        <translation>Грузы шеек по их собственным деталям, %1: %2.</translation>
-    </message>
-    <message>
         <source>Part</source>
         <translation>Деталь</translation>
     </message>
     <message>
-        <source>Counts</source>
-        <translation>Считается</translation>
-    </message>
-    <message>
         <source>Plane</source>
         <translation>Плоскость</translation>
-    </message>
-    <message>
-        <source>Heavy at</source>
-        <translation>Тяжёлое место</translation>
-    </message>
-    <message>
-        <source>At the radius</source>
-        <translation>На радиусе</translation>
     </message>
     <message>
         <source>Verdict</source>
@@ -109,10 +73,6 @@
         <translation>Сверлят от … до</translation>
     </message>
     <message>
-        <source>May remain</source>
-        <translation>Может остаться</translation>
-    </message>
-    <message>
         <source>Readings of the balancing machine</source>
         <translation>Показания балансировочного станка</translation>
     </message>
@@ -125,44 +85,12 @@
         <translation>Измерено</translation>
     </message>
     <message>
-        <source>Correction: measured → after it</source>
-        <translation>Коррекция: измерено → после неё</translation>
-    </message>
-    <message>
-        <source>A limit of the shop’s own for each plane, no grade.</source>
-        <translation>Свой допуск мастерской для каждой плоскости, без класса.</translation>
-    </message>
-    <message>
         <source>By G %1 of ISO 21940-11, %2 at %3.</source>
         <translation>По G %1 ИСО 21940-11, %2 при %3.</translation>
     </message>
     <message>
-        <source>Shared by the distances of the end bearings.</source>
-        <translation>Поделён по расстояниям до крайних подшипников.</translation>
-    </message>
-    <message>
-        <source>Shared by the centre of mass.</source>
-        <translation>Поделён по центру масс.</translation>
-    </message>
-    <message>
         <source>Half in each plane.</source>
         <translation>Половина на каждую плоскость.</translation>
-    </message>
-    <message>
-        <source>Not given, counted as %1: %2. Where there is none, type 0.</source>
-        <translation>Не задано, считается за %1: %2. Если детали нет, введите 0.</translation>
-    </message>
-    <message>
-        <source>Depths are to the full diameter, the cone of the drill’s point lies beyond; the rim counts as flat where a hole begins.</source>
-        <translation>Глубина — до полного диаметра, конус сверла лежит глубже; обод в месте отверстия считается плоским.</translation>
-    </message>
-    <message>
-        <source>One, %1</source>
-        <translation>Одна, %1</translation>
-    </message>
-    <message>
-        <source>In all, %1</source>
-        <translation>Всего, %1</translation>
     </message>
     <message>
         <source>Sum</source>
@@ -193,22 +121,6 @@
         <translation>Снимает, %1</translation>
     </message>
     <message>
-        <source>Weighed to %1, a bob weight is sure to ±%2 (19 times of 20).</source>
-        <translation>При взвешивании до %1 балансировочный груз известен до ±%2 (в 19 случаях из 20).</translation>
-    </message>
-    <message>
-        <source>That is enough for what may remain in a plane with a crank radius up to %1.</source>
-        <translation>Этого достаточно для допустимого остатка в плоскости при радиусе кривошипа до %1.</translation>
-    </message>
-    <message>
-        <source>The bob weight still needs: %1</source>
-        <translation>Для груза ещё нужны: %1</translation>
-    </message>
-    <message>
-        <source>The machine read %1 and %2; measured is what that is in the planes.</source>
-        <translation>Станок показал %1 и %2; «измерено» — это в плоскостях коррекции.</translation>
-    </message>
-    <message>
         <source>On the crankpin.</source>
         <translation>На шейке.</translation>
     </message>
@@ -221,36 +133,12 @@
         <translation>Уже просверлено</translation>
     </message>
     <message>
-        <source>Taken off in all, %1</source>
-        <translation>Снято всего, %1</translation>
-    </message>
-    <message>
-        <source>%1: what was drilled was planned from another reading.</source>
-        <translation>%1: просверленное рассчитано по другому показанию.</translation>
-    </message>
-    <message>
         <source>Cylinders that share a crankpin: %1.</source>
         <translation>На одной шейке цилиндры: %1.</translation>
     </message>
     <message>
-        <source>%1: %2 are still needed, in %3, one after the other: %4</source>
-        <translation>%1: нужны ещё «%2» в %3, через точку с запятой, например %4</translation>
-    </message>
-    <message>
-        <source>%1: %2 is still needed. %3</source>
-        <translation>%1: нужно ещё значение «%2». %3</translation>
-    </message>
-    <message>
-        <source>Weigh-in sheet: %1 of cylinder %2 is missing or no weight.</source>
-        <translation>Взвешивание: %1, цилиндр %2 — не введено или не масса.</translation>
-    </message>
-    <message>
         <source>Mean bob weight %1</source>
         <translation>Средний балансировочный груз %1</translation>
-    </message>
-    <message>
-        <source>Planned for a drill’s point of %1 and a crankshaft of %2</source>
-        <translation>Рассчитано: угол при вершине сверла %1, плотность вала %2</translation>
     </message>
     <message>
         <source>, slugs of %1</source>
@@ -269,20 +157,12 @@
         <translation>Лист 5, %1</translation>
     </message>
     <message>
-        <source>Sheet 5, what may remain</source>
-        <translation>Лист 5, что может остаться</translation>
-    </message>
-    <message>
         <source>Sheet 6, heavy metal</source>
         <translation>Лист 6, тяжёлый металл</translation>
     </message>
     <message>
         <source>Sheet 6, drills</source>
         <translation>Лист 6, свёрла</translation>
-    </message>
-    <message>
-        <source>Sheet 5, %1, %2: %3 is still needed.</source>
-        <translation>Лист 5, %1, %2: ещё нужно «%3».</translation>
     </message>
     <message>
         <source>Reciprocating</source>
@@ -301,10 +181,6 @@
         <translation>%1 → %2</translation>
     </message>
     <message>
-        <source>There before</source>
-        <translation>Были раньше</translation>
-    </message>
-    <message>
         <source>%1, %2: slug ⌀ %3</source>
         <translation>%1, %2: вставка ⌀ %3</translation>
     </message>
@@ -313,20 +189,8 @@
         <translation>%1, %2: ⌀ %3</translation>
     </message>
     <message>
-        <source>Degrees count clockwise, seen from the front.</source>
-        <translation>Углы отсчитываются по часовой стрелке, если смотреть спереди.</translation>
-    </message>
-    <message>
-        <source>Degrees count counter-clockwise, seen from the front.</source>
-        <translation>Углы отсчитываются против часовой стрелки, если смотреть спереди.</translation>
-    </message>
-    <message>
         <source>0°: %1.</source>
         <translation>0°: %1.</translation>
-    </message>
-    <message>
-        <source>The machine shows the light spot; holes stand opposite it.</source>
-        <translation>Станок показывает лёгкое место; отверстия — напротив него.</translation>
     </message>
     <message>
         <source>Job card: balancing</source>
@@ -337,12 +201,148 @@
         <translation>Ravnoves %1 · ISO 21940-11 · %2</translation>
     </message>
     <message>
-        <source>A slug is as long as its hole is deep; its own weight stands beside its diameter. Secure it: a press fit alone does not hold the force at service speed.</source>
-        <translation>Вставка такой длины, какова глубина отверстия; её масса стоит рядом с диаметром. Закрепите её: одна посадка с натягом не удержит силу на рабочих оборотах.</translation>
-    </message>
-    <message>
         <source>Sheet 5: enter position and radius of both planes.</source>
         <translation>Лист 5: введите положение и радиус обеих плоскостей.</translation>
+    </message>
+    <message>
+        <source>Shop limit for each plane, instead of a grade.</source>
+        <translation>Предел мастерской для каждой плоскости, без класса.</translation>
+    </message>
+    <message>
+        <source>Shared between the planes by the distances of the end bearings.</source>
+        <translation>Поделён между плоскостями по расстояниям до крайних подшипников.</translation>
+    </message>
+    <message>
+        <source>Shared between the planes by the centre of mass.</source>
+        <translation>Поделён между плоскостями по центру масс.</translation>
+    </message>
+    <message>
+        <source>Sheet 5, permissible residual</source>
+        <translation>Лист 5, допустимый остаток</translation>
+    </message>
+    <message>
+        <source>%1: enter %2 in %3, separated by semicolons: %4</source>
+        <translation>%1: введите «%2» в %3, через точку с запятой, например %4</translation>
+    </message>
+    <message>
+        <source>%1: enter %2. %3</source>
+        <translation>%1: введите «%2». %3</translation>
+    </message>
+    <message>
+        <source>Sheet 5, %1, %2: enter %3.</source>
+        <translation>Лист 5, %1, %2: введите «%3».</translation>
+    </message>
+    <message>
+        <source>Weigh-in sheet: %1 of cylinder %2 is missing or not a mass.</source>
+        <translation>Взвешивание: %1, цилиндр %2 — не введено или не масса.</translation>
+    </message>
+    <message>
+        <source>Missing for the bob weight: %1</source>
+        <translation>Для груза не хватает: %1</translation>
+    </message>
+    <message>
+        <source>Balance factor %1 (theory: %2)</source>
+        <translation>Коэффициент балансировки %1 (по теории %2)</translation>
+    </message>
+    <message>
+        <source>Balance factor %1, by theory</source>
+        <translation>Коэффициент балансировки %1, по теории</translation>
+    </message>
+    <message>
+        <source>%1 in the front plane, %2 in the rear plane</source>
+        <translation>%1 в передней плоскости, %2 в задней</translation>
+    </message>
+    <message>
+        <source>Permissible residual: %1, of %2 for the crankshaft.</source>
+        <translation>Допустимый остаток: %1, из %2 для всего вала.</translation>
+    </message>
+    <message>
+        <source>Permissible residual: %1.</source>
+        <translation>Допустимый остаток: %1.</translation>
+    </message>
+    <message>
+        <source>Not given, %1 is used: %2. Enter 0 if there is no such part.</source>
+        <translation>Не задано, принято %1: %2. Если детали нет, введите 0.</translation>
+    </message>
+    <message>
+        <source>%1: the drilled holes were planned from another reading.</source>
+        <translation>%1: просверленные отверстия рассчитаны по другому показанию.</translation>
+    </message>
+    <message>
+        <source>Readings: %1 and %2. “Measured” is the reading transferred to the planes.</source>
+        <translation>Показания: %1 и %2. «Измерено» — показание, перенесённое в плоскости.</translation>
+    </message>
+    <message>
+        <source>A slug is as long as its hole; its mass is given with its diameter. Secure it: a press fit alone does not withstand the force at service speed.</source>
+        <translation>Длина вставки равна глубине отверстия; её масса указана рядом с диаметром. Закрепите её: одна посадка с натягом не удержит силу на рабочих оборотах.</translation>
+    </message>
+    <message>
+        <source>Depths exclude the drill point; the rim is taken as flat.</source>
+        <translation>Глубины — без конуса сверла; обод считается плоским.</translation>
+    </message>
+    <message>
+        <source>Planned with a point angle of %1 and a crankshaft density of %2</source>
+        <translation>Рассчитано: угол при вершине сверла %1, плотность вала %2</translation>
+    </message>
+    <message>
+        <source>Weighed to %1, a bob weight is accurate to ±%2 (95 %).</source>
+        <translation>При взвешивании до %1 балансировочный груз известен до ±%2 (95 %).</translation>
+    </message>
+    <message>
+        <source>This is enough for the permissible residual at a crank radius up to %1.</source>
+        <translation>Этого достаточно для допустимого остатка при радиусе кривошипа до %1.</translation>
+    </message>
+    <message>
+        <source>Bob weight by crankpin, %1: %2.</source>
+        <translation>Балансировочный груз по шейкам, %1: %2.</translation>
+    </message>
+    <message>
+        <source>Each, %1</source>
+        <translation>Каждый, %1</translation>
+    </message>
+    <message>
+        <source>Multiplier</source>
+        <translation>Множитель</translation>
+    </message>
+    <message>
+        <source>Total, %1</source>
+        <translation>Всего, %1</translation>
+    </message>
+    <message>
+        <source>Heavy spot</source>
+        <translation>Тяжёлое место</translation>
+    </message>
+    <message>
+        <source>Mass at drilling radius</source>
+        <translation>Масса на радиусе сверления</translation>
+    </message>
+    <message>
+        <source>Taken off in total, %1</source>
+        <translation>Снято всего, %1</translation>
+    </message>
+    <message>
+        <source>Older holes</source>
+        <translation>Более старые</translation>
+    </message>
+    <message>
+        <source>Angles are clockwise, seen from the front.</source>
+        <translation>Углы — по часовой стрелке, если смотреть спереди.</translation>
+    </message>
+    <message>
+        <source>Angles are counter-clockwise, seen from the front.</source>
+        <translation>Углы — против часовой стрелки, если смотреть спереди.</translation>
+    </message>
+    <message>
+        <source>The machine shows the light spot; holes are opposite.</source>
+        <translation>Станок показывает лёгкое место; отверстия — напротив.</translation>
+    </message>
+    <message>
+        <source>Permissible residual</source>
+        <translation>Допустимый остаток</translation>
+    </message>
+    <message>
+        <source>Correction: measured → after correction</source>
+        <translation>Коррекция: измерено → после коррекции</translation>
     </message>
     <message>
         <source>STOP: no bob weight yet</source>
@@ -361,8 +361,8 @@
         <translation>Шатунные шейки уравновешивают друг друга.</translation>
     </message>
     <message>
-        <source>No bob weights are needed: the crankpins balance one another. Where they are hung:</source>
-        <translation>Балансировочные грузы не нужны: шатунные шейки уравновешивают друг друга. Если их навешивают:</translation>
+        <source>No bob weights are needed: the crankpins balance one another. If you use them:</source>
+        <translation>Балансировочные грузы не нужны: шатунные шейки уравновешивают друг друга. Если используете:</translation>
     </message>
 </context>
 <context>
@@ -419,10 +419,6 @@
         <translation>Двигатель</translation>
     </message>
     <message>
-        <source>Options, in the order of cost</source>
-        <translation>Варианты по возрастанию затрат</translation>
-    </message>
-    <message>
         <source>verdict</source>
         <translation>вывод</translation>
     </message>
@@ -467,10 +463,6 @@
         <translation>Массы деталей по цилиндрам, %1</translation>
     </message>
     <message>
-        <source>Not up to date, for these entries are refused: %1</source>
-        <translation>Не по листу, отвергнуты значения: %1</translation>
-    </message>
-    <message>
         <source>Page %1 of %2</source>
         <translation>Страница %1 из %2</translation>
     </message>
@@ -483,8 +475,16 @@
         <translation>снять с каждой, %1</translation>
     </message>
     <message>
-        <source>at most, %1</source>
-        <translation>не больше, %1</translation>
+        <source>Result outdated: entries not accepted: %1</source>
+        <translation>Результат устарел: недопустимые значения: %1</translation>
+    </message>
+    <message>
+        <source>Options by cost</source>
+        <translation>Варианты по стоимости</translation>
+    </message>
+    <message>
+        <source>maximum, %1</source>
+        <translation>предел, %1</translation>
     </message>
     <message>
         <source>remains, %1</source>
@@ -595,7 +595,7 @@
     </message>
     <message>
         <source>factor</source>
-        <translation>доля в грузе</translation>
+        <translation>коэффициент балансировки</translation>
     </message>
     <message>
         <source>flywheel</source>
@@ -684,10 +684,6 @@
     <message>
         <source>parts</source>
         <translation>детали</translation>
-    </message>
-    <message>
-        <source>permitted spread</source>
-        <translation>допустимый разброс</translation>
     </message>
     <message>
         <source>pin</source>
@@ -921,36 +917,20 @@
         <source>plugs</source>
         <translation>заглушки</translation>
     </message>
+    <message>
+        <source>permitted range</source>
+        <translation>допустимый размах</translation>
+    </message>
 </context>
 <context>
     <name>Matching</name>
-    <message>
-        <source>The parts stay: the crankpins differ by %1.</source>
-        <translation>Детали остаются на местах: разница между шейками %1.</translation>
-    </message>
     <message>
         <source>Throws from the front at %1.</source>
         <translation>Углы колен, считая спереди: %1.</translation>
     </message>
     <message>
-        <source>The couple counts; its size needs the cylinder spacing.</source>
-        <translation>Момент учтён; для его величины нужен шаг цилиндров.</translation>
-    </message>
-    <message>
-        <source>What differs</source>
-        <translation>Разница</translation>
-    </message>
-    <message>
         <source>as weighed</source>
         <translation>как взвешено</translation>
-    </message>
-    <message>
-        <source>placed so</source>
-        <translation>станет</translation>
-    </message>
-    <message>
-        <source>Crankpins, spread</source>
-        <translation>Шейки, разброс</translation>
     </message>
     <message>
         <source>Force at %1</source>
@@ -969,18 +949,6 @@
         <translation>На концах вала, среднее</translation>
     </message>
     <message>
-        <source>Heaviest less lightest crankpin, as their bob weights</source>
-        <translation>Самая тяжёлая шейка минус самая лёгкая, как их балансировочные грузы</translation>
-    </message>
-    <message>
-        <source>The same along the crankshaft, about its middle</source>
-        <translation>То же вдоль вала, относительно его середины</translation>
-    </message>
-    <message>
-        <source>Root mean square over a turn and both end cylinders, of force and couple together: what “Least shaking” makes small</source>
-        <translation>Среднее квадратическое за оборот по обоим крайним цилиндрам, сила и момент вместе: это уменьшает цель «Меньше тряски»</translation>
-    </message>
-    <message>
         <source>Cylinder</source>
         <translation>Цилиндр</translation>
     </message>
@@ -993,56 +961,8 @@
         <translation>Шатун из</translation>
     </message>
     <message>
-        <source>A dot: the part stays; a number: it comes from that cylinder</source>
-        <translation>Точка: деталь остаётся; число: она приходит из этого цилиндра</translation>
-    </message>
-    <message>
-        <source>Cylinder from which the piston comes</source>
-        <translation>Цилиндр, из которого приходит поршень</translation>
-    </message>
-    <message>
-        <source>Cylinder from which the rod comes</source>
-        <translation>Цилиндр, из которого приходит шатун</translation>
-    </message>
-    <message>
-        <source>Crankpins differ by %1 as they are now and by %2 after moving %3 sets more.</source>
-        <translation>Шатунные шейки различаются на %1 как стоят сейчас и на %2, если переставить ещё комплектов: %3.</translation>
-    </message>
-    <message>
         <source>Unbalance</source>
         <translation>Дисбаланс</translation>
-    </message>
-    <message>
-        <source>First-order unbalance of what the parts differ by from their mean, greatest over a turn; what the engine leaves by its design is not in it</source>
-        <translation>Дисбаланс первого порядка от отклонений деталей от их среднего, наибольший за оборот; неуравновешенность самой схемы двигателя не входит</translation>
-    </message>
-    <message>
-        <source>Assemble by the numbers of the sets: placed so, the crankpins differ by %1.</source>
-        <translation>Собирать по номерам комплектов: так разница между шейками %1.</translation>
-    </message>
-    <message>
-        <source>The parts are placed as well as can be: the crankpins differ by %1.</source>
-        <translation>Детали размещены наилучшим образом: разница между шейками %1.</translation>
-    </message>
-    <message>
-        <source>Crankpins differ by %1 as weighed and by %2 after moving %3 sets.</source>
-        <translation>Разница между шейками %1, после перестановки комплектов (%3) — %2.</translation>
-    </message>
-    <message>
-        <source>To match the lightest, if the parts are to be closer: take off, %1</source>
-        <translation>До самой лёгкой, если детали должны быть ближе: снять, %1</translation>
-    </message>
-    <message>
-        <source>To match the lightest, only if moving is not enough: take off, %1</source>
-        <translation>До самой лёгкой, только если перестановки мало: снять, %1</translation>
-    </message>
-    <message>
-        <source>The bob weight is that of the parts as weighed: where one is made lighter, weigh again.</source>
-        <translation>Балансировочный груз — для деталей, как они взвешены: если какая-то облегчена, взвесьте снова.</translation>
-    </message>
-    <message>
-        <source>as they are now</source>
-        <translation>как сейчас</translation>
     </message>
     <message>
         <source>Unbalance at the crank radius</source>
@@ -1053,24 +973,104 @@
         <translation>Момент на радиусе кривошипа</translation>
     </message>
     <message>
-        <source>Matched parts: suggested, not applied yet</source>
-        <translation>Подобранные детали: предложено, ещё не переставлены</translation>
+        <source>Assemble by set numbers: the range of the crankpins is then %1.</source>
+        <translation>Собирать по номерам комплектов: размах шеек тогда %1.</translation>
     </message>
     <message>
-        <source>Matched parts: applied, the weights are moved</source>
-        <translation>Подобранные детали: переставлены</translation>
+        <source>The parts are placed optimally: range of the crankpins %1.</source>
+        <translation>Детали размещены наилучшим образом: размах шеек %1.</translation>
     </message>
     <message>
-        <source>Too many placings to try all: this is the best found.</source>
+        <source>Parts not moved: range of the crankpins %1.</source>
+        <translation>Детали на своих местах: размах шеек %1.</translation>
+    </message>
+    <message>
+        <source>Range of the crankpins: %1 now, %2 after moving %3 more sets.</source>
+        <translation>Размах шеек: сейчас %1, после перестановки ещё %3 комплектов %2.</translation>
+    </message>
+    <message>
+        <source>Range of the crankpins: %1 as weighed, %2 after moving %3 sets.</source>
+        <translation>Размах шеек: %1 как взвешено, после перестановки комплектов (%3) — %2.</translation>
+    </message>
+    <message>
+        <source>Too many combinations to try all: this is the best found.</source>
         <translation>Расстановок слишком много, чтобы перебрать все: это лучшая из найденных.</translation>
     </message>
     <message>
-        <source>What the placing changes</source>
-        <translation>Что меняет перестановка</translation>
+        <source>The couple is included; enter the cylinder spacing to see its value.</source>
+        <translation>Момент учтён; введите шаг цилиндров, чтобы увидеть его величину.</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Разница</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>сейчас</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>предложено</translation>
+    </message>
+    <message>
+        <source>Crankpins, range</source>
+        <translation>Шейки, размах</translation>
+    </message>
+    <message>
+        <source>Heaviest minus lightest crankpin, by bob weight</source>
+        <translation>Самая тяжёлая шейка минус самая лёгкая, по балансировочному грузу</translation>
+    </message>
+    <message>
+        <source>First-order unbalance due to deviations from the mean mass, maximum over a turn; the unbalance of the layout itself is not included</source>
+        <translation>Дисбаланс первого порядка от отклонений масс от среднего, максимум за оборот; неуравновешенность самой схемы не входит</translation>
+    </message>
+    <message>
+        <source>Couple along the crankshaft, about its middle</source>
+        <translation>Момент вдоль вала, относительно его середины</translation>
+    </message>
+    <message>
+        <source>RMS of force and couple over a turn, at both end cylinders; “Minimum shaking” minimises it</source>
+        <translation>СКЗ силы и момента за оборот, по обоим крайним цилиндрам; его минимизирует цель «Меньше тряски»</translation>
+    </message>
+    <message>
+        <source>Dot: the part is not moved; number: its previous cylinder</source>
+        <translation>Точка: деталь на месте; число: прежний цилиндр детали</translation>
+    </message>
+    <message>
+        <source>Previous cylinder of the piston</source>
+        <translation>Прежний цилиндр поршня</translation>
+    </message>
+    <message>
+        <source>Previous cylinder of the rod</source>
+        <translation>Прежний цилиндр шатуна</translation>
+    </message>
+    <message>
+        <source>Matched parts: suggested, not yet applied</source>
+        <translation>Подобранные детали: предложено, ещё не переставлены</translation>
+    </message>
+    <message>
+        <source>Matched parts: applied, the masses are moved</source>
+        <translation>Подобранные детали: переставлены</translation>
+    </message>
+    <message>
+        <source>To match the lightest part, if required: take off, %1</source>
+        <translation>До самой лёгкой, если нужно: снять, %1</translation>
+    </message>
+    <message>
+        <source>To match the lightest part, only if moving is not enough: take off, %1</source>
+        <translation>До самой лёгкой, только если перестановки мало: снять, %1</translation>
+    </message>
+    <message>
+        <source>The bob weight is for the parts as weighed: weigh parts again after making them lighter.</source>
+        <translation>Балансировочный груз — для деталей, как взвешено: облегчённую деталь взвесьте снова.</translation>
     </message>
     <message>
         <source>Part no.</source>
         <translation>Деталь №</translation>
+    </message>
+    <message>
+        <source>Effect of the matching</source>
+        <translation>Результат подбора</translation>
     </message>
 </context>
 <context>
@@ -1102,7 +1102,7 @@
 <context>
     <name>Settings</name>
     <message>
-        <source>The settings are not kept: %1 is not a file</source>
+        <source>Settings are not saved: %1 is not a file</source>
         <translation>Настройки не сохраняются: %1 — не файл</translation>
     </message>
 </context>
@@ -1116,22 +1116,6 @@
     <message>
         <source>Machine all 8 steel plugs by %1 each.</source>
         <translation>Снять с каждой из 8 стальных заглушек %1.</translation>
-    </message>
-    <message>
-        <source>Fit today&apos;s 8 steel plugs as they are.</source>
-        <translation>Поставить 8 существующих стальных заглушек без доработки.</translation>
-    </message>
-    <message>
-        <source>Replace all 8 plugs by aluminium ones lightened by %1 each.</source>
-        <translation>Заменить все 8 заглушек алюминиевыми, сняв с каждой %1.</translation>
-    </message>
-    <message>
-        <source>Replace all 8 plugs by aluminium ones as they are.</source>
-        <translation>Заменить все 8 заглушек алюминиевыми без доработки.</translation>
-    </message>
-    <message>
-        <source>leaves %1 too much on each crankpin</source>
-        <translation>оставляет %1 лишних на каждой шейке</translation>
     </message>
     <message>
         <source>over-compensates by %1 on each crankpin</source>
@@ -1150,16 +1134,8 @@
         <translation>Радиус кривошипа r</translation>
     </message>
     <message>
-        <source>Machine today&apos;s steel plugs</source>
-        <translation>Облегчить стальные заглушки</translation>
-    </message>
-    <message>
         <source>Aluminium plugs</source>
         <translation>Алюминиевые заглушки</translation>
-    </message>
-    <message>
-        <source>New crankshaft, today&apos;s steel plugs</source>
-        <translation>Новый вал, стальные заглушки</translation>
     </message>
     <message>
         <source>New crankshaft, aluminium plugs</source>
@@ -1210,40 +1186,8 @@
         <translation>Под новые заглушки</translation>
     </message>
     <message>
-        <source>Leave the plugs as they are: the excess of %1 per crankpin is %2.</source>
-        <translation>Заглушки оставить без изменений: лишние %1 на шейку дают %2.</translation>
-    </message>
-    <message>
-        <source>The crankshaft is made for plugs of the new design; their mass and radius are needed.</source>
-        <translation>Вал изготовлен под новые заглушки: нужны их масса и радиус.</translation>
-    </message>
-    <message>
-        <source>The parts are %1 per crankpin lighter than nominal (%2), and plugs can only be lightened: heavier parts or heavier plugs are needed.</source>
-        <translation>Детали легче номинала на %1 на шейку (%2), а заглушки можно только облегчить: нужны более тяжёлые детали или заглушки.</translation>
-    </message>
-    <message>
         <source>No plug of this crankshaft can be made light enough.</source>
         <translation>Ни одну заглушку этого вала нельзя облегчить настолько.</translation>
-    </message>
-    <message>
-        <source>No plug of this crankshaft has the mass that is needed.</source>
-        <translation>Ни одна заглушка этого вала не даёт нужной массы.</translation>
-    </message>
-    <message>
-        <source>A crankshaft made for the new plugs would do: “%1”.</source>
-        <translation>Подошёл бы вал под новые заглушки: «%1».</translation>
-    </message>
-    <message>
-        <source>A standard crankshaft would do: “%1”.</source>
-        <translation>Подошёл бы штатный вал: «%1».</translation>
-    </message>
-    <message>
-        <source>It cannot be bored with a cutter of %1: a wall of %2 would be left under the thread, and %3 must stay.</source>
-        <translation>Фрезой %1 расфрезеровать нельзя: под резьбой осталась бы стенка %2, а должно быть %3.</translation>
-    </message>
-    <message>
-        <source>It cannot be bored with a cutter of %1: a bore %2 deep is needed, and a bottom of %3 must stay.</source>
-        <translation>Фрезой %1 расфрезеровать нельзя: нужна глубина %2, а дно должно остаться %3.</translation>
     </message>
     <message>
         <source>Bore %1 deeper with a cutter of %2, to %3 from the face.</source>
@@ -1262,14 +1206,6 @@
         <translation>годится: %1</translation>
     </message>
     <message>
-        <source>After equals nominal: balanced.</source>
-        <translation>После равно номиналу: уравновешено.</translation>
-    </message>
-    <message>
-        <source>After less nominal: %1, which is %2.</source>
-        <translation>После минус номинал: %1, то есть %2.</translation>
-    </message>
-    <message>
         <source>l</source>
         <comment>litre</comment>
         <translation>л</translation>
@@ -1283,80 +1219,24 @@
         <translation>алюминий</translation>
     </message>
     <message>
-        <source>%1: %2 of 8 weighed; nominal counts until all are.</source>
-        <translation>%1: взвешено %2 из 8; пока не все, считается номинал.</translation>
-    </message>
-    <message>
-        <source>%1: the weights do not count without a nominal mass.</source>
-        <translation>%1: без номинальной массы взвешивание не учитывается.</translation>
-    </message>
-    <message>
         <source>%1: must be less than the plug&apos;s mass, %2.</source>
         <translation>%1: должно быть меньше массы заглушки, %2.</translation>
-    </message>
-    <message>
-        <source>The bore is as deep as the plug is high: there is no bottom.</source>
-        <translation>Полость глубиной с заглушку: дна нет.</translation>
-    </message>
-    <message>
-        <source>The bore is wider than the root of the thread, %1: there is no wall.</source>
-        <translation>Полость шире впадины резьбы, %1: стенки нет.</translation>
-    </message>
-    <message>
-        <source>A bore needs both its diameter and its depth.</source>
-        <translation>У полости нужны и диаметр, и глубина.</translation>
-    </message>
-    <message>
-        <source>Bored as planned here it moves by %1: %2.</source>
-        <translation>При этой расточке он смещается на %1: %2.</translation>
     </message>
     <message>
         <source>This %1: %2.</source>
         <translation>Это %1: %2.</translation>
     </message>
     <message>
-        <source>The nearest is “%1”, which %2: %3.</source>
-        <translation>Ближе всего «%1»: %2, то есть %3.</translation>
-    </message>
-    <message>
-        <source>needed</source>
-        <translation>нужно</translation>
-    </message>
-    <message>
         <source>Half the stroke.</source>
         <translation>Половина хода поршня.</translation>
-    </message>
-    <message>
-        <source>From the crank axis to the centre of mass of today&apos;s plug.</source>
-        <translation>От оси вала до центра масс существующей заглушки.</translation>
     </message>
     <message>
         <source>From the crank axis to the centre of mass of a plug of the new design.</source>
         <translation>От оси вала до центра масс заглушки новой конструкции.</translation>
     </message>
     <message>
-        <source>One plug as the scale says, before it is machined.</source>
-        <translation>Масса одной заглушки по показанию весов, до обработки.</translation>
-    </message>
-    <message>
-        <source>One plug of the new design, for which the crankshaft&apos;s counterweights are made.</source>
-        <translation>Одна заглушка новой конструкции, под которую сделаны противовесы вала.</translation>
-    </message>
-    <message>
-        <source>The most that the strength of its walls allows to take off one plug.</source>
-        <translation>Сколько можно снять с одной заглушки по прочности её стенок.</translation>
-    </message>
-    <message>
-        <source>Design coefficient of the rod: a heavier big end counts (2 + k) times.</source>
-        <translation>Конструктивный коэффициент шатуна: лишняя масса нижней головки учитывается (2 + k) раз.</translation>
-    </message>
-    <message>
         <source>Oil in the sludge trap of one crankpin of a running engine.</source>
         <translation>Масло в грязесборнике одной шатунной шейки работающего двигателя.</translation>
-    </message>
-    <message>
-        <source>What the oil counts for on the crankpin&apos;s axis, from its centre of mass.</source>
-        <translation>С каким коэффициентом масло учитывается на оси шейки, по его центру масс.</translation>
     </message>
     <message>
         <source>Nominal mass of piston, pin, rings and the small-end share of the rod, one cylinder.</source>
@@ -1415,16 +1295,8 @@
         <translation>Вид &amp;работы</translation>
     </message>
     <message>
-        <source>In manufacture repair pistons and repair shells are not counted.</source>
-        <translation>При изготовлении ремонтные поршни и вкладыши не учитываются.</translation>
-    </message>
-    <message>
         <source>Cran&amp;kshaft</source>
         <translation>&amp;Коленчатый вал</translation>
-    </message>
-    <message>
-        <source>Which plugs the counterweights of the crankshaft were made for.</source>
-        <translation>Под какие заглушки сделаны противовесы вала.</translation>
     </message>
     <message>
         <source>Source of the mass changes</source>
@@ -1439,10 +1311,6 @@
         <translation>&amp;Цилиндры одной шейки</translation>
     </message>
     <message>
-        <source>Which two cylinders share a crankpin.</source>
-        <translation>Какие два цилиндра сидят на одной шатунной шейке.</translation>
-    </message>
-    <message>
         <source>&amp;Thread</source>
         <translation>&amp;Резьба</translation>
     </message>
@@ -1455,10 +1323,6 @@
         <translation>&amp;Высота h</translation>
     </message>
     <message>
-        <source>Of the whole plug.</source>
-        <translation>Всей заглушки.</translation>
-    </message>
-    <message>
         <source>&amp;Bore diameter</source>
         <translation>&amp;Диаметр полости</translation>
     </message>
@@ -1469,14 +1333,6 @@
     <message>
         <source>&amp;Cutter diameter</source>
         <translation>Диаметр &amp;фрезы</translation>
-    </message>
-    <message>
-        <source>&amp;Wall that must stay</source>
-        <translation>&amp;Стенка не меньше</translation>
-    </message>
-    <message>
-        <source>B&amp;ottom that must stay</source>
-        <translation>Д&amp;но не меньше</translation>
     </message>
     <message>
         <source>&amp;Steel</source>
@@ -1499,32 +1355,16 @@
         <translation>&amp;Класс G</translation>
     </message>
     <message>
-        <source>Balance quality grade. The standard&apos;s table has 0.4, 1, 2.5, 6.3, 16, 40, 100, 250, 630, 1600, 4000 mm/s; crankshaft drives of car, truck and locomotive engines G 100, inherently balanced crankshafts better.</source>
-        <translation>Класс точности балансировки. В стандарте 0,4; 1; 2,5; 6,3; 16; 40; 100; 250; 630; 1600; 4000 мм/с; для кривошипных механизмов автомобильных и тепловозных двигателей G 100, для уравновешенных валов точнее.</translation>
-    </message>
-    <message>
         <source>&amp;Mass of the crankshaft</source>
         <translation>&amp;Масса вала</translation>
-    </message>
-    <message>
-        <source>As it lies on the machine, with the bob weights.</source>
-        <translation>Как лежит на станке, с грузами.</translation>
     </message>
     <message>
         <source>Service s&amp;peed</source>
         <translation>&amp;Частота вращения</translation>
     </message>
     <message>
-        <source>The highest speed in service, not that of the machine.</source>
-        <translation>Наибольшая рабочая, а не станка.</translation>
-    </message>
-    <message>
         <source>&amp;Share of the front plane</source>
         <translation>&amp;Доля передней плоскости</translation>
-    </message>
-    <message>
-        <source>Half for a crankshaft whose mass lies midway between the planes; the standard allows 0.3 to 0.7.</source>
-        <translation>Половина, если центр масс посередине между плоскостями; стандарт допускает 0,3–0,7.</translation>
     </message>
     <message>
         <source>&amp;Front plane (pulley)</source>
@@ -1543,24 +1383,12 @@
         <translation>&amp;Номер двигателя</translation>
     </message>
     <message>
-        <source>The journal finds the job by it.</source>
-        <translation>По нему журнал находит работу.</translation>
-    </message>
-    <message>
         <source>Crankshaft num&amp;ber</source>
         <translation>Номер &amp;вала</translation>
     </message>
     <message>
-        <source>As stamped on the crankshaft.</source>
-        <translation>Как выбито на валу.</translation>
-    </message>
-    <message>
         <source>C&amp;ustomer</source>
         <translation>&amp;Заказчик</translation>
-    </message>
-    <message>
-        <source>Who brought the engine; the journal finds the job by it.</source>
-        <translation>Кто привёз двигатель; по нему журнал находит работу.</translation>
     </message>
     <message>
         <source>&amp;Date</source>
@@ -1575,16 +1403,8 @@
         <translation>&amp;Исполнитель</translation>
     </message>
     <message>
-        <source>Who does the work.</source>
-        <translation>Кто выполняет работу.</translation>
-    </message>
-    <message>
         <source>&amp;Notes</source>
         <translation>П&amp;римечания</translation>
-    </message>
-    <message>
-        <source>Printed on the job card.</source>
-        <translation>Печатается на карте.</translation>
     </message>
     <message>
         <source>must be a metric thread with its pitch, like %1</source>
@@ -1603,32 +1423,12 @@
         <translation>Снять с каждой из 8 новых стальных заглушек %1.</translation>
     </message>
     <message>
-        <source>Leave the 8 new steel plugs as they are.</source>
-        <translation>Оставить 8 новых стальных заглушек как есть.</translation>
-    </message>
-    <message>
         <source>New crankshaft, its own plugs</source>
         <translation>Новый вал, его заглушки</translation>
     </message>
     <message>
-        <source>Values that replace those of the preset, or that it does not give.</source>
-        <translation>Значения вместо данных образца или те, которых в нём нет.</translation>
-    </message>
-    <message>
-        <source>How much heavier the parts are than nominal; negative where lighter.</source>
-        <translation>Насколько детали тяжелее номинала; отрицательно, если легче.</translation>
-    </message>
-    <message>
-        <source>Weights of the parts as the scale says.</source>
-        <translation>Массы деталей по показаниям весов.</translation>
-    </message>
-    <message>
         <source>Nominal mass of the part.</source>
         <translation>Номинальная масса детали.</translation>
-    </message>
-    <message>
-        <source>By how much the parts may differ from one another.</source>
-        <translation>Насколько детали могут отличаться друг от друга.</translation>
     </message>
     <message>
         <source>Eight masses, by cylinder.</source>
@@ -1715,14 +1515,6 @@
         <translation>Новая алюминиевая mₐₙ</translation>
     </message>
     <message>
-        <source>Most off steel plug Δmₚₘ</source>
-        <translation>Предел съёма со стальной Δmₚₘ</translation>
-    </message>
-    <message>
-        <source>Most off aluminium plug Δmₐₘ</source>
-        <translation>Предел с алюминиевой Δmₐₘ</translation>
-    </message>
-    <message>
         <source>Rod coefficient kᵣ</source>
         <translation>Коэффициент шатуна kᵣ</translation>
     </message>
@@ -1735,62 +1527,6 @@
         <translation>Коэффициент масла kₘ</translation>
     </message>
     <message>
-        <source>Δmₚᵢ: one piston against nominal.</source>
-        <translation>Один поршень против номинала.</translation>
-    </message>
-    <message>
-        <source>One big end against nominal.</source>
-        <translation>Одна нижняя головка против номинала.</translation>
-    </message>
-    <message>
-        <source>Δmᵣₚ: one repair piston with its rings against nominal.</source>
-        <translation>Один ремонтный поршень с кольцами против номинала.</translation>
-    </message>
-    <message>
-        <source>Δmₛₕ: the repair shells of one crankpin against nominal.</source>
-        <translation>Ремонтные вкладыши одной шейки против номинала.</translation>
-    </message>
-    <message>
-        <source>(!) After equals nominal by the method alone.</source>
-        <translation>(!) После равно номиналу лишь по методу.</translation>
-    </message>
-    <message>
-        <source>In each correction plane. 5 g·mm is what Nazarov&apos;s experiments left; a repair manual may allow much more (2 oz·in is 1440 g·mm).</source>
-        <translation>В каждой плоскости коррекции. 5 г·мм оставалось в опытах Назарова; руководство по ремонту может допускать намного больше (2 унции·дюйма — 1440 г·мм).</translation>
-    </message>
-    <message>
-        <source>Number of the piston set in each cylinder, where it is not that of the cylinder: it was weighed there.</source>
-        <translation>Номер поршневого комплекта в каждом цилиндре, если он не равен номеру цилиндра: там он был взвешен.</translation>
-    </message>
-    <message>
-        <source>Number of the rod in each cylinder, where it is not that of the cylinder: it was weighed there.</source>
-        <translation>Номер шатуна в каждом цилиндре, если он не равен номеру цилиндра: там он был взвешен.</translation>
-    </message>
-    <message>
-        <source>Neglected by the method: the plug&apos;s centre of mass moves by %4 to %5 when it is bored, which is worth %1 to %2 beside the %3 allowed.</source>
-        <translation>Метод пренебрегает смещением центра масс заглушки при расточке, от %4 до %5: это %1–%2 при допустимых %3.</translation>
-    </message>
-    <message>
-        <source>The plugs are out of the shaft then; while they are in it hang %1.</source>
-        <translation>Заглушки при этом вывернуты; с заглушками в валу груз %1.</translation>
-    </message>
-    <message>
-        <source>Big end × %1: 2 for two rods as usual, kᵣ = %2 by the method, worth %3 here.</source>
-        <translation>Головка × %1: 2 за два шатуна, как обычно, kᵣ = %2 по методу, здесь это %3.</translation>
-    </message>
-    <message>
-        <source>Weighed to %1, the bob weight is sure to ±%2 and the unbalance of a crankpin to ±%3 (19 times of 20).</source>
-        <translation>При взвешивании до %1 масса балансировочного груза известна до ±%2, а дисбаланс шейки — до ±%3 (в 19 случаях из 20).</translation>
-    </message>
-    <message>
-        <source>That is enough for the tolerance of %1.</source>
-        <translation>Для допуска %1 этого достаточно.</translation>
-    </message>
-    <message>
-        <source>That is too coarse for the tolerance of %1: take a scale that shows %2.</source>
-        <translation>Для допуска %1 это слишком грубо: возьмите весы, которые показывают %2.</translation>
-    </message>
-    <message>
         <source>1+5, 2+6, 3+7, 4+8</source>
         <translation>1+5, 2+6, 3+7, 4+8</translation>
     </message>
@@ -1799,160 +1535,424 @@
         <translation>1+2, 3+4, 5+6, 7+8</translation>
     </message>
     <message>
-        <source>Bob weight then, front</source>
-        <translation>Балансировочный груз при этом, спереди</translation>
-    </message>
-    <message>
-        <source>That hung on each crankpin when the machine read; readings hold for it alone.</source>
-        <translation>Висел на каждой шатунной шейке при измерении; показания верны только для него.</translation>
-    </message>
-    <message>
-        <source>Bob weight then, rear</source>
-        <translation>Балансировочный груз при этом, сзади</translation>
-    </message>
-    <message>
-        <source>Bob weight then</source>
-        <translation>Балансировочный груз при этом</translation>
-    </message>
-    <message>
-        <source>“%1” would do with %2 off each plug, but the plug cannot be made so.</source>
-        <translation>Подошло бы «%1», если снять с каждой заглушки %2, но так заглушку не сделать.</translation>
-    </message>
-    <message>
-        <source>“%1” would do, but the plug cannot be made so.</source>
-        <translation>Подошло бы «%1», но такую заглушку не сделать.</translation>
-    </message>
-    <message>
-        <source>Whose readings they are, where the head of the card has become that of another crankshaft since.</source>
-        <translation>Чьи это показания, если заголовок карты с тех пор стал заголовком другого вала.</translation>
-    </message>
-    <message>
-        <source>Engine number then</source>
-        <translation>Номер двигателя при этом</translation>
-    </message>
-    <message>
-        <source>Of the engine whose crankshaft the machine read.</source>
-        <translation>Двигателя, вал которого стоял на станке.</translation>
-    </message>
-    <message>
-        <source>Crankshaft number then</source>
-        <translation>Номер вала при этом</translation>
-    </message>
-    <message>
-        <source>Of the crankshaft that the machine read.</source>
-        <translation>Вала, который стоял на станке.</translation>
-    </message>
-    <message>
         <source>is required where %1 is &quot;weigh-in&quot;</source>
         <translation>обязательно, если «%1» — &quot;weigh-in&quot;</translation>
-    </message>
-    <message>
-        <source>After would equal nominal, but this cannot be made.</source>
-        <translation>После было бы равно номиналу, но изготовить это нельзя.</translation>
     </message>
     <message>
         <source>V-8 of %1 litres</source>
         <translation>V-8, %1 л</translation>
     </message>
     <message>
-        <source>Of the bore that is there.</source>
-        <translation>Имеющейся полости.</translation>
-    </message>
-    <message>
         <source>a solid plug</source>
         <translation>сплошная заглушка</translation>
-    </message>
-    <message>
-        <source>From the outer face.</source>
-        <translation>От наружного торца.</translation>
     </message>
     <message>
         <source>no boring is planned</source>
         <translation>расточка не считается</translation>
     </message>
     <message>
-        <source>Between the bore and the root of the thread.</source>
-        <translation>Между полостью и впадиной резьбы.</translation>
-    </message>
-    <message>
         <source>no limit</source>
         <translation>без предела</translation>
-    </message>
-    <message>
-        <source>Between the bore and the inner face.</source>
-        <translation>Между полостью и внутренним торцом.</translation>
     </message>
     <message>
         <source>Typed</source>
         <translation>Введено</translation>
     </message>
     <message>
-        <source>Weights of the parts</source>
-        <translation>Массы деталей</translation>
+        <source>required</source>
+        <translation>нужно</translation>
     </message>
     <message>
-        <source>The weights of the parts count, or the changes typed on the sheet “Job”.</source>
-        <translation>Учитываются взвешенные массы деталей или изменения, введённые на листе «Работа».</translation>
+        <source>The two cylinders that share a crankpin.</source>
+        <translation>Два цилиндра на одной шатунной шейке.</translation>
     </message>
     <message>
-        <source>The method neglects that the plug&apos;s centre of mass moves: bored like this %1 would be left, beyond the %2 allowed.</source>
-        <translation>Метод пренебрегает смещением центра масс заглушки: после такого фрезерования осталось бы %1 при допустимых %2.</translation>
+        <source>Balance quality grade of ISO 21940-11, 0.4 to 4000 mm/s. Engines of cars, trucks and locomotives: G 100; inherently balanced crankshafts: better.</source>
+        <translation>Класс точности балансировки по ИСО 21940-11, от 0,4 до 4000 мм/с. Автомобильные и тепловозные двигатели: G 100; уравновешенные валы: точнее.</translation>
     </message>
     <message>
-        <source>The method neglects that the centre of mass of a machined plug moves, by %3 to %4 in the paper: with it up to %1 would be left, beyond the %2 allowed.</source>
-        <translation>Метод пренебрегает смещением центра масс облегчённой заглушки, в статье это от %3 до %4: с ним осталось бы до %1 при допустимых %2.</translation>
+        <source>Mass on the machine, with the bob weights.</source>
+        <translation>Масса на станке, с балансировочными грузами.</translation>
     </message>
     <message>
-        <source>Give the plug&apos;s sizes and the cutter, or take off %1 to %2 each instead.</source>
-        <translation>Задайте размеры заглушки и фрезу или снимите вместо этого от %1 до %2 с каждой заглушки.</translation>
+        <source>Maximum speed in service, not the speed of the machine.</source>
+        <translation>Максимальная рабочая частота, а не частота станка.</translation>
     </message>
     <message>
-        <source>Take off %1 each instead.</source>
-        <translation>Снимите вместо этого по %1 с каждой заглушки.</translation>
+        <source>The journal finds the job by this number.</source>
+        <translation>По этому номеру журнал находит работу.</translation>
     </message>
     <message>
-        <source>Bore to %1 from the face instead, %2 off each plug.</source>
-        <translation>Расфрезеруйте вместо этого на %1 от торца, по %2 с каждой заглушки.</translation>
+        <source>Number stamped on the crankshaft.</source>
+        <translation>Номер, выбитый на валу.</translation>
     </message>
     <message>
-        <source>%1: the typed %2 is replaced by the weights.</source>
-        <translation>%1: введённое %2 заменено взвешенным.</translation>
+        <source>Engine and crankshaft of the readings, if the job now names others.</source>
+        <translation>Двигатель и вал показаний, если в работе теперь указаны другие.</translation>
     </message>
     <message>
-        <source>%1: the typed %2 does not count in manufacture.</source>
-        <translation>%1: введённое %2 при изготовлении не учитывается.</translation>
+        <source>Engine number of the reading</source>
+        <translation>Номер двигателя при показании</translation>
     </message>
     <message>
-        <source>%1: the typed %2 counts beside the weights.</source>
-        <translation>%1: введённое %2 учитывается вместе со взвешенным.</translation>
+        <source>Number of the engine during the reading.</source>
+        <translation>Номер двигателя при измерении.</translation>
     </message>
     <message>
-        <source>%1: the typed %2 does not count yet. The weights are to count, and no column is complete.</source>
-        <translation>%1: введённое %2 пока не учитывается. Считаются взвешивания, а ни одна колонка ещё не полна.</translation>
+        <source>Crankshaft number of the reading</source>
+        <translation>Номер вала при показании</translation>
     </message>
     <message>
-        <source>The weights do not count: the typed mass changes are used.</source>
-        <translation>Взвешенное не учитывается: используются введённые изменения масс.</translation>
+        <source>Number of the crankshaft during the reading.</source>
+        <translation>Номер вала при измерении.</translation>
     </message>
     <message>
-        <source>%1: %2 of 8 weighed; the typed change counts until all are.</source>
-        <translation>%1: взвешено %2 из 8; пока не все, учитывается введённое изменение.</translation>
+        <source>Owner of the engine; the journal finds the job by this name.</source>
+        <translation>Владелец двигателя; по этому имени журнал находит работу.</translation>
     </message>
     <message>
-        <source>With it take %1 off each piston.</source>
+        <source>Name of the technician.</source>
+        <translation>Имя исполнителя.</translation>
+    </message>
+    <message>
+        <source>Notes on the job card.</source>
+        <translation>Примечания на карте.</translation>
+    </message>
+    <message>
+        <source>Masses of the parts by the scale.</source>
+        <translation>Массы деталей по весам.</translation>
+    </message>
+    <message>
+        <source>Permitted range of the masses.</source>
+        <translation>Допустимый размах масс.</translation>
+    </message>
+    <message>
+        <source>Piston set in each cylinder, by the cylinder where it was weighed.</source>
+        <translation>Комплект поршня в каждом цилиндре, по цилиндру, где он взвешен.</translation>
+    </message>
+    <message>
+        <source>Rod in each cylinder, by the cylinder where it was weighed.</source>
+        <translation>Шатун в каждом цилиндре, по цилиндру, где он взвешен.</translation>
+    </message>
+    <message>
+        <source>Bob weight of the reading</source>
+        <translation>Груз при показании</translation>
+    </message>
+    <message>
+        <source>Bob weight on each crankpin during the reading; the reading is valid only with it.</source>
+        <translation>Груз на каждой шатунной шейке при измерении; показание верно только с ним.</translation>
+    </message>
+    <message>
+        <source>Leave the 8 new steel plugs unchanged.</source>
+        <translation>Оставить 8 новых стальных заглушек без изменений.</translation>
+    </message>
+    <message>
+        <source>Fit the 8 present steel plugs unchanged.</source>
+        <translation>Поставить 8 существующих стальных заглушек без доработки.</translation>
+    </message>
+    <message>
+        <source>Replace all 8 plugs by aluminium plugs, lightened by %1 each.</source>
+        <translation>Заменить все 8 заглушек алюминиевыми, сняв с каждой %1.</translation>
+    </message>
+    <message>
+        <source>Replace all 8 plugs by aluminium plugs, unchanged.</source>
+        <translation>Заменить все 8 заглушек алюминиевыми без доработки.</translation>
+    </message>
+    <message>
+        <source>leaves an excess of %1 on each crankpin</source>
+        <translation>оставляет %1 лишних на каждой шейке</translation>
+    </message>
+    <message>
+        <source>Leave the plugs unchanged: the excess of %1 per crankpin is %2.</source>
+        <translation>Заглушки оставить без изменений: лишние %1 на шейку дают %2.</translation>
+    </message>
+    <message>
+        <source>The crankshaft is made for plugs of the new design: enter their mass and radius.</source>
+        <translation>Вал изготовлен под новые заглушки: введите их массу и радиус.</translation>
+    </message>
+    <message>
+        <source>The parts are %1 per crankpin lighter than nominal (%2). Plugs can only be lightened: use heavier parts or heavier plugs.</source>
+        <translation>Детали легче номинала на %1 на шейку (%2). Заглушки можно только облегчить: нужны более тяжёлые детали или заглушки.</translation>
+    </message>
+    <message>
+        <source>“%1” would be suitable with %2 off each plug, but such a plug cannot be made.</source>
+        <translation>«%1» подошло бы со снятием %2 с каждой заглушки, но такую заглушку не изготовить.</translation>
+    </message>
+    <message>
+        <source>“%1” would be suitable, but such a plug cannot be made.</source>
+        <translation>«%1» подошло бы, но такую заглушку не изготовить.</translation>
+    </message>
+    <message>
+        <source>No plug of this crankshaft has the required mass.</source>
+        <translation>Ни одна заглушка этого вала не даёт нужной массы.</translation>
+    </message>
+    <message>
+        <source>The nearest option is “%1”, which %2: %3.</source>
+        <translation>Ближе всего «%1»: %2, то есть %3.</translation>
+    </message>
+    <message>
+        <source>Also take %1 off each piston.</source>
         <translation>Вместе с этим снимите по %1 с каждого поршня.</translation>
     </message>
     <message>
-        <source>changes of mass (sheet 2) or weights of the parts (sheet 3)</source>
-        <translation>изменения масс (лист 2) или веса деталей (лист 3)</translation>
+        <source>A crankshaft for the new plugs would be suitable: “%1”.</source>
+        <translation>Подошёл бы вал под новые заглушки: «%1».</translation>
     </message>
     <message>
-        <source>The values do not go together.</source>
+        <source>A standard crankshaft would be suitable: “%1”.</source>
+        <translation>Подошёл бы штатный вал: «%1».</translation>
+    </message>
+    <message>
+        <source>Machine the steel plugs</source>
+        <translation>Облегчить стальные заглушки</translation>
+    </message>
+    <message>
+        <source>New crankshaft, steel plugs</source>
+        <translation>Новый вал, стальные заглушки</translation>
+    </message>
+    <message>
+        <source>From the crank axis to the centre of mass of the present plug.</source>
+        <translation>От оси вала до центра масс существующей заглушки.</translation>
+    </message>
+    <message>
+        <source>Mass of one plug by the scale, before machining.</source>
+        <translation>Масса одной заглушки по показанию весов, до обработки.</translation>
+    </message>
+    <message>
+        <source>Mass of one plug of the new design, for which the counterweights are made.</source>
+        <translation>Масса одной заглушки новой конструкции, под которую сделаны противовесы вала.</translation>
+    </message>
+    <message>
+        <source>Max. off steel plug Δmₚₘ</source>
+        <translation>Предел съёма со стальной Δmₚₘ</translation>
+    </message>
+    <message>
+        <source>Maximum to take off one plug, by the strength of its walls.</source>
+        <translation>Максимум, который можно снять с одной заглушки по прочности стенок.</translation>
+    </message>
+    <message>
+        <source>Max. off aluminium plug Δmₐₘ</source>
+        <translation>Предел с алюминиевой Δmₐₘ</translation>
+    </message>
+    <message>
+        <source>Design coefficient of the rod: a heavier big end has the factor (2 + k).</source>
+        <translation>Конструктивный коэффициент шатуна: лишняя масса нижней головки учитывается с множителем (2 + k).</translation>
+    </message>
+    <message>
+        <source>Factor of the oil on the crankpin&apos;s axis, from its centre of mass.</source>
+        <translation>Множитель массы масла на оси шейки, по его центру масс.</translation>
+    </message>
+    <message>
+        <source>Masses of the parts</source>
+        <translation>Массы деталей</translation>
+    </message>
+    <message>
+        <source>Values that replace or complete the preset.</source>
+        <translation>Значения, которые заменяют или дополняют образец.</translation>
+    </message>
+    <message>
+        <source>In manufacture, repair pistons and repair shells are not used.</source>
+        <translation>При изготовлении ремонтные поршни и вкладыши не учитываются.</translation>
+    </message>
+    <message>
+        <source>Plugs for which the counterweights of the crankshaft were made.</source>
+        <translation>Заглушки, под которые сделаны противовесы вала.</translation>
+    </message>
+    <message>
+        <source>Mass of the parts minus nominal; negative if lighter.</source>
+        <translation>Масса деталей минус номинал; отрицательна, если легче.</translation>
+    </message>
+    <message>
+        <source>Source of the changes: weighed masses, or the changes typed on the sheet.</source>
+        <translation>Источник изменений: взвешенные массы или изменения, введённые на листе.</translation>
+    </message>
+    <message>
+        <source>Limit in each correction plane. Nazarov&apos;s experiments left 5 g·mm; a repair manual may allow much more (2 oz·in is 1440 g·mm).</source>
+        <translation>Предел в каждой плоскости коррекции. В опытах Назарова оставалось 5 г·мм; руководство по ремонту может допускать намного больше (2 унции·дюйма — 1440 г·мм).</translation>
+    </message>
+    <message>
+        <source>Height of the whole plug.</source>
+        <translation>Высота всей заглушки.</translation>
+    </message>
+    <message>
+        <source>Diameter of the present bore.</source>
+        <translation>Диаметр имеющейся полости.</translation>
+    </message>
+    <message>
+        <source>Depth from the outer face.</source>
+        <translation>Глубина от наружного торца.</translation>
+    </message>
+    <message>
+        <source>Minimum &amp;wall</source>
+        <translation>Мин. &amp;стенка</translation>
+    </message>
+    <message>
+        <source>Minimum between the bore and the root of the thread.</source>
+        <translation>Минимум между полостью и впадиной резьбы.</translation>
+    </message>
+    <message>
+        <source>Minimum b&amp;ottom</source>
+        <translation>Мин. д&amp;но</translation>
+    </message>
+    <message>
+        <source>Minimum between the bore and the inner face.</source>
+        <translation>Минимум между полостью и внутренним торцом.</translation>
+    </message>
+    <message>
+        <source>Half if the centre of mass is midway between the planes; the standard allows 0.3 to 0.7.</source>
+        <translation>Половина, если центр масс посередине между плоскостями; стандарт допускает 0,3–0,7.</translation>
+    </message>
+    <message>
+        <source>Bob weight of the reading, front</source>
+        <translation>Груз при показании, спереди</translation>
+    </message>
+    <message>
+        <source>Bob weight of the reading, rear</source>
+        <translation>Груз при показании, сзади</translation>
+    </message>
+    <message>
+        <source>Δmₚᵢ: one piston minus nominal.</source>
+        <translation>Один поршень минус номинал.</translation>
+    </message>
+    <message>
+        <source>One big end minus nominal.</source>
+        <translation>Одна нижняя головка минус номинал.</translation>
+    </message>
+    <message>
+        <source>Δmᵣₚ: one repair piston with rings minus nominal.</source>
+        <translation>Один ремонтный поршень с кольцами минус номинал.</translation>
+    </message>
+    <message>
+        <source>Δmₛₕ: repair shells of one crankpin minus nominal.</source>
+        <translation>Ремонтные вкладыши одной шейки минус номинал.</translation>
+    </message>
+    <message>
+        <source>%1: the weighed masses replace the typed %2.</source>
+        <translation>%1: взвешенные массы заменяют введённое %2.</translation>
+    </message>
+    <message>
+        <source>%1: the typed %2 is not used in manufacture.</source>
+        <translation>%1: введённое %2 при изготовлении не учитывается.</translation>
+    </message>
+    <message>
+        <source>%1: the typed %2 is used with the weighed masses.</source>
+        <translation>%1: введённое %2 учитывается вместе со взвешенным.</translation>
+    </message>
+    <message>
+        <source>%1: the typed %2 is not used. Weighed masses are selected, but no column is complete.</source>
+        <translation>%1: введённое %2 не используется. Выбраны взвешенные массы, но ни один столбец не полон.</translation>
+    </message>
+    <message>
+        <source>Weighed masses are not used: the typed changes are selected.</source>
+        <translation>Взвешенные массы не используются: выбраны введённые изменения.</translation>
+    </message>
+    <message>
+        <source>%1: weighed masses need a nominal mass.</source>
+        <translation>%1: взвешенным массам нужен номинал.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of 8 weighed; the typed change is used until all are weighed.</source>
+        <translation>%1: взвешено %2 из 8; пока не все, используется введённое изменение.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of 8 weighed; nominal is used until all are weighed.</source>
+        <translation>%1: взвешено %2 из 8; пока не все, используется номинал.</translation>
+    </message>
+    <message>
+        <source>The bore is as deep as the plug: no bottom remains.</source>
+        <translation>Полость глубиной с заглушку: дна не остаётся.</translation>
+    </message>
+    <message>
+        <source>The bore is wider than the root of the thread, %1: no wall remains.</source>
+        <translation>Полость шире впадины резьбы, %1: стенки не остаётся.</translation>
+    </message>
+    <message>
+        <source>A cutter of %1 leaves a wall of %2 under the thread; the minimum is %3.</source>
+        <translation>Фреза %1 оставляет под резьбой стенку %2; минимум %3.</translation>
+    </message>
+    <message>
+        <source>A cutter of %1 needs a depth of %2; the bottom must be at least %3.</source>
+        <translation>Фрезе %1 нужна глубина %2; дно должно быть не тоньше %3.</translation>
+    </message>
+    <message>
+        <source>The method neglects the shift of the plug&apos;s centre of mass: the residual is %1, permissible %2.</source>
+        <translation>Метод пренебрегает смещением центра масс заглушки: остаток %1, допустимо %2.</translation>
+    </message>
+    <message>
+        <source>The method neglects the shift of the plug&apos;s centre of mass, %3 to %4 in the paper: the residual is up to %1, permissible %2.</source>
+        <translation>Метод пренебрегает смещением центра масс заглушки, в статье %3–%4: остаток до %1, допустимо %2.</translation>
+    </message>
+    <message>
+        <source>Enter the plug&apos;s sizes and the cutter, or take off %1 to %2 each.</source>
+        <translation>Введите размеры заглушки и фрезу или снимите от %1 до %2 с каждой заглушки.</translation>
+    </message>
+    <message>
+        <source>Take off %1 each.</source>
+        <translation>Снимите по %1 с каждой заглушки.</translation>
+    </message>
+    <message>
+        <source>Bore to %1 from the face, %2 off each plug.</source>
+        <translation>Расфрезеруйте на %1 от торца, по %2 с каждой заглушки.</translation>
+    </message>
+    <message>
+        <source>changes of mass (sheet 2) or masses of the parts (sheet 3)</source>
+        <translation>изменения масс (лист 2) или массы деталей (лист 3)</translation>
+    </message>
+    <message>
+        <source>Enter both diameter and depth of the bore.</source>
+        <translation>Введите и диаметр, и глубину полости.</translation>
+    </message>
+    <message>
+        <source>The method neglects the shift of the plug&apos;s centre of mass by boring, %4 to %5. Effect: %1 to %2; permissible: %3.</source>
+        <translation>Метод пренебрегает смещением центра масс заглушки при расточке, от %4 до %5. Влияние: %1–%2; допустимо: %3.</translation>
+    </message>
+    <message>
+        <source>With the planned bore it moves by %1: %2.</source>
+        <translation>При этой расточке он смещается на %1: %2.</translation>
+    </message>
+    <message>
+        <source>With the plugs removed. With the plugs fitted use %1.</source>
+        <translation>Без заглушек. С заглушками навесьте %1.</translation>
+    </message>
+    <message>
+        <source>Big end × %1: 2 for two rods, kᵣ = %2 by the method; effect here: %3.</source>
+        <translation>Головка × %1: 2 за два шатуна, kᵣ = %2 по методу; влияние здесь: %3.</translation>
+    </message>
+    <message>
+        <source>Would match nominal, but cannot be made.</source>
+        <translation>Совпало бы с номиналом, но изготовить нельзя.</translation>
+    </message>
+    <message>
+        <source>(!) Matches nominal by the method only.</source>
+        <translation>(!) Совпадает с номиналом только по методу.</translation>
+    </message>
+    <message>
+        <source>Matches nominal: balanced.</source>
+        <translation>Совпадает с номиналом: уравновешено.</translation>
+    </message>
+    <message>
+        <source>After minus nominal: %1 (%2).</source>
+        <translation>После минус номинал: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Weighed to %1, the bob weight is accurate to ±%2 and the unbalance of a crankpin to ±%3 (95 %).</source>
+        <translation>При взвешивании до %1 масса балансировочного груза известна до ±%2, а дисбаланс шейки — до ±%3 (95 %).</translation>
+    </message>
+    <message>
+        <source>This is enough for the tolerance of %1.</source>
+        <translation>Для допуска %1 этого достаточно.</translation>
+    </message>
+    <message>
+        <source>This is too coarse for the tolerance of %1: use a scale with a last digit of %2.</source>
+        <translation>Для допуска %1 это слишком грубо: возьмите весы с последним знаком %2.</translation>
+    </message>
+    <message>
+        <source>The values are inconsistent.</source>
         <translation>Значения не согласуются.</translation>
     </message>
     <message>
-        <source>Still needed for the plugs: %1.</source>
-        <translation>Для заглушек ещё нужно: %1.</translation>
+        <source>Missing for the plugs: %1.</source>
+        <translation>Для заглушек не хватает: %1.</translation>
     </message>
 </context>
 <context>
@@ -2000,10 +2000,6 @@
 </context>
 <context>
     <name>balance-shaft</name>
-    <message>
-        <source>must be at least %1, what the cycle gives without heat</source>
-        <translation>должно быть не меньше %1: столько цикл даёт без теплоты</translation>
-    </message>
     <message>
         <source>none of them</source>
         <translation>ни одного</translation>
@@ -2085,10 +2081,6 @@
         <translation>Доля &amp;κ</translation>
     </message>
     <message>
-        <source>Part of mⱼ r balanced on the crank alone, without a shaft. The force then runs on an ellipse: a line at 0 and 1, a circle at ½.</source>
-        <translation>Часть mⱼ r, уравновешенная на самом коленчатом валу, без балансирного. Сила тогда описывает эллипс: отрезок при 0 и 1, окружность при ½.</translation>
-    </message>
-    <message>
         <source>Crank swing radi&amp;us</source>
         <translation>Радиус оборота криво&amp;шипа</translation>
     </message>
@@ -2107,10 +2099,6 @@
     <message>
         <source>Teeth of each of the two equal gears.</source>
         <translation>Зубья каждой из двух одинаковых шестерён.</translation>
-    </message>
-    <message>
-        <source>The shaft is assembled k teeth ahead of its right place: a phase error of 360° k / z.</source>
-        <translation>Вал собран на k зубьев вперёд от верного места: ошибка фазы 360° k / z.</translation>
     </message>
     <message>
         <source>Circumferential play at the pitch circle, whose radius is l/2.</source>
@@ -2135,10 +2123,6 @@
     <message>
         <source>Compression &amp;ratio ε</source>
         <translation>Степень сжатия &amp;ε</translation>
-    </message>
-    <message>
-        <source>Largest over smallest volume.</source>
-        <translation>Наибольший объём к наименьшему.</translation>
     </message>
     <message>
         <source>&amp;Intake pressure</source>
@@ -2213,36 +2197,16 @@
         <translation>&amp;Диаметр D</translation>
     </message>
     <message>
-        <source>Of the round bar; also the circle that the shaft sweeps.</source>
-        <translation>Круглого прутка; это и окружность, которую описывает вал.</translation>
-    </message>
-    <message>
         <source>Depth &amp;h</source>
         <translation>&amp;Глубина h</translation>
-    </message>
-    <message>
-        <source>Of the segment that is milled away, from the bar&apos;s surface.</source>
-        <translation>Снятого сегмента, от поверхности прутка.</translation>
     </message>
     <message>
         <source>&amp;Length b</source>
         <translation>Длин&amp;а b</translation>
     </message>
     <message>
-        <source>Over which the segment is milled away.</source>
-        <translation>На которой снят сегмент.</translation>
-    </message>
-    <message>
         <source>Densit&amp;y</source>
         <translation>Плотно&amp;сть</translation>
-    </message>
-    <message>
-        <source>Of the bar. Steel 7850, cast iron 7200, tungsten alloy 17500.</source>
-        <translation>Прутка. Сталь 7850, чугун 7200, вольфрамовый сплав 17500.</translation>
-    </message>
-    <message>
-        <source>The torque on the gas-exchange strokes does not look like the inertia torque of a slider-crank, so it cannot be compared with the masses and the speed entered.</source>
-        <translation>Момент на тактах газообмена не похож на инерционный момент кривошипно-шатунного механизма, поэтому сверить его с введёнными массами и частотой нельзя.</translation>
     </message>
     <message>
         <source>must add up to more than 0 and to a finite mass</source>
@@ -2261,10 +2225,6 @@
         <translation>сгорание должно закончиться до нижней мёртвой точки, %1</translation>
     </message>
     <message>
-        <source>must be greater than the crank radius and twice the offset together, %1</source>
-        <translation>должно быть больше радиуса кривошипа вместе с удвоенным дезаксажем, %1</translation>
-    </message>
-    <message>
         <source>must make a displacement from 1e-6 cm³ to 1e9 cm³</source>
         <translation>должно давать рабочий объём от 1e-6 см³ до 1e9 см³</translation>
     </message>
@@ -2277,44 +2237,12 @@
         <translation>должно быть меньше диаметра, %1</translation>
     </message>
     <message>
-        <source>No unbalance is needed, so there is nothing to mill away.</source>
-        <translation>Дисбаланс не нужен, снимать нечего.</translation>
-    </message>
-    <message>
         <source>The bar is too thin: over a length of %1 its diameter must be at least %2; with this diameter the relieved length must be at least %3.</source>
         <translation>Пруток слишком тонок: при длине %1 нужен диаметр не меньше %2, при этом диаметре — длина лыски не меньше %3.</translation>
     </message>
     <message>
-        <source>The unbalance needed is beyond any shaft of such sizes.</source>
-        <translation>Нужный дисбаланс недостижим ни для какого вала таких размеров.</translation>
-    </message>
-    <message>
-        <source>These sizes give %1 % of the unbalance that is needed.</source>
-        <translation>Эти размеры дают %1&#xa0;% нужного дисбаланса.</translation>
-    </message>
-    <message>
         <source>More than half of the bar is milled away: the depth %1 gives the same unbalance and a stiffer shaft.</source>
         <translation>Снято больше половины прутка: глубина %1 даёт тот же дисбаланс и более жёсткий вал.</translation>
-    </message>
-    <message>
-        <source>there is no shaft to draw: %1</source>
-        <translation>чертить нечего: %1</translation>
-    </message>
-    <message>
-        <source>The shaft makes no moment, so its angle changes nothing.</source>
-        <translation>Вал не создаёт момента, его угол ничего не меняет.</translation>
-    </message>
-    <message>
-        <source>The range is the same at every angle of the shaft.</source>
-        <translation>Размах одинаков при любом угле вала.</translation>
-    </message>
-    <message>
-        <source>The tipping moment has no first order, so the RMS is the same at every angle of the shaft.</source>
-        <translation>В опрокидывающем моменте нет первого порядка, поэтому СКЗ одинаково при любом угле вала.</translation>
-    </message>
-    <message>
-        <source>The torque does not belong to the masses and the speed entered, so it cannot be taken to other speeds. %1</source>
-        <translation>Момент не соответствует введённым массам и частоте, поэтому перенести его на другие частоты нельзя. %1</translation>
     </message>
     <message>
         <source>torque</source>
@@ -2397,16 +2325,8 @@
         <translation>углы соседних строк слишком близки</translation>
     </message>
     <message>
-        <source>must hold at least 3 numbers</source>
-        <translation>должно быть хотя бы 3 числа</translation>
-    </message>
-    <message>
         <source>must be at least %1 more than the angle of the row before, %2</source>
         <translation>должно быть больше угла предыдущей строки, %2, не меньше чем на %1</translation>
-    </message>
-    <message>
-        <source>At every angle the shaft&apos;s swing circle (radius %1, gap %2) meets the cylinder or what the rod sweeps.</source>
-        <translation>При любом угле окружность вала (радиус %1, зазор %2) задевает цилиндр или то, что описывает шатун.</translation>
     </message>
     <message>
         <source>swing radius of the shaft</source>
@@ -2429,20 +2349,12 @@
         <translation>стенка цилиндра</translation>
     </message>
     <message>
-        <source>its lower end at</source>
-        <translation>её нижний конец на</translation>
-    </message>
-    <message>
         <source>Sizes not given are assumed: %1.</source>
         <translation>Незаданные размеры приняты: %1.</translation>
     </message>
     <message>
         <source>Instead of the speed.</source>
         <translation>Вместо частоты вращения.</translation>
-    </message>
-    <message>
-        <source>Parts by name that add up to the reciprocating mass, for example piston, pin, rings, rod_small_end.</source>
-        <translation>Части по именам, дающие в сумме поступательно движущуюся массу, например piston, pin, rings, rod_small_end.</translation>
     </message>
     <message>
         <source>Reciprocating mass of the cylinder as one number.</source>
@@ -2455,10 +2367,6 @@
     <message>
         <source>Stro&amp;kes</source>
         <translation>Так&amp;тность</translation>
-    </message>
-    <message>
-        <source>A four-stroke engine has a cycle of two turns, 720°, a two-stroke engine one of one turn, 360°. Torque table and pressure trace must span it.</source>
-        <translation>Цикл четырёхтактного двигателя — два оборота, 720°, двухтактного — один, 360°. Таблица момента и измеренное давление должны его охватывать.</translation>
     </message>
     <message>
         <source>Step of the curves and of the sweep over α.</source>
@@ -2485,28 +2393,12 @@
         <translation>Ширина &amp;шатуна</translation>
     </message>
     <message>
-        <source>Gap of the sha&amp;ft</source>
-        <translation>&amp;Зазор вала</translation>
-    </message>
-    <message>
-        <source>Least gap between the shaft&apos;s swing circle and crank, rod and cylinder; an angle with less cannot be built.</source>
-        <translation>Наименьший зазор между окружностью вала и кривошипом, шатуном и цилиндром; угол с меньшим зазором построить нельзя.</translation>
-    </message>
-    <message>
         <source>The pair of gears that drives the shaft.</source>
         <translation>Пара шестерён, вращающая вал.</translation>
     </message>
     <message>
-        <source>Where the torque of the engine comes from: one of crank_angle_deg with torque_Nm, csv, pressure, cycle.</source>
-        <translation>Откуда берётся крутящий момент: одно из crank_angle_deg с torque_Nm, csv, pressure, cycle.</translation>
-    </message>
-    <message>
         <source>Rows of one cycle: the crank angles, ascending.</source>
         <translation>Строки одного цикла: углы поворота по возрастанию.</translation>
-    </message>
-    <message>
-        <source>The torque at them; the last equals the first.</source>
-        <translation>Моменты при них; последний равен первому.</translation>
     </message>
     <message>
         <source>A file beside the case with two columns: crank angle, and torque (in pressure: cylinder pressure). Several cycles are averaged.</source>
@@ -2521,56 +2413,20 @@
         <translation>Момент газовых сил рассчитанного цикла.</translation>
     </message>
     <message>
-        <source>Distance of the cylinder axis from the crank axis, positive on the side to which the crankpin moves first. Crank angles count from the true top dead centre, α from the direction of the cylinder.</source>
-        <translation>Расстояние оси цилиндра от оси коленчатого вала, положительное — с той стороны, куда сначала идёт шатунная шейка. Углы поворота отсчитываются от истинной верхней мёртвой точки, α — от направления цилиндра.</translation>
-    </message>
-    <message>
-        <source>Indicated mean effective pressure; the heat that gives it is found.</source>
-        <translation>Среднее индикаторное давление; теплота, которая его даёт, находится.</translation>
-    </message>
-    <message>
         <source>Ports ope&amp;n</source>
         <translation>Окна открываю&amp;тся</translation>
-    </message>
-    <message>
-        <source>Of a two-stroke engine: crank angle after top dead centre at which the exhaust opens. It closes at the same place of the piston.</source>
-        <translation>Двухтактный двигатель: угол после верхней мёртвой точки, при котором открывается выпуск. Закрывается он при том же положении поршня.</translation>
-    </message>
-    <message>
-        <source>What evens out the speed within a cycle: J or δ.</source>
-        <translation>Что выравнивает частоту вращения внутри цикла: J или δ.</translation>
     </message>
     <message>
         <source>Inertia &amp;J</source>
         <translation>Инерция &amp;J</translation>
     </message>
     <message>
-        <source>Of flywheel, crank and all that turns with them. The coefficient of fluctuation follows from it.</source>
-        <translation>Маховика, коленчатого вала и всего, что вращается с ними. Из него следует коэффициент неравномерности.</translation>
-    </message>
-    <message>
         <source>Fl&amp;uctuation δ</source>
         <translation>Нера&amp;вномерность δ</translation>
     </message>
     <message>
-        <source>Coefficient of fluctuation wanted: highest less lowest speed over the mean one. About 1/20 for pumps, 1/100 for generators. The moment of inertia follows from it.</source>
-        <translation>Желаемый коэффициент неравномерности: наибольшая скорость минус наименьшая, делённая на среднюю. Около 1/20 для насосов, 1/100 для генераторов. Из него следует момент инерции.</translation>
-    </message>
-    <message>
         <source>A band of speeds to study.</source>
         <translation>Диапазон частот вращения для исследования.</translation>
-    </message>
-    <message>
-        <source>Lowest speed of the band.</source>
-        <translation>Наименьшая частота диапазона.</translation>
-    </message>
-    <message>
-        <source>Highest speed of the band.</source>
-        <translation>Наибольшая частота диапазона.</translation>
-    </message>
-    <message>
-        <source>How many speeds, with both ends.</source>
-        <translation>Сколько частот, считая концы.</translation>
     </message>
     <message>
         <source>Prints range and RMS over angle and speed too.</source>
@@ -2579,18 +2435,6 @@
     <message>
         <source>A bar with a segment milled away in place of counterweights.</source>
         <translation>Вал с выфрезерованным сегментом вместо противовесов.</translation>
-    </message>
-    <message>
-        <source>A two-stroke engine has no stroke on which the gas torque is small, so the torque cannot be compared with the masses and the speed entered.</source>
-        <translation>У двухтактного двигателя нет такта с малым газовым моментом, поэтому момент нельзя сравнить с введёнными массами и частотой вращения.</translation>
-    </message>
-    <message>
-        <source>The torque on the gas-exchange stroke would be the inertia torque of a crank with r/L = %1, as far as the search goes, so it cannot be compared with the masses and the speed entered. Enter the rod length, and that is held instead.</source>
-        <translation>Момент на такте газообмена был бы инерционным моментом кривошипа с r/L = %1, дальше чего поиск не идёт, поэтому его нельзя сравнить с введёнными массами и частотой вращения. Введите длину шатуна — тогда r/L берётся по ней.</translation>
-    </message>
-    <message>
-        <source>The torque is computed from the masses and the speed entered, so there is nothing to compare.</source>
-        <translation>Момент вычислен по введённым массам и частоте вращения, сравнивать нечего.</translation>
     </message>
     <message>
         <source>must be less than the angle of the bottom dead centre, %1</source>
@@ -2613,64 +2457,12 @@
         <translation>должно быть %1: таблица момента охватывает %2</translation>
     </message>
     <message>
-        <source>The cylinder is offset: crank angles count from the true top dead centre, where the crank stands %1 from the cylinder&apos;s direction, α from that direction; both counterweights lag by %2, so that they meet the first order&apos;s part in quadrature too.</source>
-        <translation>Цилиндр смещён: углы поворота отсчитываются от истинной верхней мёртвой точки, где кривошип стоит под углом %1 к направлению цилиндра, α — от этого направления; оба противовеса отстают на %2 и потому уравновешивают и сдвинутую на 90° часть первого порядка.</translation>
-    </message>
-    <message>
-        <source>Nothing can be built: %1</source>
-        <translation>Построить нельзя ничего: %1</translation>
-    </message>
-    <message>
-        <source>No angle that can be built makes the range smaller than without a shaft.</source>
-        <translation>Ни один угол, который можно построить, не делает размах меньше, чем без вала.</translation>
-    </message>
-    <message>
-        <source>No angle that can be built makes the RMS smaller than without a shaft.</source>
-        <translation>Ни один угол, который можно построить, не делает СКЗ меньше, чем без вала.</translation>
-    </message>
-    <message>
         <source>360°, the cycle of a two-stroke engine</source>
         <translation>360°, цикл двухтактного двигателя</translation>
     </message>
     <message>
         <source>must span 720°, or 360° for a two-stroke engine, the last row repeating the first</source>
         <translation>должны охватывать 720° или, для двухтактного двигателя, 360°; последняя строка повторяет первую</translation>
-    </message>
-    <message>
-        <source>The peak of the pressure trace lies at %1, beside the top dead centre of the gas exchange. The firing one is at 360°: move the trace by a turn.</source>
-        <translation>Пик измеренного давления лежит при %1, у верхней мёртвой точки газообмена. Точка сгорания — при 360°: сдвиньте диаграмму на оборот.</translation>
-    </message>
-    <message>
-        <source>The peak of the pressure trace lies %1 after the firing top dead centre at %2; from 5° before to 45° after it is usual. The crank angles of the trace look out of phase.</source>
-        <translation>Пик измеренного давления лежит на %1 после верхней мёртвой точки сгорания при %2; обычно — от 5° до неё до 45° после. Похоже, углы диаграммы сдвинуты по фазе.</translation>
-    </message>
-    <message>
-        <source>The pressure trace looks like gauge pressure: at the bottom dead centre before compression it has %1 bar. Read it as gauge pressure (&quot;gauge&quot;: true).</source>
-        <translation>Измеренное давление похоже на избыточное: в нижней мёртвой точке перед сжатием оно равно %1 бар. Прочтите его как избыточное (&quot;gauge&quot;: true).</translation>
-    </message>
-    <message>
-        <source>At the bottom dead centre before compression the pressure trace has %1 bar. Its numbers look like %2, though its heading says %3.</source>
-        <translation>В нижней мёртвой точке перед сжатием измеренное давление равно %1 бар. Числа похожи на %2, хотя в заголовке стоит %3.</translation>
-    </message>
-    <message>
-        <source>At the bottom dead centre before compression the pressure trace has %1 bar. Its numbers look like %2, but its heading names no unit and %3 was taken.</source>
-        <translation>В нижней мёртвой точке перед сжатием измеренное давление равно %1 бар. Числа похожи на %2, но заголовок единицы не называет, и принято %3.</translation>
-    </message>
-    <message>
-        <source>The compression in the pressure trace has the polytropic exponent %1; 1.25 to 1.42 is usual. The crank angles may be out of phase by a few degrees, or the zero of the pressure off.</source>
-        <translation>Показатель политропы сжатия в измеренном давлении равен %1; обычно — от 1,25 до 1,42. Возможно, углы сдвинуты по фазе на несколько градусов или смещён нуль давления.</translation>
-    </message>
-    <message>
-        <source>must be less than %1 in size, half of what the rod is longer than the crank radius</source>
-        <translation>по величине должно быть меньше %1 — половины того, на что шатун длиннее радиуса кривошипа</translation>
-    </message>
-    <message>
-        <source>pressure taken for %1, as the heading names no unit that is known</source>
-        <translation>давление принято в единицах %1: заголовок не называет известной единицы</translation>
-    </message>
-    <message>
-        <source>torque taken for %1, as the heading names no unit that is known</source>
-        <translation>момент принят в единицах %1: заголовок не называет известной единицы</translation>
     </message>
     <message>
         <source>two-stroke</source>
@@ -2681,64 +2473,12 @@
         <translation>четырёхтактный</translation>
     </message>
     <message>
-        <source>Limits on the place of the shaft&apos;s axis, beside what it must clear.</source>
-        <translation>Ограничения на место оси вала помимо того, что он должен обходить.</translation>
-    </message>
-    <message>
-        <source>Least l</source>
-        <translation>Наименьшее l</translation>
-    </message>
-    <message>
-        <source>Least distance between the crank axis and the shaft&apos;s axis.</source>
-        <translation>Наименьшее расстояние между осью кривошипа и осью вала.</translation>
-    </message>
-    <message>
-        <source>Largest l</source>
-        <translation>Наибольшее l</translation>
-    </message>
-    <message>
-        <source>Largest distance between the crank axis and the shaft&apos;s axis.</source>
-        <translation>Наибольшее расстояние между осью кривошипа и осью вала.</translation>
-    </message>
-    <message>
         <source>α from</source>
         <translation>α от</translation>
     </message>
     <message>
         <source>α to</source>
         <translation>α до</translation>
-    </message>
-    <message>
-        <source>Least x</source>
-        <translation>Наименьшее x</translation>
-    </message>
-    <message>
-        <source>The shaft&apos;s axis lies to the right of this line; x counts to the right from the crank axis. Of a wall: its place, the shaft&apos;s swing radius and a gap.</source>
-        <translation>Ось вала правее этой линии; x отсчитывается вправо от оси кривошипа. Для стенки: её место, радиус окружности вала и зазор.</translation>
-    </message>
-    <message>
-        <source>Largest x</source>
-        <translation>Наибольшее x</translation>
-    </message>
-    <message>
-        <source>The shaft&apos;s axis lies to the left of this line.</source>
-        <translation>Ось вала левее этой линии.</translation>
-    </message>
-    <message>
-        <source>Least y</source>
-        <translation>Наименьшее y</translation>
-    </message>
-    <message>
-        <source>The shaft&apos;s axis lies above this line; y counts up from the crank axis.</source>
-        <translation>Ось вала выше этой линии; y отсчитывается вверх от оси кривошипа.</translation>
-    </message>
-    <message>
-        <source>Largest y</source>
-        <translation>Наибольшее y</translation>
-    </message>
-    <message>
-        <source>The shaft&apos;s axis lies below this line.</source>
-        <translation>Ось вала ниже этой линии.</translation>
     </message>
     <message>
         <source>Teeth &amp;z</source>
@@ -2765,60 +2505,8 @@
         <translation>должно быть не больше массы всего шатуна, %1</translation>
     </message>
     <message>
-        <source>must be at least the lowest speed of the band, %1</source>
-        <translation>должно быть не меньше наименьшей частоты диапазона, %1</translation>
-    </message>
-    <message>
-        <source>The shaft makes no moment, so its place changes nothing.</source>
-        <translation>Вал не создаёт момента, поэтому его место ничего не меняет.</translation>
-    </message>
-    <message>
-        <source>The tipping moment is constant: every shaft away from the crank&apos;s axis only adds to it.</source>
-        <translation>Опрокидывающий момент постоянен: любой вал в стороне от оси кривошипа лишь добавляет к нему.</translation>
-    </message>
-    <message>
-        <source>No place of the shaft is within the limits, clears crank, cylinder and rod and lets the gears mesh.</source>
-        <translation>Нет места вала, которое было бы в заданных пределах, обходило кривошип, цилиндр и шатун и оставляло шестерни в зацеплении.</translation>
-    </message>
-    <message>
-        <source>The shaft&apos;s swing circle (radius %1, gap %2) meets that of the crank: the centre distance must be at least %3, and it is %4.</source>
-        <translation>Окружность вала (радиус %1, зазор %2) задевает окружность кривошипа: межосевое расстояние должно быть не меньше %3, а оно %4.</translation>
-    </message>
-    <message>
-        <source>The shaft&apos;s swing circle (radius %1, gap %2) meets the cylinder.</source>
-        <translation>Окружность вала (радиус %1, зазор %2) задевает цилиндр.</translation>
-    </message>
-    <message>
-        <source>The shaft&apos;s swing circle (radius %1, gap %2) meets what the rod sweeps.</source>
-        <translation>Окружность вала (радиус %1, зазор %2) задевает то, что описывает шатун.</translation>
-    </message>
-    <message>
-        <source>The gears do not mesh: with their tip radius %1 the centre distance must be from %2 to %3, and it is %4.</source>
-        <translation>Шестерни не в зацеплении: при радиусе вершин %1 межосевое расстояние должно быть от %2 до %3, а оно %4.</translation>
-    </message>
-    <message>
-        <source>The place is outside the limits given.</source>
-        <translation>Место вне заданных пределов.</translation>
-    </message>
-    <message>
-        <source>The limits on the shaft&apos;s axis ask for a centre distance of at least %1, and it is %2.</source>
-        <translation>Ограничения на ось вала требуют межосевого расстояния не менее %1, а оно равно %2.</translation>
-    </message>
-    <message>
-        <source>The limits on the shaft&apos;s axis ask for a centre distance of at most %1, and it is %2.</source>
-        <translation>Ограничения на ось вала требуют межосевого расстояния не более %1, а оно равно %2.</translation>
-    </message>
-    <message>
-        <source>At the centre distance %1 no angle that clears cylinder and rod is within the limits on the shaft&apos;s axis.</source>
-        <translation>При межосевом расстоянии %1 ни один угол, при котором вал не задевает цилиндр и шатун, не лежит в пределах ограничений на ось вала.</translation>
-    </message>
-    <message>
         <source>torque in %1</source>
         <translation>момент в %1</translation>
-    </message>
-    <message>
-        <source>%1 in %2, which is taken where the heading names no unit; write the unit above the column, for example Pa</source>
-        <translation>%1 в %2, как принято, если единица не названа в заголовке; напишите единицу над столбцом, например Па</translation>
     </message>
     <message>
         <source>Torque of the engine</source>
@@ -2839,10 +2527,6 @@
     <message>
         <source>Shaft fitted k teeth out</source>
         <translation>Вал собран со сдвигом на k зубьев</translation>
-    </message>
-    <message>
-        <source>z teeth of each gear; its moment is that of α + δ, and ΔF remains of the first order</source>
-        <translation>z — число зубьев каждой шестерни; его момент таков, как при α + δ, а от первого порядка остаётся ΔF</translation>
     </message>
     <message>
         <source>Play of the gears</source>
@@ -2905,20 +2589,12 @@
         <translation>Размах</translation>
     </message>
     <message>
-        <source>of the continuous cycle, not of the rows alone</source>
-        <translation>непрерывного цикла, а не одних строк таблицы</translation>
-    </message>
-    <message>
         <source>RMS about the mean</source>
         <translation>СКЗ относительно среднего</translation>
     </message>
     <message>
         <source>Φ length of the cycle, Mₘ its mean</source>
         <translation>Φ — длина цикла, Mₘ — среднее за цикл</translation>
-    </message>
-    <message>
-        <source>Place of the least RMS</source>
-        <translation>Место наименьшего СКЗ</translation>
     </message>
     <message>
         <source>c₁ and s₁ coefficients of cos φ and sin φ in Mᵤₚ; x = l sin α, y = l cos α</source>
@@ -2953,76 +2629,20 @@
         <translation>ρ — плотность, b — длина лыски, A — снятый сегмент, y — от оси</translation>
     </message>
     <message>
-        <source>Second-order forces (mⱼ r ω² λ cos 2φ) stay and are not counted in the moment on the mounts.</source>
-        <translation>Силы второго порядка (mⱼ r ω² λ cos 2φ) остаются и в момент на опорах не входят.</translation>
-    </message>
-    <message>
-        <source>The rotating part of the rod and the crank are taken as balanced by the crank&apos;s own counterweights.</source>
-        <translation>Вращающаяся часть шатуна и кривошип считаются уравновешенными собственными противовесами коленчатого вала.</translation>
-    </message>
-    <message>
         <source>The engine block is rigid, and the speed within a cycle is constant.</source>
         <translation>Блок двигателя жёсткий, скорость в пределах цикла постоянна.</translation>
-    </message>
-    <message>
-        <source>The play of the gears moves the shaft to any place within it; how it moves there is not computed.</source>
-        <translation>Зазор в зацеплении пускает вал в любое место в его пределах; как он там движется, не вычисляется.</translation>
-    </message>
-    <message>
-        <source>Whether parts that meet in the front view lie behind one another is not known.</source>
-        <translation>Не лежат ли друг за другом детали, которые встречаются на виде спереди, неизвестно.</translation>
-    </message>
-    <message>
-        <source>must be greater than %1; across 0° write %2</source>
-        <translation>должно быть больше %1; через 0° пишите %2</translation>
     </message>
     <message>
         <source>of the exact s″: −r₁ cos(θ − δ) is its first order; ω angular speed, θ − φ the same at every angle</source>
         <translation>из точной s″: −r₁ cos(θ − δ) — её первый порядок; ω — угловая скорость, θ − φ одинакова при всех углах</translation>
     </message>
     <message>
-        <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered give %3. They do not belong together: the torque fits these masses at %4, or %5 at this speed. The best angles are not meaningful until torque and masses agree.</source>
-        <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 (r/L = %2); введённые массы и частота дают %3. Они не соответствуют друг другу: момент подходит этим массам при %4 или массе %5 при этой частоте. Пока это не согласовано, найденные лучшие углы не относятся ни к одному настоящему двигателю.</translation>
-    </message>
-    <message>
-        <source>No angle of the shaft makes the range smaller than without a shaft: at best %1 against %2.</source>
-        <translation>Ни при каком угле вала размах не меньше, чем без вала: в лучшем случае %1 против %2.</translation>
-    </message>
-    <message>
-        <source>No angle of the shaft makes the RMS smaller than without a shaft: at best %1 against %2.</source>
-        <translation>Ни при каком угле вала СКЗ не меньше, чем без вала: в лучшем случае %1 против %2.</translation>
-    </message>
-    <message>
-        <source>The counterweight given balances %1 % of the first-order inertia force; equation (1) asks for %2.</source>
-        <translation>Заданный противовес уравновешивает %1&#xa0;% силы инерции первого порядка; по формуле (1) нужно %2.</translation>
-    </message>
-    <message>
-        <source>must hold one of: %1 with %2, %3, %4, %5</source>
-        <translation>должно содержать одно из: %1 с %2, %3, %4, %5</translation>
-    </message>
-    <message>
         <source>a half disc of steel, ρ = 7850 kg/m³, as long as the bore B, with the unbalance m₁ρ₁</source>
         <translation>стальной полудиск, ρ = 7850 кг/м³, длиной в диаметр цилиндра B с дисбалансом m₁ρ₁</translation>
     </message>
     <message>
-        <source>must hold either %1 or %2</source>
-        <translation>должно содержать либо %1, либо %2</translation>
-    </message>
-    <message>
-        <source>must hold two of %1, %2 and %3</source>
-        <translation>должно содержать два из трёх: %1, %2, %3</translation>
-    </message>
-    <message>
-        <source>must hold as many numbers as %1, %2</source>
-        <translation>чисел должно быть столько же, сколько в «%1», %2</translation>
-    </message>
-    <message>
         <source>by equation (1), m₁ = mⱼ r / (2 ρ₁); a number overrides it</source>
         <translation>по формуле (1), m₁ = mⱼ r / (2 ρ₁); число её заменяет</translation>
-    </message>
-    <message>
-        <source>Between the centres of the rod&apos;s eyes. It decides what can be built, the r/L of the torque&apos;s check and a computed torque, which needs it.</source>
-        <translation>Между центрами головок шатуна. От неё зависит, что можно построить, r/L при проверке момента и рассчитанный момент, которому она нужна.</translation>
     </message>
     <message>
         <source>r / 0.3</source>
@@ -3041,20 +2661,8 @@
         <translation>Нижний конец цилиндра над осью коленчатого вала.</translation>
     </message>
     <message>
-        <source>the piston pin at bottom dead centre less 0.3 of the bore</source>
-        <translation>нижняя мёртвая точка пальца минус 0,3 диаметра</translation>
-    </message>
-    <message>
-        <source>Thickness of the cylinder&apos;s wall, which the shaft must not meet.</source>
-        <translation>Толщина стенки цилиндра, которой вал не должен касаться.</translation>
-    </message>
-    <message>
         <source>0.06 of the bore</source>
         <translation>0,06 диаметра</translation>
-    </message>
-    <message>
-        <source>Across the rod, round ends included, in the front view; the shaft must clear all that the rod sweeps.</source>
-        <translation>Поперёк шатуна на виде спереди, с круглыми концами; вал не должен задевать ничего, что описывает шатун.</translation>
     </message>
     <message>
         <source>r / 2</source>
@@ -3063,10 +2671,6 @@
     <message>
         <source>Circle swept by crank and counterweight.</source>
         <translation>Окружность, описываемая кривошипом и противовесом.</translation>
-    </message>
-    <message>
-        <source>r and half the rod&apos;s width, or the shaft&apos;s default where that is larger</source>
-        <translation>r и половина ширины шатуна или то, что принимается для вала, если это больше</translation>
     </message>
     <message>
         <source>Circle swept by the balance shaft.</source>
@@ -3081,60 +2685,12 @@
         <translation>l/2, делительная окружность</translation>
     </message>
     <message>
-        <source>The shaft&apos;s angle is at least this, in the direction of rotation.</source>
-        <translation>Угол вала не меньше этого, в направлении вращения.</translation>
-    </message>
-    <message>
-        <source>0 where the other end is given</source>
-        <translation>0, если задан другой конец</translation>
-    </message>
-    <message>
-        <source>The shaft&apos;s angle is at most this.</source>
-        <translation>Угол вала не больше этого.</translation>
-    </message>
-    <message>
-        <source>360° where the other end is given</source>
-        <translation>360°, если задан другой конец</translation>
-    </message>
-    <message>
         <source>the stroke, 2 r</source>
         <translation>ход поршня, 2 r</translation>
     </message>
     <message>
-        <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered give %3. They belong together: they differ by %4, and up to %5 is what a table may be off.</source>
-        <translation>В моменте на такте газообмена содержится момент сил инерции mⱼ r² ω² = %1 (r/L = %2); заданные массы и частота дают %3. Они согласуются: разница %4, а таблица может быть неточна до %5.</translation>
-    </message>
-    <message>
-        <source>The torque on the gas-exchange stroke holds the inertia torque of a crank with r/L = %1; crank radius and rod length entered have %2. They do not belong together: with this crank radius the torque fits a rod length of %3. The best angles are not meaningful until torque and masses agree.</source>
-        <translation>Момент на такте газообмена содержит момент сил инерции кривошипа с r/L = %1, а введённые радиус кривошипа и длина шатуна дают %2. Они не подходят друг к другу: при этом радиусе кривошипа момент соответствует длине шатуна %3. Пока они не согласованы, найденные лучшие углы не относятся ни к какому реальному двигателю.</translation>
-    </message>
-    <message>
-        <source>SHA-256 of that file as the case was made: where it is another now, the result says so.</source>
-        <translation>SHA-256 этого файла на момент создания задачи: если теперь файл другой, об этом сказано в результате.</translation>
-    </message>
-    <message>
-        <source>%1 has changed since it was read for this case: all results are of what is in it now. Read it again to keep that, or bring the old file back.</source>
-        <translation>%1 изменился с тех пор, как был прочитан для этой задачи: все результаты относятся к тому, что в нём сейчас. Прочитайте его заново, чтобы принять это, или верните прежний файл.</translation>
-    </message>
-    <message>
-        <source>Sum of the file</source>
-        <translation>Сумма файла</translation>
-    </message>
-    <message>
-        <source>Over the speed band the gas torque stays that of the one pressure trace, cycle or torque given: how it changes with the speed is not known.</source>
-        <translation>В диапазоне частот момент газов остаётся тем же: от одной заданной записи давления, цикла или кривой момента. Как он меняется с частотой, неизвестно.</translation>
-    </message>
-    <message>
         <source>&amp;Shift of the angles</source>
         <translation>С&amp;двиг углов</translation>
-    </message>
-    <message>
-        <source>Added to the crank angles of the pressure trace; 360° of one that counts from the firing top dead centre.</source>
-        <translation>Прибавляется к углам поворота кривошипа в диаграмме давления; 360° — если она отсчитана от ВМТ вспышки.</translation>
-    </message>
-    <message>
-        <source>the bar of the relieved shaft, else the half disc of steel, as long as the bore, with the unbalance m₁ ρ₁</source>
-        <translation>пруток вала с лыской, иначе стальной полудиск длиной с диаметр цилиндра с дисбалансом m₁ ρ₁</translation>
     </message>
     <message>
         <source>Added around every circle, and above and beside the cylinder.</source>
@@ -3145,24 +2701,8 @@
         <translation>У вала с лыской: изгиб, напряжения и нагрузки подшипников.</translation>
     </message>
     <message>
-        <source>Bending of the relieved shaft is no longer computed. These sizes of the case are not used: elastic modulus, bearing span, allowable stress, permitted sag, speed margin, bearing load.</source>
-        <translation>Изгиб вала с лыской больше не вычисляется. Эти величины файла не используются: модуль упругости, пролёт, допускаемое напряжение, допускаемый прогиб, запас по критической частоте, нагрузка подшипника.</translation>
-    </message>
-    <message>
-        <source>The bar does not fit in the swing circle given: its radius is %1, the swing radius %2.</source>
-        <translation>Пруток не умещается в заданной окружности вала: его радиус %1, радиус оборота %2.</translation>
-    </message>
-    <message>
-        <source>must hold at most %1 numbers: average the cycles, or take larger steps</source>
-        <translation>должно быть не больше %1 чисел: усредните циклы или возьмите больший шаг</translation>
-    </message>
-    <message>
         <source>Does not fit: at this α the shaft meets the rod.</source>
         <translation>Не помещается: при этом α вал задевает шатун.</translation>
-    </message>
-    <message>
-        <source>Does not fit: at this α the shaft is outside the limits given.</source>
-        <translation>Не помещается: при этом α вал выходит за заданные пределы.</translation>
     </message>
     <message>
         <source>Does not fit: at this α the shaft meets the cylinder.</source>
@@ -3187,10 +2727,6 @@
     <message>
         <source>RMS %1 larger</source>
         <translation>СКЗ больше на %1</translation>
-    </message>
-    <message>
-        <source>The torque is constant: nothing to balance.</source>
-        <translation>Крутящий момент постоянен: уравновешивать нечего.</translation>
     </message>
     <message>
         <source>Angular speed ω</source>
@@ -3347,10 +2883,6 @@
     <message>
         <source>Without shaft</source>
         <translation>Без вала</translation>
-    </message>
-    <message>
-        <source>Range against size</source>
-        <translation>Размах и габарит</translation>
     </message>
     <message>
         <source>Optimum ignoring clearance</source>
@@ -3793,14 +3325,6 @@
         <translation>Помещается: размах на %1 и СКЗ на %2 меньше, чем без вала.</translation>
     </message>
     <message>
-        <source>Torque and rod do not belong together.</source>
-        <translation>Момент и шатун не соответствуют друг другу.</translation>
-    </message>
-    <message>
-        <source>Torque and masses do not belong together: the torque fits %1 or %2.</source>
-        <translation>Момент и массы не соответствуют друг другу: моменту отвечает %1 или %2.</translation>
-    </message>
-    <message>
         <source>The cylinder and its rod, for every source of torque and for the front view.</source>
         <translation>Цилиндр и шатун, для любого источника момента и для вида спереди.</translation>
     </message>
@@ -3809,16 +3333,8 @@
         <translation>нужно для индикаторной диаграммы и расчёта цикла, но отсутствует</translation>
     </message>
     <message>
-        <source>A torque source that is not in use had the bore %1. All sources have one bore now: enter it at the cylinder if it is right.</source>
-        <translation>В неиспользуемом источнике момента был диаметр цилиндра %1. Теперь он один для всех источников: если он верен, введите его у цилиндра.</translation>
-    </message>
-    <message>
         <source>Columns</source>
         <translation>Столбцы</translation>
-    </message>
-    <message>
-        <source>Columns of the crank angle and of the value: two numbers from 1, or two headings. A file with more than two columns needs them. 0 for the angle: the rows are equal steps over one cycle.</source>
-        <translation>Столбцы угла поворота и значения: два номера от 1 или два заголовка. Нужны файлу, в котором больше двух столбцов. 0 вместо угла: строки идут с равным шагом по одному циклу.</translation>
     </message>
     <message>
         <source>Unit of the file</source>
@@ -3841,10 +3357,6 @@
         <translation>True — давление сверх атмосферного: прибавляется 1,01325 бар. False — абсолютное давление.</translation>
     </message>
     <message>
-        <source>as the heading says, else absolute</source>
-        <translation>по заголовку, иначе абсолютное</translation>
-    </message>
-    <message>
         <source>must be two numbers from 1 or two headings: of the crank angle and of the value</source>
         <translation>должно быть два номера от 1 или два заголовка: угла поворота и значения</translation>
     </message>
@@ -3861,40 +3373,528 @@
         <translation>избыточное давление в %1</translation>
     </message>
     <message>
-        <source>%1; is it gauge pressure? Then the case says &quot;gauge&quot;: true</source>
-        <translation>%1; давление избыточное? Тогда в задаче пишется &quot;gauge&quot;: true</translation>
-    </message>
-    <message>
-        <source>a cycle must have at most %1 rows: take larger steps</source>
-        <translation>в цикле должно быть не больше %1 строк: возьмите больший шаг</translation>
-    </message>
-    <message>
-        <source>must hold rows of numbers</source>
-        <translation>должно содержать строки чисел</translation>
-    </message>
-    <message>
-        <source>The file has no crank angles: its rows are taken for equal steps over one cycle.</source>
-        <translation>В файле нет углов поворота: строки приняты за равные шаги по одному циклу.</translation>
-    </message>
-    <message>
-        <source>No column is certain to be the crank angle; column %1 is proposed.</source>
-        <translation>Ни один столбец не похож наверняка на угол поворота; предложен столбец %1.</translation>
-    </message>
-    <message>
-        <source>The heading names no unit; the numbers look like %1.</source>
-        <translation>Заголовок не называет единицу; числа похожи на %1.</translation>
-    </message>
-    <message>
-        <source>The lowest pressure is %1 %2: gauge pressure?</source>
-        <translation>Наименьшее давление %1 %2: это избыточное давление?</translation>
-    </message>
-    <message>
         <source>The dead centre is at %1 ± %2 of the trace: shift the angles by %3.</source>
         <translation>Мёртвая точка на %1 ± %2 диаграммы: сдвиньте углы на %3.</translation>
     </message>
     <message>
-        <source>The dead centre may be at %1 ± %2 of the trace, a shift of %3: the compression line does not show it better.</source>
-        <translation>Мёртвая точка, возможно, на %1 ± %2 диаграммы, сдвиг %3: точнее линия сжатия её не показывает.</translation>
+        <source>At every angle the shaft&apos;s swing circle (radius %1, clearance %2) meets the cylinder or the rod.</source>
+        <translation>При любом угле окружность вала (радиус %1, зазор %2) задевает цилиндр или шатун.</translation>
+    </message>
+    <message>
+        <source>At the centre distance %1 no angle within the limits clears cylinder and rod.</source>
+        <translation>При межосевом расстоянии %1 в заданных пределах нет угла, при котором вал не задевает цилиндр и шатун.</translation>
+    </message>
+    <message>
+        <source>must be at least %1, the value of the cycle without heat</source>
+        <translation>должно быть не меньше %1, значения цикла без теплоты</translation>
+    </message>
+    <message>
+        <source>The dead centre may be at %1 ± %2 of the trace, a shift of %3; the compression line is not more precise.</source>
+        <translation>Мёртвая точка, возможно, на %1 ± &#xa0;%2 диаграммы, сдвиг %3: точнее линия сжатия её не показывает.</translation>
+    </message>
+    <message>
+        <source>its lower end</source>
+        <translation>её нижний конец</translation>
+    </message>
+    <message>
+        <source>must have one of: %1 with %2, %3, %4, %5</source>
+        <translation>должно содержать одно из: %1 с %2, %3, %4, %5</translation>
+    </message>
+    <message>
+        <source>Distance between the centres of the rod&apos;s eyes. Clearance, the check of the torque and a computed torque use it.</source>
+        <translation>Расстояние между центрами головок шатуна. Используется для зазоров, проверки момента и расчётного момента.</translation>
+    </message>
+    <message>
+        <source>Distance of the cylinder axis from the crank axis, positive on the side to which the crankpin moves first. φ starts at the true top dead centre.</source>
+        <translation>Расстояние оси цилиндра от оси коленчатого вала, положительное с той стороны, куда сначала идёт шатунная шейка. φ отсчитывается от истинной верхней мёртвой точки.</translation>
+    </message>
+    <message>
+        <source>Parts of the reciprocating mass by name, for example piston, pin, rings, rod_small_end.</source>
+        <translation>Части поступательно движущейся массы по именам, например piston, pin, rings, rod_small_end.</translation>
+    </message>
+    <message>
+        <source>Four strokes: a cycle of two turns, 720°; two strokes: one turn, 360°. Torque table and pressure trace must span the cycle.</source>
+        <translation>Четыре такта: цикл в два оборота, 720°; два такта: один оборот, 360°. Таблица момента и индикаторная диаграмма должны охватывать цикл.</translation>
+    </message>
+    <message>
+        <source>Part of mⱼ r balanced on the crank alone, without a shaft. The force then describes an ellipse: a line at 0 and 1, a circle at ½.</source>
+        <translation>Часть mⱼ r, уравновешенная на самом коленчатом валу, без балансирного. Сила тогда описывает эллипс: отрезок при 0 и 1, окружность при ½.</translation>
+    </message>
+    <message>
+        <source>the piston pin at bottom dead centre minus 0.3 of the bore</source>
+        <translation>нижняя мёртвая точка пальца минус 0,3 диаметра</translation>
+    </message>
+    <message>
+        <source>Thickness of the cylinder wall; the shaft must clear it.</source>
+        <translation>Толщина стенки цилиндра; вал не должен её задевать.</translation>
+    </message>
+    <message>
+        <source>Width of the rod in the front view, including its ends; the shaft must clear the rod.</source>
+        <translation>Ширина шатуна на виде спереди, включая головки; вал не должен задевать шатун.</translation>
+    </message>
+    <message>
+        <source>Clearance to sha&amp;ft</source>
+        <translation>&amp;Зазор до вала</translation>
+    </message>
+    <message>
+        <source>Minimum clearance of the shaft&apos;s swing circle to crank, rod and cylinder.</source>
+        <translation>Минимальный зазор окружности вала до кривошипа, шатуна и цилиндра.</translation>
+    </message>
+    <message>
+        <source>r plus half the rod&apos;s width, at least the shaft&apos;s default</source>
+        <translation>r плюс половина ширины шатуна, не меньше принятого для вала</translation>
+    </message>
+    <message>
+        <source>the bar of the relieved shaft, else a steel half disc as long as the bore with the unbalance m₁ ρ₁</source>
+        <translation>пруток вала с лыской, иначе стальной полудиск длиной с диаметр цилиндра с дисбалансом m₁ ρ₁</translation>
+    </message>
+    <message>
+        <source>Limits on the place of the shaft&apos;s axis, in addition to the clearance.</source>
+        <translation>Ограничения на место оси вала, помимо зазоров.</translation>
+    </message>
+    <message>
+        <source>Minimum l</source>
+        <translation>Минимум l</translation>
+    </message>
+    <message>
+        <source>Minimum distance between crank axis and shaft axis.</source>
+        <translation>Минимальное расстояние между осью кривошипа и осью вала.</translation>
+    </message>
+    <message>
+        <source>Maximum l</source>
+        <translation>Максимум l</translation>
+    </message>
+    <message>
+        <source>Maximum distance between crank axis and shaft axis.</source>
+        <translation>Максимальное расстояние между осью кривошипа и осью вала.</translation>
+    </message>
+    <message>
+        <source>Minimum angle of the shaft, in the direction of rotation.</source>
+        <translation>Минимальный угол вала, по направлению вращения.</translation>
+    </message>
+    <message>
+        <source>0 if the other end is given</source>
+        <translation>0, если задан другой конец</translation>
+    </message>
+    <message>
+        <source>Maximum angle of the shaft.</source>
+        <translation>Максимальный угол вала.</translation>
+    </message>
+    <message>
+        <source>360° if the other end is given</source>
+        <translation>360°, если задан другой конец</translation>
+    </message>
+    <message>
+        <source>Minimum x</source>
+        <translation>Минимум x</translation>
+    </message>
+    <message>
+        <source>The shaft axis must be to the right of this line, x from the crank axis. For a wall: add swing radius and clearance.</source>
+        <translation>Ось вала должна быть правее этой линии, x от оси кривошипа. Для стенки: прибавьте радиус окружности вала и зазор.</translation>
+    </message>
+    <message>
+        <source>Maximum x</source>
+        <translation>Максимум x</translation>
+    </message>
+    <message>
+        <source>The shaft axis must be to the left of this line.</source>
+        <translation>Ось вала должна быть левее этой линии.</translation>
+    </message>
+    <message>
+        <source>Minimum y</source>
+        <translation>Минимум y</translation>
+    </message>
+    <message>
+        <source>The shaft axis must be above this line, y from the crank axis.</source>
+        <translation>Ось вала должна быть выше этой линии, y от оси кривошипа.</translation>
+    </message>
+    <message>
+        <source>Maximum y</source>
+        <translation>Максимум y</translation>
+    </message>
+    <message>
+        <source>The shaft axis must be below this line.</source>
+        <translation>Ось вала должна быть ниже этой линии.</translation>
+    </message>
+    <message>
+        <source>The shaft is assembled k teeth ahead: a phase error of 360° k / z.</source>
+        <translation>Вал собран со сдвигом на k зубьев вперёд: ошибка фазы 360° k / z.</translation>
+    </message>
+    <message>
+        <source>Source of the engine torque: crank_angle_deg with torque_Nm, csv, pressure, or cycle.</source>
+        <translation>Источник крутящего момента: crank_angle_deg с torque_Nm, csv, pressure или cycle.</translation>
+    </message>
+    <message>
+        <source>Torque at these angles; the last value equals the first.</source>
+        <translation>Момент при этих углах; последнее значение равно первому.</translation>
+    </message>
+    <message>
+        <source>Checksum</source>
+        <translation>Контрольная сумма</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the file when the case was made; a note reports a change.</source>
+        <translation>SHA-256 файла на момент создания задачи; об изменении сообщает примечание.</translation>
+    </message>
+    <message>
+        <source>Columns of crank angle and value: numbers from 1, or headings; required for more than two columns. Angle 0: equal steps over one cycle.</source>
+        <translation>Столбцы угла и значения: номера от 1 или заголовки; нужны, если столбцов больше двух. Угол 0: равные шаги по одному циклу.</translation>
+    </message>
+    <message>
+        <source>by the heading, else absolute</source>
+        <translation>по заголовку, иначе абсолютное</translation>
+    </message>
+    <message>
+        <source>Added to the crank angles of the trace; 360° if the trace starts at the firing dead centre.</source>
+        <translation>Прибавляется к углам диаграммы; 360°, если она отсчитана от мёртвой точки сгорания.</translation>
+    </message>
+    <message>
+        <source>Maximum over minimum volume.</source>
+        <translation>Отношение максимального объёма к минимальному.</translation>
+    </message>
+    <message>
+        <source>Indicated mean effective pressure; the heat follows.</source>
+        <translation>Среднее индикаторное давление; теплота следует из него.</translation>
+    </message>
+    <message>
+        <source>Crank angle after top dead centre at which the exhaust opens (two-stroke). It closes at the same piston position.</source>
+        <translation>Угол после верхней мёртвой точки, при котором открывается выпуск (двухтактный). Закрывается он при том же положении поршня.</translation>
+    </message>
+    <message>
+        <source>Flywheel: moment of inertia J, or coefficient of fluctuation δ.</source>
+        <translation>Маховик: момент инерции J или коэффициент неравномерности δ.</translation>
+    </message>
+    <message>
+        <source>Moment of inertia of flywheel, crank and all parts that turn with them. The coefficient of fluctuation follows.</source>
+        <translation>Момент инерции маховика, коленчатого вала и всего, что вращается с ними. Из него следует коэффициент неравномерности.</translation>
+    </message>
+    <message>
+        <source>Required (maximum − minimum) / mean speed; the moment of inertia follows. About 1/20 for pumps, 1/100 for generators.</source>
+        <translation>Требуемое отношение (максимум − минимум) / средняя частота; из него следует момент инерции. Около 1/20 для насосов, 1/100 для генераторов.</translation>
+    </message>
+    <message>
+        <source>Minimum speed of the band.</source>
+        <translation>Минимальная частота диапазона.</translation>
+    </message>
+    <message>
+        <source>Maximum speed of the band.</source>
+        <translation>Максимальная частота диапазона.</translation>
+    </message>
+    <message>
+        <source>Number of speeds, including both ends.</source>
+        <translation>Число частот, включая концы.</translation>
+    </message>
+    <message>
+        <source>Diameter of the round bar; also the swing circle of the shaft.</source>
+        <translation>Диаметр круглого прутка; он же — окружность вала.</translation>
+    </message>
+    <message>
+        <source>Depth of the milled segment, from the bar&apos;s surface.</source>
+        <translation>Глубина снятого сегмента, от поверхности прутка.</translation>
+    </message>
+    <message>
+        <source>Length of the milled segment.</source>
+        <translation>Длина снятого сегмента.</translation>
+    </message>
+    <message>
+        <source>Density of the bar. Steel 7850, cast iron 7200, tungsten alloy 17500.</source>
+        <translation>Плотность прутка. Сталь 7850, чугун 7200, вольфрамовый сплав 17500.</translation>
+    </message>
+    <message>
+        <source>z teeth of each gear; moment as at α + δ; ΔF residual first-order force</source>
+        <translation>z — число зубьев каждой шестерни; момент как при α + δ; ΔF — остаточная сила первого порядка</translation>
+    </message>
+    <message>
+        <source>of the continuous cycle</source>
+        <translation>непрерывного цикла</translation>
+    </message>
+    <message>
+        <source>Place of the minimum RMS</source>
+        <translation>Место минимального СКЗ</translation>
+    </message>
+    <message>
+        <source>Second-order forces (mⱼ r ω² λ cos 2φ) are not included in the moment on the mounts.</source>
+        <translation>Силы второго порядка (mⱼ r ω² λ cos 2φ) в момент на опорах не входят.</translation>
+    </message>
+    <message>
+        <source>The rotating part of rod and crank is balanced by the crank&apos;s own counterweights.</source>
+        <translation>Вращающиеся части шатуна и кривошипа уравновешены собственными противовесами коленчатого вала.</translation>
+    </message>
+    <message>
+        <source>Over the speed band the gas torque is constant: its change with speed is not known.</source>
+        <translation>В диапазоне частот момент газов постоянен: как он меняется с частотой, неизвестно.</translation>
+    </message>
+    <message>
+        <source>The play of the gears allows any shaft angle within it; the motion is not computed.</source>
+        <translation>Зазор в зацеплении допускает любой угол вала в своих пределах; движение не вычисляется.</translation>
+    </message>
+    <message>
+        <source>Parts that overlap in the front view may be one behind another.</source>
+        <translation>Детали, которые перекрываются на виде спереди, могут быть одна за другой.</translation>
+    </message>
+    <message>
+        <source>The torque during gas exchange does not resemble an inertia torque, so masses and speed cannot be checked.</source>
+        <translation>Момент при газообмене не похож на инерционный, поэтому массы и частоту проверить нельзя.</translation>
+    </message>
+    <message>
+        <source>A two-stroke engine has no stroke with a small gas torque, so masses and speed cannot be checked.</source>
+        <translation>У двухтактного двигателя нет такта с малым газовым моментом, поэтому массы и частоту проверить нельзя.</translation>
+    </message>
+    <message>
+        <source>The fitted r/L = %1 is at the limit of the search, so masses and speed cannot be checked. Enter the rod length.</source>
+        <translation>Подобранное r/L = %1 — на границе поиска, поэтому массы и частоту проверить нельзя. Введите длину шатуна.</translation>
+    </message>
+    <message>
+        <source>Torque and rod do not match, so the best angles are not meaningful: the torque contains r/L = %1, crank radius and rod length give %2. With this crank radius the torque matches a rod length of %3.</source>
+        <translation>Момент и шатун не соответствуют друг другу, и лучшие углы не имеют смысла: в моменте r/L = %1, радиус кривошипа и длина шатуна дают %2. При этом радиусе момент отвечает длине шатуна %3.</translation>
+    </message>
+    <message>
+        <source>Torque and masses match: the torque contains mⱼ r² ω² = %1 (r/L = %2), masses and speed give %3. Difference %4, tolerance %5.</source>
+        <translation>Момент и массы соответствуют друг другу: в моменте mⱼ r² ω² = %1 (r/L = %2), массы и частота дают %3. Разница %4, допуск %5.</translation>
+    </message>
+    <message>
+        <source>Torque and masses do not match, so the best angles are not meaningful: the torque contains mⱼ r² ω² = %1 (r/L = %2), masses and speed give %3. The torque matches these masses at %4, or %5 at this speed.</source>
+        <translation>Момент и массы не соответствуют друг другу, и лучшие углы не имеют смысла: в моменте mⱼ r² ω² = %1 (r/L = %2), массы и частота дают %3. Момент отвечает этим массам при %4 или массе %5 при этой частоте.</translation>
+    </message>
+    <message>
+        <source>The torque is computed from the masses and the speed: no check is necessary.</source>
+        <translation>Момент вычислен по массам и частоте: проверка не нужна.</translation>
+    </message>
+    <message>
+        <source>must have either %1 or %2</source>
+        <translation>должно содержать либо %1, либо %2</translation>
+    </message>
+    <message>
+        <source>must be less than %1 in magnitude, half of rod length minus crank radius</source>
+        <translation>по модулю должно быть меньше %1, половины разности длины шатуна и радиуса кривошипа</translation>
+    </message>
+    <message>
+        <source>must be greater than the crank radius plus twice the offset, %1</source>
+        <translation>должно быть больше радиуса кривошипа плюс удвоенный дезаксаж, %1</translation>
+    </message>
+    <message>
+        <source>must be greater than %1; across 0° enter %2</source>
+        <translation>должно быть больше %1; через 0° пишите %2</translation>
+    </message>
+    <message>
+        <source>%1 has changed since this case was made; the results use the present file. Import it again to accept the change, or restore the old file.</source>
+        <translation>%1 изменился после создания задачи; результаты — по нынешнему файлу. Импортируйте его снова, чтобы принять изменение, или верните прежний файл.</translation>
+    </message>
+    <message>
+        <source>must be at least the minimum speed of the band, %1</source>
+        <translation>должно быть не меньше минимальной частоты диапазона, %1</translation>
+    </message>
+    <message>
+        <source>The shaft has no moment: its angle has no effect.</source>
+        <translation>Вал не создаёт момента: его угол не влияет.</translation>
+    </message>
+    <message>
+        <source>The angle of the shaft does not affect the range.</source>
+        <translation>Угол вала не влияет на размах.</translation>
+    </message>
+    <message>
+        <source>The tipping moment has no first order: the angle of the shaft does not affect the RMS.</source>
+        <translation>В опрокидывающем моменте нет первого порядка: угол вала не влияет на СКЗ.</translation>
+    </message>
+    <message>
+        <source>An unused torque source had the bore %1. All sources share one bore now: enter it at the cylinder if it is correct.</source>
+        <translation>В неиспользуемом источнике момента был диаметр цилиндра %1. Теперь он один для всех источников: если он верен, введите его у цилиндра.</translation>
+    </message>
+    <message>
+        <source>The shaft has no moment: its place has no effect.</source>
+        <translation>Вал не создаёт момента: его место не влияет.</translation>
+    </message>
+    <message>
+        <source>The tipping moment is constant: a shaft away from the crank axis only adds to it.</source>
+        <translation>Опрокидывающий момент постоянен: любой вал в стороне от оси кривошипа лишь добавляет к нему.</translation>
+    </message>
+    <message>
+        <source>must have two of %1, %2 and %3</source>
+        <translation>должно содержать два из трёх: %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>No unbalance is required: no relief.</source>
+        <translation>Дисбаланс не нужен: лыски нет.</translation>
+    </message>
+    <message>
+        <source>No shaft of these sizes has the required unbalance.</source>
+        <translation>Ни один вал таких размеров не даёт нужного дисбаланса.</translation>
+    </message>
+    <message>
+        <source>These sizes give %1 % of the required unbalance.</source>
+        <translation>Эти размеры дают %1&#xa0;% нужного дисбаланса.</translation>
+    </message>
+    <message>
+        <source>no drawing: %1</source>
+        <translation>чертежа нет: %1</translation>
+    </message>
+    <message>
+        <source>Range and size</source>
+        <translation>Размах и габарит</translation>
+    </message>
+    <message>
+        <source>Does not fit: at this α the shaft is outside the limits.</source>
+        <translation>Не помещается: при этом α вал выходит за заданные пределы.</translation>
+    </message>
+    <message>
+        <source>The torque is constant: no shaft required.</source>
+        <translation>Крутящий момент постоянен: вал не нужен.</translation>
+    </message>
+    <message>
+        <source>Torque and rod do not match.</source>
+        <translation>Момент и шатун не соответствуют друг другу.</translation>
+    </message>
+    <message>
+        <source>Torque and masses do not match: the torque fits %1 or %2.</source>
+        <translation>Момент и массы не соответствуют друг другу: моменту отвечает %1 или %2.</translation>
+    </message>
+    <message>
+        <source>No place within the limits clears crank, cylinder and rod with the gears in mesh.</source>
+        <translation>В заданных пределах нет места, где вал не задевает кривошип, цилиндр и шатун, а шестерни в зацеплении.</translation>
+    </message>
+    <message>
+        <source>The shaft&apos;s swing circle (radius %1, clearance %2) meets the crank: centre distance %4, minimum %3.</source>
+        <translation>Окружность вала (радиус %1, зазор %2) задевает кривошип: межосевое расстояние %4, минимум %3.</translation>
+    </message>
+    <message>
+        <source>The shaft&apos;s swing circle (radius %1, clearance %2) meets the cylinder.</source>
+        <translation>Окружность вала (радиус %1, зазор %2) задевает цилиндр.</translation>
+    </message>
+    <message>
+        <source>The shaft&apos;s swing circle (radius %1, clearance %2) meets the rod.</source>
+        <translation>Окружность вала (радиус %1, зазор %2) задевает шатун.</translation>
+    </message>
+    <message>
+        <source>The gears do not mesh: with a tip radius of %1 the centre distance must be %2 to %3, not %4.</source>
+        <translation>Шестерни не в зацеплении: при радиусе вершин %1 межосевое расстояние должно быть от %2 до %3, а не %4.</translation>
+    </message>
+    <message>
+        <source>Centre distance %2 is below the minimum of %1.</source>
+        <translation>Межосевое расстояние %2 меньше минимума %1.</translation>
+    </message>
+    <message>
+        <source>Centre distance %2 is above the maximum of %1.</source>
+        <translation>Межосевое расстояние %2 больше максимума %1.</translation>
+    </message>
+    <message>
+        <source>The place is outside the limits.</source>
+        <translation>Место вне заданных пределов.</translation>
+    </message>
+    <message>
+        <source>The bar (radius %1) does not fit in the swing circle (radius %2).</source>
+        <translation>Пруток (радиус %1) не умещается в окружности вала (радиус %2).</translation>
+    </message>
+    <message>
+        <source>Bending of the relieved shaft is no longer computed. Not used: elastic modulus, bearing span, allowable stress, deflection, critical-speed ratio, bearing load.</source>
+        <translation>Изгиб вала с лыской больше не вычисляется. Не используются: модуль упругости, пролёт, допускаемое напряжение, прогиб, отношение к критической частоте, нагрузка подшипника.</translation>
+    </message>
+    <message>
+        <source>At every angle the range is larger than without a shaft: at best %1, without %2.</source>
+        <translation>При любом угле размах больше, чем без вала: в лучшем случае %1, без вала %2.</translation>
+    </message>
+    <message>
+        <source>At every angle the RMS is larger than without a shaft: at best %1, without %2.</source>
+        <translation>При любом угле СКЗ больше, чем без вала: в лучшем случае %1, без вала %2.</translation>
+    </message>
+    <message>
+        <source>The counterweight balances %1 % of the first-order inertia force; equation (1) requires %2.</source>
+        <translation>Заданный противовес уравновешивает %1&#xa0;% силы инерции первого порядка; по формуле (1) нужно %2.</translation>
+    </message>
+    <message>
+        <source>Offset cylinder: φ starts at the true top dead centre, with the crank %1 from the cylinder&apos;s direction. Both counterweights lag by %2 and balance the quadrature part of the first order.</source>
+        <translation>Дезаксаж: φ отсчитывается от истинной верхней мёртвой точки, где кривошип под углом %1 к направлению цилиндра. Оба противовеса отстают на %2 и уравновешивают сдвинутую на 90° часть первого порядка.</translation>
+    </message>
+    <message>
+        <source>No feasible position: %1</source>
+        <translation>Допустимых положений нет: %1</translation>
+    </message>
+    <message>
+        <source>At every feasible angle the range is larger than without a shaft.</source>
+        <translation>При любом допустимом угле размах больше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>At every feasible angle the RMS is larger than without a shaft.</source>
+        <translation>При любом допустимом угле СКЗ больше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>The torque does not match masses and speed, so other speeds cannot be computed. %1</source>
+        <translation>Момент не соответствует массам и частоте, поэтому другие частоты вычислить нельзя. %1</translation>
+    </message>
+    <message>
+        <source>pressure assumed in %1, without a known unit in the heading</source>
+        <translation>давление принято в %1, известной единицы в заголовке нет</translation>
+    </message>
+    <message>
+        <source>torque assumed in %1, without a known unit in the heading</source>
+        <translation>момент принят в %1, известной единицы в заголовке нет</translation>
+    </message>
+    <message>
+        <source>%1; for gauge pressure set &quot;gauge&quot;: true</source>
+        <translation>%1; для избыточного давления задайте &quot;gauge&quot;: true</translation>
+    </message>
+    <message>
+        <source>%1 in %2, the default without a unit in the heading; write the unit above the column, for example Pa</source>
+        <translation>%1 в %2, как принято без единицы в заголовке; напишите единицу над столбцом, например Па</translation>
+    </message>
+    <message>
+        <source>a cycle must have at most %1 rows: use larger steps</source>
+        <translation>в цикле должно быть не больше %1 строк: возьмите больший шаг</translation>
+    </message>
+    <message>
+        <source>must have rows of numbers</source>
+        <translation>должно содержать строки чисел</translation>
+    </message>
+    <message>
+        <source>The file has no crank angles: equal steps over one cycle are assumed.</source>
+        <translation>В файле нет углов поворота: приняты равные шаги по одному циклу.</translation>
+    </message>
+    <message>
+        <source>The column of the crank angle is uncertain; column %1 is proposed.</source>
+        <translation>Столбец угла поворота неоднозначен; предложен столбец %1.</translation>
+    </message>
+    <message>
+        <source>No unit in the heading; the numbers look like %1.</source>
+        <translation>Заголовок не называет единицу; числа похожи на %1.</translation>
+    </message>
+    <message>
+        <source>The minimum pressure is %1 %2: gauge pressure?</source>
+        <translation>Минимальное давление %1 %2: это избыточное давление?</translation>
+    </message>
+    <message>
+        <source>must have as many numbers as %1, %2</source>
+        <translation>чисел должно быть столько же, сколько в «%1», %2</translation>
+    </message>
+    <message>
+        <source>must have at least 3 numbers</source>
+        <translation>должно быть хотя бы 3 числа</translation>
+    </message>
+    <message>
+        <source>must have at most %1 numbers: average the cycles, or use larger steps</source>
+        <translation>должно быть не больше %1 чисел: усредните циклы или возьмите больший шаг</translation>
+    </message>
+    <message>
+        <source>The peak of the pressure trace is at %1, near the gas-exchange dead centre. The firing dead centre is at 360°: shift the trace by one turn.</source>
+        <translation>Пик индикаторной диаграммы при %1, у мёртвой точки газообмена. Мёртвая точка сгорания при 360°: сдвиньте диаграмму на оборот.</translation>
+    </message>
+    <message>
+        <source>The peak of the pressure trace is %1 after the firing dead centre at %2; usual: 5° before to 45° after. Check the phase of the crank angles.</source>
+        <translation>Пик индикаторной диаграммы на %1 после мёртвой точки сгорания при %2; обычно от 5° до неё до 45° после. Проверьте фазу углов.</translation>
+    </message>
+    <message>
+        <source>The trace looks like gauge pressure: %1 bar at the bottom dead centre before compression. Read it as gauge pressure (&quot;gauge&quot;: true).</source>
+        <translation>Похоже на избыточное давление: %1 бар в нижней мёртвой точке перед сжатием. Прочтите его как избыточное (&quot;gauge&quot;: true).</translation>
+    </message>
+    <message>
+        <source>Pressure at the bottom dead centre before compression: %1 bar. The numbers look like %2, but the heading has %3.</source>
+        <translation>Давление в нижней мёртвой точке перед сжатием: %1 бар. Числа похожи на %2, но в заголовке %3.</translation>
+    </message>
+    <message>
+        <source>Pressure at the bottom dead centre before compression: %1 bar. The numbers look like %2; without a unit in the heading, %3 was used.</source>
+        <translation>Давление в нижней мёртвой точке перед сжатием: %1 бар. Числа похожи на %2; единицы в заголовке нет, принято %3.</translation>
+    </message>
+    <message>
+        <source>Polytropic exponent of the compression: %1; usual: 1.25 to 1.42. Check the phase of the crank angles and the zero of the pressure.</source>
+        <translation>Показатель политропы сжатия: %1; обычно 1,25–1,42. Проверьте фазу углов и нуль давления.</translation>
     </message>
     <message>
         <source>Crankshaft speed.</source>
@@ -3933,84 +3933,32 @@
         <translation>Часть массы шатуна, отнесённая к оси поршневого пальца.</translation>
     </message>
     <message>
-        <source>Its small-end share above is a part of it; the rest turns with the crankpin and is balanced by the crank&apos;s own counterweights.</source>
-        <translation>Доля у пальца, указанная выше, — его часть; остальное вращается с шатунной шейкой и уравновешено противовесами самого коленчатого вала.</translation>
-    </message>
-    <message>
         <source>From the axis to the centre of mass of each of the two equal counterweights.</source>
         <translation>От оси до центра масс каждого из двух одинаковых противовесов.</translation>
-    </message>
-    <message>
-        <source>One of the two equal counterweights.</source>
-        <translation>Один из двух одинаковых противовесов.</translation>
     </message>
     <message>
         <source>From the crank axis to the shaft axis.</source>
         <translation>От оси коленчатого вала до оси балансирного.</translation>
     </message>
     <message>
-        <source>Criteria are those of the curve between the rows, not of the rows alone.</source>
-        <translation>Критерии относятся к кривой между строками, а не к одним строкам.</translation>
-    </message>
-    <message>
         <source>The relief of %1 is longer than two bores: check the length of the crankcase.</source>
         <translation>Лыска длиной %1 больше двух диаметров цилиндра: проверьте длину картера.</translation>
+    </message>
+    <message>
+        <source>Mass of the whole rod, including the small-end share above; the crank&apos;s own counterweights balance the rest.</source>
+        <translation>Масса всего шатуна с долей у пальца, указанной выше; остальное уравновешивают противовесы самого коленчатого вала.</translation>
+    </message>
+    <message>
+        <source>Mass of one of the two equal counterweights.</source>
+        <translation>Масса одного из двух одинаковых противовесов.</translation>
+    </message>
+    <message>
+        <source>Criteria use the curve between the rows.</source>
+        <translation>Критерии относятся к кривой между строками.</translation>
     </message>
 </context>
 <context>
     <name>bob-weights</name>
-    <message>
-        <source>Banks at %1 with crankpins split by %2: the parts of the first-order force that turn against the crank cancel, and 50 % takes up the rest. Nothing remains.</source>
-        <translation>Развал %1, шейки разведены на %2: части силы первого порядка, что вращаются против вала, взаимно уничтожаются, а 50&#xa0;% снимают остальное. Не остаётся ничего.</translation>
-    </message>
-    <message>
-        <source>Split crankpins: banks at %1 and a split of %2 leave a part of %3 of the reciprocating mass that turns against the crank. At %4 the part that turns with it is as large, and both make a motion to and fro in one direction, which mounts bear best. With a balance shaft that turns against the crank it is 50 %.</source>
-        <translation>Разведённые шейки: при развале %1 и разведении %2 часть, равная %3 возвратно-поступательной массы, вращается против вала. При доле %4 часть, что вращается с валом, так же велика, и вместе они движутся туда и обратно в одном направлении, что опоры переносят легче всего. С балансирным валом, вращающимся против коленчатого, — 50&#xa0;%.</translation>
-    </message>
-    <message>
-        <source>Two cylinders at 90° on one crankpin: their first-order forces add up to one of constant size that turns with the crank, as a mass of half of both on the crankpin would. 50 % takes up all of it.</source>
-        <translation>Два цилиндра под 90° на одной шейке: их силы первого порядка складываются в силу постоянной величины, вращающуюся с валом, — как масса в половину обеих на шейке. 50&#xa0;% снимают её всю.</translation>
-    </message>
-    <message>
-        <source>Banks at %1: with 50 % the part of the first-order force that turns with the crank is taken up; a part of %2 of the reciprocating mass turns against it and no counterweight reaches it. The crankpins together may cancel it.</source>
-        <translation>Развал %1: при 50&#xa0;% снята часть силы первого порядка, что вращается с валом; часть, равная %2 возвратно-поступательной массы, вращается против него, и противовес её не достаёт. Шейки вместе могут её уничтожить.</translation>
-    </message>
-    <message>
-        <source>Boxer: opposite pistons cancel each other&apos;s force. The factor concerns what is left of their couple and the load of the main bearings; 50 % makes its largest value smallest.</source>
-        <translation>Оппозитный: противолежащие поршни уничтожают силу друг друга. Доля касается остатка их момента и нагрузки коренных подшипников; при 50&#xa0;% наибольшее значение наименьшее.</translation>
-    </message>
-    <message>
-        <source>In line: 50 % turns the to and fro of each piston into a circle of half the size. Where the crankpins balance one another (four, six in line) the factor changes the load of the main bearings alone, and no bob weights are needed where all would weigh the same.</source>
-        <translation>Рядный: 50&#xa0;% превращают движение туда и обратно каждого поршня в круг половинной величины. Где шейки уравновешивают друг друга (четыре, шесть в ряд), доля меняет только нагрузку коренных подшипников, и грузы не нужны, если все весили бы одинаково.</translation>
-    </message>
-    <message>
-        <source>Each rod on a crankpin of its own: 50 % turns the to and fro of each piston into a circle of half the size that turns against the crank.</source>
-        <translation>У каждого шатуна своя шейка: 50&#xa0;% превращают движение туда и обратно каждого поршня в круг половинной величины, вращающийся против вала.</translation>
-    </message>
-    <message>
-        <source>Of the first-order force nothing remains.</source>
-        <translation>От силы первого порядка не остаётся ничего.</translation>
-    </message>
-    <message>
-        <source>A circle remains that turns against the crank: %1 of the reciprocating mass of a cylinder.</source>
-        <translation>Остаётся круг, вращающийся против вала: %1 возвратно-поступательной массы цилиндра.</translation>
-    </message>
-    <message>
-        <source>A circle remains that turns with the crank: %1 of the reciprocating mass of a cylinder.</source>
-        <translation>Остаётся круг, вращающийся с валом: %1 возвратно-поступательной массы цилиндра.</translation>
-    </message>
-    <message>
-        <source>A motion straight up and down remains: %1 of the reciprocating mass of a cylinder.</source>
-        <translation>Остаётся движение прямо вверх и вниз: %1 возвратно-поступательной массы цилиндра.</translation>
-    </message>
-    <message>
-        <source>A motion straight across remains: %1 of the reciprocating mass of a cylinder.</source>
-        <translation>Остаётся движение прямо поперёк: %1 возвратно-поступательной массы цилиндра.</translation>
-    </message>
-    <message>
-        <source>An ellipse remains: %1 of the reciprocating mass of a cylinder upright, %2 across.</source>
-        <translation>Остаётся эллипс: %1 возвратно-поступательной массы цилиндра по высоте, %2 поперёк.</translation>
-    </message>
     <message>
         <source>Rin&amp;gs</source>
         <translation>&amp;Кольца</translation>
@@ -4040,16 +3988,8 @@
         <translation>&amp;Стопорные кольца</translation>
     </message>
     <message>
-        <source>The locks of one pin; 0 where it is pressed in.</source>
-        <translation>Стопорные кольца одного пальца; 0, если палец запрессован.</translation>
-    </message>
-    <message>
         <source>S&amp;mall end</source>
         <translation>&amp;Верхняя головка</translation>
-    </message>
-    <message>
-        <source>Small end of one rod, the big end hung up level.</source>
-        <translation>Верхняя головка одного шатуна, нижняя подвешена на том же уровне.</translation>
     </message>
     <message>
         <source>&amp;Big end</source>
@@ -4060,24 +4000,8 @@
         <translation>Нижняя головка одного шатуна с болтами, без вкладышей.</translation>
     </message>
     <message>
-        <source>must be even where two rods share a bob weight</source>
-        <translation>должно быть чётным, если на грузе два шатуна</translation>
-    </message>
-    <message>
-        <source>must be 1 where the cylinders stand in line</source>
-        <translation>должно быть 1, если цилиндры в ряд</translation>
-    </message>
-    <message>
-        <source>must be 0 but for a V</source>
-        <translation>должно быть 0, если двигатель не V-образный</translation>
-    </message>
-    <message>
         <source>must be a list of two</source>
         <translation>должен быть списком из двух</translation>
-    </message>
-    <message>
-        <source>must differ from that of the first</source>
-        <translation>должно отличаться от первого</translation>
     </message>
     <message>
         <source>must be greater than the crankshaft&apos;s %1</source>
@@ -4124,32 +4048,16 @@
         <translation>Внешняя: ещё гаситель и маховик</translation>
     </message>
     <message>
-        <source>Which engine it is.</source>
-        <translation>Какой это двигатель.</translation>
-    </message>
-    <message>
         <source>&amp;Engine</source>
         <translation>Дви&amp;гатель</translation>
-    </message>
-    <message>
-        <source>How the cylinders stand.</source>
-        <translation>Как стоят цилиндры.</translation>
     </message>
     <message>
         <source>&amp;Cylinders</source>
         <translation>&amp;Цилиндров</translation>
     </message>
     <message>
-        <source>How many the engine has.</source>
-        <translation>Сколько их у двигателя.</translation>
-    </message>
-    <message>
         <source>&amp;Bank angle γ</source>
         <translation>Ра&amp;звал γ</translation>
-    </message>
-    <message>
-        <source>Between the two banks of a V.</source>
-        <translation>Между двумя рядами V-образного двигателя.</translation>
     </message>
     <message>
         <source>&amp;Rods on a bob weight</source>
@@ -4160,16 +4068,8 @@
         <translation>Разве&amp;дение шеек δ</translation>
     </message>
     <message>
-        <source>By how much the two crankpins of a throw are turned apart, positive where the firing interval becomes γ + δ: 30° makes a 90° V-6 fire evenly.</source>
-        <translation>Насколько развёрнуты две шейки колена, положительно, если интервал между вспышками становится γ + δ: при 30° вспышки V-6 90° равномерны.</translation>
-    </message>
-    <message>
         <source>Part of the reciprocating mass in the bob weight.</source>
         <translation>Часть возвратно-поступательной массы в грузе.</translation>
-    </message>
-    <message>
-        <source>Reciprocating &amp;factor</source>
-        <translation>&amp;Доля возвратно-поступательной</translation>
     </message>
     <message>
         <source>by theory</source>
@@ -4177,11 +4077,11 @@
     </message>
     <message>
         <source>&amp;Overbalance</source>
-        <translation>Переб&amp;алансировка</translation>
+        <translation>Переб&amp;аланс</translation>
     </message>
     <message>
         <source>Added to the factor; negative for underbalance. Usual for high speeds: 1 to 3 %.</source>
-        <translation>Прибавляется к доле; отрицательна при недобалансировке. Для высоких оборотов обычно 1–3&#xa0;%.</translation>
+        <translation>Прибавляется к коэффициенту; отрицателен при недобалансе. Для высоких оборотов обычно 1–3 %.</translation>
     </message>
     <message>
         <source>Masses of one cylinder&apos;s parts.</source>
@@ -4200,14 +4100,6 @@
         <translation>&amp;Балансировка</translation>
     </message>
     <message>
-        <source>An externally balanced crankshaft is balanced with its damper and its flywheel in place.</source>
-        <translation>Вал с внешней балансировкой балансируют вместе с гасителем колебаний и маховиком.</translation>
-    </message>
-    <message>
-        <source>Readings of the machine, and how they are corrected.</source>
-        <translation>Показания станка и как их исправить.</translation>
-    </message>
-    <message>
         <source>The two correction planes.</source>
         <translation>Две плоскости коррекции.</translation>
     </message>
@@ -4216,20 +4108,12 @@
         <translation>Положение</translation>
     </message>
     <message>
-        <source>Along the crankshaft, from a point of your choice: of both planes, of readings and bearings alike.</source>
-        <translation>Вдоль вала, от любой выбранной точки: одной для плоскостей, показаний и подшипников.</translation>
-    </message>
-    <message>
         <source>Radius</source>
         <translation>Радиус</translation>
     </message>
     <message>
         <source>Drill from</source>
         <translation>Сверлить от</translation>
-    </message>
-    <message>
-        <source>all round</source>
-        <translation>весь круг</translation>
     </message>
     <message>
         <source>Drill to</source>
@@ -4256,28 +4140,12 @@
         <translation>Тяжёлое место</translation>
     </message>
     <message>
-        <source>Drills at hand.</source>
-        <translation>Имеющиеся свёрла.</translation>
-    </message>
-    <message>
         <source>&amp;Drills</source>
         <translation>&amp;Свёрла</translation>
     </message>
     <message>
-        <source>Diameters of the drills at hand.</source>
-        <translation>Диаметры имеющихся свёрл.</translation>
-    </message>
-    <message>
         <source>De&amp;nsity</source>
         <translation>&amp;Плотность</translation>
-    </message>
-    <message>
-        <source>Of the crankshaft: steel 7850, cast iron 7200 kg/m³.</source>
-        <translation>Вала: сталь 7850, чугун 7200 кг/м³.</translation>
-    </message>
-    <message>
-        <source>&amp;Deepest hole</source>
-        <translation>&amp;Наибольшая глубина</translation>
     </message>
     <message>
         <source>&amp;Point angle</source>
@@ -4288,32 +4156,8 @@
         <translation>&amp;Шаг глубины</translation>
     </message>
     <message>
-        <source>Depths are rounded to it. 0: they are not.</source>
-        <translation>До него округляются глубины. 0: не округляются.</translation>
-    </message>
-    <message>
         <source>&amp;Wall between holes</source>
         <translation>С&amp;тенка между отверстиями</translation>
-    </message>
-    <message>
-        <source>The least that stays between two holes at their bottoms.</source>
-        <translation>Наименьшая, что остаётся между отверстиями у дна.</translation>
-    </message>
-    <message>
-        <source>&amp;Most holes</source>
-        <translation>&amp;Отверстий не больше</translation>
-    </message>
-    <message>
-        <source>In one plane.</source>
-        <translation>В одной плоскости.</translation>
-    </message>
-    <message>
-        <source>&amp;Farthest hole</source>
-        <translation>&amp;Дальнее отверстие</translation>
-    </message>
-    <message>
-        <source>From the heavy spot to the last hole on either side.</source>
-        <translation>От тяжёлого места до крайнего отверстия с каждой стороны.</translation>
     </message>
     <message>
         <source>Heavy metal pressed in opposite the heavy spot.</source>
@@ -4336,16 +4180,8 @@
         <translation>Тяжёлый сплав вольфрама 17 000–18 500 кг/м³.</translation>
     </message>
     <message>
-        <source>What may remain in each plane.</source>
-        <translation>Что может остаться в каждой плоскости.</translation>
-    </message>
-    <message>
         <source>&amp;Limit of a plane</source>
         <translation>&amp;Допуск плоскости</translation>
-    </message>
-    <message>
-        <source>Unbalance that may remain in each plane.</source>
-        <translation>Дисбаланс, который может остаться в каждой плоскости.</translation>
     </message>
     <message>
         <source>Centre of mass</source>
@@ -4358,10 +4194,6 @@
     <message>
         <source>Front bearing</source>
         <translation>Передний подшипник</translation>
-    </message>
-    <message>
-        <source>With both end bearings the standard&apos;s limits hold there, and the planes&apos; follow from the distances.</source>
-        <translation>Если заданы оба крайних подшипника, допуски стандарта действуют в них, а допуски плоскостей следуют из расстояний.</translation>
     </message>
     <message>
         <source>not given</source>
@@ -4384,24 +4216,8 @@
         <translation>β — направление цилиндра, ψ — его шейки: одна половина вращается с валом, другая против него</translation>
     </message>
     <message>
-        <source>What the counterweights leave</source>
-        <translation>Что оставляют противовесы</translation>
-    </message>
-    <message>
-        <source>of the cylinders of a throw; F factor in all, γ bank angle, δ split of the crankpins, φ direction of the throw from the middle of the banks</source>
-        <translation>цилиндров одного колена; F — доля с перебалансировкой, γ — развал, δ — разведение шеек, φ — направление колена от середины развала</translation>
-    </message>
-    <message>
-        <source>Factor by theory</source>
-        <translation>Доля по теории</translation>
-    </message>
-    <message>
         <source>Bob weight</source>
         <translation>Балансировочный груз</translation>
-    </message>
-    <message>
-        <source>Readings taken to the planes</source>
-        <translation>Показания, перенесённые в плоскости</translation>
     </message>
     <message>
         <source>A, B vectors read at a, b; U₁, U₂ in the planes at z₁, z₂: same force, same moment</source>
@@ -4414,22 +4230,6 @@
     <message>
         <source>The crankshaft is rigid.</source>
         <translation>Коленчатый вал жёсткий.</translation>
-    </message>
-    <message>
-        <source>The factor follows from the first order alone; higher orders no bob weight reaches.</source>
-        <translation>Доля следует только из первого порядка; до высших порядков груз не достаёт.</translation>
-    </message>
-    <message>
-        <source>Where couples of the crankpins add up along the crankshaft, the factor of one throw does not tell their sum: see inertia moments.</source>
-        <translation>Если моменты колен складываются вдоль вала, доля одного колена не говорит об их сумме: см. моменты сил инерции.</translation>
-    </message>
-    <message>
-        <source>The rim of a counterweight is taken as flat where a hole begins.</source>
-        <translation>Обод противовеса в месте отверстия считается плоским.</translation>
-    </message>
-    <message>
-        <source>All bob weights are alike, with the means of the weighed parts.</source>
-        <translation>Все грузы одинаковы, со средними взвешенных деталей.</translation>
     </message>
     <message>
         <source>V-6, 90°, even firing (crankpins split by 30°)</source>
@@ -4464,88 +4264,24 @@
         <translation>Один цилиндр</translation>
     </message>
     <message>
-        <source>The smallest hole takes off more than is to go: use a thinner drill or one with a flatter point.</source>
-        <translation>Самое малое отверстие снимает больше, чем нужно: возьмите сверло тоньше или с более плоским концом.</translation>
-    </message>
-    <message>
-        <source>The rounding of the depths leaves more than the limit: take a finer step or a thinner drill.</source>
-        <translation>Округление глубин оставляет больше допуска: возьмите шаг мельче или сверло тоньше.</translation>
-    </message>
-    <message>
         <source>must leave a factor of 0 or more</source>
-        <translation>должно оставлять долю не меньше 0</translation>
+        <translation>должно оставлять коэффициент не меньше 0</translation>
     </message>
     <message>
         <source>S&amp;hells of one rod</source>
         <translation>Вклад&amp;ыши шатуна</translation>
     </message>
     <message>
-        <source>The two shells of one rod, not those of the whole crankpin: they count once for each rod on it.</source>
-        <translation>Два вкладыша одного шатуна, а не всей шейки: они считаются по разу на каждый её шатун.</translation>
-    </message>
-    <message>
         <source>&amp;Oil of one crankpin</source>
         <translation>&amp;Масло одной шейки</translation>
-    </message>
-    <message>
-        <source>Oil in one crankpin and about it, once for all of its rods: usually 4 g.</source>
-        <translation>Масло в одной шейке и около неё, один раз на все её шатуны: обычно 4 г.</translation>
     </message>
     <message>
         <source>must be a list of at most %1</source>
         <translation>должен быть список не длиннее %1</translation>
     </message>
     <message>
-        <source>What the machine reads, the bob weights on the crankpins: the newest run, which is corrected.</source>
-        <translation>Показания станка с грузами на шейках: последний пуск, который исправляется.</translation>
-    </message>
-    <message>
-        <source>Runs of the machine before the newest, the first as the crankshaft came; each with two readings, taken where the newest are.</source>
-        <translation>Пуски станка до последнего, первый — вал, каким он пришёл; у каждого два показания, измеренные там же, где последние.</translation>
-    </message>
-    <message>
-        <source>What the machine read in that run.</source>
-        <translation>Показания станка в этом пуске.</translation>
-    </message>
-    <message>
-        <source>To the full diameter: the cone of the drill&apos;s point lies beyond it.</source>
-        <translation>До полного диаметра: конус сверла лежит глубже.</translation>
-    </message>
-    <message>
-        <source>Part of the reciprocating mass that the counterweights take up.</source>
-        <translation>Часть возвратно-поступательной массы, которую снимают противовесы.</translation>
-    </message>
-    <message>
-        <source>what theory gives for the engine; the maker&apos;s figure goes before it</source>
-        <translation>по теории для этого двигателя; данные изготовителя важнее</translation>
-    </message>
-    <message>
-        <source>Where the machine reads.</source>
-        <translation>Где измеряет станок.</translation>
-    </message>
-    <message>
-        <source>in the correction plane itself</source>
-        <translation>в самой плоскости коррекции</translation>
-    </message>
-    <message>
         <source>Along the crankshaft.</source>
         <translation>Вдоль вала.</translation>
-    </message>
-    <message>
-        <source>Diameter of the slugs at hand.</source>
-        <translation>Диаметр имеющихся вставок.</translation>
-    </message>
-    <message>
-        <source>From the axis to the rim that is drilled: what is to be taken off at a radius is given for this one.</source>
-        <translation>От оси до обода, который сверлят: сколько снять на радиусе, указано для этого.</translation>
-    </message>
-    <message>
-        <source>the standard&apos;s limits are shared out to the planes</source>
-        <translation>допуск по стандарту делится между плоскостями</translation>
-    </message>
-    <message>
-        <source>Banks at %1: with 50 % the part of the first-order force that turns with the crank is taken up; a part of %2 of the reciprocating mass turns against it and no counterweight reaches it.</source>
-        <translation>Развал %1: при 50&#xa0;% снята часть силы первого порядка, что вращается с валом; часть, равная %2 возвратно-поступательной массы, вращается против него, и противовес её не достаёт.</translation>
     </message>
     <message>
         <source>Front</source>
@@ -4558,10 +4294,6 @@
     <message>
         <source>Plane</source>
         <translation>Плоскость</translation>
-    </message>
-    <message>
-        <source>Where it was drilled.</source>
-        <translation>Где просверлено.</translation>
     </message>
     <message>
         <source>Hole</source>
@@ -4580,16 +4312,8 @@
         <translation>Угол</translation>
     </message>
     <message>
-        <source>From the machine&apos;s zero mark.</source>
-        <translation>От нулевой метки станка.</translation>
-    </message>
-    <message>
         <source>Takes off</source>
         <translation>Снимает</translation>
-    </message>
-    <message>
-        <source>Holes and slugs that were planned after that run, taken as drilled as planned; later holes keep clear of them. Where the list is missing they are planned from its readings with the planes and drills of the case.</source>
-        <translation>Отверстия и вставки, рассчитанные после этого пуска; считаются сделанными, как рассчитано, и следующие отверстия их обходят. Если списка нет, они рассчитываются по его показаниям с плоскостями и свёрлами задачи.</translation>
     </message>
     <message>
         <source>mⱼ reciprocating, mᵣ rotating mass; m₁ rings, m₂ piston, m₃ pin, m₄ locks, m₅ small end, m₆ big end, m₇ shells</source>
@@ -4600,32 +4324,8 @@
         <translation>n — шатунов на нём, mₘ — масло в шейке</translation>
     </message>
     <message>
-        <source>The same of the newest run, where a further one was begun and emptied again: for when it is typed anew.</source>
-        <translation>То же для последнего пуска, если следующий был начат и снова стёрт: на случай, если его впишут заново.</translation>
-    </message>
-    <message>
-        <source>The readings from which the holes of drilled were planned, where those of the run have been put right since.</source>
-        <translation>Показания, по которым рассчитаны отверстия drilled, если показания пуска с тех пор исправлены.</translation>
-    </message>
-    <message>
-        <source>Angle of the heavy spot from the machine&apos;s zero mark; a machine that shows the light spot shows it 180° from here. A reading of 0 has none.</source>
-        <translation>Угол тяжёлого места от нулевой метки станка; станок, показывающий лёгкое место, показывает его на 180° дальше. У показания 0 угла нет.</translation>
-    </message>
-    <message>
-        <source>Of the drill&apos;s point: 118°, 135°; 180° for a flat end. Holes of slugs have it, too.</source>
-        <translation>Сверла: 118°, 135°; 180° — плоский торец. У отверстий вставок он тот же.</translation>
-    </message>
-    <message>
-        <source>Negative: a slug, which adds so much more than its hole took off.</source>
-        <translation>Отрицательно: вставка, которая прибавляет на столько больше, чем сняло её отверстие.</translation>
-    </message>
-    <message>
         <source>Slug</source>
         <translation>Вставка</translation>
-    </message>
-    <message>
-        <source>The slug&apos;s own mass, as on the scale.</source>
-        <translation>Собственная масса вставки, как на весах.</translation>
     </message>
     <message>
         <source>R radius of the rim, d diameter, h depth of the full diameter, σ angle of the point, ρ density</source>
@@ -4636,44 +4336,8 @@
         <translation>Дисбаланс, который прибавляет вставка</translation>
     </message>
     <message>
-        <source>ρₛ density of the slug, h its length, u what its hole takes off: the cone beneath it stays empty</source>
-        <translation>ρₛ — плотность вставки, h — её длина, u — что снимает её отверстие: конус под ней остаётся пустым</translation>
-    </message>
-    <message>
-        <source>The sector of the counterweight that may be drilled begins here. Its limits are those of the holes&apos; middles; whole holes lie in it where that takes off as much.</source>
-        <translation>Здесь начинается сектор противовеса, где можно сверлить. Его границы — для середин отверстий; целиком отверстия лежат в нём, если так снимается столько же.</translation>
-    </message>
-    <message>
-        <source>The sector ends here, in the sense of growing angles: a limit of the holes&apos; middles.</source>
-        <translation>Здесь сектор кончается, в сторону растущих углов: граница для середин отверстий.</translation>
-    </message>
-    <message>
-        <source>Split crankpins: banks at %1 and a split of %2 leave a part of %3 of the reciprocating mass that turns against the crank. The part that turns with it is smaller, %4, even at 0 %: no factor makes both equal. With a balance shaft that turns against the crank it is 50 %.</source>
-        <translation>Разведённые шейки: при развале %1 и разведении %2 против вала вращается часть %3 возвратно-поступательной массы. Часть, что вращается с валом, меньше, %4, даже при 0 %: ни один коэффициент не сделает их равными. С уравновешивающим валом, вращающимся против коленчатого, это 50 %.</translation>
-    </message>
-    <message>
-        <source>Two where two rods share a crankpin. Of split crankpins each carries one rod and one bob weight.</source>
-        <translation>Два, если на шейке два шатуна. На каждой из разведённых шеек один шатун и один груз.</translation>
-    </message>
-    <message>
-        <source>%1: the typed %2 is replaced by the weights.</source>
-        <translation>%1: введённое %2 заменено взвешенным.</translation>
-    </message>
-    <message>
-        <source>%1: %2 of %3 weighed; the typed mass counts until all are.</source>
-        <translation>%1: взвешено %2 из %3; пока не все, учитывается введённая масса.</translation>
-    </message>
-    <message>
-        <source>%1: %2 of %3 weighed; they do not count until all are.</source>
-        <translation>%1: взвешено %2 из %3; пока не все, они не учитываются.</translation>
-    </message>
-    <message>
         <source>Reciprocating mass</source>
         <translation>Возвратно-поступательная масса</translation>
-    </message>
-    <message>
-        <source>Of one cylinder.</source>
-        <translation>Одного цилиндра.</translation>
     </message>
     <message>
         <source>Rotating mass</source>
@@ -4804,10 +4468,6 @@
         <translation>Навесьте балансировочные грузы по %1 на шатунные шейки: %2.</translation>
     </message>
     <message>
-        <source>The last drilling did not act as planned: find out why before drilling again.</source>
-        <translation>Последнее сверление подействовало не так, как планировалось: прежде чем сверлить дальше, выясните причину.</translation>
-    </message>
-    <message>
         <source>A mass of %1 looks like kilograms.</source>
         <translation>Масса %1 похожа на введённую в килограммах.</translation>
     </message>
@@ -4856,10 +4516,6 @@
         <translation>Цель</translation>
     </message>
     <message>
-        <source>Take off all that the holes can, or stop within the limit with the fewest holes.</source>
-        <translation>Снять всё, что могут отверстия, или остановиться в пределах допуска при наименьшем числе отверстий.</translation>
-    </message>
-    <message>
         <source>Depth before</source>
         <translation>Глубина до углубления</translation>
     </message>
@@ -4880,84 +4536,420 @@
         <translation>Состояние</translation>
     </message>
     <message>
-        <source>What was really drilled. Measured: depth and angle are those found. Wrong side: half a turn from the angle given.</source>
-        <translation>Что просверлено на самом деле. По измерению: глубина и угол измерены. Не с той стороны: в пол-обороте от указанного угла.</translation>
-    </message>
-    <message>
-        <source>How slugs are pressed in.</source>
-        <translation>Как запрессовываются вставки.</translation>
-    </message>
-    <message>
-        <source>Of the permissible unbalance, where positions of planes, bearings or centre of mass do not give it.</source>
-        <translation>Доля допустимого дисбаланса, если её не задают положения плоскостей, подшипников или центра масс.</translation>
-    </message>
-    <message>
-        <source>must be left out where centre of mass or bearings give it</source>
-        <translation>не указывается, если её задают центр масс или подшипники</translation>
-    </message>
-    <message>
         <source>Centrifugal force</source>
         <translation>Центробежная сила</translation>
-    </message>
-    <message>
-        <source>Of the slug at the service speed.</source>
-        <translation>Сила, действующая на вставку при рабочей частоте вращения.</translation>
-    </message>
-    <message>
-        <source>Enter what may remain for a verdict.</source>
-        <translation>Для вывода введите допустимый остаточный дисбаланс.</translation>
     </message>
     <message>
         <source>Enter the reading of the other plane.</source>
         <translation>Введите показание другой плоскости.</translation>
     </message>
     <message>
-        <source>The heavy spot lies outside the sector that may be drilled, and holes at its edge take off only a part.</source>
-        <translation>Тяжёлое место вне сектора сверления, а отверстия на его краю снимают только часть.</translation>
-    </message>
-    <message>
-        <source>The heavy spot lies outside the sector that may be drilled.</source>
-        <translation>Тяжёлое место вне сектора сверления.</translation>
-    </message>
-    <message>
-        <source>Slugs of %1 hardly outweigh the %2 of the crankshaft that their holes take off: none is planned.</source>
-        <translation>Вставки плотностью %1 едва тяжелее металла вала (%2), который снимают их отверстия: они не планируются.</translation>
-    </message>
-    <message>
-        <source>A slug of %1 as long as the deepest hole may be does not outweigh the %2 of the crankshaft that its hole takes off with the cone beneath it: none is planned.</source>
-        <translation>Вставка плотностью %1 длиной в предельную глубину не перевешивает металл вала (%2), снятый отверстием вместе с конусом под ней: она не планируется.</translation>
-    </message>
-    <message>
-        <source>The holes have too little room beside those of earlier runs.</source>
-        <translation>Рядом с отверстиями прежних пусков отверстиям мало места.</translation>
-    </message>
-    <message>
         <source>The holes have too little room.</source>
         <translation>Отверстиям мало места.</translation>
-    </message>
-    <message>
-        <source>%1 at the radius remain at %2.</source>
-        <translation>Остаётся %1 на радиусе под углом %2.</translation>
-    </message>
-    <message>
-        <source>The side opposite lies outside the sector, too: drill deeper or wider, or as a last resort weld that much on opposite.</source>
-        <translation>Противоположная сторона тоже вне сектора: сверлите глубже или шире либо, в крайнем случае, наварите столько же напротив.</translation>
-    </message>
-    <message>
-        <source>As a last resort weld that much on opposite.</source>
-        <translation>В крайнем случае наварите столько же напротив.</translation>
-    </message>
-    <message>
-        <source>Press heavy metal in opposite, drill deeper or wider, or as a last resort weld that much on opposite.</source>
-        <translation>Запрессуйте напротив тяжёлый сплав, сверлите глубже или шире либо, в крайнем случае, наварите столько же напротив.</translation>
     </message>
     <message>
         <source>After the planned correction: %1 %3, %2 %4.</source>
         <translation>После плановой коррекции: %3 %1, %4 %2.</translation>
     </message>
     <message>
-        <source>No bob weights are needed: the crankpins balance one another. Where they are hung, each weighs %1.</source>
-        <translation>Балансировочные грузы не нужны: шатунные шейки уравновешивают друг друга. Если их всё же навешивают, каждый весит %1.</translation>
+        <source>Banks at %1, crankpins split by %2: the backward parts of the first order cancel, 50 % balances the rest. First-order force fully balanced.</source>
+        <translation>Развал %1, шейки разведены на %2: обратные части первого порядка взаимно уничтожаются, 50 % уравновешивают остальное. Сила первого порядка уравновешена полностью.</translation>
+    </message>
+    <message>
+        <source>Banks at %1, crankpins split by %2: %3 of the reciprocating mass turns against the crank, with the crank only %4 even at 0 %. With a backward balance shaft use 50 %.</source>
+        <translation>Развал %1, шейки разведены на %2: против вала вращается %3 возвратно-поступательной массы, с валом только %4 даже при 0 %. С балансирным валом встречного вращения — 50 %.</translation>
+    </message>
+    <message>
+        <source>Banks at %1, crankpins split by %2: %3 of the reciprocating mass turns against the crank. At %4 the residual is a straight motion, easiest on the mounts; with a backward balance shaft use 50 %.</source>
+        <translation>Развал %1, шейки разведены на %2: %3 возвратно-поступательной массы вращается против вала. При %4 остаток — прямолинейное движение, самое лёгкое для опор; с балансирным валом встречного вращения — 50 %.</translation>
+    </message>
+    <message>
+        <source>Two cylinders at 90° on one crankpin: their first-order forces add up to a constant force that turns with the crank. 50 % balances it fully.</source>
+        <translation>Два цилиндра под 90° на одной шейке: их силы первого порядка складываются в постоянную силу, вращающуюся с валом. 50 % уравновешивают её полностью.</translation>
+    </message>
+    <message>
+        <source>Banks at %1: 50 % balances the forward part of the first order. Counterweights cannot balance the backward part, %2 of the reciprocating mass.</source>
+        <translation>Развал %1: 50 % уравновешивают прямую часть первого порядка. Обратную часть, %2 возвратно-поступательной массы, противовесы уравновесить не могут.</translation>
+    </message>
+    <message>
+        <source>Banks at %1: 50 % balances the forward part of the first order. The backward part, %2 of the reciprocating mass, may cancel between the crankpins, not by counterweights.</source>
+        <translation>Развал %1: 50 % уравновешивают прямую часть первого порядка. Обратную часть, %2 возвратно-поступательной массы, могут погасить шейки вместе, но не противовесы.</translation>
+    </message>
+    <message>
+        <source>Boxer: opposite pistons cancel each other&apos;s force. The factor affects residual couple and main bearing load; 50 % minimises the maximum.</source>
+        <translation>Оппозитный: противолежащие поршни уничтожают силу друг друга. Коэффициент влияет на остаточный момент и нагрузку коренных подшипников; 50 % минимизируют максимум.</translation>
+    </message>
+    <message>
+        <source>In line: 50 % halves the first-order force of each piston. If the crankpins balance one another (four, six in line), equal bob weights are not needed.</source>
+        <translation>Рядный: 50 % вдвое уменьшают силу первого порядка каждого поршня. Если шейки уравновешивают друг друга (четыре, шесть в ряд), одинаковые грузы не нужны.</translation>
+    </message>
+    <message>
+        <source>Each rod on its own crankpin: 50 % leaves half the first-order force of each piston, turning against the crank.</source>
+        <translation>У каждого шатуна своя шейка: 50 % оставляют половину силы первого порядка каждого поршня, вращающуюся против вала.</translation>
+    </message>
+    <message>
+        <source>First-order force fully balanced.</source>
+        <translation>Сила первого порядка уравновешена полностью.</translation>
+    </message>
+    <message>
+        <source>Residual: a circle against the crank, %1 of the reciprocating mass of a cylinder.</source>
+        <translation>Остаток: круг против вала, %1 возвратно-поступательной массы цилиндра.</translation>
+    </message>
+    <message>
+        <source>Residual: a circle with the crank, %1 of the reciprocating mass of a cylinder.</source>
+        <translation>Остаток: круг с валом, %1 возвратно-поступательной массы цилиндра.</translation>
+    </message>
+    <message>
+        <source>Residual: a straight vertical motion, %1 of the reciprocating mass of a cylinder.</source>
+        <translation>Остаток: прямолинейное движение по вертикали, %1 возвратно-поступательной массы цилиндра.</translation>
+    </message>
+    <message>
+        <source>Residual: a straight horizontal motion, %1 of the reciprocating mass of a cylinder.</source>
+        <translation>Остаток: прямолинейное движение по горизонтали, %1 возвратно-поступательной массы цилиндра.</translation>
+    </message>
+    <message>
+        <source>Residual: an ellipse, %1 of the reciprocating mass of a cylinder vertically, %2 horizontally.</source>
+        <translation>Остаток: эллипс, %1 возвратно-поступательной массы цилиндра по вертикали, %2 по горизонтали.</translation>
+    </message>
+    <message>
+        <source>The locks of one pin; 0 for a pressed pin.</source>
+        <translation>Стопорные кольца одного пальца; 0, если палец запрессован.</translation>
+    </message>
+    <message>
+        <source>Small end of one rod, with the big end supported at the same level.</source>
+        <translation>Верхняя головка одного шатуна, нижняя подвешена на том же уровне.</translation>
+    </message>
+    <message>
+        <source>Both shells of one rod, not of the whole crankpin; each rod adds its own.</source>
+        <translation>Оба вкладыша одного шатуна, а не всей шейки; каждый шатун добавляет свои.</translation>
+    </message>
+    <message>
+        <source>Oil in and around one crankpin, once for all its rods; usually 4 g.</source>
+        <translation>Масло в одной шейке и около неё, один раз на все её шатуны; обычно 4 г.</translation>
+    </message>
+    <message>
+        <source>The engine.</source>
+        <translation>Двигатель.</translation>
+    </message>
+    <message>
+        <source>Layout of the cylinders.</source>
+        <translation>Расположение цилиндров.</translation>
+    </message>
+    <message>
+        <source>Number of cylinders.</source>
+        <translation>Число цилиндров.</translation>
+    </message>
+    <message>
+        <source>Angle between the two banks of a V.</source>
+        <translation>Угол между рядами V-образного двигателя.</translation>
+    </message>
+    <message>
+        <source>Two if two rods share a crankpin. Each split crankpin has one rod and one bob weight.</source>
+        <translation>Два, если на шейке два шатуна. На каждой из разведённых шеек один шатун и один груз.</translation>
+    </message>
+    <message>
+        <source>Angle between the two crankpins of a throw; positive if the firing interval is γ + δ. A 90° V-6 with 30° fires evenly.</source>
+        <translation>Угол между двумя шейками колена; положителен, если интервал между вспышками γ + δ. При 30° вспышки V-6 90° равномерны.</translation>
+    </message>
+    <message>
+        <source>Balance &amp;factor</source>
+        <translation>&amp;Коэффициент балансировки</translation>
+    </message>
+    <message>
+        <source>by theory; prefer the manufacturer&apos;s figure</source>
+        <translation>по теории; предпочтите данные изготовителя</translation>
+    </message>
+    <message>
+        <source>Balance an externally balanced crankshaft with damper and flywheel in place.</source>
+        <translation>Вал с внешней балансировкой балансируйте с гасителем колебаний и маховиком.</translation>
+    </message>
+    <message>
+        <source>Readings of the machine and their correction.</source>
+        <translation>Показания станка и их коррекция.</translation>
+    </message>
+    <message>
+        <source>Position along the crankshaft, from any point; use the same point for planes, readings and bearings.</source>
+        <translation>Положение вдоль вала, от любой точки; одной для плоскостей, показаний и подшипников.</translation>
+    </message>
+    <message>
+        <source>From the axis to the drilled rim; masses to take off refer to this radius.</source>
+        <translation>От оси до обода, который сверлят; снимаемые массы относятся к этому радиусу.</translation>
+    </message>
+    <message>
+        <source>Start of the drilling sector of the counterweight, for the centres of the holes. Whole holes are inside if that takes off as much.</source>
+        <translation>Начало сектора сверления на противовесе, для центров отверстий. Отверстия лежат в нём целиком, если так снимается столько же.</translation>
+    </message>
+    <message>
+        <source>whole rim</source>
+        <translation>весь обод</translation>
+    </message>
+    <message>
+        <source>End of the sector, towards larger angles, for the centres of the holes.</source>
+        <translation>Конец сектора, в сторону больших углов, для центров отверстий.</translation>
+    </message>
+    <message>
+        <source>Readings of the newest run, with the bob weights on the crankpins.</source>
+        <translation>Показания последнего пуска, с грузами на шейках.</translation>
+    </message>
+    <message>
+        <source>Runs before the newest; the first is the crankshaft as received. Each has two readings, at the positions of the newest.</source>
+        <translation>Пуски до последнего; первый — вал при поступлении. У каждого два показания, в тех же местах, что и последние.</translation>
+    </message>
+    <message>
+        <source>Readings of that run.</source>
+        <translation>Показания этого пуска.</translation>
+    </message>
+    <message>
+        <source>Position of the reading.</source>
+        <translation>Положение измерения.</translation>
+    </message>
+    <message>
+        <source>in the correction plane</source>
+        <translation>в самой плоскости коррекции</translation>
+    </message>
+    <message>
+        <source>Angle of the heavy spot from the machine&apos;s zero mark; the light spot is 180° away. A reading of 0 has no angle.</source>
+        <translation>Угол тяжёлого места от нулевой метки станка; лёгкое место — на 180° дальше. У показания 0 угла нет.</translation>
+    </message>
+    <message>
+        <source>Available drills.</source>
+        <translation>Имеющиеся свёрла.</translation>
+    </message>
+    <message>
+        <source>Diameters of the available drills.</source>
+        <translation>Диаметры имеющихся свёрл.</translation>
+    </message>
+    <message>
+        <source>Density of the crankshaft: steel 7850, cast iron 7200 kg/m³.</source>
+        <translation>Плотность вала: сталь 7850, чугун 7200 кг/м³.</translation>
+    </message>
+    <message>
+        <source>&amp;Maximum depth</source>
+        <translation>&amp;Максимальная глубина</translation>
+    </message>
+    <message>
+        <source>Depth of the full diameter, without the drill point.</source>
+        <translation>Глубина по полному диаметру, без конуса сверла.</translation>
+    </message>
+    <message>
+        <source>Angle of the drill&apos;s point: 118°, 135°; 180° for a flat end. It applies to holes of slugs too.</source>
+        <translation>Угол при вершине сверла: 118°, 135°; 180° — плоский торец. Относится и к отверстиям вставок.</translation>
+    </message>
+    <message>
+        <source>Depths are rounded to this step. 0: no rounding.</source>
+        <translation>Глубины округляются до этого шага. 0: без округления.</translation>
+    </message>
+    <message>
+        <source>Minimum wall between two holes at their bottoms.</source>
+        <translation>Минимальная стенка между отверстиями у дна.</translation>
+    </message>
+    <message>
+        <source>&amp;Maximum holes</source>
+        <translation>&amp;Отверстий не больше</translation>
+    </message>
+    <message>
+        <source>Maximum number of holes in one plane.</source>
+        <translation>Максимум отверстий в одной плоскости.</translation>
+    </message>
+    <message>
+        <source>Max. an&amp;gle from heavy spot</source>
+        <translation>Предельный &amp;угол от тяжёлого места</translation>
+    </message>
+    <message>
+        <source>Maximum angle from the heavy spot to a hole, on either side.</source>
+        <translation>Предельный угол от тяжёлого места до отверстия, с каждой стороны.</translation>
+    </message>
+    <message>
+        <source>Take off as much as possible, or stop within the limit with the fewest holes.</source>
+        <translation>Снять как можно больше или остановиться в пределах допуска с минимумом отверстий.</translation>
+    </message>
+    <message>
+        <source>Holes and slugs planned after that run; later holes keep clear of them. Without a list they are planned from its readings.</source>
+        <translation>Отверстия и вставки, рассчитанные после этого пуска; следующие их обходят. Без списка они рассчитываются по его показаниям.</translation>
+    </message>
+    <message>
+        <source>Holes of the newest run, if a further run was begun and cleared again.</source>
+        <translation>Отверстия последнего пуска, если следующий был начат и стёрт.</translation>
+    </message>
+    <message>
+        <source>Readings from which the holes were planned, if they were corrected since.</source>
+        <translation>Показания, по которым рассчитаны отверстия, если их потом исправили.</translation>
+    </message>
+    <message>
+        <source>Plane of the hole.</source>
+        <translation>Плоскость отверстия.</translation>
+    </message>
+    <message>
+        <source>Angle from the machine&apos;s zero mark.</source>
+        <translation>Угол от нулевой метки станка.</translation>
+    </message>
+    <message>
+        <source>Mass taken off; negative for a slug, minus the mass of its hole.</source>
+        <translation>Снятая масса; отрицательна для вставки, за вычетом массы её отверстия.</translation>
+    </message>
+    <message>
+        <source>Mass of the slug itself.</source>
+        <translation>Собственная масса вставки.</translation>
+    </message>
+    <message>
+        <source>Actual drilling. Measured: depth and angle as found; wrong side: half a turn from the given angle.</source>
+        <translation>Как просверлено на самом деле. По измерению: глубина и угол измерены; не с той стороны: в пол-обороте от указанного угла.</translation>
+    </message>
+    <message>
+        <source>Diameter of the available slugs.</source>
+        <translation>Диаметр имеющихся вставок.</translation>
+    </message>
+    <message>
+        <source>Direction in which slugs are pressed in.</source>
+        <translation>Направление запрессовки вставок.</translation>
+    </message>
+    <message>
+        <source>Permissible residual unbalance in each plane.</source>
+        <translation>Допустимый остаточный дисбаланс в каждой плоскости.</translation>
+    </message>
+    <message>
+        <source>With both end bearings the standard&apos;s limits apply there; the limits of the planes follow from the distances.</source>
+        <translation>Если заданы оба крайних подшипника, допуски стандарта действуют в них, а допуски плоскостей следуют из расстояний.</translation>
+    </message>
+    <message>
+        <source>the standard&apos;s limits are shared between the planes</source>
+        <translation>допуск по стандарту делится между плоскостями</translation>
+    </message>
+    <message>
+        <source>Share of the permissible unbalance, without positions of bearings or centre of mass.</source>
+        <translation>Доля допустимого дисбаланса, если не заданы подшипники и центр масс.</translation>
+    </message>
+    <message>
+        <source>Residual after the counterweights</source>
+        <translation>Остаток после противовесов</translation>
+    </message>
+    <message>
+        <source>of the cylinders of a throw; F factor with overbalance, γ bank angle, δ split of the crankpins, φ direction of the throw from the middle of the banks</source>
+        <translation>цилиндров одного колена; F — коэффициент с перебалансом, γ — развал, δ — разведение шеек, φ — направление колена от середины развала</translation>
+    </message>
+    <message>
+        <source>Balance factor by theory</source>
+        <translation>Коэффициент балансировки по теории</translation>
+    </message>
+    <message>
+        <source>Readings transferred to the planes</source>
+        <translation>Показания, перенесённые в плоскости</translation>
+    </message>
+    <message>
+        <source>ρₛ density of the slug, h its length, u unbalance of its hole; the cone below is empty</source>
+        <translation>ρₛ — плотность вставки, h — её длина, u — дисбаланс её отверстия; конус под ней пуст</translation>
+    </message>
+    <message>
+        <source>The factor uses the first order only; bob weights cannot affect higher orders.</source>
+        <translation>Коэффициент учитывает только первый порядок; на высшие порядки грузы не влияют.</translation>
+    </message>
+    <message>
+        <source>Couples along the crankshaft are not part of the factor: see inertia moments.</source>
+        <translation>Моменты вдоль вала в коэффициент не входят: см. моменты сил инерции.</translation>
+    </message>
+    <message>
+        <source>The rim of a counterweight is taken as flat at a hole.</source>
+        <translation>Обод противовеса в месте отверстия считается плоским.</translation>
+    </message>
+    <message>
+        <source>All bob weights are equal, from the means of the weighed parts.</source>
+        <translation>Все грузы одинаковы, со средними взвешенных деталей.</translation>
+    </message>
+    <message>
+        <source>must be even if two rods share a bob weight</source>
+        <translation>должно быть чётным, если на грузе два шатуна</translation>
+    </message>
+    <message>
+        <source>must be 1 for cylinders in line</source>
+        <translation>должно быть 1 для рядного двигателя</translation>
+    </message>
+    <message>
+        <source>must be 0 except for a V</source>
+        <translation>должно быть 0, если двигатель не V-образный</translation>
+    </message>
+    <message>
+        <source>must differ from the first</source>
+        <translation>должно отличаться от первого</translation>
+    </message>
+    <message>
+        <source>must be left out if centre of mass or bearings are given</source>
+        <translation>не указывается, если её задают центр масс или подшипники</translation>
+    </message>
+    <message>
+        <source>%1: the weighed masses replace the typed %2.</source>
+        <translation>%1: взвешенные массы заменяют введённое %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 weighed; the typed mass is used until all are weighed.</source>
+        <translation>%1: взвешено %2 из %3; пока не все, используется введённая масса.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 weighed; not used until all are weighed.</source>
+        <translation>%1: взвешено %2 из %3; пока не все, не используются.</translation>
+    </message>
+    <message>
+        <source>Mass of one cylinder.</source>
+        <translation>Масса одного цилиндра.</translation>
+    </message>
+    <message>
+        <source>Centrifugal force of the slug at the service speed.</source>
+        <translation>Центробежная сила вставки при рабочей частоте.</translation>
+    </message>
+    <message>
+        <source>No bob weights are needed: the crankpins balance one another. If you use them: %1 each.</source>
+        <translation>Балансировочные грузы не нужны: шатунные шейки уравновешивают друг друга. Если используете: по %1.</translation>
+    </message>
+    <message>
+        <source>Enter the permissible residual for a verdict.</source>
+        <translation>Для вывода введите допустимый остаточный дисбаланс.</translation>
+    </message>
+    <message>
+        <source>The last drilling did not have the planned effect: find the cause before drilling again.</source>
+        <translation>Последнее сверление подействовало не так, как планировалось: прежде чем сверлить дальше, выясните причину.</translation>
+    </message>
+    <message>
+        <source>The smallest hole takes off too much: use a thinner drill or a flatter point.</source>
+        <translation>Самое малое отверстие снимает слишком много: возьмите сверло тоньше или с более плоским концом.</translation>
+    </message>
+    <message>
+        <source>Rounding of the depths leaves more than the limit: use a finer step or a thinner drill.</source>
+        <translation>Округление глубин оставляет больше допуска: возьмите шаг мельче или сверло тоньше.</translation>
+    </message>
+    <message>
+        <source>The heavy spot is outside the drilling sector; holes at its edge take off only a part.</source>
+        <translation>Тяжёлое место вне сектора сверления, а отверстия на его краю снимают только часть.</translation>
+    </message>
+    <message>
+        <source>The heavy spot is outside the drilling sector.</source>
+        <translation>Тяжёлое место вне сектора сверления.</translation>
+    </message>
+    <message>
+        <source>Slugs of %1 are hardly heavier than the crankshaft metal (%2) of their holes: none are planned.</source>
+        <translation>Вставки плотностью %1 едва тяжелее металла вала (%2), который снимают их отверстия: они не планируются.</translation>
+    </message>
+    <message>
+        <source>A slug of %1 of maximum depth is lighter than the crankshaft metal (%2) of its hole with the cone: none are planned.</source>
+        <translation>Вставка плотностью %1 на предельную глубину легче металла вала (%2) из её отверстия с конусом: вставок нет.</translation>
+    </message>
+    <message>
+        <source>There is too little room next to the holes of earlier runs.</source>
+        <translation>Рядом с отверстиями прежних пусков отверстиям мало места.</translation>
+    </message>
+    <message>
+        <source>Residual: %1 at the drilling radius at %2.</source>
+        <translation>Остаток: %1 на радиусе сверления под углом %2.</translation>
+    </message>
+    <message>
+        <source>The opposite side is outside the sector too: drill deeper or wider, or as a last resort weld the same mass on opposite.</source>
+        <translation>Противоположная сторона тоже вне сектора: сверлите глубже или шире либо, в крайнем случае, наварите столько же напротив.</translation>
+    </message>
+    <message>
+        <source>As a last resort weld the same mass on opposite.</source>
+        <translation>В крайнем случае наварите столько же напротив.</translation>
+    </message>
+    <message>
+        <source>Press in heavy metal opposite, drill deeper or wider, or as a last resort weld the same mass on opposite.</source>
+        <translation>Запрессуйте напротив тяжёлый сплав, сверлите глубже или шире либо, в крайнем случае, наварите столько же напротив.</translation>
     </message>
     <message>
         <source>No bob weights are needed: the crankpins balance one another.</source>
@@ -5047,20 +5039,12 @@
         <translation>это не JSON</translation>
     </message>
     <message>
-        <source>holds a number that is too large for this program</source>
-        <translation>содержит число, слишком большое для программы</translation>
-    </message>
-    <message>
         <source>must be at most %1 (a newer program wrote this case; update to open it)</source>
         <translation>должно быть не больше %1 (задача записана более новой программой; обновите программу)</translation>
     </message>
     <message>
         <source>must be one of %1 (the nearest is %2)</source>
         <translation>допустимо одно из: %1 (ближайшее — %2)</translation>
-    </message>
-    <message>
-        <source>must be a scene with a page; the command line solves it</source>
-        <translation>должна быть сценой со страницей; эту решает командная строка</translation>
     </message>
     <message>
         <source>must be one of %1</source>
@@ -5073,14 +5057,6 @@
     <message>
         <source>must be a number or %1</source>
         <translation>должно быть числом или %1</translation>
-    </message>
-    <message>
-        <source>must be left out where %1 is given</source>
-        <translation>не должно стоять там, где задано %1</translation>
-    </message>
-    <message>
-        <source>is required and missing; there is %1</source>
-        <translation>обязательно, но отсутствует; есть %1</translation>
     </message>
     <message>
         <source>is required and missing (or %1)</source>
@@ -5181,10 +5157,6 @@
     <message>
         <source>must be text; this looks like a binary file</source>
         <translation>должен быть текст, а это похоже на двоичный файл</translation>
-    </message>
-    <message>
-        <source>must hold two columns, %1 and %2</source>
-        <translation>должно быть два столбца: %1 и %2</translation>
     </message>
     <message>
         <source>%1 columns</source>
@@ -5307,18 +5279,6 @@
         <translation>мин⁻¹</translation>
     </message>
     <message>
-        <source>must be a known scene</source>
-        <translation>раздел неизвестен</translation>
-    </message>
-    <message>
-        <source>is nothing that this page can be told; it knows kernel, sweep, value</source>
-        <translation>этой странице сообщить нельзя; она знает kernel, sweep, value</translation>
-    </message>
-    <message>
-        <source>%1, &quot;%2&quot;, not before %3 (the copy at hand shows neither journal nor year)</source>
-        <translation>%1, «%2», не ранее %3 (в имеющейся копии нет ни журнала, ни года)</translation>
-    </message>
-    <message>
         <source>must be %1 or %2</source>
         <translation>должно быть %1 или %2</translation>
     </message>
@@ -5327,24 +5287,12 @@
         <translation>кН·м</translation>
     </message>
     <message>
-        <source>must not hold the character NUL</source>
-        <translation>не должно содержать символ NUL</translation>
-    </message>
-    <message>
         <source>is given twice</source>
         <translation>задано дважды</translation>
     </message>
     <message>
-        <source>must hold at most %1 values</source>
-        <translation>должно содержать не более %1 значений</translation>
-    </message>
-    <message>
         <source>is not in the list, which has %1 elements</source>
         <translation>нет в списке, в нём элементов: %1</translation>
-    </message>
-    <message>
-        <source>must hold at most %1 names</source>
-        <translation>должно содержать не более %1 имён</translation>
     </message>
     <message>
         <source>must be a file, not a pipe or a device</source>
@@ -5369,10 +5317,6 @@
     <message>
         <source>is not a known key (a newer program may have written this case; update to open it)</source>
         <translation>неизвестный ключ (возможно, задачу записала более новая программа; обновите её, чтобы открыть)</translation>
-    </message>
-    <message>
-        <source>is read-only and stays as it is</source>
-        <translation>только для чтения и остаётся как есть</translation>
     </message>
     <message>
         <source>must be a JSON pointer below the result, such as /optimum/range</source>
@@ -5431,22 +5375,6 @@
         <translation>фунт-с./дюйм</translation>
     </message>
     <message>
-        <source>is a pipe that nobody reads</source>
-        <translation>это канал, который никто не читает</translation>
-    </message>
-    <message>
-        <source>No engine turns at %1: is the speed right?</source>
-        <translation>Ни один двигатель не вращается с частотой %1: верна ли частота?</translation>
-    </message>
-    <message>
-        <source>No engine has a crank radius of %1: is it right?</source>
-        <translation>Ни у одного двигателя нет радиуса кривошипа %1: верен ли он?</translation>
-    </message>
-    <message>
-        <source>No engine has a rod of %1: is its length right?</source>
-        <translation>Ни у одного двигателя нет шатуна длиной %1: верна ли длина?</translation>
-    </message>
-    <message>
         <source>lb/ft³</source>
         <translation>фунт/фут³</translation>
     </message>
@@ -5469,10 +5397,6 @@
     <message>
         <source>no value</source>
         <translation>нет значения</translation>
-    </message>
-    <message>
-        <source>needs more memory than there is</source>
-        <translation>требует больше памяти, чем есть</translation>
     </message>
     <message>
         <source>No such file or directory</source>
@@ -5551,24 +5475,8 @@
         <translation>десятичный знак должен быть тем же, что у чисел выше: везде точка или везде запятая, и ничего между тысячами</translation>
     </message>
     <message>
-        <source>must not leave open whether its comma divides thousands or is a decimal sign: other numbers of the column have none</source>
-        <translation>должно быть ясно, делит ли запятая тысячи или отделяет дробную часть: в других числах столбца её нет</translation>
-    </message>
-    <message>
-        <source>must be two numbers or one: write %1 or %2</source>
-        <translation>должно быть двумя числами или одним: напишите %1 или %2</translation>
-    </message>
-    <message>
         <source>must be the name of a variant</source>
         <translation>должно быть именем варианта</translation>
-    </message>
-    <message>
-        <source>No engine has a crank radius of %1 beside a rod of %2: was one of them typed in another unit, as centimetres for millimetres?</source>
-        <translation>Не бывает двигателя с радиусом кривошипа %1 при шатуне %2: не введено ли одно из них в другой единице, например в сантиметрах вместо миллиметров?</translation>
-    </message>
-    <message>
-        <source>No engine has a mass of %1 at a crank radius of %2: was one of them typed in another unit, as grams for kilograms?</source>
-        <translation>Не бывает двигателя с массой %1 при радиусе кривошипа %2: не введено ли одно из них в другой единице, например в граммах вместо килограммов?</translation>
     </message>
     <message>
         <source>takes too long to read</source>
@@ -5599,20 +5507,104 @@
         <translation>Осуществимо</translation>
     </message>
     <message>
-        <source>must hold two columns, %1 and %2, or the case must name two of them in &quot;columns&quot;</source>
-        <translation>должно быть два столбца, %1 и %2, или задача должна назвать два из них в &quot;columns&quot;</translation>
-    </message>
-    <message>
-        <source>must hold at least %1 columns</source>
-        <translation>должно быть не меньше %1 столбцов</translation>
-    </message>
-    <message>
         <source>must have a column with the heading %1</source>
         <translation>должен быть столбец с заголовком %1</translation>
     </message>
     <message>
         <source>must have a column of values: columns count from 1</source>
         <translation>должен быть столбец значений: столбцы считаются с 1</translation>
+    </message>
+    <message>
+        <source>%1, &quot;%2&quot;, not before %3 (our copy shows neither journal nor year)</source>
+        <translation>%1, «%2», не ранее %3 (в имеющейся копии нет ни журнала, ни года)</translation>
+    </message>
+    <message>
+        <source>must not contain the character NUL</source>
+        <translation>не должно содержать символ NUL</translation>
+    </message>
+    <message>
+        <source>must have at most %1 names</source>
+        <translation>должно содержать не более %1 имён</translation>
+    </message>
+    <message>
+        <source>contains a number that is too large for this program</source>
+        <translation>содержит число, слишком большое для программы</translation>
+    </message>
+    <message>
+        <source>must have at most %1 values</source>
+        <translation>должно содержать не более %1 значений</translation>
+    </message>
+    <message>
+        <source>must be left out if %1 is given</source>
+        <translation>не должно стоять там, где задано %1</translation>
+    </message>
+    <message>
+        <source>is required and missing; found: %1</source>
+        <translation>обязательно, но отсутствует; есть %1</translation>
+    </message>
+    <message>
+        <source>is read-only and was not changed</source>
+        <translation>только для чтения и не изменён</translation>
+    </message>
+    <message>
+        <source>is a pipe without a reader</source>
+        <translation>это канал без читателя</translation>
+    </message>
+    <message>
+        <source>must have two columns, %1 and %2, or the case must name two of them in &quot;columns&quot;</source>
+        <translation>должно быть два столбца, %1 и %2, или задача должна назвать два из них в &quot;columns&quot;</translation>
+    </message>
+    <message>
+        <source>must have two columns, %1 and %2</source>
+        <translation>должно быть два столбца: %1 и %2</translation>
+    </message>
+    <message>
+        <source>must have at least %1 columns</source>
+        <translation>должно быть не меньше %1 столбцов</translation>
+    </message>
+    <message>
+        <source>must be unambiguous: its comma may divide thousands or be a decimal sign, as no other number of the column has one</source>
+        <translation>должно быть однозначным: запятая может делить тысячи или отделять дробную часть, в других числах столбца её нет</translation>
+    </message>
+    <message>
+        <source>Speed %1 is implausible: check it.</source>
+        <translation>Частота %1 неправдоподобна: проверьте её.</translation>
+    </message>
+    <message>
+        <source>Crank radius %1 is implausible: check it.</source>
+        <translation>Радиус кривошипа %1 неправдоподобен: проверьте его.</translation>
+    </message>
+    <message>
+        <source>Rod length %1 is implausible: check it.</source>
+        <translation>Длина шатуна %1 неправдоподобна: проверьте её.</translation>
+    </message>
+    <message>
+        <source>Crank radius %1 and rod %2 are implausible together: check their units, for example centimetres instead of millimetres.</source>
+        <translation>Радиус кривошипа %1 и шатун %2 вместе неправдоподобны: проверьте единицы, например сантиметры вместо миллиметров.</translation>
+    </message>
+    <message>
+        <source>Mass %1 and crank radius %2 are implausible together: check their units, for example grams instead of kilograms.</source>
+        <translation>Масса %1 и радиус кривошипа %2 вместе неправдоподобны: проверьте единицы, например граммы вместо килограммов.</translation>
+    </message>
+    <message>
+        <source>must be a known module</source>
+        <translation>модуль неизвестен</translation>
+    </message>
+    <message>
+        <source>is not a setting of this page; settings: kernel, sweep, value</source>
+        <translation>не настройка этой страницы; настройки: kernel, sweep, value</translation>
+    </message>
+    <message>
+        <source>needs more memory than available</source>
+        <translation>требует больше памяти, чем доступно</translation>
+    </message>
+    <message>
+        <source>must be a module of the window; the command line solves this case</source>
+        <translation>должен быть модулем с окном; эту задачу решает командная строка</translation>
+    </message>
+    <message>
+        <source>must be two numbers or one: enter %1 or %2</source>
+        <translation>должно быть двумя числами или одним: введите %1 или %2</translation>
     </message>
     <message>
         <source>bore</source>
@@ -5702,10 +5694,6 @@
         <translation>Кинема&amp;тика M₁₂</translation>
     </message>
     <message>
-        <source>The paper&apos;s series for cos ψ is good for small λ only; the exact one needs λ &lt; 1. M and the crank&apos;s guide are always exact.</source>
-        <translation>Ряд статьи для cos ψ годится лишь при малых λ; точная требует λ &lt; 1. M и направляющая кривошипа всегда точные.</translation>
-    </message>
-    <message>
         <source>keeps the energy</source>
         <translation>хранит энергию</translation>
     </message>
@@ -5716,10 +5704,6 @@
     <message>
         <source>Sign of the g&amp;uide</source>
         <translation>&amp;Знак направляющей</translation>
-    </message>
-    <message>
-        <source>A spring that keeps the crank&apos;s speed gives out what the mechanism takes up: Π = const − (T + V). Equation (1) as printed has a plus.</source>
-        <translation>Пружина, сохраняющая скорость кривошипа, отдаёт то, что поглощает механизм: Π = const − (T + V). В напечатанной формуле (1) стоит плюс.</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -5738,16 +5722,8 @@
         <translation>Своя пр&amp;ужина у шатуна</translation>
     </message>
     <message>
-        <source>Else the rod&apos;s hinge has the same spring as the crank&apos;s</source>
-        <translation>Иначе у шарнира шатуна такая же пружина, как у кривошипа</translation>
-    </message>
-    <message>
         <source>Its &amp;stiffness c</source>
         <translation>Её &amp;жёсткость c</translation>
-    </message>
-    <message>
-        <source>Of the rod hinge&apos;s own spring</source>
-        <translation>Собственной пружины шарнира шатуна</translation>
     </message>
     <message>
         <source>Its free length &amp;ℓ₀</source>
@@ -5758,16 +5734,8 @@
         <translation>Её радиус ρ&amp;₀</translation>
     </message>
     <message>
-        <source>Of the rod hinge&apos;s own guide at θ = 0</source>
-        <translation>Направляющей самого шарнира шатуна при θ = 0</translation>
-    </message>
-    <message>
         <source>Counter&amp;weight beyond the crankpin</source>
         <translation>Противовес за ше&amp;йкой</translation>
-    </message>
-    <message>
-        <source>At the distance ℓ₂ beyond the crankpin (slider above). With the weight of (10) the rod&apos;s hinge makes the side force zero.</source>
-        <translation>На расстоянии ℓ₂ за шатунной шейкой (ползунок выше). С весом по (10) шарнир шатуна обращает боковую силу в нуль.</translation>
     </message>
     <message>
         <source>Counterweight&apos;s distance</source>
@@ -5798,48 +5766,24 @@
         <translation>Инерци&amp;я в M₁₂</translation>
     </message>
     <message>
-        <source>Equation (9) as printed has the wrong sign at the counterweight&apos;s inertia forces; with moments about A the side force vanishes.</source>
-        <translation>В напечатанной формуле (9) неверен знак сил инерции противовеса; если взять моменты относительно A, боковая сила исчезает.</translation>
-    </message>
-    <message>
         <source>Roller radi&amp;us</source>
         <translation>Радиус ро&amp;лика</translation>
-    </message>
-    <message>
-        <source>ρ is the path of the roller&apos;s centre; the profile is offset from it by the roller&apos;s radius. The paper takes 0.</source>
-        <translation>ρ — путь центра ролика; профиль отстоит от него на радиус ролика. В статье 0.</translation>
     </message>
     <message>
         <source>Profile error</source>
         <translation>Погрешность профиля</translation>
     </message>
     <message>
-        <source>Amplitude of the waves on the guide&apos;s profile as it is made. Good grinding leaves a few micrometres.</source>
-        <translation>Амплитуда волн на профиле изготовленной направляющей. После хорошего шлифования — несколько микрометров.</translation>
-    </message>
-    <message>
         <source>Error &amp;waves</source>
         <translation>Чис&amp;ло волн погрешности</translation>
-    </message>
-    <message>
-        <source>The profile&apos;s error is taken as so many waves in one turn: 1 is a guide out of centre, 2 an oval one. A whole number.</source>
-        <translation>Погрешность профиля — столько волн за оборот: 1 — эксцентричность, 2 — овальность. Целое число.</translation>
     </message>
     <message>
         <source>R&amp;elief</source>
         <translation>Пере&amp;пад</translation>
     </message>
     <message>
-        <source>Difference between the guide&apos;s largest and least radius</source>
-        <translation>Разность наибольшего и наименьшего радиусов направляющей</translation>
-    </message>
-    <message>
         <source>&amp;Outer diameter</source>
         <translation>&amp;Наружный диаметр</translation>
-    </message>
-    <message>
-        <source>Guide and rollers must fit in it</source>
-        <translation>В него должны поместиться направляющая и ролики</translation>
     </message>
     <message>
         <source>&amp;Shortest spring</source>
@@ -5886,16 +5830,8 @@
         <translation>С погр&amp;ешностью профиля</translation>
     </message>
     <message>
-        <source>The crank&apos;s guide as it was made, with the waves of the profile error: the crank&apos;s speed then follows them</source>
-        <translation>Направляющая кривошипа как изготовлена, с волнами погрешности профиля: скорость кривошипа следует за ними</translation>
-    </message>
-    <message>
         <source>Chord to&amp;lerance</source>
         <translation>До&amp;пуск хорды</translation>
-    </message>
-    <message>
-        <source>DXF: the polyline leaves the curve by no more than that</source>
-        <translation>DXF: ломаная отходит от кривой не дальше</translation>
     </message>
     <message>
         <source>S&amp;tep of the table</source>
@@ -5910,40 +5846,12 @@
         <translation>шарнир кривошипа</translation>
     </message>
     <message>
-        <source>the crank&apos;s hinge beside the rod&apos;s</source>
-        <translation>шарнир кривошипа рядом с шарниром шатуна</translation>
-    </message>
-    <message>
         <source>the rod&apos;s hinge</source>
         <translation>шарнир шатуна</translation>
     </message>
     <message>
-        <source>at λ = 1 the mechanism locks at a crank angle of 90°: there is no guide and no motion; the series still draws M₁₂ and the side force</source>
-        <translation>при λ = 1 механизм заклинивает при угле кривошипа 90°: нет ни направляющей, ни движения; ряд ещё даёт M₁₂ и боковую силу</translation>
-    </message>
-    <message>
         <source>no spring is given for %1</source>
         <translation>не задана пружина, %1</translation>
-    </message>
-    <message>
-        <source>from a crank angle of %1 the spring would have to give out more energy than it stores (most at %2): the preload |ℓ₀/2 − ρ₀| is %3 and must be at least %4</source>
-        <translation>начиная с угла кривошипа %1 пружина должна отдать больше энергии, чем запасла (больше всего при %2): преднатяг |ℓ₀/2 − ρ₀| равен %3, а нужно не меньше %4</translation>
-    </message>
-    <message>
-        <source>%1, or the stiffness at least %2 with this preload</source>
-        <translation>%1, или при этом преднатяге жёсткость не меньше %2</translation>
-    </message>
-    <message>
-        <source>the spring would have to be compressed by %1, its whole free length of %2 or more</source>
-        <translation>пружину пришлось бы сжать на %1, то есть на всю её свободную длину %2 или больше</translation>
-    </message>
-    <message>
-        <source>there is no guide to export</source>
-        <translation>записывать нечего: направляющей нет</translation>
-    </message>
-    <message>
-        <source>there is no guide to export: %1</source>
-        <translation>записывать нечего: %1</translation>
     </message>
     <message>
         <source>chord tolerance</source>
@@ -5958,68 +5866,20 @@
         <translation>должен быть меньше %1, иначе профиль подрезается</translation>
     </message>
     <message>
-        <source>is too small for this guide: it would take more than %1 points</source>
-        <translation>слишком мало для этой направляющей: понадобилось бы больше %1 точек</translation>
-    </message>
-    <message>
-        <source>at λ = 1 the mechanism locks: there is no guide</source>
-        <translation>при λ = 1 механизм заклинивает: направляющей нет</translation>
-    </message>
-    <message>
-        <source>the hinge has no energy to give out: its guide is a circle</source>
-        <translation>шарниру нечего отдавать: его направляющая — окружность</translation>
-    </message>
-    <message>
-        <source>a spring of %1 that gets no shorter than %2 leaves no room for a relief of %3; it must be at least %4 long</source>
-        <translation>пружина %1, которая не сжимается короче %2, не оставляет места для перепада %3; она должна быть не короче %4</translation>
-    </message>
-    <message>
-        <source>a compressed spring of %1 that gets no shorter than %2 needs an outer diameter of at least %3 for a relief of %4</source>
-        <translation>сжатой пружине %1, которая не сжимается короче %2, для перепада %4 нужен наружный диаметр не меньше %3</translation>
-    </message>
-    <message>
         <source>a stretched spring of %1 with a relief of %2 needs an outer diameter of at least %3</source>
         <translation>растянутой пружине %1 с перепадом %2 нужен наружный диаметр не меньше %3</translation>
-    </message>
-    <message>
-        <source>a roller of radius %1 undercuts every guide with a relief of %2; a smaller roller or less relief is needed</source>
-        <translation>ролик радиусом %1 подрезает любую направляющую с перепадом %2; нужен меньший ролик или меньший перепад</translation>
-    </message>
-    <message>
-        <source>the stiffness that would be needed, %1, is out of range</source>
-        <translation>нужная жёсткость %1 вне допустимых пределов</translation>
     </message>
     <message>
         <source>must together be more than 0</source>
         <translation>в сумме должно быть больше 0</translation>
     </message>
     <message>
-        <source>must be less than 1 for the exact kinematics (a rod no longer than the crank locks the mechanism at a crank angle of 90°; &quot;kinematics&quot;: &quot;series&quot; still draws the paper&apos;s curves)</source>
-        <translation>для точной кинематики должно быть меньше 1 (шатун не длиннее кривошипа заклинивает механизм при угле 90°; кривые статьи чертит &quot;kinematics&quot;: &quot;series&quot;)</translation>
-    </message>
-    <message>
         <source>must be less than 1 for a motion: the mechanism locks</source>
         <translation>для движения должно быть меньше 1: механизм заклинивает</translation>
     </message>
     <message>
-        <source>must make a guide that exists for this motion</source>
-        <translation>для этого движения направляющая должна существовать</translation>
-    </message>
-    <message>
-        <source>must make a guide that exists for this motion: %1</source>
-        <translation>для этого движения направляющая должна существовать: %1</translation>
-    </message>
-    <message>
         <source>must give the crank and the rod together some mass for a motion</source>
         <translation>для движения у кривошипа с шатуном должна быть масса</translation>
-    </message>
-    <message>
-        <source>the crank stops after %1 turns and would turn back</source>
-        <translation>через %1 оборота кривошип останавливается и пошёл бы назад</translation>
-    </message>
-    <message>
-        <source>the crank stands still</source>
-        <translation>кривошип стоит на месте</translation>
     </message>
     <message>
         <source>the crank made only %1 turns in %2</source>
@@ -6028,26 +5888,6 @@
     <message>
         <source>cancelled after %1 turns</source>
         <translation>прервано после %1 оборота</translation>
-    </message>
-    <message>
-        <source>holds values so far apart that the result leaves the range of numbers; bring them nearer to those of a machine</source>
-        <translation>значения так далеки друг от друга, что результат выходит за пределы чисел; приблизьте их к значениям настоящей машины</translation>
-    </message>
-    <message>
-        <source>The series is off by %1 in cos ψ at φ = %2°; use the exact kinematics for a design.</source>
-        <translation>Ряд ошибается в cos ψ на %1 при φ = %2°; для проекта берите точную кинематику.</translation>
-    </message>
-    <message>
-        <source>The guide&apos;s sign is that printed in the paper: such a guide drives the crank&apos;s speed away from the design speed; the energy sign keeps it.</source>
-        <translation>Знак направляющей — как напечатан в статье: такая направляющая уводит скорость кривошипа от расчётной; знак, сохраняющий энергию, её держит.</translation>
-    </message>
-    <message>
-        <source>The crank&apos;s guide has a relief of only %1: a profile error of %2 changes its moment by up to %3; a softer spring gives more relief.</source>
-        <translation>Перепад направляющей кривошипа всего %1: погрешность профиля %2 меняет её момент на величину до %3; более мягкая пружина даёт больший перепад.</translation>
-    </message>
-    <message>
-        <source>no spring is given: its free length is needed</source>
-        <translation>пружина не задана: нужна её свободная длина</translation>
     </message>
     <message>
         <source>Weights of crank, rod and slider.</source>
@@ -6060,22 +5900,6 @@
     <message>
         <source>The spring of the crank&apos;s hinge.</source>
         <translation>Пружина шарнира кривошипа.</translation>
-    </message>
-    <message>
-        <source>Asks for a spring whose guide can be made.</source>
-        <translation>Поиск пружины, направляющую которой можно изготовить.</translation>
-    </message>
-    <message>
-        <source>Asks for the motion, by integration.</source>
-        <translation>Запрос движения, интегрированием.</translation>
-    </message>
-    <message>
-        <source>must be further from 1 for a motion: it takes more than %1 points</source>
-        <translation>должно быть дальше от 1 для движения: нужно больше %1 точек</translation>
-    </message>
-    <message>
-        <source>must be less for this motion: more than %1 points brought it only to turn %2</source>
-        <translation>должно быть меньше для этого движения: за %1 точек и больше оно дошло лишь до оборота %2</translation>
     </message>
     <message>
         <source>Angle of the rod</source>
@@ -6098,10 +5922,6 @@
         <translation>Доля противовеса в M₁₂</translation>
     </message>
     <message>
-        <source>h₅ = ℓ₂ cos ψ, h₆ = ℓ₂ sin ψ, a acceleration; the paper prints + before both inertia terms, Newton and Euler ask for −</source>
-        <translation>h₅ = ℓ₂ cos ψ, h₆ = ℓ₂ sin ψ, a — ускорение; статья печатает + перед обоими инерционными членами, по Ньютону и Эйлеру нужен −</translation>
-    </message>
-    <message>
         <source>Counterweight</source>
         <translation>Противовес</translation>
     </message>
@@ -6118,24 +5938,12 @@
         <translation>Боковая сила с шарниром шатуна</translation>
     </message>
     <message>
-        <source>Side force without it</source>
-        <translation>Боковая сила без него</translation>
-    </message>
-    <message>
-        <source>Moment on the crank beside the rod&apos;s hinge</source>
-        <translation>Момент на кривошипе рядом с шарниром шатуна</translation>
-    </message>
-    <message>
         <source>by virtual power; the paper prints a factor ½ that does not belong to M₁₂</source>
         <translation>по виртуальной мощности; статья печатает множитель ½, который к M₁₂ не относится</translation>
     </message>
     <message>
         <source>Moment that keeps the crank&apos;s speed</source>
         <translation>Момент, сохраняющий скорость кривошипа</translation>
-    </message>
-    <message>
-        <source>T kinetic and V potential energy, I reduced moment of inertia, P₁ and P₂ weights of crank and rod, φ crank angle from the slider line</source>
-        <translation>T — кинетическая и V — потенциальная энергия, I — приведённый момент инерции, P₁ и P₂ — вес кривошипа и шатуна, φ — угол кривошипа от линии ползуна</translation>
     </message>
     <message>
         <source>Energy of the spring</source>
@@ -6152,18 +5960,6 @@
     <message>
         <source>B = ℓ₀²/4 − Π/(2c): − of a compressed spring, + of a stretched one</source>
         <translation>B = ℓ₀²/4 − Π/(2c): − у сжатой пружины, + у растянутой</translation>
-    </message>
-    <message>
-        <source>Least preload</source>
-        <translation>Наименьший преднатяг</translation>
-    </message>
-    <message>
-        <source>the spring must store what the mechanism takes up; 0: at φ = 0</source>
-        <translation>пружина должна запасти то, что поглощает механизм; 0 — при φ = 0</translation>
-    </message>
-    <message>
-        <source>Moment that a profile error makes</source>
-        <translation>Момент от погрешности профиля</translation>
     </message>
     <message>
         <source>ε amplitude, n waves in a turn</source>
@@ -6190,28 +5986,12 @@
         <translation>Силы газов на ползун.</translation>
     </message>
     <message>
-        <source>Equation (9) as printed has the wrong sign at the counterweight&apos;s inertia: the slider would still bear up to %1. Newton–Euler makes the side force zero.</source>
-        <translation>В напечатанной формуле (9) неверен знак инерции противовеса: ползун нёс бы ещё до %1. По Ньютону–Эйлеру боковая сила равна нулю.</translation>
-    </message>
-    <message>
         <source>at lambda = 1 the mechanism locks</source>
         <translation>при λ = 1 механизм заклинивает</translation>
     </message>
     <message>
         <source>Zotov and Sviridov 2021</source>
         <translation>Зотов и Свиридов 2021</translation>
-    </message>
-    <message>
-        <source>solved from (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, so that M₁₂ has no mean</source>
-        <translation>находится из (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, чтобы у M₁₂ не было среднего</translation>
-    </message>
-    <message>
-        <source>The spring gets no shorter than that (its solid length).</source>
-        <translation>Короче пружина не бывает (витки сомкнуты).</translation>
-    </message>
-    <message>
-        <source>A start away from the design speed ω, for comparison: the hinge is exact at one speed only.</source>
-        <translation>Пуск с другой скорости, для сравнения: шарнир точен только при одной скорости.</translation>
     </message>
     <message>
         <source>ω; the page compares it with 1.2 ω</source>
@@ -6234,10 +6014,6 @@
         <translation>Направляющая осуществима: перепад %1; погрешность профиля %2 меняет момент на величину до %3.</translation>
     </message>
     <message>
-        <source>The sign is that printed in the paper: the crank does not keep its speed.</source>
-        <translation>Знак взят как напечатан в статье: кривошип не сохраняет скорость.</translation>
-    </message>
-    <message>
         <source>The preload exceeds the minimum by only %1 of %2.</source>
         <translation>Преднатяг превышает минимальный всего на %1 из %2.</translation>
     </message>
@@ -6250,16 +6026,8 @@
         <translation>∮ M₁₂ dφ</translation>
     </message>
     <message>
-        <source>Work of the rod hinge&apos;s moment over a turn; 0 where a spring can give it.</source>
-        <translation>Работа момента шарнира шатуна за оборот; 0, если её может дать пружина.</translation>
-    </message>
-    <message>
         <source>Counterweight P₄</source>
         <translation>Противовес P₄</translation>
-    </message>
-    <message>
-        <source>On the rod, with which ∮ M₁₂ dφ = 0, or as entered.</source>
-        <translation>На шатуне, с которым ∮ M₁₂ dφ = 0, или заданный.</translation>
     </message>
     <message>
         <source>Balancing weight</source>
@@ -6268,10 +6036,6 @@
     <message>
         <source>Crank guide</source>
         <translation>Направляющая кривошипа</translation>
-    </message>
-    <message>
-        <source>Crank guide beside the rod hinge</source>
-        <translation>Направляющая кривошипа при шарнире шатуна</translation>
     </message>
     <message>
         <source>Rod hinge guide</source>
@@ -6306,20 +6070,12 @@
         <translation>Минимальный преднатяг</translation>
     </message>
     <message>
-        <source>|ℓ₀/2 − ρ₀| with which the spring can store the energy.</source>
-        <translation>|ℓ₀/2 − ρ₀|, с которым пружина может запасти энергию.</translation>
-    </message>
-    <message>
         <source>Minimum stiffness</source>
         <translation>Минимальная жёсткость</translation>
     </message>
     <message>
         <source>Guide ends at φ</source>
         <translation>Направляющая обрывается при φ</translation>
-    </message>
-    <message>
-        <source>φ of the largest energy</source>
-        <translation>φ наибольшей энергии</translation>
     </message>
     <message>
         <source>Branch</source>
@@ -6330,32 +6086,8 @@
         <translation>Перепад направляющей</translation>
     </message>
     <message>
-        <source>Largest minus smallest radius of the guide.</source>
-        <translation>Наибольший минус наименьший радиус направляющей.</translation>
-    </message>
-    <message>
         <source>Spring travel</source>
         <translation>Ход пружины</translation>
-    </message>
-    <message>
-        <source>Largest minus smallest length of the spring over a turn.</source>
-        <translation>Наибольшая минус наименьшая длина пружины за оборот.</translation>
-    </message>
-    <message>
-        <source>Largest spring force</source>
-        <translation>Сила пружины, макс.</translation>
-    </message>
-    <message>
-        <source>c |ℓ − ℓ₀|, largest over a turn.</source>
-        <translation>c |ℓ − ℓ₀|, наибольшая за оборот.</translation>
-    </message>
-    <message>
-        <source>Smallest spring force</source>
-        <translation>Сила пружины, мин.</translation>
-    </message>
-    <message>
-        <source>Largest moment</source>
-        <translation>Наибольший момент</translation>
     </message>
     <message>
         <source>Spring compressed</source>
@@ -6378,18 +6110,6 @@
         <translation>Радиус кривизны, мин.</translation>
     </message>
     <message>
-        <source>Of the guide; a cutter must be smaller.</source>
-        <translation>Направляющей; фреза должна быть меньше.</translation>
-    </message>
-    <message>
-        <source>Largest roller radius</source>
-        <translation>Радиус ролика, макс.</translation>
-    </message>
-    <message>
-        <source>A roller up to this radius touches the whole guide.</source>
-        <translation>Ролик не больше этого радиуса касается всей направляющей.</translation>
-    </message>
-    <message>
         <source>Undercut</source>
         <translation>Подрез</translation>
     </message>
@@ -6400,10 +6120,6 @@
     <message>
         <source>Maximum profile radius</source>
         <translation>Радиус профиля, макс.</translation>
-    </message>
-    <message>
-        <source>Largest pressure angle</source>
-        <translation>Угол давления, макс.</translation>
     </message>
     <message>
         <source>Amplitude</source>
@@ -6418,16 +6134,8 @@
         <translation>Погрешность момента</translation>
     </message>
     <message>
-        <source>Largest error of the hinge&apos;s moment for a guide this far off its profile.</source>
-        <translation>Наибольшая погрешность момента шарнира при таком отклонении направляющей от профиля.</translation>
-    </message>
-    <message>
         <source>Moment error, share</source>
         <translation>Погрешность момента, доля</translation>
-    </message>
-    <message>
-        <source>Moment error over the hinge&apos;s largest moment.</source>
-        <translation>Отношение погрешности момента к наибольшему моменту шарнира.</translation>
     </message>
     <message>
         <source>Energy error</source>
@@ -6462,28 +6170,12 @@
         <translation>Наружный диаметр</translation>
     </message>
     <message>
-        <source>Smallest spring length</source>
-        <translation>Длина пружины, мин.</translation>
-    </message>
-    <message>
-        <source>Largest spring energy</source>
-        <translation>Энергия пружины, макс.</translation>
-    </message>
-    <message>
         <source>Side force, no hinge</source>
         <translation>Бок. сила без шарнира</translation>
     </message>
     <message>
-        <source>Largest force of the slider on its guide.</source>
-        <translation>Наибольшая сила ползуна на направляющую.</translation>
-    </message>
-    <message>
         <source>Side force, rod hinge</source>
         <translation>Бок. сила с шарниром</translation>
-    </message>
-    <message>
-        <source>Largest force of the slider on its guide with the hinge in the rod.</source>
-        <translation>Наибольшая сила ползуна на направляющую с шарниром в шатуне.</translation>
     </message>
     <message>
         <source>Side force by Newton–Euler</source>
@@ -6492,18 +6184,6 @@
     <message>
         <source>Side force, reduction factor</source>
         <translation>Боковая сила, кратность снижения</translation>
-    </message>
-    <message>
-        <source>Largest error of cos ψ</source>
-        <translation>Наибольшая погрешность cos ψ</translation>
-    </message>
-    <message>
-        <source>φ of the largest error</source>
-        <translation>φ наибольшей погрешности</translation>
-    </message>
-    <message>
-        <source>Largest error of M₁₂</source>
-        <translation>Наибольшая погрешность M₁₂</translation>
     </message>
     <message>
         <source>Without hinge</source>
@@ -6586,20 +6266,324 @@
         <translation>Боковая сила с шарниром</translation>
     </message>
     <message>
-        <source>Crank hinge moment beside the rod hinge</source>
-        <translation>Момент шарнира кривошипа при шарнире шатуна</translation>
-    </message>
-    <message>
         <source>Preload &amp;margin</source>
         <translation>Запас пред&amp;натяга</translation>
     </message>
     <message>
-        <source>Preload beyond the minimum that the guide needs.</source>
-        <translation>Преднатяг сверх минимального, нужного направляющей.</translation>
+        <source>The paper&apos;s series for cos ψ is accurate for small λ only; the exact form needs λ &lt; 1. M and the crank&apos;s guide are always exact.</source>
+        <translation>Ряд статьи для cos ψ точен лишь при малых λ; точной форме нужно λ &lt; 1. M и направляющая кривошипа всегда точны.</translation>
     </message>
     <message>
-        <source>With masses gravity may be 0: a mechanism that lies flat.</source>
-        <translation>С массами ускорение может быть 0: механизм лежит горизонтально.</translation>
+        <source>For constant crank speed the spring releases the energy that the mechanism absorbs: Π = const − (T + V). Equation (1) is printed with a plus.</source>
+        <translation>Для постоянной скорости пружина отдаёт энергию, которую поглощает механизм: Π = const − (T + V). Формула (1) напечатана с плюсом.</translation>
+    </message>
+    <message>
+        <source>If off, the rod&apos;s hinge has the same spring as the crank&apos;s hinge</source>
+        <translation>Если выключено, у шарнира шатуна такая же пружина, как у кривошипа</translation>
+    </message>
+    <message>
+        <source>Value of the rod hinge&apos;s own spring</source>
+        <translation>Значение собственной пружины шарнира шатуна</translation>
+    </message>
+    <message>
+        <source>Radius of the rod hinge&apos;s own guide at θ = 0</source>
+        <translation>Радиус направляющей самого шарнира шатуна при θ = 0</translation>
+    </message>
+    <message>
+        <source>Counterweight at the distance ℓ₂ beyond the crankpin (slider above). With the weight of (10) the rod&apos;s hinge makes the side force zero.</source>
+        <translation>Противовес на расстоянии ℓ₂ за шатунной шейкой (ползунок выше). С весом по (10) шарнир шатуна обращает боковую силу в нуль.</translation>
+    </message>
+    <message>
+        <source>solved from (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, for zero mean of M₁₂</source>
+        <translation>находится из (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, при нулевом среднем M₁₂</translation>
+    </message>
+    <message>
+        <source>Equation (9) as printed has the wrong sign of the counterweight&apos;s inertia forces; Newton–Euler makes the side force zero.</source>
+        <translation>В напечатанной формуле (9) неверен знак сил инерции противовеса; «Ньютон–Эйлер» обращает боковую силу в нуль.</translation>
+    </message>
+    <message>
+        <source>ρ is the path of the roller&apos;s centre; the profile is offset by the roller&apos;s radius. Paper: 0.</source>
+        <translation>ρ — путь центра ролика; профиль смещён на радиус ролика. В статье 0.</translation>
+    </message>
+    <message>
+        <source>Amplitude of the waves of the manufactured profile. Good grinding: a few micrometres.</source>
+        <translation>Амплитуда волн изготовленного профиля. Хорошее шлифование: несколько микрометров.</translation>
+    </message>
+    <message>
+        <source>Number of error waves in one turn, a whole number: 1 is an eccentric guide, 2 an oval guide.</source>
+        <translation>Число волн погрешности за оборот, целое: 1 — эксцентричность, 2 — овальность.</translation>
+    </message>
+    <message>
+        <source>Search for a spring with a feasible guide.</source>
+        <translation>Поиск пружины с допустимой направляющей.</translation>
+    </message>
+    <message>
+        <source>Maximum minus minimum radius of the guide</source>
+        <translation>Максимальный радиус направляющей минус минимальный</translation>
+    </message>
+    <message>
+        <source>Guide and rollers must fit in this diameter</source>
+        <translation>В этот диаметр должны поместиться направляющая и ролики</translation>
+    </message>
+    <message>
+        <source>Minimum length of the spring (solid length).</source>
+        <translation>Минимальная длина пружины (витки сомкнуты).</translation>
+    </message>
+    <message>
+        <source>Preload beyond the guide&apos;s minimum.</source>
+        <translation>Преднатяг сверх минимального для направляющей.</translation>
+    </message>
+    <message>
+        <source>Motion, by integration.</source>
+        <translation>Движение, интегрированием.</translation>
+    </message>
+    <message>
+        <source>Start speed for comparison with the design speed ω, the only speed at which the hinge is exact.</source>
+        <translation>Начальная скорость для сравнения с расчётной ω, единственной, при которой шарнир точен.</translation>
+    </message>
+    <message>
+        <source>Uses the manufactured guide, with the waves of the profile error</source>
+        <translation>Учитывает изготовленную направляющую, с волнами погрешности профиля</translation>
+    </message>
+    <message>
+        <source>DXF: maximum distance of the polyline from the curve</source>
+        <translation>DXF: максимальное отклонение ломаной от кривой</translation>
+    </message>
+    <message>
+        <source>h₅ = ℓ₂ cos ψ, h₆ = ℓ₂ sin ψ, a acceleration; the paper prints + before both inertia terms, correct is −</source>
+        <translation>h₅ = ℓ₂ cos ψ, h₆ = ℓ₂ sin ψ, a — ускорение; статья печатает + перед обоими инерционными членами, верен −</translation>
+    </message>
+    <message>
+        <source>Side force without the hinge</source>
+        <translation>Боковая сила без шарнира</translation>
+    </message>
+    <message>
+        <source>Moment on the crank with the rod&apos;s hinge</source>
+        <translation>Момент на кривошипе с шарниром шатуна</translation>
+    </message>
+    <message>
+        <source>T kinetic and V potential energy, I reduced inertia, P₁ and P₂ weights of crank and rod, φ crank angle from the slider line</source>
+        <translation>T — кинетическая и V — потенциальная энергия, I — приведённый момент инерции, P₁ и P₂ — вес кривошипа и шатуна, φ — угол кривошипа от линии ползуна</translation>
+    </message>
+    <message>
+        <source>the spring must store the energy that the mechanism absorbs; 0: at φ = 0</source>
+        <translation>пружина должна запасти энергию, которую поглощает механизм; 0 — при φ = 0</translation>
+    </message>
+    <message>
+        <source>Moment due to a profile error</source>
+        <translation>Момент от погрешности профиля</translation>
+    </message>
+    <message>
+        <source>the crank&apos;s hinge with the rod&apos;s hinge</source>
+        <translation>шарнир кривошипа при шарнире шатуна</translation>
+    </message>
+    <message>
+        <source>from a crank angle of %1 the spring stores too little energy (worst at %2): the preload |ℓ₀/2 − ρ₀| is %3, the minimum %4</source>
+        <translation>начиная с угла кривошипа %1 энергии пружины не хватает (хуже всего при %2): преднатяг |ℓ₀/2 − ρ₀| равен %3, минимум %4</translation>
+    </message>
+    <message>
+        <source>%1; with this preload the minimum stiffness is %2</source>
+        <translation>%1; при этом преднатяге минимальная жёсткость %2</translation>
+    </message>
+    <message>
+        <source>at λ = 1 the mechanism locks at a crank angle of 90°: no guide and no motion, only M₁₂ and side force by the series</source>
+        <translation>при λ = 1 механизм заклинивает при угле кривошипа 90°: направляющей и движения нет, только M₁₂ и боковая сила по ряду</translation>
+    </message>
+    <message>
+        <source>the spring would be compressed by %1, its whole free length (%2) or more</source>
+        <translation>пружина была бы сжата на %1, на всю свободную длину (%2) или больше</translation>
+    </message>
+    <message>
+        <source>no feasible guide</source>
+        <translation>допустимой направляющей нет</translation>
+    </message>
+    <message>
+        <source>no feasible guide: %1</source>
+        <translation>допустимой направляющей нет: %1</translation>
+    </message>
+    <message>
+        <source>is too small for this guide: more than %1 points</source>
+        <translation>слишком мало для этой направляющей: больше %1 точек</translation>
+    </message>
+    <message>
+        <source>at λ = 1 the mechanism locks: no guide</source>
+        <translation>при λ = 1 механизм заклинивает: направляющей нет</translation>
+    </message>
+    <message>
+        <source>the hinge releases no energy: its guide is a circle</source>
+        <translation>шарнир не отдаёт энергии: его направляющая — окружность</translation>
+    </message>
+    <message>
+        <source>a spring of %1 with a minimum length of %2 has no room for a relief of %3; it must be at least %4 long</source>
+        <translation>у пружины %1 с минимальной длиной %2 нет места для перепада %3; она должна быть не короче %4</translation>
+    </message>
+    <message>
+        <source>a compressed spring of %1 with a minimum length of %2 needs an outer diameter of at least %3 for a relief of %4</source>
+        <translation>сжатой пружине %1 с минимальной длиной %2 для перепада %4 нужен наружный диаметр не меньше %3</translation>
+    </message>
+    <message>
+        <source>a roller of radius %1 undercuts every guide with a relief of %2: use a smaller roller or less relief</source>
+        <translation>ролик радиусом %1 подрезает любую направляющую с перепадом %2; нужен меньший ролик или меньший перепад</translation>
+    </message>
+    <message>
+        <source>the required stiffness, %1, is out of range</source>
+        <translation>нужная жёсткость %1 вне допустимых пределов</translation>
+    </message>
+    <message>
+        <source>must be less than 1 for the exact kinematics (else the mechanism locks at a crank angle of 90°; &quot;kinematics&quot;: &quot;series&quot; draws the paper&apos;s curves)</source>
+        <translation>для точной кинематики должно быть меньше 1 (иначе механизм заклинивает при угле 90°; кривые статьи чертит &quot;kinematics&quot;: &quot;series&quot;)</translation>
+    </message>
+    <message>
+        <source>must be further from 1 for a motion: more than %1 points</source>
+        <translation>для движения должно быть дальше от 1: больше %1 точек</translation>
+    </message>
+    <message>
+        <source>must be less for this motion: %1 points reach only turn %2</source>
+        <translation>должно быть меньше для этого движения: %1 точек хватает лишь до оборота %2</translation>
+    </message>
+    <message>
+        <source>must give a feasible guide for this motion</source>
+        <translation>для этого движения направляющая должна быть допустимой</translation>
+    </message>
+    <message>
+        <source>must give a feasible guide for this motion: %1</source>
+        <translation>для этого движения направляющая должна быть допустимой: %1</translation>
+    </message>
+    <message>
+        <source>the crank stops after %1 turns and reverses</source>
+        <translation>через %1 оборота кривошип останавливается и поворачивает назад</translation>
+    </message>
+    <message>
+        <source>the crank is at rest</source>
+        <translation>кривошип неподвижен</translation>
+    </message>
+    <message>
+        <source>Work of the rod hinge&apos;s moment over a turn; 0 if a spring can supply it.</source>
+        <translation>Работа момента шарнира шатуна за оборот; 0, если её может дать пружина.</translation>
+    </message>
+    <message>
+        <source>Weight on the rod for ∮ M₁₂ dφ = 0, or as entered.</source>
+        <translation>Груз на шатуне при ∮ M₁₂ dφ = 0 или заданный.</translation>
+    </message>
+    <message>
+        <source>Crank guide with the rod hinge</source>
+        <translation>Направляющая кривошипа при шарнире шатуна</translation>
+    </message>
+    <message>
+        <source>Minimum |ℓ₀/2 − ρ₀| to store the energy.</source>
+        <translation>Минимум |ℓ₀/2 − ρ₀|, чтобы запасти энергию.</translation>
+    </message>
+    <message>
+        <source>φ of the maximum energy</source>
+        <translation>φ максимальной энергии</translation>
+    </message>
+    <message>
+        <source>Maximum minus minimum radius of the guide.</source>
+        <translation>Максимальный радиус направляющей минус минимальный.</translation>
+    </message>
+    <message>
+        <source>Maximum minus minimum length of the spring over a turn.</source>
+        <translation>Максимальная длина пружины за оборот минус минимальная.</translation>
+    </message>
+    <message>
+        <source>Maximum spring force</source>
+        <translation>Сила пружины, макс.</translation>
+    </message>
+    <message>
+        <source>c |ℓ − ℓ₀|, maximum over a turn.</source>
+        <translation>c |ℓ − ℓ₀|, максимум за оборот.</translation>
+    </message>
+    <message>
+        <source>Minimum spring force</source>
+        <translation>Сила пружины, мин.</translation>
+    </message>
+    <message>
+        <source>Maximum moment</source>
+        <translation>Максимальный момент</translation>
+    </message>
+    <message>
+        <source>Radius of curvature of the guide; a cutter must be smaller.</source>
+        <translation>Радиус кривизны направляющей; фреза должна быть меньше.</translation>
+    </message>
+    <message>
+        <source>Maximum roller radius</source>
+        <translation>Радиус ролика, макс.</translation>
+    </message>
+    <message>
+        <source>Maximum radius of a roller that touches the whole guide.</source>
+        <translation>Максимальный радиус ролика, который касается всей направляющей.</translation>
+    </message>
+    <message>
+        <source>Maximum pressure angle</source>
+        <translation>Угол давления, макс.</translation>
+    </message>
+    <message>
+        <source>Maximum error of the hinge&apos;s moment at this profile error.</source>
+        <translation>Максимальная погрешность момента шарнира при этой погрешности профиля.</translation>
+    </message>
+    <message>
+        <source>Moment error over the hinge&apos;s maximum moment.</source>
+        <translation>Отношение погрешности момента к максимальному моменту шарнира.</translation>
+    </message>
+    <message>
+        <source>Minimum spring length</source>
+        <translation>Длина пружины, мин.</translation>
+    </message>
+    <message>
+        <source>Maximum spring energy</source>
+        <translation>Энергия пружины, макс.</translation>
+    </message>
+    <message>
+        <source>Maximum force of the slider on its guide.</source>
+        <translation>Максимальная сила ползуна на направляющую.</translation>
+    </message>
+    <message>
+        <source>Maximum force of the slider on its guide with the rod hinge.</source>
+        <translation>Максимальная сила ползуна на направляющую с шарниром шатуна.</translation>
+    </message>
+    <message>
+        <source>Maximum error of cos ψ</source>
+        <translation>Максимальная погрешность cos ψ</translation>
+    </message>
+    <message>
+        <source>φ of the maximum error</source>
+        <translation>φ максимальной погрешности</translation>
+    </message>
+    <message>
+        <source>Maximum error of M₁₂</source>
+        <translation>Максимальная погрешность M₁₂</translation>
+    </message>
+    <message>
+        <source>Crank hinge moment with the rod hinge</source>
+        <translation>Момент шарнира кривошипа при шарнире шатуна</translation>
+    </message>
+    <message>
+        <source>no spring is given: enter its free length</source>
+        <translation>пружина не задана: введите её свободную длину</translation>
+    </message>
+    <message>
+        <source>The sign is as printed in the paper: the crank does not keep its speed.</source>
+        <translation>Знак взят как напечатан в статье: кривошип не сохраняет скорость.</translation>
+    </message>
+    <message>
+        <source>has values whose result exceeds the range of numbers; enter realistic values</source>
+        <translation>значения дают результат вне пределов чисел; введите реальные значения</translation>
+    </message>
+    <message>
+        <source>Error of the series in cos ψ: %1 at φ = %2°. Use the exact kinematics for a design.</source>
+        <translation>Погрешность ряда в cos ψ: %1 при φ = %2°. Для проекта берите точную кинематику.</translation>
+    </message>
+    <message>
+        <source>The guide has the sign as printed in the paper: the crank leaves its design speed. The energy sign keeps the speed.</source>
+        <translation>Знак направляющей — как напечатан в статье: кривошип уходит от расчётной скорости. Скорость сохраняет знак по энергии.</translation>
+    </message>
+    <message>
+        <source>Equation (9) as printed has the wrong sign of the counterweight&apos;s inertia: residual side force up to %1. Newton–Euler makes it zero.</source>
+        <translation>В напечатанной формуле (9) неверен знак инерции противовеса: остаточная боковая сила до %1. По Ньютону–Эйлеру она равна нулю.</translation>
+    </message>
+    <message>
+        <source>The crank&apos;s guide has a relief of only %1: a profile error of %2 changes its moment by up to %3. A softer spring gives more relief.</source>
+        <translation>Перепад направляющей кривошипа всего %1: погрешность профиля %2 меняет её момент на величину до %3. Более мягкая пружина даёт больший перепад.</translation>
     </message>
     <message>
         <source>The crank is a uniform bar of length r.</source>
@@ -6610,10 +6594,6 @@
         <translation>Шатун — однородный стержень длины r/λ.</translation>
     </message>
     <message>
-        <source>All that moves along the slider line.</source>
-        <translation>Всё, что движется по линии ползуна.</translation>
-    </message>
-    <message>
         <source>The standard value is 9.80665 m/s².</source>
         <translation>Стандартное значение 9,80665 м/с².</translation>
     </message>
@@ -6622,32 +6602,40 @@
         <translation>От оси кривошипа до шатунной шейки; длина шатуна r/λ.</translation>
     </message>
     <message>
-        <source>Crank radius to rod length. Below 1; λ = 1 can be drawn with the series only.</source>
-        <translation>Радиус кривошипа к длине шатуна. Меньше 1; λ = 1 можно начертить только с рядом.</translation>
-    </message>
-    <message>
-        <source>Crank speed that the hinges are designed for.</source>
-        <translation>Угловая скорость кривошипа, на которую рассчитаны шарниры.</translation>
-    </message>
-    <message>
         <source>Stiffness of the spring of the crank&apos;s hinge. A softer spring gives more relief.</source>
         <translation>Жёсткость пружины шарнира кривошипа. У более мягкой пружины перепад больше.</translation>
-    </message>
-    <message>
-        <source>Length of the unloaded spring of the crank&apos;s hinge.</source>
-        <translation>Длина ненапряжённой пружины шарнира кривошипа.</translation>
     </message>
     <message>
         <source>none</source>
         <translation>нет</translation>
     </message>
     <message>
-        <source>Radius of the guide at φ = 0. Below ℓ₀/2 the spring is compressed, above it is stretched.</source>
-        <translation>Радиус направляющей при φ = 0. Меньше ℓ₀/2 — пружина сжата, больше — растянута.</translation>
-    </message>
-    <message>
         <source>From the crankpin to the counterweight on the rod.</source>
         <translation>От шатунной шейки до противовеса на шатуне.</translation>
+    </message>
+    <message>
+        <source>With masses, gravity may be 0 (horizontal mechanism).</source>
+        <translation>С массами ускорение может быть 0 (горизонтальный механизм).</translation>
+    </message>
+    <message>
+        <source>All parts that move along the slider line.</source>
+        <translation>Всё, что движется по линии ползуна.</translation>
+    </message>
+    <message>
+        <source>Crank radius to rod length, below 1 (1 with the series only).</source>
+        <translation>Отношение радиуса кривошипа к длине шатуна, меньше 1 (1 только с рядом).</translation>
+    </message>
+    <message>
+        <source>Design speed of the hinges.</source>
+        <translation>Расчётная скорость шарниров.</translation>
+    </message>
+    <message>
+        <source>Unloaded length of the spring of the crank&apos;s hinge.</source>
+        <translation>Длина ненапряжённой пружины шарнира кривошипа.</translation>
+    </message>
+    <message>
+        <source>Radius of the guide at φ = 0: below ℓ₀/2 the spring is compressed, above it stretched.</source>
+        <translation>Радиус направляющей при φ = 0: меньше ℓ₀/2 — пружина сжата, больше — растянута.</translation>
     </message>
 </context>
 <context>
@@ -6671,18 +6659,6 @@
     <message>
         <source>%1, vertical plane</source>
         <translation>%1, вертикальная плоскость</translation>
-    </message>
-    <message>
-        <source>%1: the two-term form leaves it out, %2 % of the largest order</source>
-        <translation>%1: двучленная формула отбрасывает его, %2&#xa0;% наибольшего порядка</translation>
-    </message>
-    <message>
-        <source>%1: the two-term form is %2 % off</source>
-        <translation>%1: двучленная формула ошибается на %2&#xa0;%</translation>
-    </message>
-    <message>
-        <source>the mechanism of cylinder %1 cannot be joined: the rod reaches the piston at no crank angle</source>
-        <translation>механизм цилиндра %1 собрать нельзя: шатун не достаёт до поршня ни при каком угле кривошипа</translation>
     </message>
     <message>
         <source>the mechanism of cylinder %1 locks with the crank at %2 turning forward and at %3 turning back, measured from the cylinder&apos;s axis</source>
@@ -6709,10 +6685,6 @@
         <translation>&amp;λ = R / L</translation>
     </message>
     <message>
-        <source>Crank radius over rod length. Volkswagen VR5: 0.265. The crank turns where λ (1 + |e|/R) &lt; 1.</source>
-        <translation>Радиус кривошипа к длине шатуна. Volkswagen VR5: 0,265. Вал проворачивается, если λ (1 + |e|/R) &lt; 1.</translation>
-    </message>
-    <message>
         <source>Speed &amp;n</source>
         <translation>&amp;Частота n</translation>
     </message>
@@ -6725,10 +6697,6 @@
         <translation>Поступательная &amp;масса</translation>
     </message>
     <message>
-        <source>Of one cylinder: piston with pin and rings, and the rod&apos;s share unless the rod is a rigid body below. Volkswagen VR5: 0.622 kg.</source>
-        <translation>Одного цилиндра: поршень с пальцем и кольцами и доля шатуна, если шатун ниже не задан твёрдым телом. Volkswagen VR5: 0,622 кг.</translation>
-    </message>
-    <message>
         <source>R&amp;otating mass</source>
         <translation>Вра&amp;щающаяся масса</translation>
     </message>
@@ -6737,16 +6705,8 @@
         <translation>&amp;Центр масс z</translation>
     </message>
     <message>
-        <source>Axial position of the point that moments refer to, in the coordinates of the cylinders; positive towards cylinder 1.</source>
-        <translation>Положение вдоль вала точки, относительно которой берутся моменты, в координатах цилиндров; положительное в сторону цилиндра 1.</translation>
-    </message>
-    <message>
         <source>&amp;Firing order</source>
         <translation>Порядок ра&amp;боты</translation>
-    </message>
-    <message>
-        <source>Numbers of the cylinders, for example 1-2-4-5-3. Layouts with crankpins for even firing follow it.</source>
-        <translation>Номера цилиндров, например 1-2-4-5-3. Компоновки с шейками для равномерного чередования вспышек следуют ему.</translation>
     </message>
     <message>
         <source>Axial position, positive towards cylinder 1</source>
@@ -6769,32 +6729,16 @@
         <translation>Угол развала &amp;γ</translation>
     </message>
     <message>
-        <source>Between the banks, 0 to 180°. Crankpins for even firing follow it; those of a table stay, and its bank angles are scaled.</source>
-        <translation>Между рядами, от 0 до 180°. Шейки для равномерного чередования вспышек следуют ему; шейки таблицы остаются, а её углы рядов меняются пропорционально.</translation>
-    </message>
-    <message>
         <source>O&amp;ffset e</source>
         <translation>Дезакса&amp;ж e</translation>
-    </message>
-    <message>
-        <source>Distance of the cylinder axes from the crank axis, as far as the mechanism does not lock. Of a table: the largest; the others are scaled with it.</source>
-        <translation>Расстояние осей цилиндров от оси вала, пока механизм не заклинивает. В таблице — наибольшее; остальные меняются пропорционально.</translation>
     </message>
     <message>
         <source>&amp;Spacing a</source>
         <translation>&amp;Шаг a</translation>
     </message>
     <message>
-        <source>Between neighbouring crankpins (in V engines: throws) along the crank. Volkswagen VR5: 63 mm.</source>
-        <translation>Между соседними шатунными шейками (в V-образных — коленами) вдоль вала. Volkswagen VR5: 63 мм.</translation>
-    </message>
-    <message>
         <source>Sta&amp;gger</source>
         <translation>Смещение ря&amp;дов</translation>
-    </message>
-    <message>
-        <source>From bank 1&apos;s cylinder to bank 2&apos;s at the same throw, along the crank. 0 where the rods are forked.</source>
-        <translation>От цилиндра ряда 1 до цилиндра ряда 2 на том же колене, вдоль вала. 0 при вильчатых шатунах.</translation>
     </message>
     <message>
         <source>&amp;Position of cylinder 1</source>
@@ -6819,10 +6763,6 @@
     <message>
         <source>&amp;Inertia</source>
         <translation>Момент &amp;инерции</translation>
-    </message>
-    <message>
-        <source>About its centre of mass</source>
-        <translation>Относительно центра масс</translation>
     </message>
     <message>
         <source>exact orders</source>
@@ -6853,16 +6793,8 @@
         <translation>Рассчитаны &amp;на</translation>
     </message>
     <message>
-        <source>The paper designs its shafts for the two-term form; what they leave of the exact order is then what the two-term form leaves out.</source>
-        <translation>В статье валы рассчитаны по двучленной формуле; их остаток от точного порядка — то, что двучленная формула отбрасывает.</translation>
-    </message>
-    <message>
         <source>Order of the shaft</source>
         <translation>Порядок вала</translation>
-    </message>
-    <message>
-        <source>Order that the shaft cancels; it turns k times as fast as the crank.</source>
-        <translation>Порядок, который гасит вал; он вращается в k раз быстрее коленчатого.</translation>
     </message>
     <message>
         <source>Direction of the shaft</source>
@@ -6905,16 +6837,8 @@
         <translation>Фаза вала</translation>
     </message>
     <message>
-        <source>Error of the shaft&apos;s phase, ahead in its own direction: 0 when it is timed right.</source>
-        <translation>Ошибка фазы вала, вперёд по его вращению: 0, если он установлен верно.</translation>
-    </message>
-    <message>
         <source>Shaft on</source>
         <translation>Вал включён</translation>
-    </message>
-    <message>
-        <source>Switched on, the shaft counts in what is left over.</source>
-        <translation>Включённый вал учитывается в остатке.</translation>
     </message>
     <message>
         <source>&amp;Front web at z</source>
@@ -6937,28 +6861,12 @@
         <translation>П&amp;ередний радиус ρ</translation>
     </message>
     <message>
-        <source>Of the front weight&apos;s centre of mass</source>
-        <translation>Центра масс переднего груза</translation>
-    </message>
-    <message>
         <source>Rear ra&amp;dius ρ</source>
         <translation>З&amp;адний радиус ρ</translation>
     </message>
     <message>
-        <source>Of the rear weight&apos;s centre of mass</source>
-        <translation>Центра масс заднего груза</translation>
-    </message>
-    <message>
         <source>must list from 1 to %1 cylinders</source>
         <translation>цилиндров должно быть от 1 до %1</translation>
-    </message>
-    <message>
-        <source>must be less than %1 in size (rod length less crank radius); %2</source>
-        <translation>по величине должно быть меньше %1 (длина шатуна минус радиус кривошипа); %2</translation>
-    </message>
-    <message>
-        <source>must leave both ends of the rod a mass that is not negative</source>
-        <translation>массы обеих головок шатуна должны остаться неотрицательными</translation>
     </message>
     <message>
         <source>sizes, masses and speed together must keep forces and moments under 1e200 N and N·m</source>
@@ -7065,28 +6973,12 @@
         <translation>размеры, массы и частота вращения вместе должны держать уравновешивающие массы в пределах чисел</translation>
     </message>
     <message>
-        <source>Of one cylinder, reduced to the crank radius: its part of the throw&apos;s unbalance, and the rod&apos;s share unless the rod is a rigid body below. A pin that two rods share carries it twice.</source>
-        <translation>Одного цилиндра, приведённая к радиусу кривошипа: его часть неуравновешенности колена и доля шатуна, если шатун ниже не задан твёрдым телом. Шейка, общая для двух шатунов, несёт её дважды.</translation>
-    </message>
-    <message>
         <source>R&amp;otating mass of a throw</source>
         <translation>&amp;Вращающаяся масса колена</translation>
     </message>
     <message>
-        <source>Instead of the mass of one cylinder: all that turns on one crankpin, with the shares of its rods unless the rod is a rigid body below. Only where all pins carry the same number of rods.</source>
-        <translation>Вместо массы одного цилиндра: всё, что вращается на одной шатунной шейке, с долями её шатунов, если шатун ниже не задан твёрдым телом. Только если на всех шейках одинаковое число шатунов.</translation>
-    </message>
-    <message>
         <source>C&amp;ycle</source>
         <translation>Ц&amp;икл</translation>
-    </message>
-    <message>
-        <source>4 or 2 strokes: the cylinders fire over 720° or over 360° of the crank. Crankpins for even firing follow it.</source>
-        <translation>4 или 2 такта: цилиндры срабатывают за 720° или за 360° поворота вала. Шейки для равномерного чередования следуют за этим.</translation>
-    </message>
-    <message>
-        <source>Step of the curves in the result; without it there are none.</source>
-        <translation>Шаг кривых в результате; без него их нет.</translation>
     </message>
     <message>
         <source>The cylinders one by one, instead of a layout.</source>
@@ -7109,10 +7001,6 @@
         <translation>Число цилиндров VR-двигателя.</translation>
     </message>
     <message>
-        <source>The rod as a rigid body; without it its shares are in the masses.</source>
-        <translation>Шатун как твёрдое тело; без него его доли входят в массы.</translation>
-    </message>
-    <message>
         <source>The balance shafts, each made for the order that it cancels.</source>
         <translation>Балансирные валы, каждый для порядка, который он уравновешивает.</translation>
     </message>
@@ -7121,40 +7009,12 @@
         <translation>Два противовеса на крайних щеках.</translation>
     </message>
     <message>
-        <source>Switched on, they count in what is left over.</source>
-        <translation>Включённые, они входят в остаток.</translation>
-    </message>
-    <message>
-        <source>The order %1 cannot be run through in two turns of this crank.</source>
-        <translation>Порядок %1 нельзя пройти за два оборота этого вала.</translation>
-    </message>
-    <message>
-        <source>The order %1 cannot be run through in one turn of this crank, as a two-stroke has to: its cylinders come to the top in the order %2.</source>
-        <translation>Порядок %1 нельзя пройти за один оборот этого вала, как нужно двухтактному двигателю: его цилиндры приходят вверх в порядке %2.</translation>
-    </message>
-    <message>
         <source>throws with %1 and with %2 rods</source>
         <translation>колена с числом шатунов %1 и %2</translation>
     </message>
     <message>
-        <source>must have a master rod: none of the rods on the crankpin of cylinder %1 is without articulated</source>
-        <translation>нужен главный шатун: на шейке цилиндра %1 нет шатуна без articulated</translation>
-    </message>
-    <message>
-        <source>must be given: the rods of cylinders %1 run on this crankpin, and each could be the master</source>
-        <translation>должно быть задано: на этой шейке стоят шатуны цилиндров %1, главным мог бы быть каждый</translation>
-    </message>
-    <message>
         <source>must be a cylinder of the table, 1 to %1</source>
         <translation>должен быть цилиндр таблицы, от 1 до %1</translation>
-    </message>
-    <message>
-        <source>must be a rod on the crankpin itself; that of cylinder %1 is articulated too</source>
-        <translation>должен быть шатун на самой шейке; у цилиндра %1 он тоже прицепной</translation>
-    </message>
-    <message>
-        <source>must run on the same crankpin (same angle, another direction, less than the crank radius away); cylinder %1 runs on that of cylinders %2</source>
-        <translation>должен стоять на той же шейке (тот же угол, другое направление, ближе радиуса кривошипа); цилиндр %1 — на шейке цилиндров %2</translation>
     </message>
     <message>
         <source>must be less than %1, the length of the master rod</source>
@@ -7169,36 +7029,12 @@
         <translation>четыре такта, 720°</translation>
     </message>
     <message>
-        <source>The cylinder&apos;s rod hangs on the master rod of its crankpin by a knuckle pin (radials); without it the rod runs on the crankpin itself.</source>
-        <translation>Шатун цилиндра прицеплен пальцем к главному шатуну своей шейки (звёзды); без этого шатун стоит на самой шейке.</translation>
-    </message>
-    <message>
-        <source>Articulated rod: part of the cylinder&apos;s rotating mass that lies at the knuckle pin instead of the crankpin</source>
-        <translation>Прицепной шатун: часть вращающейся массы цилиндра, которая находится у пальца прицепа, а не у шейки</translation>
-    </message>
-    <message>
         <source>Axial position z of cylinder 1. Volkswagen VR5: 3 a + l = 204.8 mm, with the centre of mass at z = 0.</source>
         <translation>Положение z цилиндра 1 вдоль вала. Volkswagen VR5: 3 a + l = 204,8 мм, центр масс при z = 0.</translation>
     </message>
     <message>
-        <source>must be left out where rods are articulated (that of cylinder %1): master and articulated rods differ in mass, and their shares belong in the masses</source>
-        <translation>не должно быть там, где шатуны прицепные (у цилиндра %1): главный и прицепные шатуны различны по массе, их доли входят в массы</translation>
-    </message>
-    <message>
         <source>must be at most %1, the rotating mass of one cylinder</source>
         <translation>должно быть не больше %1 — вращающейся массы одного цилиндра</translation>
-    </message>
-    <message>
-        <source>must leave the articulated rod longer than %1, which its knuckle pin goes from the cylinder&apos;s axis; %2</source>
-        <translation>прицепной шатун должен остаться длиннее %1 — настолько палец прицепа отходит от оси цилиндра; %2</translation>
-    </message>
-    <message>
-        <source>Cylinders %1 share a crankpin in one plane: there one rod is the master and the others hang on it. All are computed as plain rods on the pin; articulated ones add a second order to the force, of 5 to 12 % of the first, and uneven dead centres. &quot;Articulated rods&quot; above the table of cylinders computes them (articulated in the case file).</source>
-        <translation>Цилиндры %1 стоят на одной шейке в одной плоскости: там один шатун главный, а остальные прицеплены к нему. Все считаются обычными шатунами на шейке; прицепные добавляют к силе второй порядок, 5–12&#xa0;% первого, и неравномерность мёртвых точек. Их вычисляет «Прицепные шатуны» над таблицей цилиндров (articulated в файле).</translation>
-    </message>
-    <message>
-        <source>The articulated rods of cylinders %1 are longer than the master rod (%2): usual ones are shorter by about the knuckle radius.</source>
-        <translation>Прицепные шатуны цилиндров %1 длиннее главного (%2): обычно они короче примерно на радиус прицепа.</translation>
     </message>
     <message>
         <source>The articulated rods of cylinders %1 have a knuckle radius of 0: they move as plain rods on the crankpin.</source>
@@ -7255,10 +7091,6 @@
     <message>
         <source>Ro&amp;d length L</source>
         <translation>&amp;Длина шатуна L</translation>
-    </message>
-    <message>
-        <source>From crankpin to piston pin, instead of λ = R / L. It stays when the crank radius changes; λ stays where λ is given.</source>
-        <translation>От шатунной шейки до поршневого пальца, вместо λ = R / L. При другом радиусе кривошипа остаётся она; если задано λ — остаётся λ.</translation>
     </message>
     <message>
         <source>Swing of the master rod</source>
@@ -7333,10 +7165,6 @@
         <translation>Сила инерции, два члена</translation>
     </message>
     <message>
-        <source>the paper&apos;s form, beside which the exact one stands</source>
-        <translation>форма статьи, рядом с которой показана точная</translation>
-    </message>
-    <message>
         <source>Top dead centre</source>
         <translation>Верхняя мёртвая точка</translation>
     </message>
@@ -7365,10 +7193,6 @@
         <translation>Моменты в горизонтальной и вертикальной плоскости</translation>
     </message>
     <message>
-        <source>zᵢ place of cylinder i along the crank, z₀ the point that moments refer to</source>
-        <translation>zᵢ — место цилиндра i вдоль вала, z₀ — точка, к которой отнесены моменты</translation>
-    </message>
-    <message>
         <source>Roll moment</source>
         <translation>Опрокидывающий момент</translation>
     </message>
@@ -7377,24 +7201,8 @@
         <translation>от дезаксажей и как реакция на момент на кривошипе</translation>
     </message>
     <message>
-        <source>what its inertia differs from two masses; acts on roll moment and torque</source>
-        <translation>отличие его инерции от двух масс; действует на опрокидывающий и крутящий моменты</translation>
-    </message>
-    <message>
         <source>The engine is rigid, and the crank turns at constant speed.</source>
         <translation>Двигатель жёсткий, вал вращается с постоянной скоростью.</translation>
-    </message>
-    <message>
-        <source>Gas forces act inside the engine and come out as torque only; half orders belong to them.</source>
-        <translation>Силы газов действуют внутри двигателя и выходят наружу лишь крутящим моментом; половинные порядки относятся к ним.</translation>
-    </message>
-    <message>
-        <source>All cylinders have the same masses, the same crank radius and the same rod, but for articulated rods.</source>
-        <translation>У всех цилиндров одинаковые массы, радиус кривошипа и шатун — кроме прицепных шатунов.</translation>
-    </message>
-    <message>
-        <source>The inertia of a master rod&apos;s big end beyond the mass at its knuckle pins is left out.</source>
-        <translation>Инерция нижней головки главного шатуна сверх массы у пальцев прицепных шатунов не учитывается.</translation>
     </message>
     <message>
         <source>must be greater than the crank radius, %1; %2</source>
@@ -7425,20 +7233,12 @@
         <translation>должно отличаться от «%1» больше чем на %2</translation>
     </message>
     <message>
-        <source>must be given for one cylinder (%1) on a crank whose throws carry different numbers of rods</source>
-        <translation>нужно задать для одного цилиндра (%1): на коленах этого вала разное число шатунов</translation>
-    </message>
-    <message>
         <source>Radial engine, %1 cylinders</source>
         <translation>Звезда, цилиндров: %1</translation>
     </message>
     <message>
         <source>Articulated rod: distance of its knuckle pin from the crankpin&apos;s centre.</source>
         <translation>Прицепной шатун: расстояние пальца прицепа от центра шейки.</translation>
-    </message>
-    <message>
-        <source>the rod runs on the crankpin itself</source>
-        <translation>шатун стоит на самой шейке</translation>
     </message>
     <message>
         <source>Articulated rod: its knuckle pin about the crankpin, counter-clockwise from the master rod&apos;s axis.</source>
@@ -7453,24 +7253,12 @@
         <translation>Прицепной шатун: длина от пальца прицепа до поршневого пальца.</translation>
     </message>
     <message>
-        <source>the master rod&apos;s less the knuckle radius</source>
-        <translation>длина главного без радиуса прицепа</translation>
-    </message>
-    <message>
         <source>Articulated rod: number of the cylinder with its master rod.</source>
         <translation>Прицепной шатун: номер цилиндра с его главным шатуном.</translation>
     </message>
     <message>
-        <source>as 0, the only rod that runs on the crankpin itself</source>
-        <translation>как 0, единственный шатун на самой шейке</translation>
-    </message>
-    <message>
         <source>Axial position of the weight.</source>
         <translation>Положение груза вдоль вала.</translation>
-    </message>
-    <message>
-        <source>at the point that moments refer to</source>
-        <translation>в точке, относительно которой берутся моменты</translation>
     </message>
     <message>
         <source>Radius of the weights&apos; centres of mass; gives their mass.</source>
@@ -7489,20 +7277,8 @@
         <translation>не больше %1; %2</translation>
     </message>
     <message>
-        <source>must keep the articulated rod farther from locking: its exact orders cannot be computed to the digits shown</source>
-        <translation>прицепной шатун должен быть дальше от заклинивания: его точные порядки нельзя вычислить с показанными знаками</translation>
-    </message>
-    <message>
         <source>Forces and moments of orders 1 to 4 are balanced.</source>
         <translation>Силы и моменты порядков 1–4 уравновешены.</translation>
-    </message>
-    <message>
-        <source>Largest residual force: %1, order %2.</source>
-        <translation>Наибольшая остаточная сила: %1, порядок %2.</translation>
-    </message>
-    <message>
-        <source>Largest residual moment: %1, order %2.</source>
-        <translation>Наибольший остаточный момент: %1, порядок %2.</translation>
     </message>
     <message>
         <source>The shafts are designed by the two-term form, which is inaccurate here: %1.</source>
@@ -7805,12 +7581,224 @@
         <translation>опрокидывающий момент от дезаксажей и шатунов</translation>
     </message>
     <message>
+        <source>must have a master rod: all rods on the crankpin of cylinder %1 are articulated</source>
+        <translation>нужен главный шатун: на шейке цилиндра %1 все шатуны прицепные</translation>
+    </message>
+    <message>
+        <source>must be given: any of the rods of cylinders %1 on this crankpin could be the master</source>
+        <translation>должно быть задано: главным на этой шейке может быть любой из шатунов цилиндров %1</translation>
+    </message>
+    <message>
+        <source>must be a rod on the crankpin; the rod of cylinder %1 is articulated too</source>
+        <translation>должен быть шатун на шейке; шатун цилиндра %1 тоже прицепной</translation>
+    </message>
+    <message>
+        <source>must run on the same crankpin (same angle, another direction, less than the crank radius away); cylinder %1 runs on the crankpin of cylinders %2</source>
+        <translation>должен стоять на той же шейке (тот же угол, другое направление, ближе радиуса кривошипа); цилиндр %1 — на шейке цилиндров %2</translation>
+    </message>
+    <message>
+        <source>The articulated rods of cylinders %1 are longer than the master rod (%2); usual: shorter by about the knuckle radius.</source>
+        <translation>Прицепные шатуны цилиндров %1 длиннее главного (%2); обычно короче примерно на радиус прицепа.</translation>
+    </message>
+    <message>
+        <source>%1: not in the two-term form, %2 % of the maximum order</source>
+        <translation>%1: в двучленной формуле нет, %2 % наибольшего порядка</translation>
+    </message>
+    <message>
+        <source>%1: error of the two-term form %2 %</source>
+        <translation>%1: ошибка двучленной формулы %2 %</translation>
+    </message>
+    <message>
+        <source>the mechanism of cylinder %1 is not possible: the rod does not reach the piston at any crank angle</source>
+        <translation>механизм цилиндра %1 невозможен: шатун не достаёт до поршня ни при каком угле кривошипа</translation>
+    </message>
+    <message>
+        <source>Crank radius over rod length; the crank turns if λ (1 + |e|/R) &lt; 1. Volkswagen VR5: 0.265.</source>
+        <translation>Отношение радиуса кривошипа к длине шатуна; вал проворачивается, если λ (1 + |e|/R) &lt; 1. Volkswagen VR5: 0,265.</translation>
+    </message>
+    <message>
+        <source>From crankpin to piston pin. Enter λ or the length; the entered one is kept when the crank radius changes.</source>
+        <translation>От шатунной шейки до поршневого пальца. Введите λ или длину; введённое сохраняется при другом радиусе кривошипа.</translation>
+    </message>
+    <message>
+        <source>Mass of one cylinder: piston with pin and rings, and the rod&apos;s share unless the rod is a rigid body. Volkswagen VR5: 0.622 kg.</source>
+        <translation>Масса одного цилиндра: поршень с пальцем и кольцами и доля шатуна, если шатун не задан твёрдым телом. Volkswagen VR5: 0,622 кг.</translation>
+    </message>
+    <message>
+        <source>Mass of one cylinder at the crank radius: its part of the throw, and the rod&apos;s share unless the rod is a rigid body. A pin with two rods carries it twice.</source>
+        <translation>Масса одного цилиндра на радиусе кривошипа: его часть колена и доля шатуна, если шатун не задан твёрдым телом. Шейка с двумя шатунами несёт её дважды.</translation>
+    </message>
+    <message>
+        <source>Rotating mass on one crankpin, with the shares of its rods unless the rod is a rigid body. All pins must carry the same number of rods.</source>
+        <translation>Вращающаяся масса на одной шейке, с долями её шатунов, если шатун не задан твёрдым телом. На всех шейках должно быть одинаковое число шатунов.</translation>
+    </message>
+    <message>
+        <source>The cylinders fire over 720° (four strokes) or 360° (two strokes). Crankpins for even firing follow.</source>
+        <translation>Цилиндры работают за 720° (четыре такта) или 360° (два такта). Шейки для равномерного чередования следуют за этим.</translation>
+    </message>
+    <message>
+        <source>Axial position of the reference point of moments, positive towards cylinder 1.</source>
+        <translation>Положение точки отсчёта моментов вдоль вала, положительное в сторону цилиндра 1.</translation>
+    </message>
+    <message>
+        <source>Step of the curves in the result; without a step there are no curves.</source>
+        <translation>Шаг кривых в результате; без шага кривых нет.</translation>
+    </message>
+    <message>
+        <source>Numbers of the cylinders, for example 1-2-4-5-3. Crankpins for even firing follow.</source>
+        <translation>Номера цилиндров, например 1-2-4-5-3. Шейки для равномерного чередования следуют за ним.</translation>
+    </message>
+    <message>
+        <source>The rod is attached to the master rod by a knuckle pin (radials); otherwise it runs on the crankpin.</source>
+        <translation>Шатун прицеплен пальцем к главному шатуну (звёзды); иначе он на шейке.</translation>
+    </message>
+    <message>
+        <source>the rod runs on the crankpin</source>
+        <translation>шатун на шейке</translation>
+    </message>
+    <message>
+        <source>the master rod&apos;s length minus the knuckle radius</source>
+        <translation>длина главного минус радиус прицепа</translation>
+    </message>
+    <message>
+        <source>0, the only rod on the crankpin</source>
+        <translation>0, единственный шатун на шейке</translation>
+    </message>
+    <message>
+        <source>Articulated rod: part of the cylinder&apos;s rotating mass at the knuckle pin instead of the crankpin</source>
+        <translation>Прицепной шатун: часть вращающейся массы цилиндра, которая находится у пальца прицепа, а не у шейки</translation>
+    </message>
+    <message>
+        <source>Angle between the banks, 0 to 180°. Crankpins for even firing follow; in a table only the bank angles are scaled.</source>
+        <translation>Угол между рядами, от 0 до 180°. Шейки для равномерного чередования следуют ему; в таблице пропорционально меняются только углы рядов.</translation>
+    </message>
+    <message>
+        <source>Distance of the cylinder axes from the crank axis. In a table: the maximum; the others are scaled.</source>
+        <translation>Расстояние осей цилиндров от оси вала. В таблице — максимальное; остальные меняются пропорционально.</translation>
+    </message>
+    <message>
+        <source>Distance between neighbouring crankpins (in V engines: throws) along the crank. Volkswagen VR5: 63 mm.</source>
+        <translation>Расстояние между соседними шатунными шейками (в V-образных — коленами) вдоль вала. Volkswagen VR5: 63 мм.</translation>
+    </message>
+    <message>
+        <source>Distance along the crank from bank 1&apos;s to bank 2&apos;s cylinder of a throw. 0 for forked rods.</source>
+        <translation>Расстояние вдоль вала от цилиндра ряда 1 до цилиндра ряда 2 на том же колене. 0 при вильчатых шатунах.</translation>
+    </message>
+    <message>
+        <source>The rod as a rigid body; otherwise its shares are in the masses.</source>
+        <translation>Шатун как твёрдое тело; иначе его доли входят в массы.</translation>
+    </message>
+    <message>
+        <source>Moment of inertia about the centre of mass</source>
+        <translation>Момент инерции относительно центра масс</translation>
+    </message>
+    <message>
+        <source>The paper designs its shafts by the two-term form; the residual is then the error of this form.</source>
+        <translation>В статье валы рассчитаны по двучленной формуле; остаток тогда равен её погрешности.</translation>
+    </message>
+    <message>
+        <source>Order that the shaft cancels; the shaft turns k times as fast as the crank.</source>
+        <translation>Порядок, который гасит вал; он вращается в k раз быстрее коленчатого.</translation>
+    </message>
+    <message>
+        <source>at the reference point of moments</source>
+        <translation>в точке отсчёта моментов</translation>
+    </message>
+    <message>
+        <source>Phase error of the shaft, positive ahead in its own direction; 0 for correct timing.</source>
+        <translation>Ошибка фазы вала, положительная вперёд по его вращению; 0 при верной установке.</translation>
+    </message>
+    <message>
+        <source>If on, the shaft is included in the residual.</source>
+        <translation>Включённый вал учитывается в остатке.</translation>
+    </message>
+    <message>
+        <source>Radius of the front weight&apos;s centre of mass</source>
+        <translation>Радиус центра масс переднего груза</translation>
+    </message>
+    <message>
+        <source>Radius of the rear weight&apos;s centre of mass</source>
+        <translation>Радиус центра масс заднего груза</translation>
+    </message>
+    <message>
+        <source>If on, the counterweights are included in the residual.</source>
+        <translation>Включённые противовесы учитываются в остатке.</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s form, compared with the exact one</source>
+        <translation>форма статьи, для сравнения с точной</translation>
+    </message>
+    <message>
+        <source>zᵢ place of cylinder i along the crank, z₀ reference point of moments</source>
+        <translation>zᵢ — место цилиндра i вдоль вала, z₀ — точка отсчёта моментов</translation>
+    </message>
+    <message>
+        <source>difference of its inertia from two masses; acts on roll moment and torque</source>
+        <translation>отличие его инерции от двух масс; действует на опрокидывающий и крутящий моменты</translation>
+    </message>
+    <message>
+        <source>Gas forces act inside the engine, outside only as torque; they have the half orders.</source>
+        <translation>Силы газов действуют внутри двигателя, наружу — лишь крутящим моментом; половинные порядки — от них.</translation>
+    </message>
+    <message>
+        <source>All cylinders have the same masses, crank radius and rod, except articulated rods.</source>
+        <translation>У всех цилиндров одинаковые массы, радиус кривошипа и шатун — кроме прицепных шатунов.</translation>
+    </message>
+    <message>
+        <source>The inertia of a master rod&apos;s big end beyond the mass at its knuckle pins is neglected.</source>
+        <translation>Инерция нижней головки главного шатуна сверх массы у пальцев прицепных шатунов не учитывается.</translation>
+    </message>
+    <message>
+        <source>must be less than %1 in magnitude (rod length minus crank radius); %2</source>
+        <translation>по модулю должно быть меньше %1 (длина шатуна минус радиус кривошипа); %2</translation>
+    </message>
+    <message>
+        <source>must be left out with articulated rods (cylinder %1): master and articulated rods differ in mass, so enter their shares in the masses</source>
+        <translation>не указывается при прицепных шатунах (цилиндр %1): массы шатунов различны, введите их доли в массах</translation>
+    </message>
+    <message>
+        <source>must leave the articulated rod longer than %1, the distance of its knuckle pin from the cylinder&apos;s axis; %2</source>
+        <translation>прицепной шатун должен остаться длиннее %1, расстояния пальца прицепа от оси цилиндра; %2</translation>
+    </message>
+    <message>
+        <source>must be given for one cylinder (%1) if the throws carry different numbers of rods</source>
+        <translation>нужно задать для одного цилиндра (%1): на коленах этого вала разное число шатунов</translation>
+    </message>
+    <message>
+        <source>must give both ends of the rod a mass of at least 0</source>
+        <translation>массы обеих головок шатуна должны остаться неотрицательными</translation>
+    </message>
+    <message>
+        <source>This crank cannot fire in the order %1 in two turns.</source>
+        <translation>На этом валу порядок %1 за два оборота невозможен.</translation>
+    </message>
+    <message>
+        <source>This crank cannot fire in the order %1 in one turn (two-stroke); the order of its dead centres is %2.</source>
+        <translation>На этом валу порядок %1 за один оборот (двухтактный) невозможен; порядок его мёртвых точек %2.</translation>
+    </message>
+    <message>
+        <source>must keep the articulated rod farther from locking: its exact orders are not accurate enough</source>
+        <translation>прицепной шатун должен быть дальше от заклинивания: его точные порядки недостаточно точны</translation>
+    </message>
+    <message>
+        <source>Maximum residual force: %1, order %2.</source>
+        <translation>Максимальная остаточная сила: %1, порядок %2.</translation>
+    </message>
+    <message>
+        <source>Maximum residual moment: %1, order %2.</source>
+        <translation>Максимальный остаточный момент: %1, порядок %2.</translation>
+    </message>
+    <message>
+        <source>Cylinders %1 share a crankpin in one plane but are computed as plain rods. Tick &quot;Articulated rods&quot; above the table: they add a second order of 5 to 12 % and uneven dead centres.</source>
+        <translation>Цилиндры %1 стоят на одной шейке в одной плоскости, но считаются с обычными шатунами. Отметьте «Прицепные шатуны» над таблицей: они добавляют второй порядок, 5–12 %, и неравномерность мёртвых точек.</translation>
+    </message>
+    <message>
         <source>&amp;Share of order 1 cancelled</source>
         <translation>Пога&amp;шенная доля 1-го порядка</translation>
     </message>
     <message>
-        <source>1 cancels the forward half of the reciprocating first order. Of a single cylinder that is a balance factor of 50 %.</source>
-        <translation>1 гасит прямую половину первого порядка поступательных масс. Для одного цилиндра это коэффициент балансировки 50 %.</translation>
+        <source>1 cancels the forward half of the reciprocating first order; in a single cylinder this is a balance factor of 50 %.</source>
+        <translation>1 гасит прямую половину первого порядка поступательных масс. Для одного цилиндра это коэффициент балансировки 50&#xa0;%.</translation>
     </message>
 </context>
 <context>
@@ -7820,32 +7808,12 @@
         <translation>не задан угол развала</translation>
     </message>
     <message>
-        <source>%1 angles of the crankpins are needed</source>
-        <translation>нужны углы колен, всего %1</translation>
-    </message>
-    <message>
         <source>the bank offset needs the cylinder spacing</source>
         <translation>к смещению рядов нужен шаг цилиндров</translation>
     </message>
     <message>
-        <source>By how much the crankpins may differ is missing: they are made as equal as can be.</source>
-        <translation>Не задана допустимая разница шеек: шейки уравнены насколько можно.</translation>
-    </message>
-    <message>
-        <source>What the engine feels is not known (%1): the crankpins are made as equal as can be.</source>
-        <translation>Что почувствует двигатель, неизвестно (%1): шейки уравнены насколько можно.</translation>
-    </message>
-    <message>
-        <source>No placing found brings the crankpins within %1 of one another: they are made as equal as can be. Take off what the heavier parts have too much.</source>
-        <translation>Ни одна найденная расстановка не сводит разницу шеек до %1: они уравнены насколько можно. Снимите лишнее с более тяжёлых деталей.</translation>
-    </message>
-    <message>
         <source>must be a list of %1 angles</source>
         <translation>должно быть списком углов, всего %1</translation>
-    </message>
-    <message>
-        <source>is required where the bank offset is given</source>
-        <translation>необходимо, если задано смещение рядов</translation>
     </message>
     <message>
         <source>Equal crankpins</source>
@@ -7856,84 +7824,8 @@
         <translation>Меньше перестановок</translation>
     </message>
     <message>
-        <source>Least shaking</source>
-        <translation>Меньше тряски</translation>
-    </message>
-    <message>
-        <source>free</source>
-        <translation>везде</translation>
-    </message>
-    <message>
-        <source>bank</source>
-        <translation>ряд</translation>
-    </message>
-    <message>
-        <source>stays</source>
-        <translation>стоит</translation>
-    </message>
-    <message>
-        <source>goes</source>
-        <translation>идёт</translation>
-    </message>
-    <message>
-        <source>How weighed parts are matched: the goal, and what may move.</source>
-        <translation>Как подбираются взвешенные детали: цель и что можно переставлять.</translation>
-    </message>
-    <message>
         <source>Place the parts for</source>
         <translation>Расставить детали:</translation>
-    </message>
-    <message>
-        <source>Crankpins whose weights differ least; the fewest sets moved that bring them within what they may differ by; or the least first-order force at both ends of the crankshaft, force and couple together, of what the parts differ by.</source>
-        <translation>Наименьшая разница между шейками; наименьшее число перестановок, при котором разница допустима; или наименьшая сила первого порядка на обоих концах вала, сила и момент вместе, от разницы масс деталей.</translation>
-    </message>
-    <message>
-        <source>Piston sets may go</source>
-        <translation>Куда можно поршни</translation>
-    </message>
-    <message>
-        <source>Piston with pin and rings: anywhere, within their bank where pockets or an offset pin ask for it, or they stay: fitted to their bores.</source>
-        <translation>Поршень с пальцем и кольцами: в любой цилиндр; в своём ряду, если того требуют выемки под клапаны или смещённый палец; или остаётся, если пригнан к цилиндру.</translation>
-    </message>
-    <message>
-        <source>Pins may go</source>
-        <translation>Куда можно пальцы</translation>
-    </message>
-    <message>
-        <source>With their piston, or they stay where they are.</source>
-        <translation>Вместе с поршнем или остаются на месте.</translation>
-    </message>
-    <message>
-        <source>Rings may go</source>
-        <translation>Куда можно кольца</translation>
-    </message>
-    <message>
-        <source>With their piston, or they stay: gapped to their bores.</source>
-        <translation>Вместе с поршнем или остаются: подогнаны к цилиндрам.</translation>
-    </message>
-    <message>
-        <source>Rods may go</source>
-        <translation>Куда можно шатуны</translation>
-    </message>
-    <message>
-        <source>Rod with its shells: anywhere, within their bank where each faces its side of the crankpin, or they stay.</source>
-        <translation>Шатун с вкладышами: в любой цилиндр; в своём ряду, если каждый обращён к своей щеке; или остаётся.</translation>
-    </message>
-    <message>
-        <source>Shells may go</source>
-        <translation>Куда можно вкладыши</translation>
-    </message>
-    <message>
-        <source>With their rod, or they stay: chosen for their journal.</source>
-        <translation>Вместе с шатуном или остаются: подобраны к шейке.</translation>
-    </message>
-    <message>
-        <source>Crankpins may differ by</source>
-        <translation>Допустимая разница шеек</translation>
-    </message>
-    <message>
-        <source>Heaviest less lightest crankpin, as their bob weights: for the fewest moves within it.</source>
-        <translation>Самая тяжёлая шейка минус самая лёгкая, как их балансировочные грузы: для наименьшего числа перестановок.</translation>
     </message>
     <message>
         <source>no limit</source>
@@ -7952,10 +7844,6 @@
         <translation>Шаг цилиндров</translation>
     </message>
     <message>
-        <source>Between neighbours of a bank, along the crankshaft: for the size of the couple.</source>
-        <translation>Между соседними цилиндрами ряда, вдоль вала: для величины момента.</translation>
-    </message>
-    <message>
         <source>no couple</source>
         <translation>без момента</translation>
     </message>
@@ -7964,67 +7852,139 @@
         <translation>Смещение рядов</translation>
     </message>
     <message>
-        <source>By how much the second bank stands behind the first: the width of a big end. It needs the spacing.</source>
-        <translation>На сколько второй ряд стоит позади первого: ширина нижней головки. Нужен и шаг цилиндров.</translation>
-    </message>
-    <message>
         <source>Crank radius</source>
         <translation>Радиус кривошипа</translation>
-    </message>
-    <message>
-        <source>For forces in g·mm and N; without it they are masses at it.</source>
-        <translation>Для сил в г·мм и Н; без него это массы на радиусе кривошипа.</translation>
     </message>
     <message>
         <source>no force</source>
         <translation>без силы</translation>
     </message>
     <message>
-        <source>No placing brings the crankpins within %1 of one another: they are made as equal as can be. Take off what the heavier parts have too much.</source>
-        <translation>Никакая расстановка не сводит шатунные шейки в пределы %1: они уравнены, насколько возможно. Снимите лишнее с более тяжёлых деталей.</translation>
+        <source>enter %1 angles of the crankpins</source>
+        <translation>введите углы колен, всего %1</translation>
     </message>
     <message>
-        <source>Angles of the throws from the front, in the sense from the second bank to the first.</source>
+        <source>The permitted range of the crankpins is missing: they are made as equal as possible.</source>
+        <translation>Не задан допустимый размах шеек: они уравнены насколько возможно.</translation>
+    </message>
+    <message>
+        <source>Shaking cannot be computed (%1): the crankpins are made as equal as possible.</source>
+        <translation>Тряску вычислить нельзя (%1): шейки уравнены насколько возможно.</translation>
+    </message>
+    <message>
+        <source>No combination gives a range of %1: the crankpins are made as equal as possible. Make the heavier parts lighter.</source>
+        <translation>Никакая расстановка не даёт размаха %1: шейки уравнены насколько возможно. Облегчите более тяжёлые детали.</translation>
+    </message>
+    <message>
+        <source>No combination found gives a range of %1: the crankpins are made as equal as possible. Make the heavier parts lighter.</source>
+        <translation>Ни одна найденная расстановка не даёт размаха %1: шейки уравнены насколько возможно. Облегчите более тяжёлые детали.</translation>
+    </message>
+    <message>
+        <source>is required with the bank offset</source>
+        <translation>необходимо, если задано смещение рядов</translation>
+    </message>
+    <message>
+        <source>Minimum shaking</source>
+        <translation>Меньше тряски</translation>
+    </message>
+    <message>
+        <source>anywhere</source>
+        <translation>куда угодно</translation>
+    </message>
+    <message>
+        <source>within bank</source>
+        <translation>в своём ряду</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>на месте</translation>
+    </message>
+    <message>
+        <source>with its set</source>
+        <translation>с комплектом</translation>
+    </message>
+    <message>
+        <source>Matching of weighed parts: goal, and permitted moves.</source>
+        <translation>Подбор взвешенных деталей: цель и допустимые перестановки.</translation>
+    </message>
+    <message>
+        <source>Minimum range of the crankpins, fewest moves to the permitted range, or minimum first-order shaking at the ends of the crankshaft.</source>
+        <translation>Минимальный размах шеек, минимум перестановок до допустимого размаха или минимальная тряска первого порядка на концах вала.</translation>
+    </message>
+    <message>
+        <source>Piston sets may move</source>
+        <translation>Поршни можно ставить</translation>
+    </message>
+    <message>
+        <source>Piston with pin and rings: anywhere; within its bank (valve pockets, offset pin); or fixed (fitted to the bore).</source>
+        <translation>Поршень с пальцем и кольцами: куда угодно; в своём ряду (выемки под клапаны, смещённый палец); или на месте (пригнан к цилиндру).</translation>
+    </message>
+    <message>
+        <source>Pins may move</source>
+        <translation>Пальцы можно ставить</translation>
+    </message>
+    <message>
+        <source>With its set, or fixed.</source>
+        <translation>С комплектом или на месте.</translation>
+    </message>
+    <message>
+        <source>Rings may move</source>
+        <translation>Кольца можно ставить</translation>
+    </message>
+    <message>
+        <source>With its set, or fixed (gapped to the bore).</source>
+        <translation>С комплектом или на месте (зазор подогнан к цилиндру).</translation>
+    </message>
+    <message>
+        <source>Rods may move</source>
+        <translation>Шатуны можно ставить</translation>
+    </message>
+    <message>
+        <source>Rod with its shells: anywhere; within its bank (each faces its side of the crankpin); or fixed.</source>
+        <translation>Шатун с вкладышами: куда угодно; в своём ряду (каждый обращён к своей щеке); или на месте.</translation>
+    </message>
+    <message>
+        <source>Shells may move</source>
+        <translation>Вкладыши можно ставить</translation>
+    </message>
+    <message>
+        <source>With its set, or fixed (chosen for the journal).</source>
+        <translation>С комплектом или на месте (подобраны к шейке).</translation>
+    </message>
+    <message>
+        <source>Permitted crankpin range</source>
+        <translation>Допустимый размах шеек</translation>
+    </message>
+    <message>
+        <source>Heaviest minus lightest crankpin by bob weight, for the goal “Fewest moves”.</source>
+        <translation>Самая тяжёлая шейка минус самая лёгкая по грузу, для цели «Меньше перестановок».</translation>
+    </message>
+    <message>
+        <source>Angles of the throws from the front, positive from the second bank to the first.</source>
         <translation>Углы колен спереди, в направлении от второго ряда к первому.</translation>
     </message>
     <message>
-        <source>those usual for the engine, a cross-plane V-8 at 0; 90; 270; 180</source>
+        <source>usual for the engine, cross-plane V-8: 0; 90; 270; 180</source>
         <translation>обычные для двигателя, крестообразный вал V-8: 0; 90; 270; 180</translation>
+    </message>
+    <message>
+        <source>Distance between neighbours of a bank along the crankshaft, for the couple.</source>
+        <translation>Расстояние между соседними цилиндрами ряда вдоль вала, для момента.</translation>
+    </message>
+    <message>
+        <source>Distance of the second bank behind the first (width of a big end). Enter the spacing too.</source>
+        <translation>На сколько второй ряд смещён назад от первого (ширина нижней головки). Введите и шаг цилиндров.</translation>
+    </message>
+    <message>
+        <source>Crank radius for forces in g·mm and N; without it they are masses at the crank radius.</source>
+        <translation>Радиус кривошипа для сил в г·мм и Н; без него это массы на этом радиусе.</translation>
     </message>
 </context>
 <context>
     <name>methods</name>
     <message>
-        <source>The paper&apos;s conclusions rest on a mean, so it has to be that of the cycle and not of a choice of nodes: nine digits for any table, however uneven its rows. The pieces between the rows are integrated exactly; after that every angle of the shaft costs three multiplications.</source>
-        <translation>Выводы статьи опираются на среднее, поэтому оно должно быть средним за цикл, а не следствием выбора узлов: девять знаков для любой таблицы, как бы неравномерны ни были её строки. Участки между строками интегрируются точно; после этого каждый угол вала стоит трёх умножений.</translation>
-    </message>
-    <message>
-        <source>The best angle is found from differences of ranges, so nine digits. Nodes miss a peak between them; the extremum of a line plus a sine is known in closed form, and only the few intervals that can hold it are solved.</source>
-        <translation>Наилучший угол находится по разностям размахов, поэтому девять знаков. Узлы пропускают пик между ними; экстремум суммы прямой и синуса известен в замкнутом виде, и решаются лишь те немногие интервалы, где он может быть.</translation>
-    </message>
-    <message>
-        <source>The range is the largest of many sinusoids: it has kinks at its minima and several of them. Sinusoids that bound it from below tell where no better angle can be, so the best one is found and not just a good one, with fewer evaluations than a scan of 5°.</source>
-        <translation>Размах — наибольшая из многих синусоид: в минимумах у него изломы, и минимумов несколько. Синусоиды, ограничивающие его снизу, показывают, где лучшего угла быть не может; поэтому находится наилучший угол, а не просто хороший, и за меньшее число вычислений, чем при переборе через 5°.</translation>
-    </message>
-    <message>
-        <source>What a guide does lies in its relief, which may be a few micrometres on a radius of a hundred millimetres: seven digits of the relief. The closed form needs no step and no start; written without a difference of nearly equal squares it keeps its digits down to the point where the spring gives out all that it stores.</source>
-        <translation>Действие направляющей заключено в её перепаде, а это могут быть микрометры на радиусе в сто миллиметров: нужны семь знаков перепада. Замкнутой форме не нужны ни шаг, ни начальная точка; записанная без разности почти равных квадратов, она сохраняет знаки вплоть до точки, где пружина отдаёт всё, что накопила.</translation>
-    </message>
-    <message>
-        <source>Reports print six digits and layouts in balance must come out as zero, which is a difference of large forces: so nine digits. The exact form needs one square root; a series of the same cost has three digits at λ = 0.5 and none near locking. The sines of the nodes are kept, because every cylinder and every turn needs the same ones.</source>
-        <translation>В отчётах печатаются шесть знаков, а уравновешенная схема должна давать нуль, то есть разность больших сил: поэтому девять знаков. Точной форме нужен один квадратный корень; ряд той же стоимости даёт три знака при λ = 0,5 и ни одного вблизи заклинивания. Синусы узлов хранятся, так как каждому цилиндру и каждому обороту нужны одни и те же.</translation>
-    </message>
-    <message>
-        <source>A balanced layout is a sum of orders that cancel; what is left must be rounding, so eleven digits. No fixed number of points holds that for every λ and K: the order&apos;s decay is known in closed form, and the number of points follows from it.</source>
-        <translation>Уравновешенная схема — сумма порядков, которые гасят друг друга; остаться должно лишь округление, поэтому одиннадцать знаков. Никакое постоянное число точек не держит этого при всех λ и K: убывание порядков известно в замкнутом виде, и число точек следует из него.</translation>
-    </message>
-    <message>
         <source>Best shaft angle</source>
         <translation>Наилучший угол вала</translation>
-    </message>
-    <message>
-        <source>range there less the least range, part of the largest torque + A</source>
-        <translation>размах при нём минус наименьший размах, доля наибольшего момента плюс A</translation>
     </message>
     <message>
         <source>one search over all α, the table being prepared</source>
@@ -8033,10 +7993,6 @@
     <message>
         <source>scan</source>
         <translation>перебор</translation>
-    </message>
-    <message>
-        <source>as good as its step, whatever the table</source>
-        <translation>хорош настолько, насколько мал шаг, при любой таблице</translation>
     </message>
     <message>
         <source>Brent&apos;s method</source>
@@ -8073,10 +8029,6 @@
     <message>
         <source>amplitude of the shaft&apos;s moment, the paper&apos;s torque</source>
         <translation>амплитуда момента вала, момент из статьи</translation>
-    </message>
-    <message>
-        <source>how much better the best of two minima is</source>
-        <translation>насколько один из двух минимумов лучше</translation>
     </message>
     <message>
         <source>width of the combustion peak</source>
@@ -8127,20 +8079,12 @@
         <translation>точный интеграл интерполянта</translation>
     </message>
     <message>
-        <source>exact for the table as it is read; what the engine did between the rows is not in the table</source>
-        <translation>точен для таблицы в том виде, как она читается; чего не было в строках, нет и в таблице</translation>
-    </message>
-    <message>
         <source>pieces</source>
         <translation>участки</translation>
     </message>
     <message>
         <source>Cycle mean and RMS</source>
         <translation>Среднее за цикл и СКЗ</translation>
-    </message>
-    <message>
-        <source>part of the largest torque of the table + A</source>
-        <translation>доля наибольшего момента таблицы плюс A</translation>
     </message>
     <message>
         <source>node mean, end counted twice</source>
@@ -8165,10 +8109,6 @@
     <message>
         <source>shaft angle α, no torque but the shaft&apos;s</source>
         <translation>угол вала α, кроме момента вала ничего</translation>
-    </message>
-    <message>
-        <source>the spring would have to give out more energy than it stores</source>
-        <translation>пружине пришлось бы отдать больше энергии, чем она накопила</translation>
     </message>
     <message>
         <source>runs into the spring&apos;s free length, where the equation is singular</source>
@@ -8203,10 +8143,6 @@
         <translation>замкнутая форма</translation>
     </message>
     <message>
-        <source>half of the digits are left where the spring gives out all that it stores; beyond there is no guide</source>
-        <translation>половина знаков остаётся там, где пружина отдаёт всё, что накопила; дальше направляющей нет</translation>
-    </message>
-    <message>
         <source>free of cancellation</source>
         <translation>без потери знаков</translation>
     </message>
@@ -8215,28 +8151,12 @@
         <translation>Рунге–Кутта 4-го порядка</translation>
     </message>
     <message>
-        <source>loses its order where ρ comes near ℓ₀/2: the slope is infinite there</source>
-        <translation>теряет порядок там, где ρ подходит к ℓ₀/2: наклон там бесконечен</translation>
-    </message>
-    <message>
         <source>Dormand-Prince with step control</source>
         <translation>Дорман–Принс с управлением шагом</translation>
     </message>
     <message>
-        <source>its steps shrink to nothing where ρ comes near ℓ₀/2</source>
-        <translation>шаги сжимаются до нуля там, где ρ подходит к ℓ₀/2</translation>
-    </message>
-    <message>
-        <source>preload above the least one, part of it</source>
-        <translation>преднатяг сверх наименьшего, его доля</translation>
-    </message>
-    <message>
         <source>stiffness c of the spring</source>
         <translation>жёсткость c пружины</translation>
-    </message>
-    <message>
-        <source>stiffness c, preload 1.1 times the least</source>
-        <translation>жёсткость c, преднатяг 1,1 от наименьшего</translation>
     </message>
     <message>
         <source>crank speed ω</source>
@@ -8251,24 +8171,12 @@
         <translation>направляющей нет</translation>
     </message>
     <message>
-        <source>at this speed the turns take no time that a number can hold</source>
-        <translation>при этой скорости время оборотов не выразить числом</translation>
-    </message>
-    <message>
         <source>%1 steps a turn</source>
         <translation>%1 шагов на оборот</translation>
     </message>
     <message>
-        <source>the energy drifts by about the tolerance at every turn: a little less than its tolerance promises, but without end</source>
-        <translation>энергия уходит примерно на допуск за каждый оборот: чуть меньше, чем обещает допуск, но без конца</translation>
-    </message>
-    <message>
         <source>Motion with a hinge</source>
         <translation>Движение с шарниром</translation>
-    </message>
-    <message>
-        <source>rad, or part of the speed, for each turn made</source>
-        <translation>рад или доля скорости на каждый оборот</translation>
     </message>
     <message>
         <source>one turn of motion</source>
@@ -8277,10 +8185,6 @@
     <message>
         <source>Runge-Kutta of order 4, fixed step</source>
         <translation>Рунге–Кутта 4-го порядка, постоянный шаг</translation>
-    </message>
-    <message>
-        <source>its energy drifts steadily: with 90 steps a turn it is wrong after thousands of turns, and near λ = 1 at once</source>
-        <translation>энергия уходит неуклонно: с 90 шагами на оборот он неверен через тысячи оборотов, а вблизи λ = 1 — сразу</translation>
     </message>
     <message>
         <source>crank ratio λ, 5 turns</source>
@@ -8293,10 +8197,6 @@
     <message>
         <source>turns</source>
         <translation>обороты</translation>
-    </message>
-    <message>
-        <source>the mechanism locks: the crank cannot turn round</source>
-        <translation>механизм заклинивает: кривошип не проворачивается</translation>
     </message>
     <message>
         <source>two-term closed form</source>
@@ -8327,10 +8227,6 @@
         <translation>64 точки</translation>
     </message>
     <message>
-        <source>Fourier transform as long as needed</source>
-        <translation>преобразование Фурье нужной длины</translation>
-    </message>
-    <message>
         <source>2 terms</source>
         <translation>2 члена</translation>
     </message>
@@ -8351,10 +8247,6 @@
         <translation>порядки силы и момента одного цилиндра от 0 до 12</translation>
     </message>
     <message>
-        <source>part of the largest order, or of m R ω² and m R² ω²</source>
-        <translation>доля наибольшего порядка либо m R ω² и m R² ω²</translation>
-    </message>
-    <message>
         <source>all the orders of one cylinder</source>
         <translation>все порядки одного цилиндра</translation>
     </message>
@@ -8369,10 +8261,6 @@
     <message>
         <source>gives no finite number</source>
         <translation>не даёт конечного числа</translation>
-    </message>
-    <message>
-        <source>is off by more than numbers can say</source>
-        <translation>ошибается сильнее, чем можно выразить числом</translation>
     </message>
     <message>
         <source>nowhere</source>
@@ -8399,24 +8287,8 @@
         <translation>от %1 до %2</translation>
     </message>
     <message>
-        <source>largest and smallest node</source>
-        <translation>наибольший и наименьший узел</translation>
-    </message>
-    <message>
-        <source>an extremum between the nodes is cut off, and a narrow peak is not seen at all</source>
-        <translation>экстремум между узлами срезается, а узкий пик не виден вовсе</translation>
-    </message>
-    <message>
-        <source>finds one of two extrema between two rows, which long straight pieces have</source>
-        <translation>находит один из двух экстремумов между строками, какие бывают на длинных прямых участках</translation>
-    </message>
-    <message>
         <source>exact extrema of the pieces</source>
         <translation>точные экстремумы участков</translation>
-    </message>
-    <message>
-        <source>exact for the table as it is read</source>
-        <translation>точен для таблицы в том виде, как она читается</translation>
     </message>
     <message>
         <source>the range at one α, the table being prepared</source>
@@ -8455,10 +8327,6 @@
         <translation>s, s′, s″ поршневого пальца за оборот</translation>
     </message>
     <message>
-        <source>part of the largest |s|, |s′|, |s″| of the turn</source>
-        <translation>доля наибольших |s|, |s′|, |s″| за оборот</translation>
-    </message>
-    <message>
         <source>s, s′ and s″ at one crank angle</source>
         <translation>s, s′ и s″ при одном угле кривошипа</translation>
     </message>
@@ -8469,10 +8337,6 @@
     <message>
         <source>artefact</source>
         <translation>артефакт</translation>
-    </message>
-    <message>
-        <source>slip</source>
-        <translation>опечатка</translation>
     </message>
     <message>
         <source>not derivable</source>
@@ -8521,10 +8385,6 @@
     <message>
         <source>shift of the crankpins of bank 2</source>
         <translation>смещение шатунных шеек ряда 2</translation>
-    </message>
-    <message>
-        <source>To 1′, from the exact top dead centre. It is γ + 2 φ: the formula beside it, γ + φ, has lost the 2 and would give 18°20′.</source>
-        <translation>До 1′, по точной верхней мёртвой точке. Это γ + 2 φ: формула рядом, γ + φ, потеряла двойку и дала бы 18°20′.</translation>
     </message>
     <message>
         <source>To 1′: the paper adds up angles rounded to minutes.</source>
@@ -8643,10 +8503,6 @@
         <translation>коэффициент при cos γ_ш</translation>
     </message>
     <message>
-        <source>The sign is lost: only a plus gives the angle 75°43′ that the paper prints below.</source>
-        <translation>Потерян знак: только плюс даёт угол 75°43′, напечатанный ниже.</translation>
-    </message>
-    <message>
         <source>To 1′: the paper computes with 21°40′.</source>
         <translation>До 1′: статья считает с 21°40′.</translation>
     </message>
@@ -8715,24 +8571,8 @@
         <translation>номинальная мощность</translation>
     </message>
     <message>
-        <source>The friction losses are not printed; ours is the indicated power of Table 2 at the printed speed.</source>
-        <translation>Потери на трение не напечатаны; наше число — индикаторная мощность по табл. 2 при напечатанной скорости.</translation>
-    </message>
-    <message>
         <source>speed of Table 2</source>
         <translation>частота вращения табл. 2</translation>
-    </message>
-    <message>
-        <source>The program that made Table 2 is not published; ours is the speed at which the inertia torque within it belongs to the masses of Table 1.</source>
-        <translation>Программа, давшая табл. 2, не опубликована; наше число — скорость, при которой инерционный момент в ней отвечает массам табл. 1.</translation>
-    </message>
-    <message>
-        <source>The mean of the 49 rows counts the end of the cycle, 720° = 0°, twice; ours is the cycle integral.</source>
-        <translation>Среднее 49 строк учитывает конец цикла, 720° = 0°, дважды; наше число — интеграл за цикл.</translation>
-    </message>
-    <message>
-        <source>To 0.01 N·m: l is not printed, ours follows from the largest entry and is rounded to 0.01 mm, and equal entries scatter by 0.01 in print.</source>
-        <translation>До 0,01 Н·м: l не напечатано, наше следует из наибольшего числа и округлено до 0,01 мм, а равные числа в печати расходятся на 0,01.</translation>
     </message>
     <message>
         <source>last column</source>
@@ -8771,14 +8611,6 @@
         <translation>аннотация</translation>
     </message>
     <message>
-        <source>The largest of the sweep over α.</source>
-        <translation>Наибольшее при переборе по α.</translation>
-    </message>
-    <message>
-        <source>It was read from a torque table of 5° that is not printed; ours is of the 15° table.</source>
-        <translation>Взято из таблицы моментов через 5°, которая не напечатана; наше — по таблице через 15°.</translation>
-    </message>
-    <message>
         <source>rational α</source>
         <translation>рациональный α</translation>
     </message>
@@ -8789,10 +8621,6 @@
     <message>
         <source>No sizes of the engine are printed.</source>
         <translation>Размеры двигателя не напечатаны.</translation>
-    </message>
-    <message>
-        <source>largest α advised</source>
-        <translation>наибольший рекомендуемый α</translation>
     </message>
     <message>
         <source>conclusions</source>
@@ -8819,18 +8647,6 @@
         <translation>2 r_p / r, ф-ла (11).</translation>
     </message>
     <message>
-        <source>m_pн with the ratio of aluminium to steel of today&apos;s plugs of the 6 and 7 l engines.</source>
-        <translation>m_pн с отношением алюминия к стали по нынешним заглушкам двигателей 6 и 7 л.</translation>
-    </message>
-    <message>
-        <source>From k_y and k_yн as Table 2 prints them; unrounded ones move it by up to 0.003 g.</source>
-        <translation>По k_y и k_yн, как они напечатаны в табл. 2; неокруглённые сдвигают его не более чем на 0,003 г.</translation>
-    </message>
-    <message>
-        <source>From k_y and the constant part as the tables print them; unrounded ones move it by up to 0.003 g.</source>
-        <translation>По k_y и постоянной части, как они напечатаны в таблицах; неокруглённые сдвигают его не более чем на 0,003 г.</translation>
-    </message>
-    <message>
         <source>slope d(Δm_yk)/d(Δm) (24)</source>
         <translation>наклон d(Δm_yk)/d(Δm) (24)</translation>
     </message>
@@ -8843,16 +8659,8 @@
         <translation>Формула (18), решённая относительно Δm.</translation>
     </message>
     <message>
-        <source>excess that today&apos;s steel plugs compensate</source>
-        <translation>избыток, компенсируемый нынешними стальными заглушками</translation>
-    </message>
-    <message>
         <source>Equation (22).</source>
         <translation>Формула (22).</translation>
-    </message>
-    <message>
-        <source>lightening of a steel plug that takes</source>
-        <translation>нужное для этого облегчение стальной заглушки</translation>
     </message>
     <message>
         <source>excess that aluminium plugs compensate</source>
@@ -8863,40 +8671,16 @@
         <translation>Формула (19) с напечатанной постоянной частью.</translation>
     </message>
     <message>
-        <source>lightening of a steel plug equivalent to that</source>
-        <translation>равносильное этому облегчение стальной заглушки</translation>
-    </message>
-    <message>
-        <source>largest Δk</source>
-        <translation>наибольшее Δk</translation>
-    </message>
-    <message>
         <source>Δr / r, eq. (1).</source>
         <translation>Δr / r, ф-ла (1).</translation>
-    </message>
-    <message>
-        <source>largest shift Δr</source>
-        <translation>наибольшее смещение Δr</translation>
-    </message>
-    <message>
-        <source>The machined shapes that it belongs to are not printed.</source>
-        <translation>Обработанные формы, к которым оно относится, не напечатаны.</translation>
     </message>
     <message>
         <source>mass m_p of the plug</source>
         <translation>масса m_p заглушки</translation>
     </message>
     <message>
-        <source>The drawing is not dimensioned in full; a steel cup of the printed thread and height, bored 25 mm wide and 8 mm deep, weighs ours.</source>
-        <translation>На чертеже проставлены не все размеры; наше число — масса стального стакана с напечатанными резьбой и высотой и расточкой диаметром 25 мм на глубину 8 мм.</translation>
-    </message>
-    <message>
         <source>excess that an M27×1.5 aluminium plug compensates</source>
         <translation>избыток, компенсируемый алюминиевой заглушкой M27×1,5</translation>
-    </message>
-    <message>
-        <source>The mass and the place of such a plug are not printed.</source>
-        <translation>Масса и место такой заглушки не напечатаны.</translation>
     </message>
     <message>
         <source>experiments</source>
@@ -8905,10 +8689,6 @@
     <message>
         <source>residual unbalance in each correction plane</source>
         <translation>остаточный дисбаланс в каждой плоскости коррекции</translation>
-    </message>
-    <message>
-        <source>A limit that was set, not computed.</source>
-        <translation>Заданный предел, он не вычислялся.</translation>
     </message>
     <message>
         <source>text</source>
@@ -8943,48 +8723,16 @@
         <translation>∮ M₁₂ dφ при ω = %1 с⁻¹</translation>
     </message>
     <message>
-        <source>With the paper&apos;s series for cos ψ; the inertia part is odd in φ and drops out at every speed.</source>
-        <translation>С рядом статьи для cos ψ; инерционная часть нечётна по φ и выпадает при любой скорости.</translation>
-    </message>
-    <message>
-        <source>To rounding, 1e-9 of the integral of its size.</source>
-        <translation>До округления, 10⁻⁹ интеграла модуля.</translation>
-    </message>
-    <message>
         <source>potential part</source>
         <translation>потенциальная часть</translation>
-    </message>
-    <message>
-        <source>To rounding, with M₁₂ outside the factor 0.5 of (8), where it belongs.</source>
-        <translation>До округления, с M₁₂ вне множителя 0,5 в (8), где ей и место.</translation>
-    </message>
-    <message>
-        <source>To rounding, with the counterweight that (10) asks for.</source>
-        <translation>До округления, с противовесом, которого требует (10).</translation>
-    </message>
-    <message>
-        <source>To rounding, with M₁₂* outside the factor 0.5 of (11), where it belongs.</source>
-        <translation>До округления, с M₁₂* вне множителя 0,5 в (11), где ей и место.</translation>
     </message>
     <message>
         <source>factor of M₁₂ (1 + λ cos φ / cos ψ)</source>
         <translation>множитель при M₁₂ (1 + λ cos φ / cos ψ)</translation>
     </message>
     <message>
-        <source>The bracket of 0.5 closes after M₁₂ in the place of before it; the moment balance about the crank axis gives ours.</source>
-        <translation>Скобка множителя 0,5 закрыта после M₁₂, а не перед ней; наше число даёт равновесие моментов относительно оси кривошипа.</translation>
-    </message>
-    <message>
         <source>From the mechanism&apos;s reduced inertia.</source>
         <translation>Из приведённого момента инерции механизма.</translation>
-    </message>
-    <message>
-        <source>ρ₀ of guides 1, ℓ₀/2: largest that has a guide</source>
-        <translation>ρ₀ направляющих 1, ℓ₀/2: наибольшее, при котором направляющая есть</translation>
-    </message>
-    <message>
-        <source>To 0.01 mm, and only with the sign of (1), by which the spring takes up energy when the mechanism does; to keep ω constant it must give it out.</source>
-        <translation>До 0,01 мм и лишь со знаком (1), по которому пружина запасает энергию вместе с механизмом; чтобы держать ω постоянной, она должна её отдавать.</translation>
     </message>
     <message>
         <source>P₄ ℓ₂ = (P₃ + P₂/2) ℓ, at any speed.</source>
@@ -9011,32 +8759,16 @@
         <translation>рис. 6в</translation>
     </message>
     <message>
-        <source>flywheel&apos;s part of an engine&apos;s inertia</source>
-        <translation>доля маховика в моменте инерции двигателя</translation>
-    </message>
-    <message>
         <source>Quoted from another paper.</source>
         <translation>Приведено по другой работе.</translation>
-    </message>
-    <message>
-        <source>Ripple is read off to parts of a million, after up to a thousand turns: so an error of 1e-7 a turn. The energy gives the speed at every angle, so only the time is integrated, and nothing can drift. Series over stretches that are halved where they must be find the steep places of a turn by themselves, and they hold with a moment on the crank, from rest and up to a reversal, where turns do not repeat.</source>
-        <translation>Неравномерность отсчитывают до миллионных долей, после тысячи оборотов: отсюда погрешность 1e-7 на оборот. Энергия даёт скорость при каждом угле, интегрируется одно время, и уходить нечему. Ряды на отрезках, которые делятся пополам, где нужно, сами находят крутые места оборота и годятся при моменте на кривошипе, из покоя и до обратного хода, где обороты не повторяются.</translation>
     </message>
     <message>
         <source>all of these, from the table</source>
         <translation>все эти величины, из таблицы</translation>
     </message>
     <message>
-        <source>its steps shrink to nothing</source>
-        <translation>его шаги уменьшаются до нуля</translation>
-    </message>
-    <message>
         <source>energy, time by Chebyshev series</source>
         <translation>энергия, время чебышёвскими рядами</translation>
-    </message>
-    <message>
-        <source>stretches are halved near a standstill, which costs; where the crank can just pass a dead point or just not, rounding decides which</source>
-        <translation>вблизи остановки отрезки делятся, а это стоит времени; где кривошип едва проходит мёртвую точку или едва не проходит, решает округление</translation>
     </message>
     <message>
         <source>crank angle and speed at nine times of the last turn, off the design speed</source>
@@ -9053,10 +8785,6 @@
     <message>
         <source>angle between the banks γ</source>
         <translation>угол развала γ</translation>
-    </message>
-    <message>
-        <source>The paper states it and computes nothing from it; nor does the program.</source>
-        <translation>Задано в статье, но ничего из него не вычислено — ни там, ни в программе.</translation>
     </message>
     <message>
         <source>bore in the engine&apos;s type</source>
@@ -9083,44 +8811,12 @@
         <translation>α рис. %1</translation>
     </message>
     <message>
-        <source>The paper names no α for it. The mean of the 49 rows, with the end of the cycle counted twice, falls by 12 % at α from %1 to %2° and by 16 % at α from %3 to %4°; of these we take 30°, where the paper&apos;s range begins, and 45°, of its Fig. 2. No shaft changes the cycle mean.</source>
-        <translation>Статья не называет α для этого. Среднее 49 строк, где конец цикла сосчитан дважды, падает на 12&#xa0;% при α от %1 до %2° и на 16&#xa0;% при α от %3 до %4°; из них взяты 30°, начало диапазона статьи, и 45° её рис. 2. Среднее за цикл не меняет никакой вал.</translation>
-    </message>
-    <message>
         <source>cut of the mean moment, by our choice at α = %1°</source>
         <translation>снижение среднего момента, по нашему выбору при α = %1°</translation>
     </message>
     <message>
-        <source>No criterion is printed from which the two ends follow; ours are those between which the range is smaller than without a shaft.</source>
-        <translation>Критерий, из которого следовали бы обе границы, не напечатан; наши — те, между которыми размах меньше, чем без вала.</translation>
-    </message>
-    <message>
-        <source>No criterion is printed from which it follows; ours is where the range ceases to be smaller than without a shaft.</source>
-        <translation>Критерий, из которого это следовало бы, не напечатан; наше — где размах перестаёт быть меньше, чем без вала.</translation>
-    </message>
-    <message>
-        <source>The paper states it; none of its equations has it.</source>
-        <translation>Задано в статье; ни в одну её формулу не входит.</translation>
-    </message>
-    <message>
-        <source>The paper states it; its definition stands in another paper. Ours is what the program was told.</source>
-        <translation>Задано в статье; его определение — в другой статье. Наше число — то, что введено в программу.</translation>
-    </message>
-    <message>
-        <source>Equation (22) backwards: it was computed from this.</source>
-        <translation>Формула (22) в обратную сторону: она вычислена из этого.</translation>
-    </message>
-    <message>
-        <source>The largest Δk were computed from this.</source>
-        <translation>Из него вычислены наибольшие Δk.</translation>
-    </message>
-    <message>
         <source>residual unbalance of the parts</source>
         <translation>остаточный дисбаланс деталей</translation>
-    </message>
-    <message>
-        <source>The paper states it, beside a drawing that is not dimensioned in full.</source>
-        <translation>Задано в статье, у чертежа, на котором проставлены не все размеры.</translation>
     </message>
     <message>
         <source>The paper chooses it as an example.</source>
@@ -9135,36 +8831,16 @@
         <translation>шаг большей резьбы</translation>
     </message>
     <message>
-        <source>The paper states it; ours is what the program was told.</source>
-        <translation>Задано в статье; наше число — то, что введено в программу.</translation>
-    </message>
-    <message>
         <source>guides 2: ρ₀</source>
         <translation>направляющие 2: ρ₀</translation>
-    </message>
-    <message>
-        <source>Over the plane of places the range is convex: the largest of linear functions less the smallest. Planes under it find its kinks, where methods without slopes stop short and methods with slopes jump, and prove that no place is better.</source>
-        <translation>На плоскости мест размах выпуклый: наибольшая из линейных функций минус наименьшая. Плоскости под ним находят изломы, где методы без наклонов останавливаются раньше, а методы с наклонами прыгают, и доказывают, что лучшего места нет.</translation>
-    </message>
-    <message>
-        <source>the α with the least range of Mᵤₚₛ</source>
-        <translation>угол α с наименьшим размахом Mᵤₚₛ</translation>
     </message>
     <message>
         <source>place without first order</source>
         <translation>место без первого порядка</translation>
     </message>
     <message>
-        <source>the best place for the RMS, not for the range</source>
-        <translation>лучшее место для СКЗ, а не для размаха</translation>
-    </message>
-    <message>
         <source>Best place of the shaft</source>
         <translation>Лучшее место вала</translation>
-    </message>
-    <message>
-        <source>the place of the shaft with the least range of M_ups</source>
-        <translation>место вала с наименьшим размахом M_ups</translation>
     </message>
     <message>
         <source>one search over all places, the table being prepared</source>
@@ -9173,10 +8849,6 @@
     <message>
         <source>grid</source>
         <translation>сетка</translation>
-    </message>
-    <message>
-        <source>as good as its step, for the price of its square</source>
-        <translation>так же точна, как её шаг, ценой его квадрата</translation>
     </message>
     <message>
         <source>%1 a side</source>
@@ -9193,10 +8865,6 @@
     <message>
         <source>Range of Mᵤₚₛ</source>
         <translation>Размах Mᵤₚₛ</translation>
-    </message>
-    <message>
-        <source>ΔMᵤₚₛ, largest less smallest moment over the cycle, at one α</source>
-        <translation>ΔMᵤₚₛ, наибольший момент за цикл минус наименьший, при одном α</translation>
     </message>
     <message>
         <source>piston mₚ</source>
@@ -9239,20 +8907,12 @@
         <translation>mⱼ r ω² при напечатанных 376,8 рад/с.</translation>
     </message>
     <message>
-        <source>Mᵤₚ = −Mᵢ, which the program was told.</source>
-        <translation>Mᵤₚ = −Mᵢ, которое введено в программу.</translation>
-    </message>
-    <message>
         <source>mean of Mᵢ</source>
         <translation>среднее Mᵢ</translation>
     </message>
     <message>
         <source>mean of Mᵤₚ</source>
         <translation>среднее Mᵤₚ</translation>
-    </message>
-    <message>
-        <source>The column is headed Mᵤₚ but holds Mₛ of α = 330°.</source>
-        <translation>Столбец озаглавлен Mᵤₚ, но содержит Mₛ при α = 330°.</translation>
     </message>
     <message>
         <source>mean Mₛₘ(α = %1°)</source>
@@ -9267,16 +8927,8 @@
         <translation>α, при котором Mₛ — синусоида</translation>
     </message>
     <message>
-        <source>Mₛ is P₁ l sin φ there.</source>
-        <translation>Там Mₛ равно P₁ l sin φ.</translation>
-    </message>
-    <message>
         <source>α at which Mₛ is a cosine</source>
         <translation>α, при котором Mₛ — косинус</translation>
-    </message>
-    <message>
-        <source>At 180° the mean of the nodes is 0 as well, but there Mₛ is a sine; it is a cosine at 90°.</source>
-        <translation>При 180° среднее по узлам тоже 0, но там Mₛ — синус; косинус она при 90°.</translation>
     </message>
     <message>
         <source>The mean of the nodes is positive up to there; the cycle mean of Mₛ is 0 for every α.</source>
@@ -9289,10 +8941,6 @@
     <message>
         <source>lower end of the α with Mₛₘ &lt; 0</source>
         <translation>нижняя граница α с Mₛₘ &lt; 0</translation>
-    </message>
-    <message>
-        <source>So do the nodes; the cycle mean of Mₛ is 0 for every α.</source>
-        <translation>Так ведут себя узлы; среднее Mₛ за цикл равно 0 при любом α.</translation>
     </message>
     <message>
         <source>upper end of the α with Mₛₘ &lt; 0</source>
@@ -9311,32 +8959,8 @@
         <translation>α, с которого Mₛₘ отрицательно</translation>
     </message>
     <message>
-        <source>α of the largest ΔMᵤₚₛ</source>
-        <translation>α наибольшего ΔMᵤₚₛ</translation>
-    </message>
-    <message>
-        <source>largest ΔMᵤₚₛ</source>
-        <translation>наибольшее ΔMᵤₚₛ</translation>
-    </message>
-    <message>
         <source>divisor of r² (P₁ + P₂) / g in Iₚᵣ(0)</source>
         <translation>делитель r² (P₁ + P₂) / g в Iₚᵣ(0)</translation>
-    </message>
-    <message>
-        <source>Inputs that scatter</source>
-        <translation>Разброс входных данных</translation>
-    </message>
-    <message>
-        <source>mean and standard deviation of a result of scattering inputs</source>
-        <translation>среднее и стандартное отклонение результата при разбросе входных данных</translation>
-    </message>
-    <message>
-        <source>larger error of both, part of the standard deviation, root mean square over 16 seeds</source>
-        <translation>большая из двух погрешностей, доля стандартного отклонения, среднеквадратично по 16 начальным числам</translation>
-    </message>
-    <message>
-        <source>one study, without what the result itself costs</source>
-        <translation>одно исследование, без того, чего стоит сам результат</translation>
     </message>
     <message>
         <source>%1 samples</source>
@@ -9351,64 +8975,28 @@
         <translation>наклоны при номинале</translation>
     </message>
     <message>
-        <source>knows nothing of what lies away from the nominal: a jump, a corner, a curve</source>
-        <translation>не знает ничего вдали от номинала: ни скачка, ни излома, ни кривизны</translation>
-    </message>
-    <message>
         <source>Monte Carlo</source>
         <translation>Монте-Карло</translation>
-    </message>
-    <message>
-        <source>always right in the end, but a digit costs a hundred times the samples</source>
-        <translation>в конце всегда прав, но цифра стоит стократного числа проб</translation>
     </message>
     <message>
         <source>scrambled Sobol points</source>
         <translation>перемешанные точки Соболя</translation>
     </message>
     <message>
-        <source>a digit costs some ten times the samples; across a jump a little more</source>
-        <translation>цифра стоит примерно десятикратного числа проб, через скачок — немного больше</translation>
-    </message>
-    <message>
         <source>scatter of masses, lengths and speed, an amplitude</source>
         <translation>разброс масс, длин и частоты, амплитуда</translation>
-    </message>
-    <message>
-        <source>lead of the best of two minima, part of its scatter</source>
-        <translation>преимущество лучшего из двух минимумов, доля разброса</translation>
-    </message>
-    <message>
-        <source>where a clearance binds, part of the input&apos;s scatter</source>
-        <translation>где зазор становится связью, доля разброса исходной величины</translation>
-    </message>
-    <message>
-        <source>What scatters is known to a few digits itself, so a hundredth of the standard deviation will do. Slopes give that for the price of some samples, but not where an optimum jumps or a clearance binds, and they do not know that they fail there. Scrambled Sobol points hold it everywhere with the fewest samples, and other seeds tell their error.</source>
-        <translation>То, что рассеивается, само известно до нескольких цифр, так что сотой доли стандартного отклонения довольно. Наклоны дают это ценой нескольких проб, но не там, где оптимум скачет или зазор становится связью, и не знают, что там неверны. Перемешанные точки Соболя держат это везде при наименьшем числе проб, а другие начальные числа говорят об их погрешности.</translation>
     </message>
     <message>
         <source>in float the angle itself has seven digits; near locking the error grows as the rounding divided by 1 − λ(1 + K)</source>
         <translation>в float сам угол имеет семь знаков; вблизи заклинивания погрешность растёт как округление, делённое на 1 − λ(1 + K)</translation>
     </message>
     <message>
-        <source>near locking the error grows as the rounding divided by 1 − λ(1 + K): nine digits are left at 1 − λ(1 + K) = 10⁻⁶</source>
-        <translation>вблизи заклинивания погрешность растёт как округление, делённое на 1 − λ(1 + K): при 1 − λ(1 + K) = 10⁻⁶ остаётся девять знаков</translation>
-    </message>
-    <message>
         <source>every angle of a scan where the slope turns, halved until it is found</source>
         <translation>каждый угол перебора, где наклон меняет знак, с делением пополам</translation>
     </message>
     <message>
-        <source>ellipsoids around the place, halved by slopes</source>
-        <translation>эллипсоиды вокруг искомого положения, отсекаемые по наклонам</translation>
-    </message>
-    <message>
         <source>Gauss-Legendre sums over the pieces, the spline by its bends</source>
         <translation>суммы Гаусса — Лежандра по участкам, сплайн — по вторым производным</translation>
-    </message>
-    <message>
-        <source>the energy that the spring has left beside the energy of the three bodies</source>
-        <translation>оставшаяся энергия пружины рядом с энергией трёх тел</translation>
     </message>
     <message>
         <source>speeds by the energy of the three bodies, times by Gauss-Legendre sums</source>
@@ -9417,10 +9005,6 @@
     <message>
         <source>integrals of s″ over half turns by the double exponential rule</source>
         <translation>интегралы s″ по полуоборотам по двойному экспоненциальному правилу</translation>
-    </message>
-    <message>
-        <source>the number of points grows as 1/√(1 − λ(1 + K)); nearer to locking than 4·10⁻⁹ the scene rejects the mechanism</source>
-        <translation>число точек растёт как 1/√(1 − λ(1 + K)); ближе к заклиниванию, чем 4·10⁻⁹, программа механизм не принимает</translation>
     </message>
     <message>
         <source>extrema of every half degree by Newton&apos;s method</source>
@@ -9435,16 +9019,8 @@
         <translation>замыкание |шатунная шейка − палец| = L и его производные</translation>
     </message>
     <message>
-        <source>The paper states it; the program was told 12.51 mm, which makes K the printed 0.278.</source>
-        <translation>Задано в статье; программе задано 12,51 мм, при котором K равно напечатанному 0,278.</translation>
-    </message>
-    <message>
         <source>e / R, both as printed.</source>
         <translation>e / R, оба по статье.</translation>
-    </message>
-    <message>
-        <source>The paper prints no m_p of this engine: it was found from this number.</source>
-        <translation>В статье нет m_p этого двигателя: она найдена из этого числа.</translation>
     </message>
     <message>
         <source>Brent&apos;s method between the rows</source>
@@ -9455,31 +9031,443 @@
         <translation>до %1 бит</translation>
     </message>
     <message>
-        <source>In use: %1. No numbers here: %2.</source>
-        <translation>Применяется: %1. Здесь чисел нет: %2.</translation>
-    </message>
-    <message>
-        <source>In use: %1. It misses the tolerance at this value.</source>
-        <translation>Применяется: %1. При этом значении допуск не выдержан.</translation>
-    </message>
-    <message>
-        <source>In use: %1. It holds the tolerance; %2 of %3 settings that do are faster.</source>
-        <translation>Применяется: %1. Допуск выдержан; из %3 настроек, которые его выдерживают, быстрее %2.</translation>
-    </message>
-    <message>
         <source>Measuring the methods on this machine.</source>
         <translation>Методы измеряются на этом компьютере.</translation>
     </message>
     <message>
-        <source>No case is open. Open one to see how sure its results are.</source>
-        <translation>Нет открытой задачи. Откройте её, чтобы увидеть, насколько надёжны её результаты.</translation>
+        <source>The paper&apos;s conclusions use a mean, so it must be the mean of the cycle, not of some nodes: nine digits for any table. The pieces between the rows are integrated exactly; then each shaft angle needs three multiplications.</source>
+        <translation>Выводы статьи опираются на среднее, поэтому оно должно быть средним за цикл, а не по узлам: девять знаков для любой таблицы. Участки между строками интегрируются точно; затем каждому углу вала нужны три умножения.</translation>
     </message>
     <message>
-        <source>Solving the case with each choice changed.</source>
-        <translation>Задача решается с каждым из изменений.</translation>
+        <source>The optimum angle compares ranges, so nine digits. Nodes miss a peak between them; the extremum of a line plus a sine has a closed form, and only the few intervals that may contain it are solved.</source>
+        <translation>Лучший угол сравнивает размахи, поэтому девять знаков. Узлы пропускают пик между ними; у экстремума суммы прямой и синуса есть формула, и решаются лишь те немногие интервалы, где он может быть.</translation>
     </message>
     <message>
-        <source>%1: %2. Largest contribution: %3, %4.</source>
+        <source>The range is the maximum of many sinusoids, with kinks and several minima. Sinusoids that bound it from below exclude worse angles, so the optimum is proven, with fewer evaluations than a scan of 5°.</source>
+        <translation>Размах — максимум многих синусоид, с изломами и несколькими минимумами. Синусоиды, ограничивающие его снизу, исключают худшие углы; поэтому оптимум доказан, и за меньшее число вычислений, чем при переборе через 5°.</translation>
+    </message>
+    <message>
+        <source>Over the plane of places the range is convex: the maximum of linear functions minus their minimum. Planes below find its kinks, where other methods stop or jump, and prove that no place is better.</source>
+        <translation>На плоскости мест размах выпуклый: максимум линейных функций минус их минимум. Плоскости под ним находят изломы, где другие методы останавливаются или прыгают, и доказывают, что лучшего места нет.</translation>
+    </message>
+    <message>
+        <source>A guide acts by its relief, which may be a few micrometres on a radius of a hundred millimetres: seven digits of the relief. The closed form needs no step and no start. Without a difference of nearly equal squares it stays accurate until the spring releases all its energy.</source>
+        <translation>Направляющая действует своим перепадом, а это могут быть микрометры на радиусе в сто миллиметров: семь знаков перепада. Формуле не нужны ни шаг, ни начальная точка. Без разности почти равных квадратов она точна, пока пружина не отдаст всю энергию.</translation>
+    </message>
+    <message>
+        <source>Ripple is read to parts of a million after up to a thousand turns: an error of 1e-7 a turn. The energy gives the speed at every angle; only the time is integrated, without drift. Adaptive series find the steep places of a turn, also with a moment on the crank, from rest and up to a reversal.</source>
+        <translation>Неравномерность отсчитывают до миллионных долей после тысячи оборотов: погрешность 1e-7 на оборот. Скорость при каждом угле даёт энергия; интегрируется только время, без ухода. Адаптивные ряды находят крутые места оборота, также при моменте на кривошипе, из покоя и до обратного хода.</translation>
+    </message>
+    <message>
+        <source>Reports print six digits, and balanced layouts must give zero as a difference of large forces: nine digits. The exact form needs one square root; a series of the same cost has three digits at λ = 0.5 and none near locking. The sines of the nodes are stored: every cylinder and turn needs them.</source>
+        <translation>В отчётах шесть знаков, а уравновешенная схема должна давать нуль как разность больших сил: девять знаков. Точной форме нужен один квадратный корень; ряд той же стоимости даёт три знака при λ = 0,5 и ни одного вблизи заклинивания. Синусы узлов хранятся: они нужны каждому цилиндру и обороту.</translation>
+    </message>
+    <message>
+        <source>In a balanced layout orders cancel and only rounding may remain: eleven digits. No fixed number of points suffices for every λ and K; the number follows from the known decay of the orders.</source>
+        <translation>В уравновешенной схеме порядки гасят друг друга, остаться может лишь округление: одиннадцать знаков. Постоянного числа точек не хватает при всех λ и K; число следует из известного убывания порядков.</translation>
+    </message>
+    <message>
+        <source>the α of the minimum range of Mᵤₚₛ</source>
+        <translation>α минимального размаха Mᵤₚₛ</translation>
+    </message>
+    <message>
+        <source>range minus minimum range, share of the maximum torque + A</source>
+        <translation>размах минус минимальный размах, доля максимального момента плюс A</translation>
+    </message>
+    <message>
+        <source>limited by its step, for any table</source>
+        <translation>ограничен своим шагом, при любой таблице</translation>
+    </message>
+    <message>
+        <source>difference of the two minima</source>
+        <translation>разность двух минимумов</translation>
+    </message>
+    <message>
+        <source>the place of the shaft with the minimum range of M_ups</source>
+        <translation>место вала с минимальным размахом M_ups</translation>
+    </message>
+    <message>
+        <source>ellipsoids around the place, cut by slopes</source>
+        <translation>эллипсоиды вокруг искомого положения, отсекаемые по наклонам</translation>
+    </message>
+    <message>
+        <source>the optimum of the RMS, not of the range</source>
+        <translation>оптимум по СКЗ, а не по размаху</translation>
+    </message>
+    <message>
+        <source>limited by its step, at a quadratic cost</source>
+        <translation>ограничена шагом, при квадратичных затратах</translation>
+    </message>
+    <message>
+        <source>share of the maximum torque of the table + A</source>
+        <translation>доля максимального момента таблицы плюс A</translation>
+    </message>
+    <message>
+        <source>exact for the interpolated table; the table does not show the engine between its rows</source>
+        <translation>точен для интерполированной таблицы; что было между строками, таблица не показывает</translation>
+    </message>
+    <message>
+        <source>the spring stores too little energy</source>
+        <translation>пружина запасает слишком мало энергии</translation>
+    </message>
+    <message>
+        <source>residual energy of the spring, from the energy of the three bodies</source>
+        <translation>остаточная энергия пружины, по энергии трёх тел</translation>
+    </message>
+    <message>
+        <source>half of the digits remain where the spring releases all its energy; beyond that no guide exists</source>
+        <translation>половина знаков остаётся там, где пружина отдаёт всю энергию; дальше направляющей нет</translation>
+    </message>
+    <message>
+        <source>loses its order where ρ approaches ℓ₀/2: the slope is infinite there</source>
+        <translation>теряет порядок там, где ρ подходит к ℓ₀/2: наклон там бесконечен</translation>
+    </message>
+    <message>
+        <source>its steps shrink to 0 where ρ approaches ℓ₀/2</source>
+        <translation>шаги сжимаются до нуля там, где ρ подходит к ℓ₀/2</translation>
+    </message>
+    <message>
+        <source>preload above the minimum, relative</source>
+        <translation>преднатяг сверх минимального, относительно</translation>
+    </message>
+    <message>
+        <source>stiffness c, preload 1.1 times the minimum</source>
+        <translation>жёсткость c, преднатяг 1,1 от минимального</translation>
+    </message>
+    <message>
+        <source>at this speed the time of a turn is below the range of numbers</source>
+        <translation>при этой скорости время оборота вне пределов чисел</translation>
+    </message>
+    <message>
+        <source>its steps shrink to 0</source>
+        <translation>его шаги уменьшаются до нуля</translation>
+    </message>
+    <message>
+        <source>rad, or share of the speed, per turn</source>
+        <translation>рад или доля скорости на каждый оборот</translation>
+    </message>
+    <message>
+        <source>its energy drifts: with 90 steps a turn it is wrong after thousands of turns, near λ = 1 at once</source>
+        <translation>энергия уходит неуклонно: с 90 шагами на оборот он неверен через тысячи оборотов, а вблизи λ = 1 — сразу</translation>
+    </message>
+    <message>
+        <source>the energy drifts by about the tolerance at every turn, without limit</source>
+        <translation>энергия уходит примерно на допуск за каждый оборот, без предела</translation>
+    </message>
+    <message>
+        <source>slower near a standstill; where the crank barely passes a dead point, rounding decides</source>
+        <translation>медленнее вблизи остановки; где кривошип едва проходит мёртвую точку, решает округление</translation>
+    </message>
+    <message>
+        <source>share of the maximum order, or of m R ω² and m R² ω²</source>
+        <translation>доля максимального порядка либо m R ω² и m R² ω²</translation>
+    </message>
+    <message>
+        <source>Fourier transform of sufficient length</source>
+        <translation>преобразование Фурье достаточной длины</translation>
+    </message>
+    <message>
+        <source>the number of points grows as 1/√(1 − λ(1 + K)); nearer to locking than 4·10⁻⁹ the module rejects the mechanism</source>
+        <translation>число точек растёт как 1/√(1 − λ(1 + K)); ближе к заклиниванию, чем 4·10⁻⁹, программа механизм не принимает</translation>
+    </message>
+    <message>
+        <source>has an error beyond the range of numbers</source>
+        <translation>ошибается сильнее, чем можно выразить числом</translation>
+    </message>
+    <message>
+        <source>ΔMᵤₚₛ, maximum minus minimum moment over the cycle, at one α</source>
+        <translation>ΔMᵤₚₛ, максимум момента за цикл минус минимум, при одном α</translation>
+    </message>
+    <message>
+        <source>maximum and minimum node</source>
+        <translation>максимальный и минимальный узел</translation>
+    </message>
+    <message>
+        <source>cuts off an extremum between the nodes and misses a narrow peak</source>
+        <translation>срезает экстремум между узлами и не видит узкого пика</translation>
+    </message>
+    <message>
+        <source>finds only one of two extrema on long straight pieces</source>
+        <translation>на длинных прямых участках находит лишь один из двух экстремумов</translation>
+    </message>
+    <message>
+        <source>exact for the interpolated table</source>
+        <translation>точен для интерполированной таблицы</translation>
+    </message>
+    <message>
+        <source>In use: %1. No values here: %2.</source>
+        <translation>Применяется: %1. Здесь чисел нет: %2.</translation>
+    </message>
+    <message>
+        <source>In use: %1. Beyond the tolerance at this value.</source>
+        <translation>Применяется: %1. При этом значении допуск не выдержан.</translation>
+    </message>
+    <message>
+        <source>In use: %1. Within the tolerance; %2 of %3 settings within it are faster.</source>
+        <translation>Применяется: %1. В допуске; из %3 настроек в допуске быстрее %2.</translation>
+    </message>
+    <message>
+        <source>Uncertain inputs</source>
+        <translation>Неточные исходные данные</translation>
+    </message>
+    <message>
+        <source>mean and standard deviation of a result of uncertain inputs</source>
+        <translation>среднее и стандартное отклонение результата при неточных исходных данных</translation>
+    </message>
+    <message>
+        <source>larger error of both, share of the standard deviation, RMS over 16 seeds</source>
+        <translation>большая из двух погрешностей, доля стандартного отклонения, среднеквадратично по 16 начальным числам</translation>
+    </message>
+    <message>
+        <source>one study, without the cost of the result itself</source>
+        <translation>одно исследование, без затрат на сам результат</translation>
+    </message>
+    <message>
+        <source>does not include anything away from the nominal: a jump, a corner, a curve</source>
+        <translation>не учитывает ничего вдали от номинала: скачка, излома, кривизны</translation>
+    </message>
+    <message>
+        <source>converges always, but a digit needs a hundred times the samples</source>
+        <translation>сходится всегда, но цифра требует стократного числа проб</translation>
+    </message>
+    <message>
+        <source>a digit needs about ten times the samples; across a jump a little more</source>
+        <translation>цифра стоит примерно десятикратного числа проб, через скачок — немного больше</translation>
+    </message>
+    <message>
+        <source>difference of two minima, share of its scatter</source>
+        <translation>разность двух минимумов, доля разброса</translation>
+    </message>
+    <message>
+        <source>where a clearance limits, share of the input&apos;s scatter</source>
+        <translation>где зазор ограничивает, доля разброса исходной величины</translation>
+    </message>
+    <message>
+        <source>the mechanism locks: the crank cannot make a turn</source>
+        <translation>механизм заклинивает: кривошип не делает оборота</translation>
+    </message>
+    <message>
+        <source>share of the maximum |s|, |s′|, |s″| of the turn</source>
+        <translation>доля максимальных |s|, |s′|, |s″| за оборот</translation>
+    </message>
+    <message>
+        <source>near locking the error grows as the rounding divided by 1 − λ(1 + K): nine digits remain at 1 − λ(1 + K) = 10⁻⁶</source>
+        <translation>вблизи заклинивания погрешность растёт как округление, делённое на 1 − λ(1 + K): при 1 − λ(1 + K) = 10⁻⁶ остаётся девять знаков</translation>
+    </message>
+    <message>
+        <source>Stated by the paper; the program&apos;s input is 12.51 mm, which gives the printed K = 0.278.</source>
+        <translation>Задано в статье; исходное данное программы — 12,51 мм, при котором K равно напечатанному 0,278.</translation>
+    </message>
+    <message>
+        <source>To 1′, from the exact top dead centre. Correct is γ + 2 φ; the printed γ + φ would give 18°20′.</source>
+        <translation>До 1′, по точной верхней мёртвой точке. Верно γ + 2 φ; напечатанное γ + φ дало бы 18°20′.</translation>
+    </message>
+    <message>
+        <source>Misprint of the sign: only a plus gives the paper&apos;s angle 75°43′.</source>
+        <translation>Опечатка в знаке: только плюс даёт угол статьи 75°43′.</translation>
+    </message>
+    <message>
+        <source>Stated by the paper; not used in any computation.</source>
+        <translation>Задано в статье; ни в одном вычислении не используется.</translation>
+    </message>
+    <message>
+        <source>Friction losses are not printed; our value is the indicated power of Table 2 at the printed speed.</source>
+        <translation>Потери на трение не напечатаны; наше число — индикаторная мощность по табл. 2 при напечатанной скорости.</translation>
+    </message>
+    <message>
+        <source>The program of Table 2 is not published; our value is the speed at which its inertia torque matches the masses of Table 1.</source>
+        <translation>Программа для табл. 2 не опубликована; наше число — скорость, при которой инерционный момент в ней отвечает массам табл. 1.</translation>
+    </message>
+    <message>
+        <source>Mᵤₚ = −Mᵢ, the program&apos;s input.</source>
+        <translation>Mᵤₚ = −Mᵢ, исходное данное программы.</translation>
+    </message>
+    <message>
+        <source>The mean of the 49 rows counts the end of the cycle, 720° = 0°, twice; our value is the cycle integral.</source>
+        <translation>Среднее 49 строк учитывает конец цикла, 720° = 0°, дважды; наше число — интеграл за цикл.</translation>
+    </message>
+    <message>
+        <source>To 0.01 N·m: l is not printed. Our value follows from the largest entry, rounded to 0.01 mm; equal printed entries differ by 0.01.</source>
+        <translation>До 0,01 Н·м: l не напечатано. Наше число следует из наибольшего значения, округлено до 0,01 мм; равные числа в печати расходятся на 0,01.</translation>
+    </message>
+    <message>
+        <source>The column is headed Mᵤₚ but contains Mₛ of α = 330°.</source>
+        <translation>Столбец озаглавлен Mᵤₚ, но содержит Mₛ при α = 330°.</translation>
+    </message>
+    <message>
+        <source>There Mₛ is P₁ l sin φ.</source>
+        <translation>Там Mₛ равно P₁ l sin φ.</translation>
+    </message>
+    <message>
+        <source>At 180° the mean of the nodes is 0 too, but Mₛ is a sine there; Mₛ is a cosine at 90°.</source>
+        <translation>При 180° среднее по узлам тоже 0, но там Mₛ — синус; косинус она при 90°.</translation>
+    </message>
+    <message>
+        <source>The nodes agree; the cycle mean of Mₛ is 0 for every α.</source>
+        <translation>Узлы дают то же; среднее Mₛ за цикл равно 0 при любом α.</translation>
+    </message>
+    <message>
+        <source>The paper names no α. The mean of the 49 rows (end counted twice) falls by 12 % at α from %1 to %2° and by 16 % from %3 to %4°. We use 30° (start of the paper&apos;s range) and 45° (Fig. 2); no shaft changes the cycle mean.</source>
+        <translation>Статья не называет α. Среднее 49 строк (конец учтён дважды) падает на 12 % при α от %1 до %2° и на 16 % от %3 до %4°. Взяты 30° (начало диапазона статьи) и 45° (рис. 2); среднее за цикл вал не меняет.</translation>
+    </message>
+    <message>
+        <source>α of the maximum ΔMᵤₚₛ</source>
+        <translation>α максимального ΔMᵤₚₛ</translation>
+    </message>
+    <message>
+        <source>Maximum of the sweep over α.</source>
+        <translation>Максимум по всем α.</translation>
+    </message>
+    <message>
+        <source>maximum ΔMᵤₚₛ</source>
+        <translation>максимум ΔMᵤₚₛ</translation>
+    </message>
+    <message>
+        <source>From a torque table of 5° that is not printed; our value uses the 15° table.</source>
+        <translation>Взято из таблицы моментов через 5°, которая не напечатана; наше — по таблице через 15°.</translation>
+    </message>
+    <message>
+        <source>No criterion is printed; our ends enclose the α with a smaller range than without a shaft.</source>
+        <translation>Критерий не напечатан; наши границы охватывают α, где размах меньше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>maximum α advised</source>
+        <translation>максимальный рекомендуемый α</translation>
+    </message>
+    <message>
+        <source>No criterion is printed; our value is where the range becomes as large as without a shaft.</source>
+        <translation>Критерий не напечатан; наше число — где размах становится таким же, как без вала.</translation>
+    </message>
+    <message>
+        <source>Stated by the paper; not part of any of its equations.</source>
+        <translation>Задано в статье; ни в одну её формулу не входит.</translation>
+    </message>
+    <message>
+        <source>Stated by the paper, defined in another paper. Our value is the program&apos;s input.</source>
+        <translation>Задано в статье, определено в другой. Наше число — исходное данное программы.</translation>
+    </message>
+    <message>
+        <source>m_pн with the ratio of aluminium to steel of the present plugs of the 6 and 7 l engines.</source>
+        <translation>m_pн с отношением алюминия к стали по нынешним заглушкам двигателей 6 и 7 л.</translation>
+    </message>
+    <message>
+        <source>From k_y and k_yн as printed in Table 2; unrounded values change it by up to 0.003 g.</source>
+        <translation>По k_y и k_yн, как они напечатаны в табл. 2; неокруглённые сдвигают его не более чем на 0,003 г.</translation>
+    </message>
+    <message>
+        <source>From k_y and the constant part as printed; unrounded values change it by up to 0.003 g.</source>
+        <translation>По k_y и постоянной части, как они напечатаны в таблицах; неокруглённые сдвигают его не более чем на 0,003 г.</translation>
+    </message>
+    <message>
+        <source>The paper prints no m_p of this engine: it follows from this number.</source>
+        <translation>В статье нет m_p этого двигателя: она найдена из этого числа.</translation>
+    </message>
+    <message>
+        <source>excess compensated by the present steel plugs</source>
+        <translation>избыток, компенсируемый нынешними стальными заглушками</translation>
+    </message>
+    <message>
+        <source>corresponding lightening of a steel plug</source>
+        <translation>нужное для этого облегчение стальной заглушки</translation>
+    </message>
+    <message>
+        <source>Equation (22) inverted: it was computed from this value.</source>
+        <translation>Формула (22) в обратную сторону: она вычислена из этого.</translation>
+    </message>
+    <message>
+        <source>equivalent lightening of a steel plug</source>
+        <translation>равносильное этому облегчение стальной заглушки</translation>
+    </message>
+    <message>
+        <source>maximum Δk</source>
+        <translation>максимум Δk</translation>
+    </message>
+    <message>
+        <source>maximum shift Δr</source>
+        <translation>максимальное смещение Δr</translation>
+    </message>
+    <message>
+        <source>The maximum Δk were computed from this value.</source>
+        <translation>Из него вычислены наибольшие Δk.</translation>
+    </message>
+    <message>
+        <source>The machined shapes are not printed.</source>
+        <translation>Обработанные формы не напечатаны.</translation>
+    </message>
+    <message>
+        <source>The drawing lacks dimensions; our value is a steel cup of the printed thread and height with a bore of 25 × 8 mm.</source>
+        <translation>На чертеже не все размеры; наше число — стальной стакан с напечатанными резьбой и высотой и расточкой 25 × 8 мм.</translation>
+    </message>
+    <message>
+        <source>Mass and radius of such a plug are not printed.</source>
+        <translation>Масса и радиус такой заглушки не напечатаны.</translation>
+    </message>
+    <message>
+        <source>A chosen limit, not computed.</source>
+        <translation>Заданный предел, он не вычислялся.</translation>
+    </message>
+    <message>
+        <source>Stated by the paper, with a drawing that lacks dimensions.</source>
+        <translation>Задано в статье, у чертежа без полных размеров.</translation>
+    </message>
+    <message>
+        <source>Stated by the paper; our value is the program&apos;s input.</source>
+        <translation>Задано в статье; наше число — исходное данное программы.</translation>
+    </message>
+    <message>
+        <source>misprint</source>
+        <translation>опечатка</translation>
+    </message>
+    <message>
+        <source>With the paper&apos;s series for cos ψ; the inertia part is odd in φ and cancels at every speed.</source>
+        <translation>С рядом статьи для cos ψ; инерционная часть нечётна по φ и выпадает при любой скорости.</translation>
+    </message>
+    <message>
+        <source>To rounding, 1e-9 of the integral of its magnitude.</source>
+        <translation>До округления, 10⁻⁹ интеграла модуля.</translation>
+    </message>
+    <message>
+        <source>To rounding, with M₁₂ correctly outside the factor 0.5 of (8).</source>
+        <translation>До округления, с M₁₂ вне множителя 0,5 в (8), как верно.</translation>
+    </message>
+    <message>
+        <source>To rounding, with the counterweight of (10).</source>
+        <translation>До округления, с противовесом по (10).</translation>
+    </message>
+    <message>
+        <source>To rounding, with M₁₂* correctly outside the factor 0.5 of (11).</source>
+        <translation>До округления, с M₁₂* вне множителя 0,5 в (11), как верно.</translation>
+    </message>
+    <message>
+        <source>The bracket of 0.5 closes after M₁₂ instead of before it; the moment balance about the crank axis gives our value.</source>
+        <translation>Скобка множителя 0,5 закрыта после M₁₂, а не перед ней; наше число даёт равновесие моментов относительно оси кривошипа.</translation>
+    </message>
+    <message>
+        <source>ρ₀ of guides 1, ℓ₀/2: maximum with a guide</source>
+        <translation>ρ₀ направляющих 1, ℓ₀/2: максимум, при котором направляющая есть</translation>
+    </message>
+    <message>
+        <source>To 0.01 mm, and only with the sign of (1), by which spring and mechanism absorb energy together. For constant ω the spring must release it.</source>
+        <translation>До 0,01 мм и лишь со знаком (1), по которому пружина и механизм поглощают энергию вместе. Для постоянного ω пружина должна её отдавать.</translation>
+    </message>
+    <message>
+        <source>flywheel&apos;s share of an engine&apos;s inertia</source>
+        <translation>доля маховика в моменте инерции двигателя</translation>
+    </message>
+    <message>
+        <source>Uncertain inputs are known to a few digits, so a hundredth of the standard deviation suffices. Slopes give that for a few samples, but fail unnoticed where an optimum jumps or a clearance limits. Scrambled Sobol points give it everywhere with the fewest samples; other seeds show their error.</source>
+        <translation>Неточные исходные данные известны до нескольких цифр, поэтому довольно сотой доли стандартного отклонения. Наклоны дают это за несколько проб, но незаметно неверны там, где оптимум скачет или зазор ограничивает. Перемешанные точки Соболя дают это везде при наименьшем числе проб; погрешность показывают другие начальные числа.</translation>
+    </message>
+    <message>
+        <source>Open a case to see how certain its results are.</source>
+        <translation>Откройте задачу, чтобы увидеть, насколько надёжны её результаты.</translation>
+    </message>
+    <message>
+        <source>Solving the case for each change.</source>
+        <translation>Задача решается для каждого изменения.</translation>
+    </message>
+    <message>
+        <source>%1: %2. Maximum contribution: %3, %4.</source>
         <translation>%1: %2. Наибольший вклад: %3, %4.</translation>
     </message>
 </context>
@@ -9595,7 +9583,7 @@
     </message>
     <message>
         <source>Peak pressure</source>
-        <translation>Наибольшее давление</translation>
+        <translation>Максимальное давление</translation>
     </message>
     <message>
         <source>at crank angle</source>
@@ -9614,14 +9602,6 @@
         <translation>Теплота за цикл</translation>
     </message>
     <message>
-        <source>Every α is as good as any other.</source>
-        <translation>Все α одинаково хороши.</translation>
-    </message>
-    <message>
-        <source>cannot be built</source>
-        <translation>построить нельзя</translation>
-    </message>
-    <message>
         <source>Excess work ΔE</source>
         <translation>Избыточная работа ΔE</translation>
     </message>
@@ -9632,24 +9612,6 @@
     <message>
         <source>Moment of inertia J</source>
         <translation>Момент инерции J</translation>
-    </message>
-    <message>
-        <source>Speed swings by ±</source>
-        <translation>Частота колеблется на ±</translation>
-    </message>
-    <message>
-        <source>Fastest at crank angle</source>
-        <translation>Быстрее всего при угле</translation>
-    </message>
-    <message>
-        <source>Slowest at crank angle</source>
-        <translation>Медленнее всего при угле</translation>
-    </message>
-    <message>
-        <source>
-but nothing can be built</source>
-        <translation>
-но построить нельзя ничего</translation>
     </message>
     <message>
         <source>Torque table</source>
@@ -9664,52 +9626,8 @@ but nothing can be built</source>
         <translation>%1 хуже</translation>
     </message>
     <message>
-        <source>Mᵤₚₛ against Mᵤₚ, as a share of Mᵤₚ. Better: less range, RMS and maximum, a minimum nearer to zero.</source>
-        <translation>Mᵤₚₛ против Mᵤₚ в долях Mᵤₚ. Лучше — меньше размах, СКЗ и максимум, минимум ближе к нулю.</translation>
-    </message>
-    <message>
-        <source>Largest less smallest value over the cycle, max − min</source>
-        <translation>Наибольшее минус наименьшее значение за цикл, max − min</translation>
-    </message>
-    <message>
-        <source>Root of the mean square about the mean over the cycle</source>
-        <translation>Среднеквадратичное отклонение от среднего за цикл</translation>
-    </message>
-    <message>
-        <source>Mean over the cycle; that of the shaft is 0 at every α</source>
-        <translation>Среднее за цикл; у вала оно 0 при любом α</translation>
-    </message>
-    <message>
-        <source>Mean the way the paper takes it: over the printed rows, with the end of the cycle counted twice. It shows what the paper&apos;s numbers are and says nothing of the shaft.</source>
-        <translation>Среднее, как его берёт статья: по напечатанным строкам, с концом цикла, взятым дважды. Оно объясняет числа статьи и ничего не говорит о вале.</translation>
-    </message>
-    <message>
-        <source>Largest value over the cycle</source>
-        <translation>Наибольшее значение за цикл</translation>
-    </message>
-    <message>
-        <source>Smallest value over the cycle; most are negative, and nearer to zero is better</source>
-        <translation>Наименьшее значение за цикл; обычно отрицательно, и ближе к нулю лучше</translation>
-    </message>
-    <message>
-        <source>Of first order, mⱼ r ω²</source>
-        <translation>Первого порядка, mⱼ r ω²</translation>
-    </message>
-    <message>
-        <source>Of each of the two counterweights, mⱼ r / (2 ρ₁), eq. (1), or as entered</source>
-        <translation>Каждого из двух противовесов, mⱼ r / (2 ρ₁), формула (1), или заданная</translation>
-    </message>
-    <message>
         <source>m₁ ρ₁ ω²</source>
         <translation>m₁ ρ₁ ω²</translation>
-    </message>
-    <message>
-        <source>Largest moment of the shaft</source>
-        <translation>Наибольший момент вала</translation>
-    </message>
-    <message>
-        <source>Of the mean square about the mean. It is all that a shaft at crank speed can change.</source>
-        <translation>В среднем квадрате отклонения. Только её и может изменить вал, вращающийся со скоростью коленчатого.</translation>
     </message>
     <message>
         <source>Box around cylinder, crank circle, shaft circle, gears and wall in the front view</source>
@@ -9732,60 +9650,20 @@ but nothing can be built</source>
         <translation>Работа цикла к углу поворота за цикл</translation>
     </message>
     <message>
-        <source>Largest pressure in the cylinder</source>
-        <translation>Наибольшее давление в цилиндре</translation>
-    </message>
-    <message>
         <source>Crank angle of the peak pressure</source>
-        <translation>Угол поворота при наибольшем давлении</translation>
+        <translation>Угол поворота при максимальном давлении</translation>
     </message>
     <message>
         <source>Piston area times stroke</source>
         <translation>Площадь поршня на ход</translation>
     </message>
     <message>
-        <source>Displacement over the compression ratio less 1</source>
-        <translation>Рабочий объём к степени сжатия без единицы</translation>
-    </message>
-    <message>
-        <source>Released by the combustion, entered or found for the mean pressure</source>
-        <translation>Выделенная при сгорании: заданная или найденная по среднему давлению</translation>
-    </message>
-    <message>
-        <source>Largest less smallest ∫ (Mᵢ − mean) dφ over the cycle</source>
-        <translation>Наибольший минус наименьший ∫ (Mᵢ − среднее) dφ за цикл</translation>
-    </message>
-    <message>
         <source>(ω_max − ω_min) / ω = ΔE / (J ω²)</source>
         <translation>(ω_max − ω_min) / ω = ΔE / (J ω²)</translation>
     </message>
     <message>
-        <source>Of all that turns evenly, ΔE / (δ ω²)</source>
-        <translation>Всего, что вращается равномерно, ΔE / (δ ω²)</translation>
-    </message>
-    <message>
-        <source>Half of δ n to either side of the mean speed</source>
-        <translation>Половина δ n в обе стороны от средней частоты</translation>
-    </message>
-    <message>
-        <source>Where the excess energy is largest</source>
-        <translation>Где избыточная энергия наибольшая</translation>
-    </message>
-    <message>
-        <source>Where the excess energy is smallest</source>
-        <translation>Где избыточная энергия наименьшая</translation>
-    </message>
-    <message>
         <source>Rebuild torque</source>
         <translation>Пересобрать</translation>
-    </message>
-    <message>
-        <source>Least range %2 at %1°</source>
-        <translation>Наименьший размах %2 при&#xa0;%1°</translation>
-    </message>
-    <message>
-        <source>Least RMS %2 at %1°</source>
-        <translation>Наименьшее СКЗ %2 при&#xa0;%1°</translation>
     </message>
     <message>
         <source>Tipping moment on the engine without a shaft, −Mᵢ</source>
@@ -9800,20 +9678,122 @@ but nothing can be built</source>
         <translation>Момент на опорах с валом, Mᵤₚ + Mₛ</translation>
     </message>
     <message>
-        <source>%2 less at %1° – cannot be built</source>
-        <translation>на %2 меньше при&#xa0;%1° — построить нельзя</translation>
+        <source>Change from Mᵤₚ to Mᵤₚₛ, relative to Mᵤₚ. Better: smaller range, RMS and maximum, minimum nearer to zero.</source>
+        <translation>Изменение от Mᵤₚ к Mᵤₚₛ, в долях Mᵤₚ. Лучше: меньше размах, СКЗ и максимум, минимум ближе к нулю.</translation>
+    </message>
+    <message>
+        <source>Maximum minus minimum over the cycle</source>
+        <translation>Максимум минус минимум за цикл</translation>
+    </message>
+    <message>
+        <source>RMS about the mean over the cycle</source>
+        <translation>СКЗ относительно среднего за цикл</translation>
+    </message>
+    <message>
+        <source>Mean over the cycle; for the shaft 0 at every α</source>
+        <translation>Среднее за цикл; у вала оно 0 при любом α</translation>
+    </message>
+    <message>
+        <source>Mean of table rows (paper), with the end of the cycle counted twice. It reproduces the paper&apos;s numbers only.</source>
+        <translation>Среднее по строкам таблицы (статья), конец цикла учтён дважды. Оно лишь воспроизводит числа статьи.</translation>
+    </message>
+    <message>
+        <source>Maximum over the cycle</source>
+        <translation>Максимум за цикл</translation>
+    </message>
+    <message>
+        <source>Minimum over the cycle; usually negative, nearer to zero is better</source>
+        <translation>Минимум за цикл; обычно отрицательный, ближе к нулю лучше</translation>
+    </message>
+    <message>
+        <source>First order, mⱼ r ω²</source>
+        <translation>Первый порядок, mⱼ r ω²</translation>
+    </message>
+    <message>
+        <source>Mass of each of the two counterweights, mⱼ r / (2 ρ₁), eq. (1), or as entered</source>
+        <translation>Масса каждого из двух противовесов, mⱼ r / (2 ρ₁), формула (1), или заданная</translation>
+    </message>
+    <message>
+        <source>Maximum moment of the shaft</source>
+        <translation>Максимальный момент вала</translation>
+    </message>
+    <message>
+        <source>Share of the mean square about the mean; only this share can be changed by a shaft at crank speed.</source>
+        <translation>Доля среднего квадрата отклонения; только её может изменить вал, вращающийся со скоростью коленчатого.</translation>
+    </message>
+    <message>
+        <source>Maximum pressure in the cylinder</source>
+        <translation>Максимальное давление в цилиндре</translation>
+    </message>
+    <message>
+        <source>Displacement over the compression ratio minus 1</source>
+        <translation>Рабочий объём к степени сжатия без единицы</translation>
+    </message>
+    <message>
+        <source>Heat released by the combustion, entered or from the mean pressure</source>
+        <translation>Теплота сгорания, заданная или найденная по среднему давлению</translation>
+    </message>
+    <message>
+        <source>Maximum minus minimum of ∫ (Mᵢ − mean) dφ over the cycle</source>
+        <translation>Максимум минус минимум ∫ (Mᵢ − среднее) dφ за цикл</translation>
+    </message>
+    <message>
+        <source>Moment of inertia of all rotating parts, ΔE / (δ ω²)</source>
+        <translation>Момент инерции всех вращающихся частей, ΔE / (δ ω²)</translation>
+    </message>
+    <message>
+        <source>Speed fluctuates by ±</source>
+        <translation>Частота колеблется на ±</translation>
+    </message>
+    <message>
+        <source>± half of δ n about the mean speed</source>
+        <translation>± половина δ n от средней частоты</translation>
+    </message>
+    <message>
+        <source>Maximum speed at crank angle</source>
+        <translation>Максимум частоты при угле</translation>
+    </message>
+    <message>
+        <source>Crank angle of the maximum excess energy</source>
+        <translation>Угол максимума избыточной энергии</translation>
+    </message>
+    <message>
+        <source>Minimum speed at crank angle</source>
+        <translation>Минимум частоты при угле</translation>
+    </message>
+    <message>
+        <source>Crank angle of the minimum excess energy</source>
+        <translation>Угол минимума избыточной энергии</translation>
+    </message>
+    <message>
+        <source>α has no effect.</source>
+        <translation>α не влияет.</translation>
+    </message>
+    <message>
+        <source>
+but no position is feasible</source>
+        <translation>
+но допустимых положений нет</translation>
+    </message>
+    <message>
+        <source>%1° would give %2 less but does not fit</source>
+        <translation>%1° дал бы на %2 меньше, но не помещается</translation>
+    </message>
+    <message>
+        <source>Minimum range %2 at %1°</source>
+        <translation>Минимальный размах %2 при %1°</translation>
+    </message>
+    <message>
+        <source>Minimum RMS %2 at %1°</source>
+        <translation>Минимальное СКЗ %2 при %1°</translation>
+    </message>
+    <message>
+        <source>does not fit</source>
+        <translation>не помещается</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::BalanceShaftPage</name>
-    <message>
-        <source>Go to the α of the least &amp;range</source>
-        <translation>К α наименьшего &amp;размаха</translation>
-    </message>
-    <message>
-        <source>Go to the α of the least R&amp;MS</source>
-        <translation>К α наименьшего &amp;СКЗ</translation>
-    </message>
     <message>
         <source>Engine</source>
         <translation>Двигатель</translation>
@@ -9857,10 +9837,6 @@ but nothing can be built</source>
     <message>
         <source>Shaft angle &amp;α</source>
         <translation>Угол вала &amp;α</translation>
-    </message>
-    <message>
-        <source>Angle from the cylinder axis to the line of centres, in the direction of rotation; 90° is beside the crank. 0 to 360°, steps of 0.1°.</source>
-        <translation>Угол от оси цилиндра до линии центров по направлению вращения; 90° — сбоку от коленчатого вала. От 0 до 360°, шаг 0,1°.</translation>
     </message>
     <message>
         <source>Moments</source>
@@ -9908,7 +9884,7 @@ but nothing can be built</source>
     </message>
     <message>
         <source>Range of Mᵤₚₛ, max − min</source>
-        <translation>Размах Mᵤₚₛ, наибольшее минус наименьшее</translation>
+        <translation>Размах Mᵤₚₛ, максимум минус минимум</translation>
     </message>
     <message>
         <source>RMS</source>
@@ -9935,28 +9911,12 @@ but nothing can be built</source>
         <translation>Среднее Mᵤₚₛ за цикл</translation>
     </message>
     <message>
-        <source>Node mean of Mᵤₚ plus that of Mₛ</source>
-        <translation>Среднее Mᵤₚ по узлам плюс среднее Mₛ</translation>
-    </message>
-    <message>
         <source>Crank angle of the picture; 0 is top dead centre</source>
         <translation>Угол поворота кривошипа на рисунке; 0 — верхняя мёртвая точка</translation>
     </message>
     <message>
         <source>Criteria of the three moments</source>
         <translation>Критерии трёх моментов</translation>
-    </message>
-    <message>
-        <source>Go</source>
-        <translation>Взять</translation>
-    </message>
-    <message>
-        <source>Go to the α of the least range</source>
-        <translation>Взять α наименьшего размаха</translation>
-    </message>
-    <message>
-        <source>Go to the α of the least RMS</source>
-        <translation>Взять α наименьшего СКЗ</translation>
     </message>
     <message>
         <source>Forces, masses and sizes</source>
@@ -9975,10 +9935,6 @@ but nothing can be built</source>
         <translation>Маховик</translation>
     </message>
     <message>
-        <source>Sizes: what can be built</source>
-        <translation>Размеры: что можно построить</translation>
-    </message>
-    <message>
         <source>Map</source>
         <translation>Карта</translation>
     </message>
@@ -9987,20 +9943,52 @@ but nothing can be built</source>
         <translation>Опрокидывающий момент: реакция на момент двигателя</translation>
     </message>
     <message>
-        <source>Over all α that can be built, exact for the continuous cycle</source>
-        <translation>По всем α, которые можно построить, точно для непрерывного цикла</translation>
+        <source>&amp;Use the best feasible α</source>
+        <translation>Применит&amp;ь лучший допустимый α</translation>
     </message>
     <message>
-        <source>%1 of it are not listed above.</source>
+        <source>%1 are not listed above.</source>
         <translation>Из них %1 выше не перечислены.</translation>
     </message>
     <message>
-        <source>Move the trace by &amp;360°</source>
+        <source>Sizes for clearance</source>
+        <translation>Размеры для зазоров</translation>
+    </message>
+    <message>
+        <source>Apply the α of the minimum &amp;range</source>
+        <translation>Применить α минимального &amp;размаха</translation>
+    </message>
+    <message>
+        <source>Apply the α of the minimum R&amp;MS</source>
+        <translation>Применить α минимального &amp;СКЗ</translation>
+    </message>
+    <message>
+        <source>Angle from the cylinder axis to the line of centres, in the direction of rotation; at 90° the shaft is beside the crank.</source>
+        <translation>Угол от оси цилиндра до линии центров по направлению вращения; при 90° вал сбоку от кривошипа.</translation>
+    </message>
+    <message>
+        <source>Over all feasible α, exact for the continuous cycle</source>
+        <translation>По всем допустимым α, точно для непрерывного цикла</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Применить</translation>
+    </message>
+    <message>
+        <source>Apply the α of the minimum range</source>
+        <translation>Применить α минимального размаха</translation>
+    </message>
+    <message>
+        <source>Apply the α of the minimum RMS</source>
+        <translation>Применить α минимального СКЗ</translation>
+    </message>
+    <message>
+        <source>Shift the trace by &amp;360°</source>
         <translation>Сдвинуть диаграмму на &amp;360°</translation>
     </message>
     <message>
-        <source>&amp;Use the best feasible α</source>
-        <translation>Применит&amp;ь лучший допустимый α</translation>
+        <source>Node mean of Mᵤₚ plus node mean of Mₛ</source>
+        <translation>Среднее Mᵤₚ по узлам плюс среднее Mₛ по узлам</translation>
     </message>
     <message>
         <source>Reciprocating mass: the sum of the parts.</source>
@@ -10073,28 +10061,12 @@ but nothing can be built</source>
         <translation>не решается</translation>
     </message>
     <message>
-        <source>Result, and what is changed</source>
-        <translation>Результат и что меняется</translation>
-    </message>
-    <message>
-        <source>The leading results of the open case; below each of them the one thing that is changed in a new solution of the case</source>
-        <translation>Главные результаты открытой задачи; под каждым — единственное изменение в новом решении задачи</translation>
-    </message>
-    <message>
         <source>Value</source>
         <translation>Значение</translation>
     </message>
     <message>
-        <source>As the case is solved</source>
-        <translation>Результат решения задачи</translation>
-    </message>
-    <message>
         <source>Changes by</source>
         <translation>Меняется на</translation>
-    </message>
-    <message>
-        <source>Difference to the value, the larger one of two</source>
-        <translation>Отличие от значения, большее из двух</translation>
     </message>
     <message>
         <source>Rounding</source>
@@ -10115,6 +10087,22 @@ but nothing can be built</source>
     <message>
         <source>Tolerance: %1</source>
         <translation>Допуск: %1</translation>
+    </message>
+    <message>
+        <source>Result and change</source>
+        <translation>Результат и изменение</translation>
+    </message>
+    <message>
+        <source>Leading results of the open case; below each, the effect of a single change</source>
+        <translation>Главные результаты открытой задачи; под каждым — влияние одного изменения</translation>
+    </message>
+    <message>
+        <source>Present result</source>
+        <translation>Нынешний результат</translation>
+    </message>
+    <message>
+        <source>Difference from the value, the larger of two</source>
+        <translation>Отличие от значения, большее из двух</translation>
     </message>
 </context>
 <context>
@@ -10139,28 +10127,28 @@ but nothing can be built</source>
         <translation>&amp;Название</translation>
     </message>
     <message>
-        <source>What the case is called, in its file and in the window</source>
-        <translation>Как называется задача — в файле и в окне</translation>
-    </message>
-    <message>
         <source>&amp;Notes</source>
         <translation>&amp;Заметки</translation>
     </message>
     <message>
-        <source>Your own text on the case: sources, assumptions, what is left to do. It is saved with it.</source>
-        <translation>Ваш текст о задаче: источники, допущения, что осталось сделать. Сохраняется вместе с ней.</translation>
+        <source>Title of the case, in its file and in the window</source>
+        <translation>Название задачи, в файле и в окне</translation>
     </message>
     <message>
-        <source>Keep the changed title and notes?</source>
-        <translation>Оставить изменённые название и заметки?</translation>
+        <source>Your notes on the case: sources, assumptions, open tasks. They are saved with the case.</source>
+        <translation>Ваши заметки о задаче: источники, допущения, что осталось сделать. Сохраняются вместе с ней.</translation>
     </message>
     <message>
-        <source>&amp;Keep</source>
-        <translation>&amp;Оставить</translation>
+        <source>Apply the changed title and notes?</source>
+        <translation>Применить изменённые название и заметки?</translation>
     </message>
     <message>
-        <source>Do&amp;n’t keep</source>
-        <translation>&amp;Не оставлять</translation>
+        <source>&amp;Apply</source>
+        <translation>&amp;Применить</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Отменить</translation>
     </message>
 </context>
 <context>
@@ -10189,10 +10177,6 @@ but nothing can be built</source>
         <translation>Компенсируемая масса от облегчения одной заглушки</translation>
     </message>
     <message>
-        <source>today %1</source>
-        <translation>сейчас %1</translation>
-    </message>
-    <message>
         <source>lightening of one plug Δm, g</source>
         <translation>облегчение одной заглушки Δm, г</translation>
     </message>
@@ -10200,13 +10184,13 @@ but nothing can be built</source>
         <source>Δmᵤ, g</source>
         <translation>Δmᵤ, г</translation>
     </message>
+    <message>
+        <source>present %1</source>
+        <translation>сейчас %1</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::CorrectionSheet</name>
-    <message>
-        <source>Drills at hand</source>
-        <translation>Имеющиеся свёрла</translation>
-    </message>
     <message>
         <source>Several holes</source>
         <translation>Несколько отверстий</translation>
@@ -10214,10 +10198,6 @@ but nothing can be built</source>
     <message>
         <source>Heavy metal</source>
         <translation>Тяжёлый металл</translation>
-    </message>
-    <message>
-        <source>Already drilled: correct what was drilled otherwise</source>
-        <translation>Уже просверлено: исправьте, что вышло иначе</translation>
     </message>
     <message>
         <source>Hole</source>
@@ -10228,40 +10208,48 @@ but nothing can be built</source>
         <translation>Угол, °</translation>
     </message>
     <message>
-        <source>What became of it</source>
-        <translation>Что вышло</translation>
-    </message>
-    <message>
-        <source>None yet. The plan stands here once the next run is read.</source>
-        <translation>Пока нет. План появится здесь, когда введены показания следующего пуска.</translation>
-    </message>
-    <message>
         <source>&amp;Add a hole that was there before…</source>
         <translation>&amp;Добавить отверстие, которое уже было…</translation>
-    </message>
-    <message>
-        <source>New holes keep clear of it, and it may be deepened.</source>
-        <translation>Новые отверстия обходят его; его можно углубить.</translation>
     </message>
     <message>
         <source>Hole that was there before</source>
         <translation>Отверстие, которое уже было</translation>
     </message>
     <message>
-        <source>What if I drill here</source>
-        <translation>Что будет, если сверлить здесь</translation>
-    </message>
-    <message>
-        <source>%1: remains %2 at %3.</source>
-        <translation>%1: останется %2 на %3.</translation>
-    </message>
-    <message>
         <source>Another hole is too near. Choose another angle.</source>
         <translation>Слишком близко другое отверстие. Выберите другой угол.</translation>
     </message>
     <message>
-        <source>Too deep: the deepest hole allowed is %1.</source>
-        <translation>Слишком глубоко: наибольшая допустимая глубина %1.</translation>
+        <source>Available drills</source>
+        <translation>Имеющиеся свёрла</translation>
+    </message>
+    <message>
+        <source>Try a hole</source>
+        <translation>Проверить отверстие</translation>
+    </message>
+    <message>
+        <source>Too deep: the maximum depth is %1.</source>
+        <translation>Слишком глубоко: максимальная глубина %1.</translation>
+    </message>
+    <message>
+        <source>%1: residual %2 at %3.</source>
+        <translation>%1: остаток %2 на %3.</translation>
+    </message>
+    <message>
+        <source>Already drilled: correct holes that differ from the plan</source>
+        <translation>Уже просверлено: исправьте отличия от плана</translation>
+    </message>
+    <message>
+        <source>Actual drilling</source>
+        <translation>Фактически</translation>
+    </message>
+    <message>
+        <source>None yet. The plan appears here after the next run.</source>
+        <translation>Пока нет. План появится здесь после следующего пуска.</translation>
+    </message>
+    <message>
+        <source>New holes keep clear of this hole; it may be deepened.</source>
+        <translation>Новые отверстия обходят это; его можно углубить.</translation>
     </message>
 </context>
 <context>
@@ -10398,16 +10386,16 @@ but nothing can be built</source>
         <translation>дезаксаж</translation>
     </message>
     <message>
-        <source>e mⱼ ω² s″: what an offset cylinder adds to Mᵤₚ</source>
-        <translation>e mⱼ ω² s″: добавка дезаксиального цилиндра к Mᵤₚ</translation>
-    </message>
-    <message>
         <source>engine torque</source>
         <translation>момент двигателя</translation>
     </message>
     <message>
         <source>Gas plus inertia</source>
         <translation>Газы и инерция вместе</translation>
+    </message>
+    <message>
+        <source>e mⱼ ω² s″: part of Mᵤₚ due to the offset cylinder</source>
+        <translation>e mⱼ ω² s″: добавка дезаксиального цилиндра к Mᵤₚ</translation>
     </message>
     <message>
         <source>The torque is a table. A pressure trace or a computed cycle shows gas and inertia torque, pressure and indicator diagram.</source>
@@ -10449,16 +10437,16 @@ but nothing can be built</source>
         <translation>&amp;Прицепные шатуны</translation>
     </message>
     <message>
-        <source>Where rods share a crankpin: one is the master, the others hang on it by knuckle pins, as in radials. Off: all run on the crankpin itself.</source>
-        <translation>Где шейка общая: один шатун главный, остальные прицеплены к нему пальцами, как в звёздах. Выключено: все стоят на самой шейке.</translation>
+        <source>Sets the crankpins for even firing in the firing order. The second bank is shifted by γ + 2 φ_TDC (the paper prints γ + φ_TDC).</source>
+        <translation>Ставит шатунные шейки для равномерных вспышек в порядке работы. Второй ряд смещён на γ + 2 φ_ВМТ (в статье напечатано γ + φ_ВМТ).</translation>
     </message>
     <message>
-        <source>A knuckle radius makes a rod articulated, an empty one puts it back on the crankpin. Values in italics follow from the others.</source>
-        <translation>Радиус прицепа делает шатун прицепным, пустая ячейка возвращает его на шейку. Значения курсивом следуют из других.</translation>
+        <source>On a shared crankpin one rod is the master, the others are attached by knuckle pins, as in radials. Off: all rods run on the crankpin.</source>
+        <translation>На общей шейке один шатун главный, остальные прицеплены пальцами, как в звёздах. Выключено: все шатуны на шейке.</translation>
     </message>
     <message>
-        <source>Sets the crankpins so that the cylinders fire at even intervals over a cycle in the firing order: against the in-line engine they are shifted by γ + 2 φ_TDC (the paper prints γ + φ_TDC; its own angle, 21°40′, is the one with 2).</source>
-        <translation>Ставит шатунные шейки так, чтобы вспышки чередовались равномерно за цикл в порядке работы: относительно рядного двигателя шейки смещены на γ + 2 φ_ВМТ (в статье напечатано γ + φ_ВМТ; её же угол 21°40′ получается с двойкой).</translation>
+        <source>A knuckle radius makes a rod articulated; blank: the rod runs on the crankpin. Values in italics follow from others.</source>
+        <translation>Радиус прицепа делает шатун прицепным; пусто: шатун на шейке. Значения курсивом следуют из других.</translation>
     </message>
 </context>
 <context>
@@ -10482,10 +10470,6 @@ but nothing can be built</source>
     <message>
         <source>At most %1 cylinders.</source>
         <translation>Не больше %1 цилиндров.</translation>
-    </message>
-    <message>
-        <source>Line %1, column %2: %3 is no number that fits here.</source>
-        <translation>Строка %1, столбец %2: %3 — не число или сюда не подходит.</translation>
     </message>
     <message>
         <source>Paste cylinders</source>
@@ -10515,6 +10499,10 @@ but nothing can be built</source>
         <source>Top dead centre %1° from its axis, stroke %2</source>
         <translation>Верхняя мёртвая точка в %1° от своей оси, ход %2</translation>
     </message>
+    <message>
+        <source>Line %1, column %2: %3 is not a valid number.</source>
+        <translation>Строка %1, столбец %2: %3 — недопустимое число.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::DiskNotice</name>
@@ -10523,48 +10511,48 @@ but nothing can be built</source>
         <translation>Перечитать</translation>
     </message>
     <message>
-        <source>Show what the file holds now. Undo brings back what is shown here.</source>
-        <translation>Показать то, что сейчас в файле. Отмена вернёт то, что показано здесь.</translation>
-    </message>
-    <message>
         <source>Keep mine</source>
         <translation>Оставить моё</translation>
-    </message>
-    <message>
-        <source>Go on with what is shown here. Saving writes it over the file.</source>
-        <translation>Продолжить с тем, что показано здесь. При сохранении оно заменит содержимое файла.</translation>
     </message>
     <message>
         <source>Save as…</source>
         <translation>Сохранить как…</translation>
     </message>
     <message>
-        <source>Save what is shown here in another file.</source>
-        <translation>Сохранить то, что показано здесь, в другой файл.</translation>
-    </message>
-    <message>
-        <source>%1 is no longer there: it was deleted, moved or renamed.</source>
-        <translation>Файла %1 больше нет: он удалён, перемещён или переименован.</translation>
-    </message>
-    <message>
         <source>%1 was changed by another program.</source>
         <translation>Файл %1 изменён другой программой.</translation>
     </message>
     <message>
-        <source>Go on with the numbers that were read before. The case is opened with those of the file.</source>
-        <translation>Продолжить с числами, прочитанными раньше. При открытии задачи берутся числа из файла.</translation>
-    </message>
-    <message>
-        <source>%1, which this case reads, is no longer there.</source>
-        <translation>Файла %1, который читает эта задача, больше нет.</translation>
-    </message>
-    <message>
-        <source>%1, which this case reads, was changed by another program.</source>
-        <translation>Файл %1, который читает эта задача, изменён другой программой.</translation>
-    </message>
-    <message>
         <source>Open case</source>
         <translation>Открыть задачу</translation>
+    </message>
+    <message>
+        <source>Show the present contents of the file. Undo restores this page.</source>
+        <translation>Показать нынешнее содержимое файла. Отмена вернёт эту страницу.</translation>
+    </message>
+    <message>
+        <source>Save this page in another file.</source>
+        <translation>Сохранить эту страницу в другой файл.</translation>
+    </message>
+    <message>
+        <source>Continue with this page. Saving replaces the file.</source>
+        <translation>Продолжить с этой страницей. При сохранении она заменит файл.</translation>
+    </message>
+    <message>
+        <source>Continue with the numbers read before. The next time, the case opens with the numbers of the file.</source>
+        <translation>Продолжить с числами, прочитанными раньше. В следующий раз задача откроется с числами из файла.</translation>
+    </message>
+    <message>
+        <source>%1 was deleted, moved or renamed.</source>
+        <translation>Файл %1 удалён, перемещён или переименован.</translation>
+    </message>
+    <message>
+        <source>%1, a file of this case, was deleted, moved or renamed.</source>
+        <translation>Файл %1 этой задачи удалён, перемещён или переименован.</translation>
+    </message>
+    <message>
+        <source>%1, a file of this case, was changed by another program.</source>
+        <translation>Файл %1 этой задачи изменён другой программой.</translation>
     </message>
 </context>
 <context>
@@ -10585,12 +10573,12 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::EditableTable</name>
     <message>
-        <source>Nothing is pasted: the block has %1 columns, and here is room for %2.</source>
-        <translation>Ничего не вставлено: столбцов в блоке %1, а места здесь на %2.</translation>
+        <source>Not pasted: the block has %1 columns, but only %2 fit here.</source>
+        <translation>Не вставлено: в блоке столбцов %1, а помещается %2.</translation>
     </message>
     <message>
-        <source>Nothing is pasted: the block has %1 rows, and here is room for %2.</source>
-        <translation>Ничего не вставлено: строк в блоке %1, а места здесь на %2.</translation>
+        <source>Not pasted: the block has %1 rows, but only %2 fit here.</source>
+        <translation>Не вставлено: в блоке строк %1, а помещается %2.</translation>
     </message>
 </context>
 <context>
@@ -10598,14 +10586,6 @@ but nothing can be built</source>
     <message>
         <source>None: %1.</source>
         <translation>Нет: %1.</translation>
-    </message>
-    <message>
-        <source>Take over the guide found</source>
-        <translation>Взята найденная направляющая</translation>
-    </message>
-    <message>
-        <source>Preload that the guide needs</source>
-        <translation>Нужный преднатяг</translation>
     </message>
     <message>
         <source>Quantity</source>
@@ -10624,24 +10604,8 @@ but nothing can be built</source>
         <translation>Перепад направляющей</translation>
     </message>
     <message>
-        <source>Preload needed / given</source>
-        <translation>Преднатяг нужен / есть</translation>
-    </message>
-    <message>
         <source>Spring travel</source>
         <translation>Ход пружины</translation>
-    </message>
-    <message>
-        <source>Largest spring force</source>
-        <translation>Сила пружины, макс.</translation>
-    </message>
-    <message>
-        <source>Least curvature radius</source>
-        <translation>Радиус кривизны, мин.</translation>
-    </message>
-    <message>
-        <source>Largest roller radius</source>
-        <translation>Радиус ролика, макс.</translation>
     </message>
     <message>
         <source>any</source>
@@ -10692,64 +10656,8 @@ but nothing can be built</source>
         <translation>оба шарнира</translation>
     </message>
     <message>
-        <source>Largest less smallest radius of the guide</source>
-        <translation>Наибольший минус наименьший радиус направляющей</translation>
-    </message>
-    <message>
-        <source>|ℓ₀/2 − ρ₀|: the least with which the spring can store the energy, and the present one</source>
-        <translation>|ℓ₀/2 − ρ₀|: наименьший, с которым пружина может запасти энергию, и нынешний</translation>
-    </message>
-    <message>
-        <source>Largest less smallest length of the spring over a turn</source>
-        <translation>Наибольшая минус наименьшая длина пружины за оборот</translation>
-    </message>
-    <message>
-        <source>c |ℓ − ℓ₀|, largest over a turn</source>
-        <translation>c |ℓ − ℓ₀|, наибольшая за оборот</translation>
-    </message>
-    <message>
-        <source>Largest error of the hinge&apos;s moment when the guide is made so much off its profile; in brackets against the largest moment</source>
-        <translation>Наибольшая погрешность момента шарнира, если направляющая сделана с таким отступлением от профиля; в скобках — к наибольшему моменту</translation>
-    </message>
-    <message>
-        <source>Of the guide; a cutter must be smaller</source>
-        <translation>Направляющей; фреза должна быть меньше</translation>
-    </message>
-    <message>
-        <source>That still touches the whole guide</source>
-        <translation>Который ещё касается всей направляющей</translation>
-    </message>
-    <message>
-        <source>Work of the rod hinge&apos;s moment over a turn; 0 where a spring can give it</source>
-        <translation>Работа момента шарнира шатуна за оборот; 0, если её может дать пружина</translation>
-    </message>
-    <message>
-        <source>Largest force of the slider on its guide</source>
-        <translation>Наибольшая сила ползуна на направляющую</translation>
-    </message>
-    <message>
-        <source>The same with the hinge in the rod; in brackets how many times less</source>
-        <translation>То же с шарниром в шатуне; в скобках — во сколько раз меньше</translation>
-    </message>
-    <message>
-        <source>On the rod, with which ∮ M₁₂ dφ = 0, or as entered</source>
-        <translation>На шатуне, с которым ∮ M₁₂ dφ = 0, или заданный</translation>
-    </message>
-    <message>
         <source>(ω_max − ω_min) / ω mean of the free motion, %</source>
         <translation>(ω_max − ω_min) к средней ω свободного движения, %</translation>
-    </message>
-    <message>
-        <source>The same with the crank&apos;s hinge</source>
-        <translation>То же с шарниром кривошипа</translation>
-    </message>
-    <message>
-        <source>The same when the crank starts at another speed than the hinge is made for</source>
-        <translation>То же, если кривошип начинает с другой скорости, чем та, на которую сделан шарнир</translation>
-    </message>
-    <message>
-        <source>c = %1, ρ₀ = %2: relief %3 within %4; the spring is at least %5 long, bears up to %6 and stores up to %7 J.</source>
-        <translation>c = %1, ρ₀ = %2: перепад %3 в пределах %4; пружина не короче %5, несёт до %6 и запасает до %7 Дж.</translation>
     </message>
     <message>
         <source>Moment error, %1</source>
@@ -10766,6 +10674,86 @@ but nothing can be built</source>
     <message>
         <source>from %1</source>
         <translation>от %1</translation>
+    </message>
+    <message>
+        <source>c = %1, ρ₀ = %2: relief %3 within %4. Spring: minimum length %5, maximum force %6, maximum energy %7 J.</source>
+        <translation>c = %1, ρ₀ = %2: перепад %3 в пределах %4. Пружина: минимальная длина %5, максимальная сила %6, максимальная энергия %7 Дж.</translation>
+    </message>
+    <message>
+        <source>Use the guide found</source>
+        <translation>Применена найденная направляющая</translation>
+    </message>
+    <message>
+        <source>Minimum preload of the guide</source>
+        <translation>Минимальный преднатяг</translation>
+    </message>
+    <message>
+        <source>Maximum minus minimum radius of the guide</source>
+        <translation>Максимальный радиус направляющей минус минимальный</translation>
+    </message>
+    <message>
+        <source>Preload minimum / present</source>
+        <translation>Преднатяг мин. / есть</translation>
+    </message>
+    <message>
+        <source>|ℓ₀/2 − ρ₀|: minimum to store the energy, and present value</source>
+        <translation>|ℓ₀/2 − ρ₀|: минимум, чтобы запасти энергию, и нынешнее значение</translation>
+    </message>
+    <message>
+        <source>Maximum minus minimum length of the spring over a turn</source>
+        <translation>Максимальная длина пружины за оборот минус минимальная</translation>
+    </message>
+    <message>
+        <source>Maximum spring force</source>
+        <translation>Сила пружины, макс.</translation>
+    </message>
+    <message>
+        <source>c |ℓ − ℓ₀|, maximum over a turn</source>
+        <translation>c |ℓ − ℓ₀|, максимум за оборот</translation>
+    </message>
+    <message>
+        <source>Maximum error of the hinge&apos;s moment at this profile error; in brackets relative to the maximum moment</source>
+        <translation>Максимальная погрешность момента шарнира при этой погрешности профиля; в скобках — к максимальному моменту</translation>
+    </message>
+    <message>
+        <source>Minimum curvature radius</source>
+        <translation>Радиус кривизны, мин.</translation>
+    </message>
+    <message>
+        <source>Radius of curvature of the guide; a cutter must be smaller</source>
+        <translation>Радиус кривизны направляющей; фреза должна быть меньше</translation>
+    </message>
+    <message>
+        <source>Maximum roller radius</source>
+        <translation>Радиус ролика, макс.</translation>
+    </message>
+    <message>
+        <source>Maximum radius of a roller that touches the whole guide</source>
+        <translation>Максимальный радиус ролика, который касается всей направляющей</translation>
+    </message>
+    <message>
+        <source>Work of the rod hinge&apos;s moment over a turn; 0 if a spring can supply it</source>
+        <translation>Работа момента шарнира шатуна за оборот; 0, если её может дать пружина</translation>
+    </message>
+    <message>
+        <source>Maximum force of the slider on its guide</source>
+        <translation>Максимальная сила ползуна на направляющую</translation>
+    </message>
+    <message>
+        <source>Maximum force with the rod hinge; in brackets the reduction factor</source>
+        <translation>Максимальная сила с шарниром шатуна; в скобках — кратность снижения</translation>
+    </message>
+    <message>
+        <source>Weight on the rod for ∮ M₁₂ dφ = 0, or as entered</source>
+        <translation>Груз на шатуне при ∮ M₁₂ dφ = 0 или заданный</translation>
+    </message>
+    <message>
+        <source>(ω_max − ω_min) / ω mean with the crank hinge, %</source>
+        <translation>(ω_max − ω_min) к средней ω с шарниром кривошипа, %</translation>
+    </message>
+    <message>
+        <source>(ω_max − ω_min) / ω mean after a start away from the design speed</source>
+        <translation>(ω_max − ω_min) к средней ω после пуска с нерасчётной скорости</translation>
     </message>
     <message>
         <source>Spring added, with %1.</source>
@@ -10831,20 +10819,8 @@ but nothing can be built</source>
         <translation>вне расчёта</translation>
     </message>
     <message>
-        <source>Which motion is played</source>
-        <translation>Какое движение показано</translation>
-    </message>
-    <message>
-        <source>Which of the computed motions the picture plays</source>
-        <translation>Какое из рассчитанных движений показывает рисунок</translation>
-    </message>
-    <message>
         <source>Crank angle of the picture, counter-clockwise from the slider line</source>
         <translation>Угол кривошипа на рисунке, против часовой стрелки от линии ползуна</translation>
-    </message>
-    <message>
-        <source>What the design gives</source>
-        <translation>Что даёт конструкция</translation>
     </message>
     <message>
         <source>&amp;Motion</source>
@@ -10853,6 +10829,18 @@ but nothing can be built</source>
     <message>
         <source>Use this pre&amp;load</source>
         <translation>Применить &amp;этот преднатяг</translation>
+    </message>
+    <message>
+        <source>Motion shown</source>
+        <translation>Показанное движение</translation>
+    </message>
+    <message>
+        <source>Computed motion that the picture shows</source>
+        <translation>Рассчитанное движение на рисунке</translation>
+    </message>
+    <message>
+        <source>Results of the design</source>
+        <translation>Результаты расчёта</translation>
     </message>
 </context>
 <context>
@@ -10886,10 +10874,6 @@ but nothing can be built</source>
         <translation>Шатун — &amp;твёрдое тело</translation>
     </message>
     <message>
-        <source>Off: the rod&apos;s two shares are in the masses above. On: mass, centre and inertia are given; its shares are added, and what its inertia differs from two masses acts on roll moment and torque.</source>
-        <translation>Выкл.: обе доли шатуна входят в массы выше. Вкл.: заданы масса, центр и момент инерции; доли добавляются, а отличие момента инерции от двух масс действует на опрокидывающий и крутящий моменты.</translation>
-    </message>
-    <message>
         <source>Rigid rod</source>
         <translation>Шатун — твёрдое тело</translation>
     </message>
@@ -10900,10 +10884,6 @@ but nothing can be built</source>
     <message>
         <source>of one throw</source>
         <translation>одного колена</translation>
-    </message>
-    <message>
-        <source>Where rods share a crankpin, a throw carries the mass of one cylinder once for each of them. Choosing the other way changes the number, not the engine.</source>
-        <translation>Если шатунная шейка общая, колено несёт массу одного цилиндра по разу для каждого шатуна. Другой способ задания меняет число, а не двигатель.</translation>
     </message>
     <message>
         <source>On each throw</source>
@@ -10917,6 +10897,14 @@ but nothing can be built</source>
         <source>Mass given</source>
         <translation>Задана масса</translation>
     </message>
+    <message>
+        <source>Enter the mass of one cylinder or of one throw; a throw with two rods carries the mass of one cylinder twice.</source>
+        <translation>Введите массу одного цилиндра или одного колена; колено с двумя шатунами несёт массу цилиндра дважды.</translation>
+    </message>
+    <message>
+        <source>Off: the rod&apos;s shares are in the masses above. On: enter its mass, centre and inertia; they act on roll moment and torque too.</source>
+        <translation>Выкл.: доли шатуна входят в массы выше. Вкл.: введите массу, центр и момент инерции; они действуют и на опрокидывающий и крутящий моменты.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::EngineView</name>
@@ -10925,23 +10913,23 @@ but nothing can be built</source>
         <translation>Двигатель спереди и коленчатый вал сбоку</translation>
     </message>
     <message>
-        <source>To scale; the crank turns counter-clockwise. Drag to turn it, Space plays and pauses, the arrow keys step.</source>
-        <translation>В масштабе; вал вращается против часовой стрелки. Поворачивается мышью, пробел — пуск и пауза, стрелки — по шагу.</translation>
-    </message>
-    <message>
         <source>φ = %1°</source>
         <translation>φ = %1°</translation>
+    </message>
+    <message>
+        <source>To scale; the crank turns counter-clockwise. Drag to turn the crank; Space plays and pauses, arrow keys step.</source>
+        <translation>В масштабе; вал вращается против часовой стрелки. Поворачивается мышью, пробел — пуск и пауза, стрелки — по шагу.</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::EntryField</name>
     <message>
-        <source>Refused before other values changed; Enter tries it again: %1</source>
-        <translation>Отвергнуто до того, как изменились другие значения; Enter проверит ещё раз: %1</translation>
-    </message>
-    <message>
         <source>Cut: at most %1 characters.</source>
         <translation>Обрезано: не больше %1 знаков.</translation>
+    </message>
+    <message>
+        <source>Not accepted before other values changed; press Enter to try again: %1</source>
+        <translation>Не принято до изменения других значений; Enter проверит снова: %1</translation>
     </message>
 </context>
 <context>
@@ -10963,20 +10951,8 @@ but nothing can be built</source>
         <translation>высота</translation>
     </message>
     <message>
-        <source>Range against overall size, α along the curve</source>
-        <translation>Размах и габарит, вдоль кривой меняется α</translation>
-    </message>
-    <message>
         <source>ΔMᵤₚₛ, N·m</source>
         <translation>ΔMᵤₚₛ, Н·м</translation>
-    </message>
-    <message>
-        <source>every α</source>
-        <translation>все α</translation>
-    </message>
-    <message>
-        <source>nothing better</source>
-        <translation>лучше нет</translation>
     </message>
     <message>
         <source>present α</source>
@@ -10987,20 +10963,32 @@ but nothing can be built</source>
         <translation>ширина × высота, см²</translation>
     </message>
     <message>
-        <source>can be built</source>
-        <translation>можно построить</translation>
-    </message>
-    <message>
         <source>The shaft clears cylinder, crank and rod</source>
         <translation>Вал не задевает цилиндр, кривошип и шатун</translation>
     </message>
     <message>
-        <source>Can be built, and no other α that can has both a smaller box and a smaller range</source>
-        <translation>Можно построить, и ни у какого другого α, который можно построить, нет сразу меньшего габарита и меньшего размаха</translation>
+        <source>Range and overall size, α along the curve</source>
+        <translation>Размах и габарит, вдоль кривой меняется α</translation>
     </message>
     <message>
-        <source>The box around cylinder, crank circle, shaft circle and gears, with the wall, in the front view. Where the shaft&apos;s circle meets cylinder, crank or rod, α cannot be built. The sizes are on the Inputs tab. Click either chart to set α.</source>
-        <translation>Прямоугольник вокруг цилиндра, окружностей кривошипа и вала и шестерён со стенкой на виде спереди. Где окружность вала задевает цилиндр, кривошип или шатун, α построить нельзя. Размеры — на вкладке «Данные». Щелчок по любому графику задаёт α.</translation>
+        <source>all α</source>
+        <translation>все α</translation>
+    </message>
+    <message>
+        <source>feasible</source>
+        <translation>допустимо</translation>
+    </message>
+    <message>
+        <source>Pareto-optimal</source>
+        <translation>по Парето</translation>
+    </message>
+    <message>
+        <source>Feasible and Pareto-optimal in size and range</source>
+        <translation>Допустимо и оптимально по Парето: габарит и размах</translation>
+    </message>
+    <message>
+        <source>Size of the box around cylinder, crank and shaft circles, gears and wall (front view; sizes: Inputs tab). Click a chart to set α.</source>
+        <translation>Габарит вокруг цилиндра, окружностей кривошипа и вала, шестерён и стенки (вид спереди; размеры — на вкладке «Данные»). Щелчок по графику задаёт α.</translation>
     </message>
 </context>
 <context>
@@ -11040,10 +11028,6 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::FileDialogs</name>
     <message>
-        <source>“%1” cannot be written as .%2. What can be written: %3.</source>
-        <translation>«%1» нельзя записать как .%2. Можно записать: %3.</translation>
-    </message>
-    <message>
         <source>“%1” is there already. Replace it?</source>
         <translation>«%1» уже есть. Заменить?</translation>
     </message>
@@ -11070,6 +11054,10 @@ but nothing can be built</source>
     <message>
         <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
         <translation>Таблицы (*.csv *.txt *.tsv);;Все файлы (*)</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be written as .%2. Possible: %3.</source>
+        <translation>«%1» нельзя записать как .%2. Возможно: %3.</translation>
     </message>
 </context>
 <context>
@@ -11122,10 +11110,6 @@ but nothing can be built</source>
         <translation>E</translation>
     </message>
     <message>
-        <source>Work of the engine torque less that of its mean</source>
-        <translation>Работа крутящего момента за вычетом работы его среднего</translation>
-    </message>
-    <message>
         <source>Excess work, fluctuation and moment of inertia</source>
         <translation>Избыточная работа, неравномерность и момент инерции</translation>
     </message>
@@ -11142,16 +11126,20 @@ but nothing can be built</source>
         <translation>Ед.</translation>
     </message>
     <message>
-        <source>The load takes the mean torque. The inertia of piston and rod is in the torque already and is not a part of J.</source>
-        <translation>Нагрузка забирает средний момент. Инерция поршня и шатуна уже учтена в моменте и в J не входит.</translation>
-    </message>
-    <message>
         <source>fastest, %1 J</source>
         <translation>быстрее всего, %1 Дж</translation>
     </message>
     <message>
         <source>slowest, %1 J</source>
         <translation>медленнее всего, %1 Дж</translation>
+    </message>
+    <message>
+        <source>Work of the engine torque minus work of its mean</source>
+        <translation>Работа крутящего момента за вычетом работы его среднего</translation>
+    </message>
+    <message>
+        <source>The load equals the mean torque. J excludes piston and rod, whose inertia is part of the torque.</source>
+        <translation>Нагрузка равна среднему моменту. J не включает поршень и шатун: их инерция входит в момент.</translation>
     </message>
 </context>
 <context>
@@ -11173,20 +11161,20 @@ but nothing can be built</source>
         <translation>без противовесов</translation>
     </message>
     <message>
-        <source>Of the reciprocating parts alone, as a mass at the crank radius</source>
-        <translation>Одних возвратно-поступательных частей, как масса на радиусе кривошипа</translation>
-    </message>
-    <message>
-        <source>What is left by counterweights that hold the bob weight</source>
-        <translation>Что оставляют противовесы, уравновешивающие груз</translation>
-    </message>
-    <message>
         <source>across, %1</source>
         <translation>поперёк, %1</translation>
     </message>
     <message>
         <source>with counterweights</source>
         <translation>с противовесами</translation>
+    </message>
+    <message>
+        <source>Reciprocating parts only, as a mass at the crank radius</source>
+        <translation>Только возвратно-поступательные части, как масса на радиусе кривошипа</translation>
+    </message>
+    <message>
+        <source>Residual with counterweights for this bob weight</source>
+        <translation>Остаток с противовесами под этот груз</translation>
     </message>
 </context>
 <context>
@@ -11228,24 +11216,12 @@ but nothing can be built</source>
         <translation>Полуось эллипса поперёк цилиндра</translation>
     </message>
     <message>
-        <source>First order that the shaft&apos;s two counterweights leave</source>
-        <translation>Первый порядок, который оставляют два противовеса вала</translation>
-    </message>
-    <message>
-        <source>Second order along the cylinder; stays with and without a shaft</source>
-        <translation>Второй порядок вдоль цилиндра; остаётся с валом и без вала</translation>
-    </message>
-    <message>
         <source>Static moment of the counterweight on the crank</source>
         <translation>Статический момент противовеса на коленчатом валу</translation>
     </message>
     <message>
         <source>phase error</source>
         <translation>ошибка фазы</translation>
-    </message>
-    <message>
-        <source>force left</source>
-        <translation>остаток силы</translation>
     </message>
     <message>
         <source>range</source>
@@ -11272,20 +11248,32 @@ but nothing can be built</source>
         <translation>Постоянная сила, вращающаяся против кривошипа, 2 P₁ |sin(δ/2)|</translation>
     </message>
     <message>
-        <source>ΔMᵤₚₛ, shaft in its right place → k teeth out</source>
-        <translation>ΔMᵤₚₛ, вал на своём месте → сдвинут на k зубьев</translation>
+        <source>Residual first order with the shaft</source>
+        <translation>Остаточный первый порядок с валом</translation>
     </message>
     <message>
-        <source>RMS of Mᵤₚₛ, shaft in its right place → k teeth out</source>
-        <translation>СКЗ Mᵤₚₛ, вал на своём месте → сдвинут на k зубьев</translation>
+        <source>Second order along the cylinder, with and without a shaft</source>
+        <translation>Второй порядок вдоль цилиндра, с валом и без него</translation>
     </message>
     <message>
-        <source>The shaft wanders this far to either side: play / l</source>
-        <translation>На столько вал отходит в каждую сторону: зазор / l</translation>
+        <source>residual force</source>
+        <translation>остаток силы</translation>
     </message>
     <message>
-        <source>Least and largest ΔMᵤₚₛ while the shaft wanders</source>
-        <translation>Наименьший и наибольший ΔMᵤₚₛ, пока вал ходит в зазоре</translation>
+        <source>ΔMᵤₚₛ, correct timing → k teeth out</source>
+        <translation>ΔMᵤₚₛ, верная установка → сдвиг на k зубьев</translation>
+    </message>
+    <message>
+        <source>RMS of Mᵤₚₛ, correct timing → k teeth out</source>
+        <translation>СКЗ Mᵤₚₛ, верная установка → сдвиг на k зубьев</translation>
+    </message>
+    <message>
+        <source>Angle of the shaft within the play, to either side: play / l</source>
+        <translation>Угол вала в пределах зазора, в каждую сторону: зазор / l</translation>
+    </message>
+    <message>
+        <source>Minimum and maximum ΔMᵤₚₛ within the play</source>
+        <translation>Минимум и максимум ΔMᵤₚₛ в пределах зазора</translation>
     </message>
 </context>
 <context>
@@ -11309,10 +11297,6 @@ but nothing can be built</source>
     <message>
         <source>with shaft</source>
         <translation>с валом</translation>
-    </message>
-    <message>
-        <source>With the shaft the first order is a point; the second order along the cylinder stays</source>
-        <translation>С валом первый порядок — точка; остаётся второй порядок вдоль цилиндра</translation>
     </message>
     <message>
         <source>Forces with and without a shaft</source>
@@ -11347,18 +11331,6 @@ but nothing can be built</source>
         <translation>зазор</translation>
     </message>
     <message>
-        <source>Band that the play of the gears leaves</source>
-        <translation>Полоса, которую оставляет зазор в зацеплении</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>верно</translation>
-    </message>
-    <message>
-        <source>Shaft in its right place</source>
-        <translation>Вал на своём месте</translation>
-    </message>
-    <message>
         <source>k teeth out</source>
         <translation>сдвиг k</translation>
     </message>
@@ -11381,6 +11353,22 @@ but nothing can be built</source>
     <message>
         <source>along, kN</source>
         <translation>вдоль, кН</translation>
+    </message>
+    <message>
+        <source>With the shaft the first order is a point; the second order along the cylinder remains</source>
+        <translation>С валом первый порядок — точка; остаётся второй порядок вдоль цилиндра</translation>
+    </message>
+    <message>
+        <source>Band due to the play of the gears</source>
+        <translation>Полоса из-за зазора в зацеплении</translation>
+    </message>
+    <message>
+        <source>correct</source>
+        <translation>верно</translation>
+    </message>
+    <message>
+        <source>Correct timing</source>
+        <translation>Верная установка</translation>
     </message>
     <message>
         <source>without shaft, 1st + 2nd order</source>
@@ -11421,10 +11409,6 @@ but nothing can be built</source>
         <translation>&amp;Шарнир</translation>
     </message>
     <message>
-        <source>Which hinge&apos;s guide is written</source>
-        <translation>Направляющая какого шарнира записывается</translation>
-    </message>
-    <message>
         <source>compressed</source>
         <translation>сжата</translation>
     </message>
@@ -11437,10 +11421,6 @@ but nothing can be built</source>
         <translation>Пру&amp;жина</translation>
     </message>
     <message>
-        <source>The side of its free length on which the spring works</source>
-        <translation>По какую сторону от свободной длины работает пружина</translation>
-    </message>
-    <message>
         <source>guide turns</source>
         <translation>направляющая</translation>
     </message>
@@ -11451,10 +11431,6 @@ but nothing can be built</source>
     <message>
         <source>&amp;What turns</source>
         <translation>&amp;Что вращается</translation>
-    </message>
-    <message>
-        <source>In the paper the guide turns with the crank and the spring stands still: the roller then runs backwards in the guide&apos;s own axes, and the drawing is the mirror image of the plot</source>
-        <translation>В статье направляющая вращается с кривошипом, а пружина неподвижна: ролик тогда бежит в осях направляющей назад, и чертёж зеркален графику</translation>
     </message>
     <message>
         <source>Write D&amp;XF…</source>
@@ -11473,10 +11449,6 @@ but nothing can be built</source>
         <translation>Угол кривошипа, полярный угол, радиус, x и y пути и профиля; °, мм</translation>
     </message>
     <message>
-        <source>This guide does not exist; see the answer on the right.</source>
-        <translation>Такой направляющей нет, см. ответ справа.</translation>
-    </message>
-    <message>
         <source>The roller undercuts this guide.</source>
         <translation>Ролик подрезает эту направляющую.</translation>
     </message>
@@ -11492,17 +11464,25 @@ but nothing can be built</source>
         <source>%1 written</source>
         <translation>Записано: %1</translation>
     </message>
+    <message>
+        <source>Hinge whose guide is written</source>
+        <translation>Шарнир, направляющая которого записывается</translation>
+    </message>
+    <message>
+        <source>Spring compressed or stretched</source>
+        <translation>Пружина сжата или растянута</translation>
+    </message>
+    <message>
+        <source>In the paper the guide turns with the crank and the spring is fixed: the drawing is the mirror image of the plot</source>
+        <translation>В статье направляющая вращается с кривошипом, а пружина неподвижна: чертёж зеркален графику</translation>
+    </message>
+    <message>
+        <source>This guide is not feasible; see the verdict.</source>
+        <translation>Такая направляющая недопустима, см. вывод.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::GuideSearchForm</name>
-    <message>
-        <source>Finds stiffness and preload that give the crank&apos;s guide a relief that can be made, with the free length, the roller and the side of the spring as they are.</source>
-        <translation>Находит жёсткость и преднатяг, при которых перепад направляющей кривошипа можно изготовить; свободная длина, ролик и сторона пружины остаются.</translation>
-    </message>
-    <message>
-        <source>Wanted</source>
-        <translation>Требуется</translation>
-    </message>
     <message>
         <source>Found</source>
         <translation>Найдено</translation>
@@ -11513,7 +11493,15 @@ but nothing can be built</source>
     </message>
     <message>
         <source>Use &amp;these values</source>
-        <translation>&amp;Взять найденное</translation>
+        <translation>Применит&amp;ь найденное</translation>
+    </message>
+    <message>
+        <source>Finds stiffness and preload for the required relief of the crank&apos;s guide; free length, roller and side of the spring are kept.</source>
+        <translation>Находит жёсткость и преднатяг под нужный перепад направляющей кривошипа; свободная длина, ролик и сторона пружины сохраняются.</translation>
+    </message>
+    <message>
+        <source>Required</source>
+        <translation>Требуется</translation>
     </message>
 </context>
 <context>
@@ -11590,11 +11578,11 @@ but nothing can be built</source>
         <translation>Скорости ω, %1</translation>
     </message>
     <message>
-        <source>Crank speeds that the plots compare.</source>
+        <source>Crank speeds compared in the plots.</source>
         <translation>Угловые скорости, которые сравнивают графики.</translation>
     </message>
     <message>
-        <source>λ that the side force is compared for; 1 with the series only.</source>
+        <source>λ for the comparison of side forces; 1 with the series only.</source>
         <translation>λ, для которых сравнивается боковая сила; 1 — только с рядом.</translation>
     </message>
 </context>
@@ -11603,10 +11591,6 @@ but nothing can be built</source>
     <message>
         <source>Picture of the mechanism with its hinges</source>
         <translation>Рисунок механизма с шарнирами</translation>
-    </message>
-    <message>
-        <source>The mechanism to scale, the guide&apos;s relief enlarged as in the plot. The guide turns with the crank, the spring stands still. Space plays the computed motion in slow motion, dragging turns the crank.</source>
-        <translation>Механизм в масштабе, перепад направляющей увеличен, как на графике. Направляющая вращается с кривошипом, пружина неподвижна. Пробел показывает рассчитанное движение замедленно, мышью кривошип поворачивается.</translation>
     </message>
     <message>
         <source>φ = %1°</source>
@@ -11624,13 +11608,13 @@ but nothing can be built</source>
         <source>ω = %1</source>
         <translation>ω = %1</translation>
     </message>
+    <message>
+        <source>The mechanism to scale, with the guide&apos;s relief enlarged. Drag to turn the crank; Space plays the computed motion.</source>
+        <translation>Механизм в масштабе, перепад направляющей увеличен. Мышью поворачивается кривошип; пробел показывает рассчитанное движение.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::HingePlots</name>
-    <message>
-        <source>What the roller touches: the path of its centre offset by its radius</source>
-        <translation>То, чего касается ролик: путь его центра, смещённый на радиус ролика</translation>
-    </message>
     <message>
         <source>&amp;Guides</source>
         <translation>&amp;Направляющие</translation>
@@ -11668,20 +11652,8 @@ but nothing can be built</source>
         <translation>шатун, для M₁₂</translation>
     </message>
     <message>
-        <source>Which guide is shown</source>
-        <translation>Какая направляющая показана</translation>
-    </message>
-    <message>
-        <source>The hinge between frame and crank alone (M), the same beside the rod&apos;s hinge (M₁), or the hinge between crank and rod, whose guide goes by θ = φ + ψ</source>
-        <translation>Только шарнир между стойкой и кривошипом (M), он же вместе с шарниром шатуна (M₁) или шарнир между кривошипом и шатуном, чья направляющая идёт по θ = φ + ψ</translation>
-    </message>
-    <message>
         <source>&amp;Relief ×</source>
         <translation>Перепа&amp;д ×</translation>
-    </message>
-    <message>
-        <source>The pictures enlarge the guide&apos;s relief by this factor; 1 is to scale</source>
-        <translation>На рисунках перепад направляющей увеличен во столько раз; 1 — в масштабе</translation>
     </message>
     <message>
         <source>a&amp;uto</source>
@@ -11742,10 +11714,6 @@ but nothing can be built</source>
     <message>
         <source>potential part</source>
         <translation>потенциальная часть</translation>
-    </message>
-    <message>
-        <source>M₁₂ less its mean, (5)</source>
-        <translation>M₁₂ минус его среднее, (5)</translation>
     </message>
     <message>
         <source>series</source>
@@ -11828,20 +11796,8 @@ but nothing can be built</source>
         <translation>оба шарнира</translation>
     </message>
     <message>
-        <source>With the rod&apos;s hinge and the crank&apos;s beside it, from the design speed</source>
-        <translation>С шарниром шатуна и рядом с ним шарниром кривошипа, с расчётной скорости</translation>
-    </message>
-    <message>
         <source>off design</source>
         <translation>вне расчёта</translation>
-    </message>
-    <message>
-        <source>With the crank&apos;s hinge, from another speed: the hinge is exact at one speed only</source>
-        <translation>С шарниром кривошипа, с другой скорости: шарнир точен только при одной</translation>
-    </message>
-    <message>
-        <source>Part of the motion computed</source>
-        <translation>Рассчитанная часть движения</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -11894,6 +11850,38 @@ but nothing can be built</source>
     <message>
         <source>At the λ and ω of the case</source>
         <translation>При λ и ω задачи</translation>
+    </message>
+    <message>
+        <source>Guide shown</source>
+        <translation>Показанная направляющая</translation>
+    </message>
+    <message>
+        <source>Hinge between frame and crank alone (M), or with the rod&apos;s hinge (M₁), or hinge between crank and rod, over θ = φ + ψ</source>
+        <translation>Шарнир между стойкой и кривошипом один (M) или с шарниром шатуна (M₁), либо шарнир между кривошипом и шатуном, по θ = φ + ψ</translation>
+    </message>
+    <message>
+        <source>Enlargement of the guide&apos;s relief; 1 is to scale</source>
+        <translation>Увеличение перепада направляющей; 1 — в масштабе</translation>
+    </message>
+    <message>
+        <source>Progress of the motion</source>
+        <translation>Ход расчёта движения</translation>
+    </message>
+    <message>
+        <source>Profile for the roller: path of its centre, offset by its radius</source>
+        <translation>Профиль под ролик: путь его центра, смещённый на радиус</translation>
+    </message>
+    <message>
+        <source>M₁₂ minus its mean, (5)</source>
+        <translation>M₁₂ минус его среднее, (5)</translation>
+    </message>
+    <message>
+        <source>With both hinges, from the design speed</source>
+        <translation>С обоими шарнирами, с расчётной скорости</translation>
+    </message>
+    <message>
+        <source>With the crank&apos;s hinge, away from the design speed</source>
+        <translation>С шарниром кривошипа, вне расчётной скорости</translation>
     </message>
     <message>
         <source>moment on rod (M₁₂)</source>
@@ -11973,10 +11961,6 @@ but nothing can be built</source>
     <message>
         <source>&amp;Header lines</source>
         <translation>Строки за&amp;головка</translation>
-    </message>
-    <message>
-        <source>Lines above the first row. Empty lines and comments (#) do not count.</source>
-        <translation>Строки над первой строкой чисел. Пустые строки и примечания (#) не учитываются.</translation>
     </message>
     <message>
         <source>C&amp;ycle</source>
@@ -12090,13 +12074,13 @@ but nothing can be built</source>
         <source>from the file</source>
         <translation>по файлу</translation>
     </message>
+    <message>
+        <source>Lines above the first row, without empty lines and comments (#).</source>
+        <translation>Строки над первой строкой чисел, без пустых строк и примечаний (#).</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ImportModel</name>
-    <message>
-        <source>The case file cannot hold these settings: the cycle is saved as a CSV file of its own.</source>
-        <translation>Файл задачи не может хранить эти настройки: цикл сохраняется отдельным файлом CSV.</translation>
-    </message>
     <message>
         <source>Dead centre: shift by %1° ± %2° (from the compression line)</source>
         <translation>Мёртвая точка: сдвиг на %1° ± %2° (по линии сжатия)</translation>
@@ -12104,6 +12088,10 @@ but nothing can be built</source>
     <message>
         <source>Dead centre, uncertain: shift by %1° ± %2° (from the compression line)</source>
         <translation>Мёртвая точка, ненадёжно: сдвиг на %1° ± %2° (по линии сжатия)</translation>
+    </message>
+    <message>
+        <source>The case file cannot contain these settings: the cycle is saved as a separate CSV file.</source>
+        <translation>Файл задачи не может хранить эти настройки: цикл сохраняется отдельным файлом CSV.</translation>
     </message>
 </context>
 <context>
@@ -12141,12 +12129,12 @@ but nothing can be built</source>
         <translation>Грузы</translation>
     </message>
     <message>
-        <source>Left</source>
+        <source>Residual</source>
         <translation>Остаток</translation>
     </message>
     <message>
-        <source>What is left over, by order</source>
-        <translation>Что остаётся, по порядкам</translation>
+        <source>Residual by order</source>
+        <translation>Остаток по порядкам</translation>
     </message>
 </context>
 <context>
@@ -12252,10 +12240,6 @@ but nothing can be built</source>
         <translation>&amp;логарифмическая</translation>
     </message>
     <message>
-        <source>Six decades, so that the high orders can be seen</source>
-        <translation>Шесть декад, чтобы были видны высокие порядки</translation>
-    </message>
-    <message>
         <source>Orders</source>
         <translation>Порядки</translation>
     </message>
@@ -12270,10 +12254,6 @@ but nothing can be built</source>
     <message>
         <source>Roll moment on the engine: the sum of the two</source>
         <translation>Опрокидывающий момент двигателя: сумма двух</translation>
-    </message>
-    <message>
-        <source>of offsets and rods</source>
-        <translation>дезаксажей и шатунов</translation>
     </message>
     <message>
         <source>Moment of the inertia forces about the crank axis: −Σ e F and the couples of rigid rods</source>
@@ -12316,10 +12296,6 @@ but nothing can be built</source>
         <translation>По двучленным формулам: порядки 1 и 2</translation>
     </message>
     <message>
-        <source>Sum of −m a of all reciprocating parts, exact: every order in it</source>
-        <translation>Сумма −m a всех поступательных масс, точно: со всеми порядками</translation>
-    </message>
-    <message>
         <source>With rotating masses, and with the counterweights and shafts that are on</source>
         <translation>С вращающимися массами и с включёнными противовесами и валами</translation>
     </message>
@@ -12332,16 +12308,24 @@ but nothing can be built</source>
         <translation>Силы и моменты всех порядков за два оборота</translation>
     </message>
     <message>
-        <source>Roll moment on the engine, of the engine alone</source>
-        <translation>Опрокидывающий момент на двигатель, от самого двигателя</translation>
-    </message>
-    <message>
         <source>Orders 1, 2</source>
         <translation>Порядки 1, 2</translation>
     </message>
     <message>
         <source>Moments of orders 1 and 2 over two turns</source>
         <translation>Моменты 1-го и 2-го порядков за два оборота</translation>
+    </message>
+    <message>
+        <source>Six decades, for the high orders</source>
+        <translation>Шесть декад, для высоких порядков</translation>
+    </message>
+    <message>
+        <source>Roll moment without balancing</source>
+        <translation>Опрокидывающий момент без уравновешивания</translation>
+    </message>
+    <message>
+        <source>Sum of −m a of all reciprocating parts, exact, all orders</source>
+        <translation>Сумма −m a всех поступательных масс, точно: со всеми порядками</translation>
     </message>
     <message>
         <source>vertical (My)</source>
@@ -12415,6 +12399,10 @@ but nothing can be built</source>
         <source>residual</source>
         <translation>остаток</translation>
     </message>
+    <message>
+        <source>offsets and rods</source>
+        <translation>дезаксажи и шатуны</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::InertiaMomentsModel</name>
@@ -12433,10 +12421,6 @@ but nothing can be built</source>
     <message>
         <source>Layout</source>
         <translation>Компоновка</translation>
-    </message>
-    <message>
-        <source>Even firing needs a firing order.</source>
-        <translation>Для равномерного чередования нужен порядок работы.</translation>
     </message>
     <message>
         <source>Even firing</source>
@@ -12503,10 +12487,6 @@ but nothing can be built</source>
         <translation>mρ, г·мм</translation>
     </message>
     <message>
-        <source>left</source>
-        <translation>остаток</translation>
-    </message>
-    <message>
         <source>Rotating masses</source>
         <translation>Вращающиеся массы</translation>
     </message>
@@ -12559,16 +12539,8 @@ but nothing can be built</source>
         <translation>до</translation>
     </message>
     <message>
-        <source>left, %</source>
-        <translation>ост., %</translation>
-    </message>
-    <message>
         <source>On a throw, rods: %1, g</source>
         <translation>Колено, ×%1, г</translation>
-    </message>
-    <message>
-        <source>Articulated rods run on their master&apos;s crankpin: they cannot be set apart.</source>
-        <translation>Прицепные шатуны стоят на шейке главного: разделить их нельзя.</translation>
     </message>
     <message>
         <source>Articulated rods</source>
@@ -12583,16 +12555,8 @@ but nothing can be built</source>
         <translation>Амплитуда порядка при точном движении поршней</translation>
     </message>
     <message>
-        <source>kφ at which the exact component is largest</source>
-        <translation>kφ, при котором точная составляющая наибольшая</translation>
-    </message>
-    <message>
         <source>Amplitude by the paper&apos;s cos θ + K λ sin θ + λ cos 2θ</source>
         <translation>Амплитуда по формуле статьи cos θ + K λ sin θ + λ cos 2θ</translation>
-    </message>
-    <message>
-        <source>Two-term against exact, as a share of exact</source>
-        <translation>Двучленная против точной, в долях точной</translation>
     </message>
     <message>
         <source>Part B that turns against the crank</source>
@@ -12611,56 +12575,12 @@ but nothing can be built</source>
         <translation>Масса на радиус: m ρ (kω)² — сила, m ρ L (kω)² — момент, которые он уравновешивает</translation>
     </message>
     <message>
-        <source>Direction of its weight (of that towards cylinder 1) at φ = 0, counter-clockwise from x</source>
-        <translation>Направление его груза (того, что к цилиндру 1) при φ = 0, против часовой стрелки от x</translation>
-    </message>
-    <message>
-        <source>Where a counterweight against the force stands</source>
-        <translation>Где стоит противовес против силы</translation>
-    </message>
-    <message>
-        <source>Where the front one of two opposite counterweights against the moment stands</source>
-        <translation>Где стоит передний из двух противоположных противовесов против момента</translation>
-    </message>
-    <message>
-        <source>Rotating mass on one crankpin that carries so many rods, at the crank radius</source>
-        <translation>Вращающаяся масса на одной шейке с таким числом шатунов, на радиусе кривошипа</translation>
-    </message>
-    <message>
-        <source>Mass times radius of the counterweight in front</source>
-        <translation>Масса на радиус переднего противовеса</translation>
-    </message>
-    <message>
-        <source>Mass of the counterweight in front at its radius</source>
-        <translation>Масса переднего противовеса на его радиусе</translation>
-    </message>
-    <message>
-        <source>Mass times radius of the counterweight at the rear</source>
-        <translation>Масса на радиус заднего противовеса</translation>
-    </message>
-    <message>
-        <source>Mass of the counterweight at the rear at its radius</source>
-        <translation>Масса заднего противовеса на его радиусе</translation>
-    </message>
-    <message>
         <source>From crankpin 1, counter-clockwise</source>
         <translation>От шейки 1 против часовой стрелки</translation>
     </message>
     <message>
         <source>From crankpin 1 against the rotation</source>
         <translation>От шейки 1 против вращения</translation>
-    </message>
-    <message>
-        <source>Largest value over a turn, with the rotating masses, without balancing</source>
-        <translation>Наибольшее значение за оборот, с вращающимися массами, без уравновешивания</translation>
-    </message>
-    <message>
-        <source>Largest value with the counterweights and shafts that are on</source>
-        <translation>Наибольшее значение с включёнными противовесами и валами</translation>
-    </message>
-    <message>
-        <source>What is left as a share of what was there before</source>
-        <translation>Сколько осталось в долях того, что было</translation>
     </message>
     <message>
         <source>%1, rods: %2</source>
@@ -12699,20 +12619,88 @@ but nothing can be built</source>
         <translation>Часть порядка, которую вал уравновешивает</translation>
     </message>
     <message>
-        <source>Largest value of the order with this shaft alone</source>
-        <translation>Наибольшее значение порядка с одним этим валом</translation>
-    </message>
-    <message>
         <source>Part A that turns with the crank: x + iy = A exp(ikφ) + B exp(−ikφ)</source>
         <translation>Часть A, вращающаяся с валом: x + iy = A exp(ikφ) + B exp(−ikφ)</translation>
     </message>
     <message>
-        <source>Of the rotating masses, m R ω² |Σ exp(iκ)|</source>
-        <translation>Вращающихся масс, m R ω² |Σ exp(iκ)|</translation>
+        <source>Enter a firing order for even firing.</source>
+        <translation>Введите порядок работы для равномерного чередования.</translation>
     </message>
     <message>
-        <source>Of the rotating masses about their middle, m R ω² |Σ z exp(iκ)|</source>
-        <translation>Вращающихся масс относительно их середины, m R ω² |Σ z exp(iκ)|</translation>
+        <source>Articulated rods run on their master&apos;s crankpin and cannot be separated.</source>
+        <translation>Прицепные шатуны стоят на шейке главного: разделить их нельзя.</translation>
+    </message>
+    <message>
+        <source>kφ of the maximum of the exact component</source>
+        <translation>kφ максимума точной составляющей</translation>
+    </message>
+    <message>
+        <source>Error of the two-term form, relative to exact</source>
+        <translation>Погрешность двучленной формулы, в долях точной</translation>
+    </message>
+    <message>
+        <source>Direction of its weight (towards cylinder 1) at φ = 0, counter-clockwise from x</source>
+        <translation>Направление его груза (того, что к цилиндру 1) при φ = 0, против часовой стрелки от x</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>остаток</translation>
+    </message>
+    <message>
+        <source>Maximum of the order with this shaft alone</source>
+        <translation>Максимум порядка с одним этим валом</translation>
+    </message>
+    <message>
+        <source>Force of the rotating masses, m R ω² |Σ exp(iκ)|</source>
+        <translation>Сила вращающихся масс, m R ω² |Σ exp(iκ)|</translation>
+    </message>
+    <message>
+        <source>Moment of the rotating masses about their middle, m R ω² |Σ z exp(iκ)|</source>
+        <translation>Момент вращающихся масс относительно их середины, m R ω² |Σ z exp(iκ)|</translation>
+    </message>
+    <message>
+        <source>Place of a counterweight against the force</source>
+        <translation>Место противовеса против силы</translation>
+    </message>
+    <message>
+        <source>Place of the front one of two opposite counterweights against the moment</source>
+        <translation>Место переднего из двух противоположных противовесов против момента</translation>
+    </message>
+    <message>
+        <source>Rotating mass on one crankpin with this number of rods, at the crank radius</source>
+        <translation>Вращающаяся масса на одной шейке с таким числом шатунов, на радиусе кривошипа</translation>
+    </message>
+    <message>
+        <source>Mass times radius of the front counterweight</source>
+        <translation>Масса на радиус переднего противовеса</translation>
+    </message>
+    <message>
+        <source>Mass of the front counterweight at its radius</source>
+        <translation>Масса переднего противовеса на его радиусе</translation>
+    </message>
+    <message>
+        <source>Mass times radius of the rear counterweight</source>
+        <translation>Масса на радиус заднего противовеса</translation>
+    </message>
+    <message>
+        <source>Mass of the rear counterweight at its radius</source>
+        <translation>Масса заднего противовеса на его радиусе</translation>
+    </message>
+    <message>
+        <source>Maximum over a turn, with the rotating masses, without balancing</source>
+        <translation>Максимум за оборот, с вращающимися массами, без уравновешивания</translation>
+    </message>
+    <message>
+        <source>Maximum with the counterweights and shafts that are on</source>
+        <translation>Максимум с включёнными противовесами и валами</translation>
+    </message>
+    <message>
+        <source>residual, %</source>
+        <translation>ост., %</translation>
+    </message>
+    <message>
+        <source>Residual relative to the value before balancing</source>
+        <translation>Остаток в долях значения до уравновешивания</translation>
     </message>
 </context>
 <context>
@@ -12749,8 +12737,8 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::JobCard</name>
     <message>
-        <source>The shop’s logo cannot be read, and the card is without it: %1</source>
-        <translation>Логотип мастерской не читается, карта осталась без него: %1</translation>
+        <source>The card has no logo, because the file cannot be read: %1</source>
+        <translation>Карта без логотипа: файл не читается: %1</translation>
     </message>
 </context>
 <context>
@@ -12760,24 +12748,8 @@ but nothing can be built</source>
         <translation>Резервная копия журнала: %1</translation>
     </message>
     <message>
-        <source>Jobs brought back: %1; already in the journal: %2.</source>
-        <translation>Возвращено работ: %1; уже есть в журнале: %2.</translation>
-    </message>
-    <message>
-        <source>The sheet is empty: nothing is saved.</source>
-        <translation>Лист пуст: ничего не сохранено.</translation>
-    </message>
-    <message>
-        <source>There is no journal.</source>
-        <translation>Журнала нет.</translation>
-    </message>
-    <message>
         <source>without an engine number</source>
         <translation>без номера двигателя</translation>
-    </message>
-    <message>
-        <source>Job %1 had been changed elsewhere meanwhile: saved as a new job.</source>
-        <translation>Работу %1 тем временем изменили в другом месте: сохранено как новая работа.</translation>
     </message>
     <message>
         <source>Job %1 saved in the journal.</source>
@@ -12792,8 +12764,24 @@ but nothing can be built</source>
         <translation>Лист работы не читается: %1</translation>
     </message>
     <message>
-        <source>A number of engine or crankshaft, or a customer, is needed to find it again.</source>
-        <translation>Чтобы найти её потом, нужен номер двигателя или коленвала либо заказчик.</translation>
+        <source>Jobs restored: %1; already in the journal: %2.</source>
+        <translation>Возвращено работ: %1; уже есть в журнале: %2.</translation>
+    </message>
+    <message>
+        <source>The sheet is empty: not saved.</source>
+        <translation>Лист пуст: не сохранено.</translation>
+    </message>
+    <message>
+        <source>The journal is not available.</source>
+        <translation>Журнал недоступен.</translation>
+    </message>
+    <message>
+        <source>Job %1 was changed by another program: saved as a new job.</source>
+        <translation>Работа %1 изменена другой программой: сохранено как новая работа.</translation>
+    </message>
+    <message>
+        <source>Enter a number of engine or crankshaft, or a customer, to find the job again.</source>
+        <translation>Введите номер двигателя или коленвала либо заказчика, чтобы найти работу.</translation>
     </message>
 </context>
 <context>
@@ -12807,10 +12795,6 @@ but nothing can be built</source>
         <translation>Двигатель</translation>
     </message>
     <message>
-        <source>Balance it with damper and flywheel in place, each in its position.</source>
-        <translation>Балансируйте с гасителем и маховиком, каждый на своём месте.</translation>
-    </message>
-    <message>
         <source>Sludge-trap plugs</source>
         <translation>Заглушки грязеуловителей</translation>
     </message>
@@ -12821,6 +12805,10 @@ but nothing can be built</source>
     <message>
         <source>Crankpin plugs of a V-8 at 90° are bored or replaced to balance heavier or lighter parts.</source>
         <translation>Заглушки шатунных шеек V-8 с углом 90° растачивают или заменяют, чтобы уравновесить более тяжёлые или лёгкие детали.</translation>
+    </message>
+    <message>
+        <source>Balance the crankshaft with damper and flywheel in place, each in its position.</source>
+        <translation>Балансируйте с гасителем и маховиком, каждый на своём месте.</translation>
     </message>
     <message>
         <source>Job</source>
@@ -12850,16 +12838,8 @@ but nothing can be built</source>
         <translation>Журнал %1 записан более новой программой; обновите программу.</translation>
     </message>
     <message>
-        <source>The journal %1 is damaged and cannot be set aside; nothing was changed.</source>
-        <translation>Журнал %1 повреждён, и его не удалось отложить; ничего не изменено.</translation>
-    </message>
-    <message>
         <source>The job could not be read.</source>
         <translation>Работу не удалось прочесть.</translation>
-    </message>
-    <message>
-        <source>The job is no longer in the journal.</source>
-        <translation>Этой работы в журнале уже нет.</translation>
     </message>
     <message>
         <source>The journal could not be searched.</source>
@@ -12894,36 +12874,12 @@ but nothing can be built</source>
         <translation>Двигатель не удалось переименовать.</translation>
     </message>
     <message>
-        <source>it is no longer kept</source>
-        <translation>его больше нет в журнале</translation>
-    </message>
-    <message>
-        <source>The journal was damaged. The damaged file was kept as %1, and a new journal was begun.</source>
-        <translation>Журнал был повреждён. Повреждённый файл сохранён как %1, начат новый журнал.</translation>
-    </message>
-    <message>
         <source>The backup %1 could not be written.</source>
         <translation>Не удалось записать резервную копию %1.</translation>
     </message>
     <message>
         <source>another program is writing to the journal</source>
         <translation>в журнал пишет другая программа</translation>
-    </message>
-    <message>
-        <source>The job could not be saved: the journal keeps nothing of it.</source>
-        <translation>Задание не сохранено: в журнале от него ничего нет.</translation>
-    </message>
-    <message>
-        <source>there is no space left on the disk</source>
-        <translation>на диске нет места</translation>
-    </message>
-    <message>
-        <source>the journal may only be read</source>
-        <translation>журнал доступен только для чтения</translation>
-    </message>
-    <message>
-        <source>the disk does not read or write it</source>
-        <translation>диск не читается или не пишется</translation>
     </message>
     <message>
         <source>the file cannot be opened</source>
@@ -12934,24 +12890,56 @@ but nothing can be built</source>
         <translation>файл повреждён</translation>
     </message>
     <message>
-        <source>it does not read as it was written</source>
-        <translation>читается не то, что записано</translation>
-    </message>
-    <message>
-        <source>%1 is a database of another program, or another program has changed it; it was left as it is.</source>
-        <translation>%1 — база данных другой программы или изменена другой программой; файл не тронут.</translation>
-    </message>
-    <message>
         <source>Its last backup is of %1.</source>
         <translation>Последняя резервная копия от %1.</translation>
     </message>
     <message>
-        <source>%1 is no backup of a journal, or is damaged.</source>
+        <source>Nothing was restored.</source>
+        <translation>Ничего не восстановлено.</translation>
+    </message>
+    <message>
+        <source>The job could not be saved in the journal.</source>
+        <translation>Работу не удалось записать в журнал: запись не создана.</translation>
+    </message>
+    <message>
+        <source>the saved data differ</source>
+        <translation>записанные данные отличаются</translation>
+    </message>
+    <message>
+        <source>The job was removed from the journal.</source>
+        <translation>Эта работа удалена из журнала.</translation>
+    </message>
+    <message>
+        <source>it was removed</source>
+        <translation>запись удалена</translation>
+    </message>
+    <message>
+        <source>%1 belongs to another program or was changed by one; it was not changed.</source>
+        <translation>%1 принадлежит другой программе или изменена ею; файл не изменён.</translation>
+    </message>
+    <message>
+        <source>The journal %1 is damaged and cannot be renamed; it was not changed.</source>
+        <translation>Журнал %1 повреждён, переименовать его не удалось; он не изменён.</translation>
+    </message>
+    <message>
+        <source>The journal was damaged. The file is now %1, and a new journal was created.</source>
+        <translation>Журнал был повреждён. Теперь это файл %1, создан новый журнал.</translation>
+    </message>
+    <message>
+        <source>%1 is not a backup of a journal, or is damaged.</source>
         <translation>%1 — не резервная копия журнала или повреждён.</translation>
     </message>
     <message>
-        <source>Nothing was restored.</source>
-        <translation>Ничего не восстановлено.</translation>
+        <source>the disk is full</source>
+        <translation>диск заполнен</translation>
+    </message>
+    <message>
+        <source>the journal is read-only</source>
+        <translation>журнал доступен только для чтения</translation>
+    </message>
+    <message>
+        <source>disk error</source>
+        <translation>ошибка диска</translation>
     </message>
 </context>
 <context>
@@ -13084,15 +13072,15 @@ but nothing can be built</source>
         <translation>не закончена</translation>
     </message>
     <message>
-        <source>“%1” is no date; write it like %2.</source>
-        <translation>«%1» — не дата; пишите так: %2.</translation>
+        <source>“%1” is not a date; example: %2.</source>
+        <translation>«%1» — не дата; пример: %2.</translation>
     </message>
     <message>
-        <source>“from” is later than “to”: no day lies between them.</source>
-        <translation>«С» позже, чем «по»: между ними нет ни одного дня.</translation>
+        <source>“from” is later than “to”.</source>
+        <translation>«С» позже, чем «по».</translation>
     </message>
     <message>
-        <source>Remove job %1 of %2 from the journal for good?</source>
+        <source>Remove job %1 of %2 from the journal permanently?</source>
         <translation>Удалить работу %1 от %2 из журнала навсегда?</translation>
     </message>
 </context>
@@ -13107,48 +13095,48 @@ but nothing can be built</source>
         <translation>Показания: до и после каждого сверления</translation>
     </message>
     <message>
-        <source>What may remain</source>
-        <translation>Что может остаться</translation>
-    </message>
-    <message>
-        <source>&amp;A limit of your own for each plane, no grade</source>
-        <translation>&amp;Свой допуск для каждой плоскости, без класса</translation>
-    </message>
-    <message>
-        <source>On: so much unbalance may remain in each plane. Off: by grade, mass and speed.</source>
-        <translation>Включено: столько дисбаланса может остаться в каждой плоскости. Выключено: по классу, массе и частоте.</translation>
-    </message>
-    <message>
         <source>Kind of limit</source>
         <translation>Вид допуска</translation>
-    </message>
-    <message>
-        <source>grade of your own</source>
-        <translation>свой класс</translation>
     </message>
     <message>
         <source>&amp;For</source>
         <translation>&amp;Для чего</translation>
     </message>
     <message>
-        <source>Balance quality grades of ISO 21940-11, and what each is for.</source>
-        <translation>Классы точности балансировки ИСО 21940-11 и для чего каждый.</translation>
-    </message>
-    <message>
-        <source>Make it the shop&apos;s own &amp;machine</source>
-        <translation>Запомнить &amp;станок для мастерской</translation>
-    </message>
-    <message>
         <source>New jobs begin with this set-up.</source>
         <translation>Новые работы начинаются с этой настройки.</translation>
     </message>
     <message>
-        <source>Readings &amp;hold</source>
+        <source>Save as shop default (&amp;machine)</source>
+        <translation>Сохранить &amp;станок для мастерской</translation>
+    </message>
+    <message>
+        <source>Permissible residual</source>
+        <translation>Допустимый остаток</translation>
+    </message>
+    <message>
+        <source>&amp;Own limit for each plane, instead of a grade</source>
+        <translation>&amp;Свой предел для каждой плоскости вместо класса</translation>
+    </message>
+    <message>
+        <source>On: permissible residual in each plane. Off: by grade, mass and speed.</source>
+        <translation>Включено: допустимый остаток в каждой плоскости. Выключено: по классу, массе и частоте.</translation>
+    </message>
+    <message>
+        <source>own grade</source>
+        <translation>свой класс</translation>
+    </message>
+    <message>
+        <source>Balance quality grades of ISO 21940-11 and their uses.</source>
+        <translation>Классы точности балансировки ИСО 21940-11 и их применение.</translation>
+    </message>
+    <message>
+        <source>Readings are still &amp;valid</source>
         <translation>Показания &amp;верны</translation>
     </message>
     <message>
-        <source>They are of this crankshaft, with the bob weight that there is now.</source>
-        <translation>Они сняты с этого вала, с тем грузом, который указан сейчас.</translation>
+        <source>The readings are of this crankshaft, with the present bob weight.</source>
+        <translation>Показания сняты с этого вала, с нынешним грузом.</translation>
     </message>
 </context>
 <context>
@@ -13214,10 +13202,6 @@ but nothing can be built</source>
         <translation>Результаты скопированы как CSV</translation>
     </message>
     <message>
-        <source>&amp;Scene</source>
-        <translation>&amp;Раздел</translation>
-    </message>
-    <message>
         <source>&amp;View</source>
         <translation>&amp;Вид</translation>
     </message>
@@ -13232,10 +13216,6 @@ but nothing can be built</source>
     <message>
         <source>&amp;Theme</source>
         <translation>&amp;Тема</translation>
-    </message>
-    <message>
-        <source>As the des&amp;ktop</source>
-        <translation>Как в &amp;системе</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -13302,16 +13282,8 @@ but nothing can be built</source>
         <translation>&lt;h3&gt;Ravnoves %1&lt;/h3&gt;&lt;p&gt;Рабочее место для уравновешивания двигателей.&lt;/p&gt;&lt;p&gt;Свободная программа на условиях GNU General Public License версии 3 или более поздней; без каких-либо гарантий.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>This page has no case file: its numbers are measured anew. Copy or export them.</source>
-        <translation>У этой страницы нет файла задачи: её числа измеряются заново. Скопируйте или запишите их.</translation>
-    </message>
-    <message>
         <source>Start</source>
         <translation>Начало</translation>
-    </message>
-    <message>
-        <source>Scenes, recent files, examples</source>
-        <translation>Разделы, недавние файлы, примеры</translation>
     </message>
     <message>
         <source>E&amp;xamples</source>
@@ -13346,10 +13318,6 @@ but nothing can be built</source>
         <translation>Пр&amp;едыдущая задача</translation>
     </message>
     <message>
-        <source>&amp;Variants: one design against another</source>
-        <translation>&amp;Варианты: одна конструкция против другой</translation>
-    </message>
-    <message>
         <source>New case</source>
         <translation>Новая задача</translation>
     </message>
@@ -13378,16 +13346,8 @@ but nothing can be built</source>
         <translation>Вес&amp;ы…</translation>
     </message>
     <message>
-        <source>&amp;Tolerances: how sure a result is</source>
-        <translation>&amp;Допуски: насколько надёжен результат</translation>
-    </message>
-    <message>
         <source>Tolerance &amp;bands</source>
         <translation>Полосы &amp;допусков</translation>
-    </message>
-    <message>
-        <source>Bands about the curves and ± beside the numbers, where the case has tolerances</source>
-        <translation>Полосы вокруг кривых и ± у чисел, если у задачи есть допуски</translation>
     </message>
     <message>
         <source>Writing the report…</source>
@@ -13402,10 +13362,6 @@ but nothing can be built</source>
         <translation>Отменено: отчёт не записан.</translation>
     </message>
     <message>
-        <source>New case with the engine that the page begins with (%1)</source>
-        <translation>Новая задача с двигателем, с которого начинает страница (%1)</translation>
-    </message>
-    <message>
         <source>New case, empty or &amp;from…</source>
         <translation>Новая задача, пустая или &amp;из…</translation>
     </message>
@@ -13416,6 +13372,39 @@ but nothing can be built</source>
     <message>
         <source>Save %1</source>
         <translation>Сохранить %1</translation>
+    </message>
+    <message>
+        <source>This page has no case file: its numbers are measured each time. Copy or export them.</source>
+        <translation>У этой страницы нет файла задачи: её числа каждый раз измеряются. Скопируйте или запишите их.</translation>
+    </message>
+    <message>
+        <source>Modules, recent files, examples</source>
+        <translation>Модули, недавние файлы, примеры</translation>
+    </message>
+    <message>
+        <source>New case with the first engine (%1)</source>
+        <translation>Новая задача с первым двигателем (%1)</translation>
+    </message>
+    <message>
+        <source>Bands about the curves and ± beside the numbers, if the case has tolerances</source>
+        <translation>Полосы вокруг кривых и ± у чисел, если у задачи есть допуски</translation>
+    </message>
+    <message>
+        <source>&amp;System default</source>
+        <translation>Как в &amp;системе</translation>
+    </message>
+    <message>
+        <source>&amp;Variants: one design compared with another</source>
+        <translation>&amp;Варианты: сравнение конструкций</translation>
+    </message>
+    <message>
+        <source>&amp;Tolerances: how certain a result is</source>
+        <translation>&amp;Допуски: насколько надёжен результат</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <comment>of the module&apos;s menu</comment>
+        <translation>р</translation>
     </message>
     <message>
         <source>Take the &amp;engine from</source>
@@ -13453,8 +13442,8 @@ but nothing can be built</source>
         <translation>φ = %1°</translation>
     </message>
     <message>
-        <source>cannot be built</source>
-        <translation>построить нельзя</translation>
+        <source>does not fit</source>
+        <translation>не помещается</translation>
     </message>
     <message>
         <source>piston (Pⱼ₁)</source>
@@ -13480,16 +13469,8 @@ but nothing can be built</source>
         <translation>Погрешность вдоль трудного параметра</translation>
     </message>
     <message>
-        <source>tolerance of the scene, %1</source>
-        <translation>допуск, %1</translation>
-    </message>
-    <message>
         <source>%1 or less</source>
         <translation>%1 или меньше</translation>
-    </message>
-    <message>
-        <source>refused</source>
-        <translation>отказ</translation>
     </message>
     <message>
         <source>time of one evaluation</source>
@@ -13502,10 +13483,6 @@ but nothing can be built</source>
     <message>
         <source>%1, half of the runs from %2 to %3</source>
         <translation>%1, половина прогонов от %2 до %3</translation>
-    </message>
-    <message>
-        <source>refused: %1</source>
-        <translation>отказ: %1</translation>
     </message>
     <message>
         <source>error %1</source>
@@ -13540,10 +13517,6 @@ but nothing can be built</source>
         <translation>%1: устойчивость</translation>
     </message>
     <message>
-        <source>not in the scene</source>
-        <translation>вне программы</translation>
-    </message>
-    <message>
         <source>%1 fails</source>
         <translation>%1: не годится</translation>
     </message>
@@ -13554,6 +13527,22 @@ but nothing can be built</source>
     <message>
         <source>measuring…</source>
         <translation>идёт измерение…</translation>
+    </message>
+    <message>
+        <source>tolerance, %1</source>
+        <translation>допуск, %1</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>отказ</translation>
+    </message>
+    <message>
+        <source>rejected: %1</source>
+        <translation>отказ: %1</translation>
+    </message>
+    <message>
+        <source>not an input</source>
+        <translation>вне данных</translation>
     </message>
 </context>
 <context>
@@ -13575,7 +13564,7 @@ but nothing can be built</source>
         <translation>нс</translation>
     </message>
     <message>
-        <source>refused</source>
+        <source>rejected</source>
         <translation>отказ</translation>
     </message>
 </context>
@@ -13606,16 +13595,8 @@ but nothing can be built</source>
         <translation>Величина</translation>
     </message>
     <message>
-        <source>What is computed: the numerical kernels of the scenes</source>
-        <translation>Что вычисляется: численные задачи страниц программы</translation>
-    </message>
-    <message>
         <source>Hard parameter</source>
         <translation>Трудный параметр</translation>
-    </message>
-    <message>
-        <source>What makes the problem hard; the right chart shows the errors along it</source>
-        <translation>От чего задача становится трудной; правый график показывает погрешности вдоль него</translation>
     </message>
     <message>
         <source>&amp;Quantity</source>
@@ -13636,10 +13617,6 @@ but nothing can be built</source>
     <message>
         <source>&amp;Cancel</source>
         <translation>О&amp;тменить</translation>
-    </message>
-    <message>
-        <source>Stop measuring; what was measured before stays</source>
-        <translation>Прекратить измерение; измеренное раньше остаётся</translation>
     </message>
     <message>
         <source>Methods as measured</source>
@@ -13674,10 +13651,6 @@ but nothing can be built</source>
         <translation>Медиана повторных прогонов; квартили — в подсказках ячеек</translation>
     </message>
     <message>
-        <source>Order of convergence found: the error falls as this power of the number of steps</source>
-        <translation>Найденный порядок сходимости: погрешность падает как эта степень числа шагов</translation>
-    </message>
-    <message>
         <source>Speed and accuracy</source>
         <translation>Скорость и точность</translation>
     </message>
@@ -13686,20 +13659,8 @@ but nothing can be built</source>
         <translation>Сверка со статьями</translation>
     </message>
     <message>
-        <source>What is computed</source>
-        <translation>Что вычисляется</translation>
-    </message>
-    <message>
-        <source>What the scene uses, and why</source>
-        <translation>Что применяет программа и почему</translation>
-    </message>
-    <message>
         <source>%1, %2. Tolerance: %3, %4.</source>
         <translation>%1, %2. Допуск: %3, %4.</translation>
-    </message>
-    <message>
-        <source>What it is measured against</source>
-        <translation>С чем сравнивается</translation>
     </message>
     <message>
         <source>One evaluation</source>
@@ -13708,18 +13669,6 @@ but nothing can be built</source>
     <message>
         <source>Half of the runs from %1 to %2</source>
         <translation>Половина прогонов от %1 до %2</translation>
-    </message>
-    <message>
-        <source>refused: %1</source>
-        <translation>отказ: %1</translation>
-    </message>
-    <message>
-        <source>Within the scene&apos;s tolerance</source>
-        <translation>В пределах допуска</translation>
-    </message>
-    <message>
-        <source>Beyond the scene&apos;s tolerance</source>
-        <translation>Вне допуска</translation>
     </message>
     <message>
         <source>%1: %2.</source>
@@ -13738,20 +13687,52 @@ but nothing can be built</source>
         <translation>Вне допуска: %1.</translation>
     </message>
     <message>
-        <source>How the quantity is computed; the one in use is marked</source>
-        <translation>Как вычисляется величина; применяемый способ выделен</translation>
+        <source>Quantity to measure: the numerical kernels of the modules</source>
+        <translation>Измеряемая величина: численные задачи модулей</translation>
     </message>
     <message>
-        <source>Steps, terms or samples that the method takes</source>
+        <source>Parameter that makes the problem harder; the right chart shows the errors along it</source>
+        <translation>Параметр, который усложняет задачу; правый график показывает погрешности вдоль него</translation>
+    </message>
+    <message>
+        <source>Stop measuring and keep the previous results</source>
+        <translation>Прекратить измерение, прежние результаты сохранить</translation>
+    </message>
+    <message>
+        <source>Methods for the quantity; the method in use is marked</source>
+        <translation>Методы вычисления величины; применяемый выделен</translation>
+    </message>
+    <message>
+        <source>Steps, terms or samples of the method</source>
         <translation>Шаги, члены или отсчёты, которые берёт способ</translation>
     </message>
     <message>
-        <source>Largest error against 50 digits, in the kernel&apos;s own measure</source>
-        <translation>Наибольшая погрешность против 50 знаков, в мере этого ядра</translation>
+        <source>Maximum error against 50 digits, in the kernel&apos;s own measure</source>
+        <translation>Максимальная погрешность относительно 50 знаков, в мере этого ядра</translation>
     </message>
     <message>
-        <source>The same quantity in 50 digits, by none of the scene&apos;s formulas: %1.</source>
-        <translation>Та же величина с 50 знаками, не по формулам программы: %1.</translation>
+        <source>Order of convergence: the error falls as this power of the number of steps</source>
+        <translation>Найденный порядок сходимости: погрешность падает как эта степень числа шагов</translation>
+    </message>
+    <message>
+        <source>Method in use, and reason</source>
+        <translation>Применяемый метод и почему</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Эталон</translation>
+    </message>
+    <message>
+        <source>The same quantity in 50 digits, without the module&apos;s formulas: %1.</source>
+        <translation>Та же величина с 50 знаками, не по формулам модуля: %1.</translation>
+    </message>
+    <message>
+        <source>rejected: %1</source>
+        <translation>отказ: %1</translation>
+    </message>
+    <message>
+        <source>Within the tolerance</source>
+        <translation>В пределах допуска</translation>
     </message>
     <message>
         <source>This case</source>
@@ -13770,10 +13751,6 @@ but nothing can be built</source>
         <translation>Модель не учитывает:</translation>
     </message>
     <message>
-        <source>Where along the hard parameter the error exceeds the scene&apos;s tolerance or the method rejects the input; of the finest setting or the one in use</source>
-        <translation>Где вдоль трудного параметра погрешность больше допуска или метод отвергает исходные данные; для самой тонкой настройки или применяемой</translation>
-    </message>
-    <message>
         <source>&amp;Details</source>
         <translation>&amp;Подробности</translation>
     </message>
@@ -13781,13 +13758,13 @@ but nothing can be built</source>
         <source>Show times, orders of convergence and how both are measured</source>
         <translation>Показать время, порядок сходимости и как они измерены</translation>
     </message>
+    <message>
+        <source>Intervals of the hard parameter beyond the tolerance or without a value, for the finest setting or the one in use</source>
+        <translation>Интервалы трудного параметра, где погрешность вне допуска или числа нет, для самой тонкой или применяемой настройки</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::MissingFile</name>
-    <message>
-        <source>The file chosen for %1 does not do.</source>
-        <translation>Файл, выбранный вместо %1, не подходит.</translation>
-    </message>
     <message>
         <source>&amp;Locate file…</source>
         <translation>&amp;Указать файл…</translation>
@@ -13795,6 +13772,10 @@ but nothing can be built</source>
     <message>
         <source>Where is %1?</source>
         <translation>Где %1?</translation>
+    </message>
+    <message>
+        <source>The file selected for %1 is not suitable.</source>
+        <translation>Файл, выбранный вместо %1, не подходит.</translation>
     </message>
 </context>
 <context>
@@ -13804,16 +13785,16 @@ but nothing can be built</source>
         <translation>Новая задача</translation>
     </message>
     <message>
-        <source>&amp;Scene</source>
-        <translation>&amp;Раздел</translation>
-    </message>
-    <message>
-        <source>&amp;Begin with</source>
-        <translation>&amp;Начать с</translation>
-    </message>
-    <message>
         <source>&amp;Create</source>
         <translation>Со&amp;здать</translation>
+    </message>
+    <message>
+        <source>&amp;Module</source>
+        <translation>&amp;Модуль</translation>
+    </message>
+    <message>
+        <source>&amp;Start from</source>
+        <translation>&amp;Начать с</translation>
     </message>
 </context>
 <context>
@@ -13916,7 +13897,7 @@ but nothing can be built</source>
     </message>
     <message>
         <source>Blank (placeholder values)</source>
-        <translation>Пустая (значения-заготовки)</translation>
+        <translation>С чистого листа (значения-заготовки)</translation>
     </message>
     <message>
         <source>88 × 75 mm: a balance shaft that helps</source>
@@ -13929,10 +13910,6 @@ but nothing can be built</source>
 </context>
 <context>
     <name>ravnoves::NumberField</name>
-    <message>
-        <source>A value is needed: %1.</source>
-        <translation>Нужно значение: %1.</translation>
-    </message>
     <message>
         <source>“%1” is not a number.</source>
         <translation>«%1» — не число.</translation>
@@ -13950,16 +13927,20 @@ but nothing can be built</source>
         <translation>Значение должно быть целым числом.</translation>
     </message>
     <message>
-        <source>“%1” is a unit, and this value has none.</source>
-        <translation>«%1» — единица, а у этого значения её нет.</translation>
+        <source>“%1” is a unit, but this value has no unit.</source>
+        <translation>«%1» — единица, а у этого значения единицы нет.</translation>
     </message>
     <message>
-        <source>“%1” is no unit of this value, which is in %2.</source>
-        <translation>«%1» — не единица этого значения: оно в %2.</translation>
+        <source>“%1” is not a unit of this value (%2).</source>
+        <translation>«%1» — не единица этого значения (%2).</translation>
     </message>
     <message>
-        <source>“%1” may be %2 or %3: type the one that is meant.</source>
-        <translation>«%1» можно прочесть как %2 и как %3: введите то, что имеется в виду.</translation>
+        <source>“%1” may be %2 or %3: enter one of them.</source>
+        <translation>«%1» можно прочесть как %2 и как %3: введите одно из них.</translation>
+    </message>
+    <message>
+        <source>Enter a value: %1.</source>
+        <translation>Введите значение: %1.</translation>
     </message>
 </context>
 <context>
@@ -14008,20 +13989,20 @@ but nothing can be built</source>
         <translation>лог.</translation>
     </message>
     <message>
-        <source>nothing in any order</source>
-        <translation>нет ни одного порядка</translation>
-    </message>
-    <message>
-        <source>Largest: force %1 in order %2, moment %3 in order %4, roll moment %5 in order %6.</source>
-        <translation>Наибольшие: сила %1 в порядке %2, момент %3 в порядке %4, опрокидывающий момент %5 в порядке %6.</translation>
-    </message>
-    <message>
         <source>order</source>
         <translation>порядок</translation>
     </message>
     <message>
+        <source>Maximum: force %1 in order %2, moment %3 in order %4, roll moment %5 in order %6.</source>
+        <translation>Максимум: сила %1 в порядке %2, момент %3 в порядке %4, опрокидывающий момент %5 в порядке %6.</translation>
+    </message>
+    <message>
         <source>residual</source>
         <translation>остаток</translation>
+    </message>
+    <message>
+        <source>all orders are 0</source>
+        <translation>все порядки равны 0</translation>
     </message>
     <message>
         <source>Order %1: exact %2, two-term %3, residual %4</source>
@@ -14071,10 +14052,6 @@ but nothing can be built</source>
         <translation>Mᵤₚₛ, Н·м</translation>
     </message>
     <message>
-        <source>A four-stroke cycle has half orders, a two-stroke one has whole ones. A shaft at crank speed changes order 1 alone; the best RMS is where it opposes that order.</source>
-        <translation>У четырёхтактного цикла есть половинные порядки, у двухтактного — только целые. Вал, вращающийся со скоростью коленчатого, меняет только порядок 1; лучшее СКЗ — там, где он ему противоположен.</translation>
-    </message>
-    <message>
         <source>Multiple of the crank speed</source>
         <translation>Кратность частоте вращения вала</translation>
     </message>
@@ -14087,8 +14064,12 @@ but nothing can be built</source>
         <translation>Амплитуда Фурье с валом при нынешнем α</translation>
     </message>
     <message>
-        <source>Of the moment to the left: amplitude × sin(kφ + phase)</source>
-        <translation>Момента слева: амплитуда × sin(kφ + фаза)</translation>
+        <source>Phase of the moment to the left: amplitude × sin(kφ + phase)</source>
+        <translation>Фаза момента слева: амплитуда × sin(kφ + фаза)</translation>
+    </message>
+    <message>
+        <source>A shaft at crank speed changes only order 1; the RMS is minimal where the shaft opposes it. A two-stroke cycle has whole orders only.</source>
+        <translation>Вал, вращающийся со скоростью коленчатого, меняет только порядок 1; СКЗ минимально, где вал ему противоположен. У двухтактного цикла только целые порядки.</translation>
     </message>
     <message>
         <source>without shaft (Mᵤₚ)</source>
@@ -14112,10 +14093,6 @@ but nothing can be built</source>
 </context>
 <context>
     <name>ravnoves::PartsSheet</name>
-    <message>
-        <source>Those in grey are the means of the weigh-in sheet.</source>
-        <translation>Серые — средние листа взвешивания.</translation>
-    </message>
     <message>
         <source>Parts of one cylinder</source>
         <translation>Детали одного цилиндра</translation>
@@ -14145,12 +14122,16 @@ but nothing can be built</source>
         <translation>Предел для заглушек</translation>
     </message>
     <message>
-        <source>&amp;Make it the shop&apos;s own</source>
-        <translation>&amp;Принять в мастерской</translation>
-    </message>
-    <message>
         <source>New jobs begin with this limit.</source>
         <translation>С этим пределом начинаются новые работы.</translation>
+    </message>
+    <message>
+        <source>Grey values are means of the weigh-in sheet.</source>
+        <translation>Серые значения — средние листа взвешивания.</translation>
+    </message>
+    <message>
+        <source>&amp;Save as shop default</source>
+        <translation>&amp;Сохранить для мастерской</translation>
     </message>
 </context>
 <context>
@@ -14214,8 +14195,8 @@ but nothing can be built</source>
         <translation>коррекции пока нет</translation>
     </message>
     <message>
-        <source>The arrow is the reading, the dashed circle the limit, the dot what remains; holes in the rim, slugs opposite, paler what is drilled already. Seen from the front, angles as the machine counts them.</source>
-        <translation>Стрелка — показание, штриховая окружность — предел, точка — остаток; отверстия на ободе, вставки напротив, бледнее — уже просверленное. Вид спереди, углы — как отсчитывает станок.</translation>
+        <source>Arrow: reading; dashed circle: limit; dot: residual; rim: holes and slugs, existing holes dimmed. Front view, angles as on the machine.</source>
+        <translation>Стрелка: показание; штриховая окружность: предел; точка: остаток; обод: отверстия и вставки, имеющиеся отверстия бледнее. Вид спереди, углы как на станке.</translation>
     </message>
 </context>
 <context>
@@ -14265,8 +14246,8 @@ but nothing can be built</source>
         <translation>Сейчас %1.</translation>
     </message>
     <message>
-        <source>With bands: 5…95 % of what the tolerances make of it.</source>
-        <translation>С полосами: 5…95&#xa0;% того, что делают допуски.</translation>
+        <source>With bands: 5…95 % due to the tolerances.</source>
+        <translation>С полосами: 5…95 % из-за допусков.</translation>
     </message>
 </context>
 <context>
@@ -14296,20 +14277,20 @@ but nothing can be built</source>
         <translation>5…95&#xa0;%</translation>
     </message>
     <message>
-        <source>Show what the tolerances do</source>
-        <translation>Показать действие допусков</translation>
-    </message>
-    <message>
         <source>Range from 5 % to 95 % of the curve, with the tolerances of the case.</source>
         <translation>Диапазон кривой от 5 % до 95 % при допусках задачи.</translation>
     </message>
     <message>
-        <source>Click or drag: choose the value. Wheel: zoom. Middle button: pan. Double click: show all.</source>
-        <translation>Щелчок или перетаскивание: выбрать значение. Колесо: масштаб. Средняя кнопка: сдвиг. Двойной щелчок: показать всё.</translation>
+        <source>Show the tolerance band</source>
+        <translation>Показать полосу допусков</translation>
     </message>
     <message>
-        <source>Wheel: zoom, with Shift in y, with Ctrl in x. Drag: pan. Double click: show all.</source>
-        <translation>Колесо: масштаб, с Shift по y, с Ctrl по x. Перетаскивание: сдвиг. Двойной щелчок: показать всё.</translation>
+        <source>Click or drag: choose the value; wheel: zoom; middle button: pan; double click: show all.</source>
+        <translation>Щелчок или перетаскивание: выбрать значение; колесо: масштаб; средняя кнопка: сдвиг; двойной щелчок: показать всё.</translation>
+    </message>
+    <message>
+        <source>Wheel: zoom, with Shift in y, with Ctrl in x; drag: pan; double click: show all.</source>
+        <translation>Колесо: масштаб, с Shift по y, с Ctrl по x; перетаскивание: сдвиг; двойной щелчок: показать всё.</translation>
     </message>
 </context>
 <context>
@@ -14327,8 +14308,8 @@ but nothing can be built</source>
         <translation>без масштаба: размеры — на листе «Заглушка»</translation>
     </message>
     <message>
-        <source>The plug of sheet 4 to scale, in section, with its sizes; those without a unit are in millimetres.</source>
-        <translation>Заглушка с листа 4 в масштабе, в разрезе, с размерами; без единицы — в миллиметрах.</translation>
+        <source>Section of the plug of sheet 4, to scale; sizes without a unit are in millimetres.</source>
+        <translation>Заглушка с листа 4 в разрезе, в масштабе; размеры без единицы — в миллиметрах.</translation>
     </message>
 </context>
 <context>
@@ -14342,32 +14323,12 @@ but nothing can be built</source>
         <translation>Заглушки грязеуловителей бывают только у V-8 с углом 90° и двумя шатунами на шейке.</translation>
     </message>
     <message>
-        <source>Crankshaft and today&apos;s plugs</source>
-        <translation>Вал и существующие заглушки</translation>
-    </message>
-    <message>
-        <source>Sizes of today&apos;s plug</source>
-        <translation>Размеры нынешней заглушки</translation>
-    </message>
-    <message>
         <source>There are &amp;aluminium plugs</source>
         <translation>Есть &amp;алюминиевые заглушки</translation>
     </message>
     <message>
-        <source>Aluminium plugs in place of the steel ones count among the options.</source>
-        <translation>Алюминиевые заглушки вместо стальных учитываются среди вариантов.</translation>
-    </message>
-    <message>
         <source>There are plugs of the new &amp;design</source>
         <translation>Есть заглушки &amp;новой конструкции</translation>
-    </message>
-    <message>
-        <source>Their options count where a crankshaft made for them is fitted.</source>
-        <translation>Их варианты учитываются, если установлен изготовленный под них коленчатый вал.</translation>
-    </message>
-    <message>
-        <source>“%1” is no metric thread with its pitch, like %2.</source>
-        <translation>«%1» — не метрическая резьба с шагом, как %2.</translation>
     </message>
     <message>
         <source>&amp;Keep as own engine…</source>
@@ -14386,16 +14347,8 @@ but nothing can be built</source>
         <translation>Название двигателя:</translation>
     </message>
     <message>
-        <source>The engine needs a name.</source>
-        <translation>Двигателю нужно название.</translation>
-    </message>
-    <message>
         <source>Keep as own engine</source>
         <translation>Запомнить двигатель</translation>
-    </message>
-    <message>
-        <source>An engine “%1” is kept already. Replace its values?</source>
-        <translation>Двигатель «%1» уже сохранён. Заменить его данные?</translation>
     </message>
     <message>
         <source>Engine %1 kept.</source>
@@ -14404,10 +14357,6 @@ but nothing can be built</source>
     <message>
         <source>Rename own engine</source>
         <translation>Переименование двигателя</translation>
-    </message>
-    <message>
-        <source>The engine is called %1 now.</source>
-        <translation>Двигатель теперь называется %1.</translation>
     </message>
     <message>
         <source>Remove engine</source>
@@ -14421,6 +14370,38 @@ but nothing can be built</source>
         <source>Engine %1 removed.</source>
         <translation>Двигатель %1 удалён.</translation>
     </message>
+    <message>
+        <source>Crankshaft and present plugs</source>
+        <translation>Вал и существующие заглушки</translation>
+    </message>
+    <message>
+        <source>Sizes of the present plug</source>
+        <translation>Размеры нынешней заглушки</translation>
+    </message>
+    <message>
+        <source>Options include aluminium plugs instead of steel plugs.</source>
+        <translation>Варианты включают алюминиевые заглушки вместо стальных.</translation>
+    </message>
+    <message>
+        <source>Options include plugs of the new design, for a crankshaft made for them.</source>
+        <translation>Варианты включают новые заглушки, для изготовленного под них вала.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a metric thread with pitch; example: %2.</source>
+        <translation>«%1» — не метрическая резьба с шагом; пример: %2.</translation>
+    </message>
+    <message>
+        <source>Enter a name for the engine.</source>
+        <translation>Введите название двигателя.</translation>
+    </message>
+    <message>
+        <source>An engine “%1” exists. Replace its values?</source>
+        <translation>Двигатель «%1» уже есть. Заменить его данные?</translation>
+    </message>
+    <message>
+        <source>Engine renamed: %1.</source>
+        <translation>Двигатель переименован: %1.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::Presets</name>
@@ -14432,11 +14413,11 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::Recovery</name>
     <message>
-        <source>Unsaved changes are not kept for a crash: %1</source>
-        <translation>Несохранённые изменения не сохраняются на случай сбоя: %1</translation>
+        <source>Unsaved changes are not protected against a crash: %1</source>
+        <translation>Несохранённые изменения не защищены от сбоя: %1</translation>
     </message>
     <message>
-        <source>%1 cannot be written to</source>
+        <source>%1 is not writable</source>
         <translation>в %1 нельзя писать</translation>
     </message>
 </context>
@@ -14467,16 +14448,8 @@ but nothing can be built</source>
         <translation>ещё без файла</translation>
     </message>
     <message>
-        <source>A case that was not saved cannot be read: its copy is damaged. It lies aside as %1.</source>
-        <translation>Несохранённую задачу нельзя прочитать: её копия повреждена. Она отложена в файл %1.</translation>
-    </message>
-    <message>
         <source>&amp;Restore</source>
         <translation>&amp;Восстановить</translation>
-    </message>
-    <message>
-        <source>&amp;Throw away</source>
-        <translation>В&amp;ыбросить</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -14491,20 +14464,28 @@ but nothing can be built</source>
         <translation>Спросить при следующем запуске</translation>
     </message>
     <message>
-        <source>A newer version of Ravnoves has kept a case that was not saved: only that can read it. It stays as %1.</source>
-        <translation>Несохранённую задачу оставила более новая версия Ravnoves: прочесть её может только она. Задача остаётся в файле %1.</translation>
+        <source>Older cases, not listed: %1</source>
+        <translation>Более старые, не в списке: %1</translation>
     </message>
     <message>
-        <source>Throw away what is ticked? Cases that are gone for good then: %1.</source>
-        <translation>Выбросить отмеченное? Задач, которые пропадут навсегда: %1.</translation>
+        <source>Restore these to see the next hundred.</source>
+        <translation>Восстановите эти, чтобы увидеть следующие сто.</translation>
     </message>
     <message>
-        <source>Older ones, too many for this list: %1</source>
-        <translation>Более старых, слишком много для этого списка: %1</translation>
+        <source>The copy of an unsaved case is damaged; it is now %1.</source>
+        <translation>Копия несохранённой задачи повреждена; теперь это файл %1.</translation>
     </message>
     <message>
-        <source>Restoring shows the next hundred.</source>
-        <translation>После восстановления показаны следующие сто.</translation>
+        <source>An unsaved case was written by a newer version of Ravnoves, which can open it: %1.</source>
+        <translation>Несохранённая задача записана более новой версией Ravnoves, которая может её открыть: %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Удалить</translation>
+    </message>
+    <message>
+        <source>Delete the ticked cases permanently? Cases that will be deleted: %1.</source>
+        <translation>Удалить отмеченные задачи навсегда? Будет удалено: %1.</translation>
     </message>
 </context>
 <context>
@@ -14517,23 +14498,23 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::RefusedEntries</name>
     <message>
-        <source>These entries were refused; the values before them count:</source>
-        <translation>Эти значения не приняты; действуют прежние:</translation>
-    </message>
-    <message>
-        <source>&amp;Go on without them</source>
-        <translation>&amp;Продолжить без них</translation>
-    </message>
-    <message>
         <source>&amp;Stay</source>
         <translation>&amp;Остаться</translation>
+    </message>
+    <message>
+        <source>These entries were not accepted; the previous values are used:</source>
+        <translation>Эти значения не приняты; используются прежние:</translation>
+    </message>
+    <message>
+        <source>&amp;Continue without them</source>
+        <translation>&amp;Продолжить без них</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::RefusingTable</name>
     <message>
-        <source>Refused besides: %1</source>
-        <translation>И ещё не принято: %1</translation>
+        <source>Also not accepted: %1</source>
+        <translation>Также не принято: %1</translation>
     </message>
 </context>
 <context>
@@ -14556,10 +14537,6 @@ but nothing can be built</source>
     <message>
         <source>Size to find</source>
         <translation>Искомый размер</translation>
-    </message>
-    <message>
-        <source>unbalance needed, m₁ ρ₁</source>
-        <translation>нужен дисбаланс</translation>
     </message>
     <message>
         <source>unbalance of the shaft</source>
@@ -14594,20 +14571,12 @@ but nothing can be built</source>
         <translation>Осуществимо.</translation>
     </message>
     <message>
-        <source>What both counterweights have by equation (1)</source>
-        <translation>Какой имеют оба противовеса по формуле (1)</translation>
-    </message>
-    <message>
         <source>U = 2/3 ρ b a³, a² = h (D − h)</source>
         <translation>U = 2/3 ρ b a³, a² = h (D − h)</translation>
     </message>
     <message>
         <source>2 a = 2 √(h (D − h))</source>
         <translation>2 a = 2 √(h (D − h))</translation>
-    </message>
-    <message>
-        <source>ρ b A of the section that is left</source>
-        <translation>ρ b A оставшегося сечения</translation>
     </message>
     <message>
         <source>ρ b times the area of the segment</source>
@@ -14618,12 +14587,24 @@ but nothing can be built</source>
         <translation>U к массе снятого участка, со стороны, обратной лыске</translation>
     </message>
     <message>
-        <source>The smallest bar radius that can have the unbalance at this length: with half of the bar milled away, ∛(3 U / (2 ρ b)). It has nothing to do with vibration.</source>
-        <translation>Наименьший радиус прутка, который даёт дисбаланс при этой длине: со снятой половиной прутка, ∛(3 U / (2 ρ b)). С колебаниями не связан.</translation>
+        <source>required unbalance, m₁ ρ₁</source>
+        <translation>нужен дисбаланс</translation>
     </message>
     <message>
-        <source>The shortest relief that can have the unbalance with this bar: with half of it milled away, 3 U / (2 ρ R³). It has nothing to do with vibration.</source>
-        <translation>Наименьшая длина снятого участка, которая даёт дисбаланс при этом прутке: со снятой половиной, 3 U / (2 ρ R³). С колебаниями не связана.</translation>
+        <source>Unbalance of both counterweights by equation (1)</source>
+        <translation>Дисбаланс обоих противовесов по формуле (1)</translation>
+    </message>
+    <message>
+        <source>ρ b A of the remaining section</source>
+        <translation>ρ b A оставшегося сечения</translation>
+    </message>
+    <message>
+        <source>Minimum bar radius for the unbalance at this length, ∛(3 U / (2 ρ b)); not a vibration limit.</source>
+        <translation>Минимальный радиус прутка для дисбаланса при этой длине, ∛(3 U / (2 ρ b)); с колебаниями не связан.</translation>
+    </message>
+    <message>
+        <source>Minimum length of the relief for the unbalance with this bar, 3 U / (2 ρ R³); not a vibration limit.</source>
+        <translation>Минимальная длина лыски для дисбаланса при этом прутке, 3 U / (2 ρ R³); с колебаниями не связана.</translation>
     </message>
 </context>
 <context>
@@ -14631,10 +14612,6 @@ but nothing can be built</source>
     <message>
         <source>Shaft with a relieved middle</source>
         <translation>Вал с лыской в средней части</translation>
-    </message>
-    <message>
-        <source>Size that follows from the others</source>
-        <translation>Размер, который следует из остальных</translation>
     </message>
     <message>
         <source>depth h</source>
@@ -14649,16 +14626,8 @@ but nothing can be built</source>
         <translation>диаметр D</translation>
     </message>
     <message>
-        <source>nothing, only check</source>
-        <translation>ничего, проверить</translation>
-    </message>
-    <message>
         <source>&amp;Find</source>
         <translation>&amp;Найти</translation>
-    </message>
-    <message>
-        <source>Two sizes are given, the third follows from the unbalance m₁ ρ₁.</source>
-        <translation>Два размера заданы, третий следует из дисбаланса m₁ ρ₁.</translation>
     </message>
     <message>
         <source>E&amp;xport drawing (DXF)…</source>
@@ -14687,6 +14656,18 @@ but nothing can be built</source>
     <message>
         <source>Export drawing</source>
         <translation>Запись чертежа</translation>
+    </message>
+    <message>
+        <source>none, check only</source>
+        <translation>никакой, проверить</translation>
+    </message>
+    <message>
+        <source>Enter two sizes; the third follows from the unbalance m₁ ρ₁.</source>
+        <translation>Введите два размера; третий следует из дисбаланса m₁ ρ₁.</translation>
+    </message>
+    <message>
+        <source>Computed size</source>
+        <translation>Искомый размер</translation>
     </message>
 </context>
 <context>
@@ -14728,10 +14709,6 @@ but nothing can be built</source>
         <translation>&amp;Проверка по статье</translation>
     </message>
     <message>
-        <source>Every number that the paper prints, compared with this program.</source>
-        <translation>Сравнение каждого напечатанного в статье числа с программой.</translation>
-    </message>
-    <message>
         <source>A4</source>
         <translation>A4</translation>
     </message>
@@ -14751,6 +14728,10 @@ but nothing can be built</source>
         <source>&amp;Save as…</source>
         <translation>&amp;Сохранить как…</translation>
     </message>
+    <message>
+        <source>Every printed number of the paper, compared with this program.</source>
+        <translation>Сравнение каждого напечатанного в статье числа с программой.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ReportWords</name>
@@ -14761,10 +14742,6 @@ but nothing can be built</source>
     <message>
         <source>SHA-256 of the case, with changes that are not saved</source>
         <translation>SHA-256 задачи с несохранёнными изменениями</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>Раздел</translation>
     </message>
     <message>
         <source>Case file</source>
@@ -14831,10 +14808,6 @@ but nothing can be built</source>
         <translation>Ед.</translation>
     </message>
     <message>
-        <source>What it is</source>
-        <translation>Что это</translation>
-    </message>
-    <message>
         <source>yes</source>
         <translation>да</translation>
     </message>
@@ -14859,20 +14832,8 @@ but nothing can be built</source>
         <translation>Страница %1 из %2</translation>
     </message>
     <message>
-        <source>SHA-256 of the file as it was read; it is another now</source>
-        <translation>SHA-256 файла, каким он был прочитан; теперь он другой</translation>
-    </message>
-    <message>
-        <source>Every number that the paper prints was compared with that of this program, computed anew from the paper&apos;s data when this report was made: %1. The page Methods shows each of them.</source>
-        <translation>Каждое напечатанное в статье число сравнено с числом этой программы, вычисленным заново по данным статьи при составлении отчёта: %1. Все они показаны на странице «Методы».</translation>
-    </message>
-    <message>
         <source>Numbers</source>
         <translation>Чисел</translation>
-    </message>
-    <message>
-        <source>Largest difference</source>
-        <translation>Наибольшая разница</translation>
     </message>
     <message>
         <source>Variants</source>
@@ -14911,10 +14872,6 @@ but nothing can be built</source>
         <translation>Допуски</translation>
     </message>
     <message>
-        <source>Nothing could be computed.</source>
-        <translation>Ничего не удалось рассчитать.</translation>
-    </message>
-    <message>
         <source>Samples solved: %1</source>
         <translation>Решено проб: %1</translation>
     </message>
@@ -14929,10 +14886,6 @@ but nothing can be built</source>
     <message>
         <source>A section: the plot is zoomed.</source>
         <translation>Часть графика: он увеличен.</translation>
-    </message>
-    <message>
-        <source>Not used: weights count in its place</source>
-        <translation>Не учитывается: вместо этого — массы деталей</translation>
     </message>
     <message>
         <source>Not in the case</source>
@@ -14967,16 +14920,44 @@ but nothing can be built</source>
         <translation>Графики и таблицы</translation>
     </message>
     <message>
+        <source>SHA-256 of the file as read; the file has changed</source>
+        <translation>SHA-256 прочитанного файла; файл изменился</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>Модуль</translation>
+    </message>
+    <message>
+        <source>Printed numbers of the paper, recomputed for this report: %1. The module Methods shows each.</source>
+        <translation>Напечатанные числа статьи, вычисленные заново для этого отчёта: %1. Все показаны в модуле «Методы».</translation>
+    </message>
+    <message>
+        <source>Maximum difference</source>
+        <translation>Максимальная разница</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>Not used: the weighed masses replace it</source>
+        <translation>Не используется: заменено взвешенными массами</translation>
+    </message>
+    <message>
+        <source>No results.</source>
+        <translation>Результатов нет.</translation>
+    </message>
+    <message>
         <source>Only what differs is listed, inputs first; in brackets the difference from the reference. ★ marks the best.</source>
         <translation>Перечислено только то, что отличается, сначала исходные данные; в скобках разность с эталоном. ★ отмечает лучшее.</translation>
     </message>
     <message>
-        <source>In the plots the curves of %1 are pale and wide.</source>
-        <translation>На графиках кривые %1 бледные и широкие.</translation>
+        <source>Rejected: %1 × %2</source>
+        <translation>Не принято: %1 × %2</translation>
     </message>
     <message>
-        <source>Rejected: %1 × %2</source>
-        <translation>Отклонено: %1 × %2</translation>
+        <source>In the plots the curves of %1 are dimmed and wide.</source>
+        <translation>На графиках кривые %1 бледные и широкие.</translation>
     </message>
 </context>
 <context>
@@ -14994,10 +14975,6 @@ but nothing can be built</source>
         <translation>Копировать таблицу как CSV</translation>
     </message>
     <message>
-        <source>Present value less that of the reference %1</source>
-        <translation>Нынешнее значение минус значение эталона %1</translation>
-    </message>
-    <message>
         <source>Ctrl+C copies the selected cells, or the whole table if no more than one is selected.</source>
         <translation>Ctrl+C копирует выделенные ячейки, а если выделено не больше одной – всю таблицу.</translation>
     </message>
@@ -15008,6 +14985,10 @@ but nothing can be built</source>
     <message>
         <source>Copy as &amp;CSV</source>
         <translation>Копировать как &amp;CSV</translation>
+    </message>
+    <message>
+        <source>Present value minus reference %1</source>
+        <translation>Нынешнее значение минус эталон %1</translation>
     </message>
 </context>
 <context>
@@ -15033,10 +15014,6 @@ but nothing can be built</source>
         <translation>Задача Ravnoves</translation>
     </message>
     <message>
-        <source>%1 is open in another tab. Close that first, or choose another name.</source>
-        <translation>Файл %1 открыт на другой вкладке. Сначала закройте её или выберите другое имя.</translation>
-    </message>
-    <message>
         <source>Save as…</source>
         <translation>Сохранить как…</translation>
     </message>
@@ -15052,13 +15029,13 @@ but nothing can be built</source>
         <source>Close case</source>
         <translation>Закрыть задачу</translation>
     </message>
+    <message>
+        <source>%1 is open in another tab. Close that tab first, or choose another name.</source>
+        <translation>Файл %1 открыт на другой вкладке. Сначала закройте её или выберите другое имя.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ScaleButton</name>
-    <message>
-        <source>%1 again at once: it is taken once. A scale that sends all the time can be set so.</source>
-        <translation>%1 сразу ещё раз: берётся один раз. Если весы посылают вес постоянно, это можно указать в их настройках.</translation>
-    </message>
     <message>
         <source>Scale: ready</source>
         <translation>Весы: готовы</translation>
@@ -15068,12 +15045,16 @@ but nothing can be built</source>
         <translation>Весы: не подключены</translation>
     </message>
     <message>
-        <source>Weights go into the field with the focus. Click for the settings.</source>
-        <translation>Вес попадает в поле, где стоит курсор. Щелчок — настройки.</translation>
-    </message>
-    <message>
         <source>Scale: %1</source>
         <translation>Весы: %1</translation>
+    </message>
+    <message>
+        <source>%1 again: used only once. If the scale sends continuously, change its settings.</source>
+        <translation>%1 ещё раз: учтено один раз. Если весы посылают непрерывно, измените настройки.</translation>
+    </message>
+    <message>
+        <source>Masses are entered in the field with the focus. Click for settings.</source>
+        <translation>Масса вводится в поле с курсором. Щелчок — настройки.</translation>
     </message>
 </context>
 <context>
@@ -15083,32 +15064,12 @@ but nothing can be built</source>
         <translation>Весы</translation>
     </message>
     <message>
-        <source>What the scale &amp;sends</source>
-        <translation>Что весы &amp;посылают</translation>
-    </message>
-    <message>
-        <source>What the scale sends</source>
-        <translation>Что весы посылают</translation>
-    </message>
-    <message>
-        <source>Press Print on the scale: its lines stand here with what is made of them.</source>
-        <translation>Нажмите «Печать» на весах: здесь появятся их строки и то, что из них понято.</translation>
-    </message>
-    <message>
         <source>&amp;Port</source>
         <translation>Пор&amp;т</translation>
     </message>
     <message>
-        <source>Where the scale is plugged in; a path such as /dev/ttyUSB0 can be typed.</source>
-        <translation>Куда подключены весы; можно набрать путь, например /dev/ttyUSB0.</translation>
-    </message>
-    <message>
         <source>&amp;Baud rate</source>
         <translation>&amp;Скорость, бод</translation>
-    </message>
-    <message>
-        <source>As in the scale&apos;s own menu.</source>
-        <translation>Как в меню самих весов.</translation>
     </message>
     <message>
         <source>P&amp;arity</source>
@@ -15135,34 +15096,6 @@ but nothing can be built</source>
         <translation>нечётная, 8 бит</translation>
     </message>
     <message>
-        <source>Without a &amp;unit it is</source>
-        <translation>Число без &amp;единицы — в</translation>
-    </message>
-    <message>
-        <source>What a line is in that is only a number.</source>
-        <translation>В чём строка, где только число.</translation>
-    </message>
-    <message>
-        <source>&amp;Take a weight</source>
-        <translation>&amp;Брать вес</translation>
-    </message>
-    <message>
-        <source>Only stable weights are taken. They go into the field with the focus, and the next one has it then.</source>
-        <translation>Берётся только установившийся вес. Он попадает в поле, где стоит курсор, и курсор переходит в следующее.</translation>
-    </message>
-    <message>
-        <source>at each line: the scale sends on Print</source>
-        <translation>с каждой строки: весы посылают по клавише «Печать»</translation>
-    </message>
-    <message>
-        <source>once for each part: the scale sends all the time</source>
-        <translation>один раз с детали: весы посылают постоянно</translation>
-    </message>
-    <message>
-        <source>Smallest step of its display; pages say with it how sure a weight is. Of a keyboard scale too, or of one that you read yourself.</source>
-        <translation>Наименьший шаг дисплея; по нему страницы говорят, насколько точен вес. И для весов-клавиатуры, и для тех, с которых вы читаете сами.</translation>
-    </message>
-    <message>
         <source>&amp;Last digit d, %1</source>
         <translation>Последний &amp;знак d, %1</translation>
     </message>
@@ -15171,20 +15104,64 @@ but nothing can be built</source>
         <translation>нет</translation>
     </message>
     <message>
-        <source>No scale is connected. A scale that types as a keyboard needs none of this: its numbers go where the focus is.</source>
-        <translation>Весы не подключены. Весам-клавиатуре это и не нужно: их числа попадают туда, где стоит курсор.</translation>
-    </message>
-    <message>
         <source>Connected to %1.</source>
         <translation>Подключены: %1.</translation>
+    </message>
+    <message>
+        <source>Lines from the &amp;scale</source>
+        <translation>Стр&amp;оки с весов</translation>
+    </message>
+    <message>
+        <source>Lines from the scale</source>
+        <translation>Строки с весов</translation>
+    </message>
+    <message>
+        <source>Press Print on the scale: its lines and their meaning appear here.</source>
+        <translation>Нажмите «Печать» на весах: здесь появятся их строки и значения.</translation>
+    </message>
+    <message>
+        <source>Port of the scale; you can type a path such as /dev/ttyUSB0.</source>
+        <translation>Порт весов; можно ввести путь, например /dev/ttyUSB0.</translation>
+    </message>
+    <message>
+        <source>Same setting as in the scale&apos;s own menu.</source>
+        <translation>Как в меню самих весов.</translation>
+    </message>
+    <message>
+        <source>&amp;Unit of bare numbers</source>
+        <translation>&amp;Единица чисел без единицы</translation>
+    </message>
+    <message>
+        <source>Unit of lines that contain only a number.</source>
+        <translation>Единица строк, где только число.</translation>
+    </message>
+    <message>
+        <source>&amp;Enter a weight</source>
+        <translation>&amp;Вводить вес</translation>
+    </message>
+    <message>
+        <source>Stable weights only. Each is entered in the field with the focus; the focus moves to the next field.</source>
+        <translation>Только установившийся вес. Он вводится в поле с курсором, и курсор переходит в следующее.</translation>
+    </message>
+    <message>
+        <source>at each line (the scale sends on Print)</source>
+        <translation>с каждой строки: весы посылают по клавише «Печать»</translation>
+    </message>
+    <message>
+        <source>once for each part (the scale sends continuously)</source>
+        <translation>один раз с детали: весы посылают постоянно</translation>
+    </message>
+    <message>
+        <source>Smallest step of the display; the uncertainty of masses follows. Also for a keyboard scale or manual reading.</source>
+        <translation>Наименьший шаг дисплея; из него следует неопределённость масс. Также для весов-клавиатуры и чтения вручную.</translation>
+    </message>
+    <message>
+        <source>No scale is connected. A scale that acts as a keyboard needs no settings.</source>
+        <translation>Весы не подключены. Весам-клавиатуре настройки не нужны.</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::ScaleInput</name>
-    <message>
-        <source>%1 from the scale is refused. %2</source>
-        <translation>%1 с весов не принято. %2</translation>
-    </message>
     <message>
         <source>%1 from the scale: %2</source>
         <translation>%1 с весов: %2</translation>
@@ -15194,8 +15171,12 @@ but nothing can be built</source>
         <translation>%1 с весов</translation>
     </message>
     <message>
-        <source>%1 from the scale goes nowhere: no field for a mass has the focus.</source>
-        <translation>%1 с весов некуда записать: курсор не в поле массы.</translation>
+        <source>%1 from the scale is not accepted. %2</source>
+        <translation>%1 с весов не принято. %2</translation>
+    </message>
+    <message>
+        <source>%1 from the scale was not entered: click a mass field first.</source>
+        <translation>%1 с весов не введено: сначала щёлкните по полю массы.</translation>
     </message>
     <message>
         <source>%1, stable</source>
@@ -15225,24 +15206,24 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::ScaleReader</name>
     <message>
-        <source>The scale has been unplugged. It is taken up again when it is back.</source>
-        <translation>Весы отключились. Как только они вернутся, работа с ними продолжится.</translation>
-    </message>
-    <message>
-        <source>%1 is not there: is the scale plugged in?</source>
-        <translation>%1 нет: подключены ли весы?</translation>
-    </message>
-    <message>
-        <source>%1 cannot be opened: another program has it, or you are not in the group dialout.</source>
-        <translation>%1 не открывается: порт занят другой программой, или вас нет в группе dialout.</translation>
-    </message>
-    <message>
         <source>%1 cannot be opened: %2</source>
         <translation>%1 не открывается: %2</translation>
     </message>
     <message>
-        <source>Waits for lines such as “%1”; got “%2”. Another scale? Open Edit ▸ Scale….</source>
-        <translation>Ожидаются строки вида «%1», пришло «%2». Другие весы? Откройте «Правка ▸ Весы…».</translation>
+        <source>The scale was unplugged. It reconnects automatically.</source>
+        <translation>Весы отключены. Они подключатся автоматически.</translation>
+    </message>
+    <message>
+        <source>%1 does not exist: check that the scale is plugged in.</source>
+        <translation>%1 нет: проверьте, подключены ли весы.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: another program uses it, or you are not in the group dialout.</source>
+        <translation>%1 не открывается: порт занят другой программой, или вас нет в группе dialout.</translation>
+    </message>
+    <message>
+        <source>Expected lines such as “%1”, got “%2”. For another scale open Edit ▸ Scale….</source>
+        <translation>Ожидаются строки вида «%1», пришло «%2». Для других весов откройте «Правка ▸ Весы…».</translation>
     </message>
 </context>
 <context>
@@ -15306,14 +15287,6 @@ but nothing can be built</source>
         <translation>Сохранение варианта %1</translation>
     </message>
     <message>
-        <source>A variant has a name.</source>
-        <translation>У варианта должно быть имя.</translation>
-    </message>
-    <message>
-        <source>Another variant is called %1.</source>
-        <translation>Другой вариант называется %1.</translation>
-    </message>
-    <message>
         <source>Rename variant</source>
         <translation>Переименование варианта</translation>
     </message>
@@ -15326,12 +15299,20 @@ but nothing can be built</source>
         <translation>Обмен с вариантом %1</translation>
     </message>
     <message>
-        <source>Take variant %1</source>
-        <translation>Взятие варианта %1</translation>
+        <source>%1 has changed since this variant was kept: its results use the present file.</source>
+        <translation>%1 изменился с тех пор, как сохранён этот вариант: его результаты — по нынешнему файлу.</translation>
     </message>
     <message>
-        <source>%1 has changed since this variant was kept: its results are of what is in the file now.</source>
-        <translation>%1 изменился с тех пор, как сохранён этот вариант: его результаты — по тому, что в файле сейчас.</translation>
+        <source>Enter a name for the variant.</source>
+        <translation>Введите имя варианта.</translation>
+    </message>
+    <message>
+        <source>Another variant has the name %1.</source>
+        <translation>Имя %1 у другого варианта.</translation>
+    </message>
+    <message>
+        <source>Use variant %1</source>
+        <translation>Применение варианта %1</translation>
     </message>
 </context>
 <context>
@@ -15341,16 +15322,8 @@ but nothing can be built</source>
         <translation>Настройки</translation>
     </message>
     <message>
-        <source>As the desktop</source>
-        <translation>Как в системе</translation>
-    </message>
-    <message>
         <source>&amp;Language</source>
         <translation>&amp;Язык</translation>
-    </message>
-    <message>
-        <source>Of all texts, and how numbers are written.</source>
-        <translation>Всех текстов и записи чисел.</translation>
     </message>
     <message>
         <source>&amp;Theme</source>
@@ -15393,10 +15366,6 @@ but nothing can be built</source>
         <translation>&amp;Размер текста</translation>
     </message>
     <message>
-        <source>Of all texts and of the fields that hold them.</source>
-        <translation>Всех текстов и полей, в которых они стоят.</translation>
-    </message>
-    <message>
         <source>automatic</source>
         <translation>автоматически</translation>
     </message>
@@ -15407,14 +15376,6 @@ but nothing can be built</source>
     <message>
         <source>&amp;Digits of results</source>
         <translation>&amp;Цифры результатов</translation>
-    </message>
-    <message>
-        <source>Automatic: each number has the digits that its use needs. Copies and exports have them too.</source>
-        <translation>Автоматически: у каждого числа столько цифр, сколько нужно там, где оно стоит. То же в копиях и выгрузках.</translation>
-    </message>
-    <message>
-        <source>Of all that is shown, typed, printed and exported. Case files stay as they are, and drawings for the machine shop are in millimetres.</source>
-        <translation>Всего, что показано, вводится, печатается и экспортируется. Файлы задач остаются как есть, чертежи для цеха — в миллиметрах.</translation>
     </message>
     <message>
         <source>L&amp;engths</source>
@@ -15457,16 +15418,36 @@ but nothing can be built</source>
         <translation>&amp;Частоты вращения</translation>
     </message>
     <message>
-        <source>as each page has them</source>
-        <translation>как принято в разделе</translation>
-    </message>
-    <message>
         <source>&amp;Unbalances</source>
         <translation>&amp;Дисбалансы</translation>
     </message>
     <message>
         <source>as the masses</source>
         <translation>как массы</translation>
+    </message>
+    <message>
+        <source>System default</source>
+        <translation>Как в системе</translation>
+    </message>
+    <message>
+        <source>Language of texts and numbers.</source>
+        <translation>Язык текстов и чисел.</translation>
+    </message>
+    <message>
+        <source>Size of all texts and fields.</source>
+        <translation>Размер всех текстов и полей.</translation>
+    </message>
+    <message>
+        <source>Automatic: digits as needed. Copies and exports use the same digits.</source>
+        <translation>Автоматически: цифр столько, сколько нужно. То же в копиях и выгрузках.</translation>
+    </message>
+    <message>
+        <source>Units of display, input, print and export. Case files keep their own units; drawings are in millimetres.</source>
+        <translation>Единицы показа, ввода, печати и выгрузки. В файлах задач свои единицы; чертежи — в миллиметрах.</translation>
+    </message>
+    <message>
+        <source>module default</source>
+        <translation>как в модуле</translation>
     </message>
 </context>
 <context>
@@ -15480,40 +15461,16 @@ but nothing can be built</source>
         <translation>вал и его l</translation>
     </message>
     <message>
-        <source>cannot be built</source>
-        <translation>построить нельзя</translation>
+        <source>does not fit</source>
+        <translation>не помещается</translation>
     </message>
     <message>
-        <source>best of all</source>
-        <translation>лучшее из всех</translation>
+        <source>ignoring clearance</source>
+        <translation>без учёта зазоров</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::ShaftMapModel</name>
-    <message>
-        <source>least range</source>
-        <translation>мин. размах</translation>
-    </message>
-    <message>
-        <source>least range, cannot be built</source>
-        <translation>мин. размах, построить нельзя</translation>
-    </message>
-    <message>
-        <source>least RMS</source>
-        <translation>мин. СКЗ</translation>
-    </message>
-    <message>
-        <source>least RMS, cannot be built</source>
-        <translation>мин. СКЗ, построить нельзя</translation>
-    </message>
-    <message>
-        <source>least sum</source>
-        <translation>мин. сумма</translation>
-    </message>
-    <message>
-        <source>least sum, cannot be built</source>
-        <translation>мин. сумма, построить нельзя</translation>
-    </message>
     <message>
         <source>range</source>
         <translation>размах</translation>
@@ -15525,10 +15482,6 @@ but nothing can be built</source>
     <message>
         <source>weighted sum</source>
         <translation>сумма</translation>
-    </message>
-    <message>
-        <source>The map is being computed …</source>
-        <translation>Карта вычисляется…</translation>
     </message>
     <message>
         <source>Best place by the %1: %2 at %3.</source>
@@ -15555,14 +15508,6 @@ but nothing can be built</source>
         <translation>СКЗ, Н·м</translation>
     </message>
     <message>
-        <source>can be built</source>
-        <translation>можно построить</translation>
-    </message>
-    <message>
-        <source>It is worse than without a shaft.</source>
-        <translation>Это хуже, чем без вала.</translation>
-    </message>
-    <message>
         <source>l %1, α %2°</source>
         <translation>l %1, α %2°</translation>
     </message>
@@ -15579,24 +15524,60 @@ but nothing can be built</source>
         <translation>габарит %1</translation>
     </message>
     <message>
-        <source>%1 at %2 – cannot be built.</source>
-        <translation>%1 при %2 — построить нельзя.</translation>
-    </message>
-    <message>
-        <source>Against %1 here: range %2; RMS %3; box %4</source>
-        <translation>По сравнению с %1 здесь: размах %2; СКЗ %3; габарит %4</translation>
-    </message>
-    <message>
         <source>Best place of %1: %2 at %3</source>
         <translation>Лучшее место у %1: %2 при %3</translation>
     </message>
     <message>
-        <source>; against it %1.</source>
-        <translation>; по сравнению с ним %1.</translation>
-    </message>
-    <message>
         <source>From here: %1.</source>
         <translation>Отсюда: %1.</translation>
+    </message>
+    <message>
+        <source>min. range</source>
+        <translation>мин. размах</translation>
+    </message>
+    <message>
+        <source>min. range, ignoring clearance</source>
+        <translation>мин. размах, без учёта зазоров</translation>
+    </message>
+    <message>
+        <source>min. RMS</source>
+        <translation>мин. СКЗ</translation>
+    </message>
+    <message>
+        <source>min. RMS, ignoring clearance</source>
+        <translation>мин. СКЗ, без учёта зазоров</translation>
+    </message>
+    <message>
+        <source>min. sum</source>
+        <translation>мин. сумма</translation>
+    </message>
+    <message>
+        <source>min. sum, ignoring clearance</source>
+        <translation>мин. сумма, без учёта зазоров</translation>
+    </message>
+    <message>
+        <source>Computing the map …</source>
+        <translation>Карта вычисляется…</translation>
+    </message>
+    <message>
+        <source>Worse than without a shaft.</source>
+        <translation>Хуже, чем без вала.</translation>
+    </message>
+    <message>
+        <source>%1 at %2 does not fit.</source>
+        <translation>%1 при %2 не помещается.</translation>
+    </message>
+    <message>
+        <source>; compared with it %1.</source>
+        <translation>; относительно него %1.</translation>
+    </message>
+    <message>
+        <source>Compared with %1 here: range %2; RMS %3; box %4</source>
+        <translation>Относительно %1 здесь: размах %2; СКЗ %3; габарит %4</translation>
+    </message>
+    <message>
+        <source>feasible</source>
+        <translation>допустимо</translation>
     </message>
 </context>
 <context>
@@ -15604,18 +15585,6 @@ but nothing can be built</source>
     <message>
         <source>y, mm</source>
         <translation>y, мм</translation>
-    </message>
-    <message>
-        <source>Range against no shaft, %</source>
-        <translation>Размах относительно двигателя без вала, %</translation>
-    </message>
-    <message>
-        <source>RMS against no shaft, %</source>
-        <translation>СКЗ относительно двигателя без вала, %</translation>
-    </message>
-    <message>
-        <source>Weighted sum against no shaft, %</source>
-        <translation>Взвешенная сумма относительно двигателя без вала, %</translation>
     </message>
     <message>
         <source>x, mm</source>
@@ -15626,11 +15595,23 @@ but nothing can be built</source>
         <translation>вычисляется…</translation>
     </message>
     <message>
-        <source>The engine from the front, to scale. Drag the shaft&apos;s axis (steps of 0.5 mm and 0.5°), or move it by the arrow keys: 0.1 mm, with Shift 1 mm. A double click goes to a place; Page up and Page down choose a marker, Enter goes there. Where it is hatched the shaft cannot be built.</source>
-        <translation>Двигатель спереди, в масштабе. Ось вала перетаскивается мышью (шаг 0,5 мм и 0,5°) или сдвигается стрелками: на 0,1 мм, с Shift на 1 мм. Двойной щелчок переносит её в указанное место; Page Up и Page Down выбирают отметку, Enter переносит к ней. Где заштриховано, вал построить нельзя.</translation>
+        <source>Change in range vs. no shaft, %</source>
+        <translation>Изменение размаха относительно схемы без вала, %</translation>
     </message>
     <message>
-        <source>Drag the shaft&apos;s axis, or double-click where it goes. Arrow keys: 0.1 mm, with Shift 1 mm.</source>
+        <source>Change in RMS vs. no shaft, %</source>
+        <translation>Изменение СКЗ относительно схемы без вала, %</translation>
+    </message>
+    <message>
+        <source>Change in weighted sum vs. no shaft, %</source>
+        <translation>Изменение взвешенной суммы относительно схемы без вала, %</translation>
+    </message>
+    <message>
+        <source>Front view to scale; hatched: does not fit. Drag the shaft (0.5 mm, 0.5°) or use arrow keys (0.1 mm, Shift 1 mm); double-click or select a marker (Page Up, Page Down) and press Enter to move.</source>
+        <translation>Вид спереди в масштабе; штриховка: не помещается. Перетащите вал (0,5 мм, 0,5°) или сдвиньте стрелками (0,1 мм, с Shift 1 мм); двойной щелчок или отметка (Page Up, Page Down) и Enter переносят его.</translation>
+    </message>
+    <message>
+        <source>Drag the shaft, or double-click its new place. Arrow keys: 0.1 mm, with Shift 1 mm.</source>
         <translation>Перетащите ось вала или дважды щёлкните по новому месту. Стрелки: 0,1 мм, с Shift 1 мм.</translation>
     </message>
 </context>
@@ -15657,10 +15638,6 @@ but nothing can be built</source>
         <translation>Расстояние &amp;l</translation>
     </message>
     <message>
-        <source>From the crank&apos;s axis to the shaft&apos;s; α stays. Steps of 0.1 mm.</source>
-        <translation>От оси коленчатого вала до оси балансирного; α остаётся. Шаг 0,1 мм.</translation>
-    </message>
-    <message>
         <source>&amp;Criterion</source>
         <translation>&amp;Критерий</translation>
     </message>
@@ -15681,10 +15658,6 @@ but nothing can be built</source>
         <translation>Критерий выбора места вала</translation>
     </message>
     <message>
-        <source>What the map shows and the best place makes least, against the engine without a shaft: the range of Mᵤₚₛ, its RMS, or a weighted sum of both</source>
-        <translation>Что показывает карта и что в лучшем месте наименьшее, по сравнению с двигателем без вала: размах Mᵤₚₛ, его СКЗ или взвешенная сумма обоих</translation>
-    </message>
-    <message>
         <source>&amp;Best place</source>
         <translation>Лу&amp;чшее место</translation>
     </message>
@@ -15693,16 +15666,8 @@ but nothing can be built</source>
         <translation>&amp;Вес размаха</translation>
     </message>
     <message>
-        <source>Share of the range in the weighted sum; the RMS has the rest. Both count relative to the engine without a shaft.</source>
-        <translation>Доля размаха во взвешенной сумме; остальное — доля СКЗ. Оба берутся относительно двигателя без вала.</translation>
-    </message>
-    <message>
         <source>Limits on the shaft&apos;s axis</source>
         <translation>Границы для оси вала</translation>
-    </message>
-    <message>
-        <source>Best α of each l; thick: can be built</source>
-        <translation>Лучший α; толсто — можно построить</translation>
     </message>
     <message>
         <source>l, mm</source>
@@ -15717,20 +15682,8 @@ but nothing can be built</source>
         <translation>ширина × высота, см²</translation>
     </message>
     <message>
-        <source>Least range and least RMS of each centre distance, each at its best α: thin of all, thick of those that can be built. Size is that of the box at the α of the criterion chosen. Click to go to an l at its best α.</source>
-        <translation>Наименьшие размах и СКЗ при каждом межосевом расстоянии, каждый при своём лучшем α: тонко — из всех, толсто — из тех, что можно построить. Габарит — при α выбранного критерия. Щелчок переносит к этому l с лучшим α.</translation>
-    </message>
-    <message>
-        <source>least range</source>
-        <translation>мин. размах</translation>
-    </message>
-    <message>
         <source>At its best α</source>
         <translation>При своём лучшем α</translation>
-    </message>
-    <message>
-        <source>least RMS</source>
-        <translation>мин. СКЗ</translation>
     </message>
     <message>
         <source>size</source>
@@ -15741,20 +15694,8 @@ but nothing can be built</source>
         <translation>Ширина × высота габарита, правая ось</translation>
     </message>
     <message>
-        <source>nothing better</source>
-        <translation>лучше нет</translation>
-    </message>
-    <message>
-        <source>In range, RMS and size at once</source>
-        <translation>Сразу по размаху, СКЗ и габариту</translation>
-    </message>
-    <message>
         <source>by this criterion</source>
         <translation>по этому критерию</translation>
-    </message>
-    <message>
-        <source>Nothing better in this criterion and in size</source>
-        <translation>Лучше нет по этому критерию и габариту</translation>
     </message>
     <message>
         <source>present place</source>
@@ -15769,48 +15710,88 @@ but nothing can be built</source>
         <translation>Парето</translation>
     </message>
     <message>
-        <source>RMS against size</source>
-        <translation>СКЗ и габарит</translation>
-    </message>
-    <message>
-        <source>Weighted sum against size</source>
-        <translation>Взвешенная сумма и габарит</translation>
-    </message>
-    <message>
-        <source>Range against size</source>
-        <translation>Размах и габарит</translation>
-    </message>
-    <message>
         <source>change, %</source>
         <translation>изменение, %</translation>
-    </message>
-    <message>
-        <source>least range, can be built</source>
-        <translation>наименьший размах, можно построить</translation>
-    </message>
-    <message>
-        <source>least RMS, can be built</source>
-        <translation>наименьшее СКЗ, можно построить</translation>
-    </message>
-    <message>
-        <source>nothing can be built</source>
-        <translation>ничего нельзя построить</translation>
-    </message>
-    <message>
-        <source>Places that can be built and that no other beats in range, RMS and size at once, each to one part in a million. Click to go to one.</source>
-        <translation>Места, которые можно построить и которых ни одно другое не лучше сразу по размаху, СКЗ и габариту; каждое с точностью до миллионной доли. Щелчок переносит вал туда.</translation>
-    </message>
-    <message>
-        <source>Besides what the shaft must clear: for example a wall of the crankcase. What is empty does not limit. The sizes of the engine are on the Inputs tab.</source>
-        <translation>Помимо того, что вал не должен задевать: например, стенка картера. Пустое поле не ограничивает. Размеры двигателя — на вкладке «Данные».</translation>
     </message>
     <message>
         <source>&amp;Near place</source>
         <translation>&amp;Ближнее место</translation>
     </message>
     <message>
-        <source>The place nearest to the crank that is at most 1 % worse than the best.</source>
-        <translation>Ближайшее к кривошипу место, которое хуже лучшего не более чем на 1 %.</translation>
+        <source>Best α of each l; thick: feasible</source>
+        <translation>Лучший α при каждом l; толсто: допустимо</translation>
+    </message>
+    <message>
+        <source>min. range</source>
+        <translation>мин. размах</translation>
+    </message>
+    <message>
+        <source>min. RMS</source>
+        <translation>мин. СКЗ</translation>
+    </message>
+    <message>
+        <source>min. range, feasible</source>
+        <translation>мин. размах, допустимо</translation>
+    </message>
+    <message>
+        <source>min. RMS, feasible</source>
+        <translation>мин. СКЗ, допустимо</translation>
+    </message>
+    <message>
+        <source>Range and size</source>
+        <translation>Размах и габарит</translation>
+    </message>
+    <message>
+        <source>RMS and size</source>
+        <translation>СКЗ и габарит</translation>
+    </message>
+    <message>
+        <source>Weighted sum and size</source>
+        <translation>Взвешенная сумма и габарит</translation>
+    </message>
+    <message>
+        <source>Pareto-optimal</source>
+        <translation>по Парето</translation>
+    </message>
+    <message>
+        <source>Pareto-optimal in range, RMS and size</source>
+        <translation>Оптимально по Парето: размах, СКЗ, габарит</translation>
+    </message>
+    <message>
+        <source>Pareto-optimal in this criterion and size</source>
+        <translation>Оптимально по Парето: этот критерий и габарит</translation>
+    </message>
+    <message>
+        <source>Distance from crank axis to shaft axis; α is kept.</source>
+        <translation>Расстояние от оси кривошипа до оси вала; α сохраняется.</translation>
+    </message>
+    <message>
+        <source>Criterion of map and optimum, relative to no shaft: range of Mᵤₚₛ, its RMS, or a weighted sum</source>
+        <translation>Критерий карты и оптимума, относительно схемы без вала: размах Mᵤₚₛ, его СКЗ или взвешенная сумма</translation>
+    </message>
+    <message>
+        <source>Place nearest to the crank, at most 1 % worse than the best.</source>
+        <translation>Ближайшее к кривошипу место, которое хуже лучшего не более чем на 1&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>Share of the range in the weighted sum, the rest is the RMS. Both are relative to no shaft.</source>
+        <translation>Доля размаха во взвешенной сумме, остальное — СКЗ. Оба относительно схемы без вала.</translation>
+    </message>
+    <message>
+        <source>Further limits, for example a crankcase wall; blank means no limit. The sizes of the engine are on the Inputs tab.</source>
+        <translation>Дополнительные ограничения, например стенка картера; пусто — без ограничения. Размеры двигателя — на вкладке «Данные».</translation>
+    </message>
+    <message>
+        <source>Minimum range and RMS at each l with its best α; thick: feasible. Size of the box by the criterion; click to move the shaft.</source>
+        <translation>Минимальные размах и СКЗ при каждом l с лучшим α; толсто: допустимо. Габарит по критерию; щелчок переносит вал.</translation>
+    </message>
+    <message>
+        <source>Feasible places that are Pareto-optimal in range, RMS and size. Click to move the shaft.</source>
+        <translation>Допустимые места, оптимальные по Парето: размах, СКЗ, габарит. Щелчок переносит вал.</translation>
+    </message>
+    <message>
+        <source>no feasible position</source>
+        <translation>допустимых положений нет</translation>
     </message>
 </context>
 <context>
@@ -15837,14 +15818,6 @@ but nothing can be built</source>
     <message>
         <source>Balance shafts: arrangement and phases</source>
         <translation>Балансирные валы: расположение и фазы</translation>
-    </message>
-    <message>
-        <source>Each shaft seen from the front at the present crank angle. Red: what it cancels; the weights lie opposite. Dashed: cylinder 1&apos;s axis and crankpin 1. Click a shaft to switch it; arrow keys and Space do the same.</source>
-        <translation>Каждый вал спереди при нынешнем угле кривошипа. Красное: что он гасит; грузы лежат напротив. Штрих: ось цилиндра 1 и шейка 1. Щелчок включает и выключает вал; стрелки и пробел — тоже.</translation>
-    </message>
-    <message>
-        <source>No balance shafts. “Add shaft” under Balancing makes one.</source>
-        <translation>Балансирных валов нет. Их добавляет «Добавить вал» на вкладке «Баланс».</translation>
     </message>
     <message>
         <source>on</source>
@@ -15881,6 +15854,14 @@ but nothing can be built</source>
     <message>
         <source>switched on</source>
         <translation>включён</translation>
+    </message>
+    <message>
+        <source>Shafts from the front at the present crank angle; red: cancelled part; dashed: axis and crankpin of cylinder 1. Click a shaft to switch it (arrow keys, Space).</source>
+        <translation>Валы спереди при нынешнем угле кривошипа; красное: уравновешиваемая часть; штрих: ось и шейка цилиндра 1. Щелчок включает и выключает вал (стрелки, пробел).</translation>
+    </message>
+    <message>
+        <source>No balance shafts. Press “Add shaft” under Balancing.</source>
+        <translation>Балансирных валов нет. Нажмите «Добавить вал» на вкладке «Баланс».</translation>
     </message>
 </context>
 <context>
@@ -15945,16 +15926,16 @@ but nothing can be built</source>
         <translation>Изображения (*.png *.jpg *.jpeg *.svg)</translation>
     </message>
     <message>
-        <source>%1 is no picture.</source>
-        <translation>%1 — не изображение.</translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>нет</translation>
     </message>
     <message>
         <source>%1 cannot be read</source>
         <translation>%1 не читается</translation>
+    </message>
+    <message>
+        <source>%1 is not a picture.</source>
+        <translation>%1 — не изображение.</translation>
     </message>
 </context>
 <context>
@@ -15980,7 +15961,7 @@ but nothing can be built</source>
         <translation>на %1&#xa0;% лучше</translation>
     </message>
     <message>
-        <source>α %1°, n %2: %3 of that without a shaft, %4</source>
+        <source>α %1°, n %2: %3 of the value without a shaft, %4</source>
         <translation>α %1°, n %2: %3 от значения без вала, %4</translation>
     </message>
 </context>
@@ -15989,18 +15970,6 @@ but nothing can be built</source>
     <message>
         <source>Speed band</source>
         <translation>Диапазон частот</translation>
-    </message>
-    <message>
-        <source>Cancelled. Any change of the input solves again.</source>
-        <translation>Отменено. Любое изменение данных запускает расчёт снова.</translation>
-    </message>
-    <message>
-        <source> But nothing can be built.</source>
-        <translation> Но построить нельзя ничего.</translation>
-    </message>
-    <message>
-        <source> %1° would gain %2 % more but cannot be built.</source>
-        <translation> %1° дал бы ещё %2&#xa0;%, но его построить нельзя.</translation>
     </message>
     <message>
         <source>range</source>
@@ -16027,20 +15996,32 @@ but nothing can be built</source>
         <translation>Возьмите давление или расчётный цикл на вкладке «Момент».</translation>
     </message>
     <message>
-        <source>Least bad α over the band, by the %1 against the engine without a shaft: %2°. At its worst speed, %3, the %1 is %4 % %5.</source>
-        <translation>Наименее плохой α в диапазоне (%1 против двигателя без вала): %2°. При худшей частоте, %3, %1 на %4&#xa0;% %5.</translation>
+        <source>Cancelled. Change an input to solve again.</source>
+        <translation>Отменено. Измените данные, чтобы решить снова.</translation>
     </message>
     <message>
-        <source>The gas torque at every speed is that of the one pressure trace.</source>
+        <source> No position is feasible.</source>
+        <translation> Допустимых положений нет.</translation>
+    </message>
+    <message>
+        <source> %1° would gain %2 % more but does not fit.</source>
+        <translation> %1° дал бы ещё %2 %, но не помещается.</translation>
+    </message>
+    <message>
+        <source>Best compromise α over the band, by %1 vs. no shaft: %2°. At the worst speed, %3, the %1 is %4 % %5.</source>
+        <translation>Лучший компромисс α в диапазоне (%1 относительно схемы без вала): %2°. При худшей частоте, %3, %1 на %4 % %5.</translation>
+    </message>
+    <message>
+        <source>The gas torque at every speed is from one pressure trace.</source>
         <translation>Момент газов при любой частоте взят из одной записи давления.</translation>
     </message>
     <message>
-        <source>The load is the same at every speed.</source>
-        <translation>Нагрузка при любой частоте одна и та же.</translation>
+        <source>The load is constant over the speed.</source>
+        <translation>Нагрузка при любой частоте одинакова.</translation>
     </message>
     <message>
-        <source>The gas torque at every speed is that of the one torque given.</source>
-        <translation>Момент газов при любой частоте взят из одного заданного момента.</translation>
+        <source>The gas torque at every speed is from the given torque.</source>
+        <translation>Момент газов при любой частоте — из заданного момента.</translation>
     </message>
 </context>
 <context>
@@ -16086,36 +16067,12 @@ but nothing can be built</source>
         <translation>α, °</translation>
     </message>
     <message>
-        <source>α of the least range at each speed</source>
-        <translation>α наименьшего размаха при каждой частоте</translation>
-    </message>
-    <message>
-        <source>α of the least RMS at each speed</source>
-        <translation>α наименьшего СКЗ при каждой частоте</translation>
-    </message>
-    <message>
         <source>n, min⁻¹</source>
         <translation>n, мин⁻¹</translation>
     </message>
     <message>
         <source>best α</source>
         <translation>лучший α</translation>
-    </message>
-    <message>
-        <source>Go</source>
-        <translation>Взять</translation>
-    </message>
-    <message>
-        <source>Go to the α that is least bad over the band</source>
-        <translation>Взять α, наименее плохой во всём диапазоне</translation>
-    </message>
-    <message>
-        <source>The load can be moved when the torque is a computed cycle (Torque tab).</source>
-        <translation>Нагрузку можно менять, когда момент — расчётный цикл (вкладка «Момент»).</translation>
-    </message>
-    <message>
-        <source>least bad %1°</source>
-        <translation>наименее плох %1°</translation>
     </message>
     <message>
         <source>%1 ÷ without: %2…%3</source>
@@ -16126,12 +16083,36 @@ but nothing can be built</source>
         <translation>Размах</translation>
     </message>
     <message>
-        <source>What the map shows and the least bad α makes least</source>
-        <translation>Что показывает карта и что минимизирует наименее плохой α</translation>
+        <source>α of the minimum range at each speed</source>
+        <translation>α минимального размаха при каждой частоте</translation>
     </message>
     <message>
-        <source>The criterion with the shaft over that without it at the same speed: blue is less, orange is more, paled cannot be built. Along the thick line, 1.0, the shaft changes nothing. Click to set α and, with a computed torque, the speed.</source>
-        <translation>Критерий с валом к критерию без вала при той же частоте: синее — меньше, оранжевое — больше, бледное нельзя построить. На толстой линии 1,0 вал ничего не меняет. Щелчок задаёт α, а при вычисленном моменте и частоту.</translation>
+        <source>α of the minimum RMS at each speed</source>
+        <translation>α минимального СКЗ при каждой частоте</translation>
+    </message>
+    <message>
+        <source>best compromise %1°</source>
+        <translation>лучший компромисс %1°</translation>
+    </message>
+    <message>
+        <source>Criterion with the shaft over criterion without: blue smaller, orange larger, thick line 1.0, dimmed does not fit. Click to set α and, with a computed torque, the speed.</source>
+        <translation>Критерий с валом к критерию без вала: синее меньше, оранжевое больше, толстая линия 1,0, бледное не помещается. Щелчок задаёт α, а при вычисленном моменте и частоту.</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Применить</translation>
+    </message>
+    <message>
+        <source>Apply the best compromise α</source>
+        <translation>Применить лучший компромисс α</translation>
+    </message>
+    <message>
+        <source>Criterion of the map and of the best compromise α</source>
+        <translation>Критерий карты и лучшего компромисса α</translation>
+    </message>
+    <message>
+        <source>The load can be changed for a computed cycle (Torque tab).</source>
+        <translation>Нагрузку можно менять для расчётного цикла (вкладка «Момент»).</translation>
     </message>
 </context>
 <context>
@@ -16166,7 +16147,7 @@ but nothing can be built</source>
     </message>
     <message>
         <source>What do you want to balance?</source>
-        <translation>Что вы хотите уравновесить?</translation>
+        <translation>Что уравновешиваем?</translation>
     </message>
     <message>
         <source>Ravnoves computes the inertia forces of an engine and shows what a balance shaft, a bob weight or a drilled hole changes: for engine designers, balancing shops and students.</source>
@@ -16192,10 +16173,6 @@ but nothing can be built</source>
         <translation>Наблюдать результат</translation>
     </message>
     <message>
-        <source>The lower limit is above the upper one.</source>
-        <translation>Нижний предел выше верхнего.</translation>
-    </message>
-    <message>
         <source>Limits</source>
         <translation>Пределы</translation>
     </message>
@@ -16212,24 +16189,28 @@ but nothing can be built</source>
         <translation>«%1»</translation>
     </message>
     <message>
-        <source>The lower limit is above the upper one: across 0° write %1 for %2.</source>
-        <translation>Нижний предел выше верхнего: через 0° пишите %1 вместо %2.</translation>
-    </message>
-    <message>
-        <source>A limit is a number, or nothing; %1 is none.</source>
-        <translation>Предел — число или пусто; %1 не подходит.</translation>
-    </message>
-    <message>
-        <source>“%1” is no tolerance, which is a number above 0: 0.02, 1 %, σ 0.01.</source>
-        <translation>«%1» — не допуск. Допуск — число больше 0: 0,02, 1&#xa0;%, σ&#xa0;0,01.</translation>
-    </message>
-    <message>
         <source>This case lists values of its inputs. The command line computes the table: ravnoves-cli study.</source>
         <translation>В этой задаче перечислены значения величин. Таблицу вычисляет командная строка: ravnoves-cli study.</translation>
     </message>
     <message>
         <source>To use tolerances here, undo or clear the study by “Typical tolerances”, “Remove all”.</source>
         <translation>Чтобы использовать допуски здесь, отмените изменение или очистите исследование: «Типовые допуски», «Удалить все».</translation>
+    </message>
+    <message>
+        <source>“%1” is not a tolerance. Examples: 0.02, 1 %, σ 0.01.</source>
+        <translation>«%1» — не допуск. Примеры: 0,02, 1 %, σ 0,01.</translation>
+    </message>
+    <message>
+        <source>%1 is not a limit: enter a number, or leave it blank.</source>
+        <translation>%1 — не предел: введите число или оставьте пустым.</translation>
+    </message>
+    <message>
+        <source>The lower limit is above the upper limit: across 0° enter %1 instead of %2.</source>
+        <translation>Нижний предел выше верхнего: через 0° введите %1 вместо %2.</translation>
+    </message>
+    <message>
+        <source>The lower limit is above the upper limit.</source>
+        <translation>Нижний предел выше верхнего.</translation>
     </message>
     <message>
         <source>%1 (no longer in the case)</source>
@@ -16239,15 +16220,15 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::StudyTable</name>
     <message>
-        <source>Nothing is pasted. %1</source>
-        <translation>Ничего не вставлено. %1</translation>
+        <source>Not pasted. %1</source>
+        <translation>Не вставлено. %1</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::SweepModel</name>
     <message>
-        <source>Lowest 95 % value</source>
-        <translation>Наименьшее значение 95 %</translation>
+        <source>Minimum 95th percentile</source>
+        <translation>Минимум 95-го процентиля</translation>
     </message>
 </context>
 <context>
@@ -16301,28 +16282,28 @@ but nothing can be built</source>
         <translation>среднее</translation>
     </message>
     <message>
-        <source>can be built</source>
-        <translation>можно построить</translation>
-    </message>
-    <message>
-        <source>Share of the samples that can be built.</source>
-        <translation>Доля проб, которые можно построить.</translation>
-    </message>
-    <message>
-        <source>At no value can 95 % of the samples be built.</source>
-        <translation>Ни при каком значении нельзя построить 95 % проб.</translation>
-    </message>
-    <message>
-        <source>Lowest 95 % value: %1 at %2; %3 of the samples can be built.</source>
-        <translation>Наименьшее значение 95 %: %1 при %2; можно построить %3 проб.</translation>
-    </message>
-    <message>
-        <source>can be built, %</source>
-        <translation>можно построить, %</translation>
-    </message>
-    <message>
         <source>Set t&amp;o %1</source>
         <translation>За&amp;дать %1</translation>
+    </message>
+    <message>
+        <source>feasible</source>
+        <translation>допустимо</translation>
+    </message>
+    <message>
+        <source>Share of feasible samples.</source>
+        <translation>Доля допустимых проб.</translation>
+    </message>
+    <message>
+        <source>At no value are 95 % of the samples feasible.</source>
+        <translation>Ни при каком значении не допустимы 95 % проб.</translation>
+    </message>
+    <message>
+        <source>Minimum 95th percentile: %1 at %2; %3 of the samples are feasible.</source>
+        <translation>Минимум 95-го процентиля: %1 при %2; допустимо %3 проб.</translation>
+    </message>
+    <message>
+        <source>feasible, %</source>
+        <translation>допустимо, %</translation>
     </message>
 </context>
 <context>
@@ -16332,12 +16313,12 @@ but nothing can be built</source>
         <translation>Копировать (Ctrl+C)</translation>
     </message>
     <message>
-        <source>The clipboard holds no numbers.</source>
-        <translation>В буфере обмена нет чисел.</translation>
+        <source>Not pasted: “%1” has a comma, “%2” a point. Use one decimal sign and no thousands separators.</source>
+        <translation>Не вставлено: в «%1» запятая, в «%2» точка. Десятичный знак должен быть один, без разделителей тысяч.</translation>
     </message>
     <message>
-        <source>Nothing is pasted: “%1” has a comma and “%2” a point. All must have the same decimal sign, and nothing between thousands.</source>
-        <translation>Ничего не вставлено: в «%1» запятая, а в «%2» точка. Десятичный знак должен быть везде один, и ничего между тысячами.</translation>
+        <source>The clipboard contains no numbers.</source>
+        <translation>В буфере обмена нет чисел.</translation>
     </message>
 </context>
 <context>
@@ -16402,24 +16383,8 @@ but nothing can be built</source>
         <translation>В пределах</translation>
     </message>
     <message>
-        <source>Of all samples that could be solved.</source>
-        <translation>По всем решённым пробам.</translation>
-    </message>
-    <message>
         <source>Standard deviation of the samples.</source>
         <translation>Стандартное отклонение выборки.</translation>
-    </message>
-    <message>
-        <source>Standard deviation by the slopes at the nominal values alone.</source>
-        <translation>Стандартное отклонение только по наклонам при номинальных значениях.</translation>
-    </message>
-    <message>
-        <source>One sample of twenty is less.</source>
-        <translation>Меньше — одна из двадцати.</translation>
-    </message>
-    <message>
-        <source>One sample of twenty is more.</source>
-        <translation>Больше — одна из двадцати.</translation>
     </message>
     <message>
         <source>Share of the samples within the limits, with its 95 % interval.</source>
@@ -16459,7 +16424,7 @@ but nothing can be built</source>
     </message>
     <message>
         <source>Sweep</source>
-        <translation>Развёртка</translation>
+        <translation>Вариация</translation>
     </message>
     <message>
         <source>Show &amp;bands and ± on the page</source>
@@ -16510,12 +16475,8 @@ but nothing can be built</source>
         <translation>Введите допуск величины в столбец ± или начните с типовых допусков: взвешенные детали ± %1, обработанные размеры ± %2.</translation>
     </message>
     <message>
-        <source>Choose the result that the tolerances are to be seen in.</source>
-        <translation>Выберите результат, на который влияют допуски.</translation>
-    </message>
-    <message>
         <source>Use t&amp;ypical tolerances</source>
-        <translation>Взять типовые &amp;допуски</translation>
+        <translation>Применить типовые &amp;допуски</translation>
     </message>
     <message>
         <source>&amp;Choose a result</source>
@@ -16535,7 +16496,7 @@ but nothing can be built</source>
     </message>
     <message>
         <source>Rejected: %1 × %2</source>
-        <translation>Отклонено: %1 × %2</translation>
+        <translation>Не принято: %1 × %2</translation>
     </message>
     <message>
         <source>second order</source>
@@ -16548,6 +16509,26 @@ but nothing can be built</source>
     <message>
         <source>&amp;Remove all</source>
         <translation>&amp;Удалить все</translation>
+    </message>
+    <message>
+        <source>Mean of all solved samples.</source>
+        <translation>Среднее по всем решённым пробам.</translation>
+    </message>
+    <message>
+        <source>Standard deviation by the slopes at the nominal values.</source>
+        <translation>Стандартное отклонение только по наклонам при номинальных значениях.</translation>
+    </message>
+    <message>
+        <source>5 % of the samples are smaller.</source>
+        <translation>Меньше — 5 % проб.</translation>
+    </message>
+    <message>
+        <source>5 % of the samples are larger.</source>
+        <translation>Больше — 5 % проб.</translation>
+    </message>
+    <message>
+        <source>Choose a result to watch.</source>
+        <translation>Выберите результат, на который влияют допуски.</translation>
     </message>
 </context>
 <context>
@@ -16565,10 +16546,6 @@ but nothing can be built</source>
         <translation>вместе с другими, %</translation>
     </message>
     <message>
-        <source>Dark and in numbers: the share of the variance that an input makes alone (Sobol&apos;s first-order index). Pale beyond it: what it makes only together with others (total index).</source>
-        <translation>Тёмное и числа — доля дисперсии, которую величина даёт сама по себе (индекс Соболя первого порядка). Бледное сверх того — то, что она даёт лишь вместе с другими (полный индекс).</translation>
-    </message>
-    <message>
         <source>alone</source>
         <translation>сама по себе</translation>
     </message>
@@ -16579,6 +16556,10 @@ but nothing can be built</source>
     <message>
         <source>Shares of the variance of %1</source>
         <translation>Доли дисперсии: %1</translation>
+    </message>
+    <message>
+        <source>Dark: share of the variance of an input alone (Sobol&apos;s first-order index). Light: further share with other inputs (total index).</source>
+        <translation>Тёмное: доля дисперсии одной величины (индекс Соболя первого порядка). Светлое: ещё вместе с другими (полный индекс).</translation>
     </message>
 </context>
 <context>
@@ -16600,28 +16581,16 @@ but nothing can be built</source>
         <translation>Источник &amp;момента</translation>
     </message>
     <message>
-        <source>A table is taken as it is. From a pressure trace or a computed cycle the torque is gas torque plus inertia torque of the masses and speed entered, so it follows both.</source>
-        <translation>Таблица берётся как есть. По давлению или расчётному циклу момент — это газы плюс инерция введённых масс при введённой частоте, так что он следует за обоими.</translation>
-    </message>
-    <message>
         <source>Use its speed</source>
-        <translation>Взять эту частоту</translation>
-    </message>
-    <message>
-        <source>Set the speed at which the masses entered have the inertia torque that is in the table.</source>
-        <translation>Задать частоту вращения, при которой введённые массы дают инерционный момент, содержащийся в таблице.</translation>
+        <translation>Применить эту частоту</translation>
     </message>
     <message>
         <source>Rebuild torque</source>
         <translation>Пересобрать</translation>
     </message>
     <message>
-        <source>Take the fitted inertia torque out of the table and put that of the masses and speed entered in.</source>
-        <translation>Вычесть из таблицы подобранный инерционный момент и прибавить момент введённых масс при введённой частоте.</translation>
-    </message>
-    <message>
         <source>Use the torque&apos;s speed</source>
-        <translation>Взять частоту момента</translation>
+        <translation>Применить частоту момента</translation>
     </message>
     <message>
         <source>Cylinder</source>
@@ -16640,42 +16609,6 @@ but nothing can be built</source>
         <translation>Простой цикл: постоянные давления газообмена, политропное сжатие, одно тепловыделение по Вибе, политропное расширение. 360° — верхняя мёртвая точка сгорания.</translation>
     </message>
     <message>
-        <source>The torque is still the computed one: there is no table yet. Paste one, import a CSV file, or take over the computed torque.</source>
-        <translation>Крутящий момент пока вычисленный: таблицы ещё нет. Вставьте её, импортируйте файл CSV или возьмите вычисленный момент.</translation>
-    </message>
-    <message>
-        <source>Take over as table</source>
-        <translation>Взять как таблицу</translation>
-    </message>
-    <message>
-        <source>Make a table of the computed torque, with a row for each step of the curves. From then on it follows neither speed nor masses.</source>
-        <translation>Составить таблицу вычисленного момента, строка на каждый шаг кривых. Дальше он не зависит ни от частоты вращения, ни от масс.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read; read it again from where it is now.</source>
-        <translation>%1 не читается; прочитайте файл оттуда, где он теперь.</translation>
-    </message>
-    <message>
-        <source>The torque is still that of the computed cycle: no pressure is read yet.</source>
-        <translation>Момент пока от расчётного цикла: давление ещё не прочитано.</translation>
-    </message>
-    <message>
-        <source>The torque is still that of the table: no pressure is read yet.</source>
-        <translation>Момент пока из таблицы: давление ещё не прочитано.</translation>
-    </message>
-    <message>
-        <source>Move the trace by &amp;360°</source>
-        <translation>Сдвинуть диаграмму на &amp;360°</translation>
-    </message>
-    <message>
-        <source>The trace is that of %1.</source>
-        <translation>Диаграмма взята из %1.</translation>
-    </message>
-    <message>
-        <source>Measured cylinder pressure over one or more cycles, as a text file with columns. Crank angles count from top dead centre before intake (two-stroke, 360°: from the firing one).</source>
-        <translation>Измеренное давление в цилиндре за один или несколько циклов в текстовом файле со столбцами. Углы отсчитываются от верхней мёртвой точки перед впуском (двухтактный, 360°: от точки сгорания).</translation>
-    </message>
-    <message>
         <source>Impo&amp;rt file…</source>
         <translation>Импорт фай&amp;ла…</translation>
     </message>
@@ -16686,6 +16619,54 @@ but nothing can be built</source>
     <message>
         <source>Pressure trace</source>
         <translation>Индикаторная диаграмма</translation>
+    </message>
+    <message>
+        <source>A table is used as entered. A pressure trace or computed cycle gives gas torque plus inertia torque of the masses and speed.</source>
+        <translation>Таблица берётся как есть. Диаграмма или расчётный цикл даёт газовый момент плюс инерционный по массам и частоте.</translation>
+    </message>
+    <message>
+        <source>No table yet; the computed torque is used. Paste a table, import a CSV file, or use the computed torque as table.</source>
+        <translation>Таблицы ещё нет; используется вычисленный момент. Вставьте таблицу, импортируйте CSV или сделайте таблицу из вычисленного момента.</translation>
+    </message>
+    <message>
+        <source>Use as table</source>
+        <translation>Сделать таблицей</translation>
+    </message>
+    <message>
+        <source>Make a table of the computed torque, a row per step. The table does not follow speed and masses.</source>
+        <translation>Составить таблицу вычисленного момента, строка на шаг. Таблица не зависит от частоты и масс.</translation>
+    </message>
+    <message>
+        <source>Set the speed at which the masses give the inertia torque of the table.</source>
+        <translation>Задать частоту, при которой массы дают инерционный момент таблицы.</translation>
+    </message>
+    <message>
+        <source>Replace the fitted inertia torque of the table by the inertia torque of masses and speed.</source>
+        <translation>Заменить подобранный инерционный момент таблицы моментом по массам и частоте.</translation>
+    </message>
+    <message>
+        <source>Measured cylinder pressure over one or more cycles, a text file with columns. Crank angles start at the dead centre before intake (two-stroke: at firing).</source>
+        <translation>Измеренное давление за один или несколько циклов, текстовый файл со столбцами. Углы — от мёртвой точки перед впуском (двухтактный: от сгорания).</translation>
+    </message>
+    <message>
+        <source>Shift the trace by &amp;360°</source>
+        <translation>Сдвинуть диаграмму на &amp;360°</translation>
+    </message>
+    <message>
+        <source>No pressure trace yet; the computed cycle is used.</source>
+        <translation>Диаграммы ещё нет; используется расчётный цикл.</translation>
+    </message>
+    <message>
+        <source>No pressure trace yet; the table is used.</source>
+        <translation>Диаграммы ещё нет; используется таблица.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; import it again from its new place.</source>
+        <translation>%1 не читается; импортируйте его из нового места.</translation>
+    </message>
+    <message>
+        <source>Pressure trace: %1.</source>
+        <translation>Диаграмма: %1.</translation>
     </message>
 </context>
 <context>
@@ -16735,8 +16716,8 @@ but nothing can be built</source>
         <translation>Крутящий момент за один цикл, 720° (двухтактный — 360°). Вставьте всю таблицу из электронной таблицы или введите.</translation>
     </message>
     <message>
-        <source>What stood there before holds until this is mended.</source>
-        <translation>Пока это не исправлено, действует то, что стояло там раньше.</translation>
+        <source>The previous value is used until this is corrected.</source>
+        <translation>Пока это не исправлено, используется прежнее значение.</translation>
     </message>
 </context>
 <context>
@@ -16754,10 +16735,6 @@ but nothing can be built</source>
         <translation>Строка %1: %2</translation>
     </message>
     <message>
-        <source>Rows that are wrong besides: %1</source>
-        <translation>Ещё строк с ошибками: %1</translation>
-    </message>
-    <message>
         <source>%1° is not below the angle of the next row, %2°.</source>
         <translation>%1° не меньше угла следующей строки, %2°.</translation>
     </message>
@@ -16766,16 +16743,20 @@ but nothing can be built</source>
         <translation>%1° не больше угла предыдущей строки, %2°.</translation>
     </message>
     <message>
-        <source>%1° does not lie between the angles of its neighbours, %2° and %3°.</source>
+        <source>%1° is not between the angles of its neighbours, %2° and %3°.</source>
         <translation>%1° не лежит между углами соседних строк, %2° и %3°.</translation>
     </message>
     <message>
-        <source>with %1° the angles do not span 720°, or 360° of a two-stroke engine.</source>
+        <source>with %1° the angles do not span 720° (two-stroke: 360°).</source>
         <translation>с %1° углы не охватывают 720° (у двухтактного 360°).</translation>
     </message>
     <message>
-        <source>the first and the last torque are one instant of the cycle and must be equal.</source>
-        <translation>первый и последний моменты — одно мгновение цикла и должны быть равны.</translation>
+        <source>the first and the last torque must be equal (same instant of the cycle).</source>
+        <translation>первый и последний моменты должны быть равны (одно мгновение цикла).</translation>
+    </message>
+    <message>
+        <source>Further rows with errors: %1</source>
+        <translation>Ещё строк с ошибками: %1</translation>
     </message>
 </context>
 <context>
@@ -16828,10 +16809,6 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::ValidationView</name>
     <message>
-        <source>Printed numbers beside ours</source>
-        <translation>Напечатанные числа рядом с нашими</translation>
-    </message>
-    <message>
         <source>Paper</source>
         <translation>Статья</translation>
     </message>
@@ -16876,8 +16853,12 @@ but nothing can be built</source>
         <translation>В&amp;ывод</translation>
     </message>
     <message>
-        <source>Choose a row to read why it has its verdict.</source>
-        <translation>Выберите строку, чтобы прочесть, почему вывод таков.</translation>
+        <source>Printed numbers and our values</source>
+        <translation>Напечатанные и наши числа</translation>
+    </message>
+    <message>
+        <source>Select a row to read the reason of its verdict.</source>
+        <translation>Выберите строку, чтобы прочесть причину вывода.</translation>
     </message>
 </context>
 <context>
@@ -16891,64 +16872,28 @@ but nothing can be built</source>
         <translation>&amp;Сохранить как эталон</translation>
     </message>
     <message>
-        <source>Keeps the present input as a variant and shows what changes against it</source>
-        <translation>Сохраняет нынешние данные как вариант и показывает, что меняется против него</translation>
-    </message>
-    <message>
         <source>&amp;No reference</source>
         <translation>&amp;Без эталона</translation>
-    </message>
-    <message>
-        <source>Shows the present input alone; the variants stay</source>
-        <translation>Показывает одни нынешние данные; варианты остаются</translation>
     </message>
     <message>
         <source>&amp;Swap with the present</source>
         <translation>&amp;Обменять с нынешним</translation>
     </message>
     <message>
-        <source>Present input and reference change places</source>
-        <translation>Нынешние данные и эталон меняются местами</translation>
-    </message>
-    <message>
-        <source>&amp;Take over</source>
-        <translation>&amp;Взять</translation>
-    </message>
-    <message>
-        <source>The reference becomes the present input; it stays</source>
-        <translation>Эталон становится нынешними данными и остаётся эталоном</translation>
-    </message>
-    <message>
         <source>&amp;Rename…</source>
         <translation>&amp;Переименовать…</translation>
-    </message>
-    <message>
-        <source>Another name for the reference</source>
-        <translation>Другое имя эталона</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
         <translation>&amp;Удалить</translation>
     </message>
     <message>
-        <source>Takes the reference out of the case</source>
-        <translation>Убирает эталон из задачи</translation>
-    </message>
-    <message>
         <source>This page has no inputs to keep as variants.</source>
         <translation>На этой странице нет данных, чтобы сохранять варианты.</translation>
     </message>
     <message>
-        <source>Variants: keep the present input as reference (Ctrl+K) and see what changes against it</source>
-        <translation>Варианты: сохраните нынешние данные как эталон (Ctrl+K) и смотрите, что меняется против него</translation>
-    </message>
-    <message>
         <source>Variants: the reference is %1</source>
         <translation>Варианты: эталон – %1</translation>
-    </message>
-    <message>
-        <source>Show the present input against %1</source>
-        <translation>Показать нынешние данные против %1</translation>
     </message>
     <message>
         <source>Rename variant</source>
@@ -16963,6 +16908,38 @@ but nothing can be built</source>
         <translation>Варианты</translation>
     </message>
     <message>
+        <source>Keeps the present input as a variant; later changes are compared with it</source>
+        <translation>Сохраняет нынешние данные как вариант; дальнейшие изменения сравниваются с ним</translation>
+    </message>
+    <message>
+        <source>Shows the present input alone; variants are kept</source>
+        <translation>Показывает только нынешние данные; варианты сохраняются</translation>
+    </message>
+    <message>
+        <source>Exchanges present input and reference</source>
+        <translation>Меняет местами нынешние данные и эталон</translation>
+    </message>
+    <message>
+        <source>&amp;Use</source>
+        <translation>При&amp;менить</translation>
+    </message>
+    <message>
+        <source>The reference becomes the present input and remains the reference</source>
+        <translation>Эталон становится нынешними данными и остаётся эталоном</translation>
+    </message>
+    <message>
+        <source>Renames the reference</source>
+        <translation>Переименовывает эталон</translation>
+    </message>
+    <message>
+        <source>Removes the reference from the case</source>
+        <translation>Убирает эталон из задачи</translation>
+    </message>
+    <message>
+        <source>Variants: keep the present input as reference (Ctrl+K); later changes are compared with it</source>
+        <translation>Варианты: сохраните нынешние данные как эталон (Ctrl+K); дальнейшие изменения сравниваются с ним</translation>
+    </message>
+    <message>
         <source>&amp;Compare side by side…</source>
         <translation>С&amp;равнить рядом…</translation>
     </message>
@@ -16972,7 +16949,11 @@ but nothing can be built</source>
     </message>
     <message>
         <source>%1 – not accepted: %2</source>
-        <translation>%1 — не принят: %2</translation>
+        <translation>%1 – не принят: %2</translation>
+    </message>
+    <message>
+        <source>Compare the present input with %1</source>
+        <translation>Сравнить нынешние данные с %1</translation>
     </message>
     <message>
         <source>Kept as variant %1; later changes are compared with it.</source>
@@ -17011,7 +16992,7 @@ but nothing can be built</source>
     </message>
     <message>
         <source>No variants yet. Press Ctrl+K to keep the present input as a variant.</source>
-        <translation>Вариантов пока нет. Ctrl+K сохраняет нынешние данные как вариант.</translation>
+        <translation>Вариантов ещё нет. Ctrl+K сохраняет нынешние данные как вариант.</translation>
     </message>
 </context>
 <context>
@@ -17051,10 +17032,6 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::WeighInSheet</name>
     <message>
-        <source>Take the mass changes &amp;from this sheet</source>
-        <translation>Брать изменения масс с &amp;этого листа</translation>
-    </message>
-    <message>
         <source>Excess on each crankpin, as weighed and after moving</source>
         <translation>Лишняя масса на каждой шейке: как взвешено и после перестановки</translation>
     </message>
@@ -17067,6 +17044,10 @@ but nothing can be built</source>
         <translation>На листе %1 из %2 цилиндров. Вставьте столбец из таблицы для всех или введите средние на листе 2.</translation>
     </message>
     <message>
+        <source>Use the mass changes o&amp;f this sheet</source>
+        <translation>Использовать изменения масс с &amp;этого листа</translation>
+    </message>
+    <message>
         <source>mean, g</source>
         <translation>среднее, г</translation>
     </message>
@@ -17075,55 +17056,55 @@ but nothing can be built</source>
         <translation>к номиналу, г</translation>
     </message>
     <message>
-        <source>spread, g</source>
-        <translation>разброс, г</translation>
-    </message>
-    <message>
-        <source>may go</source>
-        <translation>подбор</translation>
-    </message>
-    <message>
-        <source>Parts have been moved by this rule: press “As weighed” to change it.</source>
-        <translation>Детали переставлены по этому правилу: чтобы изменить его, нажмите «Как взвешено».</translation>
-    </message>
-    <message>
-        <source>with it</source>
-        <translation>с ним</translation>
-    </message>
-    <message>
-        <source>The small end goes with the big end: they are one rod.</source>
-        <translation>Верхняя головка идёт вместе с нижней: это один шатун.</translation>
-    </message>
-    <message>
-        <source>Where matching may put a part – free: in any cylinder, bank: within its bank, goes: with its piston or rod, stays: where it is.</source>
-        <translation>Куда можно поставить деталь при подборе — везде: в любой цилиндр; ряд: в своём ряду; идёт: вместе со своим поршнем или шатуном; стоит: где стояла.</translation>
-    </message>
-    <message>
         <source>&amp;Move them here</source>
         <translation>Пере&amp;ставить здесь</translation>
-    </message>
-    <message>
-        <source>The weights change places on this sheet as the parts do.</source>
-        <translation>Массы на этом листе меняются местами, как и детали.</translation>
     </message>
     <message>
         <source>As &amp;weighed</source>
         <translation>Как &amp;взвешено</translation>
     </message>
     <message>
-        <source>The weights go back to the cylinders that they were weighed in.</source>
-        <translation>Массы возвращаются к цилиндрам, в которых их взвесили.</translation>
+        <source>range, g</source>
+        <translation>размах, г</translation>
     </message>
     <message>
-        <source>What the placing makes of the differences</source>
-        <translation>Что даёт расстановка</translation>
+        <source>may move</source>
+        <translation>подбор</translation>
     </message>
     <message>
-        <source>Which set goes to which cylinder</source>
-        <translation>Какой комплект в какой цилиндр</translation>
+        <source>Parts were moved by this rule: press “As weighed” to change the rule.</source>
+        <translation>Детали переставлены по этому правилу: чтобы изменить его, нажмите «Как взвешено».</translation>
     </message>
     <message>
-        <source>What to take off each part to reach the lightest</source>
+        <source>with its set</source>
+        <translation>с комплектом</translation>
+    </message>
+    <message>
+        <source>Small end and big end are one rod and move together.</source>
+        <translation>Верхняя и нижняя головки — один шатун и переставляются вместе.</translation>
+    </message>
+    <message>
+        <source>Permitted moves of a part – anywhere, within its bank, with its set, or fixed.</source>
+        <translation>Куда можно ставить деталь: куда угодно, в своём ряду, с комплектом или на месте.</translation>
+    </message>
+    <message>
+        <source>Moves the masses on this sheet with the parts.</source>
+        <translation>Переставляет массы на этом листе вместе с деталями.</translation>
+    </message>
+    <message>
+        <source>Returns the masses to the cylinders where they were weighed.</source>
+        <translation>Возвращает массы к цилиндрам, где их взвесили.</translation>
+    </message>
+    <message>
+        <source>Effect of the matching</source>
+        <translation>Результат подбора</translation>
+    </message>
+    <message>
+        <source>Sets by cylinder</source>
+        <translation>Комплекты по цилиндрам</translation>
+    </message>
+    <message>
+        <source>Mass to take off each part to match the lightest</source>
         <translation>Сколько снять с каждой детали до самой лёгкой</translation>
     </message>
 </context>
@@ -17134,10 +17115,6 @@ but nothing can be built</source>
         <translation>%1, номинальная масса, г</translation>
     </message>
     <message>
-        <source>%1, permitted spread, g</source>
-        <translation>%1, допустимый разброс, г</translation>
-    </message>
-    <message>
         <source>%1 of cylinder %2, g</source>
         <translation>%1, цилиндр %2, г</translation>
     </message>
@@ -17146,28 +17123,12 @@ but nothing can be built</source>
         <translation>%1: масса по чертежу.</translation>
     </message>
     <message>
-        <source>%1: heaviest less lightest that the works manual permits. Empty: no limit.</source>
-        <translation>%1: наибольшая минус наименьшая масса по руководству. Пусто: без предела.</translation>
-    </message>
-    <message>
-        <source>%1 of cylinder %2 as the scale says.</source>
-        <translation>%1, цилиндр %2, по показанию весов.</translation>
-    </message>
-    <message>
         <source>nominal, g</source>
         <translation>номинал, г</translation>
     </message>
     <message>
-        <source>permitted spread, g</source>
-        <translation>допустимый разброс, г</translation>
-    </message>
-    <message>
         <source>%1, nominal</source>
         <translation>%1, номинал</translation>
-    </message>
-    <message>
-        <source>%1, spread</source>
-        <translation>%1, разброс</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -17178,12 +17139,32 @@ but nothing can be built</source>
         <translation>Вставка масс</translation>
     </message>
     <message>
-        <source>Nothing is pasted: “%1” is no mass in %2.</source>
-        <translation>Ничего не вставлено: «%1» — не масса в %2.</translation>
+        <source>%1, permitted range, g</source>
+        <translation>%1, допустимый размах, г</translation>
     </message>
     <message>
-        <source>Nothing is pasted: the block does not fit on the sheet from here, which has %1 cylinders.</source>
-        <translation>Ничего не вставлено: отсюда блок не помещается на лист, где цилиндров %1.</translation>
+        <source>%1: permitted heaviest minus lightest, by the works manual. Blank means no limit.</source>
+        <translation>%1: допустимая разность самой тяжёлой и самой лёгкой по руководству. Пусто: без предела.</translation>
+    </message>
+    <message>
+        <source>%1 of cylinder %2 by the scale.</source>
+        <translation>%1, цилиндр %2, по весам.</translation>
+    </message>
+    <message>
+        <source>permitted range, g</source>
+        <translation>допустимый размах, г</translation>
+    </message>
+    <message>
+        <source>%1, range</source>
+        <translation>%1, размах</translation>
+    </message>
+    <message>
+        <source>Not pasted: from here the block does not fit on the sheet of %1 cylinders.</source>
+        <translation>Не вставлено: отсюда блок не помещается на лист, где цилиндров %1.</translation>
+    </message>
+    <message>
+        <source>Not pasted: “%1” is not a mass in %2.</source>
+        <translation>Не вставлено: «%1» — не масса в %2.</translation>
     </message>
 </context>
 <context>
@@ -17205,10 +17186,6 @@ but nothing can be built</source>
         <translation>Подробности о заглушках</translation>
     </message>
     <message>
-        <source>What each option compensates, and what the method neglects.</source>
-        <translation>Что уравновешивает каждый вариант и чем метод пренебрегает.</translation>
-    </message>
-    <message>
         <source>Correction</source>
         <translation>Коррекция</translation>
     </message>
@@ -17228,13 +17205,13 @@ but nothing can be built</source>
         <source>Already drilled</source>
         <translation>Уже просверлено</translation>
     </message>
+    <message>
+        <source>Compensation by option, and details that the method neglects.</source>
+        <translation>Компенсация по вариантам и чем метод пренебрегает.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::WorkshopModel</name>
-    <message>
-        <source>Counts once every cylinder is weighed.</source>
-        <translation>Считается, когда взвешены все цилиндры.</translation>
-    </message>
     <message>
         <source>Parts as weighed</source>
         <translation>Детали как взвешены</translation>
@@ -17244,44 +17221,12 @@ but nothing can be built</source>
         <translation>Перестановка деталей</translation>
     </message>
     <message>
-        <source>The bob weight: weigh it out so</source>
-        <translation>Балансировочный груз: столько и набирают</translation>
-    </message>
-    <message>
-        <source>How many times the mass is in the bob weight: rods on it, times the factor for what moves with the piston</source>
-        <translation>Сколько раз масса входит в груз: число шатунов, умноженное на долю для того, что движется с поршнем</translation>
-    </message>
-    <message>
-        <source>Mass × how often it counts</source>
-        <translation>Масса × сколько раз считается</translation>
-    </message>
-    <message>
-        <source>The readings of the run taken to the front plane</source>
-        <translation>Показания пуска, перенесённые в переднюю плоскость</translation>
-    </message>
-    <message>
-        <source>The readings of the run taken to the rear plane</source>
-        <translation>Показания пуска, перенесённые в заднюю плоскость</translation>
-    </message>
-    <message>
         <source>By the limits of both planes</source>
         <translation>По допускам обеих плоскостей</translation>
     </message>
     <message>
-        <source>Both readings taken to the correction planes: same force, same moment</source>
-        <translation>Оба показания, перенесённые в плоскости коррекции: та же сила, тот же момент</translation>
-    </message>
-    <message>
         <source>Angle of the heavy spot from the machine&apos;s zero mark</source>
         <translation>Угол тяжёлого места от нулевой метки станка</translation>
-    </message>
-    <message>
-        <source>Mass that makes this unbalance at the plane&apos;s radius</source>
-        <translation>Масса, дающая этот дисбаланс на радиусе плоскости</translation>
-    </message>
-    <message>
-        <source>What the holes below leave, their depths rounded, added up as vectors</source>
-        <translation>Что оставляют отверстия ниже с округлёнными глубинами, сложенное векторно</translation>
     </message>
     <message>
         <source>By the limit of the plane: as measured → after the correction</source>
@@ -17290,10 +17235,6 @@ but nothing can be built</source>
     <message>
         <source>From the machine&apos;s zero mark</source>
         <translation>От нулевой метки станка</translation>
-    </message>
-    <message>
-        <source>Mass, the cone of the point included; negative: a slug adds its own weight, which stands beside its diameter, less what its hole took off</source>
-        <translation>Масса вместе с конусом; отрицательна: вставка прибавляет собственную массу, которая стоит рядом с диаметром, за вычетом того, что сняло её отверстие</translation>
     </message>
     <message>
         <source>Only a V-8 at 90° with two rods on a crankpin has sludge-trap plugs. Untick them first.</source>
@@ -17312,20 +17253,12 @@ but nothing can be built</source>
         <translation>Поменять головки шатуна</translation>
     </message>
     <message>
-        <source>Readings hold</source>
-        <translation>Показания верны</translation>
-    </message>
-    <message>
-        <source>Enter what the machine reads in both planes.</source>
-        <translation>Введите показания станка в обеих плоскостях.</translation>
-    </message>
-    <message>
         <source>Drill the holes and measure again.</source>
         <translation>Просверлите отверстия и измерьте снова.</translation>
     </message>
     <message>
         <source>Kept: engine, plugs, factor, machine, planes, drills and limits.</source>
-        <translation>Сохранены: двигатель, заглушки, доля, станок, плоскости, свёрла и пределы.</translation>
+        <translation>Сохранены: двигатель, заглушки, коэффициент, станок, плоскости, свёрла и пределы.</translation>
     </message>
     <message>
         <source>Sludge-trap plugs</source>
@@ -17344,10 +17277,6 @@ but nothing can be built</source>
         <translation>Сохранённые данные двигателя «%1» не читаются: %2</translation>
     </message>
     <message>
-        <source>The engine needs a name.</source>
-        <translation>Двигателю нужно название.</translation>
-    </message>
-    <message>
         <source>“%1” is the name of a preset; choose another.</source>
         <translation>«%1» — название встроенного двигателя; выберите другое.</translation>
     </message>
@@ -17364,28 +17293,8 @@ but nothing can be built</source>
         <translation>Переименование двигателя</translation>
     </message>
     <message>
-        <source>The values differ from those kept under this name; “Keep as own engine” keeps these.</source>
-        <translation>Данные отличаются от сохранённых под этим именем; «Запомнить двигатель» сохранит эти.</translation>
-    </message>
-    <message>
-        <source>The paper gives only the crank radius of this engine; the rest has to be measured.</source>
-        <translation>Для этого двигателя статья даёт только радиус кривошипа; остальное нужно измерить.</translation>
-    </message>
-    <message>
-        <source>Plug masses as the paper prints them. They look too small for the threads it prints: weigh the plugs and type what the scale says.</source>
-        <translation>Массы заглушек — как напечатано в статье. Для напечатанных резьб они слишком малы: взвесьте заглушки и введите показания весов.</translation>
-    </message>
-    <message>
         <source>Excess Δmᵤ: %1, %2</source>
         <translation>Неуравновешенная масса Δmᵤ: %1, %2</translation>
-    </message>
-    <message>
-        <source>%1 in each plane is for this job alone.</source>
-        <translation>%1 в каждой плоскости — только для этой работы.</translation>
-    </message>
-    <message>
-        <source>With thread and height the sheet says what the plug would weigh.</source>
-        <translation>По резьбе и высоте лист скажет, сколько весила бы заглушка.</translation>
     </message>
     <message>
         <source>A plug of these dimensions weighs %1 in steel, %2 in aluminium.</source>
@@ -17396,34 +17305,6 @@ but nothing can be built</source>
         <translation>Вариант</translation>
     </message>
     <message>
-        <source>What is bored or replaced; ✓ it is enough, ✗ it is not, ! only by the method</source>
-        <translation>Что высверливают или заменяют; ✓ достаточно, ✗ недостаточно, ! только по методике</translation>
-    </message>
-    <message>
-        <source>Unbalanced mass that the option takes away with nothing bored, kₚ times the exchange of plugs</source>
-        <translation>Неуравновешенная масса, которую вариант убирает без сверления, kₚ на замену заглушек</translation>
-    </message>
-    <message>
-        <source>Unbalanced mass for each gram that is bored out of a plug</source>
-        <translation>Неуравновешенная масса на каждый грамм, высверленный из заглушки</translation>
-    </message>
-    <message>
-        <source>Largest unbalanced mass that the option compensates</source>
-        <translation>Наибольшая неуравновешенная масса, которую вариант компенсирует</translation>
-    </message>
-    <message>
-        <source>To come off each plug; negative or beyond what is possible where the option cannot</source>
-        <translation>Сколько снять с каждой заглушки; отрицательно или больше возможного, если вариант не годится</translation>
-    </message>
-    <message>
-        <source>Unbalanced mass that stays</source>
-        <translation>Неуравновешенная масса, которая остаётся</translation>
-    </message>
-    <message>
-        <source>Unbalance that stays, mass times crank radius</source>
-        <translation>Дисбаланс, который остаётся: масса на радиус кривошипа</translation>
-    </message>
-    <message>
         <source>The engine has no such plug, or its data are missing.</source>
         <translation>Такой заглушки у двигателя нет или нет её данных.</translation>
     </message>
@@ -17432,36 +17313,16 @@ but nothing can be built</source>
         <translation>Для другого вала.</translation>
     </message>
     <message>
-        <source>By the method alone; the shift that it neglects leaves up to %1.</source>
-        <translation>Лишь по методу: смещение, которым он пренебрегает, оставляет до %1.</translation>
-    </message>
-    <message>
         <source>%1: %2.</source>
         <translation>%1: %2.</translation>
-    </message>
-    <message>
-        <source>At most %1 may come off a plug; slope kᵤ = %2, %3°.</source>
-        <translation>С заглушки можно снять не больше %1; наклон kᵤ = %2, %3°.</translation>
     </message>
     <message>
         <source>Crankpin</source>
         <translation>Шейка</translation>
     </message>
     <message>
-        <source>spread</source>
-        <translation>разброс</translation>
-    </message>
-    <message>
-        <source>Largest less smallest excess of the four crankpins</source>
-        <translation>Наибольший минус наименьший избыток четырёх шеек</translation>
-    </message>
-    <message>
         <source>as weighed, g</source>
         <translation>как есть, г</translation>
-    </message>
-    <message>
-        <source>Excess on each crankpin over the mean, parts where they were weighed</source>
-        <translation>Избыток на каждой шейке над средним, детали там, где взвешены</translation>
     </message>
     <message>
         <source>after moving, g</source>
@@ -17492,28 +17353,148 @@ but nothing can be built</source>
         <translation>остаток, г</translation>
     </message>
     <message>
+        <source>Residual mass</source>
+        <translation>Остаточная масса</translation>
+    </message>
+    <message>
         <source>remains, g·mm</source>
         <translation>остаток, г·мм</translation>
     </message>
     <message>
-        <source>STOP: drill nothing before the line at the top is settled.</source>
-        <translation>СТОП: ничего не сверлите, пока не улажено то, что стоит в верхней строке.</translation>
+        <source>Residual unbalance, mass times crank radius</source>
+        <translation>Остаточный дисбаланс, масса на радиус кривошипа</translation>
+    </message>
+    <message>
+        <source>By the method only; the neglected shift leaves up to %1.</source>
+        <translation>Только по методу; неучтённое смещение оставляет до %1.</translation>
+    </message>
+    <message>
+        <source>Maximum off a plug: %1; slope kᵤ = %2, %3°.</source>
+        <translation>Предел съёма с заглушки: %1; наклон kᵤ = %2, %3°.</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>размах</translation>
+    </message>
+    <message>
+        <source>Maximum minus minimum excess of the four crankpins</source>
+        <translation>Максимальный избыток четырёх шеек минус минимальный</translation>
+    </message>
+    <message>
+        <source>Excess on each crankpin over the mean, parts as weighed</source>
+        <translation>Избыток на каждой шейке над средним, детали как взвешены</translation>
+    </message>
+    <message>
+        <source>STOP: correct the top line before drilling.</source>
+        <translation>СТОП: до сверления исправьте верхнюю строку.</translation>
+    </message>
+    <message>
+        <source>Used when every cylinder is weighed.</source>
+        <translation>Используется, когда взвешены все цилиндры.</translation>
+    </message>
+    <message>
+        <source>Mass of the bob weight</source>
+        <translation>Масса балансировочного груза</translation>
+    </message>
+    <message>
+        <source>Multiplier of the mass in the bob weight: number of rods, times the balance factor for reciprocating parts</source>
+        <translation>Множитель массы в грузе: число шатунов, для возвратно-поступательных частей ещё и коэффициент балансировки</translation>
+    </message>
+    <message>
+        <source>Mass × multiplier</source>
+        <translation>Масса × множитель</translation>
+    </message>
+    <message>
+        <source>Readings of the run, transferred to the front plane</source>
+        <translation>Показания пуска, перенесённые в переднюю плоскость</translation>
+    </message>
+    <message>
+        <source>Readings of the run, transferred to the rear plane</source>
+        <translation>Показания пуска, перенесённые в заднюю плоскость</translation>
+    </message>
+    <message>
+        <source>Both readings, transferred to the correction planes (same force, same moment)</source>
+        <translation>Оба показания, перенесённые в плоскости коррекции (та же сила, тот же момент)</translation>
+    </message>
+    <message>
+        <source>Mass at the drilling radius for this unbalance</source>
+        <translation>Масса на радиусе сверления для этого дисбаланса</translation>
+    </message>
+    <message>
+        <source>Residual after the holes below, with rounded depths</source>
+        <translation>Остаток после отверстий ниже, с округлёнными глубинами</translation>
+    </message>
+    <message>
+        <source>Mass taken off, including the drill point; negative for a slug: its own mass minus its hole</source>
+        <translation>Снятая масса, включая конус; отрицательна для вставки: её масса минус отверстие</translation>
+    </message>
+    <message>
+        <source>Readings are still valid</source>
+        <translation>Показания верны</translation>
+    </message>
+    <message>
+        <source>Enter the readings of both planes.</source>
+        <translation>Введите показания обеих плоскостей.</translation>
     </message>
     <message>
         <source>Not to be used: bob weight %1.</source>
         <translation>Не использовать: балансировочный груз %1.</translation>
     </message>
     <message>
+        <source>Enter a name for the engine.</source>
+        <translation>Введите название двигателя.</translation>
+    </message>
+    <message>
+        <source>The values differ from the saved engine; press “Keep as own engine” to save them.</source>
+        <translation>Данные отличаются от сохранённого двигателя; «Запомнить двигатель» сохранит их.</translation>
+    </message>
+    <message>
+        <source>The paper gives only the crank radius of this engine; measure the other values.</source>
+        <translation>Для этого двигателя статья даёт только радиус кривошипа; остальное измерьте.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s plug masses look too small for its threads: weigh the plugs and enter their masses.</source>
+        <translation>Массы заглушек из статьи малы для её резьб: взвесьте заглушки и введите массы.</translation>
+    </message>
+    <message>
+        <source>%1 in each plane, for this job only.</source>
+        <translation>%1 в каждой плоскости — только для этой работы.</translation>
+    </message>
+    <message>
+        <source>Enter thread and height to see the mass of the plug.</source>
+        <translation>Введите резьбу и высоту, чтобы увидеть массу заглушки.</translation>
+    </message>
+    <message>
+        <source>Option; ✓ sufficient, ✗ not sufficient, ! only by the method</source>
+        <translation>Вариант; ✓ достаточно, ✗ недостаточно, ! только по методу</translation>
+    </message>
+    <message>
+        <source>Mass compensated without boring, kₚ times the exchange of plugs</source>
+        <translation>Масса, компенсируемая без сверления, kₚ на разность масс заглушек</translation>
+    </message>
+    <message>
+        <source>Mass compensated per gram taken off each plug</source>
+        <translation>Масса, компенсируемая на грамм, снятый с каждой заглушки</translation>
+    </message>
+    <message>
+        <source>Maximum mass that the option compensates</source>
+        <translation>Максимальная масса, которую вариант компенсирует</translation>
+    </message>
+    <message>
+        <source>Mass to take off each plug; negative or beyond the maximum if the option is not sufficient</source>
+        <translation>Сколько снять с каждой заглушки; отрицательно или больше предела, если вариант недостаточен</translation>
+    </message>
+    <message>
         <source>%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.</source>
         <translation>%1: взвешено %2; тяжелее всех в цилиндре %3, легче всех в цилиндре %4.</translation>
     </message>
     <message>
-        <source>%1 in each plane is what Nazarov&apos;s experiments left: the limit of this method.</source>
-        <translation>%1 в каждой плоскости оставалось в опытах Назарова: это предел метода.</translation>
+        <source>Limit of this method: %1 in each plane, the residual of Nazarov&apos;s experiments.</source>
+        <translation>Предел метода: %1 в каждой плоскости, остаток в опытах Назарова.</translation>
     </message>
     <message>
-        <source>%1 in each plane is the shop&apos;s own limit.</source>
-        <translation>%1 в каждой плоскости — предел, принятый в мастерской.</translation>
+        <source>Shop limit: %1 in each plane.</source>
+        <translation>Предел мастерской: %1 в каждой плоскости.</translation>
     </message>
 </context>
 <context>
@@ -17531,16 +17512,8 @@ but nothing can be built</source>
         <translation>О&amp;тложить незаконченную работу</translation>
     </message>
     <message>
-        <source>Keep the job in the journal to go on with it another day</source>
-        <translation>Сохранить работу в журнале, чтобы продолжить в другой день</translation>
-    </message>
-    <message>
         <source>&amp;Next job</source>
         <translation>С&amp;ледующая работа</translation>
-    </message>
-    <message>
-        <source>Next job: the engine&apos;s values stay, the rest is empty</source>
-        <translation>Следующая работа: данные двигателя остаются, остальное пусто</translation>
     </message>
     <message>
         <source>&amp;Journal…</source>
@@ -17553,10 +17526,6 @@ but nothing can be built</source>
     <message>
         <source>Job card, &amp;preview…</source>
         <translation>&amp;Просмотр карты…</translation>
-    </message>
-    <message>
-        <source>Look at the job card</source>
-        <translation>Посмотреть карту</translation>
     </message>
     <message>
         <source>&amp;Print job card…</source>
@@ -17593,10 +17562,6 @@ but nothing can be built</source>
     <message>
         <source>As the program</source>
         <translation>Как в программе</translation>
-    </message>
-    <message>
-        <source>Refused entries</source>
-        <translation>Непринятые значения</translation>
     </message>
     <message>
         <source>Unsaved job</source>
@@ -17643,10 +17608,6 @@ but nothing can be built</source>
         <translation>Записано: %1</translation>
     </message>
     <message>
-        <source>The job in the journal is that of %1, the sheet that of %2.</source>
-        <translation>Работа в журнале — двигателя %1, на листе — %2.</translation>
-    </message>
-    <message>
         <source>Save as a &amp;new job</source>
         <translation>Записать как &amp;новую работу</translation>
     </message>
@@ -17657,10 +17618,6 @@ but nothing can be built</source>
     <message>
         <source>The job of %1 in the journal is for another engine than the sheet.</source>
         <translation>Работа %1 в журнале — для другого двигателя, чем на листе.</translation>
-    </message>
-    <message>
-        <source>The job of %1 in the journal is finished, its verdict: %2. Saved as the sheet is now, the verdict is: %3.</source>
-        <translation>Работа %1 в журнале закончена, её заключение: %2. Если сохранить лист как он есть, заключение будет: %3.</translation>
     </message>
     <message>
         <source>The journal has a job of %1 and this day already, saved on %2.</source>
@@ -17683,16 +17640,8 @@ but nothing can be built</source>
         <translation>Работа с этого листа удалена из журнала.</translation>
     </message>
     <message>
-        <source>It is saved nowhere now.</source>
-        <translation>Теперь она нигде не сохранена.</translation>
-    </message>
-    <message>
         <source>Save the job “%1” in the journal?</source>
         <translation>Сохранить работу «%1» в журнале?</translation>
-    </message>
-    <message>
-        <source>The sheet has neither a number of engine or crankshaft nor a customer: nobody could find the job in the journal.</source>
-        <translation>На листе нет ни номера двигателя или вала, ни заказчика: эту работу в журнале никто не найдёт.</translation>
     </message>
     <message>
         <source>&amp;Enter one</source>
@@ -17701,10 +17650,6 @@ but nothing can be built</source>
     <message>
         <source>Save &amp;without</source>
         <translation>Сохранить &amp;без них</translation>
-    </message>
-    <message>
-        <source>A new job: weights and readings are those of its own parts, still empty.</source>
-        <translation>Новая работа: массы и показания у неё свои, они пока пусты.</translation>
     </message>
     <message>
         <source>Restoring %1…</source>
@@ -17739,14 +17684,6 @@ but nothing can be built</source>
         <translation>&amp;6 Коррекция</translation>
     </message>
     <message>
-        <source>Correct what was drilled</source>
-        <translation>Исправить просверленное</translation>
-    </message>
-    <message>
-        <source>nothing needed</source>
-        <translation>ничего не требуется</translation>
-    </message>
-    <message>
         <source>not compensated</source>
         <translation>не компенсируется</translation>
     </message>
@@ -17757,6 +17694,50 @@ but nothing can be built</source>
     <message>
         <source>Swap the rod ends</source>
         <translation>Поменять головки шатуна</translation>
+    </message>
+    <message>
+        <source>The job is not saved now.</source>
+        <translation>Теперь работа не сохранена.</translation>
+    </message>
+    <message>
+        <source>Correct the drilled holes</source>
+        <translation>Исправить просверленное</translation>
+    </message>
+    <message>
+        <source>no action required</source>
+        <translation>действия не требуются</translation>
+    </message>
+    <message>
+        <source>Save the job in the journal to continue later</source>
+        <translation>Сохранить работу в журнале, чтобы продолжить позже</translation>
+    </message>
+    <message>
+        <source>Next job: engine values are kept, other fields are cleared</source>
+        <translation>Следующая работа: данные двигателя сохраняются, остальное пусто</translation>
+    </message>
+    <message>
+        <source>Preview the job card</source>
+        <translation>Посмотреть карту</translation>
+    </message>
+    <message>
+        <source>Entries not accepted</source>
+        <translation>Непринятые значения</translation>
+    </message>
+    <message>
+        <source>The sheet has no number of engine or crankshaft and no customer: the journal could not find the job.</source>
+        <translation>На листе нет ни номера двигателя или вала, ни заказчика: журнал не сможет найти работу.</translation>
+    </message>
+    <message>
+        <source>The job in the journal is of %1, the sheet of %2.</source>
+        <translation>Работа в журнале — двигателя %1, на листе — %2.</translation>
+    </message>
+    <message>
+        <source>The job of %1 in the journal is finished, verdict: %2. With this sheet the verdict is: %3.</source>
+        <translation>Работа %1 в журнале закончена, заключение: %2. С этим листом заключение: %3.</translation>
+    </message>
+    <message>
+        <source>New job: masses and readings are empty.</source>
+        <translation>Новая работа: массы и показания пусты.</translation>
     </message>
 </context>
 <context>
@@ -17770,16 +17751,16 @@ but nothing can be built</source>
         <translation>Введите два названия, например левая / правая.</translation>
     </message>
     <message>
-        <source>Read as one: %1</source>
-        <translation>Прочитано как одно: %1</translation>
-    </message>
-    <message>
         <source>Read as %1: %2</source>
         <translation>Прочитано как %1: %2</translation>
     </message>
     <message>
         <source>“%1” was read as %2. Type %3 if that is meant.</source>
         <translation>«%1» прочитано как %2. Если имеется в виду %3, введите это число.</translation>
+    </message>
+    <message>
+        <source>Read as one value: %1</source>
+        <translation>Прочитано как одно значение: %1</translation>
     </message>
 </context>
 <context>
@@ -17790,7 +17771,7 @@ but nothing can be built</source>
     </message>
     <message>
         <source>Position the balance shaft of a single-cylinder engine</source>
-        <translation>Размещение балансирного вала одноцилиндрового двигателя</translation>
+        <translation>Положение балансирного вала одноцилиндрового двигателя</translation>
     </message>
     <message>
         <source>Elastic hinges</source>
@@ -17820,14 +17801,6 @@ but nothing can be built</source>
 <context>
     <name>studies</name>
     <message>
-        <source>must lead to a number of the input</source>
-        <translation>должно указывать на число во входных данных</translation>
-    </message>
-    <message>
-        <source>must lead to a number of the result</source>
-        <translation>должно указывать на число в результате</translation>
-    </message>
-    <message>
         <source>Linear</source>
         <translation>Линейный</translation>
     </message>
@@ -17848,24 +17821,8 @@ but nothing can be built</source>
         <translation>должно быть указателем JSON, например /crank_radius_mm</translation>
     </message>
     <message>
-        <source>must hold one of: plus_minus, plus_minus_percent, normal_sd, from with to, values</source>
-        <translation>должно содержать одно из: plus_minus, plus_minus_percent, normal_sd, from с to, values</translation>
-    </message>
-    <message>
-        <source>must hold from 1 to %1 pointers</source>
-        <translation>должно содержать от 1 до %1 указателей</translation>
-    </message>
-    <message>
         <source>must be a grid like the others, or none of them</source>
         <translation>должно быть сеткой, как и остальные, или никакое из них</translation>
-    </message>
-    <message>
-        <source>must be &quot;grid&quot; where values are listed</source>
-        <translation>должно быть &quot;grid&quot;, если перечислены значения</translation>
-    </message>
-    <message>
-        <source>must not be &quot;grid&quot; where none is given</source>
-        <translation>не может быть &quot;grid&quot;, если сетка не задана</translation>
     </message>
     <message>
         <source>must make at most %1 points</source>
@@ -17876,20 +17833,12 @@ but nothing can be built</source>
         <translation>Для %1 линейного ответа нет: при средних значениях входных данных нет производной.</translation>
     </message>
     <message>
-        <source>is not what this program writes</source>
-        <translation>не то, что записывает эта программа</translation>
-    </message>
-    <message>
         <source>is a part of another case than %1</source>
         <translation>часть другой задачи, чем %1</translation>
     </message>
     <message>
         <source>is one of %1 parts, but %2 is one of %3</source>
         <translation>одна из %1 частей, а %2 — одна из %3</translation>
-    </message>
-    <message>
-        <source>was computed by another program or machine than %1: it began with other numbers</source>
-        <translation>посчитано другой программой или машиной, чем %1: исходные числа иные</translation>
     </message>
     <message>
         <source>is not finished (%1 of %2 samples); run it again: --shard %3</source>
@@ -17904,24 +17853,8 @@ but nothing can be built</source>
         <translation>не хватает %1 из %2 частей; запустите их ещё раз: --shard %3</translation>
     </message>
     <message>
-        <source>must scatter less: its moments are no numbers any more</source>
-        <translation>должно рассеиваться меньше: его моменты уже не числа</translation>
-    </message>
-    <message>
-        <source>must lie nearer to from: their difference is no number any more</source>
-        <translation>должно быть ближе к from: их разность уже не число</translation>
-    </message>
-    <message>
-        <source>A standard deviation takes two samples that can be solved.</source>
-        <translation>Для стандартного отклонения нужны две решённые пробы.</translation>
-    </message>
-    <message>
         <source>The samples are too few for the sensitivities of %1: standard errors up to %2.</source>
         <translation>Для чувствительностей %1 проб мало: стандартные ошибки до %2.</translation>
-    </message>
-    <message>
-        <source>must be at least %1; across 0° write %2</source>
-        <translation>должно быть не меньше %1; через 0° пишите %2</translation>
     </message>
     <message>
         <source>must be &quot;linear&quot; or &quot;sobol&quot;: second-order studies are no longer supported</source>
@@ -17932,28 +17865,76 @@ but nothing can be built</source>
         <translation>должно быть «sobol» или «monte-carlo»: латинские гиперкубы больше не поддерживаются</translation>
     </message>
     <message>
-        <source>The linear answer fails for %1: samples lie %2 from it (root mean square), at a standard deviation of %3.</source>
-        <translation>Линейный ответ для %1 неверен: пробы отстоят от него на %2 (среднеквадратично) при стандартном отклонении %3.</translation>
-    </message>
-    <message>
-        <source>The linear answer fails for %1: mean %2 and standard deviation %3 against %4 and %5 of the samples.</source>
-        <translation>Линейный ответ для %1 неверен: среднее %2 и стандартное отклонение %3 против %4 и %5 по пробам.</translation>
-    </message>
-    <message>
         <source>%1 does not scatter: its tolerance is below the rounding of its value. It has no derivative.</source>
         <translation>%1 не меняется: допуск меньше ошибки округления значения. Производной нет.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 samples that were tried cannot be solved; the linear answer does not show that.</source>
-        <translation>%1 из %2 опробованных проб решить нельзя; линейный ответ этого не показывает.</translation>
     </message>
     <message>
         <source>must be %1; run the parts of other versions again</source>
         <translation>должно быть %1; части других версий запустите снова</translation>
     </message>
     <message>
-        <source>is not the sum of the part, which was changed since it was written; run it again</source>
-        <translation>не сумма этой части, изменённой после записи; запустите её снова</translation>
+        <source>must point to a number of the input</source>
+        <translation>должно указывать на число во входных данных</translation>
+    </message>
+    <message>
+        <source>must scatter less: its moments exceed the range of numbers</source>
+        <translation>должно рассеиваться меньше: его моменты вне пределов чисел</translation>
+    </message>
+    <message>
+        <source>must point to a number of the result</source>
+        <translation>должно указывать на число в результате</translation>
+    </message>
+    <message>
+        <source>must be nearer to from: their difference exceeds the range of numbers</source>
+        <translation>должно быть ближе к from: их разность вне пределов чисел</translation>
+    </message>
+    <message>
+        <source>must have one of: plus_minus, plus_minus_percent, normal_sd, from with to, values</source>
+        <translation>должно содержать одно из: plus_minus, plus_minus_percent, normal_sd, from с to, values</translation>
+    </message>
+    <message>
+        <source>must have from 1 to %1 pointers</source>
+        <translation>должно содержать от 1 до %1 указателей</translation>
+    </message>
+    <message>
+        <source>must be at least %1; across 0° enter %2</source>
+        <translation>должно быть не меньше %1; через 0° введите %2</translation>
+    </message>
+    <message>
+        <source>must be &quot;grid&quot; with listed values</source>
+        <translation>должно быть &quot;grid&quot;, если перечислены значения</translation>
+    </message>
+    <message>
+        <source>must not be &quot;grid&quot; without a grid</source>
+        <translation>не может быть &quot;grid&quot;, если сетка не задана</translation>
+    </message>
+    <message>
+        <source>The linear answer fails for %1: distance of the samples %2 (RMS), standard deviation %3.</source>
+        <translation>Линейный ответ для %1 неверен: отклонение проб %2 (СКЗ), стандартное отклонение %3.</translation>
+    </message>
+    <message>
+        <source>The linear answer fails for %1: mean %2, standard deviation %3; samples %4 and %5.</source>
+        <translation>Линейный ответ для %1 неверен: среднее %2, стандартное отклонение %3; по пробам %4 и %5.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 trial samples cannot be solved; the linear answer does not show that.</source>
+        <translation>%1 из %2 опробованных проб решить нельзя; линейный ответ этого не показывает.</translation>
+    </message>
+    <message>
+        <source>A standard deviation needs two solved samples.</source>
+        <translation>Для стандартного отклонения нужны две решённые пробы.</translation>
+    </message>
+    <message>
+        <source>is not the checksum of the part: the part was changed; run it again</source>
+        <translation>не контрольная сумма этой части: часть изменена; запустите её снова</translation>
+    </message>
+    <message>
+        <source>was computed by another program or machine than %1: the first numbers differ</source>
+        <translation>посчитано другой программой или машиной, чем %1: исходные числа иные</translation>
+    </message>
+    <message>
+        <source>was not written by this program</source>
+        <translation>не то, что записывает эта программа</translation>
     </message>
 </context>
 <context>
@@ -17973,10 +17954,6 @@ but nothing can be built</source>
     <message>
         <source>Coefficients</source>
         <translation>Коэффициенты</translation>
-    </message>
-    <message>
-        <source>r crank radius, rₚ and rₚₙ distance of the centre of mass of today&apos;s and of the new plug from the crank axis</source>
-        <translation>r — радиус кривошипа, rₚ и rₚₙ — расстояние центра масс нынешней и новой заглушки от оси вала</translation>
     </message>
     <message>
         <source>Excess on the crankpin axis</source>
@@ -17999,10 +17976,6 @@ but nothing can be built</source>
         <translation>постоянная часть; mₛ и mₐ — масса стальной и алюминиевой заглушки</translation>
     </message>
     <message>
-        <source>Crankshaft made for new plugs, today&apos;s fitted</source>
-        <translation>Вал под новые заглушки с нынешними</translation>
-    </message>
-    <message>
         <source>constant parts with plugs of steel and of aluminium; mₛₙ mass of a new steel plug</source>
         <translation>постоянные части со стальными и с алюминиевыми заглушками; mₛₙ — масса новой стальной заглушки</translation>
     </message>
@@ -18015,24 +17988,8 @@ but nothing can be built</source>
         <translation>Cᵢ — его постоянная часть, Δmᵢ — облегчение каждой заглушки, до предела по стенке</translation>
     </message>
     <message>
-        <source>What the shift of the centre of mass leaves</source>
-        <translation>Что оставляет смещение центра масс</translation>
-    </message>
-    <message>
-        <source>d distance by which the metal bored off lies beyond the centre of mass of the plug</source>
-        <translation>d — насколько снятый металл лежит дальше центра масс заглушки</translation>
-    </message>
-    <message>
         <source>The crankshaft is rigid.</source>
         <translation>Коленчатый вал жёсткий.</translation>
-    </message>
-    <message>
-        <source>Drilling in the webs, flywheel and damper are the balancing machine&apos;s business.</source>
-        <translation>Сверление щёк, маховик и гаситель колебаний — дело балансировочного станка.</translation>
-    </message>
-    <message>
-        <source>All four crankpins are treated alike, with the means of the weighed parts.</source>
-        <translation>Все четыре шатунные шейки считаются одинаковыми, со средними массами взвешенных деталей.</translation>
     </message>
     <message>
         <source>the engine has no such plug</source>
@@ -18258,6 +18215,30 @@ but nothing can be built</source>
         <source>%1: %2 entered, but a plug of these dimensions weighs %3. Weigh the plug.</source>
         <translation>%1: введено %2, но заглушка этих размеров весит %3. Взвесьте заглушку.</translation>
     </message>
+    <message>
+        <source>r crank radius, rₚ and rₚₙ distance of the centre of mass of the present and the new plug from the crank axis</source>
+        <translation>r — радиус кривошипа, rₚ и rₚₙ — расстояние центра масс нынешней и новой заглушки от оси вала</translation>
+    </message>
+    <message>
+        <source>Crankshaft made for new plugs, present plugs fitted</source>
+        <translation>Вал под новые заглушки с нынешними</translation>
+    </message>
+    <message>
+        <source>Residual due to the shift of the centre of mass</source>
+        <translation>Остаток от смещения центра масс</translation>
+    </message>
+    <message>
+        <source>d distance of the bored metal from the centre of mass of the plug</source>
+        <translation>d — расстояние снятого металла от центра масс заглушки</translation>
+    </message>
+    <message>
+        <source>All four crankpins use the means of the weighed parts.</source>
+        <translation>Для всех четырёх шеек берутся средние взвешенных деталей.</translation>
+    </message>
+    <message>
+        <source>Not included: drilling in the webs, flywheel and damper.</source>
+        <translation>Не учитываются: сверление щёк, маховик и гаситель колебаний.</translation>
+    </message>
 </context>
 <context>
     <name>workshop</name>
@@ -18322,24 +18303,12 @@ but nothing can be built</source>
         <translation>г·мм при массе m в кг, классе G в мм/с и рабочей скорости ω в рад/с</translation>
     </message>
     <message>
-        <source>The readings are of another crankshaft: number %1 then, %2 now. Take them again.</source>
-        <translation>Показания относятся к другому коленчатому валу: тогда номер %1, сейчас %2. Снимите их снова.</translation>
-    </message>
-    <message>
-        <source>The readings were taken with another bob weight: %1 then, %2 now. Take them again.</source>
-        <translation>Показания сняты с другим балансировочным грузом: тогда %1, сейчас %2. Снимите их снова.</translation>
-    </message>
-    <message>
         <source>Weigh-in</source>
         <translation>Взвешивание</translation>
     </message>
     <message>
         <source>Mean</source>
         <translation>Среднее</translation>
-    </message>
-    <message>
-        <source>Spread</source>
-        <translation>Разброс</translation>
     </message>
     <message>
         <source>Heaviest minus lightest.</source>
@@ -18354,10 +18323,6 @@ but nothing can be built</source>
         <translation>Самая лёгкая, цилиндр</translation>
     </message>
     <message>
-        <source>Within permitted spread</source>
-        <translation>В пределах допустимого разброса</translation>
-    </message>
-    <message>
         <source>Take off</source>
         <translation>Снять</translation>
     </message>
@@ -18366,20 +18331,8 @@ but nothing can be built</source>
         <translation>Среднее минус номинал</translation>
     </message>
     <message>
-        <source>Placing of the parts</source>
-        <translation>Расстановка деталей</translation>
-    </message>
-    <message>
         <source>Sets moved</source>
         <translation>Переставлено комплектов</translation>
-    </message>
-    <message>
-        <source>Spread of the crankpins before</source>
-        <translation>Разброс шатунных шеек до</translation>
-    </message>
-    <message>
-        <source>Spread of the crankpins</source>
-        <translation>Разброс шатунных шеек</translation>
     </message>
     <message>
         <source>Proven</source>
@@ -18438,10 +18391,6 @@ but nothing can be built</source>
         <translation>Масса</translation>
     </message>
     <message>
-        <source>In all</source>
-        <translation>Всего</translation>
-    </message>
-    <message>
         <source>%1: %2 looks like kilograms. Enter grams.</source>
         <translation>%1: %2 похоже на килограммы. Введите граммы.</translation>
     </message>
@@ -18452,10 +18401,6 @@ but nothing can be built</source>
     <message>
         <source>Oil</source>
         <translation>Масло</translation>
-    </message>
-    <message>
-        <source>%1: cylinders %2 are unlike the others (%3 against %4). Weigh them again or match the parts.</source>
-        <translation>%1: цилиндры %2 отличаются от остальных (%3 против %4). Взвесьте их снова или подберите детали.</translation>
     </message>
     <message>
         <source>%1: cylinder %2 weighs %3, the others about %4; the deviation is %5 times their scatter. Weigh it again or match the parts.</source>
@@ -18474,36 +18419,8 @@ but nothing can be built</source>
         <translation>Нижняя головка шатуна, %1, легче верхней, %2. Поменяйте их местами или взвесьте шатун снова.</translation>
     </message>
     <message>
-        <source>%1: %2 entered, but %3 weighed. Correct the one that is wrong.</source>
-        <translation>%1: введено %2, но взвешено %3. Исправьте неверное.</translation>
-    </message>
-    <message>
-        <source>%1: nominal %2, but %3 weighed. Correct the one that is wrong.</source>
-        <translation>%1: номинал %2, но взвешено %3. Исправьте неверное.</translation>
-    </message>
-    <message>
-        <source>A balance factor of %1 looks like a share of 1. Enter per cent: 50 for one half.</source>
-        <translation>Коэффициент балансировки %1 похож на долю единицы. Введите проценты: 50 для половины.</translation>
-    </message>
-    <message>
-        <source>%1: %2 entered, but the nominal parts add up to %3. Correct the one that is wrong.</source>
-        <translation>%1: введено %2, но сумма номинальных деталей %3. Исправьте неверное.</translation>
-    </message>
-    <message>
         <source>The crankpins are unequal: their excess is %1 to %2, and the plugs are for the mean. Move the sets or match the parts first.</source>
         <translation>Шатунные шейки неодинаковы: их избыток от %1 до %2, а заглушки рассчитаны на среднее. Сначала переставьте комплекты или подгоните детали.</translation>
-    </message>
-    <message>
-        <source>%1: spread %2, permitted %3 (heaviest: cylinder %4, lightest: %5).</source>
-        <translation>%1: разброс %2, допускается %3 (самая тяжёлая: цилиндр %4, самая лёгкая: %5).</translation>
-    </message>
-    <message>
-        <source>%1: the drilling has increased the unbalance to %2 instead of %3. Mark holes on the wrong side, or check whether the machine shows the light spot.</source>
-        <translation>%1: сверление увеличило дисбаланс до %2 вместо %3. Отметьте отверстия, просверленные не с той стороны, или проверьте, не показывает ли станок лёгкое место.</translation>
-    </message>
-    <message>
-        <source>%1: the drilling has left %2 instead of %3. Enter what was really drilled: angle, depth, zero and direction of counting.</source>
-        <translation>%1: после сверления осталось %2 вместо %3. Введите, что просверлено на самом деле: угол, глубину, ноль и направление отсчёта.</translation>
     </message>
     <message>
         <source>A crankshaft of %1 is too heavy for this engine. Correct its mass in kilograms.</source>
@@ -18512,38 +18429,6 @@ but nothing can be built</source>
     <message>
         <source>The crankshaft with its bob weights, %1, weighs less than the bob weights, %2. Correct its mass.</source>
         <translation>Вал с балансировочными грузами, %1, легче самих грузов, %2. Исправьте его массу.</translation>
-    </message>
-    <message>
-        <source>No engine runs at %1 in service. Correct the speed.</source>
-        <translation>Двигатели не работают при %1. Исправьте частоту вращения.</translation>
-    </message>
-    <message>
-        <source>The bearings lie the other way round than the planes. Measure all positions from one point in one direction.</source>
-        <translation>Подшипники расположены в обратном порядке относительно плоскостей. Измерьте все положения от одной точки в одном направлении.</translation>
-    </message>
-    <message>
-        <source>The centre of mass lies beyond planes and bearings. Correct its position.</source>
-        <translation>Центр масс вне плоскостей и подшипников. Исправьте его положение.</translation>
-    </message>
-    <message>
-        <source>%1: a drilling radius of %2 does not go with a crank radius of %3. Enter the radius, not the diameter.</source>
-        <translation>%1: радиус сверления %2 не соответствует радиусу кривошипа %3. Введите радиус, а не диаметр.</translation>
-    </message>
-    <message>
-        <source>The machine reads far outside the planes: an error of its readings may be %1 times as large in them. Read nearer to the planes.</source>
-        <translation>Станок измеряет далеко от плоскостей: погрешность показаний в них может быть в %1 раза больше. Измеряйте ближе к плоскостям.</translation>
-    </message>
-    <message>
-        <source>The machine reads beside the planes. Enter the angles of the readings.</source>
-        <translation>Станок измеряет не в плоскостях коррекции. Введите углы показаний.</translation>
-    </message>
-    <message>
-        <source>%1: the edge of a hole reaches %2 beyond the sector that may be drilled. Check that there is metal enough.</source>
-        <translation>%1: край отверстия выходит за сектор сверления на %2. Проверьте, достаточно ли там металла.</translation>
-    </message>
-    <message>
-        <source>%1: no sector is given; holes may lie anywhere on the rim. Enter the sector of the counterweight.</source>
-        <translation>%1: сектор не задан; отверстия могут быть в любом месте обода. Введите сектор противовеса.</translation>
     </message>
     <message>
         <source>Clockwise</source>
@@ -18562,14 +18447,6 @@ but nothing can be built</source>
         <translation>Лёгкое место</translation>
     </message>
     <message>
-        <source>Sludge-trap plugs of a V-8, as in the scene v8-plugs, without its weigh-in, balancing and job.</source>
-        <translation>Заглушки грязеуловителей V-8, как в модуле v8-plugs, без взвешивания, станка и работы.</translation>
-    </message>
-    <message>
-        <source>How the balancing machine is set up.</source>
-        <translation>Настройка балансировочного станка.</translation>
-    </message>
-    <message>
         <source>Names of the planes</source>
         <translation>Названия плоскостей</translation>
     </message>
@@ -18582,16 +18459,8 @@ but nothing can be built</source>
         <translation>Отсчёт градусов</translation>
     </message>
     <message>
-        <source>Seen from the front of the crankshaft.</source>
-        <translation>Если смотреть спереди вала.</translation>
-    </message>
-    <message>
         <source>Machine shows</source>
         <translation>Станок показывает</translation>
-    </message>
-    <message>
-        <source>The spot whose angle the machine shows; holes are planned at the heavy spot either way.</source>
-        <translation>Место, угол которого показывает станок; отверстия в любом случае планируются в тяжёлом месте.</translation>
     </message>
     <message>
         <source>Zero mark</source>
@@ -18608,10 +18477,6 @@ but nothing can be built</source>
     <message>
         <source>is allowed only for a V of 8 cylinders at 90° with two rods on a crankpin and no split</source>
         <translation>допускается только для V-образного двигателя с 8 цилиндрами под 90°, двумя шатунами на шейке и без смещения шеек</translation>
-    </message>
-    <message>
-        <source>must be left out where plugs are given</source>
-        <translation>не указывается, если заданы заглушки</translation>
     </message>
     <message>
         <source>Plugs</source>
@@ -18650,20 +18515,128 @@ but nothing can be built</source>
         <translation>Годен: %5 %1, %6 %2; допустимо %3 и %4.</translation>
     </message>
     <message>
-        <source>%1: spread %2 (heaviest: cylinder %3, lightest: %4). Weigh them again or match the parts.</source>
-        <translation>%1: разброс %2 (самый тяжёлый: цилиндр %3, самый лёгкий: %4). Взвесьте ещё раз или подберите детали.</translation>
+        <source>The readings are of another crankshaft: number %1 then, %2 now. Measure again.</source>
+        <translation>Показания относятся к другому коленчатому валу: тогда номер %1, сейчас %2. Измерьте снова.</translation>
     </message>
     <message>
-        <source>Reciprocating mass %1 and rotating mass %2 of a cylinder do not go together. Check the masses of the parts.</source>
-        <translation>Возвратно-поступательная масса %1 и вращающаяся %2 одного цилиндра не подходят друг другу. Проверьте массы деталей.</translation>
+        <source>The readings were taken with another bob weight: %1 then, %2 now. Measure again.</source>
+        <translation>Показания сняты с другим балансировочным грузом: тогда %1, сейчас %2. Измерьте снова.</translation>
     </message>
     <message>
-        <source>Number of the part</source>
-        <translation>Номер детали</translation>
+        <source>Range</source>
+        <translation>Размах</translation>
+    </message>
+    <message>
+        <source>Within permitted range</source>
+        <translation>В пределах допустимого размаха</translation>
+    </message>
+    <message>
+        <source>Matching of the parts</source>
+        <translation>Подбор деталей</translation>
+    </message>
+    <message>
+        <source>Range of the crankpins before</source>
+        <translation>Размах шатунных шеек до</translation>
+    </message>
+    <message>
+        <source>Range of the crankpins</source>
+        <translation>Размах шатунных шеек</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Всего</translation>
+    </message>
+    <message>
+        <source>%1: %2 entered, but %3 weighed. Correct the wrong value.</source>
+        <translation>%1: введено %2, но взвешено %3. Исправьте неверное.</translation>
+    </message>
+    <message>
+        <source>%1: nominal %2, but %3 weighed. Correct the wrong value.</source>
+        <translation>%1: номинал %2, но взвешено %3. Исправьте неверное.</translation>
+    </message>
+    <message>
+        <source>A balance factor of %1 looks like a fraction. Enter percent: 50 for one half.</source>
+        <translation>Коэффициент балансировки %1 похож на долю единицы. Введите проценты: 50 для половины.</translation>
+    </message>
+    <message>
+        <source>%1: %2 entered, but the nominal parts add up to %3. Correct the wrong value.</source>
+        <translation>%1: введено %2, но сумма номинальных деталей %3. Исправьте неверное.</translation>
+    </message>
+    <message>
+        <source>%1: range %2, permitted %3 (heaviest: cylinder %4, lightest: %5).</source>
+        <translation>%1: размах %2, допускается %3 (самая тяжёлая: цилиндр %4, самая лёгкая: %5).</translation>
+    </message>
+    <message>
+        <source>%1: range %2 (heaviest: cylinder %3, lightest: %4). Weigh them again or match the parts.</source>
+        <translation>%1: размах %2 (самый тяжёлый: цилиндр %3, самый лёгкий: %4). Взвесьте ещё раз или подберите детали.</translation>
+    </message>
+    <message>
+        <source>Reciprocating mass %1 and rotating mass %2 of a cylinder are inconsistent. Check the masses of the parts.</source>
+        <translation>Возвратно-поступательная масса %1 и вращающаяся %2 одного цилиндра не согласуются. Проверьте массы деталей.</translation>
+    </message>
+    <message>
+        <source>%1: drilling increased the unbalance to %2 instead of %3. Mark holes on the wrong side, or check whether the machine shows the light spot.</source>
+        <translation>%1: сверление увеличило дисбаланс до %2 вместо %3. Отметьте отверстия, просверленные не с той стороны, или проверьте, не показывает ли станок лёгкое место.</translation>
+    </message>
+    <message>
+        <source>%1: residual %2 after drilling instead of %3. Check the actual holes: angle, depth, zero mark and direction of degrees.</source>
+        <translation>%1: остаток после сверления %2 вместо %3. Проверьте, как просверлено: угол, глубину, нулевую метку и направление отсчёта.</translation>
+    </message>
+    <message>
+        <source>The readings are not in the planes. Enter their angles.</source>
+        <translation>Показания сняты не в плоскостях коррекции. Введите их углы.</translation>
+    </message>
+    <message>
+        <source>A service speed of %1 is implausible. Correct the speed.</source>
+        <translation>Рабочая частота %1 неправдоподобна. Исправьте её.</translation>
+    </message>
+    <message>
+        <source>The bearings are in reverse order to the planes. Measure all positions from one point in one direction.</source>
+        <translation>Подшипники расположены в обратном порядке относительно плоскостей. Измерьте все положения от одной точки в одном направлении.</translation>
+    </message>
+    <message>
+        <source>The centre of mass is beyond planes and bearings. Correct its position.</source>
+        <translation>Центр масс вне плоскостей и подшипников. Исправьте его положение.</translation>
+    </message>
+    <message>
+        <source>%1: a drilling radius of %2 does not match a crank radius of %3. Enter the radius, not the diameter.</source>
+        <translation>%1: радиус сверления %2 не соответствует радиусу кривошипа %3. Введите радиус, а не диаметр.</translation>
+    </message>
+    <message>
+        <source>The machine reads far outside the planes: errors may be %1 times as large in the planes. Measure nearer to the planes.</source>
+        <translation>Станок измеряет далеко от плоскостей: погрешность показаний в них может быть в %1 раза больше. Измеряйте ближе к плоскостям.</translation>
+    </message>
+    <message>
+        <source>%1: the edge of a hole is %2 beyond the drilling sector. Check that there is enough metal.</source>
+        <translation>%1: край отверстия выходит за сектор сверления на %2. Проверьте, достаточно ли там металла.</translation>
+    </message>
+    <message>
+        <source>%1: no sector is given; holes may be anywhere on the rim. Enter the sector of the counterweight.</source>
+        <translation>%1: сектор не задан; отверстия могут быть в любом месте обода. Введите сектор противовеса.</translation>
+    </message>
+    <message>
+        <source>Sludge-trap plugs of a V-8, as in the module v8-plugs, without its weigh-in, balancing and job.</source>
+        <translation>Заглушки грязеуловителей V-8, как в модуле v8-plugs, без взвешивания, станка и работы.</translation>
+    </message>
+    <message>
+        <source>Settings of the balancing machine.</source>
+        <translation>Настройка балансировочного станка.</translation>
+    </message>
+    <message>
+        <source>Direction seen from the front of the crankshaft.</source>
+        <translation>Направление, если смотреть спереди вала.</translation>
+    </message>
+    <message>
+        <source>Spot shown by the machine; holes are always planned at the heavy spot.</source>
+        <translation>Место, которое показывает станок; отверстия всегда планируются в тяжёлом месте.</translation>
+    </message>
+    <message>
+        <source>must be left out with plugs</source>
+        <translation>не указывается, если заданы заглушки</translation>
     </message>
     <message>
         <source>%1: the holes drilled after %2 are opposite this heavy spot. Check whether the machine shows the heavy or the light spot.</source>
-        <translation>%1: отверстия, просверленные после показания %2, лежат напротив этого тяжёлого места. Проверьте, тяжёлое или лёгкое место показывает станок.</translation>
+        <translation>%1: отверстия, просверленные после показания %2, находятся напротив этого тяжёлого места. Проверьте, тяжёлое или лёгкое место показывает станок.</translation>
     </message>
     <message>
         <source>Drilling radii of %1 and %2: one looks like a diameter. Check both.</source>
@@ -18672,6 +18645,14 @@ but nothing can be built</source>
     <message>
         <source>%1 at %2 is not before %3 at %4. Check the positions of the planes.</source>
         <translation>%1 (%2) не впереди другой: %3 (%4). Проверьте положения плоскостей.</translation>
+    </message>
+    <message>
+        <source>Part number</source>
+        <translation>Номер детали</translation>
+    </message>
+    <message>
+        <source>%1: cylinders %2 differ from the others (%3, others %4). Weigh them again or match the parts.</source>
+        <translation>%1: цилиндры %2 отличаются от остальных (%3, остальные %4). Взвесьте их снова или подберите детали.</translation>
     </message>
 </context>
 </TS>

@@ -511,7 +511,7 @@ TEST_F(CommandLine, RefusesCasesThatTakeTooMuchWork) {
     }
     write("many.json", many.dump());
     expect_refused(run("solve many.json", "", some_seconds),
-                   "many.json: /input/reciprocating_masses_kg: must hold at most 1000 names\n");
+                   "many.json: /input/reciprocating_masses_kg: must have at most 1000 names\n");
 
     Json motion = Json::parse(read_all(fs::path(RAVNOVES_EXAMPLES) / "zotov-as-printed.case.json"));
     motion["input"]["kinematics"] = "exact";

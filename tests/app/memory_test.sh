@@ -50,7 +50,7 @@ for megabytes; do
         [ $status = 0 ] || [ "$(wc -l <err)" = 1 ] ||
             fault "'${words[*]}' in $megabytes MB says: $(head -c 200 err)"
         [ ! -e out.unfinished.lock ] || fault "'${words[*]}' in $megabytes MB leaves a lock"
-        ! grep 'needs more memory than there is' answers err >/dev/null || said=$((said + 1))
+        ! grep 'needs more memory than available' answers err >/dev/null || said=$((said + 1))
         [ "${words[1]}" != --batch ] || answers answers ||
             fault "a batch in $megabytes MB says: $(cut -c 1-100 answers err)"
     done <<'END'

@@ -108,9 +108,9 @@ TEST_F(StudyCommandLine, ShardsAreTheWholeToTheLastDigit) {
     std::string changed = read_all(folder / "part3");
     changed[changed.find("\"min\":") + 7] = '9';
     write("part3", changed);
-    expect_refused(run("study --merge part1 part3"),
-                   "part3: /sha256: is not the sum of the part, which was changed since it was "
-                   "written; run it again");
+    expect_refused(
+        run("study --merge part1 part3"),
+        "part3: /sha256: is not the checksum of the part: the part was changed; run it again");
     write("part2", "{}");
     expect_refused(run("study --merge part1 part2"), "part2: /format: is required");
 }
@@ -207,7 +207,7 @@ TEST_F(StudyCommandLine, WritesOverNoStudyOfAnotherCase) {
     write("other.json", other.dump());
     for (const char* options : {"", " --shard 1/2"}) {
         expect_refused(run(std::string("study other.json -o r.json") + options),
-                       "r.json: holds the study of another case, or of this one before it "
+                       "r.json: has the study of another case, or of this one before it "
                        "changed; move it or choose another file");
         EXPECT_EQ(read_all(folder / "r.json"), finished);
         EXPECT_FALSE(fs::exists(folder / "r.json.unfinished"));
@@ -249,9 +249,9 @@ TEST_F(StudyCommandLine, BadStudiesAreOneLine) {
     write("case.json", example().dump());
     expect_refused(run("study case.json"), "case.json: /study: is required and missing");
     expect_refused(with("/study/vary/~1crank_radius", {{"plus_minus", 1}}),
-                   "case.json: /study/vary/~1crank_radius: must lead to a number of the input");
+                   "case.json: /study/vary/~1crank_radius: must point to a number of the input");
     expect_refused(with("/study/watch/~1metrics~1M_up", Json::object()),
-                   "case.json: /study/watch/~1metrics~1M_up: must lead to a number of the result");
+                   "case.json: /study/watch/~1metrics~1M_up: must point to a number of the result");
     expect_refused(with("/study/watch/~1metric", Json::object()),
                    "case.json: /study/watch/~1metric: must be a value that the result has");
     expect_refused(with("/study/vary/~1crank_radius_mm", {{"plus_minus", 1e200}}),

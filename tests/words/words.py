@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""words.py SOURCE-FOLDER: the documents that a person reads, against the language of this program.
+"""words.py SOURCE-FOLDER: every text that a person reads, against the language of this program.
 
-Phrases that no text may have, one term for one thing, at most 25 words a sentence.
+Phrases that no text may have, one term for one thing, at most 25 words a sentence and two sentences
+a text. Texts of core and ui come from the translations, which a test compares with the sources.
 """
 
 import re
 import sys
+import xml.etree.ElementTree as ET
 from pathlib import Path
 
 # What no text says, and what it says instead.
@@ -34,14 +36,20 @@ ENGLISH = {
     r"be rid of": "uninstall, remove",
     r"makes? least": "minimise",
     r"so (many|much|long)(?! as)": "name the number",
-    r"nobody|nowhere|nought": "say what there is",
+    r"nobody|nought": "say what there is",
+    r"holds?|held": "has, contains, applies",
+    r"(?<!under)lies?|lying": "is",
+    r"asks? for|takes? up": "requires, absorbs",
+    r"goes|gone": "moves, is removed",
+    r"today[’']s": "present",
+    r"(largest|smallest|heaviest|highest) less": "maximum minus minimum",
     r"as good as": "equal to",
     r"(is|are) no more than": "is only",
     r"paled?": "dimmed",
     r"put right": "correct",
 }
 RUSSIAN = {
-    r"на замену": "заготовка",
+    r"числа на замену": "заготовка",
     r"в пути": "ещё вычисляется",
     r"построить нельзя|нельзя построить|можно построить": "допустимо, недопустимо",
     r"отверг\w*": "не принято",
@@ -60,6 +68,10 @@ RUSSIAN = {
 FIELD_ROWS = r"^\| `" + 4 * r"(?:[^|\\\n]|\\\|)*\|" + "$"
 
 LONGEST_SENTENCE = 25  # words
+MOST_SENTENCES = 2
+
+# Texts of more than two sentences on purpose: what a whole page, card or report says.
+PROSE = {"ravnoves::ReportWords", "methods"}
 
 # Words of the trade and of contracts that contain a phrase.
 ALLOWED = re.compile(
@@ -93,10 +105,13 @@ def words(sentence):
     return [word for word in sentence.split() if re.search(r"[^\W\d_]", word)]
 
 
-def lengths(place, text):
+def lengths(place, text, most=None):
     for sentence in sentences(ALLOWED.sub(" ", text)):
         if len(words(sentence)) > LONGEST_SENTENCE:
             fault(place, sentence, f"{len(words(sentence))} words in a sentence")
+    full = [s for s in re.split(r"(?<=[.!?])\s+", text) if len(words(s)) > 2]
+    if most and len(full) > most:
+        fault(place, text, f"{len(full)} sentences")
 
 
 def paragraphs(markdown):
@@ -122,6 +137,28 @@ def page(path, language, generated=None):
 
 
 def main(source):
+    texts = 0
+    for context in ET.parse(source / "resources/translations/ravnoves_ru.ts").getroot().iter("context"):
+        name = context.findtext("name")
+        if name == "Keys":  # of case files, word by word
+            continue
+        for message in context.iter("message"):
+            texts += 1
+            most = None if name in PROSE else MOST_SENTENCES
+            english = message.findtext("source").replace("&", "")
+            phrases(name, english, ENGLISH)
+            lengths(name, english, most)
+            translation = message.find("translation")
+            for russian in [translation.text] if len(translation) == 0 else [f.text for f in translation]:
+                phrases(name, (russian or "").replace("&", ""), RUSSIAN)
+                lengths(name, russian or "")
+    if texts < 1000:
+        fault("translations", "", "too few texts were found")
+
+    for path in sorted((source / "app").rglob("*.cpp")):
+        for literal in re.findall(r'"((?:[^"\\\n]|\\.)*)"', path.read_text(encoding="utf-8")):
+            if " " in literal:
+                phrases(path.name, literal, ENGLISH)
     for path in sorted((source / "resources/help").glob("*.md")):
         page(path, RUSSIAN if path.name.endswith(".ru.md") else ENGLISH, FIELD_ROWS)
     page(source / "README.md", ENGLISH)
@@ -129,6 +166,11 @@ def main(source):
     for path in sorted((source / "packaging/man").glob("*.1")):
         roff = re.sub(r"^\.\\\".*$|^\.[A-Z]+ ?|\\f[A-Z]|\\\||\\&", "", path.read_text(encoding="utf-8"), flags=re.M)
         phrases(path.name, roff.replace("\\-", "-"), ENGLISH)
+
+    for part in ET.parse(next((source / "packaging/desktop").glob("*.metainfo.xml"))).iter():
+        language = RUSSIAN if part.get("{http://www.w3.org/XML/1998/namespace}lang") == "ru" else ENGLISH
+        phrases("metainfo", part.text or "", language)
+        lengths("metainfo", part.text or "")
 
     if faults:
         print(f"{faults} faults")

@@ -65,7 +65,7 @@ void BalanceShaftPage::addMasses(Form* form) {
     form->follow([this, sum, note] {
         sum->setText(shownNumber(model_->input().reciprocating_mass(), units::kg, 3));
         const double other = model_->otherMasses();
-        note->setText(tr("%1 of it are not listed above.").arg(shownShort(other, units::kg, 6)));
+        note->setText(tr("%1 are not listed above.").arg(shownShort(other, units::kg, 6)));
         note->setVisible(other > 0.0);
     });
 }
@@ -79,7 +79,7 @@ QTabWidget* BalanceShaftPage::buildInputs() {
     showAssumed(form, form->number("/counterweight_mass_kg"),
                 [this] { return std::optional(model_->input().counterweight()); });
     form->number("/centre_distance_mm");
-    form->section(tr("Sizes: what can be built"));
+    form->section(tr("Sizes for clearance"));
     for (const auto& [place, size] :
          {std::pair("/envelope/cylinder_wall_mm", &FrontView::cylinder_wall),
           std::pair("/envelope/cylinder_bottom_mm", &FrontView::cylinder_bottom),

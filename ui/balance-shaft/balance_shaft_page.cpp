@@ -41,9 +41,9 @@ BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
         1);
 
     bestRangeAction_ = new QAction(themedIcon(QStringLiteral("best")),
-                                   tr("Go to the α of the least &range"), this);
+                                   tr("Apply the α of the minimum &range"), this);
     connect(bestRangeAction_, &QAction::triggered, model_, &BalanceShaftModel::goToBestRange);
-    bestRmsAction_ = new QAction(tr("Go to the α of the least R&MS"), this);
+    bestRmsAction_ = new QAction(tr("Apply the α of the minimum R&MS"), this);
     connect(bestRmsAction_, &QAction::triggered, model_, &BalanceShaftModel::goToBestRms);
     connect(model_, &SceneModel::changed, this, &BalanceShaftPage::showBest);
     for (const auto signal :
@@ -62,13 +62,13 @@ QWidget* BalanceShaftPage::buildPlots() {
 
     auto* bar = new Panel(holder);
     QHBoxLayout* barRow = rowIn(bar, Theme::margin, barMargins);
-    angle_ = new FieldSlider(
-        model_, "/shaft_angle_deg", {0.0, 360.0, 0.1, 10.0, 2}, bar,
-        {.label = tr("Shaft angle &α"),
-         .hint = tr("Angle from the cylinder axis to the line of centres, in the direction of "
-                    "rotation; 90° is beside the crank. 0 to 360°, steps of 0.1°."),
-         .read = [this] { return model_->shaftAngleDeg(); },
-         .write = [this](double angle) { model_->setShaftAngleDeg(angle); }});
+    angle_ =
+        new FieldSlider(model_, "/shaft_angle_deg", {0.0, 360.0, 0.1, 10.0, 2}, bar,
+                        {.label = tr("Shaft angle &α"),
+                         .hint = tr("Angle from the cylinder axis to the line of centres, in the "
+                                    "direction of rotation; at 90° the shaft is beside the crank."),
+                         .read = [this] { return model_->shaftAngleDeg(); },
+                         .write = [this](double angle) { model_->setShaftAngleDeg(angle); }});
     angle_->slider()->setObjectName(QStringLiteral("shaft_angle_slider"));
     barRow->addWidget(angle_, 1);
     column->addWidget(bar);
@@ -114,8 +114,8 @@ QGridLayout* BalanceShaftPage::buildBest(QWidget* parent) {
         auto* label = new PartText(model_, part, parent);
         label->setFont(Theme::font());
         colourText(label, &Theme::text);
-        label->setToolTip(tr("Over all α that can be built, exact for the continuous cycle"));
-        auto* button = new QPushButton(tr("Go"), parent);
+        label->setToolTip(tr("Over all feasible α, exact for the continuous cycle"));
+        auto* button = new QPushButton(tr("Apply"), parent);
         button->setObjectName(QLatin1String(name));
         button->setMaximumWidth(Theme::withText(52));
         button->setAccessibleName(hint);
@@ -125,9 +125,9 @@ QGridLayout* BalanceShaftPage::buildBest(QWidget* parent) {
         grid->addWidget(button, row, 1);
         return button;
     };
-    goRange_ = add(0, "best-range", "go_best_range", tr("Go to the α of the least range"),
+    goRange_ = add(0, "best-range", "go_best_range", tr("Apply the α of the minimum range"),
                    &BalanceShaftModel::goToBestRange);
-    goRms_ = add(1, "best-rms", "go_best_rms", tr("Go to the α of the least RMS"),
+    goRms_ = add(1, "best-rms", "go_best_rms", tr("Apply the α of the minimum RMS"),
                  &BalanceShaftModel::goToBestRms);
     return grid;
 }
@@ -144,7 +144,7 @@ void BalanceShaftPage::showBest() {
 void BalanceShaftPage::showVerdict() {
     const Verdict verdict = withRefused(model_->verdict(), *model_);
     verdict_->show(verdict,
-                   verdict.act == balance_shaft::move_trace_act   ? tr("Move the trace by &360°")
+                   verdict.act == balance_shaft::move_trace_act   ? tr("Shift the trace by &360°")
                    : verdict.act == balance_shaft::best_range_act ? tr("&Use the best feasible α")
                                                                   : QString());
 }

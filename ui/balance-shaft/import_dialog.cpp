@@ -125,7 +125,7 @@ QWidget* ImportDialog::buildSettings() {
     header_->setObjectName(QStringLiteral("import_header_lines"));
     header_->setRange(0, 999);
     layout->addWidget(tr("&Header lines"), header_, {},
-                      tr("Lines above the first row. Empty lines and comments (#) do not count."));
+                      tr("Lines above the first row, without empty lines and comments (#)."));
     cycle_ = addChoice(layout, "import_cycle", tr("C&ycle"),
                        tr("Length of a cycle. Several cycles in the file are averaged."),
                        {tr("360° (two-stroke)"), tr("720° (four-stroke)")});

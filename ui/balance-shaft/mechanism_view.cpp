@@ -240,7 +240,7 @@ void MechanismView::paintPicture(QPainter& painter) {
         const double row = std::max(16.0, painter.fontMetrics().height() + 1.0);
         painter.setPen(theme.error());
         drawing::drawWithHalo(painter, QRectF(rect()).adjusted(8, 6 + row, -8, -6),
-                              Qt::AlignTop | Qt::AlignRight, tr("cannot be built"));
+                              Qt::AlignTop | Qt::AlignRight, tr("does not fit"));
     }
     // Legend of the arrows.
     const std::vector<std::pair<QString, QColor>> names{

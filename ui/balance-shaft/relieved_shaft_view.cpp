@@ -225,11 +225,11 @@ QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
     form->section(tr("Shaft with a relieved middle"));
     form->choice(
             {}, tr("&Find"),
-            {tr("depth h"), tr("length b"), tr("diameter D"), tr("nothing, only check")},
-            tr("Two sizes are given, the third follows from the unbalance m₁ ρ₁."),
+            {tr("depth h"), tr("length b"), tr("diameter D"), tr("none, check only")},
+            tr("Enter two sizes; the third follows from the unbalance m₁ ρ₁."),
             [this] { return static_cast<int>(model_->sized()); },
             [this](int index) { model_->choose(static_cast<RelievedShaftModel::Sized>(index)); })
-        ->setAccessibleName(tr("Size that follows from the others"));
+        ->setAccessibleName(tr("Computed size"));
     const auto addSize = [&](const Field& field, RelievedShaftModel::Size size) {
         NumberField* number = form->number(
             field, [this, size] { return model_->sizeOf(size); },

@@ -44,7 +44,7 @@ std::vector<ShaftMapKey::Entry> ShaftMapKey::entries() const {
                          painter.drawEllipse(middle, 4.0, 4.0);
                      }});
     if (map_.map() != nullptr && !map_.map()->blocked.empty()) {
-        shown.push_back({tr("cannot be built"), [&theme](QPainter& painter, const QPointF& middle) {
+        shown.push_back({tr("does not fit"), [&theme](QPainter& painter, const QPointF& middle) {
                              const QRectF box(middle - QPointF(8, 5), QSizeF(16, 10));
                              QPainterPath path;
                              path.addRect(box);
@@ -70,7 +70,7 @@ std::vector<ShaftMapKey::Entry> ShaftMapKey::entries() const {
         }
     }
     if (hollow != nullptr) {
-        addSign(tr("best of all"), *hollow);
+        addSign(tr("ignoring clearance"), *hollow);
     }
     const QFontMetricsF metrics(Theme::font(Theme::smallSize));
     const double row = std::ceil(metrics.height()) + 3.0;
@@ -137,7 +137,7 @@ void ShaftMapKey::paintColours(QPainter& painter, double top) const {
             QRectF(bar.left() + each * static_cast<double>(i), top, each + 0.5, colourBarHeight()),
             QColor(colours[i]));
     }
-    // No change first: its number stands in any case.
+    // No change first: its number is in any case.
     std::vector<BarNumber> numbers;
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const bool isNoChange = levels[i] == 0.0;

@@ -23,14 +23,14 @@ class ShaftMapLabels {
         bool isBold = false;
     };
 
-    /// Begins anew in a rectangle of pixels.
+    /// Begins again in a rectangle of pixels.
     void clear(const QRectF& area);
     /// No number in this square.
     void keepFree(const QPointF& middle, double half);
     /// The change at each marker of the criterion.
     void addMarkers(const ShaftMapModel& map, const PlaceScale& scale);
     /// Each line's number where the line is nearest to a ray from the best place, so that the
-    /// numbers stand in a row; the ray turns on where that has no room.
+    /// numbers are in a row; the ray turns on where that has no room.
     /// @param lines  the longest of each contour, pixels
     void addContours(const ShaftMapModel& map, const std::vector<QPolygonF>& lines,
                      const PlaceScale& scale);

@@ -20,13 +20,11 @@ ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, QWidget* parent)
     : PartPlot(model, "places", parent), model_(model), map_(model->shaftMap()) {
     setObjectName(QStringLiteral("shaft_map"));
     setToolTip(
-        tr("The engine from the front, to scale. Drag the shaft's axis (steps of 0.5 mm and 0.5°), "
-           "or move it by the arrow keys: 0.1 mm, with Shift 1 mm. A double click goes to a place; "
-           "Page up and Page down "
-           "choose a marker, Enter goes there. Where it is hatched the shaft cannot be built."));
+        tr("Front view to scale; hatched: does not fit. Drag the shaft (0.5 mm, 0.5°) or use arrow "
+           "keys (0.1 mm, Shift 1 mm); double-click or select a marker (Page Up, Page Down) and "
+           "press Enter to move."));
     setStatusTip(
-        tr("Drag the shaft's axis, or double-click where it goes. Arrow keys: 0.1 mm, "
-           "with Shift 1 mm."));
+        tr("Drag the shaft, or double-click its new place. Arrow keys: 0.1 mm, with Shift 1 mm."));
     setPaintsGhosts();
     connect(map_, &ShaftMapModel::mapChanged, this, [this] {
         chosen_.reset();
@@ -133,7 +131,7 @@ void ShaftMapPlot::labelMarkers() {
     for (const ShaftMapModel::Marker& marker : map_->markers()) {
         labels_.keepFree(pixelOf(marker.position), glyphRadius() + 3.5);
     }
-    // No number under the handle, as it stands now.
+    // No number under the handle, as it is now.
     freeFor_ = map_->present();
     labels_.keepFree(pixelOf(freeFor_), shaftHandleRadius + 2.0);
     labels_.addMarkers(*map_, PlaceScale(*this));

@@ -41,7 +41,7 @@ class ShaftMapPlot : public PartPlot {
     QString bestWords() const;
 
   Q_SIGNALS:
-    /// What is under the pointer, in words; empty where it left.
+    /// What is under the pointer, as text; empty where it left.
     void hovered(const QString& text);
 
   protected:
@@ -50,7 +50,7 @@ class ShaftMapPlot : public PartPlot {
     void paintOverCurves(QPainter& painter) override;
     void paintTop(QPainter& painter) override;
     double keyHeight() const override;
-    bool readsUnderPointer() const override { return false; }  // in words beside the map
+    bool readsUnderPointer() const override { return false; }  // as text beside the map
     bool event(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;

@@ -173,7 +173,7 @@ bool ShaftMapPlot::event(QEvent* event) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const QPointF at = help->pos();
         if (plotArea().contains(at)) {
-            // Over the map only what there is to say of the place: how to use it stands beside.
+            // Over the map only what there is to say of the place: how to use it is beside.
             QToolTip::showText(help->globalPos(), shaft_map_text::reason(*map_, placeAt(at)), this);
             return true;
         }

@@ -96,7 +96,7 @@ QWidget* ShaftMapView::buildBar() {
     distance_ = new FieldSlider(
         model_, "/centre_distance_mm", {0.0, 200.0, 0.1, 10.0, 2}, bar,
         {.label = tr("Distance &l"),
-         .hint = tr("From the crank's axis to the shaft's; α stays. Steps of 0.1 mm."),
+         .hint = tr("Distance from crank axis to shaft axis; α is kept."),
          // A new range is a new layout of the page: not at every step.
          .ends = [this] { return std::pair(0.0, std::ceil(map_->largestDistance() / units::mm)); },
          .write = [this](double value) { map_->setDistance(value * units::mm); }});
@@ -116,8 +116,8 @@ QWidget* ShaftMapView::buildBar() {
     criterion_->setObjectName(QStringLiteral("map_criterion"));
     criterion_->setAccessibleName(tr("Criterion of the places of the shaft"));
     criterion_->setToolTip(
-        tr("What the map shows and the best place makes least, against the engine without a shaft: "
-           "the range of Mᵤₚₛ, its RMS, or a weighted sum of both"));
+        tr("Criterion of map and optimum, relative to no shaft: range of Mᵤₚₛ, its RMS, or a "
+           "weighted sum"));
     label->setBuddy(criterion_);
     connect(criterion_, &QComboBox::activated, this, [this](int index) {
         map_->setCriterion(static_cast<ShaftMapModel::Criterion>(index));
@@ -131,8 +131,7 @@ QWidget* ShaftMapView::buildBar() {
     row->addWidget(best_);
     near_ = new QPushButton(tr("&Near place"), bar);
     near_->setObjectName(QStringLiteral("go_near_place"));
-    near_->setToolTip(
-        tr("The place nearest to the crank that is at most 1 % worse than the best."));
+    near_->setToolTip(tr("Place nearest to the crank, at most 1 % worse than the best."));
     connect(near_, &QPushButton::clicked, map_, &ShaftMapModel::goToNear);
     row->addWidget(near_);
     column->addLayout(row);
@@ -140,8 +139,8 @@ QWidget* ShaftMapView::buildBar() {
     weight_ = new ValueSlider(tr("&Weight of the range"), 0.0, 100.0, 1.0, 10.0, 0,
                               QStringLiteral("%"), bar);
     weight_->setHint(
-        tr("Share of the range in the weighted sum; the RMS has the rest. Both count "
-           "relative to the engine without a shaft."));
+        tr("Share of the range in the weighted sum, the rest is the RMS. Both are relative to no "
+           "shaft."));
     weight_->setValue(100.0 * map_->weight());
     connect(weight_, &ValueSlider::valueEdited, this,
             [this](double value) { map_->setWeight(value / 100.0); });
@@ -159,10 +158,9 @@ QWidget* ShaftMapView::buildLimits() {
           "/place_limits/top_mm"}) {
         form->number(place);
     }
-    section->addWide(captionLabel(
-        tr("Besides what the shaft must clear: for example a wall of the crankcase. What is empty "
-           "does not limit. The sizes of the engine are on the Inputs tab."),
-        section));
+    section->addWide(captionLabel(tr("Further limits, for example a crankcase wall; blank means no "
+                                     "limit. The sizes of the engine are on the Inputs tab."),
+                                  section));
     form->column()->addStretch();
     constexpr int enough = 340;  // no field stands far from its name
     form->setMaximumWidth(Theme::withText(enough));
@@ -179,17 +177,15 @@ void ShaftMapView::buildCharts() {
         chart->installEventFilter(this);
         return chart;
     };
-    distances_ = add(
-        "distances", "distances",
-        tr("Least range and least RMS of each centre distance, each at its best α: thin of all, "
-           "thick of those that can be built. Size is that of the box at the α of the criterion "
-           "chosen. Click to go to an l at its best α."));
+    distances_ = add("distances", "distances",
+                     tr("Minimum range and RMS at each l with its best α; thick: feasible. Size of "
+                        "the box by the criterion; click to move the shaft."));
     connect(distances_, &PlotView::picked, this,
             [this](double x) { map_->goToDistance(x * units::mm); });
 
     sizes_ = add("front", "sizes",
-                 tr("Places that can be built and that no other beats in range, RMS and size at "
-                    "once, each to one part in a million. Click to go to one."));
+                 tr("Feasible places that are Pareto-optimal in range, RMS and size. Click to move "
+                    "the shaft."));
     connect(sizes_, &PlotView::pickedAt, this, &ShaftMapView::pickSize);
 }
 
@@ -262,7 +258,7 @@ void ShaftMapView::showStale() {
     const QString computing = tr("computing …");
     distances_->setFaded(map_->isStale(), computing);
     sizes_->setFaded(map_->isStale() || nothingIsBuilt(),
-                     map_->isStale() ? computing : tr("nothing can be built"));
+                     map_->isStale() ? computing : tr("no feasible position"));
 }
 
 void ShaftMapView::showWords(const QString& hovered) {

@@ -18,7 +18,7 @@ class ShaftMapModel;
 class ShaftMapPlot;
 
 /// Where the shaft goes: the map of its places over the front view, the criteria over the centre
-/// distance, and what they cost in size. The charts stand beside the map where there is room, else
+/// distance, and what they cost in size. The charts are beside the map where there is room, else
 /// on tabs of their own.
 class ShaftMapView : public QWidget {
     Q_OBJECT
@@ -73,7 +73,7 @@ class ShaftMapView : public QWidget {
     ShaftMapPlot* plot_;
     PartPlot* distances_;
     PartPlot* sizes_;
-    std::optional<bool> wide_;  ///< the charts stand beside the map
+    std::optional<bool> wide_;  ///< the charts are beside the map
 };
 
 }  // namespace ravnoves

@@ -139,10 +139,8 @@ QWidget* ShaftTabs::buildSize() {
     });
     column->addWidget(range, 3);
     column->addWidget(captionLabel(
-        SizeWords::tr(
-            "The box around cylinder, crank circle, shaft circle and gears, with the wall, in the "
-            "front view. Where the shaft's circle meets cylinder, crank or rod, α cannot be built. "
-            "The sizes are on the Inputs tab. Click either chart to set α."),
+        SizeWords::tr("Size of the box around cylinder, crank and shaft circles, gears and wall "
+                      "(front view; sizes: Inputs tab). Click a chart to set α."),
         holder));
     return holder;
 }
@@ -154,9 +152,8 @@ QWidget* ShaftTabs::buildOrders() {
     auto* panel = new Panel(holder);
     QVBoxLayout* inside = columnIn(panel, -1, tableMargins);
     inside->addWidget(captionLabel(
-        OrderWords::tr(
-            "A four-stroke cycle has half orders, a two-stroke one has whole ones. A shaft at "
-            "crank speed changes order 1 alone; the best RMS is where it opposes that order."),
+        OrderWords::tr("A shaft at crank speed changes only order 1; the RMS is minimal where the "
+                       "shaft opposes it. A two-stroke cycle has whole orders only."),
         panel));
     auto* table = new PartTable(model_, "order-table", OrderWords::tr("Order spectrum"), panel);
     table->setShownRows(5);
@@ -203,10 +200,10 @@ Form* ShaftTabs::buildFlywheelForm(QWidget* parent) {
             return given == &field::fluctuation ? wheel.fluctuation : wheel.inertia;
         });
     }
-    section->addWide(captionLabel(
-        FlywheelWords::tr("The load takes the mean torque. The inertia of piston and rod is in the "
-                          "torque already and is not a part of J."),
-        form));
+    section->addWide(
+        captionLabel(FlywheelWords::tr("The load equals the mean torque. J excludes piston and "
+                                       "rod, whose inertia is part of the torque."),
+                     form));
     form->column()->addStretch();
     return form;
 }

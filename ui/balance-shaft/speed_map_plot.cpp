@@ -27,13 +27,11 @@ SpeedMapPlot::SpeedMapPlot(BalanceShaftModel* model, QWidget* parent)
 
 void SpeedMapPlot::showMap() {
     borders_.clear();
-    setToolTip(
-        map() == nullptr
-            ? QString()
-            : SpeedWords::tr("The criterion with the shaft over that without it at the same speed: "
-                             "blue is less, orange is more, paled cannot be built. Along the thick "
-                             "line, 1.0, the shaft changes nothing. Click to set α and, with a "
-                             "computed torque, the speed."));
+    setToolTip(map() == nullptr
+                   ? QString()
+                   : SpeedWords::tr("Criterion with the shaft over criterion without: blue "
+                                    "smaller, orange larger, thick line 1.0, dimmed does not fit. "
+                                    "Click to set α and, with a computed torque, the speed."));
     if (map() == nullptr) {
         setImage({}, {});
         return;
@@ -161,7 +159,7 @@ QString SpeedMapPlot::wordsAt(double angleDeg, double speed) const {
     const double value = map()->valueAt(angleDeg, speed);
     const QLocale locale;
     const double change = 100.0 * (value - 1.0);
-    return tr("α %1°, n %2: %3 of that without a shaft, %4")
+    return tr("α %1°, n %2: %3 of the value without a shaft, %4")
         .arg(fixedNumber(angleDeg, 1, locale), shownNumber(speed * units::rpm, units::rpm, 0),
              fixedNumber(value, 3, locale),
              (change > 0.0 ? tr("%1 % worse") : tr("%1 % better"))

@@ -7,7 +7,7 @@
 namespace ravnoves {
 
 /// The map of SpeedStudyModel over α and speed, with a bar of its colours and their values, the
-/// line along which the shaft changes nothing, and what is under the pointer in words.
+/// line along which the shaft changes nothing, and what is under the pointer as text.
 class SpeedMapPlot : public PartPlot {
     Q_OBJECT
 
@@ -29,7 +29,7 @@ class SpeedMapPlot : public PartPlot {
 
   protected:
     void paintGround(QPainter& painter) override;
-    bool readsUnderPointer() const override { return false; }  // in words beside the map
+    bool readsUnderPointer() const override { return false; }  // as text beside the map
     double keyHeight() const override;
     bool event(QEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;

@@ -61,9 +61,9 @@ QWidget* SpeedView::buildWords() {
     answer->setFont(Theme::font());
     colourText(answer, &Theme::text);
     row->addWidget(answer, 1);
-    goLeastBad_ = new QPushButton(tr("Go"), panel);
+    goLeastBad_ = new QPushButton(tr("Apply"), panel);
     goLeastBad_->setMaximumWidth(Theme::withText(52));
-    goLeastBad_->setAccessibleName(tr("Go to the α that is least bad over the band"));
+    goLeastBad_->setAccessibleName(tr("Apply the best compromise α"));
     goLeastBad_->setToolTip(goLeastBad_->accessibleName());
     connect(goLeastBad_, &QPushButton::clicked, study_, &SpeedStudyModel::goToLeastBad);
     row->addWidget(goLeastBad_);
@@ -134,7 +134,7 @@ Form* SpeedView::buildForm() {
     }
     criterion_ = form->choice(
         {}, tr("&Map of"), {tr("range"), tr("RMS")},
-        tr("What the map shows and the least bad α makes least"),
+        tr("Criterion of the map and of the best compromise α"),
         [this] { return static_cast<int>(model_->speedCriterion()); },
         [this](int index) {
             model_->setSpeedCriterion(static_cast<BalanceShaftModel::SpeedCriterion>(index));
@@ -143,9 +143,9 @@ Form* SpeedView::buildForm() {
 }
 
 void SpeedView::showStudy() {
-    load_->setToolTip(study_->hasLoad() ? QString()
-                                        : tr("The load can be moved when the torque is a computed "
-                                             "cycle (Torque tab)."));
+    load_->setToolTip(study_->hasLoad()
+                          ? QString()
+                          : tr("The load can be changed for a computed cycle (Torque tab)."));
     goLeastBad_->setVisible(study_->isSolved());
     rebuild_->setVisible(!study_->isSolved() && model_->canRebuildTorque());
     charts_->setVisible(!study_->isRefused());

@@ -55,9 +55,8 @@ TorqueSourceEditor::TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent
     choice_->addItems({tr("table"), tr("pressure trace"), tr("computed cycle")});
     choice_->setObjectName(QStringLiteral("torque_source"));
     source->addWidget(tr("Tor&que from"), choice_, {},
-                      tr("A table is taken as it is. From a pressure trace or a computed cycle the "
-                         "torque is gas torque plus inertia torque of the masses and speed "
-                         "entered, so it follows both."));
+                      tr("A table is used as entered. A pressure trace or computed cycle gives gas "
+                         "torque plus inertia torque of the masses and speed."));
     column->addWidget(source);
     trouble_ = new TroubleLine(this);
     trouble_->setContentsMargins(Theme::margin, 0, Theme::margin, 0);
@@ -101,15 +100,14 @@ QWidget* TorqueSourceEditor::buildNoTable() {
     auto* column = new QVBoxLayout(noTable_);
     column->setContentsMargins(Theme::margin, 0, Theme::margin, Theme::gap);
     column->setSpacing(Theme::gap);
-    column->addWidget(captionLabel(
-        tr("The torque is still the computed one: there is no table yet. Paste one, import a CSV "
-           "file, or take over the computed torque."),
-        noTable_));
-    auto* take = new QPushButton(tr("Take over as table"), noTable_);
+    column->addWidget(captionLabel(tr("No table yet; the computed torque is used. Paste a table, "
+                                      "import a CSV file, or use the computed torque as table."),
+                                   noTable_));
+    auto* take = new QPushButton(tr("Use as table"), noTable_);
     take->setObjectName(QStringLiteral("take_computed_torque"));
     take->setToolTip(
-        tr("Make a table of the computed torque, with a row for each step of the "
-           "curves. From then on it follows neither speed nor masses."));
+        tr("Make a table of the computed torque, a row per step. The table does not follow speed "
+           "and masses."));
     column->addWidget(take);
     connect(take, &QPushButton::clicked, this, [this] {
         trouble_->say(model_->tabulateTorque());
@@ -130,8 +128,7 @@ QWidget* TorqueSourceEditor::buildCheck() {
     useSpeed_ = new QPushButton(tr("Use its speed"), remedies_);
     useSpeed_->setObjectName(QStringLiteral("use_matching_speed"));
     useSpeed_->setToolTip(
-        tr("Set the speed at which the masses entered have the inertia torque that "
-           "is in the table."));
+        tr("Set the speed at which the masses give the inertia torque of the table."));
     row->addWidget(useSpeed_);
     row->addWidget(rebuildButton(model_, QStringLiteral("rebuild_torque"), remedies_));
     column->addWidget(remedies_);
@@ -148,8 +145,8 @@ QPushButton* TorqueSourceEditor::rebuildButton(BalanceShaftModel* model, const Q
     auto* rebuild = new QPushButton(tr("Rebuild torque"), parent);
     rebuild->setObjectName(name);
     rebuild->setToolTip(
-        tr("Take the fitted inertia torque out of the table and put that of the masses and speed "
-           "entered in."));
+        tr("Replace the fitted inertia torque of the table by the inertia torque of masses and "
+           "speed."));
     connect(rebuild, &QPushButton::clicked, model, &BalanceShaftModel::rebuildTorque);
     return rebuild;
 }
@@ -179,9 +176,8 @@ QWidget* TorqueSourceEditor::buildPressure() {
     auto* form = new Form(model_);
     FormSection* file = form->section({});
     file->addWide(captionLabel(
-        tr("Measured cylinder pressure over one or more cycles, as a text file with columns. "
-           "Crank angles count from top dead centre before intake (two-stroke, 360°: from the "
-           "firing one)."),
+        tr("Measured cylinder pressure over one or more cycles, a text file with columns. Crank "
+           "angles start at the dead centre before intake (two-stroke: at firing)."),
         form));
     auto* import = new QPushButton(themedIcon(QStringLiteral("import")), tr("Impo&rt file…"), form);
     file->addWide(import);
@@ -193,7 +189,7 @@ QWidget* TorqueSourceEditor::buildPressure() {
     doubts->setObjectName(QStringLiteral("trace_doubts"));
     colourText(doubts, &Theme::warning);
     file->addWide(doubts);
-    auto* move = new QPushButton(tr("Move the trace by &360°"), form);
+    auto* move = new QPushButton(tr("Shift the trace by &360°"), form);
     move->setObjectName(QStringLiteral("move_trace_here"));
     connect(move, &QPushButton::clicked, model_, &BalanceShaftModel::moveTraceByTurn);
     file->addWide(move);
@@ -283,19 +279,17 @@ void TorqueSourceEditor::showForm(int page) {
     const TorqueSource& torque = model_->input().torque;
     noTable_->setVisible(page == TablePage && torque.is_computed());
     const bool isWithoutTrace = page == PressurePage && torque.kind != TorqueSource::Kind::pressure;
-    noTrace_->say(!isWithoutTrace ? QString()
-                  : torque.is_computed()
-                      ? tr("The torque is still that of the computed cycle: no pressure is read "
-                           "yet.")
-                      : tr("The torque is still that of the table: no pressure is read yet."));
+    noTrace_->say(!isWithoutTrace        ? QString()
+                  : torque.is_computed() ? tr("No pressure trace yet; the computed cycle is used.")
+                                         : tr("No pressure trace yet; the table is used."));
     const QString file = QString::fromStdString(torque.trace_csv);
     const QString name = QFileInfo(file).fileName();
     sayOrHide(trace_, file.isEmpty() ? QString()
                       : torque.trace.pressure.empty()
-                          ? tr("%1 cannot be read; read it again from where it is now.").arg(file)
+                          ? tr("%1 cannot be read; import it again from its new place.").arg(file)
                       : torque.trace_sum.now == describedSum_
                           ? name + QStringLiteral(": ") + described_
-                          : tr("The trace is that of %1.").arg(name));
+                          : tr("Pressure trace: %1.").arg(name));
     trace_->setToolTip(file);
 }
 

@@ -63,7 +63,7 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, TorqueTableModel*
     connect(table_, &EditableTable::troubleChanged, this, [this](const QString& trouble) {
         say(trouble.isEmpty() ? QString()
                               : trouble + QLatin1Char('\n') +
-                                    tr("What stood there before holds until this is mended."),
+                                    tr("The previous value is used until this is corrected."),
             !trouble.isEmpty());
     });
 }

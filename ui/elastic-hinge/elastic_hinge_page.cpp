@@ -93,7 +93,7 @@ QWidget* ElasticHingePage::buildSliders() {
                         {.label = tr("&error")}),
     };
     sliders[2]->setLogarithmic(50, 3);  // the stiffness
-    // One width for labels and boxes, so that the sliders stand in line.
+    // One width for labels and boxes, so that the sliders are in line.
     int labels = 0;
     int boxes = 0;
     for (const FieldSlider* slider : sliders) {
@@ -145,8 +145,8 @@ QWidget* ElasticHingePage::buildAnswer() {
     animated_->setObjectName(QStringLiteral("animate"));
     animated_->addItems(
         {tr("without hinge"), tr("crank hinge"), tr("both hinges"), tr("off design")});
-    animated_->setAccessibleName(tr("Which motion is played"));
-    animated_->setToolTip(tr("Which of the computed motions the picture plays"));
+    animated_->setAccessibleName(tr("Motion shown"));
+    animated_->setToolTip(tr("Computed motion that the picture shows"));
     connect(animated_, &QComboBox::activated, this, [this](int index) {
         model_->setAnimated(static_cast<ElasticHingeModel::Animated>(index));
     });
@@ -158,7 +158,7 @@ QWidget* ElasticHingePage::buildAnswer() {
 
     auto* answer = new Panel(holder);
     QVBoxLayout* answerColumn = columnIn(answer, Theme::gap, tableMargins);
-    auto* quantities = new PartTable(model_, "quantities", tr("What the design gives"), answer);
+    auto* quantities = new PartTable(model_, "quantities", tr("Results of the design"), answer);
     quantities->horizontalHeader()->hide();
     answerColumn->addWidget(quantities);
     column->addWidget(answer);

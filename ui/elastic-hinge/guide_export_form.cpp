@@ -26,13 +26,12 @@ GuideExportForm::GuideExportForm(ElasticHingeModel* model, QWidget* parent)
     section(tr("Guide for the machine shop"));
     hinge_ = addChoice("export_hinge", tr("&Hinge"),
                        {tr("crank, for M"), tr("crank, for M₁"), tr("rod, for M₁₂")},
-                       tr("Which hinge's guide is written"));
+                       tr("Hinge whose guide is written"));
     branch_ = addChoice("export_branch", tr("S&pring"), {tr("compressed"), tr("stretched")},
-                        tr("The side of its free length on which the spring works"));
+                        tr("Spring compressed or stretched"));
     turns_ = addChoice("export_turns", tr("&What turns"), {tr("guide turns"), tr("spring turns")},
-                       tr("In the paper the guide turns with the crank and the spring stands "
-                          "still: the roller then runs backwards in the guide's own axes, and the "
-                          "drawing is the mirror image of the plot"));
+                       tr("In the paper the guide turns with the crank and the spring is fixed: "
+                          "the drawing is the mirror image of the plot"));
     number(
         field::chord_tolerance, [&chosen] { return chosen.drawing.chord_tolerance; },
         [&chosen](std::optional<double> value) { chosen.drawing.chord_tolerance = *value; });
@@ -94,7 +93,7 @@ void GuideExportForm::showGuide() {
     dxf_->setEnabled(possible);
     csv_->setEnabled(possible);
     if (!branch.exists) {
-        note_->setText(tr("This guide does not exist; see the answer on the right."));
+        note_->setText(tr("This guide is not feasible; see the verdict."));
     } else if (branch.undercut) {
         note_->setText(tr("The roller undercuts this guide."));
     } else {

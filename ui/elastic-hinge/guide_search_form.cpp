@@ -9,11 +9,11 @@ namespace ravnoves {
 
 GuideSearchForm::GuideSearchForm(ElasticHingeModel* model, QWidget* parent) : Form(model, parent) {
     column()->setSpacing(Theme::space);
-    column()->addWidget(captionLabel(
-        tr("Finds stiffness and preload that give the crank's guide a relief that can be made, "
-           "with the free length, the roller and the side of the spring as they are."),
-        this));
-    section(tr("Wanted"));
+    column()->addWidget(
+        captionLabel(tr("Finds stiffness and preload for the required relief of the crank's guide; "
+                        "free length, roller and side of the spring are kept."),
+                     this));
+    section(tr("Required"));
     number("/guide_search/relief_mm");
     number("/guide_search/outer_diameter_mm");
     number("/guide_search/smallest_spring_length_mm");

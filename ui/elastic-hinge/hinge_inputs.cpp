@@ -168,10 +168,10 @@ void HingeInputs::addFamilies() {
         follow([this, list, read] { list->setValue((model_->*read)()); });
     };
     add("compare_speeds", tr("Speeds ω, %1").arg(shownUnit(units::rad_per_s).name),
-        field::angular_speed, tr("Crank speeds that the plots compare."),
+        field::angular_speed, tr("Crank speeds compared in the plots."),
         &ElasticHingeModel::compareSpeeds, &ElasticHingeModel::setCompareSpeeds);
     add("compare_lambdas", tr("Ratios &λ"), field::lambda,
-        tr("λ that the side force is compared for; 1 with the series only."),
+        tr("λ for the comparison of side forces; 1 with the series only."),
         &ElasticHingeModel::compareLambdas, &ElasticHingeModel::setCompareLambdas);
 }
 

@@ -60,12 +60,10 @@ double shownRoller(double radius, double startRadius) {
 }  // namespace
 
 HingeMechanismView::HingeMechanismView(ElasticHingeModel* model, QWidget* parent)
-    : MechanismPicture(
-          model->crank(), tr("Picture of the mechanism with its hinges"),
-          tr("The mechanism to scale, the guide's relief enlarged as in the plot. The guide turns "
-             "with the crank, the spring stands still. Space plays the computed motion in slow "
-             "motion, dragging turns the crank."),
-          parent),
+    : MechanismPicture(model->crank(), tr("Picture of the mechanism with its hinges"),
+                       tr("The mechanism to scale, with the guide's relief enlarged. Drag to turn "
+                          "the crank; Space plays the computed motion."),
+                       parent),
       model_(model) {
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
     followReference(model_);

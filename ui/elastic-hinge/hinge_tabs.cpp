@@ -103,10 +103,10 @@ void HingeTabs::buildGuideBar(QHBoxLayout* bar) {
     hingeChoice_->setObjectName(QStringLiteral("guide_shown"));
     hingeChoice_->addItems({HingePlots::tr("crank, for M"), HingePlots::tr("crank, for M₁"),
                             HingePlots::tr("rod, for M₁₂")});
-    hingeChoice_->setAccessibleName(HingePlots::tr("Which guide is shown"));
-    hingeChoice_->setToolTip(HingePlots::tr(
-        "The hinge between frame and crank alone (M), the same beside the rod's hinge (M₁), or "
-        "the hinge between crank and rod, whose guide goes by θ = φ + ψ"));
+    hingeChoice_->setAccessibleName(HingePlots::tr("Guide shown"));
+    hingeChoice_->setToolTip(
+        HingePlots::tr("Hinge between frame and crank alone (M), or with the rod's hinge (M₁), or "
+                       "hinge between crank and rod, over θ = φ + ψ"));
     connect(hingeChoice_, &QComboBox::activated, this,
             [this](int index) { model_->setShownHinge(static_cast<Hinge>(index)); });
     auto* label = new QLabel(HingePlots::tr("&Guide"), this);
@@ -119,8 +119,7 @@ void HingeTabs::buildGuideBar(QHBoxLayout* bar) {
                                     10.0, 0, {}, this);
     exaggeration_->setLogarithmic(12, 2);
     exaggeration_->slider()->setObjectName(QStringLiteral("exaggeration_slider"));
-    exaggeration_->setHint(
-        HingePlots::tr("The pictures enlarge the guide's relief by this factor; 1 is to scale"));
+    exaggeration_->setHint(HingePlots::tr("Enlargement of the guide's relief; 1 is to scale"));
     connect(exaggeration_, &ValueSlider::valueEdited, this,
             [this](double factor) { model_->setExaggeration(factor); });
     row->addWidget(exaggeration_, 1);
@@ -146,7 +145,7 @@ void HingeTabs::addProgress(QHBoxLayout* bar) {
     progress->setRange(0, 1000);
     progress->setTextVisible(false);
     progress->setFixedWidth(Theme::withText(110));
-    progress->setAccessibleName(HingePlots::tr("Part of the motion computed"));
+    progress->setAccessibleName(HingePlots::tr("Progress of the motion"));
     auto* cancel = new QPushButton(HingePlots::tr("Cancel"), bar->parentWidget());
     cancel->setObjectName(QStringLiteral("cancel_motion"));
     cancel->setToolTip(HingePlots::tr("Stop computing the motion"));

@@ -26,9 +26,8 @@ CylinderEditor::CylinderEditor(InertiaMomentsModel* model, CylinderTableModel* t
     evenFiring_ = new QPushButton(tr("E&ven firing"), this);
     evenFiring_->setObjectName(QStringLiteral("even_firing"));
     evenFiring_->setToolTip(
-        tr("Sets the crankpins so that the cylinders fire at even intervals over a cycle in the "
-           "firing order: against the in-line engine they are shifted by γ + 2 φ_TDC (the paper "
-           "prints γ + φ_TDC; its own angle, 21°40′, is the one with 2)."));
+        tr("Sets the crankpins for even firing in the firing order. The second bank is shifted by "
+           "γ + 2 φ_TDC (the paper prints γ + φ_TDC)."));
     connect(evenFiring_, &QPushButton::clicked, this, [this] {
         table_->say(model_->setEvenFiring());
         model_->finishDrag();
@@ -37,12 +36,12 @@ CylinderEditor::CylinderEditor(InertiaMomentsModel* model, CylinderTableModel* t
     articulated_ = new QCheckBox(tr("A&rticulated rods"), this);
     articulated_->setObjectName(QStringLiteral("articulated"));
     articulated_->setToolTip(
-        tr("Where rods share a crankpin: one is the master, the others hang on it by knuckle pins, "
-           "as in radials. Off: all run on the crankpin itself."));
+        tr("On a shared crankpin one rod is the master, the others are attached by knuckle pins, "
+           "as in radials. Off: all rods run on the crankpin."));
     qobject_cast<QBoxLayout*>(layout())->insertWidget(2, articulated_);
     connect(articulated_, &QCheckBox::clicked, this, [this](bool on) {
         table_->say(model_->setArticulatedRods(on));
-        showState();  // where refused
+        showState();  // where rejected
     });
 
     connect(table_, &EditableTable::troubleChanged, this,
@@ -58,8 +57,8 @@ void CylinderEditor::showState() {
     view()->horizontalHeader()->setSectionResizeMode(articulated ? QHeaderView::ResizeToContents
                                                                  : QHeaderView::Stretch);
     caption()->setText(
-        articulated ? tr("A knuckle radius makes a rod articulated, an empty one puts it back on "
-                         "the crankpin. Values in italics follow from the others.")
+        articulated ? tr("A knuckle radius makes a rod articulated; blank: the rod runs on the "
+                         "crankpin. Values in italics follow from others.")
         : model_->input().layout
             ? tr("The cylinders of the layout chosen. Editing one makes this a table "
                  "of your own; Ctrl+V pastes from a spreadsheet.")

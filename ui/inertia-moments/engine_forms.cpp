@@ -76,8 +76,8 @@ EngineForm::EngineForm(InertiaMomentsModel* model) : Form(model), model_(model) 
     fillUp(this);
     follow([this, sizes, deadCentre, first] {
         showLayout();
-        first->setPlaceholderText(shownFigures(
-            model_->result().engine.cylinders.front().axial_position, units::mm, 6));
+        first->setPlaceholderText(
+            shownFigures(model_->result().engine.cylinders.front().axial_position, units::mm, 6));
         sizes->setVisible(model_->input().layout.has_value());
         const QLocale locale;
         const auto& engine = model_->result().engine;
@@ -86,7 +86,7 @@ EngineForm::EngineForm(InertiaMomentsModel* model) : Form(model), model_(model) 
     });
 }
 
-/// λ and the length of the rod: what is given stands in its field, what follows is pale in its own.
+/// λ and the length of the rod: what is given is in its field, what follows is pale in its own.
 void EngineForm::addRodLength() {
     NumberField* ratio = number(
         field::lambda,
@@ -162,8 +162,8 @@ void EngineForm::addRotatingMass() {
     QComboBox* given = choice(
         QStringLiteral("rotating_mass_given"), tr("Mass given"),
         {tr("of one cylinder"), tr("of one throw")},
-        tr("Where rods share a crankpin, a throw carries the mass of one cylinder once for each of "
-           "them. Choosing the other way changes the number, not the engine."),
+        tr("Enter the mass of one cylinder or of one throw; a throw with two rods carries the mass "
+           "of one cylinder twice."),
         [this] { return model_->input().rotating_mass_of_throw ? 1 : 0; },
         [this](int index) { model_->setRotatingMassOfThrow(index == 1); });
     QLabel* onThrow = current()->addResult(tr("On each throw"),
@@ -182,9 +182,8 @@ void EngineForm::addRod() {
     section({});
     QCheckBox* rigid = box(
         QStringLiteral("rigid_rod"), tr("&Rod as a rigid body"),
-        tr("Off: the rod's two shares are in the masses above. On: mass, centre and inertia are "
-           "given; its shares are added, and what its inertia differs from two masses acts on "
-           "roll moment and torque."),
+        tr("Off: the rod's shares are in the masses above. On: enter its mass, centre and inertia; "
+           "they act on roll moment and torque too."),
         [this] { return model_->input().rod.has_value(); },
         [this](bool on) {
             model_->edit(tr("Rigid rod"), [on](Input& input) {

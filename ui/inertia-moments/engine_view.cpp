@@ -33,7 +33,7 @@ constexpr double pistonHalf = 0.72;
 constexpr double crownHeight = 0.75;
 constexpr double pinShare = 0.26;  // half the length of a crankpin, from the side
 
-/// Number of the bank of each cylinder: cylinders with the same direction and offset stand in line.
+/// Number of the bank of each cylinder: cylinders with the same direction and offset are in line.
 std::vector<int> banksOf(const std::vector<Cylinder>& cylinders) {
     std::vector<std::pair<double, double>> known;
     std::vector<int> banks;
@@ -86,7 +86,7 @@ QRectF frontBounds(const InertiaMomentsModel& model, const InertiaMomentsModel* 
     return ghost != nullptr ? bounds.united(frontBounds(*ghost, nullptr)) : bounds;
 }
 
-/// Where the crank begins and ends along its axis, with what stands on it, m.
+/// Where the crank begins and ends along its axis, with what is on it, m.
 std::pair<double, double> sideBounds(const InertiaMomentsModel& model) {
     const Engine& engine = model.result().engine;
     const auto& input = model.input();
@@ -117,11 +117,10 @@ double pointerAngle(const QPointF& from, const QPointF& to) {
 }  // namespace
 
 EngineView::EngineView(InertiaMomentsModel* model, QWidget* parent)
-    : MechanismPicture(
-          model->crank(), tr("Engine from the front and the crank from the side"),
-          tr("To scale; the crank turns counter-clockwise. Drag to turn it, Space plays and "
-             "pauses, the arrow keys step."),
-          parent),
+    : MechanismPicture(model->crank(), tr("Engine from the front and the crank from the side"),
+                       tr("To scale; the crank turns counter-clockwise. Drag to turn the crank; "
+                          "Space plays and pauses, arrow keys step."),
+                       parent),
       model_(model) {
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
     followReference(model_);
@@ -389,7 +388,7 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
         tall = std::max(tall, ghost()->result().engine.crank_radius);
     }
     painter.setFont(Theme::font(Theme::smallSize));
-    const double row = painter.fontMetrics().height();  // the numbers stand below
+    const double row = painter.fontMetrics().height();  // the numbers are below
     const double scale =
         std::min(area.width() / (high - low), (area.height() - row) / (2.3 * tall));
     const double axisY = area.center().y() - 0.5 * row;

@@ -35,7 +35,7 @@ class EngineView : public MechanismPicture {
     /// The mapping of the side view: place along the axis and height over it, m, to pixels.
     struct Side {
         QPointF middle;          ///< of the area, at the height of the axis
-        double along = 0.0;      ///< place along the axis that stands in the middle, m
+        double along = 0.0;      ///< place along the axis that is in the middle, m
         double pixels = 1.0;     ///< to one metre
         double direction = 0.0;  ///< of the first bank from the crank's zero, rad
 

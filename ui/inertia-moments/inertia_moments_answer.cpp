@@ -35,7 +35,7 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     addTable("rotating", tr("±kω"), tr("Forward and backward rotating parts by order"));
     addTable("shafts", tr("Shafts"), tr("Balance shafts"));
     addTable("weights", tr("Weights"), CounterweightView::name());
-    addTable("left", tr("Left"), tr("What is left over, by order"));
+    addTable("left", tr("Residual"), tr("Residual by order"));
     answerColumn->addWidget(tabs_, 1);
     column->addWidget(panel, 5);
 }

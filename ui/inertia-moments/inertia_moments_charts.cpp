@@ -165,7 +165,7 @@ void InertiaMomentsCharts::addBars() {
     auto* bars = new OrderBars(model_, orders);
     auto* logarithmic = new QCheckBox(tr("&logarithmic"), bars);
     logarithmic->setObjectName(QStringLiteral("logarithmic"));
-    logarithmic->setToolTip(tr("Six decades, so that the high orders can be seen"));
+    logarithmic->setToolTip(tr("Six decades, for the high orders"));
     connect(logarithmic, &QCheckBox::toggled, bars, &OrderBars::setLogarithmic);
     auto* corner = new QHBoxLayout(bars);
     corner->setContentsMargins(0, 1, Theme::space, 0);

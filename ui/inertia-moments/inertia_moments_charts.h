@@ -38,7 +38,7 @@ class InertiaMomentsCharts : public QWidget {
     std::array<PartPlot*, 2> addPair(const char* left, const char* right, const QString& title);
     void addBars();
     PartPlot* addAnglePlot(const char* part, QWidget* parent);
-    /// Where the vectors stand now, on their hodographs.
+    /// Where the vectors are now, on their hodographs.
     void showCursor();
 
     InertiaMomentsModel* model_;

@@ -89,7 +89,7 @@ std::vector<std::array<OrderBars::Group, 3>> OrderBars::groupsOf(const InertiaMo
 QString OrderBars::sentence() const {
     const auto all = groups();
     QString text =
-        tr("Largest: force %1 in order %2, moment %3 in order %4, roll moment %5 in order %6.");
+        tr("Maximum: force %1 in order %2, moment %3 in order %4, roll moment %5 in order %6.");
     for (std::size_t p = 0; p < panels; ++p) {
         const auto most = std::max_element(
             all.begin(), all.end(),
@@ -276,7 +276,7 @@ void OrderBars::paintEvent(QPaintEvent* /*event*/) {
         painter.drawPolyline(QPolygonF{area.topLeft(), area.bottomLeft(), area.bottomRight()});
         if (!(most > 0.0)) {
             painter.setPen(theme.mutedText());
-            painter.drawText(area, Qt::AlignCenter, tr("nothing in any order"));
+            painter.drawText(area, Qt::AlignCenter, tr("all orders are 0"));
         }
     }
 }

@@ -37,9 +37,8 @@ ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent)
     setAccessibleName(tr("Balance shafts: arrangement and phases"));
     makeFigure(this, [this](const CsvFormat& format) { return table(format); });
     setToolTip(
-        tr("Each shaft seen from the front at the present crank angle. Red: what it cancels; the "
-           "weights lie opposite. Dashed: cylinder 1's axis and crankpin 1. Click a shaft to "
-           "switch it; arrow keys and Space do the same."));
+        tr("Shafts from the front at the present crank angle; red: cancelled part; dashed: axis "
+           "and crankpin of cylinder 1. Click a shaft to switch it (arrow keys, Space)."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
     followReference(model_);
@@ -98,7 +97,7 @@ void ShaftView::paintEvent(QPaintEvent* /*event*/) {
         painter.setPen(theme.mutedText());
         painter.setFont(Theme::font());
         painter.drawText(QRectF(rect()).adjusted(20, 0, -20, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("No balance shafts. “Add shaft” under Balancing makes one."));
+                         tr("No balance shafts. Press “Add shaft” under Balancing."));
         return;
     }
     current_ = std::clamp(current_, 0, count - 1);

@@ -164,7 +164,7 @@ void MethodPlots::setUpCurves(const Kernel& kernel) {
         return;
     }
     curvesOf_ = &kernel;
-    // Two curves a method: its numbers, and what has none (0, refusals), which follows the former
+    // Two curves a method: its numbers, and what has none (0, rejections), which follows the former
     // when it is switched off.
     for (PlotView* plot : {work_, stability_}) {
         const std::size_t needed = 2 * kernel.methods.size();
@@ -210,7 +210,7 @@ std::vector<PlotView::Line> MethodPlots::errorLines(const Kernel& kernel,
     PlotView::Line tolerance;
     tolerance.at = kernel.choice.tolerance;
     tolerance.role = Role::Present;
-    tolerance.text = tr("tolerance of the scene, %1").arg(errorNumber(kernel.choice.tolerance));
+    tolerance.text = tr("tolerance, %1").arg(errorNumber(kernel.choice.tolerance));
     lines.push_back(tolerance);
     const auto row = [&](double at, const QString& text) {
         PlotView::Line line;
@@ -223,7 +223,7 @@ std::vector<PlotView::Line> MethodPlots::errorLines(const Kernel& kernel,
         row(scale.floor, tr("%1 or less").arg(errorNumber(ErrorScale::least)));
     }
     if (scale.hasRefusal) {
-        row(scale.ceiling, tr("refused"));
+        row(scale.ceiling, tr("rejected"));
     }
     return lines;
 }
@@ -260,7 +260,7 @@ QString MethodPlots::pointText(const MethodMeasurement& shown, const WorkPoint& 
                           .arg(timeText(point.timing.median), timeText(point.timing.low),
                                timeText(point.timing.high))};
     if (point.result.refused()) {
-        lines << tr("refused: %1").arg(methodText(point.result.refusal));
+        lines << tr("rejected: %1").arg(methodText(point.result.refusal));
     } else {
         lines << tr("error %1").arg(resultText(point.result));
         lines << (point.result.error <= kernel.choice.tolerance ? tr("within the tolerance")
@@ -374,7 +374,7 @@ void MethodPlots::showFailing() {
         band.from = from;
         band.to = to;
         band.strength = 1.6 * shadeAlpha;
-        band.text = tr("not in the scene");
+        band.text = tr("not an input");
         bands.push_back(band);
     };
     if (sweep.scene_from > first) {

@@ -12,7 +12,7 @@ namespace ravnoves {
 /// and error along the hard parameter (stability).
 ///
 /// Both follow the newest measurement and pale while a newer one is on the way. An error of 0,
-/// which has no logarithm, and a refusal have rows of their own at the bottom and at the top, so
+/// which has no logarithm, and a rejection have rows of their own at the bottom and at the top, so
 /// that no point is lost.
 class MethodPlots : public QWidget {
     Q_OBJECT
@@ -25,7 +25,7 @@ class MethodPlots : public QWidget {
     /// Both charts side by side, as SVG or PNG by the file's ending.
     /// @return an empty string, or what went wrong
     QString exportPicture(const QString& path);
-    /// There is no room for the charts side by side: one stands above the other, and the page
+    /// There is no room for the charts side by side: one is above the other, and the page
     /// scrolls.
     bool isFolded() const { return isFolded_; }
 
@@ -40,7 +40,7 @@ class MethodPlots : public QWidget {
     struct ErrorScale {
         static constexpr double least = 1e-18;  ///< what is less counts as none
         double floor = least;                   ///< such an error is drawn here
-        double ceiling = 10.0;                  ///< a refusal is drawn here
+        double ceiling = 10.0;                  ///< a rejection is drawn here
         bool hasZero = false;
         bool hasRefusal = false;
         double place(const methods::Result& result) const;

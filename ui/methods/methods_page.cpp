@@ -162,7 +162,7 @@ QWidget* MethodsPage::buildChoice() {
     kernels_ = new QComboBox(panel);
     kernels_->setObjectName(QStringLiteral("kernel"));
     kernels_->setAccessibleName(tr("Quantity"));
-    kernels_->setToolTip(tr("What is computed: the numerical kernels of the scenes"));
+    kernels_->setToolTip(tr("Quantity to measure: the numerical kernels of the modules"));
     for (const Kernel& kernel : model_->kernels()) {
         kernels_->addItem(shownText(kernel.title));
     }
@@ -172,8 +172,7 @@ QWidget* MethodsPage::buildChoice() {
     sweeps_->setObjectName(QStringLiteral("sweep"));
     sweeps_->setAccessibleName(tr("Hard parameter"));
     sweeps_->setToolTip(
-        tr("What makes the problem hard; the right chart shows the errors along "
-           "it"));
+        tr("Parameter that makes the problem harder; the right chart shows the errors along it"));
     sweeps_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     connect(sweeps_, &QComboBox::activated, this,
             [this](int index) { model_->setSweep(static_cast<std::size_t>(index)); });
@@ -210,7 +209,7 @@ QWidget* MethodsPage::buildMeasuring() {
     progress_->setFixedHeight(progressHeight);
     cancel_ = new QPushButton(tr("&Cancel"), holder);
     cancel_->setObjectName(QStringLiteral("cancel"));
-    cancel_->setToolTip(tr("Stop measuring; what was measured before stays"));
+    cancel_->setToolTip(tr("Stop measuring and keep the previous results"));
     connect(cancel_, &QPushButton::clicked, model_, &MethodsModel::cancel);
     for (QWidget* widget : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)}) {
         // Their places stay, so that nothing moves when a measurement begins.
@@ -308,15 +307,15 @@ QWidget* MethodsPage::buildResults() {
             [this] { followsRow_ = false; });
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setColumns(
-        {{tr("Method"), tr("How the quantity is computed; the one in use is marked")},
-         {tr("Setting"), tr("Steps, terms or samples that the method takes")},
+        {{tr("Method"), tr("Methods for the quantity; the method in use is marked")},
+         {tr("Setting"), tr("Steps, terms or samples of the method")},
          {tr("Time, ns"), tr("Median of repeated runs; the tips of the cells have the quartiles")},
-         {tr("Error"), tr("Largest error against 50 digits, in the kernel's own measure")},
-         {tr("Order"), tr("Order of convergence found: the error falls as this power of the number "
-                          "of steps")},
+         {tr("Error"), tr("Maximum error against 50 digits, in the kernel's own measure")},
+         {tr("Order"),
+          tr("Order of convergence: the error falls as this power of the number of steps")},
          {tr("Beyond the tolerance"),
-          tr("Where along the hard parameter the error exceeds the scene's tolerance or the method "
-             "rejects the input; of the finest setting or the one in use")}});
+          tr("Intervals of the hard parameter beyond the tolerance or without a value, for the "
+             "finest setting or the one in use")}});
     table_->stretchColumn(Fails);
     connect(table_, &QTableWidget::currentCellChanged, this, &MethodsPage::chooseRow);
     inside->addWidget(table_, 1);
@@ -368,16 +367,16 @@ void MethodsPage::showWords() {
     const methods::MethodInfo& method = kernel.methods[kernel.chosen_method()];
     const methods::Setting& setting = method.settings[kernel.chosen_setting()];
     QString html;
-    html += paragraph(tr("What is computed"), shownText(kernel.quantity));
+    html += paragraph(tr("Quantity"), shownText(kernel.quantity));
     html += paragraph(
-        tr("What the scene uses, and why"),
+        tr("Method in use, and reason"),
         tr("%1, %2. Tolerance: %3, %4.")
                 .arg(shownText(method.title), methodText(setting.label),
                      errorNumber(kernel.choice.tolerance), shownText(kernel.error_measure)) +
             QLatin1Char(' ') + shownText(kernel.choice.reason));
     if (details_->isChecked()) {
-        html += paragraph(tr("What it is measured against"),
-                          tr("The same quantity in 50 digits, by none of the scene's formulas: %1.")
+        html += paragraph(tr("Reference"),
+                          tr("The same quantity in 50 digits, without the module's formulas: %1.")
                               .arg(shownText(kernel.reference)));
         html += paragraph(tr("One evaluation"), shownText(kernel.evaluation));
     }
@@ -428,9 +427,9 @@ void MethodsPage::showTable() {
                 .arg(timeText(row.timing.low), timeText(row.timing.high)));
         table_->item(i, Error)->setForeground(row.holds ? theme.good() : theme.error());
         table_->item(i, Error)->setToolTip(
-            row.result.refused() ? tr("refused: %1").arg(methodText(row.result.refusal))
-            : row.holds          ? tr("Within the scene's tolerance")
-                                 : tr("Beyond the scene's tolerance"));
+            row.result.refused() ? tr("rejected: %1").arg(methodText(row.result.refusal))
+            : row.holds          ? tr("Within the tolerance")
+                                 : tr("Beyond the tolerance"));
     }
     if (tableOf_ != &kernel) {
         tableOf_ = &kernel;
@@ -488,7 +487,7 @@ void MethodsPage::fitTable() {
         least[static_cast<std::size_t>(column)] *= hidden ? 0 : 1;
     }
     if (changed) {
-        showTable();  // its columns share the room anew
+        showTable();  // its columns share the room again
     }
     table_->resizeRowsToContents();
     // Where the page scrolls, the table does not: no bar within a bar.

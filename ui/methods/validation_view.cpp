@@ -57,7 +57,7 @@ QWidget* ValidationView::buildTable() {
     auto* panel = new Panel(this);
     auto* inside = new QVBoxLayout(panel);
     inside->setContentsMargins(1, 1, 1, Theme::gap);
-    table_ = new ResultTable(tr("Printed numbers beside ours"), panel);
+    table_ = new ResultTable(tr("Printed numbers and our values"), panel);
     table_->setObjectName(QStringLiteral("validation_table"));
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setWordWrap(true);
@@ -150,7 +150,7 @@ void ValidationView::showReason() {
     const auto row = static_cast<std::size_t>(table_->currentRow());  // none is beyond all
     reason_->setText(row < model_->rows().size()
                          ? methodText(model_->rows()[row]->reason)
-                         : tr("Choose a row to read why it has its verdict."));
+                         : tr("Select a row to read the reason of its verdict."));
 }
 
 QString ValidationView::asText() const {

@@ -27,7 +27,7 @@ class BackgroundJob : public QObject {
     explicit BackgroundJob(QObject* parent = nullptr);
     ~BackgroundJob() override;
 
-    /// For work that is started anew with every step of a drag: a run no older than `patienceMs`
+    /// For work that is started again with every step of a drag: a run no older than `patienceMs`
     /// comes to its end and delivers before the newest start follows, after a pause that leaves the
     /// machine to the drag's frames. An older run is stopped.
     /// @param untilRest  the pause is one after the last start: nothing runs while the hand moves

@@ -32,7 +32,7 @@ struct DocumentDialogs {
     /// The file was changed by others since it was read or written.
     enum class Overwrite { Yes, Elsewhere, No };
     std::function<Overwrite(const QString& path)> overwrite{};
-    /// Before saving: entries may be refused, and are not in the case; @return false to stay.
+    /// Before saving: entries may be rejected, and are not in the case; @return false to stay.
     std::function<bool()> goOnWithoutRefused{};
     /// The same before a case is closed of which nothing else is unsaved.
     std::function<bool()> leaveRefused{};
@@ -62,19 +62,19 @@ class CaseDocument : public QObject {
     OpenCase asOpenCase() const;
     /// Whether the document of a model has a file.
     static bool hasFile(const SceneModel& model);
-    /// All that its file holds, as it stands now; files are named from the model's folder.
+    /// All that its file holds, as it is now; files are named from the model's folder.
     CaseFile asFile() const;
     /// The text of asFile() for a path, from where files are named; empty: for none.
     /// @throws InputError
     std::string asText(const QString& path) const;
-    /// Whether this is a file that the case names, as it stands or as its own file has it.
+    /// Whether this is a file that the case names, in its present state or as its own file has it.
     bool names(const QString& path) const;
 
     /// A case file, not yet checked by its scene.
     /// @param digest  is set to the FileOnDisk::digest() of what was read
     /// @throws InputError
     static CaseFile read(const QString& path, QByteArray* digest = nullptr);
-    /// Takes over what read() found at the path, or a case without a file, with a history that
+    /// Adopts what read() found at the path, or a case without a file, with a history that
     /// begins there. A fault leaves all as it was.
     /// @param known  the digest of read(); empty: of what the path holds now
     /// @throws InputError
@@ -83,7 +83,7 @@ class CaseDocument : public QObject {
     /// Where the case names the file that open() could not read; null where something else is
     /// wrong, with the name itself, too.
     static Json* fileNamedAt(CaseFile& file, const InputError& error);
-    /// Takes over what was not saved, with the file that it belongs to and its place, and needs
+    /// Adopts what was not saved, with the file that it belongs to and its place, and needs
     /// saving.
     /// @param file  its content, or what that has become
     /// @throws InputError
@@ -93,7 +93,7 @@ class CaseDocument : public QObject {
 
     /// The file, as others may change it.
     FileOnDisk& disk() { return disk_; }
-    /// Takes over what the file holds now, as one step of the history.
+    /// Adopts what the file holds now, as one step of the history.
     /// @return an empty string, or what is wrong, with the file's name
     QString reload();
     /// What is here stays, whatever others did to the file, and needs saving.

@@ -30,7 +30,7 @@ namespace ravnoves {
 ///     Json kept(const Input&) const;
 ///     // where not all of an input makes it another engine:
 ///     bool isSameEngine(const Input&, const Input&) const;
-///     Solved solve(const Input&) const;  // throws InputError for an input that is refused
+///     Solved solve(const Input&) const;  // throws InputError for an input that is rejected
 ///
 /// An input is solved once, when it comes, and again only when the history comes back to it.
 template <typename Scene>
@@ -126,7 +126,7 @@ class CaseModel : public SceneModel {
     Scene& scene() { return scene_; }
     const Scene& scene() const { return scene_; }
     const Solved& solved() const { return solved_; }
-    /// For a part of the input that a scene follows without solving all anew.
+    /// For a part of the input that a scene follows without solving all again.
     Input& inputInPlace() { return input_; }
     Solved& solvedInPlace() { return solved_; }
     /// After a change of what the scene solves beside the input.
@@ -235,7 +235,7 @@ class CaseModel : public SceneModel {
         if (next.input == input_ && next.title == title() && next.notes == notes() &&
             next.variants == variantState() && next.study == study()) {
             take(next,
-                 std::move(solved));  // no step, but what a field shows of a refused text goes
+                 std::move(solved));  // no step, but what a field shows of a rejected text goes
         } else {
             push(name, std::move(next), std::move(solved), -1);
         }

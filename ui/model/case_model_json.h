@@ -35,7 +35,7 @@ auto CaseModel<Scene>::readInput(const Json& json, const Json& kept,
     });
 }
 
-/// What is loaded is refused with the places by their labels.
+/// What is loaded is rejected with the places by their labels.
 template <typename Scene>
 void CaseModel<Scene>::loadFile(const CaseFile& file, const CaseContext& context,
                                 const Json* named) {

@@ -50,11 +50,9 @@ QString mixedDecimalSigns(const std::vector<QStringList>& cells) {
     }
     return comma.isEmpty() || point.isEmpty()
                ? QString()
-               : QCoreApplication::translate(
-                     "ravnoves::TableEditor",
-                     "Nothing is pasted: “%1” has a comma and “%2” a point. "
-                     "All must have the same decimal sign, and nothing "
-                     "between thousands.")
+               : QCoreApplication::translate("ravnoves::TableEditor",
+                                             "Not pasted: “%1” has a comma, “%2” a point. Use one "
+                                             "decimal sign and no thousands separators.")
                      .arg(comma, point);
 }
 
@@ -91,12 +89,12 @@ QString EditableTable::noRoomText(const std::vector<QStringList>& cells, int row
     rows = std::max(rows, 0);  // the place may lie behind the last row
     const int wide = widthOf(cells);
     if (wide > columns) {
-        return tr("Nothing is pasted: the block has %1 columns, and here is room for %2.")
+        return tr("Not pasted: the block has %1 columns, but only %2 fit here.")
             .arg(wide)
             .arg(columns);
     }
     if (cells.size() > static_cast<std::size_t>(rows)) {
-        return tr("Nothing is pasted: the block has %1 rows, and here is room for %2.")
+        return tr("Not pasted: the block has %1 rows, but only %2 fit here.")
             .arg(cells.size())
             .arg(rows);
     }

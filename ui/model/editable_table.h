@@ -26,7 +26,7 @@ std::vector<QStringList> readTextTable(const QString& text, EmptyLine empty = Em
 /// between thousands: "1,893" beside 60.30 is 1893 to who wrote it. Else empty.
 QString mixedDecimalSigns(const std::vector<QStringList>& cells);
 
-/// What is wrong in the cells of a table, in words: the first few, and how many there are besides.
+/// What is wrong in the cells of a table, as text: the first few, and how many there are also.
 class SaidTroubles {
   public:
     void add(const QString& line);
@@ -45,7 +45,7 @@ class EditableTable : public QAbstractTableModel {
   public:
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// True for a cell that holds what was refused; the editor colours it.
+    /// True for a cell that holds what was rejected; the editor colours it.
     static constexpr int TroubleRole = Qt::UserRole + 1;
 
     /// A new row below a row; below the last one for −1. A table of so many rows has none.
@@ -61,13 +61,13 @@ class EditableTable : public QAbstractTableModel {
     /// @return an empty string, or what is wrong
     virtual QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) = 0;
 
-    /// True where this cell holds what was refused, or the table is refused as a whole.
+    /// True where this cell holds what was rejected, or the table is rejected as a whole.
     virtual bool canTakeBackRefused(const QModelIndex& at) const {
         return at.data(TroubleRole).toBool();
     }
     /// Takes that back; of a whole table what was typed last.
     virtual void takeBackRefused(const QModelIndex& /*at*/) {}
-    /// The model holds another state as a whole: nothing is refused any more.
+    /// The model holds another state as a whole: nothing is rejected any more.
     virtual void forgetRefused() {}
 
     /// The model of the case that the cells belong to; null where there is none.
@@ -76,7 +76,7 @@ class EditableTable : public QAbstractTableModel {
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
   Q_SIGNALS:
-    /// Why a change was refused, in words; empty after one was taken.
+    /// Why a change was rejected, as text; empty after one was taken.
     void troubleChanged(const QString& trouble);
 };
 

@@ -131,7 +131,7 @@ bool Recovery::keep(CaseDocument* document) {
     const auto fail = [this](const QString& why) {
         if (!failed_) {
             failed_ = true;
-            Q_EMIT failed(tr("Unsaved changes are not kept for a crash: %1").arg(why));
+            Q_EMIT failed(tr("Unsaved changes are not protected against a crash: %1").arg(why));
         }
         return false;
     };
@@ -149,7 +149,7 @@ bool Recovery::keep(CaseDocument* document) {
         check_text_size(text.size());
         // Without the lock another program would take the case for one that a crash has left.
         if (!isLocked()) {
-            return fail(tr("%1 cannot be written to").arg(folder_));
+            return fail(tr("%1 is not writable").arg(folder_));
         }
         write_text_file(fsPath(found->file), text);
         found->written = std::move(bytes);

@@ -72,7 +72,7 @@ class Recovery : public QObject {
     static constexpr int most = 100;
     /// What programs have left that run no longer. Nobody else is offered it while this one runs.
     Found leftBehind();
-    /// It was restored and is kept anew, or nobody wants it.
+    /// It was restored and is kept again, or nobody wants it.
     void discard(const RecoveredCase& recovered) { QFile::remove(recovered.file); }
     /// Nobody wants the older ones.
     void discardOlder();

@@ -55,7 +55,7 @@ QString RefusingTable::trouble() const {
     for (const Cell& cell : refusedCells()) {
         troubles.add(refusedText(cell, refused_.at(cell)));
     }
-    return troubles.text(tr("Refused besides: %1"));
+    return troubles.text(tr("Also not accepted: %1"));
 }
 
 QVariant RefusingTable::refusedData(const QModelIndex& at, int role) const {

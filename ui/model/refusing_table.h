@@ -8,7 +8,7 @@
 
 namespace ravnoves {
 
-/// A table in which a refused text stays in its cell, in red, until it is mended or the case
+/// A table in which a rejected text stays in its cell, in red, until it is corrected or the case
 /// changes there; below it the case holds what it held.
 class RefusingTable : public EditableTable {
     Q_OBJECT
@@ -31,7 +31,7 @@ class RefusingTable : public EditableTable {
     virtual std::string rowName(int row) const = 0;
     /// What the case holds in a cell: what changes it mends the cell.
     virtual QString held(int /*row*/, int /*column*/) const { return {}; }
-    /// What is refused in a cell, in words, with what names the cell.
+    /// What is rejected in a cell, as text, with what names the cell.
     virtual QString refusedText(const Cell& /*cell*/, const Refused& refused) const {
         return refused.why;
     }
@@ -41,11 +41,11 @@ class RefusingTable : public EditableTable {
     const std::map<Cell, Refused>& refused() const { return refused_; }
     /// Those cells, row by row.
     std::vector<Cell> refusedCells() const;
-    /// A text that was typed into a cell. @param why  it is refused; empty where it is taken
+    /// A text that was typed into a cell. @param why  it is rejected; empty where it is taken
     void setRefused(int row, int column, const QString& text, const QString& why);
-    /// A block of cells was taken: nothing in it is refused any more.
+    /// A block of cells was taken: nothing in it is rejected any more.
     void setTaken(int row, int column, const std::vector<QStringList>& cells);
-    /// What a refused cell shows, and whether it is one; invalid for all else.
+    /// What a rejected cell shows, and whether it is one; invalid for all else.
     QVariant refusedData(const QModelIndex& at, int role) const;
     /// Shows the case as it is now.
     void follow();

@@ -48,7 +48,7 @@ class SceneModel : public QObject {
     virtual QString sceneName() const = 0;
     /// False for a page whose state is no case: there is nothing to begin, to load or to save.
     virtual bool hasCaseFile() const { return true; }
-    /// The case's "input" object as it stands now.
+    /// The case's "input" object as it is now.
     virtual Json inputJson() const = 0;
     /// What the input does not use now, for the case to keep; null where there is nothing.
     virtual Json keptJson() const;
@@ -57,9 +57,9 @@ class SceneModel : public QObject {
     virtual Json placeJson() const;
     /// It lies there again: what a crash has left was loaded.
     virtual void takePlace(const Json& /*place*/) {}
-    /// The case as it stands: scene, title, notes, input and what is kept.
+    /// The case in its present state: scene, title, notes, input and what is kept.
     CaseFile caseFile() const;
-    /// Takes over the same of a case as one step of the history. A fault leaves all as it was.
+    /// Adopts the same of a case as one step of the history. A fault leaves all as it was.
     /// @param named  the input of the preset or example that the title is of: it goes with that
     ///               engine; null: it is the user's
     /// @throws InputError
@@ -100,7 +100,7 @@ class SceneModel : public QObject {
         return {};
     }
     virtual std::vector<FieldEntry> fields(std::string_view /*only*/ = {}) const { return {}; }
-    /// Pointers of the typed values that do not count, since weighed ones stand in their place.
+    /// Pointers of the typed values that do not count, since weighed ones are in their place.
     virtual std::vector<std::string> replacedInputs() const { return {}; }
     /// Pointers of the objects that count with what is usual where the case does not have them.
     virtual std::vector<std::string> usualObjects() const { return {}; }
@@ -108,7 +108,7 @@ class SceneModel : public QObject {
     virtual std::vector<const char*> designInputs() const { return {}; }
     /// The description of a field that the scene has.
     FieldEntry describedField(std::string_view pointer) const;
-    /// Why an input is refused, the places by their labels.
+    /// Why an input is rejected, the places by their labels.
     QString explain(const InputError& error) const;
     /// Sets one field by its pointer below "input", as one step of the history that is named after
     /// it. Returns as CaseModel::edit().
@@ -163,18 +163,18 @@ class SceneModel : public QObject {
     QString swapVariant(int place);
     /// The variant's input becomes the present one.
     QString takeVariant(int place);
-    /// Why a variant's input is refused; empty where it is none.
+    /// Why a variant's input is rejected; empty where it is none.
     QString variantTrouble(int place) const;
-    /// The variant's input as the model would write it; one that is refused as it is.
+    /// The variant's input as the model would write it; one that is rejected as it is.
     virtual Json variantInput(int place) const;
 
     /// What scatters and what is watched: "study" of the case file as JSON text; empty where there
-    /// is none. It may be refused.
+    /// is none. It may be rejected.
     const std::string& study() const { return study_; }
     /// Another study, as one step of the history.
     virtual void changeStudy(const QString& /*name*/, const std::string& /*study*/) {}
 
-    /// A widget says whether something that is refused stands in it now. That is in no history, and
+    /// A widget says whether something that is rejected is in it now. That is in no history, and
     /// newer than all that is: undo takes it back first, wherever it stands.
     void noteRefused(QObject* where, bool isRefused);
     bool hasRefused() const { return !refusedIn_.isEmpty(); }
@@ -199,7 +199,7 @@ class SceneModel : public QObject {
     // An editing of a field, from its first key to Enter, Escape or the loss of the focus: what is
     // typed shows its effect at once, and all of it is one step of the history.
     void beginEditing();
-    /// @param isRefused  what was typed still stands there, refused: so does the reason
+    /// @param isRefused  what was typed still is there, rejected: so does the reason
     void endEditing(bool isRefused = false);
     bool isEditing() const { return editing_; }
     /// True where the editing has changed the input.
@@ -208,7 +208,7 @@ class SceneModel : public QObject {
     /// @return false where it has changed nothing
     virtual bool takeBack();
     virtual void editingEnds() {}
-    /// What was typed so far is saved now: Escape returns to it, though the editing goes on.
+    /// What was typed so far is saved now: Escape returns to it, though the editing continues.
     void keepForSaving() {
         finishDrag();
         Q_EMIT typedKept();
@@ -230,9 +230,9 @@ class SceneModel : public QObject {
     void titleChanged(const QString& title);
     /// What there is to undo, to redo or to save.
     void historyChanged();
-    /// Whether something that is refused stands anywhere.
+    /// Whether something that is rejected stands anywhere.
     void refusedInChanged();
-    /// A change was refused; empty when that is over.
+    /// A change was rejected; empty when that is over.
     void refused(const QString& why);
     /// The variants, or which of them is the reference.
     void variantsChanged();
@@ -244,7 +244,7 @@ class SceneModel : public QObject {
     /// Another job came onto the sheet: what it holds is of no file.
     void begunAnew();
     /// It holds another state as a whole: undone, redone, loaded, a preset, a variant. Unlike a
-    /// change of one value, that ends what was typed and refused in any field.
+    /// change of one value, that ends what was typed and rejected in any field.
     void broughtIn();
 
   protected:
@@ -255,18 +255,18 @@ class SceneModel : public QObject {
     /// Other variants; while they are the same, the reference stays what it is.
     void setVariants(const Variants& variants);
     /// One step of the history with other variants and, where one is given, another input.
-    /// @return an empty string, or why the input is refused; all is as it was then
+    /// @return an empty string, or why the input is rejected; all is as it was then
     virtual QString changeVariants(const QString& /*name*/, const Variants& /*next*/,
                                    const std::optional<std::string>& /*input*/) {
         return {};
     }
-    /// Why an input is refused; empty where it is none.
+    /// Why an input is rejected; empty where it is none.
     virtual QString inputTrouble(const std::string& /*input*/) const { return {}; }
     /// Number of the step that a change of this name belongs to, for InputCommand.
     int stepOf(const QString& name);
     /// Something else than the editing changes the input: what is typed after it are steps as any.
     void leaveEditing() { editing_ = false; }
-    /// Says why a change is refused; with nothing, that it no longer matters.
+    /// Says why a change is rejected; with nothing, that it no longer matters.
     void sayRefused(const QString& why);
     // For setViewOption().
     /// @throws InputError for what is no number

@@ -16,8 +16,8 @@ QString changedFilesText(const SceneModel& model, int variant) {
     }
     return names.isEmpty() ? QString()
                            : SceneModel::tr(
-                                 "%1 has changed since this variant was kept: its "
-                                 "results are of what is in the file now.")
+                                 "%1 has changed since this variant was kept: its results use the "
+                                 "present file.")
                                  .arg(names.join(QStringLiteral(", ")));
 }
 

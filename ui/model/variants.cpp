@@ -83,10 +83,10 @@ QString SceneModel::renameVariant(int place, const QString& name) {
         return {};
     }
     if (trimmed.isEmpty()) {
-        return tr("A variant has a name.");
+        return tr("Enter a name for the variant.");
     }
     if (isTaken(next.list, trimmed)) {
-        return tr("Another variant is called %1.").arg(trimmed);
+        return tr("Another variant has the name %1.").arg(trimmed);
     }
     next.list[place].name = trimmed;
     return changeVariants(tr("Rename variant"), next, {});
@@ -114,7 +114,7 @@ QString SceneModel::swapVariant(int place) {
 QString SceneModel::takeVariant(int place) {
     const Variant& variant = variants_.list.at(place);
     return tellBroughtIn(
-        this, changeVariants(tr("Take variant %1").arg(variant.name), variants_, variant.input));
+        this, changeVariants(tr("Use variant %1").arg(variant.name), variants_, variant.input));
 }
 
 Json SceneModel::variantInput(int place) const {

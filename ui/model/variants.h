@@ -11,7 +11,7 @@ struct CaseFile;
 /// An input that is kept under a name beside the present one.
 struct Variant {
     QString name;       ///< not empty, of one variant alone
-    std::string input;  ///< the case's "input" object as JSON text; it may be refused
+    std::string input;  ///< the case's "input" object as JSON text; it may be rejected
     friend bool operator==(const Variant&, const Variant&) = default;
 };
 

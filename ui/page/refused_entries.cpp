@@ -75,8 +75,9 @@ QString refusedWords(const QWidget* part) {
     if (refused.isEmpty()) {
         return {};
     }
-    return said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries",
-                                  "These entries were refused; the values before them count:")) +
+    return said(QT_TRANSLATE_NOOP(
+               "ravnoves::RefusedEntries",
+               "These entries were not accepted; the previous values are used:")) +
            QStringLiteral("\n\n") + refused.join(QLatin1Char('\n'));
 }
 
@@ -88,7 +89,7 @@ bool goOnWithoutRefused(QWidget* part, const QString& title) {
     QMessageBox box(QMessageBox::Warning, title, words, QMessageBox::Ignore | QMessageBox::Cancel,
                     part->window());
     box.button(QMessageBox::Ignore)
-        ->setText(said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries", "&Go on without them")));
+        ->setText(said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries", "&Continue without them")));
     box.button(QMessageBox::Cancel)
         ->setText(said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries", "&Stay")));
     box.setDefaultButton(QMessageBox::Cancel);

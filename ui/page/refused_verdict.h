@@ -7,7 +7,7 @@
 
 namespace ravnoves {
 
-/// The verdict of a page; while an entry is refused it says that it is of the value before.
+/// The verdict of a page; while an entry is rejected it says that it is of the value before.
 inline Verdict withRefused(Verdict verdict, const SceneModel& model) {
     if (model.hasRefused()) {
         verdict.severity = std::max(verdict.severity, Severity::warning);

@@ -37,7 +37,7 @@ class ScenePage : public QWidget {
     bool isBusy() const;
     /// Something beside the page may be computed for it.
     void addBusy(std::function<bool()> isBusy) { busy_.push_back(std::move(isBusy)); }
-    /// What is refused in a table of another window counts with what is refused here.
+    /// What is rejected in a table of another window counts with what is rejected here.
     void addTable(TableEditor* table);
     const QList<QPointer<TableEditor>>& tablesBeside() const { return tables_; }
     /// Asks what to do with unsaved changes where the page keeps them in a place of its own rather
@@ -56,7 +56,7 @@ class ScenePage : public QWidget {
     using ShowOther = std::function<bool(const std::function<bool(ScenePage*)>& isWanted)>;
     void setShowOther(const ShowOther& show) { showOther_ = show; }
 
-    /// Lets the model go: the page is made anew over it, in another language or with other units.
+    /// Lets the model go: the page is made again over it, in another language or with other units.
     SceneModel* letGo();
     /// The tabs in front, by the names of their pages.
     QStringList shownTabs() const;

@@ -197,7 +197,7 @@ class ClippedSvg::Engine : public QPaintEngine {
         const QRectF part(source.left() + (seen.left() - target.left()) * acrossImage,
                           source.top() + (seen.top() - target.top()) * downImage,
                           seen.width() * acrossImage, seen.height() * downImage);
-        // Its edge runs through pixels: drawn anew in smaller ones.
+        // Its edge runs through pixels: drawn again in smaller ones.
         constexpr double finer = 2.0;
         const auto pixels = [dense = finer * scale()](double shown, double own) {
             constexpr double most = 4096.0;

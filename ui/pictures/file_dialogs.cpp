@@ -92,7 +92,7 @@ QString askSavePath(QWidget* parent, const QString& title, const QString& sugges
             QMessageBox::warning(
                 parent, title,
                 words(QT_TRANSLATE_NOOP("ravnoves::FileDialogs",
-                                        "“%1” cannot be written as .%2. What can be written: %3."))
+                                        "“%1” cannot be written as .%2. Possible: %3."))
                     .arg(QFileInfo(typed).fileName(), QFileInfo(typed).suffix(),
                          suffixes.join(QLatin1String(", "))));
             continue;

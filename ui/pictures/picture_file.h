@@ -15,7 +15,7 @@ namespace ravnoves {
 /// Draws a picture; `scale` pixels stand for one of its size.
 using DrawPicture = std::function<void(QPainter& painter, double scale)>;
 
-/// Writes what `draw` draws as PNG, SVG or PDF, by the file's ending; another one is refused.
+/// Writes what `draw` draws as PNG, SVG or PDF, by the file's ending; another one is rejected.
 /// @param pixels  width of a PNG; 0: as printedWidth()
 /// @return an empty string, or what went wrong
 QString writePicture(const QString& path, const QSize& size, const QString& title,

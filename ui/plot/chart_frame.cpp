@@ -70,7 +70,7 @@ void ChartFrame::paint(QPainter& painter, const QSizeF& size, const QRectF& area
     // The lines whole, without the chart's own ticks.
     painter.setClipRect(area.adjusted(-0.5, -0.5, 0.5, 0.5));
     if (paintsPixels(painter)) {
-        // A chart of one size, stretched to the area: to lay it out anew would take as long as all
+        // A chart of one size, stretched to the area: to lay it out again would take as long as all
         // that is painted of it. The lines are as wide as they would be unstretched.
         constexpr double side = 1000.0;
         constexpr double margin = 100.0;

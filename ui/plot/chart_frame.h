@@ -13,7 +13,7 @@ namespace ravnoves {
 
 /// The lines of a plot's axes, by Qt Charts: all plots of the program have the same chart, since
 /// they differ in where it is painted alone. Ticks, grid and numbers are painted by hand: the chart
-/// makes an item and a rich text for each, anew with every change of the scale.
+/// makes an item and a rich text for each, again with every change of the scale.
 class ChartFrame {
   public:
     /// @param hasRight  whether there is an axis at the right

@@ -20,7 +20,7 @@ class LabelPlaces;
 /// Curves and dots get wider with the text, half as fast.
 double strokeScale();
 
-/// How a title stands in a row of this width: in smaller type before it takes several lines.
+/// How a title is in a row of this width: in smaller type before it takes several lines.
 struct PlotTitle {
     static constexpr int flags =
         Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap | Qt::TextWrapAnywhere;
@@ -33,7 +33,7 @@ struct PlotTitle {
 };
 
 /// Paints what a plot shows onto any device: the lines of the axes by Qt Charts, all else by hand.
-/// What rests (axes), what moves (curves) and what goes on top are painted apart.
+/// What rests (axes), what moves (curves) and what continues top are painted apart.
 class PlotPainter {
   public:
     explicit PlotPainter(PlotData& data);
@@ -91,7 +91,7 @@ class PlotPainter {
     void paintErrorBars(QPainter& painter, const PlotCurve& curve) const;
     void paintLines(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
-    /// What stands at marks, lines and bands, over all that is drawn, where it covers least.
+    /// What is at marks, lines and bands, over all that is drawn, where it covers least.
     void paintLabels(QPainter& painter) const;
     LabelPlaces drawnPlaces() const;
     void labelMark(QPainter& painter, const plot::Mark& mark, LabelPlaces& places) const;

@@ -217,7 +217,7 @@ void PlotView::setSpread(int number, std::vector<double> below, std::vector<doub
         spreadItem_->setObjectName(QStringLiteral("spread"));
         spreadItem_->setName(tr("5…95 %"));
         spreadItem_->setChecked(data_.spreadShown);
-        spreadItem_->setAccessibleName(tr("Show what the tolerances do"));
+        spreadItem_->setAccessibleName(tr("Show the tolerance band"));
         spreadItem_->setToolTip(
             tr("Range from 5 % to 95 % of the curve, with the tolerances of the case."));
         spreadItem_->setSwatch({}, Shape::Bars);
@@ -299,9 +299,9 @@ QSize PlotView::minimumSizeHint() const {
 void PlotView::setPickable(bool pickable) {
     pickable_ = pickable;
     setCursor(pickable ? Qt::PointingHandCursor : Qt::ArrowCursor);
-    setStatusTip(pickable ? tr("Click or drag: choose the value. Wheel: zoom. Middle button: pan. "
-                               "Double click: show all.")
-                          : tr("Wheel: zoom, with Shift in y, with Ctrl in x. Drag: pan. Double "
+    setStatusTip(pickable ? tr("Click or drag: choose the value; wheel: zoom; middle button: pan; "
+                               "double click: show all.")
+                          : tr("Wheel: zoom, with Shift in y, with Ctrl in x; drag: pan; double "
                                "click: show all."));
 }
 

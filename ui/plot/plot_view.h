@@ -88,7 +88,7 @@ class PlotView : public QWidget {
     /// curve; nothing removes it.
     void setPresentX(std::optional<double> x) { overlay(data_.presentX, x, data_.presentX != x); }
     QString title() const { return data_.title; }
-    /// What the plot shows, in words, for those who do not see it; made when it is asked for.
+    /// What the plot shows, as text, for those who do not see it; made when it is asked for.
     virtual QString sentence() const;
     /// Pales what is drawn, because newer data are on the way, and says so in the middle.
     void setFaded(bool faded, const QString& text = {});
@@ -208,7 +208,7 @@ class PlotView : public QWidget {
     QList<LegendItem*> shownLegend() const;
     /// Entries for curves that are there.
     void showLegend();
-    /// Paints anew what stands below title and legend.
+    /// Paints again what is below title and legend.
     void updateChart();
     void curvesChanged();
     void chartChanged();
@@ -225,7 +225,7 @@ class PlotView : public QWidget {
     void moveCursor(const QPointF& position);
     void moveCursorTo(double x);
     void leaveCursor();
-    /// What it stands in can be scrolled.
+    /// What it is in can be scrolled.
     bool scrollsWithin() const;
     /// The axis beside a place of the plot; null where none is.
     const PlotScale* axisAt(const QPoint& at) const;
@@ -252,7 +252,7 @@ class PlotView : public QWidget {
     QImage picture_;      ///< these with the curves
     bool axesStale_ = true;
     bool pictureStale_ = true;
-    bool chartStale_ = true;  ///< is to be laid out anew
+    bool chartStale_ = true;  ///< is to be laid out again
 };
 
 /// Resets the zoom of every plot below a widget.

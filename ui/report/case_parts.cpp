@@ -26,7 +26,7 @@ namespace {
 
 constexpr qint64 jobPatienceMs = 60'000;
 
-/// The groups of a report: one for what stands beside the tabs, one for each tab that has parts.
+/// The groups of a report: one for what is beside the tabs, one for each tab that has parts.
 class Groups {
   public:
     explicit Groups(const ScenePage& page) : page_(page) { groups_.emplace_back(); }
@@ -128,7 +128,7 @@ QString nameOf(const PagePart& part, const ScenePage& page) {
     return {};
 }
 
-/// Its differences from the reference stand in the table of variants.
+/// Its differences from the reference are in the table of variants.
 void addTable(const ScenePage& page, const PagePart& part, const Results& results,
               const PartSpread* spread, PageGroup& group) {
     ResultTable table(nameOf(part, page), nullptr);

@@ -67,13 +67,13 @@ class LightTheme {
     bool changes_;
 };
 
-/// The case as its file holds it, or would hold it; in words what it is of.
+/// The case as its file holds it, or would hold it; as text what it is of.
 std::pair<QString, QString> fingerprint(CaseDocument& document) {
     const bool isFile = !document.path().isEmpty() && !document.needsSaving();
     if (isFile && !document.disk().digest().isEmpty()) {
         return {document.disk().check() == FileOnDisk::State::Same
                     ? ReportWords::tr("SHA-256 of the file")
-                    : ReportWords::tr("SHA-256 of the file as it was read; it is another now"),
+                    : ReportWords::tr("SHA-256 of the file as read; the file has changed"),
                 QString::fromLatin1(document.disk().digest().toHex())};
     }
     const auto text = QByteArray::fromStdString(document.asText(document.path()));
@@ -88,7 +88,7 @@ void addCase(Report& report, const SceneModel& model, CaseDocument& document) {
     const auto row = [&](const QString& name, const QString& value) {
         table.rows << QStringList{name.toHtmlEscaped(), value.toHtmlEscaped()};
     };
-    row(ReportWords::tr("Scene"), sceneTitle(model.sceneName()));
+    row(ReportWords::tr("Module"), sceneTitle(model.sceneName()));
     if (!document.path().isEmpty()) {
         row(ReportWords::tr("Case file"), QFileInfo(document.path()).fileName());
     }
@@ -182,18 +182,17 @@ void addValidation(Report& report, const QString& scene, const Patience& patienc
     }
     model.setPaper(static_cast<std::size_t>(paper - papers.begin()));
     report.items.push_back(Heading{ReportWords::tr("Validation of the methods")});
-    report.items.push_back(Paragraph{
-        ReportWords::tr("Every number that the paper prints was compared with that of this "
-                        "program, computed anew from the paper's data when this report was made: "
-                        "%1. The page Methods shows each of them.")
-            .arg(model.countsText())
-            .toHtmlEscaped()});
+    report.items.push_back(
+        Paragraph{ReportWords::tr("Printed numbers of the paper, recomputed for this report: %1. "
+                                  "The module Methods shows each.")
+                      .arg(model.countsText())
+                      .toHtmlEscaped()});
     // What each place of the paper became; the page Methods has every number.
     const Results results = model.results();
     Table table;
     table.headings = {results.columns[Model::Place].heading.toHtmlEscaped(),
                       results.columns[Model::VerdictColumn].heading.toHtmlEscaped(),
-                      ReportWords::tr("Numbers"), ReportWords::tr("Largest difference")};
+                      ReportWords::tr("Numbers"), ReportWords::tr("Maximum difference")};
     table.numbers = {false, false, true, true};
     struct Group {
         QString place;
@@ -283,7 +282,7 @@ void addVariants(Report& report, const SceneModel& model) {
         "★ marks the best.");
     if (model.reference() >= 0) {
         how +=
-            QLatin1Char(' ') + ReportWords::tr("In the plots the curves of %1 are pale and wide.")
+            QLatin1Char(' ') + ReportWords::tr("In the plots the curves of %1 are dimmed and wide.")
                                    .arg(shortened(model.variants().at(model.reference()).name));
     }
     report.items.push_back(Paragraph{how.toHtmlEscaped(), Paragraph::Kind::Muted});

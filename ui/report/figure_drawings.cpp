@@ -49,7 +49,7 @@ void drawAt(QWidget* widget, const QSize& size, Draw&& draw) {
 }  // namespace
 
 Drawing drawingOf(PlotView* plot) {
-    // As high as it stands on the page, within reason.
+    // As high as it is on the page, within reason.
     const double shape = static_cast<double>(plot->height()) / std::max(plot->width(), 1);
     constexpr double narrow = 0.62;  // on the page it shares its row
     const int width = shape < narrow ? figureWidth : narrowWidth;

@@ -11,7 +11,7 @@ namespace ravnoves {
 class PlotView;
 class ResultTable;
 
-/// A plot of the page, as high as it stands there.
+/// A plot of the page, as high as it is there.
 report::Drawing drawingOf(PlotView* plot);
 /// A plot that was made for the report, at its size.
 report::Drawing drawingOf(std::shared_ptr<PlotView> plot);

@@ -38,7 +38,7 @@ QString numberText(double number, const ShownUnit& unit = {}) {
                               : shownFormNumber(unit.factor * number, QLocale(), converted);
 }
 
-constexpr std::size_t few = 12;           ///< values that stand in one cell
+constexpr std::size_t few = 12;           ///< values that are in one cell
 constexpr std::size_t mostPrinted = 400;  ///< rows of a longer list; beyond them its bounds
 
 bool isNumbers(const Json& value) {
@@ -60,7 +60,7 @@ class Inputs {
             }
         }
         main_.headings = {ReportWords::tr("Input"), ReportWords::tr("Value"),
-                          ReportWords::tr("Unit"), ReportWords::tr("What it is")};
+                          ReportWords::tr("Unit"), ReportWords::tr("Meaning")};
         main_.numbers = {false, true, false, false};
         object(model.inputJson(), {});
         lists_.insert(lists_.begin(), std::move(main_));
@@ -113,7 +113,7 @@ class Inputs {
     QString meaningOf(const std::string& pointer) const {
         const FieldEntry* entry = entryAt(pointer);
         if (std::find(replaced_.begin(), replaced_.end(), pointer) != replaced_.end()) {
-            return ReportWords::tr("Not used: weights count in its place");
+            return ReportWords::tr("Not used: the weighed masses replace it");
         }
         // What the field would stand for while it is empty explains no value.
         return entry == nullptr ? QString() : firstSentence(shownText(entry->field.hint));

@@ -14,7 +14,7 @@ class SceneModel;
 /// units, each list of objects in one of its own.
 std::vector<report::Table> inputTables(const SceneModel& model);
 
-/// What the case leaves out and what stands for it, each with the name that the form has for it.
+/// What the case leaves out and what represents it, each with the name that the form has for it.
 std::optional<report::Table> leftOut(const SceneModel& model);
 
 /// The place of a formula in its source, "(3)", "Table 1", in the language of the program.

@@ -12,7 +12,7 @@ class ReportCancelled : public std::exception {
     const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// While a report waits for what is computed, the program goes on.
+/// While a report waits for what is computed, the program continues.
 class Patience {
   public:
     /// @param isCancelled  of a dialog that is shown and blocks the rest of the program; without it

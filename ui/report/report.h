@@ -34,7 +34,7 @@ struct Table {
     /// Cells from left to right. A row of one cell in a table of several columns is a heading
     /// within it.
     QVector<QStringList> rows;
-    QVector<bool> numbers;  ///< columns whose cells stand at the right
+    QVector<bool> numbers;  ///< columns whose cells are at the right
     bool isSmall = false;
 };
 

@@ -4,7 +4,7 @@
 
 namespace ravnoves {
 
-/// What a report has beside the answer, which stands on its first page.
+/// What a report has beside the answer, which is on its first page.
 struct ReportChoice {
     bool inputs = true;
     bool plots = true;

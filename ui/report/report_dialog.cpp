@@ -25,7 +25,7 @@ ReportDialog::ReportDialog(QWidget* parent) : QDialog(parent) {
                     tr("Each formula with its source."), kept.formulas);
     validation_ =
         add("report_validation", tr("&Validation of the paper"),
-            tr("Every number that the paper prints, compared with this program."), kept.validation);
+            tr("Every printed number of the paper, compared with this program."), kept.validation);
     auto* row = new QFormLayout;
     paper_ = new QComboBox(this);
     paper_->setObjectName(QStringLiteral("report_paper"));

@@ -150,8 +150,7 @@ void addTolerances(Report& report, SceneModel& model, const Patience& patience) 
     const StudyAnswers* answers = study.answers();
     if (answers == nullptr) {
         report.items.push_back(
-            Paragraph{(study.trouble().isEmpty() ? ReportWords::tr("Nothing could be computed.")
-                                                 : study.trouble())
+            Paragraph{(study.trouble().isEmpty() ? ReportWords::tr("No results.") : study.trouble())
                           .toHtmlEscaped(),
                       Paragraph::Kind::Warning});
         return;

@@ -56,13 +56,13 @@ CaseProperties::CaseProperties(SceneModel* model, QWidget* parent)
         column->addWidget(field);
         return field;
     };
-    title_ = add(tr("&Title"), tr("What the case is called, in its file and in the window"),
+    title_ = add(tr("&Title"), tr("Title of the case, in its file and in the window"),
                  new QLineEdit(model->titleShown(), this));
     title_->setObjectName(QStringLiteral("case_title"));
     limitLength(title_, 200);
     notes_ = add(tr("&Notes"),
-                 tr("Your own text on the case: sources, assumptions, what is left to do. It is "
-                    "saved with it."),
+                 tr("Your notes on the case: sources, assumptions, open tasks. They are saved with "
+                    "the case."),
                  new NotesField(model->notes(), this));
     notes_->setObjectName(QStringLiteral("case_notes"));
     notes_->setTabChangesFocus(true);
@@ -96,10 +96,10 @@ void CaseProperties::reject() {
         QDialog::reject();
         return;
     }
-    QMessageBox box(QMessageBox::Question, windowTitle(), tr("Keep the changed title and notes?"),
+    QMessageBox box(QMessageBox::Question, windowTitle(), tr("Apply the changed title and notes?"),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
-    box.button(QMessageBox::Save)->setText(tr("&Keep"));
-    box.button(QMessageBox::Discard)->setText(tr("Do&n’t keep"));
+    box.button(QMessageBox::Save)->setText(tr("&Apply"));
+    box.button(QMessageBox::Discard)->setText(tr("&Discard"));
     box.setDefaultButton(QMessageBox::Save);
     const int answer = box.exec();
     if (answer == QMessageBox::Save) {

@@ -5,7 +5,7 @@
 
 namespace ravnoves {
 
-/// What a tab says of the case that it stands for.
+/// What a tab says of the case that it represents.
 struct CaseTab {
     int id = 0;
     QString icon;
@@ -26,7 +26,7 @@ class CaseTabs : public QTabBar {
     void renew();
     /// Has tabs of these cases alone; new ones come last.
     void arrange(const std::vector<CaseTab>& cases, int front);
-    /// Says anew what the tabs that are there are called.
+    /// Says again what the tabs that are there are called.
     void name(const std::vector<CaseTab>& cases);
     /// The case of a tab; 0 where there is none.
     int idOf(int tab) const { return tabData(tab).toInt(); }

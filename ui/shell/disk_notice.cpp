@@ -18,11 +18,11 @@ DiskNotice::DiskNotice(QWidget* parent) : Panel(parent), text_(new QLabel(this))
     text_->setWordWrap(true);
     row->addWidget(text_, 1);
     reload_ = addButton("disk_reload", tr("Reload"),
-                        tr("Show what the file holds now. Undo brings back what is shown here."),
+                        tr("Show the present contents of the file. Undo restores this page."),
                         &DiskNotice::reload);
     keep_ = addButton("disk_keep", tr("Keep mine"), {}, &DiskNotice::keep);
-    saveAs_ = addButton("disk_save_as", tr("Save as…"),
-                        tr("Save what is shown here in another file."), &DiskNotice::saveAs);
+    saveAs_ = addButton("disk_save_as", tr("Save as…"), tr("Save this page in another file."),
+                        &DiskNotice::saveAs);
     hide();
 }
 
@@ -47,16 +47,15 @@ void DiskNotice::showFor(CaseDocument* document, QWidget* page) {
     const bool isGone = file.state() == FileOnDisk::State::Gone;
     reload_->setVisible(!isGone);
     saveAs_->setVisible(source == nullptr);
-    keep_->setToolTip(source == nullptr
-                          ? tr("Go on with what is shown here. Saving writes it over the file.")
-                          : tr("Go on with the numbers that were read before. The case is opened "
-                               "with those of the file."));
+    keep_->setToolTip(source == nullptr ? tr("Continue with this page. Saving replaces the file.")
+                                        : tr("Continue with the numbers read before. The next "
+                                             "time, the case opens with the numbers of the file."));
     const QString words =
         source == nullptr
-            ? (isGone ? tr("%1 is no longer there: it was deleted, moved or renamed.")
+            ? (isGone ? tr("%1 was deleted, moved or renamed.")
                       : tr("%1 was changed by another program."))
-            : (isGone ? tr("%1, which this case reads, is no longer there.")
-                      : tr("%1, which this case reads, was changed by another program."));
+            : (isGone ? tr("%1, a file of this case, was deleted, moved or renamed.")
+                      : tr("%1, a file of this case, was changed by another program."));
     text_->setText(words.arg(QFileInfo(file.path()).fileName()));
     text_->setToolTip(file.path());
     if (hadFocus && isHidden()) {

@@ -340,7 +340,8 @@ void Documents::put(const CaseFile& file, OpenDocument* there, int id,
     const auto scene = indexOf(QString::fromStdString(file.scene));
     if (!scene) {
         throw InputError(
-            "/scene", CORE_TEXT("core", "must be a scene with a page; the command line solves it"),
+            "/scene",
+            CORE_TEXT("core", "must be a module of the window; the command line solves this case"),
             file.scene);
     }
     OpenDocument* reused = there != nullptr ? there : untouchedOf(*scene, nullptr);
@@ -541,7 +542,7 @@ bool Documents::mayGo() {
     OpenDocument* const front = current_;
     for (const auto& each : documents_) {
         if (!each->document->mayGo()) {
-            // Where entries were refused, one stays at them.
+            // Where entries were rejected, one stays at them.
             if (front != nullptr && each->document->needsSaving()) {
                 bringToFront(*front);
             }

@@ -98,7 +98,7 @@ class Documents : public QWidget {
     /// The files that are open, in the order of the tabs.
     QStringList paths() const;
 
-    /// Makes every page anew over its model, in another language or with other units.
+    /// Makes every page again over its model, in another language or with other units.
     void renewPages();
 
   Q_SIGNALS:
@@ -113,7 +113,7 @@ class Documents : public QWidget {
     /// Of the document in front: name() or needsSaving(); what there is to undo or redo.
     void titleChanged();
     void historyChanged();
-    /// Something that is refused stands in the current one, or does not any more.
+    /// Something that is rejected is in the current one, or does not any more.
     void refusedInChanged();
     /// A line for the status bar; empty: what the scene is for.
     void status(const QString& text);
@@ -135,7 +135,7 @@ class Documents : public QWidget {
     static bool isUntouched(const OpenDocument& document);
     OpenDocument* untouchedOf(std::size_t scene, const OpenDocument* butNot) const;
     void showTab(int tab);
-    /// Brings a case into a document of its own, or into one that is there; one that is refused
+    /// Brings a case into a document of its own, or into one that is there; one that is rejected
     /// leaves none behind.
     /// @param id  of the tab that waits for it; 0: none does
     void put(const CaseFile& file, OpenDocument* there, int id,

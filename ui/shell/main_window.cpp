@@ -95,7 +95,7 @@ MainWindow::MainWindow(First first) {
     if (first == First::Scene) {
         documents_->showScene(documents_->scenes().front().name);
     }
-    // Not at once: what the user chose in may be part of what is made anew.
+    // Not at once: what the user chose in may be part of what is made again.
     connect(&Preferences::instance(), &Preferences::changed, this, &MainWindow::renew,
             Qt::QueuedConnection);
 
@@ -405,10 +405,9 @@ void MainWindow::updateCaseActions() {
     const bool hasCase = !documents_->hasCurrent() || currentPage()->model()->hasCaseFile();
     for (QAction* action : caseActions_) {
         action->setEnabled(hasCase && !isAtStart());
-        action->setToolTip(hasCase
-                               ? action->data().toString()
-                               : tr("This page has no case file: its numbers are measured anew. "
-                                    "Copy or export them."));
+        action->setToolTip(hasCase ? action->data().toString()
+                                   : tr("This page has no case file: its numbers are measured each "
+                                        "time. Copy or export them."));
     }
     if (hasCase && documents_->hasCurrent()) {
         const QString file = documents_->current().document->path();
@@ -437,7 +436,7 @@ void MainWindow::updateHistoryActions() {
     }
     const SceneModel& model = *currentPage()->model();
     const QUndoStack& history = *model.history();
-    // What is refused is in no history; undo takes it back.
+    // What is rejected is in no history; undo takes it back.
     const bool isRefused = model.hasRefused();
     show(undo_, isRefused || history.canUndo(), tr("&Undo"),
          isRefused ? QString() : history.undoText());
@@ -464,6 +463,9 @@ void MainWindow::updateSceneActions() {
             sceneActions_ << action;
         }
     }
+    const QString title = isAtStart() ? QString() : documents_->currentScene().title;
+    const qsizetype letter = title.indexOf(tr("s", "of the module's menu"), 0, Qt::CaseInsensitive);
+    sceneMenu_->setTitle(QString(title).insert(std::max<qsizetype>(letter, 0), QLatin1Char('&')));
     sceneMenu_->menuAction()->setVisible(!actions.isEmpty());
 }
 

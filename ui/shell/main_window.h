@@ -87,7 +87,7 @@ class MainWindow : public QMainWindow {
 
     void buildNavigation();
     void buildMenus();
-    /// Makes menus, navigation and pages anew, in the present language, units and size of text.
+    /// Makes menus, navigation and pages again, in the present language, units and size of text.
     void renew();
     void showCurrent();
     void rememberSession();

@@ -68,7 +68,7 @@ void MainWindow::buildNavigation() {
     startAction_->setCheckable(true);
     startAction_->setShortcut(QKeySequence(Qt::ALT | Qt::Key_Home));
     startAction_->setToolTip(
-        tr("Scenes, recent files, examples") +
+        tr("Modules, recent files, examples") +
         QStringLiteral(" (%1)").arg(startAction_->shortcut().toString(QKeySequence::NativeText)));
     connect(startAction_, &QAction::toggled, this, [this](bool on) {
         if (on) {
@@ -188,7 +188,7 @@ void MainWindow::buildMenus() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
     QAction* fresh = add(file, QStringLiteral("new"), tr("&New case"), QKeySequence::New,
                          [this] { newCase(currentScene()); });
-    fresh->setToolTip(tr("New case with the engine that the page begins with (%1)")
+    fresh->setToolTip(tr("New case with the first engine (%1)")
                           .arg(fresh->shortcut().toString(QKeySequence::NativeText)));
     fresh->setStatusTip(fresh->toolTip());
     newFrom_ = add(file, {}, tr("New case, empty or &from…"),
@@ -263,7 +263,7 @@ void MainWindow::buildMenus() {
     });
     add(edit, {}, tr("Sca&le…"), {}, [this] { scale_->openSettings(); });
 
-    sceneMenu_ = menuBar()->addMenu(tr("&Scene"));
+    sceneMenu_ = menuBar()->addMenu(QString());
 
     QMenu* view = menuBar()->addMenu(tr("&View"));
     view->addAction(startAction_);
@@ -282,8 +282,7 @@ void MainWindow::buildMenus() {
     bands->setCheckable(true);
     bands->setChecked(ToleranceSwitch::instance().isOn());
     bands->setStatusTip(
-        tr("Bands about the curves and ± beside the numbers, where the case has "
-           "tolerances"));
+        tr("Bands about the curves and ± beside the numbers, if the case has tolerances"));
     connect(bands, &QAction::toggled, &ToleranceSwitch::instance(), &ToleranceSwitch::setOn);
     connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, bands, &QAction::setChecked);
     add(view, {}, tr("&Full screen"), QKeySequence(Qt::Key_F11),
@@ -292,7 +291,7 @@ void MainWindow::buildMenus() {
     QMenu* themes = view->addMenu(themedIcon(QStringLiteral("theme")), tr("&Theme"));
     auto* themeGroup = new QActionGroup(this);
     const std::vector<std::pair<Theme::Mode, QString>> modes{
-        {Theme::Mode::System, tr("As the des&ktop")},
+        {Theme::Mode::System, tr("&System default")},
         {Theme::Mode::Light, tr("&Light")},
         {Theme::Mode::Dark, tr("&Dark")}};
     for (const auto& [mode, text] : modes) {
@@ -325,9 +324,9 @@ void MainWindow::buildMenus() {
         [this] { showHelp(isAtStart() ? QStringLiteral("keys") : currentScene()); });
     add(help, {}, tr("&Case files and command line"), {},
         [this] { showHelp(QStringLiteral("case-files")); });
-    add(help, {}, tr("&Variants: one design against another"), {},
+    add(help, {}, tr("&Variants: one design compared with another"), {},
         [this] { showHelp(QStringLiteral("variants")); });
-    add(help, {}, tr("&Tolerances: how sure a result is"), {},
+    add(help, {}, tr("&Tolerances: how certain a result is"), {},
         [this] { showHelp(QStringLiteral("tolerances")); });
     add(help, {}, tr("&Keys and mouse"), {}, [this] { showHelp(QStringLiteral("keys")); });
     // The key asks what has the focus, so it is not the action's own.

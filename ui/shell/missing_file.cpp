@@ -25,9 +25,10 @@ std::optional<bool> MissingFile::locate(CaseFile& file, const InputError& error,
     }
     // What the case names is looked for, whatever was chosen for it.
     const QString found =
-        ask(isSecond ? tr("The file chosen for %1 does not do.").arg(QFileInfo(name_).fileName()) +
-                           QStringLiteral("\n\n") + trouble
-                     : trouble);
+        ask(isSecond
+                ? tr("The file selected for %1 is not suitable.").arg(QFileInfo(name_).fileName()) +
+                      QStringLiteral("\n\n") + trouble
+                : trouble);
     if (!found.isEmpty()) {
         *named = QFileInfo(found).absoluteFilePath().toStdString();
     }

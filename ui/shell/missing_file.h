@@ -26,7 +26,7 @@ class MissingFile {
         : over_(over), title_(std::move(title)), folder_(std::move(folder)) {}
 
     /// Asks for the file that the error is about, and enters the answer into the case.
-    /// @param trouble  what is wrong, in words
+    /// @param trouble  what is wrong, as text
     /// @return nothing where something else is wrong; false where the user gives up
     std::optional<bool> locate(CaseFile& file, const InputError& error, const QString& trouble);
 

@@ -32,9 +32,9 @@ NewCaseDialog::NewCaseDialog(const QString& scene, QWidget* parent)
         grid->addWidget(made, 1, at);
         return made;
     };
-    scenes_ = list(tr("&Scene"), QStringLiteral("new-scenes"), 0);
+    scenes_ = list(tr("&Module"), QStringLiteral("new-scenes"), 0);
     scenes_->setIconSize(QSize(Theme::withText(28), Theme::withText(28)));
-    beginnings_ = list(tr("&Begin with"), QStringLiteral("new-beginnings"), 1);
+    beginnings_ = list(tr("&Start from"), QStringLiteral("new-beginnings"), 1);
     beginnings_->setWordWrap(true);
     for (const SceneInfo& info : sceneList()) {
         if (std::none_of(all_.begin(), all_.end(),

@@ -15,7 +15,7 @@ namespace ravnoves {
 
 namespace {
 
-/// The titles of resources/examples, as they stand there, and what each answers.
+/// The titles of resources/examples, as they are there, and what each answers.
 constexpr auto exampleTitles = std::to_array<std::pair<const char*, const char*>>({
     {QT_TRANSLATE_NOOP("ravnoves::NewCases", "TMZ-650D: balance shaft at 45°"),
      QT_TRANSLATE_NOOP("ravnoves::NewCases", "Where does my balance shaft go?")},

@@ -61,10 +61,10 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
             row->setToolTip(1, path);
         }
         if (found.older > 0) {
-            auto* row = new QTreeWidgetItem(
-                list_, {tr("Older ones, too many for this list: %1").arg(found.older)});
+            auto* row =
+                new QTreeWidgetItem(list_, {tr("Older cases, not listed: %1").arg(found.older)});
             row->setCheckState(0, Qt::Unchecked);
-            row->setToolTip(0, tr("Restoring shows the next hundred."));
+            row->setToolTip(0, tr("Restore these to see the next hundred."));
         }
         list_->header()->setStretchLastSection(false);
         list_->header()->setSectionResizeMode(0, QHeaderView::Fixed);
@@ -76,15 +76,11 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
     }
     for (const QString& file : found.damaged) {
         column->addWidget(recoveryText(
-            tr("A case that was not saved cannot be read: its copy is damaged. It lies aside as "
-               "%1.")
-                .arg(file),
-            this));
+            tr("The copy of an unsaved case is damaged; it is now %1.").arg(file), this));
     }
     for (const QString& file : found.newer) {
         column->addWidget(recoveryText(
-            tr("A newer version of Ravnoves has kept a case that was not saved: only that can read "
-               "it. It stays as %1.")
+            tr("An unsaved case was written by a newer version of Ravnoves, which can open it: %1.")
                 .arg(file),
             this));
     }
@@ -108,7 +104,7 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
                 Q_EMIT restored(each);
             }
         })->setDefault(true);
-        add("recovery_throw_away", tr("&Throw away"), [this] {
+        add("recovery_throw_away", tr("&Discard"), [this] {
             if (!mayThrowAway()) {
                 return;
             }
@@ -151,7 +147,8 @@ bool RecoveryDialog::mayThrowAway() {
     return count > 0 &&
            QMessageBox::question(
                this, windowTitle(),
-               tr("Throw away what is ticked? Cases that are gone for good then: %1.").arg(count) +
+               tr("Delete the ticked cases permanently? Cases that will be deleted: %1.")
+                       .arg(count) +
                    QStringLiteral("\n\n") + ticked.join(QLatin1Char('\n')),
                QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
 }

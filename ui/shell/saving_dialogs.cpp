@@ -50,10 +50,10 @@ class SavingDialogs {
                                    {{QStringLiteral("case.json"), tr("Ravnoves case")}});
         const OpenDocument* other = path.isEmpty() ? nullptr : documents_->withFile(path);
         if (other != nullptr && other != document_) {
-            QMessageBox::warning(window(), tr("Save case"),
-                                 tr("%1 is open in another tab. Close that first, or choose "
-                                    "another name.")
-                                     .arg(path));
+            QMessageBox::warning(
+                window(), tr("Save case"),
+                tr("%1 is open in another tab. Close that tab first, or choose another name.")
+                    .arg(path));
             return {};
         }
         return path;

@@ -67,16 +67,16 @@ void SettingsDialog::build() {
     rows_->setSpacing(Theme::space);
     Preferences& preferences = Preferences::instance();
 
-    Choices languages{{tr("As the desktop"), QString()}};
+    Choices languages{{tr("System default"), QString()}};
     for (const Language& language : availableLanguages()) {
         languages.append({language.ownName, language.code});
     }
-    addChoice("language", tr("&Language"), tr("Of all texts, and how numbers are written."),
-              languages, preferences.language(),
+    addChoice("language", tr("&Language"), tr("Language of texts and numbers."), languages,
+              preferences.language(),
               [](const QVariant& code) { Preferences::instance().setLanguage(code.toString()); });
 
     addChoice("theme", tr("&Theme"), tr("Light or dark colours."),
-              {{tr("As the desktop"), static_cast<int>(Theme::Mode::System)},
+              {{tr("System default"), static_cast<int>(Theme::Mode::System)},
                {tr("Light"), static_cast<int>(Theme::Mode::Light)},
                {tr("Dark"), static_cast<int>(Theme::Mode::Dark)}},
               static_cast<int>(Theme::instance().mode()), [](const QVariant& mode) {
@@ -94,8 +94,8 @@ void SettingsDialog::build() {
                      [&](const auto& size) { return size.second == present; })) {
         sizes.append({QStringLiteral("%1 %").arg(present), present});
     }
-    addChoice("text", tr("Te&xt size"), tr("Of all texts and of the fields that hold them."), sizes,
-              present, [](const QVariant& percent) {
+    addChoice("text", tr("Te&xt size"), tr("Size of all texts and fields."), sizes, present,
+              [](const QVariant& percent) {
                   Theme::instance().setTextScale(percent.toInt() / 100.0);
                   QSettings().setValue(QStringLiteral("view/text"), percent.toInt());
                   Preferences::instance().tell();
@@ -106,9 +106,8 @@ void SettingsDialog::build() {
         digits.append({tr("%1 significant digits").arg(count), count});
     }
     addChoice("digits", tr("&Digits of results"),
-              tr("Automatic: each number has the digits that its use needs. Copies and exports "
-                 "have them too."),
-              digits, preferences.digits(),
+              tr("Automatic: digits as needed. Copies and exports use the same digits."), digits,
+              preferences.digits(),
               [](const QVariant& count) { Preferences::instance().setDigits(count.toInt()); });
 
     addUnits();
@@ -134,8 +133,8 @@ void SettingsDialog::addUnits() {
             choices.append({text, static_cast<int>(units)});
         }
         addChoice(name, label,
-                  tr("Of all that is shown, typed, printed and exported. Case files stay as they "
-                     "are, and drawings for the machine shop are in millimetres."),
+                  tr("Units of display, input, print and export. Case files keep their own units; "
+                     "drawings are in millimetres."),
                   choices, static_cast<int>(Preferences::instance().units(quantity)),
                   [quantity](const QVariant& units) {
                       Preferences::instance().setUnits(quantity, static_cast<Units>(units.toInt()));
@@ -153,7 +152,7 @@ void SettingsDialog::addUnits() {
         {{unitText("lb·ft"), Units::Imperial}});
     add(Preferences::Force, "force_unit", tr("&Forces"), unitText(units::newton.name),
         {{unitText("lbf"), Units::Imperial}});
-    add(Preferences::Speed, "speed_unit", tr("&Speeds"), tr("as each page has them"),
+    add(Preferences::Speed, "speed_unit", tr("&Speeds"), tr("module default"),
         {{unitText(units::rpm.name), Units::Rpm},
          {unitText(units::rad_per_s.name), Units::RadPerSecond}});
 }

@@ -29,7 +29,7 @@ QString noFileForSettings() {
 }
 
 QString noFileForSettingsText(const QString& path) {
-    return QCoreApplication::translate("Settings", "The settings are not kept: %1 is not a file")
+    return QCoreApplication::translate("Settings", "Settings are not saved: %1 is not a file")
         .arg(path);
 }
 

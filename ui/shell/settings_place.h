@@ -4,7 +4,7 @@
 
 namespace ravnoves {
 
-/// What stands in the place of the settings without being a file, a pipe for example: Qt would wait
+/// What is in the place of the settings without being a file, a pipe for example: Qt would wait
 /// for it before there is a window. Empty where they can be read, or are still to be written. To be
 /// asked before the first QSettings.
 QString noFileForSettings();

@@ -19,11 +19,11 @@ class StartPage : public QWidget {
   public:
     explicit StartPage(QWidget* parent = nullptr);
 
-    /// The files opened last, anew.
+    /// The files opened last, again.
     void showRecent();
     /// When these files were written; needs the disk.
     void showDates();
-    /// The newest jobs of the journal, anew; nothing of a journal that cannot be opened.
+    /// The newest jobs of the journal, again; nothing of a journal that cannot be opened.
     void showJobs();
 
   Q_SIGNALS:

@@ -18,11 +18,11 @@ VariantMenu::VariantMenu(QWidget* parent)
     setToolTipsVisible(true);
     setIcon(themedIcon(QStringLiteral("variants")));
     keep_ = add("keep", tr("&Keep as reference"), QKeySequence(Qt::CTRL | Qt::Key_K),
-                tr("Keeps the present input as a variant and shows what changes against it"),
+                tr("Keeps the present input as a variant; later changes are compared with it"),
                 &VariantMenu::keep);
     addSeparator();
     none_ = add("none", tr("&No reference"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
-                tr("Shows the present input alone; the variants stay"), &VariantMenu::none);
+                tr("Shows the present input alone; variants are kept"), &VariantMenu::none);
     none_->setCheckable(true);
     QAction* const end = addSeparator();
     end->setObjectName(QStringLiteral("end-of-list"));
@@ -33,12 +33,12 @@ VariantMenu::VariantMenu(QWidget* parent)
             &VariantMenu::showTable);
     onReference_ = {
         add("swap", tr("&Swap with the present"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_X),
-            tr("Present input and reference change places"), &VariantMenu::swap),
-        add("take", tr("&Take over"), {}, tr("The reference becomes the present input; it stays"),
+            tr("Exchanges present input and reference"), &VariantMenu::swap),
+        add("take", tr("&Use"), {},
+            tr("The reference becomes the present input and remains the reference"),
             &VariantMenu::take),
-        add("rename", tr("&Rename…"), {}, tr("Another name for the reference"),
-            &VariantMenu::rename),
-        add("delete", tr("&Delete"), {}, tr("Takes the reference out of the case"),
+        add("rename", tr("&Rename…"), {}, tr("Renames the reference"), &VariantMenu::rename),
+        add("delete", tr("&Delete"), {}, tr("Removes the reference from the case"),
             &VariantMenu::remove)};
     connect(this, &QMenu::aboutToShow, this, &VariantMenu::fillList);  // it solves each of them
     button_->setObjectName(QStringLiteral("variants_button"));
@@ -101,8 +101,8 @@ void VariantMenu::showState() {
     button_->setToolButtonStyle(name.isEmpty() ? Qt::ToolButtonIconOnly
                                                : Qt::ToolButtonTextBesideIcon);
     QString tip = !usable          ? tr("This page has no inputs to keep as variants.")
-                  : name.isEmpty() ? tr("Variants: keep the present input as reference "
-                                        "(Ctrl+K) and see what changes against it")
+                  : name.isEmpty() ? tr("Variants: keep the present input as reference (Ctrl+K); "
+                                        "later changes are compared with it")
                                    : tr("Variants: the reference is %1").arg(name);
     const QString changed = reference >= 0 ? changedFilesText(*model_, reference) : QString();
     if (!changed.isEmpty()) {
@@ -128,7 +128,7 @@ void VariantMenu::fillList() {
         action->setObjectName(QStringLiteral("variant_%1").arg(i));
         const QString changed = trouble.isEmpty() ? changedFilesText(*model_, i) : QString();
         action->setToolTip(!trouble.isEmpty()  ? trouble
-                           : changed.isEmpty() ? tr("Show the present input against %1").arg(text)
+                           : changed.isEmpty() ? tr("Compare the present input with %1").arg(text)
                                                : changed);
         action->setCheckable(true);
         action->setChecked(i == model_->reference());

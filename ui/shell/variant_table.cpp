@@ -35,7 +35,7 @@ VariantTable::VariantTable(ScenePage* page, QWidget* parent)
     connect(save, &QPushButton::clicked, this, &VariantTable::saveWithDialog);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     column->addWidget(buttons);
-    constexpr int restMs = 300;  // every variant is solved anew: not at each step of a slider
+    constexpr int restMs = 300;  // every variant is solved again: not at each step of a slider
     rest_.setSingleShot(true);
     rest_.setInterval(restMs);
     connect(&rest_, &QTimer::timeout, this, &VariantTable::showVariants);

@@ -10,7 +10,7 @@
 namespace ravnoves {
 
 /// Sheets of paper in millimetres from their upper left corner, with type in points: what the job
-/// card is drawn on. What a sheet has no room for goes on on the next one.
+/// card is drawn on. What a sheet has no room for continues on the next one.
 class CardPage {
   public:
     static constexpr double width = 210.0;   ///< A4, mm
@@ -64,14 +64,14 @@ class CardPage {
     // ------------------------------------------------------------------------------- sheets
 
     int number() const { return number_; }  ///< of the sheet, from 1
-    /// Where what stands on the sheet must end, mm.
+    /// Where what is on the sheet must end, mm.
     double end() const { return end_; }
     /// The lowest part of the first sheet, from `y` down.
     void setFoot(double y, std::function<void()> paint);
     /// Called after a sheet is finished, to begin the next; returns where its print begins, mm.
     void setNextSheet(std::function<double()> next) { next_ = std::move(next); }
     double nextSheet();
-    /// Paints what stands at the foot.
+    /// Paints what is at the foot.
     void finishSheet();
 
     /// What is painted at y (mm); returns where it ends.
@@ -80,7 +80,7 @@ class CardPage {
     /// The section at y, or on the next sheet where it has no room there.
     /// @return where it ends
     double place(double y, const Section& section);
-    /// A paragraph as wide as the sheet, which goes on on the next sheet.
+    /// A paragraph as wide as the sheet, which continues on the next sheet.
     /// @return where it ends
     double flow(double y, const QString& text, double points, const QColor& colour = ink);
 

@@ -101,9 +101,9 @@ QString Shop::keep() const {
 QString Shop::trouble() const {
     return logo.isEmpty() || !read(logo).isNull()
                ? QString()
-               : QCoreApplication::translate("ravnoves::JobCard",
-                                             "The shop’s logo cannot be read, and the card is "
-                                             "without it: %1")
+               : QCoreApplication::translate(
+                     "ravnoves::JobCard",
+                     "The card has no logo, because the file cannot be read: %1")
                      .arg(QDir::toNativeSeparators(logo));
 }
 

@@ -61,7 +61,7 @@ class JobCard {
 
     const Words& words() const { return words_; }
     void setShop(const Shop& shop) { shop_ = shop; }
-    /// Entries that the form refuses: the card is of the values before them, and says so.
+    /// Entries that the form rejects: the card is of the values before them, and says so.
     /// @param ofResult  those of them that the answer depends on
     void setRefused(const QStringList& refused, const QStringList& ofResult) {
         refused_ = refused;
@@ -74,7 +74,7 @@ class JobCard {
     /// Of the PDF.
     virtual QString title() const = 0;
 
-    /// Empty where nothing is refused that the answer depends on.
+    /// Empty where nothing is rejected that the answer depends on.
     QString refusedText() const { return refusedNote(words_, refusedOfResult_); }
     /// The same of all other entries.
     QString otherRefusedText() const;

@@ -63,7 +63,7 @@ QDate readDay(const QString& text) {
 
 QString dayTrouble(const QString& text) {
     return readDay(text).isValid() ? QString()
-                                   : JournalDialog::tr("“%1” is no date; write it like %2.")
+                                   : JournalDialog::tr("“%1” is not a date; example: %2.")
                                          .arg(text, Words().day(QStringLiteral("2024-05-31")));
 }
 
@@ -189,7 +189,7 @@ JournalDialog::JournalDialog(Journal* journal, Listed listed, QWidget* parent)
 JournalQuery JournalDialog::query() const {
     JournalQuery wanted;
     wanted.text = text_->text();
-    // A day that is refused bounds nothing: the one before it stands nowhere any more.
+    // A day that is rejected bounds nothing: the one before it stands nowhere any more.
     const auto dayIn = [](const CheckedField* field) {
         return field->trouble().isEmpty() ? readDay(field->value()) : QDate();
     };
@@ -225,7 +225,7 @@ void JournalDialog::showDayTrouble(const JournalQuery& wanted) {
     const bool isReversed = wanted.from.isValid() && wanted.to.isValid() && wanted.from > wanted.to;
     QStringList said{from_->trouble(), to_->trouble()};
     if (isReversed) {
-        said << tr("“from” is later than “to”: no day lies between them.");
+        said << tr("“from” is later than “to”.");
     }
     said.removeAll(QString());
     from_->setDoubtful(isReversed);
@@ -311,7 +311,7 @@ void JournalDialog::removeSelected() {
     const QString day = Words().day(job.date.toString(Qt::ISODate));
     if (QMessageBox::question(
             this, tr("Remove job"),
-            tr("Remove job %1 of %2 from the journal for good?")
+            tr("Remove job %1 of %2 from the journal permanently?")
                 .arg(JobDesk::numbersOf(job), day.isEmpty() ? QStringLiteral("–") : day),
             QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes) {
         if (!journal_->remove(id)) {

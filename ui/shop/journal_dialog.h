@@ -82,7 +82,7 @@ class JournalDialog : public QDialog {
 
 /// Reads a day as people type it: 2024-05-31, 31.05.2024, 31.5.24. Invalid where it is none.
 QDate readDay(const QString& text);
-/// Why a text is refused as a day; empty where it is one.
+/// Why a text is rejected as a day; empty where it is one.
 QString dayTrouble(const QString& text);
 
 }  // namespace ravnoves

@@ -34,9 +34,9 @@ ScaleButton::ScaleButton(QWidget* parent) : QToolButton(parent), reader_(new Sca
         }
     });
     connect(reader_, &ScaleReader::repeated, this, [this](const ScaleLine& line) {
-        Q_EMIT status(tr("%1 again at once: it is taken once. A scale that sends all the time can "
-                         "be set so.")
-                          .arg(scaleText(line)));
+        Q_EMIT status(
+            tr("%1 again: used only once. If the scale sends continuously, change its settings.")
+                .arg(scaleText(line)));
     });
     connect(&Preferences::instance(), &Preferences::changed, this, &ScaleButton::showConnection);
     connect(&Theme::instance(), &Theme::changed, this, &ScaleButton::showConnection);
@@ -62,7 +62,7 @@ void ScaleButton::showConnection() {
     const bool isThere = reader_->isConnected() && reader_->trouble().isEmpty();
     setText(isThere ? tr("Scale: ready") : tr("Scale: not connected"));
     setAccessibleName(text());
-    setToolTip(isThere ? tr("Weights go into the field with the focus. Click for the settings.")
+    setToolTip(isThere ? tr("Masses are entered in the field with the focus. Click for settings.")
                        : reader_->trouble());
     setAccessibleDescription(toolTip());
     QPalette colours = palette();

@@ -45,10 +45,10 @@ ScaleDialog::ScaleDialog(ScaleReader* reader, QWidget* parent) : QDialog(parent)
     state_->setWordWrap(true);
     state_->setMinimumWidth(Theme::withText(460));
     column->addWidget(state_);
-    auto* caption = new QLabel(tr("What the scale &sends"), this);
+    auto* caption = new QLabel(tr("Lines from the &scale"), this);
     lines_ = new QPlainTextEdit(this);
     lines_->setObjectName(QStringLiteral("scale_lines"));
-    lines_->setAccessibleName(tr("What the scale sends"));
+    lines_->setAccessibleName(tr("Lines from the scale"));
     lines_->setReadOnly(true);
     lines_->setTabChangesFocus(true);
     lines_->setMaximumBlockCount(200);
@@ -57,7 +57,7 @@ ScaleDialog::ScaleDialog(ScaleReader* reader, QWidget* parent) : QDialog(parent)
     fixed.setPixelSize(Theme::font().pixelSize());
     lines_->setFont(fixed);
     lines_->setPlaceholderText(
-        tr("Press Print on the scale: its lines stand here with what is made of them."));
+        tr("Press Print on the scale: its lines and their meaning appear here."));
     lines_->setMinimumHeight(Theme::withText(60));
     caption->setBuddy(lines_);
     column->addWidget(caption);
@@ -108,7 +108,7 @@ void ScaleDialog::buildRows(QFormLayout* rows) {
     port_->setMinimumContentsLength(30);
     fillPorts();
     addRow(rows, tr("&Port"), port_, "scale_port",
-           tr("Where the scale is plugged in; a path such as /dev/ttyUSB0 can be typed."));
+           tr("Port of the scale; you can type a path such as /dev/ttyUSB0."));
     connect(port_, &QComboBox::activated, this, &ScaleDialog::apply);
     connect(port_->lineEdit(), &QLineEdit::editingFinished, this, &ScaleDialog::apply);
 
@@ -119,23 +119,24 @@ void ScaleDialog::buildRows(QFormLayout* rows) {
     if (!rates.contains(QString::number(present.baud))) {
         rates << QString::number(present.baud);
     }
-    baud_ = addChoice(rows, "scale_baud", tr("&Baud rate"), tr("As in the scale's own menu."),
-                      rates, static_cast<int>(rates.indexOf(QString::number(present.baud))));
-    parity_ = addChoice(rows, "scale_parity", tr("P&arity"), tr("As in the scale's own menu."),
+    baud_ = addChoice(rows, "scale_baud", tr("&Baud rate"),
+                      tr("Same setting as in the scale's own menu."), rates,
+                      static_cast<int>(rates.indexOf(QString::number(present.baud))));
+    parity_ = addChoice(rows, "scale_parity", tr("P&arity"),
+                        tr("Same setting as in the scale's own menu."),
                         {tr("none, 8 bits"), tr("even, 7 bits"), tr("odd, 7 bits"),
                          tr("even, 8 bits"), tr("odd, 8 bits")},
                         present.parity);
-    unit_ = addChoice(rows, "scale_unit", tr("Without a &unit it is"),
-                      tr("What a line is in that is only a number."),
+    unit_ = addChoice(rows, "scale_unit", tr("&Unit of bare numbers"),
+                      tr("Unit of lines that contain only a number."),
                       {unitText("g"), unitText("kg"), unitText("oz"), unitText("lb")},
                       present.usualUnit);
-    taking_ = addChoice(
-        rows, "scale_taking", tr("&Take a weight"),
-        tr("Only stable weights are taken. They go into the field with the focus, and the next "
-           "one has it then."),
-        {tr("at each line: the scale sends on Print"),
-         tr("once for each part: the scale sends all the time")},
-        present.taking);
+    taking_ = addChoice(rows, "scale_taking", tr("&Enter a weight"),
+                        tr("Stable weights only. Each is entered in the field with the focus; the "
+                           "focus moves to the next field."),
+                        {tr("at each line (the scale sends on Print)"),
+                         tr("once for each part (the scale sends continuously)")},
+                        present.taking);
 
     resolution_ = new NumberField(resolutionField, this);
     resolution_->setOptional(true);
@@ -143,8 +144,8 @@ void ScaleDialog::buildRows(QFormLayout* rows) {
         resolution_->setValue(from_si(resolutionField, present.resolution));
     }
     const QString hint =
-        tr("Smallest step of its display; pages say with it how sure a weight is. Of a keyboard "
-           "scale too, or of one that you read yourself.");
+        tr("Smallest step of the display; the uncertainty of masses follows. Also for a keyboard "
+           "scale or manual reading.");
     addRow(rows, tr("&Last digit d, %1").arg(resolution_->unit()), resolution_, "scale_resolution",
            hint);
     resolution_->setHint(hint);
@@ -194,10 +195,10 @@ void ScaleDialog::apply() {
 void ScaleDialog::showConnection() {
     const bool isWanted = !reader_->settings().port.isEmpty();
     const QString trouble = reader_->trouble();
-    state_->setText(!isWanted ? tr("No scale is connected. A scale that types as a keyboard needs "
-                                   "none of this: its numbers go where the focus is.")
-                    : trouble.isEmpty() ? tr("Connected to %1.").arg(reader_->settings().port)
-                                        : trouble);
+    state_->setText(
+        !isWanted ? tr("No scale is connected. A scale that acts as a keyboard needs no settings.")
+        : trouble.isEmpty() ? tr("Connected to %1.").arg(reader_->settings().port)
+                            : trouble);
     colourText(state_, isWanted && !trouble.isEmpty() ? &Theme::error : &Theme::text);
 }
 

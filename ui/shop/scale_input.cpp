@@ -34,9 +34,10 @@ ScaleEntry enterInto(NumberField* field, const QString& weight) {
     field->setText(weight);
     Q_EMIT field->textEdited(weight);
     if (const QString trouble = field->trouble(); !trouble.isEmpty()) {
-        press(field, Qt::Key_Escape);  // nobody typed it: what stood there stays
+        press(field, Qt::Key_Escape);  // nobody typed it: what was there stays
         QApplication::beep();
-        return {ScaleInput::tr("%1 from the scale is refused. %2").arg(weight, trouble), false};
+        return {ScaleInput::tr("%1 from the scale is not accepted. %2").arg(weight, trouble),
+                false};
     }
     const QString name = field->accessibleName();
     press(field, Qt::Key_Return);
@@ -50,7 +51,9 @@ ScaleEntry enterInto(QAbstractItemView* view, const QString& weight) {
     const QModelIndex cell = view->currentIndex();
     if (!view->model()->setData(cell, weight)) {
         QApplication::beep();
-        return {ScaleInput::tr("%1 from the scale is refused. %2").arg(weight, QString()).trimmed(),
+        return {ScaleInput::tr("%1 from the scale is not accepted. %2")
+                    .arg(weight, QString())
+                    .trimmed(),
                 false};
     }
     if (const QModelIndex below = cell.siblingAtRow(cell.row() + 1); below.isValid()) {
@@ -105,9 +108,9 @@ ScaleEntry enterWeight(const shop::ScaleLine& line) {
         return enterInto(view, weight);
     }
     QApplication::beep();
-    return {ScaleInput::tr("%1 from the scale goes nowhere: no field for a mass has the focus.")
-                .arg(weight),
-            false};
+    return {
+        ScaleInput::tr("%1 from the scale was not entered: click a mass field first.").arg(weight),
+        false};
 }
 
 }  // namespace ravnoves

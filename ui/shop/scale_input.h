@@ -14,12 +14,12 @@ QString meaningOf(const shop::ScaleLine& line);
 
 /// What became of a weight.
 struct ScaleEntry {
-    QString text;          ///< in words, for the status bar
-    bool isTaken = false;  ///< it stands in a field now
+    QString text;          ///< as text, for the status bar
+    bool isTaken = false;  ///< it is in a field now
 };
 
 /// Puts a weight into the field or cell with the focus, as if it were typed and Enter pressed: the
-/// next one has the focus then. Only fields of masses take it; one that refuses it keeps its value
+/// next one has the focus then. Only fields of masses take it; one that rejects it keeps its value
 /// and the focus.
 ScaleEntry enterWeight(const shop::ScaleLine& line);
 

@@ -45,7 +45,7 @@ ShopDialog::ShopDialog(QWidget* parent) : QDialog(parent) {
         const QString file = askOpenPath(this, tr("Logo of the shop"), {},
                                          tr("Pictures (*.png *.jpg *.jpeg *.svg)"));
         if (!file.isEmpty() && Shop::read(file).isNull()) {
-            QMessageBox::warning(this, windowTitle(), tr("%1 is no picture.").arg(file));
+            QMessageBox::warning(this, windowTitle(), tr("%1 is not a picture.").arg(file));
         } else if (!file.isEmpty()) {
             logo_ = file;
             showLogo();

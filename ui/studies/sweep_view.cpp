@@ -67,10 +67,10 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
     progress_->hide();
     plot_ = new PlotView({}, this);
     plot_->addCurve({.name = tr("mean"), .role = Role::Value, .width = 2.0, .gaps = true});
-    plot_->addCurve({.name = tr("can be built"),
+    plot_->addCurve({.name = tr("feasible"),
                      .role = Role::OtherQuantity,
                      .side = plot::Side::Right,
-                     .toolTip = tr("Share of the samples that can be built.")});
+                     .toolTip = tr("Share of feasible samples.")});
     column->addWidget(plot_, 1);
     auto* below = new QHBoxLayout;
     words_ = captionLabel({}, this);
@@ -172,14 +172,14 @@ void SweepView::showSweep() {
 
 QString SweepView::bestText() const {
     const Sweep& sweep = *model_->sweep();
-    const QString few = tr("At no value can 95 % of the samples be built.");
+    const QString few = tr("At no value are 95 % of the samples feasible.");
     if (!sweep.best) {
         return few;
     }
     const ShownTitle input = study_->inputTitle(sweep.input);
     const ShownUnit unit = study_->resultName(sweep.result).shown();
     const QString best =
-        tr("Lowest 95 % value: %1 at %2; %3 of the samples can be built.")
+        tr("Minimum 95th percentile: %1 at %2; %3 of the samples are feasible.")
             .arg(withUnit(shownFormNumber(unit.factor * sweep.best->high, QLocale(), 5), unit.name),
                  shownFormNumber(input.factor * sweep.best->x, QLocale(), 5),
                  percentText(sweep.best->built));
@@ -212,7 +212,7 @@ void SweepView::showCurves() {
     plot_->setTitle(name.text);
     plot_->setXAxis({input.text, every.front(), every.back()});
     plot_->setYAxis(plot::Side::Left, {name.unit});
-    plot_->setYAxis(plot::Side::Right, {tr("can be built, %")});
+    plot_->setYAxis(plot::Side::Right, {tr("feasible, %")});
     plot_->setYRange(plot::Side::Right, 0.0, 100.0);
     plot_->setCurve(Mean, x, mean);
     plot_->setSpread(Mean, scatters ? below : std::vector<double>(),

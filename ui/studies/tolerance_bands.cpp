@@ -49,7 +49,7 @@ ToleranceBands::ToleranceBands(ScenePage* page)
     }
     connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, this,
             &ToleranceBands::outdate);
-    // The parts of a sample are written as the user wants them; the page is made anew then.
+    // The parts of a sample are written as the user wants them; the page is made again then.
     connect(&Preferences::instance(), &Preferences::aboutToChange, job_, &BackgroundJob::stop);
     connect(job_, &BackgroundJob::failed, this, [this] { clear(false); });
     study_ = readStudy();

@@ -49,7 +49,7 @@ namespace ravnoves {
 
 namespace {
 
-/// Room to type in, and for what stands there.
+/// Room to type in, and for what is there.
 void fitTyped(QTableView* view, const std::vector<int>& columns) {
     constexpr int least = 72;
     const QAbstractItemView* cells = view;
@@ -149,7 +149,7 @@ void ToleranceWindow::addKeys() {
 bool ToleranceWindow::eventFilter(QObject* object, QEvent* event) {
     const int key = event->type() == QEvent::KeyPress ? static_cast<QKeyEvent*>(event)->key() : 0;
     if (key == Qt::Key_Escape) {
-        // In a table it gives up what is typed, or was refused; it does not close the window.
+        // In a table it gives up what is typed, or was rejected; it does not close the window.
         (object == inputs_->view() ? inputs_ : watched_)->takeBackRefused();
         return true;
     }
@@ -197,7 +197,7 @@ QWidget* ToleranceWindow::makeInputs() {
         connect(table, &QAbstractItemModel::dataChanged, editor,
                 [editor] { editor->say({}, false); });
         growRowsWithWords(*editor->view());
-        editor->layout()->itemAt(0)->widget()->hide();  // no caption: the heading stands above
+        editor->layout()->itemAt(0)->widget()->hide();  // no caption: the heading is above
         editor->layout()->setContentsMargins(0, 0, 0, 0);
         return editor;
     };
@@ -261,7 +261,7 @@ QWidget* ToleranceWindow::makeInputs() {
                     refused_->say(all.join(QLatin1Char('\n')));
                     refused_->setToolTip(refused_->text());
                     if (table == 0) {
-                        showAnswers();  // they are without what is refused
+                        showAnswers();  // they are without what is rejected
                     }
                 });
     }
@@ -356,11 +356,11 @@ QWidget* ToleranceWindow::makeFound() {
     table_->setColumns(
         {tr("Result"),
          {tr("Nominal"), tr("Without tolerances.")},
-         {tr("Mean"), tr("Of all samples that could be solved.")},
+         {tr("Mean"), tr("Mean of all solved samples.")},
          {QStringLiteral("σ"), tr("Standard deviation of the samples.")},
-         {tr("σ, linear"), tr("Standard deviation by the slopes at the nominal values alone.")},
-         {QStringLiteral("5 %"), tr("One sample of twenty is less.")},
-         {QStringLiteral("95 %"), tr("One sample of twenty is more.")},
+         {tr("σ, linear"), tr("Standard deviation by the slopes at the nominal values.")},
+         {QStringLiteral("5 %"), tr("5 % of the samples are smaller.")},
+         {QStringLiteral("95 %"), tr("5 % of the samples are larger.")},
          {tr("Within"), tr("Share of the samples within the limits, with its 95 % interval.")}});
     connect(table_, &QTableWidget::currentCellChanged, this, &ToleranceWindow::showChosen);
     constexpr int shownRows = 4;
@@ -455,7 +455,7 @@ void ToleranceWindow::showAnswers() {
                          "± %2.")
                           .arg(shownShort(StudyModel::weighedGrams * units::gram, units::gram, 3),
                                shownShort(StudyModel::machinedMm * units::mm, units::mm, 3))
-                    : tr("Choose the result that the tolerances are to be seen in."));
+                    : tr("Choose a result to watch."));
         use_->setText(hasNone ? tr("Use t&ypical tolerances") : tr("&Choose a result"));
     }
     showFound();

@@ -14,9 +14,8 @@ namespace ravnoves {
 TornadoView::TornadoView(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setToolTip(
-        tr("Dark and in numbers: the share of the variance that an input makes alone (Sobol's "
-           "first-order index). Pale beyond it: what it makes only together with others (total "
-           "index)."));
+        tr("Dark: share of the variance of an input alone (Sobol's first-order index). Light: "
+           "further share with other inputs (total index)."));
     makeFigure(this, [this](const CsvFormat& format) {
         QString text = format.line({title_, tr("alone, %"), tr("with others, %")});
         for (const Bar& bar : bars_) {

@@ -269,7 +269,7 @@ QString FieldNames::errorText(const InputError& error) const {
     if (error.of() == InputError::Of::unknown_key) {
         place = strangeKey(lastKey(where));
     } else if (error.of() == InputError::Of::named_file) {
-        // The file that the case names; what is wrong with it stands behind.
+        // The file that the case names; what is wrong with it is behind.
         place += QLatin1Char(' ') +
                  QString::fromStdString(std::get<std::string>(rule.arguments().front()));
         allowed = messageText(std::get<Message>(rule.arguments().back()), {.word = word});

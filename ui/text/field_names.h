@@ -12,7 +12,7 @@
 namespace ravnoves {
 
 /// What the window calls the places of a case: by the labels of the fields that a scene describes,
-/// else by their keys in words.
+/// else by their keys as text.
 class FieldNames {
   public:
     FieldNames() = default;
@@ -46,7 +46,7 @@ class FieldNames {
     std::map<std::string, FieldEntry> fields_;
 };
 
-/// An input that a model refuses, with what the window says of it.
+/// An input that a model rejects, with what the window says of it.
 class RefusedInput : public InputError {
   public:
     RefusedInput(const InputError& error, QString said)

@@ -11,9 +11,9 @@ namespace ravnoves {
 /// left.
 Unit takeUnit(QString& key);
 
-/// A key of a case file in words, in the user's language and without the unit that it ends in:
+/// A key of a case file as text, in the user's language and without the unit that it ends in:
 /// "shaft_angle_deg" as "shaft angle". For what has no name in a form: objects, lists, and what
-/// stands in another's place.
+/// is in another's place.
 QString keyInWords(const std::string& key);
 
 /// A word or a text of a case as tables show it: of the sum of a file its first digits.

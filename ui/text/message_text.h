@@ -27,7 +27,7 @@ QString messageText(const Message& message, const MessageWords& words = {});
 QString presetTitle(const Message& title);
 /// A field's label without the & of its mnemonic: the name of its undo step.
 QString fieldName(const Field& field);
-/// What a field means and what it stands for while it is empty: its tooltip.
+/// What a field means and what it represents while it is empty: its tooltip.
 QString fieldHint(const Field& field);
 
 }  // namespace ravnoves

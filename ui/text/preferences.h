@@ -7,7 +7,7 @@
 namespace ravnoves {
 
 /// How the user wants numbers and texts: language, digits, units. One for the application, kept for
-/// the next start; it is read when something is written, so what stands already is made anew at
+/// the next start; it is read when something is written, so what stands already is made again at
 /// changed().
 class Preferences : public QObject {
     Q_OBJECT
@@ -15,7 +15,7 @@ class Preferences : public QObject {
   public:
     static Preferences& instance();
 
-    /// Takes over what the user chose in a session before.
+    /// Adopts what the user chose in a session before.
     void load();
 
     /// Significant digits of the numbers of results; 0: as many as each page takes.
@@ -51,7 +51,7 @@ class Preferences : public QObject {
   Q_SIGNALS:
     /// What writes numbers or texts in another thread ends before this returns.
     void aboutToChange();
-    /// All that is shown is to be made anew.
+    /// All that is shown is to be made again.
     void changed();
 
   private:

@@ -33,7 +33,7 @@ struct ResultCell {
 
     ResultCell() = default;
     ResultCell(QString words) : text(std::move(words)) {}
-    /// @param shown  the number as text, with what stands behind it
+    /// @param shown  the number as text, with what is behind it
     ResultCell(double value, QString shown, Kind kind = Kind::Plain, QString unit = {});
     /// Two numbers by a pattern: "%1 × %2".
     static ResultCell two(const QString& pattern, const ResultCell& first,

@@ -37,7 +37,7 @@ struct ShownTitle {
 ShownTitle shownTitle(const QString& title);
 /// A title that ends in a unit: "l, mm"; without one the name alone.
 QString titleWithUnit(const QString& name, const QString& unit);
-/// The unit that a title ends in, as it stands there; empty where there is none.
+/// The unit that a title ends in, as it is there; empty where there is none.
 QString unitOfTitle(const QString& title);
 
 /// An SI value as the number shown, for formats of their own.

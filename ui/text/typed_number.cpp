@@ -89,7 +89,7 @@ const TypedUnit* typedUnit(const QString& word) {
     return found == typedUnits.end() ? nullptr : &*found;
 }
 
-/// The number and what stands behind it.
+/// The number and what is behind it.
 std::pair<QString, QString> split(const QString& whole) {
     // The exponent of "17 g/cm3" is no end of the number.
     static const QRegularExpression cubed(QStringLiteral("(/\\s*\\w?[mмMМ])\\^?3$"),
@@ -174,10 +174,10 @@ TypedNumber inUnit(const TypedNumber& typedNumber, const QString& word, const QS
         return {std::nullopt,
                 unit.isEmpty()
                     ? QCoreApplication::translate("ravnoves::NumberField",
-                                                  "“%1” is a unit, and this value has none.")
+                                                  "“%1” is a unit, but this value has no unit.")
                           .arg(word)
                     : QCoreApplication::translate("ravnoves::NumberField",
-                                                  "“%1” is no unit of this value, which is in %2.")
+                                                  "“%1” is not a unit of this value (%2).")
                           .arg(word, unit)};
     }
     constexpr int precision = 15;  // 568.5 g are 0.5685 kg, not 0.56850000000000001
@@ -211,7 +211,7 @@ QString eitherNumberText(const QString& text, double one, double other) {
     constexpr int digits = 15;
     const QLocale locale;
     return QCoreApplication::translate("ravnoves::NumberField",
-                                       "“%1” may be %2 or %3: type the one that is meant.")
+                                       "“%1” may be %2 or %3: enter one of them.")
         .arg(text, shownFormNumber(one, locale, digits), shownFormNumber(other, locale, digits));
 }
 
@@ -254,7 +254,7 @@ void refuseEitherNumbers(const QString& word, const Message& where) {
     const QString two = whole + QStringLiteral("; ") + match.captured(2).remove(leading);
     const QString one = fraction.isEmpty() ? whole : whole + QLatin1Char(',') + fraction;
     throw InputError(where,
-                     {CORE_TEXT("core", "must be two numbers or one: write %1 or %2"),
+                     {CORE_TEXT("core", "must be two numbers or one: enter %1 or %2"),
                       quoted_list({two.toStdString()}), quoted_list({one.toStdString()})},
                      quoted_list({word.toStdString()}));
 }

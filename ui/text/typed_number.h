@@ -11,7 +11,7 @@ namespace ravnoves {
 /// A number as a person types it, or a scale that is a keyboard: "568.5", "568,5 г", "1.2 kg".
 struct TypedNumber {
     std::optional<double> value;  ///< in the unit asked for; empty where it is no number
-    QString trouble;              ///< where only the unit is wrong, that in words
+    QString trouble;              ///< where only the unit is wrong, that as text
 };
 
 /// Reads a number with a unit behind it, or without one: then it is in `unit`, as are the results.
@@ -28,7 +28,7 @@ TypedNumber readTypedFormula(const QString& text, const QString& unit);
 /// where the program's language writes a decimal point, "3,600" may be 3600. Empty for a text that
 /// is plain.
 std::optional<double> readWithThousands(const QString& text, const QString& unit);
-/// Why such a text is refused, with both numbers.
+/// Why such a text is rejected, with both numbers.
 QString eitherNumberText(const QString& text, double one, double other);
 /// The same for a text that stands where any number may; empty for one that is plain.
 QString thousandsTrouble(const QString& text, const QString& unit);
@@ -43,7 +43,7 @@ bool isMassUnit(const QString& unit);
 
 /// Reads numbers one after the other, in the unit that the field is shown in: between them are
 /// blanks, semicolons, or commas with a blank behind. What may be two numbers or one ("8,10") is
-/// refused.
+/// rejected.
 /// @param where  names the list
 /// @return the values in the field's unit; throws InputError for what is no number of its range
 std::vector<double> readNumberList(const QString& typed, const Field& field, const Message& where);

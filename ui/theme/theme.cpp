@@ -171,7 +171,7 @@ class ProgramStyle : public QProxyStyle {
     QRect subElementRect(SubElement element, const QStyleOption* option,
                          const QWidget* widget) const override {
         const QRect rect = QProxyStyle::subElementRect(element, option, widget);
-        // Numbers leave their cursor room at the right; what stands in their place goes with them.
+        // Numbers leave their cursor room at the right; what is in their place goes with them.
         if (const auto* line = qobject_cast<const QLineEdit*>(widget);
             element == SE_LineEditContents && line != nullptr && line->text().isEmpty() &&
             line->alignment().testFlag(Qt::AlignRight)) {
@@ -357,7 +357,7 @@ class ProgramStyle : public QProxyStyle {
             bar != nullptr ? qobject_cast<const QTabWidget*>(bar->parentWidget()) : nullptr;
         int wanted = 0;
         for (int i = 0; tabs != nullptr && i < bar->count(); ++i) {
-            // Asked for each tab anew, at every painting.
+            // Asked for each tab again, at every painting.
             wanted += qCeil(textWidth(bar->font(), bar->tabText(i).remove(QLatin1Char('&')))) +
                       2 * Theme::space;
         }
@@ -425,7 +425,7 @@ int Theme::withText(int pixels) {
 }
 
 QFont Theme::font(int pixelSize, bool bold) {
-    // The same object again, as a new one would have to find its letters anew. Never destroyed:
+    // The same object again, as a new one would have to find its letters again. Never destroyed:
     // what the letters are made of is gone before.
     static auto& made = *new QHash<int, QFont>;
     const int size = withText(pixelSize);

@@ -5,7 +5,7 @@
 
 namespace ravnoves {
 
-/// Says in a field, grey while it is empty, what it stands for: "auto 88"; its unit is beside it.
+/// Says in a field, grey while it is empty, what it represents: "auto 88"; its unit is beside it.
 /// @param value  in the field's unit; empty where the field's own words say all
 inline void showAssumed(Form* form, NumberField* field,
                         std::function<std::optional<double>()> value) {

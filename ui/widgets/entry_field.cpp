@@ -32,7 +32,7 @@ EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
             readText();
         }
         if (!trouble_.isEmpty() && model_ != nullptr) {
-            model_->noteRefused(this, true);  // another text is refused now
+            model_->noteRefused(this, true);  // another text is rejected now
         }
     });
     connect(this, &QLineEdit::editingFinished, this, [this] {
@@ -55,8 +55,8 @@ void EntryField::setModel(SceneModel* model) {
         if (isOfModel_ && !editing_) {
             isOfModel_ = false;
             isStale_ = true;
-            sayTrouble(
-                tr("Refused before other values changed; Enter tries it again: %1").arg(trouble_));
+            sayTrouble(tr("Not accepted before other values changed; press Enter to try again: %1")
+                           .arg(trouble_));
         }
     });
     // Queued: what changes is a step of the history by then, and the focus where it goes.
@@ -212,7 +212,7 @@ void EntryField::keyPressEvent(QKeyEvent* event) {
         return;
     }
     if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && !trouble_.isEmpty()) {
-        tryAgain();  // other values may have mended it
+        tryAgain();  // other values may have corrected it
         if (!trouble_.isEmpty()) {
             selectAll();  // what is typed next takes its place
         }

@@ -12,10 +12,10 @@ namespace ravnoves {
 ///
 /// The value follows while one types, but only a whole valid text counts: as soon as the text is
 /// refused, the value from before the editing holds again. A refused text is never thrown away and
-/// never becomes another value by itself: it stays, with a red frame and with trouble() in words,
-/// until it is mended, Escape brings the old value back, or another value is set. Escape undoes
+/// never becomes another value by itself: it stays, with a red frame and with trouble() as text,
+/// until it is corrected, Escape brings the old value back, or another value is set. Escape undoes
 /// the whole editing since it was saved, valid values on the way as well. Other values may mend
-/// what the model refused: while they change, trouble() says so, and once they are given the text
+/// what the model rejected: while they change, trouble() says so, and once they are given the text
 /// is tried again, as a step of its own.
 ///
 /// Undo and redo are the text's while it is not the value, else the document's.
@@ -25,7 +25,7 @@ class EntryField : public QLineEdit {
   public:
     explicit EntryField(QWidget* parent = nullptr);
 
-    /// What is wrong with the text now, in words; empty where nothing is.
+    /// What is wrong with the text now, as text; empty where nothing is.
     QString trouble() const { return trouble_; }
     /// From the first key to Enter, Escape or the loss of the focus.
     bool isEditing() const { return editing_; }
@@ -35,14 +35,14 @@ class EntryField : public QLineEdit {
     QString said() const { return trouble_.isEmpty() ? note_ : trouble_; }
     /// The text that explains the field; the rule for its values is added.
     void setHint(const QString& hint);
-    /// What stands in it may not hold any more: it has an amber frame, where nothing is wrong.
+    /// What is in it may not hold any more: it has an amber frame, where nothing is wrong.
     void setDoubtful(bool isDoubtful);
     bool isDoubtful() const { return isDoubtful_; }
-    /// Whether results depend on it; where not, they stay up to date while its text is refused.
+    /// Whether results depend on it; where not, they stay up to date while its text is rejected.
     void setIsOfResult(bool isOfResult) { isOfResult_ = isOfResult; }
     bool isOfResult() const { return isOfResult_; }
     /// What is passed on in an editing is one step of this model's history, and what the model
-    /// refuses is a refused text.
+    /// rejects is a rejected text.
     void setModel(SceneModel* model);
 
   Q_SIGNALS:
@@ -74,7 +74,7 @@ class EntryField : public QLineEdit {
     /// Makes the model hold again what it held before the editing.
     /// @return false where there is none, or the editing has changed nothing there
     bool takeModelBack() { return model_ != nullptr && model_->takeBack(); }
-    /// Runs what passes a value on. @return why the model refused it; else empty
+    /// Runs what passes a value on. @return why the model rejected it; else empty
     template <typename Passing>
     QString passedOn(Passing passing) {
         isPassing_ = true;
@@ -82,12 +82,12 @@ class EntryField : public QLineEdit {
         isPassing_ = false;
         return std::exchange(refusal_, {});
     }
-    /// Makes tooltip and description anew.
+    /// Makes tooltip and description again.
     void describe();
 
   private:
     void beginEditing();
-    /// Reads the refused text as if it were typed now.
+    /// Reads the rejected text as if it were typed now.
     void tryAgain();
     /// The same by itself, once other values have changed and nobody is at any of them.
     void tryStale();
@@ -117,7 +117,7 @@ class ValueEntry : public EntryField {
 
     const Value& value() const { return value_; }
 
-    /// Shows a value. A text that the user is at, or that was refused, stays where the value below
+    /// Shows a value. A text that the user is at, or that was rejected, stays where the value below
     /// it is still the same.
     void setValue(const Value& value) {
         if (value == value_ && isAtRest()) {
@@ -147,7 +147,7 @@ class ValueEntry : public EntryField {
   protected:
     struct Reading {
         Value value{};
-        QString trouble;  ///< why the text is refused; else empty
+        QString trouble;  ///< why the text is rejected; else empty
     };
 
     virtual Reading read(const QString& typed) const = 0;
@@ -200,7 +200,7 @@ class ValueEntry : public EntryField {
 
     Value value_{};
     Value kept_{};          ///< from before the editing
-    bool isTaken_ = false;  ///< another value than that has been passed on, and was not refused
+    bool isTaken_ = false;  ///< another value than that has been passed on, and was not rejected
 };
 
 }  // namespace ravnoves

@@ -30,7 +30,7 @@ struct SliderOwn {
 
 /// A slider for a number of the input: label with mnemonic, unit, hint, object names and the name
 /// of the undo step follow from the field's description in core. It drags the model, follows it and
-/// goes back where it is refused. Where the case lies beyond its ends it widens.
+/// goes back where it is rejected. Where the case lies beyond its ends it widens.
 class FieldSlider : public ValueSlider {
     Q_OBJECT
 

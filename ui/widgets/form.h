@@ -37,19 +37,19 @@ class Form : public QWidget {
 
     /// A row for a number (or a whole number) of the input.
     NumberField* number(const char* pointer);
-    /// A row for a choice of words, or for a whole number that is one of two; why it is refused
-    /// stands under it.
+    /// A row for a choice of words, or for a whole number that is one of two; why it is rejected
+    /// is under it.
     /// @param write  for more than setting the field: takes the word's place (or the number) and
     ///               returns as SceneModel::editField()
     QComboBox* choice(const char* pointer, std::function<QString(int)> write = {});
     /// A row for yes or no; returns the box to tick.
     QWidget* flag(const char* pointer);
     /// A row for a text.
-    /// @param longest  characters; a longer one is refused, 0: any
+    /// @param longest  characters; a longer one is rejected, 0: any
     EntryField* text(const char* pointer, int longest = 0);
 
     // Rows for what is no field by itself: read from the model, in SI, and written by `write`. What
-    // is refused goes back.
+    // is rejected goes back.
     using Read = std::function<std::optional<double>()>;
     using Write = std::function<void(std::optional<double>)>;
     NumberField* number(const Field& field, Read read, Write write);
@@ -59,7 +59,7 @@ class Form : public QWidget {
     QCheckBox* box(const QString& name, const QString& label, const QString& hint,
                    std::function<bool()> read, std::function<void(bool)> write);
 
-    // The same for what stands elsewhere than in a row of its own, for example in a grid. What is
+    // The same for what is elsewhere than in a row of its own, for example in a grid. What is
     // bound to a pointer may go before the form does.
     void bind(NumberField* field, const std::string& pointer);
     void bind(QComboBox* box, const std::string& pointer);
@@ -71,7 +71,7 @@ class Form : public QWidget {
     /// Calls `show` now and whenever the input changes.
     void follow(std::function<void()> show);
 
-    /// Entries that are refused now: "Crank radius r, mm: The value must be greater than 0 mm."
+    /// Entries that are rejected now: "Crank radius r, mm: The value must be greater than 0 mm."
     QStringList refused() const;
 
   protected:

@@ -245,7 +245,7 @@ class NamedRow final : public QWidget {
             updateGeometry();
         }
         for (const auto& [column, needed] : {std::pair(0, words), std::pair(1, wanted)}) {
-            // Set anew it asks for a layout anew, which comes here again.
+            // Set again it asks for a layout again, which comes here again.
             if (const int to = folded ? 0 : needed; grid_->columnMinimumWidth(column) != to) {
                 grid_->setColumnMinimumWidth(column, to);
             }
@@ -404,7 +404,7 @@ void FormSection::addWidget(const QString& label, QWidget* field, const QString&
         grid_->addWidget(field, row_, 1, Qt::AlignRight);  // under those that have a unit
     } else {
         grid_->addWidget(name, row_, 0);
-        // A field narrower than its column stands at its unit, under the fields of other sections.
+        // A field narrower than its column is at its unit, under the fields of other sections.
         const bool narrow = field->maximumWidth() < QWIDGETSIZE_MAX;
         grid_->addWidget(field, row_, 1, narrow ? Qt::AlignRight : Qt::Alignment());
         auto* unitLabel = new QLabel(unit, this);

@@ -11,7 +11,7 @@
 
 namespace ravnoves {
 
-/// A line in which fields say why their text is refused; hidden while there is nothing to say. It
+/// A line in which fields say why their text is rejected; hidden while there is nothing to say. It
 /// comes and goes while no button of the mouse is down: a press that leaves a field still meets
 /// what it was made for.
 class TroubleLine : public QLabel {
@@ -39,7 +39,7 @@ int widthFor(const QWidget* field);
 void makeCell(QWidget* field);
 
 /// A titled group of inputs: label, field, unit, one row each, aligned over the whole form; what is
-/// wrong with a field stands under it in words.
+/// wrong with a field is under it as text.
 class FormSection : public QWidget {
     Q_OBJECT
 

@@ -31,7 +31,7 @@ struct Labelled {
     std::function<void(const QString&)> show;
 };
 
-/// The tab's page that a widget stands in directly; the page where it stands in none.
+/// The tab's page that a widget is in directly; the page where it is in none.
 QWidget* placeOf(QWidget* widget, QWidget* page) {
     while (widget != page) {
         QWidget* around = widget->parentWidget();
@@ -88,7 +88,7 @@ QString withMnemonic(QString label, QString& used) {
 
 void separateMnemonics(QWidget* page) {
     std::vector<std::pair<QWidget*, Labelled>> texts;
-    std::vector<std::pair<QWidget*, QWidget*>> tabs;  // each page of tabs, and what they stand in
+    std::vector<std::pair<QWidget*, QWidget*>> tabs;  // each page of tabs, and what they are in
     for (QWidget* each : page->findChildren<QWidget*>()) {
         QWidget* const place = placeOf(each, page);
         if (place == each) {

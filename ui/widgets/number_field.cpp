@@ -83,8 +83,7 @@ void NumberField::mouseReleaseEvent(QMouseEvent* event) {
 
 NumberField::Reading NumberField::read(const QString& typed) const {
     if (typed.isEmpty()) {
-        return {{},
-                optional_ ? QString() : tr("A value is needed: %1.").arg(rangeText(range_, unit_))};
+        return {{}, optional_ ? QString() : tr("Enter a value: %1.").arg(rangeText(range_, unit_))};
     }
     const auto [number, trouble] = readTypedFormula(typed, unit_);
     if (!number) {
@@ -117,7 +116,7 @@ QString NumberField::textOf(double value) const {
         return QString::number(number, 'f', decimals)
             .replace(QLatin1Char('.'), locale().decimalPoint());
     };
-    // In a column of converted numbers the points stand below each other.
+    // In a column of converted numbers the points are below each other.
     if (factor_ != 1.0 && decimals_) {
         return fixed(value * factor_, *decimals_);
     }

@@ -112,7 +112,7 @@ class FittedTabs : public QTabWidget {
 /// tab for pictures.
 void addScrolledTab(QTabWidget* tabs, QWidget* view, const QString& name, const QString& title);
 
-/// Brings the tabs to the front that a view stands in.
+/// Brings the tabs to the front that a view is in.
 void showTabOf(QWidget* view);
 
 }  // namespace ravnoves

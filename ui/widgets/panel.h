@@ -20,7 +20,7 @@ class Panel : public QWidget {
 /// Paints that surface; what is painted on it is smooth.
 void paintPanel(QPainter& painter, const QRect& panel);
 /// The same with a title at the top left, for a picture that paints itself.
-/// @return the line that the title stands in
+/// @return the line that the title is in
 QRect paintPanel(QPainter& painter, const QRect& panel, const QString& title);
 
 }  // namespace ravnoves

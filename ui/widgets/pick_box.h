@@ -4,7 +4,7 @@
 
 namespace ravnoves {
 
-/// A list to pick from again and again, whose first entry says what for and stands there always.
+/// A list to pick from again and again, whose first entry says what for and is there always.
 /// What is picked is added somewhere, so nothing picks by the way: a key opens the list, the wheel
 /// is of what lies below.
 class PickBox : public QComboBox {

@@ -242,7 +242,7 @@ void ResultTable::showTips() {
             const bool isName = column == 0 && !rows_[row].tip.isEmpty();
             QStringList lines{rows_[row].tip, isName ? QString() : headings_[column].tip};
             if (!differenceAt(row, column).isEmpty()) {
-                lines << tr("Present value less that of the reference %1").arg(referenceName_);
+                lines << tr("Present value minus reference %1").arg(referenceName_);
             }
             if (!spreadAt(row, column).isEmpty()) {
                 lines << spreadTip_;
@@ -418,7 +418,7 @@ void ResultTable::fitColumns() {
             }
             sum += width;
         }
-        // Differences stand below each other before they shorten the words.
+        // Differences are below each other before they shorten the words.
         if (sum + (referenceRows_ ? cut : 0) <= room || room_ == Room::Little) {
             break;
         }
@@ -503,7 +503,7 @@ QString ResultTable::joined(QChar separator, bool selectionOnly) const {
     const auto written = [&](const QString& text) {
         return separator == QLatin1Char('\t') ? csv.plainMinus(text) : csv.field(text);
     };
-    // In the whole table, what stands below its numbers gets columns behind them.
+    // In the whole table, what is below its numbers gets columns behind them.
     QList<int> compared;
     QList<int> spread;
     for (int column = 1; column < columnCount() && !selectionOnly; ++column) {

@@ -46,7 +46,7 @@ class ResultTable : public QTableWidget {
     /// Shows them below the numbers, after differences. None removes them.
     /// @param how  they were found, which the cells say too
     void setSpreads(std::vector<Spread> spreads, const QString& how = {});
-    /// The numbers are others now: "± …" stands in their places until they are set again.
+    /// The numbers are others now: "± …" is in their places until they are set again.
     void awaitSpreads();
     /// "± 0.2" of a cell, "+ 0.1 − 0.3" where its sides differ, as shown; empty where it has
     /// none.
@@ -64,7 +64,7 @@ class ResultTable : public QTableWidget {
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
-    static int plainRowHeight();  ///< without what stands below the numbers
+    static int plainRowHeight();  ///< without what is below the numbers
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -86,7 +86,7 @@ class ResultTable : public QTableWidget {
     int wantedWidth(int column) const;
     void showDifferences();
     void showSpreads();
-    /// What stands below a cell, line by line.
+    /// What is below a cell, line by line.
     QStringList below(int row, int column) const;
     void fitRows();
     int rowInReference(int row) const;

@@ -24,7 +24,7 @@ namespace ravnoves {
 
 namespace {
 
-/// Colours what was refused.
+/// Colours what was rejected.
 class TroubleDelegate final : public QStyledItemDelegate {
   public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -67,7 +67,7 @@ TableEditor::TableEditor(EditableTable* table, const QString& name, const QStrin
     column->addWidget(view_, 1);
     message_ = new TroubleLine(this);
     column->addWidget(message_);
-    // A table that is shown anew keeps its current cell, unless another was chosen meanwhile.
+    // A table that is shown again keeps its current cell, unless another was chosen meanwhile.
     connect(table_, &EditableTable::modelAboutToBeReset, this, [this] {
         const QModelIndex at = view_->currentIndex();
         const auto restore = [this, row = at.row(), column = at.column()] {
@@ -92,7 +92,7 @@ TableEditor::TableEditor(EditableTable* table, const QString& name, const QStrin
     });
     connect(table_, &EditableTable::dataChanged, this, [this, note] {
         if (!trouble_.isEmpty()) {
-            note();  // another text is refused now
+            note();  // another text is rejected now
         }
     });
 
@@ -150,7 +150,7 @@ void TableEditor::copy() const {
 void TableEditor::paste() {
     const std::vector<QStringList> cells = readTextTable(QApplication::clipboard()->text());
     if (cells.empty()) {
-        say(tr("The clipboard holds no numbers."), true);
+        say(tr("The clipboard contains no numbers."), true);
         return;
     }
     const QModelIndex at = view_->currentIndex();
@@ -168,7 +168,7 @@ bool TableEditor::takeBackRefused() {
         return false;
     }
     table_->takeBackRefused(at);
-    if (!view_->currentIndex().isValid() && row >= 0) {  // the whole table was shown anew
+    if (!view_->currentIndex().isValid() && row >= 0) {  // the whole table was shown again
         view_->setCurrentIndex(table_->index(row, column));
     }
     return true;

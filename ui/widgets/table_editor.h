@@ -33,9 +33,9 @@ class TableEditor : public QWidget {
     /// Below the table.
     void say(const QString& text, bool isTrouble);
     EditableTable* table() const { return table_; }
-    /// What was typed and is refused now, in words; empty where nothing is.
+    /// What was typed and is rejected now, as text; empty where nothing is.
     QString trouble() const { return trouble_; }
-    /// Undo and Escape are the table's while its present cell is refused, else the document's.
+    /// Undo and Escape are the table's while its present cell is rejected, else the document's.
     bool takeBackRefused();
 
   protected:

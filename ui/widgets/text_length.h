@@ -8,7 +8,7 @@ class QWidget;
 
 namespace ravnoves {
 
-/// Lets a field of text hold so many characters, or as many as stand in it; where a paste is cut, a
+/// Lets a field of text hold so many characters, or as many as are in it; where a paste is cut, a
 /// tip says so.
 void limitLength(QLineEdit* field, int longest);
 

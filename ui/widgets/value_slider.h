@@ -13,8 +13,8 @@ class SceneModel;
 class TroubleLine;
 
 /// A slider with a field for one value: drag, arrow keys (one step), page keys (a larger step),
-/// wheel. Where the row is too narrow for a slider that can be used it stands below label and
-/// field. What is refused is said below, until another value is given.
+/// wheel. Where the row is too narrow for a slider that can be used it is below label and
+/// field. What is rejected is said below, until another value is given.
 class ValueSlider : public QWidget {
     Q_OBJECT
 
@@ -33,13 +33,13 @@ class ValueSlider : public QWidget {
     void setLogarithmic(int stepsPerDecade, int digits);
     QSlider* slider() const { return slider_; }
     NumberField* box() const { return box_; }
-    /// Why what was given last is refused; empty where it is not.
+    /// Why what was given last is rejected; empty where it is not.
     QString trouble() const;
-    /// A value that stands for none of the case is pale; typed as it is shown, it is passed on.
+    /// A value that represents none of the case is pale; typed as it is shown, it is passed on.
     void setGiven(bool isGiven);
-    /// What is typed is an editing of this model, and what it refuses is said below.
+    /// What is typed is an editing of this model, and what it rejects is said below.
     void setModel(SceneModel* model);
-    /// Gives the label this width, so that the sliders of a column stand in line.
+    /// Gives the label this width, so that the sliders of a column are in line.
     void setLabelWidth(int width);
     QSize sizeHint() const override;  ///< in one row
     QSize minimumSizeHint() const override;

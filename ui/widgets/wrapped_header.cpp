@@ -46,7 +46,7 @@ void WrappedHeader::fitLines() {
                          isSectionHidden(section) ? 1 : static_cast<int>(linesOf(section).size()));
     }
     if (std::exchange(lines_, lines) != lines) {
-        // The table lays itself out anew, which no section that is being resized may wait for.
+        // The table lays itself out again, which no section that is being resized may wait for.
         QMetaObject::invokeMethod(this, &QHeaderView::geometriesChanged, Qt::QueuedConnection);
     }
 }

@@ -25,7 +25,7 @@ using namespace bob_weights;
 
 namespace {
 
-/// Where a hole stands in the case.
+/// Where a hole is in the case.
 struct HolePlace {
     std::size_t run;
     std::size_t hole;
@@ -63,7 +63,7 @@ CorrectionSheet::CorrectionSheet(WorkshopModel* model, QWidget* parent)
 }
 
 void CorrectionSheet::buildDrills() {
-    section(tr("Drills at hand"));
+    section(tr("Available drills"));
     numberList(
         field::diameters,
         [this] {
@@ -133,7 +133,7 @@ void CorrectionSheet::buildSlugs() {
 // ---------------------------------------------------------------------------------- what if
 
 void CorrectionSheet::buildWhatIf() {
-    section(tr("What if I drill here"));
+    section(tr("Try a hole"));
     auto* plane = new QComboBox(current());
     plane->setObjectName(QStringLiteral("what_if_plane"));
     plane->addItems({QString(), QString()});
@@ -182,11 +182,11 @@ void CorrectionSheet::showWhatIf() {
     if (left->touches) {
         sayOrHide(whatIfLine_, tr("Another hole is too near. Choose another angle."));
     } else if (deepest && *whatIf_.depth > *deepest) {
-        sayOrHide(whatIfLine_, tr("Too deep: the deepest hole allowed is %1.")
+        sayOrHide(whatIfLine_, tr("Too deep: the maximum depth is %1.")
                                    .arg(words.plainWithUnit(*deepest, units::mm, 2)));
     } else {
         const QString verdict = verdictText(words, verdictWord(left->within_tolerance, {}));
-        const QString said = tr("%1: remains %2 at %3.")
+        const QString said = tr("%1: residual %2 at %3.")
                                  .arg(model_->planeName(static_cast<std::size_t>(whatIf_.plane)),
                                       words.number(left->unbalance, units::gram_mm, 1),
                                       words.number(left->angle, units::degree, 1));
@@ -197,21 +197,22 @@ void CorrectionSheet::showWhatIf() {
 // ----------------------------------------------------------------------------- already drilled
 
 void CorrectionSheet::buildDrilled() {
-    section(tr("Already drilled: correct what was drilled otherwise"));
+    section(tr("Already drilled: correct holes that differ from the plan"));
     const Words words;
     const auto made =
         grid({tr("Hole"), words.translate("BobWeights", "Depth, %1").arg(words.unit(units::mm)),
-              tr("Angle, °"), tr("What became of it")});
+              tr("Angle, °"), tr("Actual drilling")});
     holes_ = made.first;
     trouble_ = made.second;
     QLabel* none = line(Theme::smallSize, [this] {
         return holePlaces(model_->input()).empty()
-                   ? tr("None yet. The plan stands here once the next run is read.")
+                   ? tr("None yet. The plan appears here after the next run.")
                    : QString();
     });
     none->setTextInteractionFlags(Qt::NoTextInteraction);
     button("add_hole", tr("&Add a hole that was there before…"),
-           tr("New holes keep clear of it, and it may be deepened."), [this] { addEarlierHole(); });
+           tr("New holes keep clear of this hole; it may be deepened."),
+           [this] { addEarlierHole(); });
     connect(model_, &SceneModel::changed, this, &CorrectionSheet::growRows);
     growRows();
 }

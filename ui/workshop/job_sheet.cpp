@@ -62,7 +62,8 @@ void JobSheet::buildEngine() {
     wide(choice("/balance"));
     line(Theme::smallSize, [this] {
         return model_->input().balance == bob_weights::Balance::external
-                   ? tr("Balance it with damper and flywheel in place, each in its position.")
+                   ? tr("Balance the crankshaft with damper and flywheel in place, each in its "
+                        "position.")
                    : QString();
     });
 }

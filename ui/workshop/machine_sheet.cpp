@@ -83,7 +83,7 @@ MachineSheet::MachineSheet(WorkshopModel* model, QWidget* parent) : WorkshopShee
     buildTolerance();
     addMachine();
     QPushButton* keep =
-        button("keep_machine", tr("Make it the shop's own &machine"),
+        button("keep_machine", tr("Save as shop default (&machine)"),
                tr("New jobs begin with this set-up."), [this] { model_->keepMachine(); });
     const auto show = [this, keep] { keep->setVisible(!model_->isShopsMachine()); };
     follow(show);
@@ -121,17 +121,16 @@ void MachineSheet::addHold() {
     QLabel* said = line(Theme::baseSize, [this] { return model_->otherRunText(); });
     said->setObjectName(QStringLiteral("other_bob_weight"));
     colourText(said, &Theme::warning);
-    hold_ =
-        button("readings_hold", tr("Readings &hold"),
-               tr("They are of this crankshaft, with the bob weight that there is now."), [this] {
-                   // The button goes with what it says: under the focus it would hand it on to
-                   // what follows, and the sheet would scroll there.
-                   nextReading()->setFocus(Qt::OtherFocusReason);
-                   model_->confirmReadings();
-                   if (hold_->isVisible()) {
-                       hold_->setFocus(Qt::OtherFocusReason);  // others do not hold
-                   }
-               });
+    hold_ = button("readings_hold", tr("Readings are still &valid"),
+                   tr("The readings are of this crankshaft, with the present bob weight."), [this] {
+                       // The button goes with what it says: under the focus it would hand it on to
+                       // what follows, and the sheet would scroll there.
+                       nextReading()->setFocus(Qt::OtherFocusReason);
+                       model_->confirmReadings();
+                       if (hold_->isVisible()) {
+                           hold_->setFocus(Qt::OtherFocusReason);  // others do not hold
+                       }
+                   });
     follow([this] { hold_->setVisible(isDoubtful()); });
 }
 
@@ -260,10 +259,10 @@ void MachineSheet::buildRuns() {
 }
 
 void MachineSheet::buildTolerance() {
-    section(tr("What may remain"));
+    section(tr("Permissible residual"));
     auto* own = box(
-        QStringLiteral("own_limit"), tr("&A limit of your own for each plane, no grade"),
-        tr("On: so much unbalance may remain in each plane. Off: by grade, mass and speed."),
+        QStringLiteral("own_limit"), tr("&Own limit for each plane, instead of a grade"),
+        tr("On: permissible residual in each plane. Off: by grade, mass and speed."),
         [this] { return model_->input().tolerance && !model_->input().tolerance->by_grade; },
         [this](bool on) {
             model_->editTolerance(tr("Kind of limit"), [on](Tolerance& it) { it.by_grade = !on; });
@@ -279,7 +278,7 @@ void MachineSheet::buildTolerance() {
                          grade.mm_per_s);
         grades_->setItemData(grades_->count() - 1, shownText(grade.use), Qt::ToolTipRole);
     }
-    grades_->setPlaceholderText(tr("grade of your own"));
+    grades_->setPlaceholderText(tr("own grade"));
     enlarge(grades_);
     bind(
         grades_,
@@ -297,7 +296,7 @@ void MachineSheet::buildTolerance() {
         });
     wide(grades_, 250);  // beside it stand the widest labels
     current()->addWidget(tr("&For"), grades_, {},
-                         tr("Balance quality grades of ISO 21940-11, and what each is for."));
+                         tr("Balance quality grades of ISO 21940-11 and their uses."));
     number("/tolerance/grade_mm_s");
     doubt(number("/tolerance/rotor_mass_kg"), [this] {
         const auto& limit = model_->input().tolerance;

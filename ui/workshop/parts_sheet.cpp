@@ -18,7 +18,7 @@ PartsSheet::PartsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
     QLabel* grey = line(Theme::smallSize, [this] {
         return model_->replacedInputs().empty()
                    ? QString()
-                   : tr("Those in grey are the means of the weigh-in sheet.");
+                   : tr("Grey values are means of the weigh-in sheet.");
     });
     grey->setTextInteractionFlags(Qt::NoTextInteraction);  // of the form: no report has it
     finish();
@@ -94,8 +94,8 @@ void PartsSheet::buildChanges() {
     QLabel* owner = line(Theme::smallSize, [this] { return model_->toleranceText(); });
     owner->setObjectName(QStringLiteral("tolerance_owner"));
     QPushButton* keep =
-        button("keep_tolerance", tr("&Make it the shop's own"),
-               tr("New jobs begin with this limit."), [this] { model_->keepTolerance(); });
+        button("keep_tolerance", tr("&Save as shop default"), tr("New jobs begin with this limit."),
+               [this] { model_->keepTolerance(); });
     QSizePolicy place = keep->sizePolicy();
     place.setRetainSizeWhenHidden(true);
     keep->setSizePolicy(place);

@@ -27,9 +27,8 @@ PlaneView::PlaneView(WorkshopModel* model, std::size_t plane, QWidget* parent)
     connect(&Theme::instance(), &Theme::changed, this, repaint);
     followReference(model_);
     setToolTip(
-        tr("The arrow is the reading, the dashed circle the limit, the dot what remains; holes "
-           "in the rim, slugs opposite, paler what is drilled already. Seen from the front, angles "
-           "as the machine counts them."));
+        tr("Arrow: reading; dashed circle: limit; dot: residual; rim: holes and slugs, existing "
+           "holes dimmed. Front view, angles as on the machine."));
     repaint();
 }
 

@@ -44,10 +44,10 @@ PlugsSheet::PlugsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
                    ? tr("No plugs: tick “The crankpins have sludge-trap plugs” on the sheet Job.")
                    : tr("Only a V-8 at 90° with two rods on a crankpin has sludge-trap plugs.");
     });
-    section(tr("Crankshaft and today's plugs"));
+    section(tr("Crankshaft and present plugs"));
     withPlugs(true);
     addValues(v8_plugs::EngineGroup::basic);
-    section(tr("Sizes of today's plug"));
+    section(tr("Sizes of the present plug"));
     withPlugs(true);
     addThread();
     for (const char* size :
@@ -59,12 +59,12 @@ PlugsSheet::PlugsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
     section({});
     withPlugs(true);
     addPlugs(tr("There are &aluminium plugs"), QStringLiteral("has_aluminium_plug"),
-             tr("Aluminium plugs in place of the steel ones count among the options."),
+             tr("Options include aluminium plugs instead of steel plugs."),
              v8_plugs::EngineGroup::aluminium_plug, &v8_plugs::Engine::has_aluminium_plug);
     section({});
     withPlugs(true);
     addPlugs(tr("There are plugs of the new &design"), QStringLiteral("has_new_plug"),
-             tr("Their options count where a crankshaft made for them is fitted."),
+             tr("Options include plugs of the new design, for a crankshaft made for them."),
              v8_plugs::EngineGroup::new_plug, &v8_plugs::Engine::has_new_plug);
     section({});
     withPlugs(true);
@@ -84,7 +84,7 @@ void PlugsSheet::addThread() {
     checked(v8_plugs::field::thread,
             {[](const QString& typed) { return nameOf(readThread(typed)); },
              [](const QString& typed) {
-                 return tr("“%1” is no metric thread with its pitch, like %2.")
+                 return tr("“%1” is not a metric thread with pitch; example: %2.")
                      .arg(typed, shownName(QStringLiteral("M22x1.5")));
              },
              [this] {
@@ -160,7 +160,7 @@ QString PlugsSheet::presentName() const {
 QString PlugsSheet::askName(const QString& title, const QString& suggestion) {
     const auto name = ravnoves::askName(this, title, tr("Name of the engine:"), suggestion);
     if (name && name->trimmed().isEmpty()) {
-        QMessageBox::warning(this, title, tr("The engine needs a name."));
+        QMessageBox::warning(this, title, tr("Enter a name for the engine."));
     }
     return name.value_or(QString()).trimmed();
 }
@@ -181,7 +181,7 @@ void PlugsSheet::saveEngine() {
     }
     if (model_->hasOwnEngine(name) &&
         QMessageBox::question(
-            this, title, tr("An engine “%1” is kept already. Replace its values?").arg(name),
+            this, title, tr("An engine “%1” exists. Replace its values?").arg(name),
             QMessageBox::Yes | QMessageBox::No, QMessageBox::No) != QMessageBox::Yes) {
         return;
     }
@@ -193,7 +193,7 @@ void PlugsSheet::renameEngine() {
     const QString name = askName(title, presentName());
     if (!name.isEmpty()) {
         report(title, model_->renameEngine(presentName(), name),
-               tr("The engine is called %1 now.").arg(name));
+               tr("Engine renamed: %1.").arg(name));
     }
 }
 

@@ -50,7 +50,7 @@ WeighInSheet::WeighInSheet(WorkshopModel* model, QWidget* parent)
 void WeighInSheet::addSource() {
     section({});
     QCheckBox* source = ordered(box(
-        QStringLiteral("changes_from_weigh_in"), tr("Take the mass changes &from this sheet"),
+        QStringLiteral("changes_from_weigh_in"), tr("Use the mass changes o&f this sheet"),
         fieldHint(v8_plugs::field::changes_source),
         [this] { return model_->hasPlugs() && model_->input().plugs->changes_from_weigh_in; },
         [this](bool on) {
@@ -81,7 +81,7 @@ void WeighInSheet::addSource() {
     });
 }
 
-/// The grid of weights, with what stands below its columns and where their parts may go.
+/// The grid of weights, with what is below its columns and where their parts may go.
 void WeighInSheet::addWeights() {
     grid_ = new QGridLayout;
     column()->addLayout(grid_);
@@ -95,7 +95,7 @@ void WeighInSheet::addWeights() {
         follow([this, title, row] { title->setVisible(row < table_->rowCount()); });
     }
     int row = rows_ + 1;
-    for (const QString& title : {tr("mean, g"), tr("to nominal, g"), tr("spread, g")}) {
+    for (const QString& title : {tr("mean, g"), tr("to nominal, g"), tr("range, g")}) {
         put(row++, 0, shownTitle(title).text, Theme::smallSize);
     }
     trouble_->setObjectName(QStringLiteral("weigh_in_trouble"));
@@ -208,7 +208,7 @@ bool WeighInSheet::pasteBlock(int row, int column) {
 }
 
 void WeighInSheet::addMoves(int row) {
-    auto* title = new QLabel(tr("may go"), this);
+    auto* title = new QLabel(tr("may move"), this);
     title->setFont(Theme::font(Theme::smallSize));
     title->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     grid_->addWidget(title, row, 0);
@@ -237,9 +237,10 @@ void WeighInSheet::addMoves(int row) {
             // By another rule the parts would not go back to where they were weighed.
             const bool isFixed = !isSet && model_->canMoveBack();
             box->setEnabled(!isFixed);
-            box->setToolTip(isFixed ? tr("Parts have been moved by this rule: press “As weighed” "
-                                         "to change it.")
-                                    : hint);
+            box->setToolTip(
+                isFixed
+                    ? tr("Parts were moved by this rule: press “As weighed” to change the rule.")
+                    : hint);
         });
         grid_->addWidget(box, row, static_cast<int>(part) + 1);
     };
@@ -247,16 +248,14 @@ void WeighInSheet::addMoves(int row) {
     add(shop::Part::pin, shop::field::pin_moves, &Rules::pins);
     add(shop::Part::rings, shop::field::ring_moves, &Rules::rings);
     add(shop::Part::rod_big_end, shop::field::rod_moves, &Rules::rods);
-    auto* withRod = new QLabel(tr("with it"), this);
+    auto* withRod = new QLabel(tr("with its set"), this);
     withRod->setFont(Theme::font(Theme::smallSize));
     withRod->setAlignment(Qt::AlignCenter);
-    withRod->setToolTip(tr("The small end goes with the big end: they are one rod."));
+    withRod->setToolTip(tr("Small end and big end are one rod and move together."));
     grid_->addWidget(withRod, row, static_cast<int>(shop::Part::rod_small_end) + 1);
     add(shop::Part::shells, shop::field::shell_moves, &Rules::shells);
     QLabel* words = captionLabel(
-        tr("Where matching may put a part – free: in any cylinder, bank: within its bank, goes: "
-           "with its piston or rod, stays: where it is."),
-        this);
+        tr("Permitted moves of a part – anywhere, within its bank, with its set, or fixed."), this);
     words->setObjectName(QStringLiteral("moves_words"));
     QSizePolicy policy = words->sizePolicy();
     policy.setHorizontalPolicy(QSizePolicy::Ignored);  // the columns are those of the cells
@@ -320,14 +319,14 @@ void WeighInSheet::addFindings() {
     summary->setFont(Theme::font(Theme::baseSize, true));
     auto* button = new QPushButton(tr("&Move them here"), this);
     button->setObjectName(QStringLiteral("move_parts"));
-    button->setToolTip(tr("The weights change places on this sheet as the parts do."));
+    button->setToolTip(tr("Moves the masses on this sheet with the parts."));
     button->setMinimumHeight(Theme::withText(cellHeight));
     auto* found = new QHBoxLayout;
     found->addWidget(summary, 1);
     found->addWidget(button, 0, Qt::AlignTop);
     auto* back = new QPushButton(tr("As &weighed"), this);
     back->setObjectName(QStringLiteral("move_back"));
-    back->setToolTip(tr("The weights go back to the cylinders that they were weighed in."));
+    back->setToolTip(tr("Returns the masses to the cylinders where they were weighed."));
     back->setMinimumHeight(Theme::withText(cellHeight));
     // The button goes with what it does: under the focus it would hand it on to what follows, and
     // the sheet would scroll there.
@@ -343,9 +342,9 @@ void WeighInSheet::addFindings() {
     handOn(back, button, &WorkshopModel::moveBack);
     found->addWidget(back, 0, Qt::AlignTop);
     column()->addLayout(found);
-    addTable("effects", tr("What the placing makes of the differences"));
-    addTable("assignment", tr("Which set goes to which cylinder"));
-    addTable("take-off", tr("What to take off each part to reach the lightest"));
+    addTable("effects", tr("Effect of the matching"));
+    addTable("assignment", tr("Sets by cylinder"));
+    addTable("take-off", tr("Mass to take off each part to match the lightest"));
     follow([=, this] {
         const auto shown = model_->matchingShown();
         const bool isAmber =

@@ -134,7 +134,7 @@ QWidget* WorkshopAnswer::buildDetails() {
     fold->setCheckable(true);
     fold->setArrowType(Qt::RightArrow);
     fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    fold->setToolTip(tr("What each option compensates, and what the method neglects."));
+    fold->setToolTip(tr("Compensation by option, and details that the method neglects."));
     column->addWidget(fold);
     auto* plots = new FoldingRow(besideEachOther, holder);
     plots->add(new LowPlot(

@@ -17,7 +17,7 @@ class WorkshopAnswer : public QWidget {
   public:
     explicit WorkshopAnswer(WorkshopModel* model, QWidget* parent = nullptr);
 
-    /// Entries that the form refuses now: the answer is that of the values before them.
+    /// Entries that the form rejects now: the answer is that of the values before them.
     void setRefused(const QStringList& refused);
 
   protected:

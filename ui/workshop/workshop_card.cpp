@@ -174,7 +174,7 @@ double drawBlock(CardPage& page, const Block& block, double y, double rowHeight)
     return y;
 }
 
-/// @param isNarrow  a drawing stands beside it
+/// @param isNarrow  a drawing is beside it
 Block lineBlock(const Words& words, const Result& result, bool isNarrow) {
     std::vector<CardTable::Column> columns{{62, Qt::AlignLeft}, {40}, {40}, {40}};
     if (isNarrow) {
@@ -193,7 +193,7 @@ Block planeBlock(const Words& words, const workshop::Input& input, const Result&
                 {words.translate("BobWeights", "Plane"), words.name(field::plane_position),
                  words.name(field::plane_radius), words.name(field::reading_position),
                  words.translate("BobWeights", "Drilled from … to"),
-                 words.translate("BobWeights", "May remain")},
+                 words.translate("BobWeights", "Permissible residual")},
                 {}};
     const QString none = QStringLiteral("–");
     const auto length = [&](const std::optional<double>& value) {
@@ -302,22 +302,21 @@ std::vector<Block> matchingBlocks(const Words& words, const Input& input, const 
     const auto* placing = result.placing && !isDoubted ? &*result.placing : nullptr;
     const bool moves = placing != nullptr && placing->moved > 0;
     if (sheet->is_moved() || moves) {
-        add(moves ? words.translate("Matching", "Matched parts: suggested, not applied yet")
-                  : words.translate("Matching", "Matched parts: applied, the weights are moved"),
+        add(moves ? words.translate("Matching", "Matched parts: suggested, not yet applied")
+                  : words.translate("Matching", "Matched parts: applied, the masses are moved"),
             matching_text::setsOfCylinders(words, *sheet, placing));
     }
     add((blocks.empty()
-             ? words.translate("Matching",
-                               "To match the lightest, if the parts are to be closer: take off, %1")
-             : words.translate("Matching",
-                               "To match the lightest, only if moving is not enough: take off, %1"))
+             ? words.translate("Matching", "To match the lightest part, if required: take off, %1")
+             : words.translate(
+                   "Matching",
+                   "To match the lightest part, only if moving is not enough: take off, %1"))
             .arg(words.unit(units::gram)),
         matching_text::takeOff(words, *sheet));
     if (!blocks.empty()) {
-        blocks.back().say(words.translate(
-            "Matching",
-            "The bob weight is that of the parts as weighed: where one is made lighter, weigh "
-            "again."));
+        blocks.back().say(words.translate("Matching",
+                                          "The bob weight is for the parts as weighed: weigh parts "
+                                          "again after making them lighter."));
     }
     return blocks;
 }
@@ -380,7 +379,7 @@ std::vector<Block> weighedBlocks(const Words& words, const WorkshopModel& model)
         const Results effects = matching_text::effects(words, *shown);
         if (effects.rows.size() > 1) {  // the spread is in the summary
             blocks.insert(blocks.begin() + 1,
-                          {words.translate("Matching", "What the placing changes"),
+                          {words.translate("Matching", "Effect of the matching"),
                            {{80, Qt::AlignLeft}, {51}, {51}},
                            headOf(effects),
                            effects.rows});
@@ -394,10 +393,10 @@ std::vector<Block> plugBlocks(const Words& words, const v8_plugs::Input& input,
                               const v8_plugs::Result& result) {
     const QString missing = QStringLiteral("–");
     Block options{
-        words.translate("JobCard", "Options, in the order of cost"),
+        words.translate("JobCard", "Options by cost"),
         {{54, Qt::AlignLeft}, {26}, {26}, {26}, {50}},
         {QString(), words.translate("JobCard", "take off each, %1").arg(words.unit(units::gram)),
-         words.translate("JobCard", "at most, %1").arg(words.unit(units::gram)),
+         words.translate("JobCard", "maximum, %1").arg(words.unit(units::gram)),
          words.translate("JobCard", "remains, %1").arg(words.unit(units::gram_mm)),
          words.translate("JobCard", "verdict")},
         {}};
@@ -584,10 +583,11 @@ void WorkshopCard::draw(CardPage& page) const {
     }
     std::vector<Block> machine;
     if (shaft.correction) {
-        machine.push_back({words().translate("BobWeights", "Correction: measured → after it"),
-                           {{30, Qt::AlignLeft}, {30}, {22}, {26}, {28}, {46, Qt::AlignRight}},
-                           bob_text::planeHead(words()),
-                           bob_text::planes(words(), model_.input().machine, shaft)});
+        machine.push_back(
+            {words().translate("BobWeights", "Correction: measured → after correction"),
+             {{30, Qt::AlignLeft}, {30}, {22}, {26}, {28}, {46, Qt::AlignRight}},
+             bob_text::planeHead(words()),
+             bob_text::planes(words(), model_.input().machine, shaft)});
         machine.back().say(bob_text::holeNote(words(), shaft) + QLatin1Char(' ') +
                            bob_text::metals(words(), model_.input(), shaft));
     }

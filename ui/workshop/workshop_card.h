@@ -10,7 +10,7 @@ namespace ravnoves {
 /// Parts, plugs and take-offs follow.
 class WorkshopCard : public JobCard {
   public:
-    /// Of the model as it stands when it is painted: the card says what the page says.
+    /// Of the model in its present state when it is painted: the card says what the page says.
     WorkshopCard(const WorkshopModel& model, Words words)
         : JobCard(std::move(words)), model_(model) {}
 

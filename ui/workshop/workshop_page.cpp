@@ -121,7 +121,7 @@ WorkshopPage::WorkshopPage(const QString& journalPath, QWidget* parent, SceneMod
         Q_EMIT status({});  // that it is in the journal was said before
         QString said = tr("The job on the sheet was removed from the journal.");
         if (model()->hasChanges()) {
-            said += QLatin1Char(' ') + tr("It is saved nowhere now.");
+            said += QLatin1Char(' ') + tr("The job is not saved now.");
         }
         banner_->say(said);
     });
@@ -146,7 +146,7 @@ void WorkshopPage::setActive(bool active) {
 void WorkshopPage::showVerdict() {
     const Verdict verdict = model_->verdictShown().value();
     verdict_->show(verdict, verdict.act == workshop::swap_ends_act ? tr("Swap the rod ends")
-                            : verdict.act == workshop::drilled_act ? tr("Correct what was drilled")
+                            : verdict.act == workshop::drilled_act ? tr("Correct the drilled holes")
                                                                    : QString());
 }
 
@@ -180,7 +180,7 @@ ListedJob WorkshopPage::listed(const Words& words, const JournalJob& job) {
     if (job.recommended.isEmpty()) {
         text.result = QStringLiteral("–");
     } else if (job.recommended == QLatin1String("none-needed")) {
-        text.result = tr("nothing needed");
+        text.result = tr("no action required");
     } else if (job.recommended == QLatin1String("not-compensated")) {
         text.result = tr("not compensated");
     }
@@ -224,11 +224,11 @@ void WorkshopPage::addSheet(WorkshopSheet* form, const QString& title) {
     for (qsizetype i = 1; i < order.size(); ++i) {
         QWidget::setTabOrder(order.at(i - 1), order.at(i));
     }
-    markTab(tab);  // a page made anew shows a job that is there
+    markTab(tab);  // a page made again shows a job that is there
 }
 
 void WorkshopPage::markTab(int tab) {
-    // A tab that hides a refused entry says so, or readings that may not hold.
+    // A tab that hides a rejected entry says so, or readings that may not hold.
     const WorkshopSheet* form = forms_.at(tab);
     const Theme& theme = Theme::instance();
     const QColor colour = !form->refused().isEmpty() ? theme.error()
@@ -259,16 +259,16 @@ void WorkshopPage::buildActions() {
     add(QStringLiteral("save_job"), QStringLiteral("job-done"), tr("&Save job in the journal"),
         QKeySequence(Qt::Key_F2), tr("Save the job in the journal"), [this] { saveJob(true); });
     add(QStringLiteral("put_aside"), {}, tr("Put job &aside unfinished"),
-        QKeySequence(Qt::SHIFT | Qt::Key_F2),
-        tr("Keep the job in the journal to go on with it another day"), [this] { saveJob(false); });
+        QKeySequence(Qt::SHIFT | Qt::Key_F2), tr("Save the job in the journal to continue later"),
+        [this] { saveJob(false); });
     add(QStringLiteral("new_job"), QStringLiteral("job-new"), tr("&Next job"),
-        QKeySequence(Qt::Key_F4), tr("Next job: the engine's values stay, the rest is empty"),
+        QKeySequence(Qt::Key_F4), tr("Next job: engine values are kept, other fields are cleared"),
         [this] { newJob(); });
     add(QStringLiteral("show_journal"), QStringLiteral("journal"), tr("&Journal…"),
         QKeySequence(Qt::Key_F3), tr("Find, open and copy jobs"), [this] { showJournal({}); });
     actions_ << nullptr;
     add(QStringLiteral("preview_card"), QStringLiteral("preview"), tr("Job card, &preview…"),
-        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P), tr("Look at the job card"),
+        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P), tr("Preview the job card"),
         [this] { previewCard(); });
     add(QStringLiteral("print_card"), QStringLiteral("print"), tr("&Print job card…"),
         QKeySequence(Qt::CTRL | Qt::Key_P), tr("Print the job card"), [this] { printCard(); });
@@ -370,7 +370,7 @@ void WorkshopPage::beginSheets() {
 void WorkshopPage::goOn(QWidget* from) {
     auto* entry = qobject_cast<EntryField*>(from);
     if (entry != nullptr && !entry->trouble().isEmpty()) {
-        QApplication::beep();  // a refused entry is not passed over
+        QApplication::beep();  // a rejected entry is not passed over
         entry->selectAll();    // what is typed next takes its place
         return;
     }
@@ -434,7 +434,7 @@ void WorkshopPage::openJournal() {
 }
 
 bool WorkshopPage::refusedEntriesAreKnown() {
-    return goOnWithoutRefused(this, tr("Refused entries"));
+    return goOnWithoutRefused(this, tr("Entries not accepted"));
 }
 
 std::optional<bool> WorkshopPage::askToSave() {
@@ -551,7 +551,7 @@ bool WorkshopPage::store(bool isFinished) {
         return false;
     }
     bool saved = false;
-    // What is not what stands on the sheet is no finished job.
+    // What is not what is on the sheet is no finished job.
     const QString text = desk()->saveJob(&saved, isFinished && refusedEntries(this).isEmpty());
     Q_EMIT status(saved ? text : QString());
     if (saved) {
@@ -576,10 +576,9 @@ int WorkshopPage::ask(const QString& question, const QStringList& answers, int u
 }
 
 bool WorkshopPage::isJobKnown() {
-    if (desk()->isNameless() &&
-        ask(tr("The sheet has neither a number of engine or crankshaft nor a customer: nobody "
-               "could find the job in the journal."),
-            {tr("&Enter one"), tr("Save &without")}, 0) != 1) {
+    if (desk()->isNameless() && ask(tr("The sheet has no number of engine or crankshaft and no "
+                                       "customer: the journal could not find the job."),
+                                    {tr("&Enter one"), tr("Save &without")}, 0) != 1) {
         goToBeginning();
         return false;
     }
@@ -599,12 +598,11 @@ bool WorkshopPage::isJobKnown() {
         text = there == here
                    ? tr("The job of %1 in the journal is for another engine than the sheet.")
                          .arg(there)
-                   : tr("The job in the journal is that of %1, the sheet that of %2.")
-                         .arg(there, here);
+                   : tr("The job in the journal is of %1, the sheet of %2.").arg(there, here);
     } else if (const QString verdict = desk()->verdictToLose(); !verdict.isEmpty()) {
         const Words words;
-        text = tr("The job of %1 in the journal is finished, its verdict: %2. Saved as the sheet "
-                  "is now, the verdict is: %3.")
+        text = tr("The job of %1 in the journal is finished, verdict: %2. With this sheet the "
+                  "verdict is: %3.")
                    .arg(here, verdictText(words, verdict),
                         verdictText(words, desk()->verdictOnSheet()));
     } else {
@@ -669,7 +667,7 @@ void WorkshopPage::bringJob(qint64 id, bool isCopy) {
     if (!trouble.isEmpty()) {
         QMessageBox::warning(this, tr("Journal"), trouble);
     } else if (isCopy) {
-        showNewJob(tr("A new job: weights and readings are those of its own parts, still empty."));
+        showNewJob(tr("New job: masses and readings are empty."));
     }
 }
 

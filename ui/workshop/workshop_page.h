@@ -38,7 +38,7 @@ class WorkshopPage : public ScenePage {
     SceneModel* model() override;
     WorkshopModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override { return actions_; }
-    /// Never without what is refused: the answer is that of the values before it.
+    /// Never without what is rejected: the answer is that of the values before it.
     QString resultsAsText() const override;
     std::optional<bool> askToSave() override;
     std::optional<bool> saveInPlace() override;
@@ -76,7 +76,7 @@ class WorkshopPage : public ScenePage {
     void buildCardLanguages();
     static QWidget* firstEntry(const WorkshopSheet& sheet);
     void goToBeginning();
-    /// Where one goes on with a sheet: its first empty field, or where it begins.
+    /// Where one continues with a sheet: its first empty field, or where it begins.
     static QWidget* firstEmpty(const WorkshopSheet& sheet);
     /// Another job is on the sheets: none of them is gone on with where the last one was.
     void beginSheets();
@@ -84,9 +84,9 @@ class WorkshopPage : public ScenePage {
     bool hasUnsavedJob();
     /// Asks about an unsaved job. @return false where the user wants to stay
     bool leaveJob();
-    /// The same, where another job is to come onto the sheet: refused entries go with this one.
+    /// The same, where another job is to come onto the sheet: rejected entries go with this one.
     bool mayReplaceJob();
-    /// Says which entries were refused. @return false where the user goes back to them
+    /// Says which entries were rejected. @return false where the user goes back to them
     bool refusedEntriesAreKnown();
     /// @return false where it is not saved
     bool saveJob(bool isFinished);

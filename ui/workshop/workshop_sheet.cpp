@@ -235,7 +235,7 @@ void WorkshopSheet::numberList(
         const QString read =
             numberListText(values, description) + QLatin1Char(' ') + shownUnit(description).name;
         return values.empty()       ? QString()
-               : values.size() == 1 ? tr("Read as one: %1").arg(read)
+               : values.size() == 1 ? tr("Read as one value: %1").arg(read)
                                     : tr("Read as %1: %2").arg(values.size()).arg(read);
     });
     understood->setObjectName(QString::fromStdString(std::string(description.key) + "_understood"));

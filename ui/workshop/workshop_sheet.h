@@ -67,7 +67,7 @@ class WorkshopSheet : public Form {
     struct CheckedText {
         /// The text in the form that is kept; empty where it has none.
         std::function<QString(const QString& typed)> normal;
-        /// Says why a text is refused.
+        /// Says why a text is rejected.
         std::function<QString(const QString& typed)> refusal;
         std::function<QString()> read;
         /// Makes it a step of the history of that name.
@@ -76,7 +76,7 @@ class WorkshopSheet : public Form {
         std::function<QString(const QString& normal)> shown = {};
         bool isOfResult = true;  ///< EntryField::isOfResult()
     };
-    /// Its row; what is wrong with it stands below the field.
+    /// Its row; what is wrong with it is below the field.
     void checked(const Field& description, const CheckedText& text);
     /// A row of numbers, as readNumberList() takes them; each is described by the field.
     void numberList(
@@ -93,7 +93,7 @@ class WorkshopSheet : public Form {
         Q_EMIT fieldAdded(field);
         return field;
     }
-    /// Fields of the order that follow one another in it and stand in rows and columns, as in a
+    /// Fields of the order that follow one another in it and are in rows and columns, as in a
     /// spreadsheet: Tab goes along the rows, the arrows to the neighbours.
     void addGrid(const QList<QList<QWidget*>>& rows);
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -106,7 +106,7 @@ class WorkshopSheet : public Form {
     /// A line of buttons.
     QPushButton* button(const char* name, const QString& label, const QString& tip,
                         std::function<void()> press);
-    /// A grid over the whole width with its headings, and the line for what is refused in it.
+    /// A grid over the whole width with its headings, and the line for what is rejected in it.
     std::pair<QGridLayout*, TroubleLine*> grid(const QStringList& headings);
     NumberField* cell(const Field& field, const QString& name, const QString& spoken);
     /// How the balancing machine is set up.

@@ -50,8 +50,8 @@ void sizes(const Result& result, const Input& input, PaperRows& rows) {
     constexpr const char* offset = "12.5";  // mm
     rows.given(CORE_TEXT("methods", "offset e"), "mm", offset, input.layout->offset / units::mm,
                CORE_TEXT("methods",
-                         "The paper states it; the program was told 12.51 mm, which makes K the "
-                         "printed 0.278."));
+                         "Stated by the paper; the program's input is 12.51 mm, which gives the "
+                         "printed K = 0.278."));
     rows.given("λ", "", "0.265", input.lambda);
     rows.reproduced(CORE_TEXT("methods", "relative offset K"), "", "0.278",
                     read_printed(offset).value * units::mm / input.crank_radius,
@@ -61,8 +61,8 @@ void sizes(const Result& result, const Input& input, PaperRows& rows) {
     rows.reproduced(CORE_TEXT("methods", "shift of the crankpins of bank 2"), "°", "21°40′",
                     shift / degree,
                     CORE_TEXT("methods",
-                              "To 1′, from the exact top dead centre. It is γ + 2 φ: the formula "
-                              "beside it, γ + φ, has lost the 2 and would give 18°20′."),
+                              "To 1′, from the exact top dead centre. Correct is γ + 2 φ; the "
+                              "printed γ + φ would give 18°20′."),
                     minute);
 }
 
@@ -260,9 +260,7 @@ void rotating_masses(const Result& result, PaperRows& rows) {
     rows.slip(
         CORE_TEXT("methods", "coefficient of sin γ_ш"), "", "-1.118", sine_coefficient(moment_x),
         -sine_coefficient(moment_x),
-        CORE_TEXT(
-            "methods",
-            "The sign is lost: only a plus gives the angle 75°43′ that the paper prints below."));
+        CORE_TEXT("methods", "Misprint of the sign: only a plus gives the paper's angle 75°43′."));
     rows.reproduced(CORE_TEXT("methods", "coefficient of cos γ_ш"), "", "-1.5388",
                     cosine_coefficient(moment_x), reason);
 

@@ -62,8 +62,7 @@ struct Engine {
 void masses(const Engine& engine, PaperRows& rows) {
     const auto& input = engine.solver.input();
     const auto part = [&](std::size_t i) { return input.reciprocating_masses.at(i).mass; };
-    const Text unused = CORE_TEXT(
-        "methods", "The paper states it and computes nothing from it; nor does the program.");
+    const Text unused = CORE_TEXT("methods", "Stated by the paper; not used in any computation.");
     rows.at(table(1));
     rows.given(CORE_TEXT("methods", "piston mₚ"), "kg", "0.645", part(0));
     rows.given(CORE_TEXT("methods", "piston mₚ, in brackets"), "kg", "0.640", std::nullopt, unused);
@@ -106,15 +105,14 @@ void first_order_forces(const Engine& engine, PaperRows& rows) {
                     r.counterweight_force, CORE_TEXT("methods", "m₁ ρ₁ ω²."));
     rows.not_derivable(CORE_TEXT("methods", "rated power"), "kW", "12",
                        CORE_TEXT("methods",
-                                 "The friction losses are not printed; ours is the indicated power "
-                                 "of Table 2 at the printed speed."),
+                                 "Friction losses are not printed; our value is the indicated "
+                                 "power of Table 2 at the printed speed."),
                        r.M_up.mean * -r.angular_speed / units::kW);
-    rows.not_derivable(
-        CORE_TEXT("methods", "speed of Table 2"), "min⁻¹", "3600",
-        CORE_TEXT("methods",
-                  "The program that made Table 2 is not published; ours is the speed at which the "
-                  "inertia torque within it belongs to the masses of Table 1."),
-        r.inertia_check.matching_speed / units::rpm);
+    rows.not_derivable(CORE_TEXT("methods", "speed of Table 2"), "min⁻¹", "3600",
+                       CORE_TEXT("methods",
+                                 "The program of Table 2 is not published; our value is the speed "
+                                 "at which its inertia torque matches the masses of Table 1."),
+                       r.inertia_check.matching_speed / units::rpm);
 }
 
 void table_2(const Engine& engine, PaperRows& rows) {
@@ -124,13 +122,12 @@ void table_2(const Engine& engine, PaperRows& rows) {
         rows.given({Text{"", "Mᵢ(φ = %1°)"}, phi}, "N·m", gots_klevtsov::table_2_torque[i],
                    engine.solver.input().torque.table.torque.at(i));
         rows.given({Text{"", "Mᵤₚ(φ = %1°)"}, phi}, "N·m", gots_klevtsov::table_2[i],
-                   engine.M_up(phi),
-                   CORE_TEXT("methods", "Mᵤₚ = −Mᵢ, which the program was told."));
+                   engine.M_up(phi), CORE_TEXT("methods", "Mᵤₚ = −Mᵢ, the program's input."));
         phi += gots_klevtsov::table_2_step;
     }
     const Text reason = CORE_TEXT("methods",
                                   "The mean of the 49 rows counts the end of the cycle, 720° = 0°, "
-                                  "twice; ours is the cycle integral.");
+                                  "twice; our value is the cycle integral.");
     const double mean = engine.result.M_up.mean;
     const double of_rows = engine.result.printed_mean_M_up;
     rows.artefact(CORE_TEXT("methods", "mean of Mᵢ"), "N·m", "37.9", -mean, -of_rows, reason);
@@ -147,8 +144,8 @@ void table_3(const Engine& engine, PaperRows& rows) {
     rows.given(CORE_TEXT("methods", "step of Table 3"), "°", "30", table_3_step);
     const Text reason =
         CORE_TEXT("methods",
-                  "To 0.01 N·m: l is not printed, ours follows from the largest entry and is "
-                  "rounded to 0.01 mm, and equal entries scatter by 0.01 in print.");
+                  "To 0.01 N·m: l is not printed. Our value follows from the largest entry, "
+                  "rounded to 0.01 mm; equal printed entries differ by 0.01.");
     for (std::size_t i = 0; i < gots_klevtsov::table_3_rows; ++i) {
         const double phi = table_3_step * static_cast<double>(i);
         rows.at(table(3));
@@ -163,7 +160,7 @@ void table_3(const Engine& engine, PaperRows& rows) {
                     joined(CORE_TEXT("methods", "last column"),
                            Message{Text{"", "Mᵤₚ(φ = %1°)"}, phi}),
                     "N·m", printed, engine.M_up(phi), engine.M_s(phi, alpha),
-                    CORE_TEXT("methods", "The column is headed Mᵤₚ but holds Mₛ of α = 330°."),
+                    CORE_TEXT("methods", "The column is headed Mᵤₚ but contains Mₛ of α = 330°."),
                     scatter);
             }
         }
@@ -239,12 +236,12 @@ void means_over_the_angle(const Engine& engine, PaperRows& rows) {
                               "would give a sixth of them."));
     rows.at(in_text(CORE_TEXT("methods", "results")));
     rows.reproduced(CORE_TEXT("methods", "α at which Mₛ is a sine"), "°", "0",
-                    angle_of_peak(engine, 90.0), CORE_TEXT("methods", "Mₛ is P₁ l sin φ there."));
+                    angle_of_peak(engine, 90.0), CORE_TEXT("methods", "There Mₛ is P₁ l sin φ."));
     rows.slip(CORE_TEXT("methods", "α at which Mₛ is a cosine"), "°", "180",
               angle_of_peak(engine, 0.0), negative_from,
               CORE_TEXT("methods",
-                        "At 180° the mean of the nodes is 0 as well, but there Mₛ is a sine; it "
-                        "is a cosine at 90°."));
+                        "At 180° the mean of the nodes is 0 too, but Mₛ is a sine there; Mₛ is a "
+                        "cosine at 90°."));
     const Text positive = CORE_TEXT("methods",
                                     "The mean of the nodes is positive up to there; the cycle mean "
                                     "of Mₛ is 0 for every α.");
@@ -257,7 +254,7 @@ void means_over_the_angle(const Engine& engine, PaperRows& rows) {
                   std::nullopt, negative_from, positive);
     rows.artefact(CORE_TEXT("methods", "lower end of the α with Mₛₘ < 0"), "°", "180", std::nullopt,
                   negative_from,
-                  CORE_TEXT("methods", "So do the nodes; the cycle mean of Mₛ is 0 for every α."));
+                  CORE_TEXT("methods", "The nodes agree; the cycle mean of Mₛ is 0 for every α."));
     rows.slip(
         CORE_TEXT("methods", "upper end of the α with Mₛₘ < 0"), "°", "60", turn,
         std::fmod(turn, 100.0),
@@ -265,10 +262,10 @@ void means_over_the_angle(const Engine& engine, PaperRows& rows) {
                   "360 without its first digit: Mₛₘ of the nodes is negative from 180° to 360°."));
     rows.artefact(CORE_TEXT("methods", "α from which Mₛₘ changes its sign"), "°", "180",
                   std::nullopt, negative_from,
-                  CORE_TEXT("methods", "So do the nodes; the cycle mean of Mₛ is 0 for every α."));
+                  CORE_TEXT("methods", "The nodes agree; the cycle mean of Mₛ is 0 for every α."));
     rows.artefact(CORE_TEXT("methods", "α from which Mₛₘ is negative"), "°", "180", std::nullopt,
                   negative_from,
-                  CORE_TEXT("methods", "So do the nodes; the cycle mean of Mₛ is 0 for every α."));
+                  CORE_TEXT("methods", "The nodes agree; the cycle mean of Mₛ is 0 for every α."));
     rows.given({CORE_TEXT("methods", "α of Fig. %1"), 2}, "°", "45",
                engine.solver.input().shaft_angle / degree);
     // The cut of the node mean is proportional to sin α.
@@ -277,10 +274,9 @@ void means_over_the_angle(const Engine& engine, PaperRows& rows) {
     };
     const Message reason{
         CORE_TEXT("methods",
-                  "The paper names no α for it. The mean of the 49 rows, with the end of the cycle "
-                  "counted twice, falls by 12 % at α from %1 to %2° and by 16 % at α from %3 to "
-                  "%4°; of these we take 30°, where the paper's range begins, and 45°, of its Fig. "
-                  "2. No shaft changes the cycle mean."),
+                  "The paper names no α. The mean of the 49 rows (end counted twice) falls by 12 % "
+                  "at α from %1 to %2° and by 16 % from %3 to %4°. We use 30° (start of the "
+                  "paper's range) and 45° (Fig. 2); no shaft changes the cycle mean."),
         angle_of_cut(11.5), angle_of_cut(12.5), angle_of_cut(15.5), angle_of_cut(16.5)};
     rows.at(CORE_TEXT("methods", "abstract"));
     const auto cut = [&](const char* printed, double alpha) {
@@ -311,20 +307,18 @@ void ranges(const Engine& engine, PaperRows& rows) {
     const double worst_angle =
         sweep.shaft_angle_deg[static_cast<std::size_t>(worst - sweep.range.begin())];
     rows.at(in_text(CORE_TEXT("methods", "results")));
-    rows.reproduced(CORE_TEXT("methods", "α of the largest ΔMᵤₚₛ"), "°", "240", worst_angle,
-                    CORE_TEXT("methods", "The largest of the sweep over α."));
+    rows.reproduced(CORE_TEXT("methods", "α of the maximum ΔMᵤₚₛ"), "°", "240", worst_angle,
+                    CORE_TEXT("methods", "Maximum of the sweep over α."));
     rows.not_derivable(
-        CORE_TEXT("methods", "largest ΔMᵤₚₛ"), "N·m", "1802",
-        CORE_TEXT(
-            "methods",
-            "It was read from a torque table of 5° that is not printed; ours is of the 15° table."),
+        CORE_TEXT("methods", "maximum ΔMᵤₚₛ"), "N·m", "1802",
+        CORE_TEXT("methods",
+                  "From a torque table of 5° that is not printed; our value uses the 15° table."),
         engine.range(240.0));
     // Both ends by one standard: the paper prints none, and ours tells what the range does there.
     const auto ends = [&](Text quantity) {
-        const Text reason = CORE_TEXT(
-            "methods",
-            "No criterion is printed from which the two ends follow; ours are those between which "
-            "the range is smaller than without a shaft.");
+        const Text reason = CORE_TEXT("methods",
+                                      "No criterion is printed; our ends enclose the α with a "
+                                      "smaller range than without a shaft.");
         rows.not_derivable(lower_end(quantity), "°", "30", reason, end_of_gain(engine, -1.0));
         rows.not_derivable(upper_end(quantity), "°", "90", reason, end_of_gain(engine, 1.0));
     };
@@ -332,13 +326,11 @@ void ranges(const Engine& engine, PaperRows& rows) {
     rows.not_derivable(CORE_TEXT("methods", "α below which the overall size shrinks"), "°", "180",
                        CORE_TEXT("methods", "No sizes of the engine are printed."));
     rows.at(CORE_TEXT("methods", "abstract"));
-    rows.not_derivable(
-        CORE_TEXT("methods", "largest α advised"), "°", "90",
-        CORE_TEXT(
-            "methods",
-            "No criterion is printed from which it follows; ours is where the range ceases to "
-            "be smaller than without a shaft."),
-        end_of_gain(engine, 1.0));
+    rows.not_derivable(CORE_TEXT("methods", "maximum α advised"), "°", "90",
+                       CORE_TEXT("methods",
+                                 "No criterion is printed; our value is where the range becomes as "
+                                 "large as without a shaft."),
+                       end_of_gain(engine, 1.0));
     rows.at(CORE_TEXT("methods", "conclusions"));
     ends(CORE_TEXT("methods", "advised α"));
 }

@@ -81,14 +81,15 @@ void table_2(const Column& c, const Engine& engine, PaperRows& rows) {
     const Text both = CORE_TEXT("methods", "2 r_p / r, eq. (11).");
     rows.at(table(2));
     rows.given(of("l₂", c), "mm", c.l_2, std::nullopt,
-               CORE_TEXT("methods", "The paper states it; none of its equations has it."));
+               CORE_TEXT("methods", "Stated by the paper; not part of any of its equations."));
     rows.given(of("r", c), "mm", c.r, *engine.crank_radius / units::mm);
     rows.given(of("r_p", c), "mm", c.r_p, *engine.plug_radius / units::mm);
     rows.given(of("r_pн", c), "mm", c.r_new, *engine.new_plug_radius / units::mm);
-    rows.given(of("k_ш", c), "", c.k_rod, *engine.rod_coefficient,
-               CORE_TEXT("methods",
-                         "The paper states it; its definition stands in another paper. Ours is "
-                         "what the program was told."));
+    rows.given(
+        of("k_ш", c), "", c.k_rod, *engine.rod_coefficient,
+        CORE_TEXT(
+            "methods",
+            "Stated by the paper, defined in another paper. Our value is the program's input."));
     rows.given(of("m_a", c), "g", c.m_a, *engine.aluminium_plug_mass / units::gram);
     rows.given(of("m_pн", c), "g", c.m_new, *engine.new_steel_plug_mass / units::gram);
     rows.reproduced(of("k_p", c), "", c.k_p, k.k_p, one);
@@ -101,8 +102,8 @@ void table_2(const Column& c, const Engine& engine, PaperRows& rows) {
     rows.reproduced(of("m_aн", c), "g", c.new_aluminium_mass,
                     ratio * *engine.new_steel_plug_mass / units::gram,
                     CORE_TEXT("methods",
-                              "m_pн with the ratio of aluminium to steel of today's plugs of the 6 "
-                              "and 7 l engines."));
+                              "m_pн with the ratio of aluminium to steel of the present plugs of "
+                              "the 6 and 7 l engines."));
 }
 
 void table_3(const Column& c, const Engine& engine, PaperRows& rows) {
@@ -116,19 +117,19 @@ void table_3(const Column& c, const Engine& engine, PaperRows& rows) {
     };
     const Text from_printed = CORE_TEXT(
         "methods",
-        "From k_y and k_yн as Table 2 prints them; unrounded ones move it by up to 0.003 g.");
-    const Text from_rounded = CORE_TEXT("methods",
-                                        "From k_y and the constant part as the tables print them; "
-                                        "unrounded ones move it by up to 0.003 g.");
+        "From k_y and k_yн as printed in Table 2; unrounded values change it by up to 0.003 g.");
+    const Text from_rounded = CORE_TEXT(
+        "methods",
+        "From k_y and the constant part as printed; unrounded values change it by up to 0.003 g.");
     rows.at(table(3));
     if (c.also > 0.0) {
         rows.reproduced(of("Δm_yra (12)", c), "g", c.aluminium,
                         constant(OptionId::steel_to_aluminium), from_printed);
     } else {
-        rows.given(of("Δm_yra (12)", c), "g", c.aluminium, constant(OptionId::steel_to_aluminium),
-                   CORE_TEXT("methods",
-                             "The paper prints no m_p of this engine: it was found from this "
-                             "number."));
+        rows.given(
+            of("Δm_yra (12)", c), "g", c.aluminium, constant(OptionId::steel_to_aluminium),
+            CORE_TEXT("methods",
+                      "The paper prints no m_p of this engine: it follows from this number."));
     }
     rows.reproduced(of("Δm_yhr (13)", c), "g", c.new_steel, constant(OptionId::new_steel_to_steel),
                     from_printed);
@@ -158,12 +159,13 @@ void text(const Column& c, const Engine& engine, PaperRows& rows) {
     };
     const Text inverse = CORE_TEXT("methods", "Equation (18) solved for Δm.");
     rows.at(in_text(after_equation(24)));
-    rows.reproduced(of(CORE_TEXT("methods", "excess that today's steel plugs compensate"), c), "g",
-                    c.steel_max, option_of(plugs, OptionId::steel_machined).maximum / units::gram,
+    rows.reproduced(of(CORE_TEXT("methods", "excess compensated by the present steel plugs"), c),
+                    "g", c.steel_max,
+                    option_of(plugs, OptionId::steel_machined).maximum / units::gram,
                     CORE_TEXT("methods", "Equation (22)."));
-    rows.given(of(CORE_TEXT("methods", "lightening of a steel plug that takes"), c), "g",
+    rows.given(of(CORE_TEXT("methods", "corresponding lightening of a steel plug"), c), "g",
                c.steel_reduction, reduction(c.steel_max),
-               CORE_TEXT("methods", "Equation (22) backwards: it was computed from this."));
+               CORE_TEXT("methods", "Equation (22) inverted: it was computed from this value."));
     rows.reproduced(
         of(CORE_TEXT("methods", "excess that aluminium plugs compensate"), c), "g", c.aluminium_max,
         rounded_to_decimals(option_of(plugs, OptionId::steel_to_aluminium).constant / units::gram,
@@ -171,8 +173,8 @@ void text(const Column& c, const Engine& engine, PaperRows& rows) {
             plugs.aluminium->max_reduction / units::gram *
                 option_of(plugs, OptionId::steel_to_aluminium).slope,
         CORE_TEXT("methods", "Equation (19) from the printed constant part."));
-    rows.reproduced(of(CORE_TEXT("methods", "lightening of a steel plug equivalent to that"), c),
-                    "g", c.equivalent_reduction, reduction(c.aluminium_max), inverse);
+    rows.reproduced(of(CORE_TEXT("methods", "equivalent lightening of a steel plug"), c), "g",
+                    c.equivalent_reduction, reduction(c.aluminium_max), inverse);
 }
 
 void shifts(PaperRows& rows) {
@@ -180,18 +182,17 @@ void shifts(PaperRows& rows) {
     const auto& curves = v8_plugs::shift_curves;
     const double largest = v8_plugs::largest_shift;
     rows.at(in_text(figure(2)));
-    rows.reproduced(joined(CORE_TEXT("methods", "largest Δk"), litres(14.86)), "", "0.017",
+    rows.reproduced(joined(CORE_TEXT("methods", "maximum Δk"), litres(14.86)), "", "0.017",
                     shift_coefficient(largest, curves.back().crank_radius),
                     CORE_TEXT("methods", "Δr / r, eq. (1)."));
-    rows.reproduced(joined(CORE_TEXT("methods", "largest Δk"), litres(4.25)), "", "0.030",
+    rows.reproduced(joined(CORE_TEXT("methods", "maximum Δk"), litres(4.25)), "", "0.030",
                     shift_coefficient(largest, curves.front().crank_radius),
                     CORE_TEXT("methods", "Δr / r, eq. (1)."));
-    rows.given(upper_end(CORE_TEXT("methods", "largest shift Δr")), "mm", "1.2",
+    rows.given(upper_end(CORE_TEXT("methods", "maximum shift Δr")), "mm", "1.2",
                largest / units::mm,
-               CORE_TEXT("methods", "The largest Δk were computed from this."));
-    rows.not_derivable(
-        lower_end(CORE_TEXT("methods", "largest shift Δr")), "mm", "0.8",
-        CORE_TEXT("methods", "The machined shapes that it belongs to are not printed."));
+               CORE_TEXT("methods", "The maximum Δk were computed from this value."));
+    rows.not_derivable(lower_end(CORE_TEXT("methods", "maximum shift Δr")), "mm", "0.8",
+                       CORE_TEXT("methods", "The machined shapes are not printed."));
 }
 
 void plug_masses(PaperRows& rows) {
@@ -201,20 +202,19 @@ void plug_masses(PaperRows& rows) {
     plug.bore_diameter = read_printed("25.0").value * units::mm;
     plug.bore_depth = read_printed("8.0").value * units::mm;
     rows.at(table(1));
-    rows.not_derivable(
-        joined(CORE_TEXT("methods", "mass m_p of the plug"), litres(6, 7)), "g", "4.03",
-        CORE_TEXT("methods",
-                  "The drawing is not dimensioned in full; a steel cup of the printed thread and "
-                  "height, bored 25 mm wide and 8 mm deep, weighs ours."),
-        plug.volume() * steel_density / units::gram);
+    rows.not_derivable(joined(CORE_TEXT("methods", "mass m_p of the plug"), litres(6, 7)), "g",
+                       "4.03",
+                       CORE_TEXT("methods",
+                                 "The drawing lacks dimensions; our value is a steel cup of the "
+                                 "printed thread and height with a bore of 25 × 8 mm."),
+                       plug.volume() * steel_density / units::gram);
     rows.at(in_text(after_equation(24)));
     rows.not_derivable(
         joined(CORE_TEXT("methods", "excess that an M27×1.5 aluminium plug compensates"),
                litres(4.25)),
-        "g", "9.685",
-        CORE_TEXT("methods", "The mass and the place of such a plug are not printed."));
+        "g", "9.685", CORE_TEXT("methods", "Mass and radius of such a plug are not printed."));
     rows.at(in_text(CORE_TEXT("methods", "experiments")));
-    const Text limit = CORE_TEXT("methods", "A limit that was set, not computed.");
+    const Text limit = CORE_TEXT("methods", "A chosen limit, not computed.");
     rows.given(CORE_TEXT("methods", "residual unbalance of the parts"), "g·mm", "5", std::nullopt,
                limit);
     rows.given(CORE_TEXT("methods", "residual unbalance in each correction plane"), "g·mm", "5",
@@ -223,8 +223,8 @@ void plug_masses(PaperRows& rows) {
 
 /// What Table 1 and the text state of shapes and of the other engines.
 void stated(PaperRows& rows) {
-    const Text drawing = CORE_TEXT(
-        "methods", "The paper states it, beside a drawing that is not dimensioned in full.");
+    const Text drawing =
+        CORE_TEXT("methods", "Stated by the paper, with a drawing that lacks dimensions.");
     struct Size {
         const char *name, *small,
             *large;  // of the 4.25 l engine, of the 6 and 7 l ones; null: none

@@ -125,7 +125,7 @@ void PaperRows::slip_shown(Message quantity, std::string unit, std::string_view 
 }
 
 Message PaperRows::stated() {
-    return CORE_TEXT("methods", "The paper states it; ours is what the program was told.");
+    return CORE_TEXT("methods", "Stated by the paper; our value is the program's input.");
 }
 
 }  // namespace ravnoves::methods

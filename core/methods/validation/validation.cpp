@@ -28,7 +28,7 @@ const VerdictWords& words_of(Verdict verdict) {
     static constexpr VerdictWords words[] = {
         {"reproduced", CORE_TEXT("methods", "reproduced")},
         {"artefact", CORE_TEXT("methods", "artefact")},
-        {"slip", CORE_TEXT("methods", "slip")},
+        {"slip", CORE_TEXT("methods", "misprint")},
         {"not-derivable", CORE_TEXT("methods", "not derivable")},
         {"given", CORE_TEXT("methods", "given")},
         {"differs", CORE_TEXT("methods", "differs")},

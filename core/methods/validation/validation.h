@@ -51,7 +51,7 @@ struct ValidationRow {
     /// How far ours may be off to count as reproduced: half of last_digit unless the reason says
     /// why it is more.
     double tolerance = 0.5;
-    /// Computed from the presets; empty where nothing of ours stands for it. In the unit above.
+    /// Computed from the presets; empty where nothing of ours represents it. In the unit above.
     std::optional<double> ours;
     /// The number that the mistake or the way of computing gives, for slip and artefact.
     std::optional<double> by_slip;

@@ -69,28 +69,27 @@ void rod_hinge_integral(PaperRows& rows) {
                         integral.value,
                         CORE_TEXT("methods",
                                   "With the paper's series for cos ψ; the inertia part is odd in φ "
-                                  "and drops out at every speed."));
+                                  "and cancels at every speed."));
     }
 }
 
 void vanishing_integrals(PaperRows& rows) {
     const Result plain = elastic_hinge::solve(paper_input(100.0));
     const Result weighted = elastic_hinge::solve(with_counterweight(100.0, 0.1));
-    const Text rounding = CORE_TEXT("methods", "To rounding, 1e-9 of the integral of its size.");
+    const Text rounding =
+        CORE_TEXT("methods", "To rounding, 1e-9 of the integral of its magnitude.");
     zero_integral(rows, in_text(CORE_TEXT("methods", "introduction")), "∮ M dφ",
                   plain.curves.crank_moment, rounding);
     zero_integral(rows, equation(5), joined("∮ M₁₂ dφ", CORE_TEXT("methods", "potential part")),
                   plain.curves.rod_hinge_moment_potential, rounding);
     zero_integral(
         rows, in_text(after_equation(8)), "∮ M₁ dφ", plain.curves.crank_moment_with_rod_hinge,
-        CORE_TEXT("methods",
-                  "To rounding, with M₁₂ outside the factor 0.5 of (8), where it belongs."));
+        CORE_TEXT("methods", "To rounding, with M₁₂ correctly outside the factor 0.5 of (8)."));
     zero_integral(rows, equation(10), "∮ M₁₂* dφ", weighted.curves.rod_hinge_moment,
-                  CORE_TEXT("methods", "To rounding, with the counterweight that (10) asks for."));
+                  CORE_TEXT("methods", "To rounding, with the counterweight of (10)."));
     zero_integral(
         rows, in_text(after_equation(11)), "∮ M₁* dφ", weighted.curves.crank_moment_with_rod_hinge,
-        CORE_TEXT("methods",
-                  "To rounding, with M₁₂* outside the factor 0.5 of (11), where it belongs."));
+        CORE_TEXT("methods", "To rounding, with M₁₂* correctly outside the factor 0.5 of (11)."));
 }
 
 /// The factor of M₁₂ (1 + λ cos φ / cos ψ) in the crank's moment.
@@ -132,8 +131,8 @@ void factor_in_crank_moment(PaperRows& rows) {
         rows.slip(CORE_TEXT("methods", "factor of M₁₂ (1 + λ cos φ / cos ψ)"), "", "0.5", factor,
                   0.5 * factor,
                   CORE_TEXT("methods",
-                            "The bracket of 0.5 closes after M₁₂ in the place of before it; the "
-                            "moment balance about the crank axis gives ours."));
+                            "The bracket of 0.5 closes after M₁₂ instead of before it; the moment "
+                            "balance about the crank axis gives our value."));
     };
     add(equation(8), paper_input(300.0));
     add(equation(11), with_counterweight(300.0, 0.1));
@@ -156,11 +155,11 @@ void guide(PaperRows& rows) {
                     CORE_TEXT("methods", "From the mechanism's reduced inertia."), 1e-9);
     rows.at(in_text(after_equation(3)));
     constexpr double tolerance = 1e-5;  // m
-    rows.slip(CORE_TEXT("methods", "ρ₀ of guides 1, ℓ₀/2: largest that has a guide"), "m", "0.1",
+    rows.slip(CORE_TEXT("methods", "ρ₀ of guides 1, ℓ₀/2: maximum with a guide"), "m", "0.1",
               energy, as_printed,
               CORE_TEXT("methods",
-                        "To 0.01 mm, and only with the sign of (1), by which the spring takes up "
-                        "energy when the mechanism does; to keep ω constant it must give it out."),
+                        "To 0.01 mm, and only with the sign of (1), by which spring and mechanism "
+                        "absorb energy together. For constant ω the spring must release it."),
               tolerance);
 }
 
@@ -228,7 +227,7 @@ void stated(PaperRows& rows) {
 std::vector<ValidationRow> validate_zotov_sviridov() {
     PaperRows rows("elastic-hinge");
     rows.at(in_text(CORE_TEXT("methods", "introduction")));
-    rows.not_derivable(CORE_TEXT("methods", "flywheel's part of an engine's inertia"), "%", "80",
+    rows.not_derivable(CORE_TEXT("methods", "flywheel's share of an engine's inertia"), "%", "80",
                        CORE_TEXT("methods", "Quoted from another paper."));
     guide(rows);
     rod_hinge_integral(rows);

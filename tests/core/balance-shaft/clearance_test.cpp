@@ -240,7 +240,7 @@ TEST(BuildableAngles, TheVerdictNamesWhatTheShaftMeets) {
         const Obstacle obstacle = study.obstacle(ShaftPosition::at(input.centre_distance, alpha));
         const char* const named = obstacle == Obstacle::cylinder ? "the shaft meets the cylinder."
                                   : obstacle == Obstacle::rod    ? "the shaft meets the rod."
-                                  : obstacle == Obstacle::limits ? "outside the limits given."
+                                  : obstacle == Obstacle::limits ? "outside the limits."
                                                                  : "Fits";
         EXPECT_EQ(result.obstacle, obstacle) << degrees;
         EXPECT_NE(verdict(result).text.english().find(named), std::string::npos) << degrees;
@@ -267,7 +267,7 @@ TEST(BuildableAngles, NothingIsAnAnswerWithItsReason) {
         << reason([](Input& i) { i.centre_distance = 0.09; });
     EXPECT_TRUE(reason([](Input& i) {
                     i.envelope.gear_tip_radius = 0.06;
-                }).starts_with("The gears do not mesh: with their tip radius 60 mm"));
+                }).starts_with("The gears do not mesh: with a tip radius of 60 mm"));
     EXPECT_TRUE(
         reason([](Input& i) { i.envelope.gear_tip_radius = 0.05; }).starts_with("The gears"));
     EXPECT_TRUE(reason([](Input& i) {
@@ -385,20 +385,18 @@ TEST(BuildableAnglesTest, LimitsThatLeaveNothingAreAReason) {
     Input input = preset_tmz_650d();  // l = 100.2 mm
     input.place_limits.centre_distance_min = 0.12;
     EXPECT_EQ(Solver(input).buildable().reason.english(),
-              "The limits on the shaft's axis ask for a centre distance of at least 120 mm, and it "
-              "is 100.2 mm.");
+              "Centre distance 100.2 mm is below the minimum of 120 mm.");
     EXPECT_FALSE(solve(input).is_buildable);
     EXPECT_FALSE(solve(input).best_range_buildable.shaft_angle);
     input.place_limits = {};
     input.place_limits.centre_distance_max = 0.095;
     EXPECT_EQ(Solver(input).buildable().reason.english(),
-              "The limits on the shaft's axis ask for a centre distance of at most 95 mm, and it "
-              "is 100.2 mm.");
+              "Centre distance 100.2 mm is above the maximum of 95 mm.");
     input.place_limits = {};
     input.place_limits.left = 0.11;  // further than l
-    EXPECT_EQ(Solver(input).buildable().reason.english(),
-              "At the centre distance 100.2 mm no angle that clears cylinder and rod is within the "
-              "limits on the shaft's axis.");
+    EXPECT_EQ(
+        Solver(input).buildable().reason.english(),
+        "At the centre distance 100.2 mm no angle within the limits clears cylinder and rod.");
     EXPECT_TRUE(Solver(input).buildable().stretches.empty());
 }
 

@@ -366,14 +366,14 @@ TEST(ComputedTorque, BadCyclesAreRefused) {
               "/input/torque/cycle/compression_ratio: must be greater than 1 and at most 100, got "
               "1");
     EXPECT_EQ(refusal(R"({"torque": {"cycle": {"indicated_mean_effective_pressure_bar": 7}}})"),
-              "/input/torque/cycle: must hold either heat_J or "
+              "/input/torque/cycle: must have either heat_J or "
               "indicated_mean_effective_pressure_bar, got both");
     EXPECT_EQ(refusal(R"({"torque": {"cycle": {"heat_J": null}}})"),
-              "/input/torque/cycle: must hold either heat_J or "
+              "/input/torque/cycle: must have either heat_J or "
               "indicated_mean_effective_pressure_bar, got neither");
     EXPECT_EQ(refusal(R"({"cylinder": {"rod_length_mm": 46}})"),
-              "/input/cylinder/rod_length_mm: must be greater than the crank radius and twice the "
-              "offset together, 46, got 46");
+              "/input/cylinder/rod_length_mm: must be greater than the crank radius plus twice the "
+              "offset, 46, got 46");
     for (const std::string key : {"rod_length_mm", "bore_mm"}) {
         EXPECT_EQ(refusal(R"({"cylinder": {")" + key + R"(": null}})"),
                   "/input/cylinder/" + key +
@@ -391,7 +391,7 @@ TEST(ComputedTorque, BadCyclesAreRefused) {
               "/input/cylinder/bore_mm: must make a displacement from 1e-6 cm³ to 1e9 cm³, "
               "got 7.22566e-08 cm³");
     EXPECT_EQ(refusal(R"({"torque": {"csv": "x.csv"}})"),
-              "/input/torque: must hold one of: crank_angle_deg with torque_Nm, csv, pressure, "
+              "/input/torque: must have one of: crank_angle_deg with torque_Nm, csv, pressure, "
               "cycle, got more than one of them");
     EXPECT_EQ(refusal(R"({"torque": {"cycle": null, "cycles": {}}})"),
               "/input/torque/cycles: is not a known key; the nearest is \"cycle\"");
@@ -445,7 +445,7 @@ TEST(ParsedPressureTrace, KnowsUnitsAndClosesTheCycle) {
     EXPECT_TRUE(read.unit_named);
     EXPECT_TRUE(parse_pressure_trace("°;бар\n0;1\n180;1\n360;60\n540;3\n720;1\n").unit_named);
     EXPECT_NE(open.describe().english().find(
-                  "pressure taken for bar, as the heading names no unit that is known"),
+                  "pressure assumed in bar, without a known unit in the heading"),
               std::string::npos);
     EXPECT_EQ(parse_pressure_trace("°;mbar\n0;1\n180;1\n360;60\n540;3\n720;1\n").unit, units::mbar);
     for (const char* heading : {"°;bar(g)", "deg;barg", "angle;gauge pressure, bar"}) {
@@ -460,14 +460,12 @@ TEST(ParsedPressureTrace, KnowsUnitsAndClosesTheCycle) {
     EXPECT_EQ(error_of([] { parse_pressure_trace("0 1\n180 1\n360 60\n540 3\n720 9\n"); }),
               "line 5, column 2: must equal the first pressure, 1 bar, since the cycle repeats, "
               "got 9 bar");
-    EXPECT_EQ(
-        error_of([] { parse_pressure_trace("0 1\n180 -1\n360 60\n540 3\n720 1\n"); }),
-        "line 2, column 2: must be from 0 to 100000; is it gauge pressure? Then the case says "
-        "\"gauge\": true, got -1");
-    EXPECT_EQ(
-        error_of([] { parse_pressure_trace("0 1 2\n"); }),
-        "line 1: must hold two columns, crank angle and pressure, or the case must name two of "
-        "them in \"columns\", got 3 columns");
+    EXPECT_EQ(error_of([] { parse_pressure_trace("0 1\n180 -1\n360 60\n540 3\n720 1\n"); }),
+              "line 2, column 2: must be from 0 to 100000; for gauge pressure set \"gauge\": true, "
+              "got -1");
+    EXPECT_EQ(error_of([] { parse_pressure_trace("0 1 2\n"); }),
+              "line 1: must have two columns, crank angle and pressure, or the case must name two "
+              "of them in \"columns\", got 3 columns");
 }
 
 }  // namespace

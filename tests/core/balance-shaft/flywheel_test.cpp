@@ -107,9 +107,9 @@ TEST(FlywheelTest, ReadWrittenAndRefused) {
         return error_of([&] { read_input(changed, {}); });
     };
     EXPECT_EQ(refusal("{}"),
-              "/input/flywheel: must hold either inertia_kg_m2 or fluctuation, got neither");
+              "/input/flywheel: must have either inertia_kg_m2 or fluctuation, got neither");
     EXPECT_EQ(refusal(R"({"inertia_kg_m2": 1, "fluctuation": 0.1})"),
-              "/input/flywheel: must hold either inertia_kg_m2 or fluctuation, got both");
+              "/input/flywheel: must have either inertia_kg_m2 or fluctuation, got both");
     EXPECT_EQ(refusal(R"({"inertia_kg_m2": 0})").rfind("/input/flywheel/inertia_kg_m2: must be", 0),
               0U);
 }

@@ -517,13 +517,12 @@ TEST(PositionStudyTest, limitsAreChecked) {
                   to.centre_distance_max = 0.1;
               }),
               "/input/place_limits/centre_distance_max_mm: must be greater than 100 mm, got 100");
-    EXPECT_EQ(
-        error([](PlaceLimits& to) {
-            to.shaft_angle_from = 0.5 * pi;
-            to.shaft_angle_to = 0.25 * pi;
-        }),
-        "/input/place_limits/shaft_angle_to_deg: must be greater than 90°; across 0° write 405°, "
-        "got 45");
+    EXPECT_EQ(error([](PlaceLimits& to) {
+                  to.shaft_angle_from = 0.5 * pi;
+                  to.shaft_angle_to = 0.25 * pi;
+              }),
+              "/input/place_limits/shaft_angle_to_deg: must be greater than 90°; across 0° enter "
+              "405°, got 45");
     EXPECT_EQ(error([](PlaceLimits& to) {
                   to.left = 0.03;
                   to.right = 0.02;

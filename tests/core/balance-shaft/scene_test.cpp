@@ -76,7 +76,7 @@ TEST(BalanceShaftInput, EveryFieldRefusesWhatItCannotBe) {
     EXPECT_EQ(refusal(R"({"angular_speed_rad_s": null, "speed_rpm": 0})"),
               "/input/speed_rpm: must be greater than 0, got 0");
     EXPECT_EQ(refusal(R"({"speed_rpm": 3600})"),
-              "/input/angular_speed_rad_s: must be left out where speed_rpm is given");
+              "/input/angular_speed_rad_s: must be left out if speed_rpm is given");
     EXPECT_EQ(refusal(R"({"angular_speed_rad_s": null})"),
               "/input/speed_rpm: is required and missing (or angular_speed_rad_s)");
     EXPECT_EQ(refusal(R"({"reciprocating_masses_kg": {"piston": -0.1}})"),
@@ -88,8 +88,7 @@ TEST(BalanceShaftInput, EveryFieldRefusesWhatItCannotBe) {
     EXPECT_EQ(refusal(R"({"reciprocating_masses_kg": null})"),
               "/input/reciprocating_masses_kg: is required and missing (or reciprocating_mass_kg)");
     EXPECT_EQ(refusal(R"({"reciprocating_mass_kg": 1})"),
-              "/input/reciprocating_mass_kg: must be left out where reciprocating_masses_kg is "
-              "given");
+              "/input/reciprocating_mass_kg: must be left out if reciprocating_masses_kg is given");
     EXPECT_EQ(refusal(R"({"reciprocating_masses_kg": null, "reciprocating_mass_kg": -1})"),
               "/input/reciprocating_mass_kg: must be greater than 0, got -1");
     EXPECT_EQ(refusal(R"({"counterweight_radius_mm": 0})"),
@@ -102,8 +101,8 @@ TEST(BalanceShaftInput, EveryFieldRefusesWhatItCannotBe) {
               "/input/shaft_angle_deg: must be from -3600 to 3600, got 1000000000");
     EXPECT_EQ(refusal(R"({"step_deg": 0})"), "/input/step_deg: must be from 0.01 to 90, got 0");
     EXPECT_EQ(refusal(R"({"cylinder": {"rod_length_mm": 40}})"),
-              "/input/cylinder/rod_length_mm: must be greater than the crank radius and twice the "
-              "offset together, 46, got 40");
+              "/input/cylinder/rod_length_mm: must be greater than the crank radius plus twice the "
+              "offset, 46, got 40");
     EXPECT_EQ(refusal(R"({"envelope": {"wall_mm": -1}})"),
               "/input/envelope/wall_mm: must be at least 0, got -1");
     EXPECT_EQ(refusal(R"({"interpolation": "cubic"})"),
@@ -144,12 +143,12 @@ TEST(BalanceShaftInput, TorqueTables) {
     EXPECT_EQ(refusal(R"({"torque": null})"), "/input/torque: is required and missing");
     EXPECT_EQ(refusal(R"({"torque": 5})"), "/input/torque: must be an object, got 5");
     EXPECT_EQ(refusal(R"({"torque": {"crank_angle_deg": null, "torque_Nm": null}})"),
-              "/input/torque: must hold one of: crank_angle_deg with torque_Nm, csv, pressure, "
+              "/input/torque: must have one of: crank_angle_deg with torque_Nm, csv, pressure, "
               "cycle, got none of them");
     EXPECT_EQ(refusal(R"({"torque": {"crank_angle_deg": [], "torque_Nm": []}})"),
-              "/input/torque/crank_angle_deg: must hold at least 3 numbers, got 0");
+              "/input/torque/crank_angle_deg: must have at least 3 numbers, got 0");
     EXPECT_EQ(refusal(R"({"torque": {"crank_angle_deg": [0], "torque_Nm": [0]}})"),
-              "/input/torque/crank_angle_deg: must hold at least 3 numbers, got 1");
+              "/input/torque/crank_angle_deg: must have at least 3 numbers, got 1");
     EXPECT_EQ(refusal(R"({"torque": {"crank_angle_deg": [0, 100, 50, 720],
                                      "torque_Nm": [0, 1, 2, 0]}})"),
               "/input/torque/crank_angle_deg/2: must be greater than the angle of the row before, "
@@ -186,7 +185,7 @@ TEST(BalanceShaftInput, NotFiniteValuesOfAProgramAreRefusedToo) {
               "/input/torque/torque_Nm/3: must be from -1000000000000 to 1000000000000, got not a "
               "number");
     EXPECT_EQ(refusal_of([&](Input& i) { i.torque.table = {}; }),
-              "/input/torque/crank_angle_deg: must hold at least 3 numbers, got 0");
+              "/input/torque/crank_angle_deg: must have at least 3 numbers, got 0");
     EXPECT_EQ(refusal_of([&](Input& i) { i.reciprocating_masses.clear(); }),
               "/input/reciprocating_masses_kg: must add up to more than 0 and to a finite mass, "
               "got 0");
@@ -289,7 +288,7 @@ TEST_F(CsvBesideTheCase, AnotherFileUnderItsNameIsTold) {
     const auto is_told = [&] {
         const auto notes = solve(read_input(json, CaseContext{folder_})).notes;
         return std::any_of(notes.begin(), notes.end(), [](const Message& note) {
-            return note.english().starts_with("torque.csv has changed since it was read");
+            return note.english().starts_with("torque.csv has changed since this case was made");
         });
     };
     EXPECT_FALSE(is_told());

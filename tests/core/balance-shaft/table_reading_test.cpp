@@ -216,7 +216,7 @@ TEST(TableReading, ProposesWhatANumberLooksLike) {
         "deg;bar\n0;-0.113\n180;-0.1\n360;59\n540;2\n720;-0.113\n", Measured::pressure);
     EXPECT_EQ(negative.reading.gauge, true);
     ASSERT_EQ(negative.doubts.size(), 1U);
-    EXPECT_EQ(negative.doubts[0].english(), "The lowest pressure is -0.113 bar: gauge pressure?");
+    EXPECT_EQ(negative.doubts[0].english(), "The minimum pressure is -0.113 bar: gauge pressure?");
     // What is decided stays so.
     TableReading absolute;
     absolute.gauge = false;
@@ -266,7 +266,7 @@ TEST(TableReading, ACaseNamesColumnsUnitAndGauge) {
                   "columns: must be two numbers from 1 or two headings: of the crank angle and "
                   "of the value, got [1]");
     EXPECT_EQ(refusal("columns", {5, 14}),
-              place + "csv: p.csv: line 2: must hold at least 14 columns, got 13 columns");
+              place + "csv: p.csv: line 2: must have at least 14 columns, got 13 columns");
     EXPECT_EQ(refusal("columns", {"1", "0"}),
               place + "csv: p.csv: must have a column of values: columns count from 1, got 0");
     EXPECT_EQ(refusal("columns", {"0", "0"}), refusal("columns", {"1", "0"}));
@@ -327,7 +327,7 @@ TEST(TableReading, RowsAreCountedWithoutThoseThatRepeat) {
         ASSERT_FALSE(proposal.doubts.empty());
         // Nor is it a column of angles.
         EXPECT_EQ(proposal.doubts.front().english(),
-                  "No column is certain to be the crank angle; column 1 is proposed.");
+                  "The column of the crank angle is uncertain; column 1 is proposed.");
     }
 }
 
@@ -362,9 +362,10 @@ TEST(TableReading, UnitsOfTorqueAreWholeWords) {
         EXPECT_EQ(read.unit_named, unit.has_value()) << heading;
         EXPECT_EQ(read.unit, unit.value_or(units::N_m)) << heading;
         EXPECT_EQ(read.table.torque[0], unit.value_or(units::N_m).to_si) << heading;
-        EXPECT_EQ(read.describe().english().find("torque taken for N·m, as the heading names no "
-                                                 "unit that is known") == std::string::npos,
-                  unit.has_value())
+        EXPECT_EQ(
+            read.describe().english().find(
+                "torque assumed in N·m, without a known unit in the heading") == std::string::npos,
+            unit.has_value())
             << heading;
     }
     // Without words above the rows there is nothing to doubt.

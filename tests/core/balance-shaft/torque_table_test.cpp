@@ -80,7 +80,7 @@ TEST(ParsedTorqueTable, KeepsAnyStartOfTheCycle) {
 
 // The name of the file may stand in a case that somebody else wrote.
 TEST(ParsedTorqueTable, NoLineOfAFileThatIsNoTableIsQuoted) {
-    const std::string two_columns = "line 3: must hold two columns, crank angle and torque";
+    const std::string two_columns = "line 3: must have two columns, crank angle and torque";
     EXPECT_EQ(refusal_of_text("root:x:0\ndaemon:x:1\nbin:x:2\n"), two_columns);
     EXPECT_EQ(refusal_of_text("user\nlogin\n12:secret\n"), two_columns);
     EXPECT_EQ(refusal_of_text("user\nlogin\nname;secret\n"),
@@ -108,9 +108,9 @@ TEST(ParsedTorqueTable, ErrorsNameLineAndColumn) {
     EXPECT_EQ(refusal_of_text("0;0\n180;\n720;0\n"),
               "line 2, column 2: must be a finite number, got \"\"");
     EXPECT_EQ(refusal_of_text("0;0\n180\n720;0\n"),
-              "line 2: must hold two columns, crank angle and torque, got \"180\"");
+              "line 2: must have two columns, crank angle and torque, got \"180\"");
     EXPECT_EQ(refusal_of_text("0;0;1\n180;0;2\n720;0;1\n"),
-              "line 1: must hold two columns, crank angle and torque, or the case must name two of "
+              "line 1: must have two columns, crank angle and torque, or the case must name two of "
               "them in \"columns\", got 3 columns");
     EXPECT_EQ(refusal_of_text("0;0\n200;5\n180;1\n720;0\n"),
               "line 3, column 1: must be greater than the angle of the row before, 200, got 180");
@@ -141,8 +141,8 @@ TEST(ParsedTorqueTable, ACommaBetweenThousandsIsNotTakenForADecimalOne) {
     EXPECT_EQ(refusal_of_text("0\t-81,5\n360\t1,893\n720\t-81,5\n"), "no error");
     // Among whole numbers it can be either.
     EXPECT_EQ(refusal_of_text("0\t-81\n360\t1,893\n720\t-81\n"),
-              "line 2, column 2: must not leave open whether its comma divides thousands or is a "
-              "decimal sign: other numbers of the column have none, got \"1,893\"");
+              "line 2, column 2: must be unambiguous: its comma may divide thousands or be a "
+              "decimal sign, as no other number of the column has one, got \"1,893\"");
     EXPECT_EQ(refusal_of_text("0\t0\n360\t1,893\n720\t0\n"), "no error");
     EXPECT_EQ(refusal_of_text("0\t1,250\n360\t1,893\n720\t1,250\n"), "no error");
     EXPECT_EQ(refusal_of_text("0\t-81\n180\t12,5\n360\t1,893\n720\t-81\n"), "no error");
@@ -194,7 +194,7 @@ TEST(ParsedTorqueTable, TwentyThousandRowsAreReadAndMoreAreRefused) {
     EXPECT_EQ(parse_torque_table(text).table, table);
     text = write_torque_table(test::random_table(7, largest_torque_table + 1));
     EXPECT_EQ(refusal_of_text(text),
-              "a cycle must have at most 20000 rows: take larger steps, got 20001");
+              "a cycle must have at most 20000 rows: use larger steps, got 20001");
 }
 
 TEST(ParsedTorqueTable, NeverCrashesOnDamagedText) {
@@ -228,8 +228,8 @@ TEST(TorqueTableCheck, NamesThePointer) {
     };
     EXPECT_EQ(check(small), "no error");
     EXPECT_EQ(check({{0, 180, 720}, {0, 1}}),
-              "/input/torque/torque_Nm: must hold as many numbers as crank_angle_deg, 3, got 2");
-    EXPECT_EQ(check({}), "/input/torque/crank_angle_deg: must hold at least 3 numbers, got 0");
+              "/input/torque/torque_Nm: must have as many numbers as crank_angle_deg, 3, got 2");
+    EXPECT_EQ(check({}), "/input/torque/crank_angle_deg: must have at least 3 numbers, got 0");
     EXPECT_EQ(check({{0, 180, 720}, {0, std::nan(""), 0}}),
               "/input/torque/torque_Nm/1: must be from -1000000000000 to 1000000000000, got not a "
               "number");
@@ -283,8 +283,8 @@ TEST(TorqueTable, TakesTheUnitThatItsHeadingNames) {
 TEST(TorqueTable, PascalsWithoutAUnitAreToldSo) {
     const std::string rows = "\n0;101325\n180;101325\n360;6e6\n540;3e5\n720;101325\n";
     EXPECT_EQ(error_of([&] { parse_pressure_trace("deg;p" + rows); }),
-              "line 2, column 2: must be from 0 to 100000 in bar, which is taken where the heading "
-              "names no unit; write the unit above the column, for example Pa, got 101325");
+              "line 2, column 2: must be from 0 to 100000 in bar, the default without a unit in "
+              "the heading; write the unit above the column, for example Pa, got 101325");
     EXPECT_EQ(parse_pressure_trace("deg;p, Pa" + rows).trace.pressure[2], 6e6);
 }
 

@@ -117,7 +117,7 @@ TEST(TraceCheck, FindsTheExponentOfTheCompression) {
 TEST(TraceCheck, GaugePressureIsNoticed) {
     for (const Input& engine : {diesel(), petrol(), supercharged(2.5), motored(), two_stroke()}) {
         const Input gauge = traced(engine, {.zero_bar = -1.0});
-        EXPECT_EQ(note_of(gauge).rfind("The pressure trace looks like gauge pressure", 0), 0U)
+        EXPECT_EQ(note_of(gauge).rfind("The trace looks like gauge pressure", 0), 0U)
             << note_of(gauge);
         // It stands in the result.
         const Result result = solve(gauge);
@@ -144,12 +144,13 @@ TEST(TraceCheck, AnotherUnitIsNoticed) {
             }
             const std::string unnamed =
                 note_of(traced(engine, {.per_bar = unit.per_bar, .heading = "angle;pressure"}));
-            EXPECT_NE(unnamed.find(std::string("Its numbers look like ") + unit.name + ","),
+            EXPECT_NE(unnamed.find(std::string("The numbers look like ") + unit.name + ";"),
                       std::string::npos)
                 << unit.name << ": " << unnamed;
-            EXPECT_NE(unnamed.find("names no unit and bar was taken"), std::string::npos);
+            EXPECT_NE(unnamed.find("without a unit in the heading, bar was used"),
+                      std::string::npos);
             const std::string named = note_of(traced(engine, {.per_bar = unit.per_bar}));
-            EXPECT_NE(named.find("though its heading says bar"), std::string::npos) << named;
+            EXPECT_NE(named.find("but the heading has bar"), std::string::npos) << named;
         }
     }
 }
@@ -158,7 +159,7 @@ TEST(TraceCheck, AWrongPhaseIsNoticed) {
     for (const Input& engine : sane_engines()) {
         for (const double late : {-180.0, -90.0, -40.0, 90.0, 180.0}) {
             const std::string note = note_of(traced(engine, {.late_deg = late}));
-            EXPECT_EQ(note.rfind("The peak of the pressure trace lies ", 0), 0U)
+            EXPECT_EQ(note.rfind("The peak of the pressure trace is ", 0), 0U)
                 << late << ": " << note;
         }
         // A few degrees: the peak may be anywhere near, but not the exponent.
@@ -167,7 +168,7 @@ TEST(TraceCheck, AWrongPhaseIsNoticed) {
         }
     }
     const std::string turn = note_of(traced(diesel(), {.late_deg = 360.0}));
-    EXPECT_NE(turn.find("move the trace by a turn"), std::string::npos) << turn;
+    EXPECT_NE(turn.find("shift the trace by one turn"), std::string::npos) << turn;
 }
 
 TEST(TraceCheck, ATurnOffIsMendedByTheShift) {

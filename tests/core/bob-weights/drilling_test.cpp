@@ -333,7 +333,7 @@ TEST(Plan, KeepsWholeHolesInTheSectorWhereThatTakesOffAsMuch) {
         plan_holes(1000 * gram_mm, limits.sector->first, rim, drills, limits, -1.0);
     EXPECT_EQ(at_limit.shortfall, Shortfall::none);
     EXPECT_NEAR(beyond(at_limit), 0.5 * at_limit.holes.at(0).diameter, 1e-9);
-    EXPECT_EQ(edge_beyond(rim, {0.0, 2.0 * pi}, {16 * mm, 0.0, 0.0, 0.0, 0.0}), 0.0) << "all round";
+    EXPECT_EQ(edge_beyond(rim, {0.0, 2.0 * pi}, {16 * mm, 0.0, 0.0, 0.0, 0.0}), 0.0) << "whole rim";
 }
 
 TEST(Plan, BesideTheSectorLeavesLeast) {

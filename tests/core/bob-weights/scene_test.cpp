@@ -87,12 +87,12 @@ TEST(Weights, ThatDoNotCountOrReplaceWhatIsTypedAreSaid) {
         parse_json(R"({"piston": {"mass_g": [580, 581, 582, 583, 584, 585, 586, 587]}})");
     const Json said = solved(card).at("not_counted");
     ASSERT_EQ(said.size(), 1U) << said;
-    EXPECT_EQ(said[0], "Piston: the typed 583.90 g is replaced by the weights.");
+    EXPECT_EQ(said[0], "Piston: the weighed masses replace the typed 583.90 g.");
     // Of a sheet that is half filled.
     Input input = read_input(card);
     input.weigh_in->columns[1].mass[2] = 0.17;
     EXPECT_EQ(not_counted(input).at(1).english(),
-              "Pin: 1 of 8 weighed; the typed mass counts until all are.");
+              "Pin: 1 of 8 weighed; the typed mass is used until all are weighed.");
 }
 
 TEST(Weighing, AddsTheRoundingOfEachPartBySquares) {
@@ -242,8 +242,7 @@ TEST(Matching, RefusesRulesThatCannotBe) {
     EXPECT_EQ(wrong("crankpin_angles_deg", {0, 90}),
               "/input/weigh_in/matching/crankpin_angles_deg: must be a list of 4 angles, got 2");
     EXPECT_EQ(wrong("bank_offset_mm", 20),
-              "/input/weigh_in/matching/cylinder_spacing_mm: is required where the bank offset is "
-              "given");
+              "/input/weigh_in/matching/cylinder_spacing_mm: is required with the bank offset");
     EXPECT_EQ(wrong("permitted_spread_g", -1),
               "/input/weigh_in/matching/permitted_spread_g: must be from 0 to 100000, got -1");
     EXPECT_EQ(wrong("stay", true), "/input/weigh_in/matching/stay: is not a known key");
@@ -294,7 +293,7 @@ TEST(Correction, PressesInSlugsWhereHolesHaveNoRoom) {
     EXPECT_FALSE(plane.at("feasible").get<bool>());
     const std::string reason = plane.at("reason");
     EXPECT_NE(reason.find("weld"), std::string::npos);
-    EXPECT_NE(reason.find("remain at 40.0°"), std::string::npos) << reason;
+    EXPECT_NE(reason.find("at the drilling radius at 40.0°"), std::string::npos) << reason;
     input["correction"]["slug"] = {{"diameter_mm", 25}, {"density_kg_m3", 18'000}};
     plane = front_of(input);
     EXPECT_TRUE(plane.at("within_tolerance").get<bool>()) << plane.dump(1);
@@ -328,11 +327,11 @@ TEST(Correction, PressesInSlugsWhereHolesHaveNoRoom) {
     input["correction"]["planes"][0]["to_deg"] = 219;
     plane = front_of(input);
     EXPECT_TRUE(plane.at("holes").empty() && plane.at("slugs").empty());
-    expect_reason(plane, "The heavy spot lies outside the sector that may be drilled. ");
+    expect_reason(plane, "The heavy spot is outside the drilling sector. ");
     input["correction"]["planes"][0]["to_deg"] = 221;
     input["correction"]["readings"][0]["unbalance_g_mm"] = 20'000;
     plane = front_of(input);
-    expect_reason(plane, "The heavy spot lies outside the sector that may be drilled. ");
+    expect_reason(plane, "The heavy spot is outside the drilling sector. ");
 }
 
 TEST(Correction, DrillsTheEdgeOfTheSectorBesideTheHeavySpot) {
@@ -358,8 +357,7 @@ TEST(Correction, DrillsTheEdgeOfTheSectorBesideTheHeavySpot) {
     // Farther off it lowers what is to be welded on, or a slug takes the rest.
     const Json half = front(2000, 40, 80, 170);
     EXPECT_NEAR(half.at("remaining_g_mm").get<double>(), 2000 * std::sin(40 * degree), 10);
-    expect_reason(
-        half, "The heavy spot lies outside the sector that may be drilled, and holes at its edge ");
+    expect_reason(half, "The heavy spot is outside the drilling sector; holes at its edge ");
     EXPECT_TRUE(front(2000, 40, 110, 150).at("holes").empty()) << "hardly lowers it";
     input["correction"]["slug"] = {{"diameter_mm", 25}, {"density_kg_m3", 18'000}};
     const Json both = front(2000, 40, 80, 175);
@@ -383,15 +381,15 @@ TEST(Correction, AdvisesHeavyMetalOnlyWhereItHasAPlace) {
         if (slugs) {
             input["correction"]["slug"] = {{"diameter_mm", 16}, {"density_kg_m3", 7900}};
         }
-        const std::string outside = "The side opposite lies outside the sector, too";
+        const std::string outside = "The opposite side is outside the sector too";
         EXPECT_NE(reason(2000, 131, 200).find(outside), std::string::npos);
         EXPECT_NE(reason(2000, 80, 120).find(outside), std::string::npos);
         EXPECT_EQ(reason(20'000, 0, 80).find("The holes have too little room. "), 0u);
         EXPECT_NE(reason(20'000, 0, 80).find(outside), std::string::npos);
     }
-    EXPECT_EQ(reason(2000, 131, 250).find("Slugs of 7900 kg/m³ hardly"), 0u);
+    EXPECT_EQ(reason(2000, 131, 250).find("Slugs of 7900 kg/m³ are hardly"), 0u);
     input["correction"].erase("slug");
-    EXPECT_NE(reason(2000, 131, 250).find("Press heavy metal in opposite"), std::string::npos);
+    EXPECT_NE(reason(2000, 131, 250).find("Press in heavy metal opposite"), std::string::npos);
 }
 
 TEST(Correction, SaysHowFarAnEdgeReachesBeyondTheSector) {
@@ -415,14 +413,15 @@ TEST(Correction, SaysWhichSlugsOutweighNothing) {
     Json& slug = input["correction"]["slug"] = {{"diameter_mm", 25}, {"density_kg_m3", 7900}};
     Json plane = front_of(input);
     EXPECT_TRUE(plane.at("slugs").empty());
-    expect_reason(plane, "Slugs of 7900 kg/m³ hardly outweigh the 7850 kg/m³ of the crankshaft");
+    expect_reason(plane,
+                  "Slugs of 7900 kg/m³ are hardly heavier than the crankshaft metal (7850 kg/m³)");
     slug["density_kg_m3"] = 11'340;
     input["correction"]["drill"]["maximum_depth_mm"] = 4;
     plane = front_of(input);
     EXPECT_TRUE(plane.at("slugs").empty());
-    expect_reason(plane,
-                  "A slug of 11340 kg/m³ as long as the deepest hole may be does not outweigh the "
-                  "7850 kg/m³");
+    expect_reason(
+        plane,
+        "A slug of 11340 kg/m³ of maximum depth is lighter than the crankshaft metal (7850 kg/m³)");
 }
 
 TEST(Tolerance, IsSharedByTheDistances) {
@@ -471,15 +470,15 @@ TEST(BadInput, IsNamed) {
         return error_of(input);
     };
     EXPECT_EQ(wrong("/engine/cylinders", 7),
-              "/input/engine/cylinders: must be even where two rods share a bob weight, got 7");
+              "/input/engine/cylinders: must be even if two rods share a bob weight, got 7");
     EXPECT_EQ(wrong("/engine/type", "w"),
               "/input/engine/type: must be one of \"v\", \"inline\", \"boxer\", got \"w\"");
     EXPECT_EQ(wrong("/engine/type", "inline"),
-              "/input/engine/rods_per_pin: must be 1 where the cylinders stand in line, got 2");
+              "/input/engine/rods_per_pin: must be 1 for cylinders in line, got 2");
     EXPECT_EQ(wrong("/parts_g/piston", -1),
               "/input/parts_g/piston: must be from 0 to 1000000, got -1");
     EXPECT_EQ(wrong("/correction/planes/1/position_mm", 60),
-              "/input/correction/planes/1/position_mm: must differ from that of the first, got 60");
+              "/input/correction/planes/1/position_mm: must differ from the first, got 60");
     EXPECT_EQ(wrong("/correction/planes/2", {{"position_mm", 1}, {"radius_mm", 2}}),
               "/input/correction/planes: must be a list of two, got 3");
     EXPECT_EQ(wrong("/correction/drill/diameters_mm", Json::array()),
@@ -689,7 +688,8 @@ TEST(Correction, EarlierHolesStayAndLaterOnesKeepClearOfThem) {
     correction["drill"]["maximum_holes"] = 1;
     const Json stuck = front_of(input);
     EXPECT_TRUE(stuck.at("holes").empty());
-    expect_reason(stuck, "The holes have too little room beside those of earlier runs. 10.59 g");
+    expect_reason(stuck,
+                  "There is too little room next to the holes of earlier runs. Residual: 10.59 g");
     // Of another crankshaft, or planned by readings of another bob weight, is nothing.
     correction["earlier_runs"][1]["readings"][0]["bobweight_g"] = 1400;
     EXPECT_TRUE(drilled(1, 0).empty());

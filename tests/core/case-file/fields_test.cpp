@@ -123,9 +123,9 @@ TEST(Fields, RefusalsNamePlaceRuleAndFinding) {
     EXPECT_EQ(refusal(R"({"length_mm":1})"),
               "/input/speed_rpm: is required and missing (or speed_rad_s)");
     EXPECT_EQ(refusal(R"({"length_mm":1,"speed":1})"),
-              "/input/speed_rpm: is required and missing; there is \"speed\"");
+              "/input/speed_rpm: is required and missing; found: \"speed\"");
     EXPECT_EQ(refusal(R"({"length_mm":1,"speed_rpm":1,"speed_rad_s":1})"),
-              "/input/speed_rad_s: must be left out where speed_rpm is given");
+              "/input/speed_rad_s: must be left out if speed_rpm is given");
     EXPECT_EQ(refusal(R"({"length_mm":1,"speed_rpm":1,"teeth":5})"),
               "/input/teeth: must be a whole number from 6 to 1000, got 5");
     EXPECT_EQ(refusal(R"({"length_mm":1,"speed_rpm":1,"colour":"blue"})"),

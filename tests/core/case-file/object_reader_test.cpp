@@ -55,8 +55,8 @@ TEST(ObjectReader, AMissingKeyNamesWhatIsNearlyIt) {
         return error_of([&] { reader.number("crank_radius_mm", Range::greater_than(0)); });
     };
     const std::string missing = "/input/crank_radius_mm: is required and missing";
-    EXPECT_EQ(refused(R"({"crank_radius": 46})"), missing + "; there is \"crank_radius\"");
-    EXPECT_EQ(refused(R"({"crank_radus_mm": 46})"), missing + "; there is \"crank_radus_mm\"");
+    EXPECT_EQ(refused(R"({"crank_radius": 46})"), missing + "; found: \"crank_radius\"");
+    EXPECT_EQ(refused(R"({"crank_radus_mm": 46})"), missing + "; found: \"crank_radus_mm\"");
     EXPECT_EQ(refused(R"({"rod_length_mm": 46, "crank": 1})"), missing);
     EXPECT_EQ(refused("{}"), missing);
 }
@@ -111,13 +111,13 @@ TEST(ParseJson, RefusesKeysGivenTwice) {
 
 TEST(ParseJson, RefusesNulAndSaysWhere) {
     EXPECT_EQ(error_of([] { parse_json(std::string_view("{\n\"a\": 1}\0, \"b\"", 16)); }),
-              "line 2, column 8: must not hold the character NUL");
+              "line 2, column 8: must not contain the character NUL");
     EXPECT_EQ(error_of([] { parse_json(R"({"a": [1, "t.csv\u0000.json"]})"); }),
-              R"(/a/1: must not hold the character NUL, got "t.csv\u0000.json")");
+              R"(/a/1: must not contain the character NUL, got "t.csv\u0000.json")");
     EXPECT_EQ(error_of([] { parse_json(R"({"a": {"b\u0000": 1}})"); }),
-              R"(/a/b\u0000: must not hold the character NUL)");
+              R"(/a/b\u0000: must not contain the character NUL)");
     EXPECT_EQ(error_of([] { parse_json(R"({"a": [0, 1e999]})"); }),
-              "/a/1: holds a number that is too large for this program");
+              "/a/1: contains a number that is too large for this program");
 }
 
 TEST(ParseJson, RefusesMoreValuesThanAnyCaseHas) {
@@ -125,7 +125,7 @@ TEST(ParseJson, RefusesMoreValuesThanAnyCaseHas) {
     for (int i = 0; i < 5'000'000; ++i) {
         zeros += ",0";
     }
-    EXPECT_EQ(error_of([&] { parse_json(zeros + "]"); }), "must hold at most 5000000 values");
+    EXPECT_EQ(error_of([&] { parse_json(zeros + "]"); }), "must have at most 5000000 values");
 }
 
 TEST(ParseJson, RefusesMoreNamesThanAnyObjectHas) {
@@ -133,7 +133,7 @@ TEST(ParseJson, RefusesMoreNamesThanAnyObjectHas) {
     for (int i = 0; i < 300'000; ++i) {
         text += (i == 0 ? "\"" : ",\"") + std::to_string(i) + "\":1";
     }
-    EXPECT_EQ(error_of([&] { parse_json(text + "}}"); }), "/a: must hold at most 1000 names");
+    EXPECT_EQ(error_of([&] { parse_json(text + "}}"); }), "/a: must have at most 1000 names");
 }
 
 // What a file holds neither reaches the terminal as a command nor fills it.

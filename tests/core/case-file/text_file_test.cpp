@@ -89,9 +89,9 @@ TEST_F(TextFile, APipeIsWrittenWhereSomebodyReadsIt) {
     ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
     try {
         write_text_file(path_, "text");
-        FAIL() << "nobody reads";
+        FAIL() << "without a reader";
     } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("nobody reads"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("without a reader"), std::string::npos);
     }
     const int reader = ::open(path_.c_str(), O_RDONLY | O_NONBLOCK);
     ASSERT_GE(reader, 0);

@@ -25,11 +25,12 @@ TEST(UnusualEngine, NoRealOneIsDoubted) {
 TEST(UnusualEngine, ASlipOfTheUnitIsDoubtedOnce) {
     const auto grams = unusual_engine_notes({rpm, 0.046, 0.14, {500.0, 120.0}});
     ASSERT_EQ(grams.size(), 1U);
-    EXPECT_NE(grams[0].english().find("500 kg at a crank radius of 46 mm"), std::string::npos)
+    EXPECT_NE(grams[0].english().find("Mass 500 kg and crank radius 46 mm"), std::string::npos)
         << grams[0].english();
     const auto centimetres = unusual_engine_notes({rpm, 0.0038, 0.128, {0.5}});
     ASSERT_EQ(centimetres.size(), 1U);
-    EXPECT_NE(centimetres[0].english().find("3.8 mm beside a rod of 128 mm"), std::string::npos)
+    EXPECT_NE(centimetres[0].english().find("Crank radius 3.8 mm and rod 128 mm"),
+              std::string::npos)
         << centimetres[0].english();
 }
 

@@ -142,7 +142,7 @@ TEST(ElasticHingeGuide, TooLittlePreloadIsRefusedWithWhatWouldDo) {
     const Guide& guide = result.crank_guide;
     EXPECT_FALSE(guide.feasible);
     EXPECT_EQ(guide.problem, GuideProblem::preload_too_small);
-    EXPECT_NE(guide.reason.english().find("at least 0.60002"), std::string::npos)
+    EXPECT_NE(guide.reason.english().find("minimum 0.60002"), std::string::npos)
         << guide.reason.english();
     EXPECT_NE(guide.reason.english().find("75.9257°"), std::string::npos) << guide.reason.english();
     EXPECT_NEAR(guide.worst_angle / degree, 75.9257, 1e-3);

@@ -271,7 +271,7 @@ TEST(ElasticHingeMotion, AStandstillHasNoTime) {
     EXPECT_EQ(motion.end, MotionEnd::too_slow);
     EXPECT_EQ(motion.time.back(), 0.0);
     EXPECT_EQ(motion.crank_angle.back(), 0.0);
-    EXPECT_EQ(motion.reason.english(), "the crank stands still");
+    EXPECT_EQ(motion.reason.english(), "the crank is at rest");
 }
 
 /// The equation of motion, integrated in time, says the same: with a moment on the crank, waves on
@@ -458,7 +458,7 @@ TEST(ElasticHingeMotion, RefusesWhatCannotMove) {
     still.gravity = 0.0;
     still.motion = MotionWish{1.0, 0.0, 0.0, 0.0, false};
     EXPECT_EQ(run(still, HingeSet::none).end, MotionEnd::too_slow);
-    EXPECT_EQ(run(still, HingeSet::none).reason.english(), "the crank stands still");
+    EXPECT_EQ(run(still, HingeSet::none).reason.english(), "the crank is at rest");
 }
 
 }  // namespace

@@ -561,31 +561,31 @@ TEST(ArticulatedRods, BadInputIsNamedByItsField) {
         {{{master, 6}}, "3/master: must be a cylinder of the table, 1 to 5, got 6"},
         {{{master, -1}}, "3/master: "},
         {{{master, 2}},
-         "3/master: must be a rod on the crankpin itself; that of cylinder 2 is articulated too, "
-         "got 2"},
+         "3/master: must be a rod on the crankpin; the rod of cylinder 2 is articulated too, got "
+         "2"},
         {{{master, 3}},
-         "3/master: must be a rod on the crankpin itself; that of cylinder 3 is articulated too, "
-         "got 3"},
+         "3/master: must be a rod on the crankpin; the rod of cylinder 3 is articulated too, got "
+         "3"},
         {{{"/cylinders/2/articulated/masters", 1}}, "3/masters"},
         // On a crankpin of its own: without a master named, and with it.
         {{{angle, 30}},
-         "3/master: must have a master rod: none of the rods on the crankpin of cylinder 3 is "
-         "without articulated"},
+         "3/master: must have a master rod: all rods on the crankpin of cylinder 3 are "
+         "articulated"},
         {{{angle, 30}, {master, 1}},
          "3/master: must run on the same crankpin (same angle, another direction, less than the "
-         "crank radius away); cylinder 3 runs on that of cylinders 3, got 1"},
+         "crank radius away); cylinder 3 runs on the crankpin of cylinders 3, got 1"},
         // Two plain rods on the pin: which is the master must be said.
         {{{second, nullptr}},
-         "3/master: must be given: the rods of cylinders 1, 2 run on this crankpin, and each could "
-         "be the master"},
+         "3/master: must be given: any of the rods of cylinders 1, 2 on this crankpin could be the "
+         "master"},
         {{{second, nullptr},
           {master, 2},
           {"/cylinders/3/articulated/master", 2},
           {"/cylinders/4/articulated/master", 2}},
          "no error"},
         {{{"/rod", rigid}},
-         "/input/rod: must be left out where rods are articulated (that of cylinder 2): master and "
-         "articulated rods differ in mass, and their shares belong in the masses"},
+         "/input/rod: must be left out with articulated rods (cylinder 2): master and articulated "
+         "rods differ in mass, so enter their shares in the masses"},
         {{{"/cylinders/2/articulated/knuckle_mass_kg", 0.1}},
          "3/knuckle_mass_kg: must be at most 0, the rotating mass of one cylinder, got 0.1"}};
     for (const Bad& bad : all) {
@@ -645,7 +645,7 @@ TEST(ArticulatedRods, LockingIsRefusedInWords) {
     input.cylinders[1].articulated->knuckle_radius = 0.06;
     input.cylinders[1].articulated->knuckle_angle = 3.0;
     input.cylinders[1].offset = 1.0;
-    EXPECT_NE(articulated_refusal(write_input(input)).find("cannot be joined"), std::string::npos);
+    EXPECT_NE(articulated_refusal(write_input(input)).find("is not possible"), std::string::npos);
 }
 
 // A second cylinder in the direction of another is on a crankpin of its own; the rods that follow

@@ -127,7 +127,7 @@ TEST(Validation, WhatIsGivenIsNotReproduced) {
     all_given("v8-plugs", "k_ш", 2);
     all_given("v8-plugs", "Δm_pm", 2);
     all_given("v8-plugs", "Δm_am", 2);
-    all_given("v8-plugs", "largest shift Δr, to", 1);
+    all_given("v8-plugs", "maximum shift Δr, to", 1);
     all_given("inertia-moments", "offset e", 1);
     // m_p of the 4.25 l engine was found from (12), so (13) alone is a test.
     const auto verdict_of = [](const char* quantity, const char* engine) {
@@ -146,7 +146,7 @@ TEST(Validation, WhatIsGivenIsNotReproduced) {
     for (const ValidationRow& row : rows_of("inertia-moments", "relative offset K")) {
         EXPECT_EQ(row.verdict, Verdict::reproduced);
     }
-    for (const ValidationRow& row : rows_of("v8-plugs", "largest Δk")) {
+    for (const ValidationRow& row : rows_of("v8-plugs", "maximum Δk")) {
         EXPECT_EQ(row.verdict, Verdict::reproduced);
     }
 }
@@ -161,7 +161,7 @@ TEST(Validation, BothEndsOfARangeAreJudgedAlike) {
         EXPECT_EQ(ends[0].reason, ends[1].reason);
         EXPECT_LT(*ends[0].ours, *ends[1].ours);
     }
-    const auto advised = rows_of("balance-shaft", "largest α advised");
+    const auto advised = rows_of("balance-shaft", "maximum α advised");
     ASSERT_EQ(advised.size(), 1U);
     EXPECT_EQ(advised.front().verdict, Verdict::not_derivable);
 }

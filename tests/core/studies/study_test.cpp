@@ -70,7 +70,7 @@ TEST(Study, ReadsWhatItWritesAndRefusesTheRest) {
     EXPECT_EQ(with("/vary", Json::object()).substr(0, 12), "/study/vary:");
     EXPECT_EQ(with("/watch/~1y/min", 4), "/study/watch/~1y/max: must be at least 4, got 3");
     EXPECT_EQ(with("/watch/~1a_deg", {{"min", 355}, {"max", 3}}),
-              "/study/watch/~1a_deg/max: must be at least 355; across 0° write 363, got 3");
+              "/study/watch/~1a_deg/max: must be at least 355; across 0° enter 363, got 3");
     EXPECT_EQ(with("/watch/~1a_deg", {{"min", 355}, {"max", 363}}), "");
     EXPECT_EQ(with("/vary/~1e", {{"from", -1.7e308}, {"to", 1.7e308}}).substr(0, 22),
               "/study/vary/~1e/to: mu");
@@ -348,14 +348,13 @@ TEST(Study, SaysWhereTheLinearAnswerFails) {
                 << method;
         }
     }
-    EXPECT_NE(note("sobol", curve).find("mean 1 and standard deviation 1 against 1.64"),
+    EXPECT_NE(note("sobol", curve).find("mean 1, standard deviation 1; samples 1.64"),
               std::string::npos);
     const std::string refused = note("linear", [](auto x, auto y) {
         y[0] = x[0];
         return x[0] > -1.5;
     });
-    EXPECT_NE(refused.find(" of 64 samples that were tried cannot be solved"), std::string::npos)
-        << refused;
+    EXPECT_NE(refused.find(" of 64 trial samples cannot be solved"), std::string::npos) << refused;
     const std::string isolated = note("linear", [](auto x, auto y) {
         y[0] = x[0];
         return x[0] == 0.0;
@@ -415,7 +414,7 @@ TEST(Study, FewSamplesAreCalledFew) {
     };
     const Part one = whole(problem(normal_study(2, "sobol", 1, 1), {0, 0}, function));
     EXPECT_TRUE(write_results(one).at("watched").at("/y").at("standard_deviation").is_null());
-    EXPECT_EQ(notes_text(one), "A standard deviation takes two samples that can be solved.\n");
+    EXPECT_EQ(notes_text(one), "A standard deviation needs two solved samples.\n");
     const Json total = write_results(one).at("watched").at("/y").at("total");
     for (const auto& [key, index] : total.items()) {
         EXPECT_TRUE(index.is_null()) << key;

@@ -140,23 +140,23 @@ TEST(Compensation, WordsOfATechnician) {
         return describe(advice, excess_g * gram, r, limit).english();
     };
     EXPECT_EQ(words(4.3225), "Machine all 8 steel plugs by 1.83 g each.");
-    EXPECT_EQ(words(5.0), "Replace all 8 plugs by aluminium ones lightened by 0.28 g each.");
+    EXPECT_EQ(words(5.0), "Replace all 8 plugs by aluminium plugs, lightened by 0.28 g each.");
     EXPECT_EQ(words(0.1),
-              "Leave the plugs as they are: the excess of 0.10 g per crankpin is 4.0 g·mm, within "
+              "Leave the plugs unchanged: the excess of 0.10 g per crankpin is 4.0 g·mm, within "
               "the 5.0 g·mm allowed.");
     EXPECT_EQ(words(4.7),
-              "Machine all 8 steel plugs by 1.95 g each. This leaves 0.10 g too much on each "
+              "Machine all 8 steel plugs by 1.95 g each. This leaves an excess of 0.10 g on each "
               "crankpin: 3.8 g·mm, within the 5.0 g·mm allowed.");
     EXPECT_EQ(words(7.0),
-              "No plug of this crankshaft can be made light enough. The nearest is "
-              "“Aluminium plugs”, which leaves 1.05 g too much on each crankpin: 42.1 g·mm "
-              "against the 5.0 g·mm allowed. With it take 1.05 g off each piston. A crankshaft "
-              "made for the new plugs would do: “New crankshaft, aluminium plugs”.");
+              "No plug of this crankshaft can be made light enough. The nearest option is "
+              "“Aluminium plugs”, which leaves an excess of 1.05 g on each crankpin: 42.1 g·mm "
+              "against the 5.0 g·mm allowed. Also take 1.05 g off each piston. A crankshaft for "
+              "the new plugs would be suitable: “New crankshaft, aluminium plugs”.");
     EXPECT_EQ(words(-1.0),
-              "The parts are 1.00 g per crankpin lighter than nominal (40.0 g·mm), and plugs can "
-              "only be lightened: heavier parts or heavier plugs are needed.");
+              "The parts are 1.00 g per crankpin lighter than nominal (40.0 g·mm). Plugs can only "
+              "be lightened: use heavier parts or heavier plugs.");
     EXPECT_EQ(words(1.0, Crankshaft::new_plugs), "Machine all 8 new steel plugs by 0.41 g each.");
-    EXPECT_EQ(words(1.92, Crankshaft::new_plugs), "Fit today's 8 steel plugs as they are.");
+    EXPECT_EQ(words(1.92, Crankshaft::new_plugs), "Fit the 8 present steel plugs unchanged.");
 }
 
 // The counterweights expect the new plugs: what is taken off them at their own radius is what they
@@ -180,8 +180,8 @@ TEST(Compensation, WhatCannotBeMadeIsNotAdvised) {
     EXPECT_EQ(none.option->id, OptionId::steel_machined);
     EXPECT_FALSE(none.with_other_crankshaft);
     EXPECT_EQ(describe(none, 4.3225 * gram, plugs.crank_radius, limit).english(),
-              "“Machine today's steel plugs” would do with 1.83 g off each plug, but the plug "
-              "cannot be made so. No cutter is so small.");
+              "“Machine the steel plugs” would be suitable with 1.83 g off each plug, but such a "
+              "plug cannot be made. No cutter is so small.");
 }
 
 TEST(Compensation, NewPlugsAreMachinedAtTheirOwnRadius) {
@@ -216,9 +216,8 @@ TEST(Compensation, ManufactureDropsRepairPartsThatAreTypedAndSaysSo) {
     input.process = Process::manufacture;
     EXPECT_DOUBLE_EQ(unbalanced_mass(input.changes(), 0.5), 6.0 * gram);
     ASSERT_EQ(not_counted(input).size(), 2U);
-    EXPECT_EQ(
-        not_counted(input)[1].english(),
-        "Repair shells of one crankpin Δmₛₕ: the typed 4.00 g does not count in manufacture.");
+    EXPECT_EQ(not_counted(input)[1].english(),
+              "Repair shells of one crankpin Δmₛₕ: the typed 4.00 g is not used in manufacture.");
 }
 
 TEST(Compensation, EngineWithoutAluminiumOrNewPlugsHasFewerOptions) {

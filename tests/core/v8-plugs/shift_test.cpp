@@ -96,9 +96,9 @@ TEST(Shift, OfTheRangeOfThePaperIsCorrectedAtBothEnds) {
     EXPECT_NEAR(weight(effect.greatest_reduction, 0.8 * millimetre), counted * plugs.plug_radius,
                 1e-15);
     EXPECT_EQ(describe(effect, tolerance).english(),
-              "The method neglects that the centre of mass of a machined plug moves, by 0.8 to 1.2 "
-              "mm in the paper: with it up to 6.9 g·mm would be left, beyond the 5.0 g·mm allowed. "
-              "Give the plug's sizes and the cutter, or take off 1.10 g to 1.12 g each instead.");
+              "The method neglects the shift of the plug's centre of mass, 0.8 to 1.2 mm in the "
+              "paper: the residual is up to 6.9 g·mm, permissible 5.0 g·mm. Enter the plug's sizes "
+              "and the cutter, or take off 1.10 g to 1.12 g each.");
     EXPECT_EQ(describe_action(option, effect.least_reduction, effect.greatest_reduction).english(),
               "Machine all 8 steel plugs by 1.10…1.12 g each.");
     // Of the smaller engine it stays within the tolerance.
@@ -141,8 +141,7 @@ TEST(Shift, MakesTheAnswerAmber) {
     EXPECT_EQ(result.at("state"), "warning");
     EXPECT_LT(bored.at("shift_effect").at("corrected_depth_mm").get<double>(),
               bored.at("boring").at("depth_mm").get<double>());
-    EXPECT_NE(result.at("warning").get<std::string>().find("from the face instead"),
-              std::string::npos);
+    EXPECT_NE(result.at("warning").get<std::string>().find(" from the face, "), std::string::npos);
     // A tolerance that covers it.
     json["tolerance_g_mm"] = 50;
     result = solve_scene(json, {});

@@ -283,7 +283,7 @@ TEST(Job, AsksForTheReadingOfTheOtherPlane) {
     const auto said = [&] { return solved(input).at("verdict").at("text"); };
     EXPECT_EQ(said(), "Enter the reading of the other plane.");
     input.erase("tolerance");
-    EXPECT_EQ(said(), "Enter what may remain for a verdict.");
+    EXPECT_EQ(said(), "Enter the permissible residual for a verdict.");
 }
 
 TEST(Job, OfASheetHalfFilledHangsNothingWithoutThePlugs) {
@@ -353,10 +353,9 @@ TEST(Job, RefusesWhatDoesNotGoTogether) {
         return error_of(input);
     };
     EXPECT_EQ(error_of(plugs_card()), "no error");
-    EXPECT_EQ(with("/parts_g", {{"piston", 500}}),
-              "/input/parts_g: must be left out where plugs are given");
+    EXPECT_EQ(with("/parts_g", {{"piston", 500}}), "/input/parts_g: must be left out with plugs");
     EXPECT_EQ(with("/factor", {{"reciprocating_percent", 40}}),
-              "/input/factor: must be left out where plugs are given");
+              "/input/factor: must be left out with plugs");
     EXPECT_TRUE(with("/engine/bank_angle_deg", 60).starts_with("/input/plugs: is allowed only"));
     EXPECT_TRUE(with("/engine/cylinders", 6).starts_with("/input/plugs: is allowed only"));
     EXPECT_TRUE(with("/engine/pin_split_deg", 5).starts_with("/input/plugs: is allowed only"));

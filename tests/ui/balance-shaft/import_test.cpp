@@ -174,7 +174,7 @@ TEST_F(ImportTest, SettingsThatACaseCannotHoldMakeAFileOfTheCycle) {
     ASSERT_TRUE(isRead(import));
     ASSERT_TRUE(import.isReady()) << qPrintable(import.troubleText());
     EXPECT_TRUE(import.needsOwnFile());
-    EXPECT_TRUE(import.doubtsText().contains(QStringLiteral("file of its own")));
+    EXPECT_TRUE(import.doubtsText().contains(QStringLiteral("separate CSV file")));
     EXPECT_FALSE(import.writeOwnFile(QStringLiteral("/dev/null/cycle.csv")).isEmpty());
     EXPECT_EQ(import.writeOwnFile(folder.filePath(QStringLiteral("cycle.csv"))), QString());
     model->edit(QStringLiteral("Trace"),

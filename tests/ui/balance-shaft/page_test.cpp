@@ -137,7 +137,8 @@ TEST_F(BalanceShaftPageTest, ARefusedTextIsTriedAgainWhenItsCauseIsGone) {
     from->selectAll();
     QTest::keyClicks(from, QStringLiteral("50"));
     QApplication::processEvents();
-    EXPECT_TRUE(to->trouble().startsWith(QStringLiteral("Refused before other values changed")));
+    EXPECT_TRUE(
+        to->trouble().startsWith(QStringLiteral("Not accepted before other values changed")));
     QTest::keyClick(from, Qt::Key_Return);
     QApplication::processEvents();
     EXPECT_TRUE(to->trouble().isEmpty());
@@ -187,7 +188,8 @@ TEST_F(BalanceShaftPageTest, ATraceATurnOffIsMovedByAButton) {
     EXPECT_NE(model->verdict().act, balance_shaft::move_trace_act);
     test::importBy(
         page, [&] { page.torqueSource()->importTrace(file.fileName()); }, test::keepAngles);
-    EXPECT_TRUE(test::named<QLabel>(page, "verdict")->text().contains(QStringLiteral("by a turn")));
+    EXPECT_TRUE(
+        test::named<QLabel>(page, "verdict")->text().contains(QStringLiteral("by one turn")));
     EXPECT_FALSE(move->isHidden());
     EXPECT_FALSE(test::named<QPushButton>(page, "move_trace_here")->isHidden());
     EXPECT_FALSE(test::named<QLabel>(page, "trace_doubts")->text().isEmpty());
@@ -320,7 +322,7 @@ TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {
     // Nor does what may be two numbers.
     table->setData(table->index(25, 1), QStringLiteral("1,893"), Qt::EditRole);
     EXPECT_EQ(table->trouble(),
-              QStringLiteral("Row 26: “1,893” may be 1893 or 1.893: type the one that is meant."));
+              QStringLiteral("Row 26: “1,893” may be 1893 or 1.893: enter one of them."));
     EXPECT_NEAR(model->result().M_up.min, -1000.5, 1e-9);
     table->setData(table->index(25, 1), QStringLiteral("900"), Qt::EditRole);
     EXPECT_NEAR(model->result().M_up.min, -900.0, 1e-9);
@@ -342,7 +344,7 @@ TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {
     for (int row = 40; row < 45; ++row) {
         table->setData(table->index(row, 1), QStringLiteral("-"), Qt::EditRole);
     }
-    EXPECT_TRUE(table->trouble().endsWith(QStringLiteral("Rows that are wrong besides: 4")))
+    EXPECT_TRUE(table->trouble().endsWith(QStringLiteral("Further rows with errors: 4")))
         << table->trouble().toStdString();
     for (int row = 40; row < 45; ++row) {
         table->setData(table->index(row, 1), QString::number(row), Qt::EditRole);

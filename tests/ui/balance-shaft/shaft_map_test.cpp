@@ -342,7 +342,7 @@ TEST_F(ShaftMapTest, AgainstAReferenceItShowsItsMapToo) {
     EXPECT_TRUE(view->words()->text().contains(QStringLiteral("Best place of old: ")))
         << view->words()->text().toStdString();
     move(plot->pixelOf({60 * mm, 60 * mm}), Qt::NoButton);
-    EXPECT_TRUE(view->words()->text().contains(QStringLiteral("Against old here: range ")))
+    EXPECT_TRUE(view->words()->text().contains(QStringLiteral("Compared with old here: range ")))
         << view->words()->text().toStdString();
     const QImage both = plot->grab().toImage();
     map->setCriterion(Criterion::Rms);
@@ -591,7 +591,7 @@ TEST_F(ShaftMapTest, WordsFollowTheShaft) {
 }
 
 TEST_F(ShaftMapTest, SaysThatTheBestPlaceIsWorseThanNone) {
-    const QString worse = QStringLiteral("worse than without a shaft");
+    const QString worse = QStringLiteral("Worse than without a shaft");
     EXPECT_FALSE(shaft_map_text::best(*map).contains(worse));
     // So far away that every place adds more than it takes.
     model->edit(QStringLiteral("Far"), [](balance_shaft::Input& input) {
@@ -613,7 +613,8 @@ TEST_F(ShaftMapTest, WhereNothingCanBeBuiltTheButtonSaysWhy) {
     });
     wait();
     EXPECT_FALSE(view->bestButton()->isEnabled());
-    EXPECT_TRUE(view->bestButton()->toolTip().contains(QStringLiteral("No place of the shaft")))
+    EXPECT_TRUE(
+        view->bestButton()->toolTip().contains(QStringLiteral("No place within the limits")))
         << view->bestButton()->toolTip().toStdString();
     EXPECT_TRUE(sizes->isFaded());  // it says so in its middle
     EXPECT_FALSE(model->result().is_buildable);

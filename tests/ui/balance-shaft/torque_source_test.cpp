@@ -122,7 +122,7 @@ TEST_F(TorqueSourceTest, ATraceOfOneTurnMakesATwoStrokeAndAnOddOneANote) {
     import(100.0);
     EXPECT_EQ(model->input().strokes, 2);
     EXPECT_EQ(model->result().curves.crank_angle_deg.back(), 360.0);
-    EXPECT_TRUE(model->doubtsText().contains(QStringLiteral("out of phase")));
+    EXPECT_TRUE(model->doubtsText().contains(QStringLiteral("Check the phase")));
 }
 
 TEST_F(TorqueSourceTest, ReadsAPressureTrace) {
@@ -147,7 +147,7 @@ TEST_F(TorqueSourceTest, ReadsAPressureTrace) {
     BalanceShaftPage reopened;
     reopened.model()->loadCase(input, beside, {});
     EXPECT_EQ(test::named<QLabel>(reopened, "trace_file")->text(),
-              QStringLiteral("The trace is that of trace.csv."));
+              QStringLiteral("Pressure trace: trace.csv."));
     write_text_file(path.toStdString(), "0;1\n360;x\n720;1\n");
     EXPECT_TRUE(test::importBy(page, [&] {
                     source->importTrace(path);

@@ -266,7 +266,7 @@ TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {
     // A computed cycle follows the speed.
     model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
     waitForStudy();
-    EXPECT_TRUE(answer().contains(QStringLiteral("Least bad"))) << answer().toStdString();
+    EXPECT_TRUE(answer().contains(QStringLiteral("Best compromise"))) << answer().toStdString();
     const double speed = model->input().angular_speed / units::rpm;
     const auto best = angles->valueAt(1, speed);
     ASSERT_TRUE(best.has_value());
@@ -279,7 +279,7 @@ TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {
         EXPECT_NEAR(plot->bands()[0].to, stretch.from / degree, 1e-9);
     }
     EXPECT_EQ(angles->bands()[0].orientation, Qt::Vertical);
-    EXPECT_TRUE(answer().contains(QStringLiteral("cannot be built"))) << answer().toStdString();
+    EXPECT_TRUE(answer().contains(QStringLiteral("does not fit"))) << answer().toStdString();
     // A click into the map sets the angle.
     QTRY_VERIFY_WITH_TIMEOUT(map->plotArea().contains(map->toPixel(200.0, speed)), 5000);
     QTest::mouseClick(map, Qt::LeftButton, {}, map->toPixel(200.0, speed).toPoint());
@@ -336,7 +336,7 @@ TEST_F(BalanceShaftViewsTest, AnEmptySpeedMapHasItsRemedyBesideIt) {
     QTest::mouseClick(rebuild, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!model->speedStudy()->job()->isRunning() && !rebuild->isVisible(),
                              20000);
-    EXPECT_TRUE(answer().contains(QStringLiteral("Least bad"))) << answer().toStdString();
+    EXPECT_TRUE(answer().contains(QStringLiteral("Best compromise"))) << answer().toStdString();
     EXPECT_NE(map->title(), empty);
     // The rebuilt numbers are shown shorter than they are.
     const QAbstractItemModel* table = page.torqueEditor()->view()->model();
@@ -429,7 +429,7 @@ TEST_F(BalanceShaftViewsTest, SizeFollowsTheShaft) {
     PartPlot* sizes = openPlot("sizes");
     PartPlot* range = partPlot(page, "range-over-size");
     EXPECT_EQ(sizes->bands().size(), 2U);
-    EXPECT_EQ(range->curveName(1), QStringLiteral("can be built"));
+    EXPECT_EQ(range->curveName(1), QStringLiteral("feasible"));
     model->setShaftAngleDeg(90.0);
     EXPECT_NEAR(*sizes->valueAt(0, 90.0), 1e3 * model->result().envelope.width(), 1e-6);
     QTest::mouseClick(

@@ -156,7 +156,7 @@ TEST(ElasticHingeModel, MotionsComeFromTheWorkerThread) {
                [](auto& input) { input.guide_sign = GuideSign::as_printed; });
     waitForMotions(model);
     EXPECT_EQ(model.motions()->crank->end, elastic_hinge::MotionEnd::reversed);
-    EXPECT_TRUE(model.motionsText().contains(QStringLiteral("turn back")));
+    EXPECT_TRUE(model.motionsText().contains(QStringLiteral("reverses")));
     bool told = false;
     for (const ResultRow& row : model.quantities().rows) {
         told = told || row[1] == QStringLiteral("reverses");

@@ -500,7 +500,7 @@ TEST_F(ElasticHingePageTest, AnExportAsksAboutEntriesThatAreRefused) {
         box->button(QMessageBox::Cancel)->click();
     });
     QTest::mouseClick(find<QPushButton>("export_csv"), Qt::LeftButton);
-    EXPECT_TRUE(asked.contains(QStringLiteral("refused"))) << asked.toStdString();
+    EXPECT_TRUE(asked.contains(QStringLiteral("not accepted"))) << asked.toStdString();
 }
 
 TEST_F(ElasticHingePageTest, MotionIsCancelledByItsButton) {

@@ -217,7 +217,8 @@ TEST_F(InertiaMomentsPageTest, RigidRodIsSwitchedOnAsTwoMasses) {
 TEST_F(InertiaMomentsPageTest, RotatingMassIsGivenForACylinderOrForAThrow) {
     auto* given = page.findChild<QComboBox*>(QStringLiteral("rotating_mass_given"));
     auto* onThrow = page.findChild<QLabel*>(QStringLiteral("mass_on_throw"));
-    EXPECT_TRUE(field("rotating_mass_kg")->toolTip().startsWith(QStringLiteral("Of one cylinder")));
+    EXPECT_TRUE(
+        field("rotating_mass_kg")->toolTip().startsWith(QStringLiteral("Mass of one cylinder")));
     EXPECT_FALSE(given->isEnabled());  // each pin of the VR5 has one rod
     EXPECT_EQ(onThrow->text(), QStringLiteral("0.8\u00A0kg, rods: 1"));
     model->chooseLayout(QStringLiteral("v8-cross-plane"));
@@ -256,7 +257,7 @@ TEST_F(InertiaMomentsPageTest, TwoStrokesFireInOneTurn) {
     EXPECT_FALSE(model->result().firing_trouble.empty());
     auto* misfit = test::named<QLabel>(page, "firing_misfit");
     EXPECT_FALSE(misfit->isHidden());
-    EXPECT_TRUE(misfit->text().contains(QStringLiteral("cannot be run through")));
+    EXPECT_TRUE(misfit->text().contains(QStringLiteral("cannot fire in the order")));
     EXPECT_FALSE(page.grab().isNull());
     model->setFiringOrder(inertia_moments::dead_centre_order(model->result().engine));
     EXPECT_EQ(model->result().firing.size(), 8U);
@@ -464,7 +465,7 @@ TEST_F(InertiaMomentsPageTest, ARefusedCellIsNamedUntilItIsMended) {
     EXPECT_TRUE(line->text().contains(QStringLiteral("Cylinder 5, master rod: must be a whole")));
     EXPECT_FALSE(put(4, CylinderTableModel::Master, "2"));
     EXPECT_TRUE(line->text().contains(
-        QStringLiteral("Cylinder 5, master rod: must be a rod on the crankpin itself")));
+        QStringLiteral("Cylinder 5, master rod: must be a rod on the crankpin; the rod")));
     EXPECT_FALSE(line->text().contains(QStringLiteral("/input")));
     EXPECT_FALSE(status.last().at(0).toString().contains(QStringLiteral("/input")));
     // One after the other they go.
@@ -933,7 +934,7 @@ TEST_F(InertiaMomentsPageTest, OrdersAreATabWhereTheWindowIsLow) {
 
 TEST_F(InertiaMomentsPageTest, ResultsGoToTheClipboardWhole) {
     const QString text = page.resultsAsText();
-    for (const char* part : {"two-term", "+kω", "mρ, g·mm", "Front web", "left, %"}) {
+    for (const char* part : {"two-term", "+kω", "mρ, g·mm", "Front web", "residual, %"}) {
         EXPECT_TRUE(text.contains(QString::fromUtf8(part))) << part;
     }
     EXPECT_TRUE(page.resultsAsCsv().contains(QLatin1Char(',')));

@@ -83,7 +83,7 @@ TEST(CaseBudgetModel, ShowsEachLeadingResultWithWhatChangesIt) {
     QSignalSpy changed(&model, &CaseBudgetModel::changed);
     model.load(std::nullopt);
     EXPECT_TRUE(model.results().rows.isEmpty());
-    EXPECT_TRUE(messageText(model.verdict().text).startsWith(QStringLiteral("No case is open")));
+    EXPECT_TRUE(messageText(model.verdict().text).startsWith(QStringLiteral("Open a case")));
     const auto load = [&](const std::optional<OpenCase>& open) {
         model.load(open);
         ASSERT_TRUE(QTest::qWaitFor([&] { return !model.isRunning(); }, test::patience));

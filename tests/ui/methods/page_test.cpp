@@ -163,7 +163,7 @@ TEST_F(MethodsPageTest, ZeroAndRefusalHaveRowsOfTheirOwn) {
     }
     bool said = false;
     for (int row = 0; row < page.table()->rowCount(); ++row) {
-        said = said || page.table()->item(row, 3)->text() == QStringLiteral("refused");
+        said = said || page.table()->item(row, 3)->text() == QStringLiteral("rejected");
     }
     EXPECT_TRUE(said);
 }

@@ -107,7 +107,7 @@ TEST(MethodWords, TimesAndErrorsReadWell) {
     EXPECT_EQ(errorNumber(0.0), QStringLiteral("0"));
     EXPECT_EQ(errorNumber(1e-9), QStringLiteral("10⁻⁹"));
     EXPECT_EQ(errorNumber(3.21e-16), QStringLiteral("3.2·10⁻¹⁶"));
-    EXPECT_EQ(resultText({0.0, "the mechanism locks"}), QStringLiteral("refused"));
+    EXPECT_EQ(resultText({0.0, "the mechanism locks"}), QStringLiteral("rejected"));
 }
 
 TEST(MethodWords, ValuesNearALimitKeepTheDigitsThatTellThemFromIt) {

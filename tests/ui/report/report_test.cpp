@@ -416,7 +416,7 @@ TEST_F(ReportInWindow, SpeaksOfTheFileThatWasOpened) {
     ASSERT_EQ(window.writeReport(html), QString());
     EXPECT_TRUE(fileText(html).contains(opened));
     EXPECT_FALSE(fileText(html).contains(sumOf(fileText(path))));
-    EXPECT_TRUE(fileText(html).contains(u"as it was read"_s));
+    EXPECT_TRUE(fileText(html).contains(u"the file has changed"_s));
     // What is not saved yet has the sum of what would be saved.
     window.currentPage()->model()->setByKey(u"shaft_angle_deg"_s, u"50"_s);
     ASSERT_EQ(window.writeReport(html), QString());
@@ -487,7 +487,7 @@ TEST_F(ReportInWindow, HasTheAnswerAndTheVariantsFirst) {
     EXPECT_FALSE(all.contains(u"range · Mᵤₚ, "_s));
     EXPECT_TRUE(all.contains(u"range · Mᵤₚₛ, "_s));
     EXPECT_FALSE(all.contains(u"Δ 0"_s));
-    EXPECT_TRUE(all.simplified().contains(u"curves of As drawn are pale"_s));
+    EXPECT_TRUE(all.simplified().contains(u"curves of As drawn are dimmed"_s));
 }
 
 TEST_F(ReportInWindow, SaysOfWhichVariantsAFileHasChanged) {

@@ -523,7 +523,7 @@ TEST_F(DocumentsTest, AJobThatIsRemovedInAnotherTabSaysSo) {
     EXPECT_EQ(tabs().constFirst(), u"A-1 *"_s);
     press(Qt::Key_Tab);
     EXPECT_EQ(test::named<QLabel>(*page, "banner")->text(),
-              u"The job on the sheet was removed from the journal. It is saved nowhere now."_s);
+              u"The job on the sheet was removed from the journal. The job is not saved now."_s);
     press(Qt::Key_F2, {});
     EXPECT_TRUE(QTest::qWaitFor([&] { return desk->jobId() != 0; }));
     EXPECT_FALSE(test::named<QLabel>(*page, "banner")->isVisible());

@@ -130,7 +130,7 @@ TEST_F(JobSavingTest, TheKeyAsksWhatTheJournalsKeyAsks) {
     };
     answer(u"Enter one"_s);
     press(Qt::Key_S);
-    EXPECT_TRUE(asked.contains(u"nobody could find the job"_s)) << asked.toStdString();
+    EXPECT_TRUE(asked.contains(u"the journal could not find the job"_s)) << asked.toStdString();
     EXPECT_EQ(numbers(), QStringList());
     EXPECT_TRUE(document().needsSaving());
     EXPECT_EQ(window->focusWidget()->objectName(), u"engine_number"_s);

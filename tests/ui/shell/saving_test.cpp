@@ -252,7 +252,7 @@ TEST_F(SavingTest, ClosingAsksWhereNothingButARefusedEntryStands) {
     answer("Stay");
     EXPECT_FALSE(window.close());
     EXPECT_EQ(asked.size(), 2);
-    answer("Go on without them");
+    answer("Continue without them");
     press(Qt::Key_W);
     EXPECT_EQ(asked.size(), 3);
     EXPECT_NE(window.windowTitle().indexOf(QStringLiteral("Ravnoves")), -1);
@@ -302,7 +302,7 @@ TEST_F(SavingTest, NotesTypedAreNotLostByEscape) {
     QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     open = dialog();
     QTest::keyClicks(test::named<QPlainTextEdit>(*open, "case_notes"), QStringLiteral("zero "));
-    answer("Don’t keep");
+    answer("Discard");
     QTest::keyClick(open, Qt::Key_Escape);
     EXPECT_FALSE(open->isVisible());
     EXPECT_EQ(model().notes(), QStringLiteral("one\ntwo"));
@@ -320,13 +320,13 @@ TEST_F(SavingTest, RefusedEntriesAreSaidBeforeTheCaseIsWritten) {
     ASSERT_EQ(asked.size(), 1);
     EXPECT_TRUE(asked[0].contains(QStringLiteral("“abc” is not a number")))
         << asked[0].toStdString();
-    EXPECT_TRUE(asked[0].contains(QStringLiteral("A value is needed"))) << asked[0].toStdString();
+    EXPECT_TRUE(asked[0].contains(QStringLiteral("Enter a value"))) << asked[0].toStdString();
     EXPECT_EQ(read_text_file(fsPath(path)), before);
     answer("Stay");
     press(Qt::Key_R);
     ASSERT_EQ(asked.size(), 2);
     EXPECT_EQ(asked[1], asked[0]);
-    answer("Go on without them");
+    answer("Continue without them");
     press(Qt::Key_S);
     ASSERT_EQ(asked.size(), 3);
     EXPECT_NE(read_text_file(fsPath(path)), before);

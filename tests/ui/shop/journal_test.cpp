@@ -118,7 +118,7 @@ TEST_F(JournalTest, SearchesByNumberCustomerAndDate) {
     add(u"ЗМЗ-001"_s, u"Иванов"_s, QDate(2024, 1, 10));
     add(u"ЗМЗ-002"_s, u"Петров"_s, QDate(2024, 2, 10));
     add(u"zil 100%"_s, u"Smith_Co"_s, QDate(2024, 3, 10));
-    add(u"no date"_s, u"Иванова"_s, QDate());
+    add(u"not a date"_s, u"Иванова"_s, QDate());
     const auto numbers = [&](const QString& text, const QDate& from = {}, const QDate& to = {}) {
         QStringList found;
         for (const JournalJob& job : journal.search({text, from, to, 100, false})) {
@@ -127,7 +127,7 @@ TEST_F(JournalTest, SearchesByNumberCustomerAndDate) {
         return found;
     };
     EXPECT_EQ(numbers(u"змз"_s), (QStringList{u"ЗМЗ-002"_s, u"ЗМЗ-001"_s}));
-    EXPECT_EQ(numbers(u"  ИВАНОВ "_s), (QStringList{u"ЗМЗ-001"_s, u"no date"_s}));
+    EXPECT_EQ(numbers(u"  ИВАНОВ "_s), (QStringList{u"ЗМЗ-001"_s, u"not a date"_s}));
     EXPECT_EQ(numbers(u"100%"_s), (QStringList{u"zil 100%"_s}));
     EXPECT_EQ(numbers(u"кв-17"_s).size(), 4);  // the crankshaft's number
     EXPECT_EQ(numbers(u"%"_s), (QStringList{u"zil 100%"_s}));
@@ -205,8 +205,8 @@ TEST_F(JournalTest, FaultsAreSaidInWords) {
                                                  QSqlError::StatementError,
                                                  QString::fromLatin1(code)));
     };
-    EXPECT_EQ(said("13"), u"there is no space left on the disk"_s);
-    EXPECT_EQ(said("778"), u"the disk does not read or write it"_s);  // IOERR_WRITE
+    EXPECT_EQ(said("13"), u"the disk is full"_s);
+    EXPECT_EQ(said("778"), u"disk error"_s);  // IOERR_WRITE
     EXPECT_EQ(said("1"), u"of the database"_s);
 }
 
@@ -338,7 +338,7 @@ TEST_F(JournalTest, WithSomethingOfAnotherProgramInItIsRefused) {
         Journal own(path());
         ASSERT_TRUE(own.open());
         EXPECT_FALSE(own.restore(file));
-        EXPECT_TRUE(own.lastError().contains(u"no backup"_s)) << qPrintable(own.lastError());
+        EXPECT_TRUE(own.lastError().contains(u"not a backup"_s)) << qPrintable(own.lastError());
         EXPECT_TRUE(own.search({}).isEmpty());
         EXPECT_TRUE(files(u"*damaged*"_s).isEmpty());
         for (const QString& name : files(u"foreign*"_s)) {
@@ -378,7 +378,7 @@ TEST_F(JournalTest, APipeIsRefused) {
         Journal own(path());
         ASSERT_TRUE(own.open());
         EXPECT_FALSE(own.restore(file)) << suffix;
-        EXPECT_TRUE(own.lastError().contains(u"no backup"_s)) << qPrintable(own.lastError());
+        EXPECT_TRUE(own.lastError().contains(u"not a backup"_s)) << qPrintable(own.lastError());
         for (const char* each : {"", "-journal", "-wal", "-shm"}) {
             QFile::remove(file + QLatin1String(each));
         }

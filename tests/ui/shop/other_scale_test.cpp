@@ -97,9 +97,9 @@ TEST_F(OtherScaleTest, SaysWhichLinesAreAwaited) {
         send("\x02"
              "569.00 g\r\n"));
     EXPECT_EQ(weights.size(), 1);
-    EXPECT_EQ(said,
-              u"Waits for lines such as “S S    568.50 g”; got “‹02›569.00 g”. Another scale? "
-              u"Open Edit ▸ Scale…."_s);
+    EXPECT_EQ(
+        said,
+        u"Expected lines such as “S S    568.50 g”, got “‹02›569.00 g”. For another scale open Edit ▸ Scale…."_s);
     // A line of its form is taken as before, and the reason is gone.
     ASSERT_TRUE(send("S S    570.00 g\r\n"));
     EXPECT_EQ(weights.constLast(), 570.0);

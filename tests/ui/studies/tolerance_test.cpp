@@ -403,7 +403,7 @@ TEST_F(Tolerances, WhatIsNoLimitStaysAndIsRefusedInWords) {
     type(tolerances->watched(), 0, WatchTable::Most, u"100"_s);
     EXPECT_TRUE(isRed(WatchTable::Least)) << "still no number";
     type(tolerances->watched(), 0, WatchTable::Least, u"200"_s);
-    EXPECT_TRUE(isRed(WatchTable::Least)) << "above the upper one";
+    EXPECT_TRUE(isRed(WatchTable::Least)) << "above the upper limit";
     EXPECT_FALSE(study().watch[0].min);
     type(tolerances->watched(), 0, WatchTable::Most, u"300"_s);
     EXPECT_FALSE(isRed(WatchTable::Least));

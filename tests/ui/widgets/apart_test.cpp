@@ -34,7 +34,7 @@ class ApartTest : public testing::Test {
         column->addWidget(apart_);
         column->addStretch();
         page_.resize(300, 400);
-        label_->setText(QStringLiteral("Least range 1000.0 N·m at 50.65°"));
+        label_->setText(QStringLiteral("Minimum range 1000.0 N·m at 50.65°"));
         page_.show();
         settle();
     }
@@ -50,7 +50,7 @@ class ApartTest : public testing::Test {
 
 TEST_F(ApartTest, OtherDigitsLeaveThePageAlone) {
     const int height = label_->height();
-    label_->setText(QStringLiteral("Least range 1066.7 N·m at 49.12°"));
+    label_->setText(QStringLiteral("Minimum range 1066.7 N·m at 49.12°"));
     QTest::qWait(150);
     EXPECT_EQ(page_.count, 0);
     EXPECT_EQ(label_->height(), height);
@@ -59,8 +59,8 @@ TEST_F(ApartTest, OtherDigitsLeaveThePageAlone) {
 TEST_F(ApartTest, ALongerTextGetsItsRoom) {
     const int height = label_->height();
     label_->setText(
-        QStringLiteral("Least range 1066.7 N·m at 49.12°, which cannot be built: the "
-                       "counterweight of the shaft meets the cylinder"));
+        QStringLiteral("Minimum range 1066.7 N·m at 49.12°, which does not fit: the counterweight "
+                       "of the shaft meets the cylinder"));
     QTest::qWait(150);
     EXPECT_GT(page_.count, 0);
     EXPECT_GT(label_->height(), height);

@@ -165,8 +165,7 @@ TEST_F(NumberFieldTest, ACommaThatMayDivideThousandsIsAskedAbout) {
     EXPECT_EQ(field.value(), 1.25);
     QTest::keyClicks(&field, QStringLiteral("0"));
     EXPECT_EQ(field.value(), 46.0) << "neither 1250 nor 1.25";
-    EXPECT_EQ(field.trouble(),
-              QStringLiteral("“1,250” may be 1250 or 1.25: type the one that is meant."));
+    EXPECT_EQ(field.trouble(), QStringLiteral("“1,250” may be 1250 or 1.25: enter one of them."));
     QTest::keyClicks(&field, QStringLiteral("5"));
     EXPECT_EQ(field.value(), 1.2505) << "no thousands";
     // Also where only one of both is allowed.
@@ -397,8 +396,7 @@ TEST_F(ValueSliderTest, ACommaThatMayDivideThousandsIsAskedAbout) {
     QTest::keyClicks(speed.box(), QStringLiteral("3,600"));
     QTest::keyClick(speed.box(), Qt::Key_Return);
     EXPECT_EQ(speed.value(), 3000.0);
-    EXPECT_EQ(speed.trouble(),
-              QStringLiteral("“3,600” may be 3600 or 3.6: type the one that is meant."));
+    EXPECT_EQ(speed.trouble(), QStringLiteral("“3,600” may be 3600 or 3.6: enter one of them."));
 }
 
 TEST_F(ValueSliderTest, WhatIsTypedKeepsItsDecimals) {
@@ -522,11 +520,10 @@ TEST(NumberList, ReadsNumbersOneAfterTheOther) {
                     "Drills: must be numbers with blanks or semicolons between them, got \"mm\""),
           std::pair("8 -3", "Drills: must be greater than 0 and at most 100 mm, got -3 mm"),
           std::pair("8,10",
-                    "Drills: must be two numbers or one: write \"8; 10\" or \"8,1\", got "
-                    "\"8,10\""),
-          std::pair("6, 10,0mm",
-                    "Drills: must be two numbers or one: write \"10; 0\" or \"10\", "
-                    "got \"10,0mm\"")}) {
+                    "Drills: must be two numbers or one: enter \"8; 10\" or \"8,1\", got \"8,10\""),
+          std::pair(
+              "6, 10,0mm",
+              "Drills: must be two numbers or one: enter \"10; 0\" or \"10\", got \"10,0mm\"")}) {
         try {
             readNumberList(QString::fromUtf8(typed), drills);
             ADD_FAILURE() << typed;

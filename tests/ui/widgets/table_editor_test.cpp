@@ -43,8 +43,8 @@ TEST(TextTable, KeepsGapsWhereTheyMeanSomething) {
 
 TEST(TextTable, ThousandsAreNotTakenForDecimals) {
     EXPECT_EQ(mixedDecimalSigns(read("0.5\t1,893\n2\t3\n")),
-              QStringLiteral("Nothing is pasted: “1,893” has a comma and “0.5” a point. All must "
-                             "have the same decimal sign, and nothing between thousands."));
+              QStringLiteral("Not pasted: “1,893” has a comma, “0.5” a point. Use one decimal sign "
+                             "and no thousands separators."));
     for (const char* table : {"0,5\t1,893\n", "0.5\t1,89\n", "0.5\t0,893\n", "1.5\t1893\n",
                               "1,893 g\t0,5\n", "a.b\t1,893\n"}) {
         EXPECT_EQ(mixedDecimalSigns(read(table)), QString()) << table;

@@ -209,7 +209,7 @@ TEST_F(JobCardTest, HasTheHeadTheAnswerAndRoomForSignatures) {
          {u"53-11 № 0042817"_s, u"66-1005015"_s, u"Автобаза № 3"_s, u"Иванов А. П."_s,
           u"2024-05-31"_s, u"Machine all 8 steel plugs by 1.83 g each."_s,
           u"Oversize pistons, second repair shells"_s, u"Technician, signature"_s, u"FAIL"_s,
-          u"410.0"_s, u"900.5"_s, u"The plugs are out of the shaft then"_s}) {
+          u"410.0"_s, u"900.5"_s, u"With the plugs removed"_s}) {
         EXPECT_TRUE(english.contains(text)) << qPrintable(text) << qPrintable(english);
     }
     const QString russian = cardText(shopsJob(), u"ru"_s);
@@ -273,7 +273,7 @@ TEST_F(JobCardTest, SaysWhatMustNotBeOverlooked) {
         {R"({"thread": "M22x1.5", "height_mm": 14})",
          u"but a solid plug of these dimensions weighs"_s, true},
         {R"({"thread": "M22x1.5", "height_mm": 14, "bore_diameter_mm": 14, "bore_depth_mm": 14.5})",
-         u"there is no bottom"_s, false}};
+         u"no bottom remains"_s, false}};
     for (const auto& plug : plugs) {
         Json input = shopsJob();
         weigh(input, 600, 1.11);
@@ -282,7 +282,7 @@ TEST_F(JobCardTest, SaysWhatMustNotBeOverlooked) {
         const QString text = cardText(input, u"en"_s);
         EXPECT_TRUE(text.contains(plug.said)) << qPrintable(text);
         if (!plug.isDoubt) {
-            EXPECT_TRUE(text.contains(u"cannot be made so"_s)) << qPrintable(text);
+            EXPECT_TRUE(text.contains(u"such a plug cannot be made"_s)) << qPrintable(text);
         }
     }
 }
@@ -361,7 +361,7 @@ TEST_F(JobCardTest, HalfFilledJobSaysWhatIsMissing) {
     const Json input = parse_json(R"({"engine": {"type": "v", "cylinders": 8, "bank_angle_deg": 90},
         "plugs": {"engine": "8.32 l", "process": "repair"}})");
     const QString text = cardText(input, u"en"_s);
-    EXPECT_TRUE(text.contains(u"The bob weight still needs:"_s)) << qPrintable(text);
+    EXPECT_TRUE(text.contains(u"Missing for the bob weight:"_s)) << qPrintable(text);
     EXPECT_FALSE(text.contains(u"nan"_s));
 }
 

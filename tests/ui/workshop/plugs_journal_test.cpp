@@ -192,16 +192,16 @@ TEST_F(PlugsPageTest, JournalIsBackedUpAndRestoredByTheMenu) {
     type("engine_number", u"second"_s);
     press(Qt::Key_F2);
     command(u"restore"_s);
-    EXPECT_EQ(said, u"Jobs brought back: 1; already in the journal: 0."_s);
+    EXPECT_EQ(said, u"Jobs restored: 1; already in the journal: 0."_s);
     EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
     command(u"restore"_s);
-    EXPECT_EQ(said, u"Jobs brought back: 0; already in the journal: 1."_s);
+    EXPECT_EQ(said, u"Jobs restored: 0; already in the journal: 1."_s);
     QFile torn(backup);
     ASSERT_TRUE(torn.open(QIODevice::WriteOnly));
     torn.write("a letter");
     torn.close();
     command(u"restore"_s);
-    EXPECT_TRUE(said.contains(u"no backup"_s)) << qPrintable(said);
+    EXPECT_TRUE(said.contains(u"not a backup"_s)) << qPrintable(said);
     EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
     fileChoosers() = before;
 }
@@ -237,7 +237,7 @@ TEST_F(PlugsPageTest, JobWithoutAnAnswerIsSavedAndSaidSo) {
     press(Qt::Key_F2);
     ASSERT_EQ(status.count(), 1);
     EXPECT_TRUE(status.at(0).at(0).toString().contains(
-        u"put aside in the journal, unfinished. The bob weight still needs"_s));
+        u"put aside in the journal, unfinished. Missing for the bob weight"_s));
     const auto job = model->desk()->journal()->job(model->desk()->jobId());
     ASSERT_TRUE(job);
     EXPECT_FALSE(job->unbalancedMass);
@@ -400,23 +400,23 @@ TEST_F(PlugsPageTest, JournalDialogExportsWhatItLists) {
     };
     dialog.findChild<QLineEdit*>(u"journal_search"_s)->clear();
     QTest::keyClicks(from, u"31.02.2024"_s);
-    EXPECT_TRUE(says(u"is no date"_s));
+    EXPECT_TRUE(says(u"is not a date"_s));
     from->selectAll();
     QTest::keyClick(from, Qt::Key_Delete);
-    EXPECT_FALSE(says(u"is no date"_s));
+    EXPECT_FALSE(says(u"is not a date"_s));
     EXPECT_TRUE(says(u"Jobs found: 1"_s)) << "the list is said again";
     EXPECT_EQ(dialog.findChild<QTableWidget*>(u"journal_table"_s)->rowCount(), 1);
     // Reversed, no day lies between them.
     auto* to = dialog.findChild<CheckedField*>(u"journal_to"_s);
     QTest::keyClicks(from, u"31.12.2199"_s);
     QTest::keyClicks(to, u"2024-01-01"_s);
-    EXPECT_TRUE(says(u"no day lies between"_s));
+    EXPECT_TRUE(says(u"is later than"_s));
     EXPECT_TRUE(from->isDoubtful() && to->isDoubtful());
     for (CheckedField* day : {from, to}) {
         day->selectAll();
         QTest::keyClick(day, Qt::Key_Delete);
     }
-    EXPECT_FALSE(says(u"no day lies between"_s));
+    EXPECT_FALSE(says(u"is later than"_s));
     EXPECT_FALSE(from->isDoubtful());
     // Enter opens the one that is found.
     QTest::keyClick(dialog.findChild<QLineEdit*>(u"journal_search"_s), Qt::Key_Return);

@@ -41,7 +41,7 @@ TEST_F(PlugsModelTest, ResultIsTheCommandLines) {
         EXPECT_EQ(model.inputJson(), input);
     }
     EXPECT_EQ(model.adviceText(),
-              u"Replace all 8 plugs by aluminium ones lightened by 0.56\u00A0g each."_s);
+              u"Replace all 8 plugs by aluminium plugs, lightened by 0.56\u00A0g each."_s);
 }
 
 TEST_F(PlugsModelTest, NumbersAreOfTheLanguageChosenLater) {
@@ -59,7 +59,7 @@ TEST_F(PlugsModelTest, OptionsWithConstantSlopeReachNeedAndWhatIsLeft) {
     const auto rows = model.optionResults().rows;
     ASSERT_EQ(rows.size(), 5);
     EXPECT_EQ(rows.at(0).texts(),
-              (QStringList{u"✓ Machine today's steel plugs"_s, u"0.000"_s, u"2.360"_s, u"4.604"_s,
+              (QStringList{u"✓ Machine the steel plugs"_s, u"0.000"_s, u"2.360"_s, u"4.604"_s,
                            u"1.832"_s, u"0.000"_s, u"0.0"_s}));
     // For the other crankshaft, in brackets; 4.3225 − 6.25281 g times 40 mm.
     EXPECT_EQ(rows.at(4).texts(),
@@ -75,7 +75,7 @@ TEST_F(PlugsModelTest, HalfFilledSheetNamesWhatIsMissing) {
     PlugsModel model;
     // Nothing is known of the parts: no answer, and no option that would do.
     EXPECT_FALSE(model.plugs()->advice);
-    EXPECT_TRUE(model.adviceText().startsWith(u"Still needed for the plugs: changes of mass"_s))
+    EXPECT_TRUE(model.adviceText().startsWith(u"Missing for the plugs: changes of mass"_s))
         << qPrintable(model.adviceText());
     EXPECT_FALSE(model.plugs()->option(OptionId::steel_machined));
     EXPECT_EQ(model.shiftText(), QString());
@@ -93,7 +93,7 @@ TEST_F(PlugsModelTest, HalfFilledSheetNamesWhatIsMissing) {
     EXPECT_TRUE(model.resultJson().contains("error"));
     model.chooseEngine(3);  // 8.32 l: only the crank radius
     EXPECT_FALSE(model.plugs()->advice);
-    EXPECT_TRUE(model.adviceText().startsWith(u"Still needed for the plugs: plug radius rₚ"_s))
+    EXPECT_TRUE(model.adviceText().startsWith(u"Missing for the plugs: plug radius rₚ"_s))
         << qPrintable(model.adviceText());
     EXPECT_TRUE(model.engineNote().contains(u"only the crank radius"_s));
     EXPECT_EQ(model.hangText(), QString());
@@ -108,7 +108,7 @@ TEST_F(PlugsModelTest, RulesBetweenFieldsAreNamedNotLost) {
     model.editPlugs(u"limit"_s, [](auto& input) { input.engine.max_steel_reduction = 3 * gram; });
     EXPECT_EQ(model.troubles(),
               QStringList{
-                  u"Most off steel plug Δmₚₘ: must be less than the plug's mass, 2.790\u00A0g."_s});
+                  u"Max. off steel plug Δmₚₘ: must be less than the plug's mass, 2.790\u00A0g."_s});
     EXPECT_FALSE(model.plugs()->advice);
     model.editPlugs(u"mass"_s, [](auto& input) { input.engine.steel_plug_mass = 25 * gram; });
     EXPECT_TRUE(model.troubles().isEmpty());
@@ -168,14 +168,16 @@ TEST_F(PlugsModelTest, ColumnsHalfWeighedAreNamed) {
     model.editPlugs(u"typed"_s, [](auto& input) { input.changes_from_weigh_in = false; });
     // Typed changes count, and that is said.
     EXPECT_EQ(model.troubles(),
-              QStringList{u"The weights do not count: the typed mass changes are used."_s});
+              QStringList{u"Weighed masses are not used: the typed changes are selected."_s});
     EXPECT_EQ(model.troubles(), model.notCounted());
     EXPECT_EQ(model.columnNote(Part::pin).deviation, u"+1.00"_s);
     EXPECT_FALSE(model.columnNote(Part::pin).counts);
     model.editPlugs(u"source"_s, [](auto& input) { input.changes_from_weigh_in = true; });
     ASSERT_EQ(model.notCounted().size(), 2);
-    EXPECT_EQ(model.notCounted().at(0), u"Pin: 1 of 8 weighed; nominal counts until all are."_s);
-    EXPECT_TRUE(model.notCounted().at(1).startsWith(u"Rings: the weights do not count"_s));
+    EXPECT_EQ(model.notCounted().at(0),
+              u"Pin: 1 of 8 weighed; nominal is used until all are weighed."_s);
+    EXPECT_TRUE(
+        model.notCounted().at(1).startsWith(u"Rings: weighed masses need a nominal mass"_s));
     EXPECT_EQ(model.troubles(), model.notCounted());
     EXPECT_FALSE(model.plugs()->advice) << "no column counts yet";
     model.editWeights(u"weigh"_s,
@@ -184,7 +186,7 @@ TEST_F(PlugsModelTest, ColumnsHalfWeighedAreNamed) {
     EXPECT_TRUE(model.plugs()->advice);
     model.editPlugs(u"typed"_s, [](auto& input) { input.typed_changes.piston = 1 * gram; });
     EXPECT_EQ(model.notCounted().at(0),
-              u"Improved piston Δmₚᵢ: the typed 1.00\u00A0g is replaced by the weights."_s);
+              u"Improved piston Δmₚᵢ: the weighed masses replace the typed 1.00\u00A0g."_s);
 }
 
 TEST_F(PlugsModelTest, WhatIsTypedBesideWeightsThatDoNotCountYetIsSaid) {
@@ -195,8 +197,8 @@ TEST_F(PlugsModelTest, WhatIsTypedBesideWeightsThatDoNotCountYetIsSaid) {
     });
     ASSERT_TRUE(model.input().plugs->changes_from_weigh_in);
     EXPECT_FALSE(model.plugs()->advice);
-    EXPECT_TRUE(model.notCounted().at(0).startsWith(
-        u"Rod big end: the typed 0.50\u00A0g does not count yet."_s))
+    EXPECT_TRUE(
+        model.notCounted().at(0).startsWith(u"Rod big end: the typed 0.50\u00A0g is not used."_s))
         << qPrintable(model.notCounted().at(0));
 }
 
@@ -213,10 +215,10 @@ TEST_F(PlugsModelTest, WeightsReplaceOnlyWhatIsWeighed) {
     EXPECT_NEAR(*model.plugs()->unbalanced_mass, 22.1975 * gram, 1e-12);
     const QStringList said = model.notCounted();
     const QStringList expected{
-        u"Rod big end: the typed 0.50\u00A0g counts beside the weights."_s,
-        u"Repair piston and rings Δmᵣₚ: the typed 2.00\u00A0g is replaced by the weights."_s,
-        u"Repair shells of one crankpin Δmₛₕ: the typed 1.10\u00A0g counts beside the weights."_s,
-        u"Rod, big end: 1 of 8 weighed; the typed change counts until all are."_s};
+        u"Rod big end: the typed 0.50\u00A0g is used with the weighed masses."_s,
+        u"Repair piston and rings Δmᵣₚ: the weighed masses replace the typed 2.00\u00A0g."_s,
+        u"Repair shells of one crankpin Δmₛₕ: the typed 1.10\u00A0g is used with the weighed masses."_s,
+        u"Rod, big end: 1 of 8 weighed; the typed change is used until all are weighed."_s};
     EXPECT_EQ(said, expected) << qPrintable(said.join(u'\n'));
     EXPECT_EQ(model.crankpinResults().rows.at(0).at(1), u"22.20"_s);
     EXPECT_TRUE(model.plugsInput()->takes_typed(&MassChanges::rod_big_end));
@@ -250,7 +252,7 @@ TEST_F(PlugsModelTest, ShiftOfThePlannedBoreIsSaid) {
     PlugsModel model;
     model.loadInput(repairJob(), {});
     EXPECT_TRUE(model.shiftText().contains(u"1.5 to 2.3"_s)) << qPrintable(model.shiftText());
-    EXPECT_FALSE(model.shiftText().contains(u"Bored as planned"_s));
+    EXPECT_FALSE(model.shiftText().contains(u"With the planned bore"_s));
     model.editPlugs(u"plug"_s, [](auto& input) {
         input.plug.emplace();
         input.plug->thread = Thread{22e-3, 1.5e-3};
@@ -260,7 +262,7 @@ TEST_F(PlugsModelTest, ShiftOfThePlannedBoreIsSaid) {
     const Boring& boring = *model.plugs()->boring[0];
     EXPECT_GT(boring.shift, 0.0);
     // By hand: 233.3 mm³ cut 6.24 mm above the middle of 4861 mm³.
-    EXPECT_TRUE(model.shiftText().contains(u"Bored as planned here it moves by 0.31\u00A0mm"_s))
+    EXPECT_TRUE(model.shiftText().contains(u"With the planned bore it moves by 0.31\u00A0mm"_s))
         << qPrintable(model.shiftText());
     // 1.83 g twice, 6.24 mm farther out than counted: beyond the tolerance, so another depth.
     EXPECT_TRUE(model.shiftText().contains(u"22.9"_s)) << qPrintable(model.shiftText());
@@ -414,7 +416,7 @@ TEST_F(PlugsModelTest, OwnEnginesAreKept) {
     // A name in other capitals replaces, it does not stand beside.
     EXPECT_EQ(later.saveEngineAs(u"SECOND"_s), QString());
     EXPECT_EQ(later.engineNames().size(), 9);
-    EXPECT_FALSE(later.renameEngine(u"not kept"_s, u"other"_s).isEmpty());
+    EXPECT_FALSE(later.renameEngine(u"not saved"_s, u"other"_s).isEmpty());
     // Values that are damaged are said, and the sheet stays.
     ASSERT_TRUE(later.desk()->journal()->saveEngine({u"Broken"_s, "{\"crank_radius_mm\":"}));
     PlugsModel last(path());

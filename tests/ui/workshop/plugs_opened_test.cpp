@@ -131,7 +131,7 @@ TEST_F(PlugsPageTest, PlugsThatComeAndGoKeepPartsAndFactor) {
     EXPECT_TRUE(page.sheets()->isTabVisible(Plugs));
     EXPECT_FALSE(model->resultJson().at("error").get<std::string>().find("factor") !=
                  std::string::npos);
-    EXPECT_DOUBLE_EQ(model->input().plugs->tolerance, 7.0 * units::gram_mm) << "the shop's";
+    EXPECT_DOUBLE_EQ(model->input().plugs->tolerance, 7.0 * units::gram_mm) << "Shop limit";
     EXPECT_EQ(model->input().correction, without.correction);
     EXPECT_EQ(model->input().tolerance, without.tolerance);
     type("rod_big_end", u"0.5"_s);

@@ -45,7 +45,7 @@ TEST_F(PlugsPageTest, AnswerIsThatOfTheShiftWhereItMatters) {
     // Nothing below it says that all is well, and what is copied has the warning.
     EXPECT_FALSE(model->checkText().contains(u"balanced"_s)) << qPrintable(model->checkText());
     EXPECT_TRUE(model->optionResults().rows.at(0).constFirst().text.startsWith(u"! "_s));
-    EXPECT_TRUE(model->optionResults().rows.at(0).tip.contains(u"By the method alone"_s));
+    EXPECT_TRUE(model->optionResults().rows.at(0).tip.contains(u"By the method only"_s));
     EXPECT_TRUE(page.resultsAsText().contains(u"The method neglects"_s));
     EXPECT_TRUE(page.resultsAsText().contains(label("boring")));
     model->editPlugs(u"excess"_s, [](auto& input) {
@@ -60,7 +60,7 @@ TEST_F(PlugsPageTest, AnswerFollowsTyping) {
     type("repair_piston_and_rings", u"2"_s);
     type("repair_bearing", u"1.1"_s);
     EXPECT_EQ(label("advice"), u"Machine all 8 steel plugs by 1.83\u00A0g each."_s);
-    EXPECT_TRUE(label("headline").startsWith(u"The bob weight still needs: "_s));
+    EXPECT_TRUE(label("headline").startsWith(u"Missing for the bob weight: "_s));
     typeGear();
     EXPECT_EQ(label("headline"), u"Bob weight 2326.6\u00A0g"_s);
     EXPECT_TRUE(label("hang").startsWith(u"On each of the 4 crankpins."_s));
@@ -71,25 +71,25 @@ TEST_F(PlugsPageTest, AnswerFollowsTyping) {
     shells->selectAll();
     QTest::keyClicks(shells, u"2"_s);
     EXPECT_EQ(label("advice"),
-              u"Replace all 8 plugs by aluminium ones lightened by 0.38\u00A0g each."_s);
+              u"Replace all 8 plugs by aluminium plugs, lightened by 0.38\u00A0g each."_s);
     EXPECT_TRUE(page.resultsAsText().contains(u"5.223"_s)) << qPrintable(page.resultsAsText());
 }
 
 TEST_F(PlugsPageTest, AZeroThatWasTypedIsSomethingThatIsKnown) {
-    EXPECT_TRUE(label("advice").startsWith(u"Still needed for the plugs: changes of mass"_s))
+    EXPECT_TRUE(label("advice").startsWith(u"Missing for the plugs: changes of mass"_s))
         << qPrintable(label("advice"));
     EXPECT_EQ(colour("advice"), Theme::instance().mutedText());
     EXPECT_EQ(label("hang"), QString());
     EXPECT_EQ(field("rod_big_end")->value(), std::nullopt);
     type("rod_big_end", u"0"_s);
-    EXPECT_TRUE(label("advice").startsWith(u"Leave the plugs as they are"_s));
+    EXPECT_TRUE(label("advice").startsWith(u"Leave the plugs unchanged"_s));
     EXPECT_EQ(colour("advice"), Theme::instance().text());
     EXPECT_EQ(field("repair_bearing")->value(), 0.0);
     type("customer", u"Smith"_s);
     press(Qt::Key_F2);
     EXPECT_GT(model->desk()->jobId(), 0);
     press(Qt::Key_F4);
-    EXPECT_TRUE(label("advice").startsWith(u"Still needed for the plugs: changes of mass"_s));
+    EXPECT_TRUE(label("advice").startsWith(u"Missing for the plugs: changes of mass"_s));
 }
 
 TEST_F(PlugsPageTest, WhatWasRefusedGoesWithItsJob) {
@@ -142,7 +142,7 @@ TEST_F(PlugsPageTest, APlugThatCannotBeMadeIsNoAnswer) {
         parse_json(R"({"thread": "M22x1.5", "height_mm": 14, "bore_diameter_mm": 14,
         "bore_depth_mm": 14.5})");
     model->loadInput(input, {});
-    EXPECT_TRUE(label("advice").contains(u"there is no bottom"_s)) << qPrintable(label("advice"));
+    EXPECT_TRUE(label("advice").contains(u"no bottom remains"_s)) << qPrintable(label("advice"));
     EXPECT_EQ(colour("advice"), Theme::instance().error());
     EXPECT_TRUE(label("boring").isEmpty());
     type("bore_depth_mm", u"6"_s);
@@ -161,13 +161,13 @@ TEST_F(PlugsPageTest, SaysWhereThePlugsAreWhileTheBobWeightsHang) {
         model->plugs()->bob_weights[index(model->plugs()->advice->option->id)]->after;
     // About 59 g: two plugs of 25 g at 1.18 times the crank radius.
     EXPECT_GT(after.sum() - after.with_plugs_in(), 55 * gram);
-    EXPECT_TRUE(label("hang").contains(
-        u"The plugs are out of the shaft then; while they are in it hang "_s +
-        QString::number(after.with_plugs_in() / gram, 'f', 1)))
+    EXPECT_TRUE(label("hang").contains(u"With the plugs removed. With the plugs fitted use "_s +
+                                       QString::number(after.with_plugs_in() / gram, 'f', 1)))
         << qPrintable(label("hang"));
-    EXPECT_TRUE(label("check").contains(u"Big end × 2.445: 2 for two rods as usual"_s))
+    EXPECT_TRUE(label("check").contains(u"Big end × 2.445: 2 for two rods, k"_s))
         << qPrintable(label("check"));
-    EXPECT_TRUE(label("check").contains(u"worth 0.22\u00A0g here"_s)) << qPrintable(label("check"));
+    EXPECT_TRUE(label("check").contains(u"effect here: 0.22\u00A0g"_s))
+        << qPrintable(label("check"));
 }
 
 TEST_F(PlugsPageTest, PlotsShowLinesLimitsAndToday) {

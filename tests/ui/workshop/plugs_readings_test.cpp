@@ -58,12 +58,12 @@ TEST_F(PlugReadingsTest, AreJudgedByWhatMayRemain) {
 TEST_F(PlugReadingsTest, TheLimitOfThePlugsIsThePapersTheJobsOrTheShops) {
     EXPECT_TRUE(label("tolerance_owner").contains(u"Nazarov"_s));
     type("tolerance_g_mm", u"1440"_s);
-    EXPECT_TRUE(label("tolerance_owner").contains(u"for this job alone"_s));
+    EXPECT_TRUE(label("tolerance_owner").contains(u"for this job only"_s));
     auto* keep = find<QPushButton>("keep_tolerance");
     show(Parts);
     keep->setFocus();
     QTest::keyClick(keep, Qt::Key_Space);
-    EXPECT_TRUE(label("tolerance_owner").contains(u"the shop's own"_s));
+    EXPECT_TRUE(label("tolerance_owner").contains(u"Shop limit"_s));
     EXPECT_FALSE(keep->isVisible());
     PlugsModel next(model->desk()->journal()->path());
     EXPECT_NEAR(next.input().plugs->tolerance, 1440e-6, 1e-12);

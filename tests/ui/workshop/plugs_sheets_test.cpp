@@ -249,7 +249,7 @@ TEST_F(PlugsSheetsTest, ImpossibleEntriesAreRefusedInWords) {
     }
     auto* date = find<CheckedField>("date");
     type(date, u"31.02.2024"_s);
-    EXPECT_TRUE(date->trouble().contains(u"no date"_s));
+    EXPECT_TRUE(date->trouble().contains(u"not a date"_s));
     auto* thread = find<CheckedField>("thread");
     type(thread, u"22"_s);
     EXPECT_TRUE(thread->trouble().contains(u"M22×1.5"_s));

@@ -33,15 +33,15 @@ TEST_F(PlugsPageTest, AReportSaysWhichTypedChangesDoNotCount) {
             rows << row.join(u'|');
         }
     }
-    const QString unused = u"Not used: weights count in its place"_s;
+    const QString unused = u"Not used: the weighed masses replace it"_s;
     EXPECT_TRUE(rows.contains(u"Repair piston and rings Δmᵣₚ|2|g|"_s + unused))
         << qPrintable(rows.join(u'\n'));
     EXPECT_EQ(rows.filter(u"big end"_s).filter(unused).size(), 0);
-    EXPECT_EQ(rows.filter(u"Source of the mass changes|Weights of the parts"_s).size(), 1);
+    EXPECT_EQ(rows.filter(u"Source of the mass changes|Masses of the parts"_s).size(), 1);
     EXPECT_EQ(rows.filter(u"weigh-in"_s).size(), 0);
     // What is grey on the page is not so on paper.
     for (const QLabel* said : page.findChildren<QLabel*>()) {
-        EXPECT_FALSE(said->text().contains(u"in grey"_s) &&
+        EXPECT_FALSE(said->text().contains(u"Grey values"_s) &&
                      said->textInteractionFlags().testFlag(Qt::TextSelectableByMouse));
     }
 }
@@ -96,14 +96,14 @@ TEST_F(PlugsPageTest, WeighInSheetByKeyboard) {
     QTest::keyClick(use, Qt::Key_Space);
     EXPECT_TRUE(field("repair_piston_and_rings")->isEnabled());
     for (const char* name : {"troubles", "weigh_in_summary"}) {
-        EXPECT_TRUE(label(name).contains(u"The weights do not count"_s)) << name;
+        EXPECT_TRUE(label(name).contains(u"Weighed masses are not used"_s)) << name;
         EXPECT_EQ(find<QLabel>(name)->palette().color(QPalette::WindowText),
                   Theme::instance().warning())
             << name;
     }
-    EXPECT_TRUE(label("advice").startsWith(u"Still needed for the plugs: changes of mass"_s));
+    EXPECT_TRUE(label("advice").startsWith(u"Missing for the plugs: changes of mass"_s));
     QTest::keyClick(use, Qt::Key_Space);
-    EXPECT_FALSE(label("troubles").contains(u"do not count"_s));
+    EXPECT_FALSE(label("troubles").contains(u"need a nominal mass"_s));
     EXPECT_NEAR(model->plugs()->changes.repair_piston_and_rings, 3.5 * gram, 1e-12);
 }
 
@@ -123,7 +123,7 @@ TEST_F(PlugsPageTest, MovedPartsKeepTheirNumbersOnSheetAndCard) {
     const auto printed = [&] {
         const QString text = card();
         QString line;
-        isSuggested = text.contains(u"suggested, not applied yet"_s);
+        isSuggested = text.contains(u"suggested, not yet applied"_s);
         for (const QString& each : text.split(u'\n')) {
             line = each.contains(u"Piston set from"_s) ? each.simplified() : line;
         }
@@ -147,7 +147,7 @@ TEST_F(PlugsPageTest, MovedPartsKeepTheirNumbersOnSheetAndCard) {
     EXPECT_EQ(printed(), said());
     EXPECT_FALSE(isSuggested);
     EXPECT_EQ(model->assignmentResults().rows, table);
-    EXPECT_TRUE(label("weigh_in_summary").contains(u"Assemble by the numbers"_s));
+    EXPECT_TRUE(label("weigh_in_summary").contains(u"Assemble by set numbers"_s));
     // Kept by the case file.
     const workshop::Input kept = model->input();
     const Json file = model->inputJson();
@@ -199,7 +199,7 @@ TEST_F(PlugsPageTest, FittedPistonsStayAndWhatTheEngineFeelsIsMadeSmall) {
     // The card says what to take off pistons too far apart, and what is gained.
     const QString printed = card();
     EXPECT_TRUE(printed.contains(u"take off"_s)) << qPrintable(printed);
-    EXPECT_TRUE(printed.contains(u"What the placing changes"_s));
+    EXPECT_TRUE(printed.contains(u"Effect of the matching"_s));
     show(WeighIn);
     model->newJob();
     EXPECT_EQ(model->input().weigh_in->matching.pistons, shop::SetMoves::stays);
@@ -263,7 +263,7 @@ TEST_F(PlugsPageTest, NothingIsToBeDoneByDoubtedWeights) {
     EXPECT_TRUE(advice.startsWith(u"Machine all 8"_s)) << qPrintable(advice);
     auto* move = find<QPushButton>("move_parts");
     EXPECT_TRUE(move->isVisible());
-    EXPECT_TRUE(card().contains(u"suggested, not applied yet"_s));
+    EXPECT_TRUE(card().contains(u"suggested, not yet applied"_s));
     type("mass_piston_3", u"706"_s);
     EXPECT_EQ(label("advice"), QString());
     EXPECT_EQ(label("weigh_in_summary"), said);
@@ -274,7 +274,7 @@ TEST_F(PlugsPageTest, NothingIsToBeDoneByDoubtedWeights) {
     const QString printed = card().simplified();
     EXPECT_EQ(printed.count(said), 1) << qPrintable(printed);
     EXPECT_EQ(printed.count(u"cylinder 3 weighs"_s), 1) << qPrintable(printed);
-    EXPECT_FALSE(printed.contains(u"suggested, not applied"_s));
+    EXPECT_FALSE(printed.contains(u"suggested, not yet applied"_s));
     EXPECT_FALSE(printed.contains(u"lighter than nominal"_s) || printed.contains(advice));
     type("mass_piston_3", u"606"_s);
     EXPECT_EQ(label("advice"), advice);

@@ -126,7 +126,7 @@ TEST_F(DrilledTest, AHoleThatWasThereBeforeIsAddedAndKeptClearOf) {
     find<QPushButton>("add_hole")->click();
     ASSERT_EQ(model->input().correction->earlier_runs.size(), 1U);
     EXPECT_EQ(model->newestRun(), 0U) << "no run of the machine";
-    EXPECT_EQ(std::get<Results>(model->part("drilled")).rows.at(0).at(0).text, u"There before"_s);
+    EXPECT_EQ(std::get<Results>(model->part("drilled")).rows.at(0).at(0).text, u"Older holes"_s);
     const Json kept = model->inputJson();
     EXPECT_TRUE(find<QComboBox>("drilled_state_1")->isVisible());
     for (const bob_weights::Hole& each : holes()) {

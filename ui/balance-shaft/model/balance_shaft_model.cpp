@@ -380,34 +380,31 @@ Results BalanceShaftModel::criteria() const {
         {tr("Mᵤₚ"), tr("Tipping moment on the engine without a shaft, −Mᵢ")},
         {tr("Mₛ"), tr("Moment of the shaft, P₁ l sin(α + φ)")},
         {tr("Mᵤₚₛ"), tr("Moment on the mounts with the shaft, Mᵤₚ + Mₛ")},
-        {tr("change"),
-         tr("Mᵤₚₛ against Mᵤₚ, as a share of Mᵤₚ. Better: less range, RMS and maximum, "
-            "a minimum nearer to zero.")},
+        {tr("change"), tr("Change from Mᵤₚ to Mᵤₚₛ, relative to Mᵤₚ. Better: smaller range, RMS "
+                          "and maximum, minimum nearer to zero.")},
     }};
-    results.rows = {
-        row(tr("range"), &MomentMetrics::range,
-            judged(unlessNoise(result().range_change, result().M_up.range), true),
-            tr("Largest less smallest value over the cycle, max − min")),
-        row(tr("RMS"), &MomentMetrics::rms,
-            judged(unlessNoise(result().rms_change, result().M_up.rms), true),
-            tr("Root of the mean square about the mean over the cycle")),
-        row(tr("mean"), &MomentMetrics::mean,
-            percent(relative(result().M_ups.mean, result().M_up.mean)),
-            tr("Mean over the cycle; that of the shaft is 0 at every α")),
-        row(tr("max"), &MomentMetrics::max,
-            judged(relative(result().M_ups.max, result().M_up.max), true),
-            tr("Largest value over the cycle")),
-        row(tr("min"), &MomentMetrics::min,
-            judged(relative(result().M_ups.min, result().M_up.min), false),
-            tr("Smallest value over the cycle; most are negative, and nearer to zero is better"))};
+    results.rows = {row(tr("range"), &MomentMetrics::range,
+                        judged(unlessNoise(result().range_change, result().M_up.range), true),
+                        tr("Maximum minus minimum over the cycle")),
+                    row(tr("RMS"), &MomentMetrics::rms,
+                        judged(unlessNoise(result().rms_change, result().M_up.rms), true),
+                        tr("RMS about the mean over the cycle")),
+                    row(tr("mean"), &MomentMetrics::mean,
+                        percent(relative(result().M_ups.mean, result().M_up.mean)),
+                        tr("Mean over the cycle; for the shaft 0 at every α")),
+                    row(tr("max"), &MomentMetrics::max,
+                        judged(relative(result().M_ups.max, result().M_up.max), true),
+                        tr("Maximum over the cycle")),
+                    row(tr("min"), &MomentMetrics::min,
+                        judged(relative(result().M_ups.min, result().M_up.min), false),
+                        tr("Minimum over the cycle; usually negative, nearer to zero is better"))};
     if (isPapersCase()) {
         results.rows.push_back(
             {{tr("nodes"), moment(result().printed_mean_M_up), moment(result().printed_mean_M_s),
               moment(result().printed_mean_M_ups),
               percent(relative(result().printed_mean_M_ups, result().printed_mean_M_up))},
-             tr("Mean the way the paper takes it: over the printed rows, with the end of the cycle "
-                "counted twice. It shows what the paper's numbers are and says nothing of the "
-                "shaft.")});
+             tr("Mean of table rows (paper), with the end of the cycle counted twice. It "
+                "reproduces the paper's numbers only.")});
     }
     return results;
 }
@@ -417,19 +414,20 @@ Results BalanceShaftModel::quantities() const {
     Results results{{tr("Quantity"), tr("Value"), tr("Unit")}};
     results.rows = {
         shownRow(tr("Inertia force Pⱼ₁, max"), result().inertia_force_1_max, units::newton, 1,
-                 tr("Of first order, mⱼ r ω²")),
-        shownRow(tr("Counterweight m₁"), result().counterweight_mass, units::kg, 4,
-                 tr("Of each of the two counterweights, mⱼ r / (2 ρ₁), eq. (1), or as entered")),
+                 tr("First order, mⱼ r ω²")),
+        shownRow(
+            tr("Counterweight m₁"), result().counterweight_mass, units::kg, 4,
+            tr("Mass of each of the two counterweights, mⱼ r / (2 ρ₁), eq. (1), or as entered")),
         shownRow(tr("Counterweight force P₁"), result().counterweight_force, units::newton, 1,
                  tr("m₁ ρ₁ ω²")),
         shownRow(tr("Amplitude of Mₛ, P₁ l"), result().moment_amplitude, units::N_m, 2,
-                 tr("Largest moment of the shaft")),
+                 tr("Maximum moment of the shaft")),
         {{tr("First order's share of Mᵤₚ"),
           share ? ResultCell(100.0 * *share, number(100.0 * *share, 1))
                 : ResultCell(QStringLiteral("–")),
           QStringLiteral("%")},
-         tr("Of the mean square about the mean. It is all that a shaft at crank speed can "
-            "change.")},
+         tr("Share of the mean square about the mean; only this share can be changed by a shaft at "
+            "crank speed.")},
         {{tr("Envelope, width × height"),
           ResultCell::two(QStringLiteral("%1 × %2"),
                           shownCell(result().envelope.width(), units::mm, 0),
@@ -465,7 +463,7 @@ Results BalanceShaftModel::cycle() const {
         shownRow(tr("Mean torque"), -result().M_up.mean, units::N_m, 2,
                  tr("Work of a cycle over its crank angle")),
         ownRow(tr("Peak pressure"), cycle.peak_pressure / units::bar, 1, tr("bar"),
-               tr("Largest pressure in the cylinder")),
+               tr("Maximum pressure in the cylinder")),
         ownRow(tr("at crank angle"), cycle.peak_pressure_angle / degree, 1, QStringLiteral("°"),
                tr("Crank angle of the peak pressure")),
         shownRow(tr("Displacement"), cycle.displacement, units::cm3, 1,
@@ -473,12 +471,12 @@ Results BalanceShaftModel::cycle() const {
     };
     if (cycle.clearance) {
         results.rows << shownRow(tr("Clearance volume"), *cycle.clearance, units::cm3, 2,
-                                 tr("Displacement over the compression ratio less 1"));
+                                 tr("Displacement over the compression ratio minus 1"));
     }
     if (cycle.heat) {
         results.rows << ownRow(
             tr("Heat per cycle"), *cycle.heat, 1, tr("J"),
-            tr("Released by the combustion, entered or found for the mean pressure"));
+            tr("Heat released by the combustion, entered or from the mean pressure"));
     }
     return results;
 }
@@ -503,17 +501,17 @@ Results BalanceShaftModel::flywheel() const {
         {FlywheelWords::tr("Flywheel"), FlywheelWords::tr("Value"), FlywheelWords::tr("Unit")}};
     results.rows = {
         ownRow(tr("Excess work ΔE"), wheel.excess_work, 1, tr("J"),
-               tr("Largest less smallest ∫ (Mᵢ − mean) dφ over the cycle")),
+               tr("Maximum minus minimum of ∫ (Mᵢ − mean) dφ over the cycle")),
         row(tr("Fluctuation δ"), wheel.fluctuation, units::none, 4,
             tr("(ω_max − ω_min) / ω = ΔE / (J ω²)")),
         row(tr("Moment of inertia J"), wheel.inertia, units::kg_m2, 4,
-            tr("Of all that turns evenly, ΔE / (δ ω²)")),
-        row(tr("Speed swings by ±"), swing, units::rpm, 3,
-            tr("Half of δ n to either side of the mean speed")),
-        ownRow(tr("Fastest at crank angle"), wheel.max_angle / degree, 1, angle,
-               tr("Where the excess energy is largest")),
-        ownRow(tr("Slowest at crank angle"), wheel.min_angle / degree, 1, angle,
-               tr("Where the excess energy is smallest")),
+            tr("Moment of inertia of all rotating parts, ΔE / (δ ω²)")),
+        row(tr("Speed fluctuates by ±"), swing, units::rpm, 3,
+            tr("± half of δ n about the mean speed")),
+        ownRow(tr("Maximum speed at crank angle"), wheel.max_angle / degree, 1, angle,
+               tr("Crank angle of the maximum excess energy")),
+        ownRow(tr("Minimum speed at crank angle"), wheel.min_angle / degree, 1, angle,
+               tr("Crank angle of the minimum excess energy")),
     };
     return results;
 }
@@ -526,17 +524,17 @@ QString bestText(const Optimum& best, const Optimum& all, bool canBeBuilt,
         return QCoreApplication::translate("ravnoves::BalanceShaftModel", text);
     };
     if (!best.shaft_angle) {
-        return say(
-            QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel", "Every α is as good as any other."));
+        return say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel", "α has no effect."));
     }
     QString text =
         sentence.arg(number(*best.shaft_angle / degree, 2), shownNumber(best.value, units::N_m, 1));
     if (!canBeBuilt) {
-        text += say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel", "\nbut nothing can be built"));
+        text +=
+            say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel", "\nbut no position is feasible"));
     } else if (all.shaft_angle && *all.shaft_angle != *best.shaft_angle) {
         text += QLatin1Char('\n');
         text += say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel",
-                                      "%2 less at %1° – cannot be built"))
+                                      "%1° would give %2 less but does not fit"))
                     .arg(number(*all.shaft_angle / degree, 2),
                          shownNumber(best.value - all.value, units::N_m, 1));
     }
@@ -547,12 +545,12 @@ QString bestText(const Optimum& best, const Optimum& all, bool canBeBuilt,
 
 QString BalanceShaftModel::bestRangeText() const {
     return bestText(bestRange(), result().best_range, !result().buildable.stretches.empty(),
-                    tr("Least range %2 at %1°"));
+                    tr("Minimum range %2 at %1°"));
 }
 
 QString BalanceShaftModel::bestRmsText() const {
     return bestText(bestRms(), result().best_rms, !result().buildable.stretches.empty(),
-                    tr("Least RMS %2 at %1°"));
+                    tr("Minimum RMS %2 at %1°"));
 }
 
 QString BalanceShaftModel::notesText() const {

@@ -37,7 +37,7 @@ struct BalanceShaftScene {
     static Json write(const Input& input);
     static void keep(Input& input, const Json& kept, const CaseContext& context);
     static Json kept(const Input& input);
-    /// Its shaft may stand elsewhere.
+    /// Its shaft may be elsewhere.
     static bool isSameEngine(Input a, const Input& b) {
         a.shaft_angle = b.shaft_angle;
         return a == b;
@@ -95,7 +95,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     void pickShaftAngleDeg(double angle);
 
     /// Two- or four-stroke. A torque table that holds the same turn twice is halved or doubled with
-    /// it; any other and a trace keep their cycle and refuse. Returns as edit().
+    /// it; any other and a trace keep their cycle and reject. Returns as edit().
     QString setStrokes(int strokes);
     double cycleDeg() const { return input().cycle_deg(); }  ///< 360 or 720
 

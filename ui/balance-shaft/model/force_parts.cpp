@@ -65,7 +65,7 @@ Figure forceLocus(const BalanceShaftModel& model) {
          .role = Role::Sum,
          .width = 2.0,
          .toolTip = ForceWords::tr("With the shaft the first order is a point; the second order "
-                                   "along the cylinder stays")},
+                                   "along the cylinder remains")},
         balance_shaft::shaft_locus(balance));
     return figure;
 }
@@ -85,9 +85,9 @@ Results forces(const BalanceShaftModel& model) {
         row(RowWords::tr("across, κ P"), balance.across,
             RowWords::tr("Half-axis of the ellipse across the cylinder")),
         row(RowWords::tr("1st with shaft"), balance.with_shaft,
-            RowWords::tr("First order that the shaft's two counterweights leave")),
+            RowWords::tr("Residual first order with the shaft")),
         row(RowWords::tr("2nd order, λ mⱼ r ω²"), balance.second_order,
-            RowWords::tr("Second order along the cylinder; stays with and without a shaft")),
+            RowWords::tr("Second order along the cylinder, with and without a shaft")),
         row(RowWords::tr("on crank, κ mⱼ r"), balance.counterweight_moment,
             RowWords::tr("Static moment of the counterweight on the crank"), units::gram_mm)};
     return results;
@@ -105,14 +105,14 @@ Figure gearMoment(const BalanceShaftModel& model) {
         figure.add("low", play, error.crank_angle_deg, error.M_ups_low);
         play.inLegend = true;
         play.name = ForceWords::tr("play");
-        play.toolTip = ForceWords::tr("Band that the play of the gears leaves");
+        play.toolTip = ForceWords::tr("Band due to the play of the gears");
         figure.add("high", play, error.crank_angle_deg, error.M_ups_high);
     }
     figure.add("right",
-               {.name = ForceWords::tr("right"),
+               {.name = ForceWords::tr("correct"),
                 .role = Role::Sum,
                 .width = 2.4,
-                .toolTip = ForceWords::tr("Shaft in its right place")},
+                .toolTip = ForceWords::tr("Correct timing")},
                result.curves.crank_angle_deg, result.curves.M_ups);
     figure.add("wrong",
                {.name = ForceWords::tr("k teeth out"),
@@ -139,18 +139,18 @@ Results gears(const BalanceShaftModel& model) {
     results.rows = {
         {{RowWords::tr("phase error"), angle(error.phase_error, 2), degrees},
          RowWords::tr("360° k / z")},
-        shownRow(RowWords::tr("force left"), error.residual_force, units::newton, 0,
+        shownRow(RowWords::tr("residual force"), error.residual_force, units::newton, 0,
                  RowWords::tr("Constant force that turns against the crank, 2 P₁ |sin(δ/2)|")),
         {{RowWords::tr("range"), moments(error.right_range, to, error.range, 0), momentUnit},
-         RowWords::tr("ΔMᵤₚₛ, shaft in its right place → k teeth out")},
+         RowWords::tr("ΔMᵤₚₛ, correct timing → k teeth out")},
         {{RowWords::tr("RMS"), moments(error.right_rms, to, error.rms, 1), momentUnit},
-         RowWords::tr("RMS of Mᵤₚₛ, shaft in its right place → k teeth out")},
+         RowWords::tr("RMS of Mᵤₚₛ, correct timing → k teeth out")},
         {{RowWords::tr("play, ±"), angle(error.play, 3), degrees},
-         RowWords::tr("The shaft wanders this far to either side: play / l")},
+         RowWords::tr("Angle of the shaft within the play, to either side: play / l")},
         {{RowWords::tr("range in play"),
           moments(error.play_range_low, QStringLiteral("%1…%2"), error.play_range_high, 0),
           momentUnit},
-         RowWords::tr("Least and largest ΔMᵤₚₛ while the shaft wanders")}};
+         RowWords::tr("Minimum and maximum ΔMᵤₚₛ within the play")}};
     return results;
 }
 

@@ -173,8 +173,8 @@ QString ImportModel::doubtsText() const {
     }
     if (needsOwnFile()) {
         doubts << tr(
-            "The case file cannot hold these settings: the cycle is saved as a CSV file "
-            "of its own.");
+            "The case file cannot contain these settings: the cycle is saved as a separate CSV "
+            "file.");
     }
     return doubts.join(QLatin1Char('\n'));
 }

@@ -45,7 +45,7 @@ class ImportModel : public QObject {
     std::optional<int> column(int which) const;
     void decideColumn(int which, std::optional<int> column);
 
-    /// The first lines as they stand there, those of the header above the others.
+    /// The first lines as they are there, those of the header above the others.
     const std::vector<std::vector<std::string>>& lines() const { return look_.lines; }
     int headerLines() const { return static_cast<int>(reading().layout.header_lines.value_or(0)); }
     /// At most most_columns.

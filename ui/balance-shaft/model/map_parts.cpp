@@ -48,13 +48,13 @@ Figure places(const BalanceShaftModel& model) {
     Figure figure;
     switch (model.placeCriterion().kind) {
         case Kind::Range:
-            figure.title = PlacesWords::tr("Range against no shaft, %");
+            figure.title = PlacesWords::tr("Change in range vs. no shaft, %");
             break;
         case Kind::Rms:
-            figure.title = PlacesWords::tr("RMS against no shaft, %");
+            figure.title = PlacesWords::tr("Change in RMS vs. no shaft, %");
             break;
         case Kind::Both:
-            figure.title = PlacesWords::tr("Weighted sum against no shaft, %");
+            figure.title = PlacesWords::tr("Change in weighted sum vs. no shaft, %");
             break;
     }
     figure.x = {.title = PlacesWords::tr("x, mm"), .min = -view, .max = view};
@@ -66,7 +66,7 @@ Figure places(const BalanceShaftModel& model) {
 
 Figure distances(const BalanceShaftModel& model) {
     Figure figure;
-    figure.title = MapWords::tr("Best α of each l; thick: can be built");
+    figure.title = MapWords::tr("Best α of each l; thick: feasible");
     figure.x = {.title = MapWords::tr("l, mm"), .min = 0.0, .max = 200.0};
     figure.left = {.title = MapWords::tr("N·m")};
     figure.right = {.title = MapWords::tr("width × height, cm²")};
@@ -88,13 +88,13 @@ Figure distances(const BalanceShaftModel& model) {
     constexpr Measure range = &ShaftMap::Criteria::range;
     constexpr Measure rms = &ShaftMap::Criteria::rms;
     add("range",
-        {.name = MapWords::tr("least range"),
+        {.name = MapWords::tr("min. range"),
          .role = Role::Range,
          .width = 1.2,
          .toolTip = MapWords::tr("At its best α")},
         valuesOf(of.range, range));
     add("RMS",
-        {.name = MapWords::tr("least RMS"),
+        {.name = MapWords::tr("min. RMS"),
          .role = Role::Rms,
          .width = 1.2,
          .toolTip = MapWords::tr("At its best α")},
@@ -130,9 +130,9 @@ Figure distances(const BalanceShaftModel& model) {
         add(id, {.name = name, .role = role, .width = 3.4, .inLegend = false, .gaps = true},
             valuesOf(built, measure));
     };
-    addBuilt("range-built", MapWords::tr("least range, can be built"), Role::Range, of.rangeBuilt,
+    addBuilt("range-built", MapWords::tr("min. range, feasible"), Role::Range, of.rangeBuilt,
              range);
-    addBuilt("RMS-built", MapWords::tr("least RMS, can be built"), Role::Rms, of.rmsBuilt, rms);
+    addBuilt("RMS-built", MapWords::tr("min. RMS, feasible"), Role::Rms, of.rmsBuilt, rms);
     const auto mark = [&](const Place& built, const Place& all, Measure measure, Role role) {
         if (const Place& found = built ? built : all) {
             const double l = found->position.centre_distance();
@@ -152,13 +152,13 @@ Figure front(const BalanceShaftModel& model) {
     Figure figure;
     switch (model.placeCriterion().kind) {
         case Kind::Range:
-            figure.title = MapWords::tr("Range against size");
+            figure.title = MapWords::tr("Range and size");
             break;
         case Kind::Rms:
-            figure.title = MapWords::tr("RMS against size");
+            figure.title = MapWords::tr("RMS and size");
             break;
         case Kind::Both:
-            figure.title = MapWords::tr("Weighted sum against size");
+            figure.title = MapWords::tr("Weighted sum and size");
             break;
     }
     figure.x = {.title = MapWords::tr("width × height, cm²"), .min = 0.0, .max = 1.0};
@@ -193,12 +193,13 @@ Figure front(const BalanceShaftModel& model) {
     const double pad = std::max(0.04 * (high - low), 1e-3 * high);
     figure.x.min = std::min(low, area) - pad;
     figure.x.max = std::max(high, area) + pad;
-    Figure::Curve& shown = figure.add("front",
-                                      {.name = MapWords::tr("nothing better"),
-                                       .role = Role::Neutral,
-                                       .shape = plot::Shape::Rings,
-                                       .toolTip = MapWords::tr("In range, RMS and size at once")},
-                                      std::move(all.x), std::move(all.y));
+    Figure::Curve& shown =
+        figure.add("front",
+                   {.name = MapWords::tr("Pareto-optimal"),
+                    .role = Role::Neutral,
+                    .shape = plot::Shape::Rings,
+                    .toolTip = MapWords::tr("Pareto-optimal in range, RMS and size")},
+                   std::move(all.x), std::move(all.y));
     shown.text = [places, positions = std::move(positions)](std::size_t point) {
         return shaft_map_text::placeLines(*places, positions[point], 1).join(QLatin1Char('\n'));
     };
@@ -206,7 +207,7 @@ Figure front(const BalanceShaftModel& model) {
                {.name = MapWords::tr("by this criterion"),
                 .role = Role::Best,
                 .shape = plot::Shape::Points,
-                .toolTip = MapWords::tr("Nothing better in this criterion and in size")},
+                .toolTip = MapWords::tr("Pareto-optimal in this criterion and size")},
                std::move(efficient.x), std::move(efficient.y));
     figure.add("present",
                {.name = MapWords::tr("present place"),

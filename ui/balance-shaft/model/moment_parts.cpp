@@ -113,7 +113,7 @@ Figure means(const BalanceShaftModel& model) {
     add("printed-M_s", MomentWords::tr("shaft, paper (Mₛₘ)"), Role::Printed, 1.6,
         MomentWords::tr("Mean of 25 nodes, the end counted twice"), sweep.printed_mean_M_s);
     add("printed-M_ups", MomentWords::tr("with shaft, paper (Mᵤₚₛₘ)"), Role::PrintedSum, 1.6,
-        MomentWords::tr("Node mean of Mᵤₚ plus that of Mₛ"), sweep.printed_mean_M_ups);
+        MomentWords::tr("Node mean of Mᵤₚ plus node mean of Mₛ"), sweep.printed_mean_M_ups);
     return figure;
 }
 

@@ -94,23 +94,23 @@ Results RelievedShaftModel::results(const RelievedShaft& found) {
     using units::mm;
     Results results{{ReliefWords::tr("Shaft"), ReliefWords::tr("Value"), ReliefWords::tr("Unit")}};
     results.rows = {
-        row(tr("unbalance needed, m₁ ρ₁"), found.required, 0, units::gram_mm,
-            tr("What both counterweights have by equation (1)")),
+        row(tr("required unbalance, m₁ ρ₁"), found.required, 0, units::gram_mm,
+            tr("Unbalance of both counterweights by equation (1)")),
         row(tr("unbalance of the shaft"), found.unbalance, 0, units::gram_mm,
             tr("U = 2/3 ρ b a³, a² = h (D − h)")),
         row(tr("width of the flat"), 2.0 * found.half_width, 2, mm, tr("2 a = 2 √(h (D − h))")),
         row(tr("mass of the relieved part"), found.mass, 3, units::kg,
-            tr("ρ b A of the section that is left")),
+            tr("ρ b A of the remaining section")),
         row(tr("mass milled away"), found.removed_mass, 3, units::kg,
             tr("ρ b times the area of the segment")),
         row(tr("radius of its centre of mass"), found.centre_of_mass_radius, 2, mm,
             tr("U over the mass of the relieved part, on the side away from the flat")),
         row(tr("critical bar radius"), found.critical_radius, 2, mm,
-            tr("The smallest bar radius that can have the unbalance at this length: with half of "
-               "the bar milled away, ∛(3 U / (2 ρ b)). It has nothing to do with vibration.")),
+            tr("Minimum bar radius for the unbalance at this length, ∛(3 U / (2 ρ b)); not a "
+               "vibration limit.")),
         row(tr("critical length"), found.critical_length, 1, mm,
-            tr("The shortest relief that can have the unbalance with this bar: with half of it "
-               "milled away, 3 U / (2 ρ R³). It has nothing to do with vibration.")),
+            tr("Minimum length of the relief for the unbalance with this bar, 3 U / (2 ρ R³); not "
+               "a vibration limit.")),
     };
     return results;
 }

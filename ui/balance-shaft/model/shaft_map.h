@@ -11,7 +11,7 @@
 namespace ravnoves {
 
 /// What a range and an RMS over the places of the shaft's axis look like, and what is best. None of
-/// it depends on where the axis stands now. Lengths in m, moments in N·m.
+/// it depends on where the axis is now. Lengths in m, moments in N·m.
 struct ShaftMap {
     using Position = balance_shaft::ShaftPosition;
     using Criteria = balance_shaft::PositionCriteria;

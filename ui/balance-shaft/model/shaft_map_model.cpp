@@ -30,11 +30,11 @@ Input withoutPlace(Input input) {
 QString ShaftMapModel::Marker::name() const {
     switch (criterion) {
         case Criterion::Range:
-            return isBuildable ? tr("least range") : tr("least range, cannot be built");
+            return isBuildable ? tr("min. range") : tr("min. range, ignoring clearance");
         case Criterion::Rms:
-            return isBuildable ? tr("least RMS") : tr("least RMS, cannot be built");
+            return isBuildable ? tr("min. RMS") : tr("min. RMS, ignoring clearance");
         default:
-            return isBuildable ? tr("least sum") : tr("least sum, cannot be built");
+            return isBuildable ? tr("min. sum") : tr("min. sum, ignoring clearance");
     }
 }
 

@@ -17,7 +17,7 @@ class BackgroundJob;
 
 /// The map of the places of the shaft's axis: the map made last (ShaftMap), what the criterion
 /// (PlaceCriterion) makes of it, places worth seeing, and the moves of the axis over it. What it
-/// says in words is shaft_map_text's.
+/// says as text is shaft_map_text's.
 ///
 /// The map is made in the background when the input changes; a shaft that moves leaves it as it is.
 class ShaftMapModel : public QObject {
@@ -43,7 +43,7 @@ class ShaftMapModel : public QObject {
     explicit ShaftMapModel(BalanceShaftModel* model);
 
     BackgroundJob* job() const { return job_; }
-    /// Makes the map anew where it is not that of the input. What it shows stays as wide as it is
+    /// Makes the map again where it is not that of the input. What it shows stays as wide as it is
     /// while a slider moves the shaft, or a hand holds it.
     void need();
     void setHeld(bool held);

@@ -70,7 +70,7 @@ QString best(const ShaftMapModel& map) {
     }
     const ShaftMap* const places = map.map();
     if (places == nullptr) {
-        return ShaftMapModel::tr("The map is being computed …");
+        return ShaftMapModel::tr("Computing the map …");
     }
     const Marker* best = map.best();
     if (best == nullptr || !places->best.reason.empty()) {
@@ -82,7 +82,7 @@ QString best(const ShaftMapModel& map) {
             .arg(criterionName(map.criterion()), value(best->criteria), whereText(best->position));
     constexpr double shown = 5e-4;  // less is 0.0 %
     if (map.change(best->criteria).value_or(0.0) >= shown) {
-        text += QLatin1Char(' ') + ShaftMapModel::tr("It is worse than without a shaft.");
+        text += QLatin1Char(' ') + ShaftMapModel::tr("Worse than without a shaft.");
     }
     if (!best->isBuildable) {
         text += QLatin1Char(' ') + (places->buildable.reason.empty()
@@ -97,7 +97,7 @@ QString best(const ShaftMapModel& map) {
     }
     for (const Marker& other : map.markers()) {
         if (other.criterion == map.criterion() && !other.isBuildable) {
-            text += QLatin1Char(' ') + ShaftMapModel::tr("%1 at %2 – cannot be built.")
+            text += QLatin1Char(' ') + ShaftMapModel::tr("%1 at %2 does not fit.")
                                            .arg(value(other.criteria), whereText(other.position));
         }
     }
@@ -121,7 +121,7 @@ QString bestAgainst(const ShaftMapModel& map, const ShaftMapModel& other, const 
         return byRange ? criteria.range : criteria.rms;
     };
     return text +
-           ShaftMapModel::tr("; against it %1.")
+           ShaftMapModel::tr("; compared with it %1.")
                .arg(differenceText(value(best->criteria), value(was->criteria), units::N_m, 1));
 }
 
@@ -160,7 +160,7 @@ QString placeAgainst(const ShaftMapModel& map, const ShaftMapModel& other, const
     }
     const Criteria now = map.map()->study.at(position);
     const Criteria was = other.map()->study.at(position);
-    return ShaftMapModel::tr("Against %1 here: range %2; RMS %3; box %4")
+    return ShaftMapModel::tr("Compared with %1 here: range %2; RMS %3; box %4")
         .arg(name, differenceText(now.range, was.range, units::N_m, 1),
              differenceText(now.rms, was.rms, units::N_m, 1),
              differenceText(now.size, was.size, units::cm2, 0));
@@ -182,7 +182,7 @@ QString fieldCsv(const ShaftMapModel& map, const CsvFormat& format) {
                                format.field(shownTitle(ShaftMapModel::tr("y, mm")).text),
                                format.field(range.text),
                                format.field(shownTitle(ShaftMapModel::tr("RMS, N·m")).text),
-                               format.field(ShaftMapModel::tr("can be built"))}
+                               format.field(ShaftMapModel::tr("feasible"))}
                        .join(format.separator) +
                    QLatin1Char('\n');
     const std::size_t columns = places->obstacleColumns;

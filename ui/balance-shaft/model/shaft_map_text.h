@@ -8,7 +8,7 @@ namespace ravnoves {
 struct CsvFormat;
 }
 
-/// What the map of places says in words, and its field as a table.
+/// What the map of places says as text, and its field as a table.
 namespace ravnoves::shaft_map_text {
 
 /// What is best, and what a place that cannot be built would gain.

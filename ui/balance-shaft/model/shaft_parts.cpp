@@ -34,8 +34,7 @@ Content shaftPart(const BalanceShaftModel& model, std::string_view id) {
 
 std::vector<plot::Band> unbuildableBands(const balance_shaft::BuildableAngles& buildable,
                                          Qt::Orientation orientation) {
-    const QString text =
-        QCoreApplication::translate("ravnoves::BalanceShaftModel", "cannot be built");
+    const QString text = QCoreApplication::translate("ravnoves::BalanceShaftModel", "does not fit");
     std::vector<plot::Band> bands;
     for (const balance_shaft::AngleStretch& gap : buildable.gaps()) {
         bands.push_back(

@@ -52,7 +52,7 @@ struct SpeedWords {
 
 // What makes them, by tab, in the order of the page.
 using ShaftPartMakers = std::span<const PartMaker<BalanceShaftModel>>;
-ShaftPartMakers momentParts();  ///< with what stands beside the tabs
+ShaftPartMakers momentParts();  ///< with what is beside the tabs
 ShaftPartMakers mapParts();
 ShaftPartMakers cycleParts();
 ShaftPartMakers speedParts();

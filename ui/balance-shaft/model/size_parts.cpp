@@ -43,7 +43,7 @@ Figure rangeOverSize(const BalanceShaftModel& model) {
     const auto [least, most] = std::minmax_element(area.begin(), area.end());
     const double pad = std::max(0.04 * (*most - *least), 1e-6);
     Figure figure;
-    figure.title = SizeWords::tr("Range against overall size, α along the curve");
+    figure.title = SizeWords::tr("Range and overall size, α along the curve");
     figure.x = {
         .title = SizeWords::tr("width × height, cm²"), .min = *least - pad, .max = *most + pad};
     figure.left = {.title = SizeWords::tr("ΔMᵤₚₛ, N·m")};
@@ -72,21 +72,20 @@ Figure rangeOverSize(const BalanceShaftModel& model) {
                              .ring = true});
         }
     }
-    figure.add("all", {.name = SizeWords::tr("every α"), .role = Role::Limit, .width = 1.0}, area,
+    figure.add("all", {.name = SizeWords::tr("all α"), .role = Role::Limit, .width = 1.0}, area,
                closedTurn(study.range, units::none));
     figure.add("built",
-               {.name = SizeWords::tr("can be built"),
+               {.name = SizeWords::tr("feasible"),
                 .role = Role::Neutral,
                 .width = 1.8,
                 .toolTip = SizeWords::tr("The shaft clears cylinder, crank and rod"),
                 .gaps = true},
                area, closedTurn(built, units::none));
     figure.add("efficient",
-               {.name = SizeWords::tr("nothing better"),
+               {.name = SizeWords::tr("Pareto-optimal"),
                 .role = Role::Best,
                 .shape = plot::Shape::Points,
-                .toolTip = SizeWords::tr("Can be built, and no other α that can has both "
-                                         "a smaller box and a smaller range")},
+                .toolTip = SizeWords::tr("Feasible and Pareto-optimal in size and range")},
                std::move(efficient.x), std::move(efficient.y));
     const balance_shaft::Envelope& box = model.result().envelope;
     figure.add(

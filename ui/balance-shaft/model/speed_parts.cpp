@@ -75,13 +75,14 @@ Figure bestAngles(const BalanceShaftModel& model) {
                    std::move(broken.speed), std::move(broken.angle));
     };
     add("range", SpeedWords::tr("range"), Role::Range,
-        SpeedWords::tr("α of the least range at each speed"), curves.rangeAngle);
-    add("RMS", SpeedWords::tr("RMS"), Role::Rms, SpeedWords::tr("α of the least RMS at each speed"),
-        curves.rmsAngle);
+        SpeedWords::tr("α of the minimum range at each speed"), curves.rangeAngle);
+    add("RMS", SpeedWords::tr("RMS"), Role::Rms,
+        SpeedWords::tr("α of the minimum RMS at each speed"), curves.rmsAngle);
     const double best = study->leastBadDeg();
-    figure.lines = {{.at = best,
-                     .role = Role::Best,
-                     .text = SpeedWords::tr("least bad %1°").arg(fixedNumber(best, 1, QLocale()))}};
+    figure.lines = {
+        {.at = best,
+         .role = Role::Best,
+         .text = SpeedWords::tr("best compromise %1°").arg(fixedNumber(best, 1, QLocale()))}};
     figure.bands = unbuildableBands(study->buildable(), Qt::Vertical);
     return figure;
 }

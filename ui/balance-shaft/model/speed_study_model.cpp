@@ -113,7 +113,7 @@ void SpeedStudyModel::need() {
 
 void SpeedStudyModel::cancel() {
     job_->cancel();
-    trouble_ = tr("Cancelled. Any change of the input solves again.");
+    trouble_ = tr("Cancelled. Change an input to solve again.");
     Q_EMIT model_->shownChanged();
 }
 
@@ -184,15 +184,15 @@ QString SpeedStudyModel::answer() const {
     const LeastBad& ofAll = byRange() ? study_.ofAll.range : study_.ofAll.rms;
     QString other;
     if (buildable().stretches.empty()) {
-        other = tr(" But nothing can be built.");
+        other = tr(" No position is feasible.");
     } else if (best.value > ofAll.value + 1e-6) {
-        other = tr(" %1° would gain %2 % more but cannot be built.")
+        other = tr(" %1° would gain %2 % more but does not fit.")
                     .arg(fixedNumber(ofAll.shaft_angle / degree, 1, locale),
                          fixedNumber(100.0 * (best.value - ofAll.value), 1, locale));
     }
     const double change = 100.0 * (best.value - 1.0);
-    return tr("Least bad α over the band, by the %1 against the engine without a shaft: %2°. At "
-              "its worst speed, %3, the %1 is %4 % %5.")
+    return tr("Best compromise α over the band, by %1 vs. no shaft: %2°. At the worst speed, %3, "
+              "the %1 is %4 % %5.")
                .arg(byRange() ? tr("range") : tr("RMS"),
                     fixedNumber(best.shaft_angle / degree, 1, locale),
                     shownNumber(best.worst_speed, units::rpm, 0),
@@ -222,11 +222,11 @@ QString SpeedStudyModel::gasAtEverySpeed() const {
     using Kind = balance_shaft::TorqueSource::Kind;
     switch (model_->input().torque.kind) {
         case Kind::pressure:
-            return tr("The gas torque at every speed is that of the one pressure trace.");
+            return tr("The gas torque at every speed is from one pressure trace.");
         case Kind::cycle:
-            return tr("The load is the same at every speed.");
+            return tr("The load is constant over the speed.");
         default:
-            return tr("The gas torque at every speed is that of the one torque given.");
+            return tr("The gas torque at every speed is from the given torque.");
     }
 }
 

@@ -15,7 +15,7 @@ namespace ravnoves {
 class BackgroundJob;
 
 /// The shaft over a band of speeds, solved off the GUI thread: best α over speed, a map of the
-/// criterion over (α, speed) and the α that is least bad over the band.
+/// criterion over (α, speed) and the α that is the best compromise over the band.
 class SpeedStudyModel : public QObject {
     Q_OBJECT
 
@@ -71,11 +71,11 @@ class SpeedStudyModel : public QObject {
     const balance_shaft::BuildableAngles& buildable() const { return study_.study->buildable(); }
     Curves curves() const;
     const Map& map() const { return *map_; }
-    /// α that is least bad by the criterion, °.
+    /// α that is the best compromise by the criterion, °.
     double leastBadDeg() const { return leastBad().shaft_angle / degree; }
     void goToLeastBad();
 
-    /// The least bad α in a sentence; why there is none.
+    /// The best compromise α in a sentence; why there is none.
     QString answer() const;
 
     /// A place of the map: α, and of a torque that follows it the speed, min⁻¹.

@@ -41,11 +41,12 @@ Figure torque(const BalanceShaftModel& model) {
                 .toolTip = CycleWords::tr("−mⱼ ω² s′ s″")},
                phi, curves.M_inertia);
     if (model.input().cylinder.offset != 0.0) {
-        figure.add("offset",
-                   {.name = CycleWords::tr("offset"),
-                    .role = Role::Offset,
-                    .toolTip = CycleWords::tr("e mⱼ ω² s″: what an offset cylinder adds to Mᵤₚ")},
-                   phi, curves.M_offset);
+        figure.add(
+            "offset",
+            {.name = CycleWords::tr("offset"),
+             .role = Role::Offset,
+             .toolTip = CycleWords::tr("e mⱼ ω² s″: part of Mᵤₚ due to the offset cylinder")},
+            phi, curves.M_offset);
     }
     std::vector<double> total(curves.M_up.size());
     std::transform(curves.M_offset.begin(), curves.M_offset.end(), curves.M_up.begin(),
@@ -128,7 +129,7 @@ Results orderTable(const BalanceShaftModel& model) {
     const balance_shaft::Result& result = model.result();
     const ResultColumn phase(
         OrderWords::tr("phase, °"),
-        OrderWords::tr("Of the moment to the left: amplitude × sin(kφ + phase)"));
+        OrderWords::tr("Phase of the moment to the left: amplitude × sin(kφ + phase)"));
     Results results{{{OrderWords::tr("Order"), OrderWords::tr("Multiple of the crank speed")},
                      {shownTitle(OrderWords::tr("Mᵤₚ, N·m")).text,
                       OrderWords::tr("Fourier amplitude of the moment without a shaft")},
@@ -160,7 +161,7 @@ Figure energy(const BalanceShaftModel& model) {
                 .role = Role::Value,
                 .width = 1.8,
                 .inLegend = false,
-                .toolTip = FlywheelWords::tr("Work of the engine torque less that of its mean")},
+                .toolTip = FlywheelWords::tr("Work of the engine torque minus work of its mean")},
                model.result().curves.crank_angle_deg, wheel.energy);
     auto& marks = figure.marks.emplace();
     const auto mark = [&](double angle, double joules, const QString& text) {

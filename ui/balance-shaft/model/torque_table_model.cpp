@@ -31,12 +31,12 @@ QString shortened(const QString& text) {
     return value ? formNumber(*value, QLocale(), digits) : text;
 }
 
-/// What the cell's text stands for; nothing where it is no number, or may be two.
+/// What the cell's text represents; nothing where it is no number, or may be two.
 std::optional<double> readCell(const QString& text) {
     return readWithThousands(text, {}) ? std::nullopt : readFormNumber(text);
 }
 
-/// Why it stands for nothing.
+/// Why it represents nothing.
 QString cellTrouble(const QString& text) {
     const QString thousands = thousandsTrouble(text, {});
     return thousands.isEmpty() ? notANumberText(text) : thousands;
@@ -81,7 +81,7 @@ std::optional<double> TorqueTableModel::torqueOf(const Row& row) {
     return shown ? std::optional(*shown * row.typed->unit) : std::nullopt;
 }
 
-/// The row's own text stands for all digits of its number.
+/// The row's own text represents all digits of its number.
 void TorqueTableModel::type(Row& row, int column, const QString& text) {
     if (!row.typed) {
         row.typed = std::make_unique<Typed>();
@@ -115,7 +115,7 @@ void TorqueTableModel::showAnew(const TorqueTable& table) {
     Q_EMIT troubleChanged(trouble_);
 }
 
-/// What is refused stands until the case changes there.
+/// What is rejected stands until the case changes there.
 void TorqueTableModel::follow(const TorqueTable& table) {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         Row& row = rows_[i];
@@ -152,15 +152,14 @@ QString TorqueTableModel::refusedText(std::size_t row) const {
                : row + 1 == rows_.size()
                    ? tr("%1° is not above the angle of the row before, %2°.")
                          .arg(angle(row), angle(row - 1))
-                   : tr("%1° does not lie between the angles of its neighbours, %2° and %3°.")
+                   : tr("%1° is not between the angles of its neighbours, %2° and %3°.")
                          .arg(angle(row), angle(row - 1), angle(row + 1));
     }
     if (isBeyondCycle(row)) {
-        return tr("with %1° the angles do not span 720°, or 360° of a two-stroke engine.")
-            .arg(angle(row));
+        return tr("with %1° the angles do not span 720° (two-stroke: 360°).").arg(angle(row));
     }
     if (isOpenEnd(row)) {
-        return tr("the first and the last torque are one instant of the cycle and must be equal.");
+        return tr("the first and the last torque must be equal (same instant of the cycle).");
     }
     return {};
 }
@@ -173,7 +172,7 @@ QString TorqueTableModel::refusedTexts() const {
             troubles.add(tr("Row %1: %2").arg(i + 1).arg(why));
         }
     }
-    return troubles.text(tr("Rows that are wrong besides: %1"));
+    return troubles.text(tr("Further rows with errors: %1"));
 }
 
 std::optional<double> TorqueTableModel::numberOf(const Row& row, int column) {

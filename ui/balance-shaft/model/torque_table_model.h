@@ -18,7 +18,7 @@ class BalanceShaftModel;
 /// The torque table while it is being edited.
 ///
 /// Cells hold what was typed, valid or not, so nothing is lost. checkedTable() is a cycle: of the
-/// cells that are refused it has what stood there before, and trouble() says why they are. The
+/// cells that are rejected it has what was there before, and trouble() says why they are. The
 /// first and the last row are one instant of the cycle: a torque typed in one goes to the other.
 class TorqueTableModel : public EditableTable {
     Q_OBJECT
@@ -31,10 +31,10 @@ class TorqueTableModel : public EditableTable {
     /// The case that the table is part of.
     void setModel(BalanceShaftModel* model) { model_ = model; }
 
-    /// Takes over a valid table. What is refused in a cell stands until the table differs there.
+    /// Adopts a valid table. What is rejected in a cell stands until the table differs there.
     void setTable(const balance_shaft::TorqueTable& table);
     const balance_shaft::TorqueTable& checkedTable() const { return valid_; }
-    /// Why cells are refused; empty where none is.
+    /// Why cells are rejected; empty where none is.
     QString trouble() const { return trouble_; }
 
     void insertRowBelow(int row) override;
@@ -88,13 +88,13 @@ class TorqueTableModel : public EditableTable {
     void put(const QModelIndex& index, const QString& text);
     void showAnew(const balance_shaft::TorqueTable& table);
     void follow(const balance_shaft::TorqueTable& table);
-    /// Why a row is refused; empty where it is not.
+    /// Why a row is rejected; empty where it is not.
     QString refusedText(std::size_t row) const;
     /// The same of all rows, up to a few.
     QString refusedTexts() const;
     enum class Cells {
         typed,  ///< those that are numbers; else what the case holds
-        taken   ///< those that are not refused; else what the case holds
+        taken   ///< those that are not rejected; else what the case holds
     };
     balance_shaft::TorqueTable tableOf(Cells which) const;
     void check();
@@ -106,7 +106,7 @@ class TorqueTableModel : public EditableTable {
     bool isOutOfOrder(std::size_t row) const;   ///< an angle not between its neighbours'
     bool isBeyondCycle(std::size_t row) const;  ///< the first or last angle: no cycle lies between
     bool isOpenEnd(std::size_t row) const;      ///< the first and last torque differ
-    /// True for a cell that is no number or that is refused beside the others.
+    /// True for a cell that is no number or that is rejected beside the others.
     bool isRefused(int row, int column) const;
 
     BalanceShaftModel* model_ = nullptr;

@@ -305,7 +305,7 @@ const GuideProposal& ElasticHingeModel::proposal() const {
         } else {
             solved().proposal = GuideProposal{};
             solved().proposal->reason =
-                CORE_TEXT("elastic-hinge", "no spring is given: its free length is needed");
+                CORE_TEXT("elastic-hinge", "no spring is given: enter its free length");
         }
     }
     return *solved().proposal;
@@ -316,8 +316,8 @@ QString ElasticHingeModel::proposalText() const {
     if (!found.found) {
         return tr("None: %1.").arg(messageText(found.reason));
     }
-    return tr("c = %1, ρ₀ = %2: relief %3 within %4; the spring is at least %5 long, bears up to "
-              "%6 and stores up to %7 J.")
+    return tr("c = %1, ρ₀ = %2: relief %3 within %4. Spring: minimum length %5, maximum force %6, "
+              "maximum energy %7 J.")
         .arg(withItsUnit(found.spring.stiffness, units::kN_per_m, 5),
              shownNumber(found.spring.guide_radius_at_zero, units::mm, 3),
              shownNumber(found.relief, units::mm, 3),
@@ -333,7 +333,7 @@ void ElasticHingeModel::takeProposal() {
     }
     const Spring spring = proposal().spring;
     finishDrag();
-    edit(tr("Take over the guide found"), [&](Input& input) { input.spring = spring; });
+    edit(tr("Use the guide found"), [&](Input& input) { input.spring = spring; });
     finishDrag();
 }
 
@@ -346,7 +346,7 @@ void ElasticHingeModel::takeMinimumPreload() {
                                                             elastic_hinge::least_preload_margin);
     const double side = guide.branch == Branch::compressed ? -1.0 : 1.0;
     finishDrag();
-    edit(tr("Preload that the guide needs"), [&](Input& input) {
+    edit(tr("Minimum preload of the guide"), [&](Input& input) {
         // Rounded away from ℓ₀/2 to what a drawing would say.
         const double radius = 0.5 * input.spring->free_length + side * preload;
         input.spring->guide_radius_at_zero =
@@ -398,45 +398,43 @@ Results ElasticHingeModel::quantities() const {
     Results results{{tr("Quantity"), tr("Value"), tr("Unit")}};
     results.rows = {
         length(tr("Relief of the guide"), guide.relief, 4,
-               tr("Largest less smallest radius of the guide")),
-        row(tr("Preload needed / given"),
+               tr("Maximum minus minimum radius of the guide")),
+        row(tr("Preload minimum / present"),
             when(guide.shape != nullptr,
                  ResultCell::two(QStringLiteral("%1 / %2"), preloadUp(guide.minimum_preload),
                                  shownCell(guide.preload, units::mm, 2))),
-            units::mm,
-            tr("|ℓ₀/2 − ρ₀|: the least with which the spring can store the energy, and the present "
-               "one")),
+            units::mm, tr("|ℓ₀/2 − ρ₀|: minimum to store the energy, and present value")),
         length(tr("Spring travel"), guide.spring_travel, 3,
-               tr("Largest less smallest length of the spring over a turn")),
-        row(tr("Largest spring force"),
+               tr("Maximum minus minimum length of the spring over a turn")),
+        row(tr("Maximum spring force"),
             when(there, {shownValue(guide.largest_spring_force, units::kN),
                          significant(guide.largest_spring_force, units::kN)}),
-            units::kN, tr("c |ℓ − ℓ₀|, largest over a turn")),
+            units::kN, tr("c |ℓ − ℓ₀|, maximum over a turn")),
         row(tr("Moment error, %1").arg(withItsUnit(input().profile_error, units::micrometre, 3)),
             when(there, ResultCell::two(
                             QStringLiteral("%1 (%2)"), shownCell(guide.error.torque, units::N_m, 2),
                             {100.0 * guide.error.relative, percentText(guide.error.relative),
                              ResultCell::Kind::Percent})),
             units::N_m,
-            tr("Largest error of the hinge's moment when the guide is made so much off its "
-               "profile; in brackets against the largest moment")),
-        length(tr("Least curvature radius"), guide.summary().smallest_curvature_radius, 2,
-               tr("Of the guide; a cutter must be smaller")),
-        row(tr("Largest roller radius"),
+            tr("Maximum error of the hinge's moment at this profile error; in brackets relative to "
+               "the maximum moment")),
+        length(tr("Minimum curvature radius"), guide.summary().smallest_curvature_radius, 2,
+               tr("Radius of curvature of the guide; a cutter must be smaller")),
+        row(tr("Maximum roller radius"),
             when(there, roller ? shownCell(*roller, units::mm, 2) : ResultCell(tr("any"))),
-            units::mm, tr("That still touches the whole guide")),
+            units::mm, tr("Maximum radius of a roller that touches the whole guide")),
         {{tr("∮ M₁₂ dφ"),
           {result().rod_hinge_integral, number(result().rod_hinge_integral, 3)},
           tr("J")},
-         tr("Work of the rod hinge's moment over a turn; 0 where a spring can give it")},
+         tr("Work of the rod hinge's moment over a turn; 0 if a spring can supply it")},
         shownRow(tr("Side force, no hinge"), result().largest_side_force_without, units::newton, 1,
-                 tr("Largest force of the slider on its guide")),
+                 tr("Maximum force of the slider on its guide")),
         row(tr("Side force, rod hinge"), sideForce, units::newton,
-            tr("The same with the hinge in the rod; in brackets how many times less")),
+            tr("Maximum force with the rod hinge; in brackets the reduction factor")),
         row(tr("Counterweight P₄"),
             when(result().has_counterweight,
                  shownCell(counterweight, weight, input().masses_as_weights ? 3 : 4)),
-            weight, tr("On the rod, with which ∮ M₁₂ dφ = 0, or as entered")),
+            weight, tr("Weight on the rod for ∮ M₁₂ dφ = 0, or as entered")),
     };
     if (!runsJobs_) {
         return results;  // it never has a motion
@@ -445,12 +443,12 @@ Results ElasticHingeModel::quantities() const {
         ripple(tr("Ripple without hinge"), &HingeMotions::without,
                tr("(ω_max − ω_min) / ω mean of the free motion, %")),
         ripple(tr("Ripple with hinge"), &HingeMotions::crank,
-               tr("The same with the crank's hinge")),
+               tr("(ω_max − ω_min) / ω mean with the crank hinge, %")),
         ripple(tr("Ripple from %1")
                    .arg(withItsUnit(motions_ ? motions_->offSpeed : MotionRunner::offSpeed(input()),
                                     units::rad_per_s)),
                &HingeMotions::offDesign,
-               tr("The same when the crank starts at another speed than the hinge is made for")),
+               tr("(ω_max − ω_min) / ω mean after a start away from the design speed")),
     };
     return results;
 }

@@ -90,8 +90,8 @@ Figure guides(const ElasticHingeModel& model) {
              .style = {.name = HingePlots::tr("profile"),
                        .role = Role::Profile,
                        .width = 1.4,
-                       .toolTip = HingePlots::tr("What the roller touches: the path of its centre "
-                                                 "offset by its radius")}},
+                       .toolTip = HingePlots::tr(
+                           "Profile for the roller: path of its centre, offset by its radius")}},
             std::move(profile), toScale.profile(roller));
     }
     const std::array tips{HingePlots::tr("Guide of the compressed spring, minus in (3)"),
@@ -182,7 +182,7 @@ Figure rodMoment(const ElasticHingeModel& model) {
         {.id = "potential",
          .style = {.name = HingePlots::tr("potential part"),
                    .role = Role::Part,
-                   .toolTip = HingePlots::tr("M₁₂ less its mean, (5)")},
+                   .toolTip = HingePlots::tr("M₁₂ minus its mean, (5)")},
          .x = phi,
          .y = result.curves.rod_hinge_moment_potential},
         {.id = "other",
@@ -304,14 +304,12 @@ Figure crankSpeed(const ElasticHingeModel& model) {
         {.name = HingePlots::tr("both hinges"),
          .role = Role::Comparison,
          .width = 2.0,
-         .toolTip = HingePlots::tr("With the rod's hinge and the crank's beside it, from the "
-                                   "design speed")});
+         .toolTip = HingePlots::tr("With both hinges, from the design speed")});
     add("off-design", &HingeMotions::offDesign,
         {.name = HingePlots::tr("off design"),
          .role = Role::Part,
          .width = 1.4,
-         .toolTip = HingePlots::tr("With the crank's hinge, from another speed: the hinge is exact "
-                                   "at one speed only")});
+         .toolTip = HingePlots::tr("With the crank's hinge, away from the design speed")});
     return figure;
 }
 

@@ -447,7 +447,7 @@ QString CylinderTableModel::pasteBlock(int row, int column, const std::vector<QS
                 if (!eitherText(fieldOf(column + cell), text).isEmpty()) {
                     return errorText(refusal(static_cast<int>(first + line), column + cell, text));
                 }
-                return tr("Line %1, column %2: %3 is no number that fits here.")
+                return tr("Line %1, column %2: %3 is not a valid number.")
                     .arg(QString::number(line + 1), QString::number(cell + 1), text.left(20));
             }
         }

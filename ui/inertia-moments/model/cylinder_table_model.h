@@ -36,7 +36,7 @@ class CylinderTableModel final : public RefusingTable {
 
     explicit CylinderTableModel(InertiaMomentsModel* model, QObject* parent = nullptr);
 
-    /// Says what is wrong with the last change, beside the refused texts that stand in cells.
+    /// Says what is wrong with the last change, beside the rejected texts that are in cells.
     void say(const QString& why);
 
     /// A copy of the row below it.

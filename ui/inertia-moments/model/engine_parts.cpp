@@ -151,7 +151,7 @@ Figure ofOrder(const InertiaMomentsModel& model, int order) {
             : (order == 1 ? EnginePlots::tr("Order 1") : EnginePlots::tr("Order 2")),
         unitTitle(force));
     if (order == 1) {
-        figure.x.title.clear();  // the other one stands below
+        figure.x.title.clear();  // the other one is below
     }
     constexpr std::size_t points = 241;
     Course course{.angle = anglesOfTwoTurns(points)};
@@ -219,7 +219,7 @@ void addRoll(Figure& figure, const Result& result) {
         {.name = EnginePlots::tr("roll (Mz)"),
          .role = Role::Roll,
          .width = 1.4,
-         .toolTip = EnginePlots::tr("Roll moment on the engine, of the engine alone")},
+         .toolTip = EnginePlots::tr("Roll moment without balancing")},
         alone);
     bool isChanged = false;
     for (std::size_t i = 0; i < std::min(alone.size(), left.size()); ++i) {
@@ -250,7 +250,7 @@ Figure ofAllOrders(const Result& result, bool force) {
                   .left = isBalanced(result, force) ? trace(result.remaining_curves) : Trace()};
     course.angle = anglesOfTwoTurns(course.exact.x.size());
     const QString exact =
-        EnginePlots::tr("Sum of −m a of all reciprocating parts, exact: every order in it");
+        EnginePlots::tr("Sum of −m a of all reciprocating parts, exact, all orders");
     const QString twoTerm = EnginePlots::tr("By the two-term formulas: orders 1 and 2");
     const QString left =
         EnginePlots::tr("With rotating masses, and with the counterweights and shafts that are on");
@@ -376,7 +376,7 @@ Figure roll(const InertiaMomentsModel& model) {
          .toolTip = EnginePlots::tr("Roll moment on the engine: the sum of the two")},
         curves.roll);
     add("inertia",
-        {.name = EnginePlots::tr("of offsets and rods"),
+        {.name = EnginePlots::tr("offsets and rods"),
          .role = Role::Offset,
          .toolTip = EnginePlots::tr("Moment of the inertia forces about the crank axis: −Σ e F and "
                                     "the couples of rigid rods")},

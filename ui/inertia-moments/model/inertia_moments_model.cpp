@@ -230,10 +230,10 @@ QString InertiaMomentsModel::setEvenFiring() {
     const std::vector<int> order = firingOrder();
     const int count = static_cast<int>(result().engine.cylinders.size());
     if (!inertia_moments::is_firing_order(order, count)) {
-        return tr("Even firing needs a firing order.");
+        return tr("Enter a firing order for even firing.");
     }
     if (hasArticulatedRods()) {
-        return tr("Articulated rods run on their master's crankpin: they cannot be set apart.");
+        return tr("Articulated rods run on their master's crankpin and cannot be separated.");
     }
     return edit(tr("Even firing"), [&](Input& input) {
         inertia_moments::set_even_firing(tableOf(input), order, input.crank_radius, input.ratio(),

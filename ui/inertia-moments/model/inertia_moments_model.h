@@ -58,7 +58,7 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     /// What the list of layouts offers: "vw-vr5" (the paper's engine), "radial-3" to "radial-9"
     /// (with articulated rods), the library, "table".
     static QStringList layoutNames();
-    /// A layout's name in words; "vr" with another number of cylinders has its own.
+    /// A layout's name as text; "vr" with another number of cylinders has its own.
     QString layoutTitle(const QString& name) const;
     /// The entry of layoutNames() that the input is now; "vr" for a VR of another size.
     QString layoutName() const;
@@ -76,7 +76,7 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     QString setArticulatedRods(bool on);
     /// Makes an input's own table the one that is edited: that of its layout, where it has one.
     std::vector<inertia_moments::Cylinder>& tableOf(Input& input) const;
-    /// Something beside the input is refused; with nothing, that is over.
+    /// Something beside the input is rejected; with nothing, that is over.
     void sayTrouble(const QString& why) { sayRefused(why); }
     const std::vector<int>& firingOrder() const;
     /// "1-3-4-2" and the like.
@@ -101,7 +101,7 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     // --------------------------------------------------- the sliders, in their units
 
     double bankAngleDeg() const;  ///< between the outermost banks
-    /// False where all cylinders of a table stand in one direction.
+    /// False where all cylinders of a table are in one direction.
     bool canChangeBankAngle() const;
     /// Of a table: its bank angles are scaled about their middle.
     void setBankAngleDeg(double angle);

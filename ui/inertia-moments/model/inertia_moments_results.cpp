@@ -1,4 +1,4 @@
-// The tables of results of the page: what core found, in words and numbers.
+// The tables of results of the page: what core found, as text and numbers.
 
 #include <QLocale>
 #include <algorithm>
@@ -142,9 +142,9 @@ Harmonic<double> componentOf(const EngineOrder& order, const Difference& d) {
 Results InertiaMomentsModel::orderResults() const {
     Results results{{forceAndMoment(),
                      {tr("exact"), tr("Amplitude of the order in the exact motion of the pistons")},
-                     {tr("phase, °"), tr("kφ at which the exact component is largest")},
+                     {tr("phase, °"), tr("kφ of the maximum of the exact component")},
                      {tr("two-term"), tr("Amplitude by the paper's cos θ + K λ sin θ + λ cos 2θ")},
-                     {tr("diff., %"), tr("Two-term against exact, as a share of exact")}}};
+                     {tr("diff., %"), tr("Error of the two-term form, relative to exact")}}};
     ResultRows& rows = results.rows;
     rows.reserve(static_cast<qsizetype>(result().differences.size()));
     const ResultCell zero(0.0, QStringLiteral("0"));
@@ -189,9 +189,9 @@ Results InertiaMomentsModel::shaftResults() const {
          {tr("cancels"), tr("The part of the order that the shaft cancels")},
          {shownTitle(tr("mρ, g·mm")).text,
           tr("Weight times radius: m ρ (kω)² is the force, m ρ L (kω)² the moment cancelled")},
-         {tr("at, °"), tr("Direction of its weight (of that towards cylinder 1) at φ = 0, "
-                          "counter-clockwise from x")},
-         {tr("left"), tr("Largest value of the order with this shaft alone")}}};
+         {tr("at, °"),
+          tr("Direction of its weight (towards cylinder 1) at φ = 0, counter-clockwise from x")},
+         {tr("residual"), tr("Maximum of the order with this shaft alone")}}};
     ResultRows& rows = results.rows;
     for (const ShaftDesign& design : result().shafts) {
         const QString mark =
@@ -220,22 +220,22 @@ Results InertiaMomentsModel::weightResults() const {
             figure(std::abs(rotating.force()), rotating.force_scale * rotating.mass_force,
                    units::newton),
             rotating.force_factor, rotating.force_scale,
-            tr("Of the rotating masses, m R ω² |Σ exp(iκ)|")),
+            tr("Force of the rotating masses, m R ω² |Σ exp(iκ)|")),
         row(tr("Moment, N·m"),
             figure(std::abs(rotating.moment()), rotating.moment_scale * rotating.mass_force,
                    units::N_m),
             rotating.moment_factor, rotating.moment_scale,
-            tr("Of the rotating masses about their middle, m R ω² |Σ z exp(iκ)|")),
+            tr("Moment of the rotating masses about their middle, m R ω² |Σ z exp(iκ)|")),
         row(tr("against the force"), dash, -rotating.force_factor, rotating.force_scale,
-            tr("Where a counterweight against the force stands")),
+            tr("Place of a counterweight against the force")),
         row(tr("against the moment"), dash, -rotating.moment_factor, rotating.moment_scale,
-            tr("Where the front one of two opposite counterweights against the moment stands"))};
+            tr("Place of the front one of two opposite counterweights against the moment"))};
     for (const inertia_moments::Throw* kind :
          inertia_moments::kinds_of_throw(result().engine.throws)) {
         rows << ResultRow(
             {shownTitle(tr("On a throw, rods: %1, g").arg(kind->cylinders.size())).text,
              figure(result().engine.mass_on(*kind), units::gram)},
-            tr("Rotating mass on one crankpin that carries so many rods, at the crank radius"));
+            tr("Rotating mass on one crankpin with this number of rods, at the crank radius"));
     }
     if (result().counterweights) {
         const inertia_moments::CounterweightDesign& design = *result().counterweights;
@@ -248,11 +248,10 @@ Results InertiaMomentsModel::weightResults() const {
                                figure(w.mass(), design.scale / w.radius, units::gram)},
                               massTip);
         };
-        weight(tr("Front web"), design.front, tr("Mass times radius of the counterweight in front"),
-               tr("Mass of the counterweight in front at its radius"));
-        weight(tr("Rear web"), design.rear,
-               tr("Mass times radius of the counterweight at the rear"),
-               tr("Mass of the counterweight at the rear at its radius"));
+        weight(tr("Front web"), design.front, tr("Mass times radius of the front counterweight"),
+               tr("Mass of the front counterweight at its radius"));
+        weight(tr("Rear web"), design.rear, tr("Mass times radius of the rear counterweight"),
+               tr("Mass of the rear counterweight at its radius"));
     }
     return {{tr("Rotating masses"),
              tr("value"),
@@ -264,10 +263,9 @@ Results InertiaMomentsModel::weightResults() const {
 Results InertiaMomentsModel::remainingResults() const {
     Results results{
         {forceAndMoment(),
-         {tr("before"),
-          tr("Largest value over a turn, with the rotating masses, without balancing")},
-         {tr("left"), tr("Largest value with the counterweights and shafts that are on")},
-         {tr("left, %"), tr("What is left as a share of what was there before")}}};
+         {tr("before"), tr("Maximum over a turn, with the rotating masses, without balancing")},
+         {tr("residual"), tr("Maximum with the counterweights and shafts that are on")},
+         {tr("residual, %"), tr("Residual relative to the value before balancing")}}};
     ResultRows& rows = results.rows;
     const auto cells = [](double was, double is, double scale, const Unit& unit) {
         const bool isZero = !(was > inertia_moments::zero_share * scale);

@@ -70,28 +70,28 @@ void CaseBudgetModel::load(const std::optional<OpenCase>& open) {
 Verdict CaseBudgetModel::verdict() const {
     if (!open_) {
         return {Severity::note,
-                CORE_TEXT("methods", "No case is open. Open one to see how sure its results are.")};
+                CORE_TEXT("methods", "Open a case to see how certain its results are.")};
     }
     if (!trouble_.isEmpty()) {
         return {Severity::error, Message(trouble_.toStdString())};
     }
     if (budget_.empty()) {
-        return {Severity::note, CORE_TEXT("methods", "Solving the case with each choice changed.")};
+        return {Severity::note, CORE_TEXT("methods", "Solving the case for each change.")};
     }
     const CaseDoubt& first = budget_.front();
     return {Severity::note,
-            {CORE_TEXT("methods", "%1: %2. Largest contribution: %3, %4."), first.result.name,
+            {CORE_TEXT("methods", "%1: %2. Maximum contribution: %3, %4."), first.result.name,
              valueCell(first.result).text.toStdString(),
              nameOf(first.contributions.front()).toStdString(),
              changeCell(first.contributions.front(), first.result.unit).text.toStdString()}};
 }
 
 Results CaseBudgetModel::results() const {
-    Results results{{{tr("Result, and what is changed"),
-                      tr("The leading results of the open case; below each of them the one thing "
-                         "that is changed in a new solution of the case")},
-                     {tr("Value"), tr("As the case is solved")},
-                     {tr("Changes by"), tr("Difference to the value, the larger one of two")}}};
+    Results results{
+        {{tr("Result and change"),
+          tr("Leading results of the open case; below each, the effect of a single change")},
+         {tr("Value"), tr("Present result")},
+         {tr("Changes by"), tr("Difference from the value, the larger of two")}}};
     const QString indent(3, QChar(0x2002));
     for (const CaseDoubt& doubt : budget_) {
         results.rows << ResultRow{messageText(doubt.result.name), valueCell(doubt.result),

@@ -95,7 +95,7 @@ QString errorNumber(double error) {
 }
 
 QString resultText(const methods::Result& result) {
-    return result.refused() ? QCoreApplication::translate("ravnoves::MethodWords", "refused")
+    return result.refused() ? QCoreApplication::translate("ravnoves::MethodWords", "rejected")
                             : errorNumber(result.error);
 }
 

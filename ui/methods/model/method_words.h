@@ -8,7 +8,7 @@
 namespace ravnoves {
 
 /// A message of core's methods as messageText(), but with small and large numbers as powers of ten,
-/// and with the numbers in words of no language ("0.1°", "1e-6") in the user's way.
+/// and with the numbers as text of no language ("0.1°", "1e-6") in the user's way.
 QString methodText(const Message& message);
 
 /// A hard parameter's name with its unit: "shaft angle α, °".
@@ -20,7 +20,7 @@ QString timeText(double nanoseconds);  ///< "12.3 ns", "1.2 ms"
 /// Three digits, and the rest zeros: "1 230 000"; a dash where there is no time.
 QString nanosecondsText(double nanoseconds);
 QString errorNumber(double error);  ///< "3.2·10⁻⁹"
-/// The error, or "refused".
+/// The error, or "rejected".
 QString resultText(const methods::Result& result);
 
 }  // namespace ravnoves

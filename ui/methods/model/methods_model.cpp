@@ -61,9 +61,8 @@ void MethodsModel::loadFile(const CaseFile& file, const CaseContext& /*context*/
                             const Json* /*named*/) {
     const Json& input = file.input;
     const std::string place = input.empty() ? "/input" : "/input/" + input.begin().key();
-    throw InputError(place, CORE_TEXT("core",
-                                      "is nothing that this page can be told; it knows kernel, "
-                                      "sweep, value"));
+    throw InputError(
+        place, CORE_TEXT("core", "is not a setting of this page; settings: kernel, sweep, value"));
 }
 
 Json MethodsModel::resultJson() const {

@@ -94,7 +94,7 @@ class MethodsModel : public SceneModel {
 
     std::size_t kernel_ = 0;
     std::vector<Choice> choices_;
-    std::optional<double> before_;  ///< the value before the editing that goes on
+    std::optional<double> before_;  ///< the value before the editing that continues
     bool active_ = false;
     MethodMeasurements* measurements_;
     std::shared_ptr<const MethodMeasurement> shown_;

@@ -86,7 +86,7 @@ Span spanOf(double one, double other) {
 }
 
 /// How far a line that reaches so far to its sides reaches past an end.
-/// @param next  where it goes on from there; null: the end is flat
+/// @param next  where it continues from there; null: the end is flat
 double pastEnd(const QPointF& end, const QPointF* next, const QPointF& along, double reach) {
     if (next == nullptr) {
         return 0.5;

@@ -37,7 +37,7 @@ class LineBrush {
     std::pair<double, double> stretchSeen(const QPointF& from, const QPointF& along,
                                           double length) const;
     void mark(const QPolygonF& line);
-    /// @param before, after  points that the line comes from and goes on to; null at its ends
+    /// @param before, after  points that the line comes from and continues to; null at its ends
     void markSegment(const QPointF& from, const QPointF& to, const QPointF* before,
                      const QPointF* after);
     void ink(const QColor& colour);

@@ -170,7 +170,7 @@ void paintGridLines(QPainter& painter, const QList<QLineF>& lines) {
                              colour);
         }
     };
-    // Pixels that are covered in part stand apart: before, within and after.
+    // Pixels that are covered in part are apart: before, within and after.
     const auto parts = [](double from, double to) {
         std::vector<std::pair<double, double>> parts;
         const double first = std::min(std::ceil(from), to);

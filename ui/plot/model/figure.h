@@ -10,16 +10,16 @@
 
 namespace ravnoves {
 
-/// What a plot shows of a case, as a value: made anew for another input, it is the reference under
+/// What a plot shows of a case, as a value: made again for another input, it is the reference under
 /// the curves, a sample of the tolerances, or a picture of a report. What the user does to a plot,
-/// zoom and legend, is the plot's and goes on with the curve's word.
+/// zoom and legend, is the plot's and continues with the curve's word.
 struct Figure {
     struct Curve {
         std::string id;  ///< its word, one of the figure's own
         plot::CurveStyle style = {};
         std::vector<double> x = {};  ///< may be empty
         std::vector<double> y = {};
-        /// Where it is drawn out of scale, the places that it stands for; else empty.
+        /// Where it is drawn out of scale, the places that it represents; else empty.
         std::vector<double> trueX = {};
         std::vector<double> trueY = {};
         /// What is read out of point i of x, as lines; null: the curve's value is.
@@ -47,7 +47,7 @@ struct Figure {
     std::optional<std::pair<double, double>> rightRange = {};
     bool equalScale = false;  ///< one unit is the same length on both axes
     std::vector<Curve> curves = {};
-    /// Nothing: what stands there follows the crank, not the case.
+    /// Nothing: what is there follows the crank, not the case.
     std::optional<std::vector<plot::Mark>> marks = {};
     std::vector<plot::Band> bands = {};
     std::vector<plot::Line> lines = {};

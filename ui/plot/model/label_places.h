@@ -7,7 +7,7 @@
 
 namespace ravnoves {
 
-/// What is drawn in a plot, on a coarse grid, and the labels that stand in it: finds the place for
+/// What is drawn in a plot, on a coarse grid, and the labels that are in it: finds the place for
 /// one more where it covers least.
 class LabelPlaces {
   public:
@@ -17,7 +17,7 @@ class LabelPlaces {
     void addLine(const QPointF& from, const QPointF& to);
     /// A dot or a bar.
     void addShape(const QRectF& shape);
-    /// Nothing may stand over it.
+    /// Nothing may be over it.
     void addLabel(const QRectF& label);
     /// How much a label here would cover; 0 where nothing is.
     double covered(const QRectF& label) const;

@@ -40,7 +40,7 @@ bool PlotCurve::set(std::vector<double> newX, std::vector<double> newY, const Pl
     newX.resize(finite);
     newY.resize(finite);
     if (style.closed && firstThere && !left && !newStarts.empty()) {
-        // Begin after the first gap, so that the last stretch goes on in the first.
+        // Begin after the first gap, so that the last stretch continues in the first.
         const std::size_t first = newStarts.front();
         for (auto* values : {&newX, &newY}) {
             std::rotate(values->begin(), values->begin() + static_cast<std::ptrdiff_t>(first),

@@ -38,7 +38,7 @@ struct CurveStyle {
     double barWidth = 0.8;
     double barShift = 0.0;  ///< of the bar's middle, so that groups stand side by side
     bool gaps = false;      ///< the line is broken where a point is not finite
-    bool closed = false;    ///< with gaps: the last point goes on in the first
+    bool closed = false;    ///< with gaps: the last point continues in the first
     /// Of a vector's path: the angle φ that its points share out evenly, from 0, degrees. The
     /// cursor then reads the nearest point with its φ.
     double turn = 0.0;
@@ -87,7 +87,7 @@ struct PlotCurve {
     plot::CurveStyle style = {};
     std::vector<double> x = {};
     std::vector<double> y = {};
-    /// What is drawn out of scale stands for these places, point by point; else empty.
+    /// What is drawn out of scale represents these places, point by point; else empty.
     std::vector<double> trueX = {};
     std::vector<double> trueY = {};
     std::vector<std::size_t> starts = {};  ///< points that do not hang together with the one before
@@ -121,7 +121,7 @@ struct PlotCurve {
     }
 };
 
-/// What a plot shows, without a window: curves, scales, marks, and where they stand in a rectangle
+/// What a plot shows, without a window: curves, scales, marks, and where they are in a rectangle
 /// of pixels.
 struct PlotData {
     using Side = plot::Side;
@@ -193,7 +193,7 @@ struct PlotData {
     void zoom(double factorX, double factorY, const QPointF& about);
     void pan(const QPointF& pixels);
     void makeStale();
-    /// Makes the lines of stale curves anew: in pixels, without points that move no pixel.
+    /// Makes the lines of stale curves again: in pixels, without points that move no pixel.
     void thinCurves();
     /// The same of any curve, by this plot's scales.
     std::vector<QPolygonF> stretchesOf(const PlotCurve& curve) const;
@@ -218,7 +218,7 @@ struct PlotData {
     std::optional<Point> nextPoint(int by) const;
     /// The data of the shown curves as a table: one x, then a column for each curve, empty where it
     /// has no point there. A curve that goes back and forth in x has its own x beside it. What is
-    /// drawn of the reference stands beside its curve under its name.
+    /// drawn of the reference is beside its curve under its name.
     QString csv(const CsvFormat& format) const;
 
   private:

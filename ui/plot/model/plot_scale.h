@@ -13,7 +13,7 @@ namespace ravnoves {
 
 namespace plot {
 
-/// A scale that is neither linear nor logarithmic: where values stand on it, and what stands
+/// A scale that is neither linear nor logarithmic: where values are on it, and what stands
 /// at a place; both increase.
 struct Scale {
     std::function<double(double value)> place = {};
@@ -37,7 +37,7 @@ struct Axis {
 
 }  // namespace plot
 
-/// One axis of a plot without the plot: the interval shown, where values stand in it, its ticks
+/// One axis of a plot without the plot: the interval shown, where values are in it, its ticks
 /// and its numbers.
 struct PlotScale {
     plot::Axis spec;
@@ -48,7 +48,7 @@ struct PlotScale {
     std::pair<double, double> home = {0.0, 1.0};
     double step = 1.0;  ///< between ticks of a linear axis, in numbers shown
 
-    /// Takes over what the axis is to be, in the units that the user wants.
+    /// Adopts what the axis is to be, in the units that the user wants.
     void setSpec(const plot::Axis& axis);
     /// A value as a number of the axis.
     double number(double value) const;
@@ -87,7 +87,7 @@ struct PlotScale {
     ///   drags, axes that follow each step are not to be read, and take half of each frame
     void fit(double least, double most, bool steady = false);
     /// Keeps to this interval, with a little room.
-    /// @return whether that is news; an interval that is none is refused
+    /// @return whether that is news; an interval that is none is rejected
     bool fix(double min, double max);
     /// Widens the interval by the factor about a fraction of it; not beyond what numbers can tell
     /// apart, nor beyond home.

@@ -109,9 +109,8 @@ QString plotSentence(const PlotData& data) {
     }
     if (data.spreadShown && data.hasSpread()) {
         sentence +=
-            QLatin1Char(' ') +
-            said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence",
-                                   "With bands: 5…95 % of what the tolerances make of it."));
+            QLatin1Char(' ') + said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence",
+                                                      "With bands: 5…95 % due to the tolerances."));
     }
     QStringList marks;
     for (const plot::Mark& mark : data.marks) {

@@ -6,7 +6,7 @@
 
 namespace ravnoves {
 
-/// A plot in words, curve by curve: its extremes and where they are, or how it goes where it only
+/// A plot as text, curve by curve: its extremes and where they are, or how it goes where it only
 /// rises or falls: "Over φ from 0 to 720 °. Mᵤₚ: from −512 at 372 to 551 N·m at 12; …".
 QString plotSentence(const PlotData& data);
 

@@ -128,7 +128,7 @@ void JobDesk::replaceJob(qint64 id, int revision, const std::function<void()>& t
         putJobId(before.first, before.second);
         throw;
     }
-    // What was refused was typed for another job, and one value may be that of both.
+    // What was rejected was typed for another job, and one value may be that of both.
     Q_EMIT model_->broughtIn();
 }
 
@@ -164,7 +164,7 @@ QString JobDesk::restoreJournal(const QString& path, const QString& file,
                                 const std::atomic<bool>& cancelled) {
     Journal journal(path);
     const auto done = journal.open() ? journal.restore(file, &cancelled) : std::nullopt;
-    return done ? tr("Jobs brought back: %1; already in the journal: %2.")
+    return done ? tr("Jobs restored: %1; already in the journal: %2.")
                       .arg(done->added)
                       .arg(done->known)
                 : journal.lastError();
@@ -272,10 +272,10 @@ QString JobDesk::saveJob(bool* ok, bool isFinished) {
         *ok = false;
     }
     if (jobId_ == 0 && !isNamed(scene_.entry()) && !scene_.hasNumbers()) {
-        return tr("The sheet is empty: nothing is saved.") + QLatin1Char(' ') + scene_.missing();
+        return tr("The sheet is empty: not saved.") + QLatin1Char(' ') + scene_.missing();
     }
     if (!openJournal()) {
-        return journalTrouble_.isEmpty() ? tr("There is no journal.") : journalTrouble_;
+        return journalTrouble_.isEmpty() ? tr("The journal is not available.") : journalTrouble_;
     }
     model_->keepForSaving();
     JournalJob job = scene_.entry();
@@ -315,12 +315,12 @@ QString JobDesk::savedText(Journal::Saved saved, const JournalJob& job) const {
         job.engineNumber.isEmpty() ? tr("without an engine number") : job.engineNumber;
     const QString done =
         saved == Journal::Saved::AsCopy
-            ? tr("Job %1 had been changed elsewhere meanwhile: saved as a new job.").arg(number)
+            ? tr("Job %1 was changed by another program: saved as a new job.").arg(number)
         : job.isFinished ? tr("Job %1 saved in the journal.").arg(number)
                          : tr("Job %1 put aside in the journal, unfinished.").arg(number);
     QStringList said{done, scene_.missing()};
     if (!isNamed(job)) {
-        said << tr("A number of engine or crankshaft, or a customer, is needed to find it again.");
+        said << tr("Enter a number of engine or crankshaft, or a customer, to find the job again.");
     }
     said.removeAll(QString());
     return said.join(QLatin1Char(' '));

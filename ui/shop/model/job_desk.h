@@ -23,7 +23,7 @@ class JobDesk : public QObject {
         /// What the journal's lists and searches show of the job; id, revision, scene and form are
         /// the desk's.
         std::function<JournalJob()> entry;
-        /// Takes over a job's case, as it was or to be the sheet of another one: what says whose it
+        /// Adopts a job's case, as it was or to be the sheet of another one: what says whose it
         /// is, and all that was weighed and read, is new then. Nothing has changed where it throws.
         /// @throws InputError
         std::function<void(const CaseFile& file, bool isCopy)> take;
@@ -78,9 +78,9 @@ class JobDesk : public QObject {
     QString engineOnSheet() const { return numbersOf(scene_.entry()); }
     /// A job that is in no journal yet, and has nothing by which it could be found there.
     bool isNameless() const;
-    /// True where the journal has the sheet as it stands, though a case file may not.
+    /// True where the journal has the sheet in its present state, though a case file may not.
     bool isJournaled() const { return isJournaled_; }
-    /// Saves the job as it stands on the sheet, finished or to go on with another day. One without
+    /// Saves the job as it is on the sheet, finished or to go on with another day. One without
     /// an answer, or by which nobody could find it again, is not finished; one without anything is
     /// not saved. @return a sentence for the status bar; `ok` says whether it is saved
     QString saveJob(bool* ok = nullptr, bool isFinished = true);

@@ -93,12 +93,11 @@ Journal::Saved Journal::save(JournalJob& job) {
 bool Journal::keepsAsSaved(const JournalJob& job) {
     const auto kept = this->job(job.id);
     return (kept && kept->form == job.form && kept->revision == job.revision) ||
-           fail(tr("The job could not be saved: the journal keeps nothing of it."),
-                tr("it does not read as it was written"));
+           fail(tr("The job could not be saved in the journal."), tr("the saved data differ"));
 }
 
 Journal::Saved Journal::saveOnce(JournalJob& job) {
-    const QString cannot = tr("The job could not be saved: the journal keeps nothing of it.");
+    const QString cannot = tr("The job could not be saved in the journal.");
     job.saved = QDateTime::currentDateTimeUtc();
     bool asCopy = false;
     if (job.id != 0) {
@@ -148,7 +147,7 @@ std::optional<JournalJob> Journal::job(qint64 id) {
     auto found = ask(QStringLiteral("SELECT %1 FROM job WHERE id = ?").arg(journal_rows::columns),
                      {id}, tr("The job could not be read."));
     if (found && !found->next()) {
-        fail(tr("The job is no longer in the journal."), {});
+        fail(tr("The job was removed from the journal."), {});
         return std::nullopt;
     }
     return found ? std::optional(journal_rows::read(*found)) : std::nullopt;
@@ -220,7 +219,7 @@ bool Journal::renameEngine(const QString& from, const QString& to) {
     const QString cannot = tr("The engine could not be renamed.");
     const auto done =
         ask(QStringLiteral("UPDATE engine SET name = ? WHERE name = ?"), {to, from}, cannot);
-    return done && (done->numRowsAffected() == 1 || fail(cannot, tr("it is no longer kept")));
+    return done && (done->numRowsAffected() == 1 || fail(cannot, tr("it was removed")));
 }
 
 bool Journal::removeEngine(const QString& name) {

@@ -81,7 +81,7 @@ struct JournalQuery {
 /// Several programs may have the same journal open: each waits a moment for the other's write, and
 /// a job that was changed elsewhere meanwhile is never overwritten. Once a day it is backed up
 /// beside itself. A file that SQLite finds damaged is renamed and a new one begun: the newest
-/// backup is offered. Another program's database is refused, and so is a journal with anything in
+/// backup is offered. Another program's database is rejected, and so is a journal with anything in
 /// it that this program did not put there (triggers, views, other tables).
 class Journal : public QObject {
     Q_OBJECT

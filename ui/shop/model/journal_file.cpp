@@ -252,8 +252,7 @@ bool Journal::prepareSchema() {
         }
     }
     if (!head->isOurs) {
-        return fail(tr("%1 is a database of another program, or another program has changed it; it "
-                       "was left as it is.")
+        return fail(tr("%1 belongs to another program or was changed by one; it was not changed.")
                         .arg(path_),
                     {});
     }
@@ -400,9 +399,9 @@ bool Journal::putAside(const QString& why) {
         target = stem + QStringLiteral("-%1.sqlite").arg(n);
     }
     if (!QFile::rename(path_, target)) {
-        return fail(tr("The journal %1 is damaged and cannot be set aside; nothing was changed.")
-                        .arg(path_),
-                    why);
+        return fail(
+            tr("The journal %1 is damaged and cannot be renamed; it was not changed.").arg(path_),
+            why);
     }
     // The log belongs to the file: what was saved last may be in it.
     for (const char* suffix : {"-wal", "-shm"}) {
@@ -411,8 +410,7 @@ bool Journal::putAside(const QString& why) {
             QFile::remove(side);
         }
     }
-    openMessage_ = tr("The journal was damaged. The damaged file was kept as %1, and a new journal "
-                      "was begun.")
+    openMessage_ = tr("The journal was damaged. The file is now %1, and a new journal was created.")
                        .arg(target);
     for (const QFileInfo& backup : backupsOf(path_).mid(0, 1)) {
         offered_ = backup.filePath();
@@ -483,7 +481,7 @@ std::optional<Contents> contentsOf(const QSqlDatabase& database,
 
 std::optional<JournalRestored> Journal::restore(const QString& file,
                                                 const std::atomic<bool>* cancelled) {
-    const QString cannot = tr("%1 is no backup of a journal, or is damaged.").arg(file);
+    const QString cannot = tr("%1 is not a backup of a journal, or is damaged.").arg(file);
     std::optional<Contents> found;
     if (!isReady() || QFileInfo(file) == QFileInfo(path_) || !noFileOf(file).isEmpty()) {
         fail(cannot, {});

@@ -142,11 +142,11 @@ bool saysBusy(const QSqlError& error) {
 QString faultText(const QSqlError& error) {
     switch (primaryCode(error)) {
         case sqliteFull:
-            return Journal::tr("there is no space left on the disk");
+            return Journal::tr("the disk is full");
         case sqliteReadOnly:
-            return Journal::tr("the journal may only be read");
+            return Journal::tr("the journal is read-only");
         case sqliteInput:
-            return Journal::tr("the disk does not read or write it");
+            return Journal::tr("disk error");
         case sqliteCannotOpen:
             return Journal::tr("the file cannot be opened");
         case sqliteBusy:

@@ -8,7 +8,7 @@
 
 namespace ravnoves::journal_rows {
 
-// How jobs stand in the rows of the database; shared by the parts of the journal.
+// How jobs are in the rows of the database; shared by the parts of the journal.
 
 /// The columns that read() expects, in their order; a file of version 1 has the first of them.
 extern const QString columns;
@@ -36,7 +36,7 @@ QString bare(const QString& text);
 bool saysDamaged(const QSqlError& error);
 /// Whether another program holds the file now.
 bool saysBusy(const QSqlError& error);
-/// What SQLite says, in words for who works with the journal.
+/// What SQLite says, as text for who works with the journal.
 QString faultText(const QSqlError& error);
 
 }  // namespace ravnoves::journal_rows

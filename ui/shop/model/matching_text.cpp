@@ -57,30 +57,26 @@ QString summary(const Words& words, const Shown& shown) {
     const QString before = gramsOf(words, matched.spread_before);
     if (matched.moved == 0 && isMoved) {
         return words
-            .translate(
-                "Matching",
-                "Assemble by the numbers of the sets: placed so, the crankpins differ by %1.")
+            .translate("Matching",
+                       "Assemble by set numbers: the range of the crankpins is then %1.")
             .arg(before);
     }
     if (matched.moved == 0 && matched.remark.empty() && matched.proven) {
         return words
-            .translate("Matching",
-                       "The parts are placed as well as can be: the crankpins differ by %1.")
+            .translate("Matching", "The parts are placed optimally: range of the crankpins %1.")
             .arg(before);
     }
     if (matched.moved == 0) {
-        return words.translate("Matching", "The parts stay: the crankpins differ by %1.")
+        return words.translate("Matching", "Parts not moved: range of the crankpins %1.")
             .arg(before);
     }
     if (isMoved || shown.is_origin_unknown) {
         return words
-            .translate(
-                "Matching",
-                "Crankpins differ by %1 as they are now and by %2 after moving %3 sets more.")
+            .translate("Matching", "Range of the crankpins: %1 now, %2 after moving %3 more sets.")
             .arg(before, gramsOf(words, matched.spread), QString::number(matched.moved));
     }
     return words
-        .translate("Matching", "Crankpins differ by %1 as weighed and by %2 after moving %3 sets.")
+        .translate("Matching", "Range of the crankpins: %1 as weighed, %2 after moving %3 sets.")
         .arg(before, gramsOf(words, matched.spread), QString::number(matched.moved));
 }
 
@@ -93,7 +89,7 @@ QStringList remarks(const Words& words, const Shown& shown) {
     const bool byShaking = matched.goal == MatchingGoal::least_shaking;
     if (!matched.proven) {
         list << words.translate("Matching",
-                                "Too many placings to try all: this is the best found.");
+                                "Too many combinations to try all: this is the best found.");
     }
     if (byShaking) {
         QStringList angles;
@@ -103,8 +99,8 @@ QStringList remarks(const Words& words, const Shown& shown) {
         list << words.translate("Matching", "Throws from the front at %1.")
                     .arg(angles.join(QStringLiteral("; ")));
         if (!matched.spacing_known) {
-            list << words.translate("Matching",
-                                    "The couple counts; its size needs the cylinder spacing.");
+            list << words.translate(
+                "Matching", "The couple is included; enter the cylinder spacing to see its value.");
         }
     }
     return list;
@@ -113,14 +109,14 @@ QStringList remarks(const Words& words, const Shown& shown) {
 Results effects(const Words& words, const Shown& shown) {
     const Matched& matched = shown.matched;
     Results results{
-        {words.translate("Matching", "What differs"),
-         shown.is_origin_unknown ? words.translate("Matching", "as they are now")
+        {words.translate("Matching", "Difference"),
+         shown.is_origin_unknown ? words.translate("Matching", "now")
                                  : words.translate("Matching", "as weighed"),
-         words.translate("Matching", "placed so")},
-        {{{words.translate("Matching", "Crankpins, spread"),
+         words.translate("Matching", "proposed")},
+        {{{words.translate("Matching", "Crankpins, range"),
            gramsOf(words, shown.spread_as_weighed.value_or(matched.spread_before)),
            gramsOf(words, matched.spread)},
-          words.translate("Matching", "Heaviest less lightest crankpin, as their bob weights")}}};
+          words.translate("Matching", "Heaviest minus lightest crankpin, by bob weight")}}};
     ResultRows& rows = results.rows;
     if (!matched.shaking_before || !matched.shaking) {
         return results;
@@ -135,9 +131,8 @@ Results effects(const Words& words, const Shown& shown) {
                             : words.translate("Matching", "Unbalance at the crank radius"),
          forceOf(words, shown, before.force), forceOf(words, shown, after.force)},
         words.translate("Matching",
-                        "First-order unbalance of what the parts differ by from their "
-                        "mean, greatest over a turn; what the engine leaves by its "
-                        "design is not in it"));
+                        "First-order unbalance due to deviations from the mean mass, maximum over "
+                        "a turn; the unbalance of the layout itself is not included"));
     if (newtons) {
         rows << ResultRow{words.translate("Matching", "Force at %1").arg(speed),
                           words.cellWithUnit(before.force * *newtons, units::newton, 2),
@@ -148,7 +143,7 @@ Results effects(const Words& words, const Shown& shown) {
             {shown.crank_radius ? words.translate("Matching", "Couple")
                                 : words.translate("Matching", "Couple at the crank radius"),
              coupleOf(words, shown, before.couple), coupleOf(words, shown, after.couple)},
-            words.translate("Matching", "The same along the crankshaft, about its middle"));
+            words.translate("Matching", "Couple along the crankshaft, about its middle"));
         if (newtons) {
             rows << ResultRow{words.translate("Matching", "Couple at %1").arg(speed),
                               words.cellWithUnit(before.couple * *newtons, units::N_m, 3),
@@ -158,9 +153,8 @@ Results effects(const Words& words, const Shown& shown) {
     rows << ResultRow({words.translate("Matching", "At the ends, mean"),
                        forceOf(words, shown, before.ends), forceOf(words, shown, after.ends)},
                       words.translate("Matching",
-                                      "Root mean square over a turn and both end cylinders, of "
-                                      "force and couple together: what “Least shaking” "
-                                      "makes small"));
+                                      "RMS of force and couple over a turn, at both end cylinders; "
+                                      "“Minimum shaking” minimises it"));
     return results;
 }
 
@@ -205,16 +199,15 @@ Results assignment(const Words& words, const Shown& shown) {
         }
         return cells;
     };
-    const ResultColumn first(words.translate("Matching", "Cylinder"),
-                             words.translate("Matching",
-                                             "A dot: the part stays; a number: it comes from that "
-                                             "cylinder"));
+    const ResultColumn first(
+        words.translate("Matching", "Cylinder"),
+        words.translate("Matching", "Dot: the part is not moved; number: its previous cylinder"));
     return {
         numbered(first, shown.matched.pistons.size()),
         {row(words.translate("Matching", "Piston from"), shown.piston_sets, shown.matched.pistons,
-             words.translate("Matching", "Cylinder from which the piston comes")),
+             words.translate("Matching", "Previous cylinder of the piston")),
          row(words.translate("Matching", "Rod from"), shown.rod_sets, shown.matched.rods,
-             words.translate("Matching", "Cylinder from which the rod comes"))}};
+             words.translate("Matching", "Previous cylinder of the rod"))}};
 }
 
 Results takeOff(const Words& words, WeighIn sheet) {

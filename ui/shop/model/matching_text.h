@@ -29,7 +29,7 @@ struct Shown {
 /// Says what the parts make where they were weighed, if they are elsewhere now.
 void takeAsWeighed(Shown& shown, const shop::MatchingTask& task, const shop::WeighIn& sheet);
 
-/// Which sets to move, in words.
+/// Which sets to move, as text.
 QString summary(const Words& words, const Shown& shown);
 /// Why it is not the goal asked for, what is not proven, what is taken for granted.
 QStringList remarks(const Words& words, const Shown& shown);

@@ -110,7 +110,7 @@ void ScaleReader::lose(QSerialPort::SerialPortError /*error*/) {
     if (!hasTail_) {
         forgetForm();
     }
-    trouble_ = tr("The scale has been unplugged. It is taken up again when it is back.");
+    trouble_ = tr("The scale was unplugged. It reconnects automatically.");
     // Not in its own signal.
     QMetaObject::invokeMethod(
         &port_, [this] { port_.close(); }, Qt::QueuedConnection);
@@ -129,9 +129,9 @@ void ScaleReader::forgetForm() {
 QString ScaleReader::reason(QSerialPort::SerialPortError error) const {
     switch (error) {
         case QSerialPort::DeviceNotFoundError:
-            return tr("%1 is not there: is the scale plugged in?").arg(settings_.port);
+            return tr("%1 does not exist: check that the scale is plugged in.").arg(settings_.port);
         case QSerialPort::PermissionError:
-            return tr("%1 cannot be opened: another program has it, or you are not in the group "
+            return tr("%1 cannot be opened: another program uses it, or you are not in the group "
                       "dialout.")
                 .arg(settings_.port);
         default:
@@ -155,8 +155,9 @@ void ScaleReader::take(const std::string& raw) {
     const QByteArray bytes = QByteArray::fromStdString(raw);
     if (line.has_weight() && line.form < form_) {
         line.kind = ScaleLine::Kind::garbled;
-        refusal_ = tr("Waits for lines such as “%1”; got “%2”. Another scale? Open Edit ▸ Scale….")
-                       .arg(shownLine(fullest_), shownLine(bytes));
+        refusal_ =
+            tr("Expected lines such as “%1”, got “%2”. For another scale open Edit ▸ Scale….")
+                .arg(shownLine(fullest_), shownLine(bytes));
     } else if (line.has_weight()) {
         form_ = line.form;
         fullest_ = bytes;

@@ -27,7 +27,7 @@ class ScaleReader : public QObject {
     const ScaleSettings& settings() const { return settings_; }
 
     bool isConnected() const { return port_.isOpen(); }
-    /// Why it is not connected, in words; empty where it is, or shall not be.
+    /// Why it is not connected, as text; empty where it is, or shall not be.
     QString trouble() const { return trouble_; }
     /// Why the weight read last is not used: a line such as that before is awaited, which says more
     /// of itself. Empty where there is no such reason.

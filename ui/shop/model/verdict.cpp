@@ -69,7 +69,7 @@ QString verdictText(const Words& words, const QString& verdict) {
 QString refusedNote(const Words& words, const QStringList& refused) {
     return refused.isEmpty()
                ? QString()
-               : words.translate("JobCard", "Not up to date, for these entries are refused: %1")
+               : words.translate("JobCard", "Result outdated: entries not accepted: %1")
                      .arg(refused.join(QLatin1Char(' ')));
 }
 

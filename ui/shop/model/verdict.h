@@ -41,7 +41,7 @@ enum class VerdictKind {
     Open  ///< to be measured again, or doubted
 };
 VerdictKind verdictKind(const QString& verdict);
-/// That what is said is of the values before entries that a form refuses; empty without such.
+/// That what is said is of the values before entries that a form rejects; empty without such.
 QString refusedNote(const Words& words, const QStringList& refused);
 
 /// A verdict's word as page, card and journal say it: "fails → passes" is measured → after

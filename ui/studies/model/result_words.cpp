@@ -28,7 +28,7 @@ void learn(Names& names, const std::string& scene, const Json& input, const Case
                                    Described{std::move(entry.name), entry.unit});
         }
     } catch (const InputError&) {
-        // A case that is refused has no results.
+        // A case that is rejected has no results.
     }
 }
 

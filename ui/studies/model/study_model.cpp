@@ -208,7 +208,7 @@ QString StudyModel::named(QString text) const {
     for (const Input& input : inputs_) {
         add(input.pointer);
     }
-    const Json study = Json::parse(scene_->study(), nullptr, false);  // it may be refused
+    const Json study = Json::parse(scene_->study(), nullptr, false);  // it may be rejected
     for (const char* list : {"vary", "watch"}) {
         const Json pointers =
             study.is_object() ? study.value(list, Json::object()) : Json::object();

@@ -46,7 +46,7 @@ class StudyModel : public QObject {
 
     SceneModel* scene() const { return scene_; }
     const studies::Study& study() const { return study_; }
-    /// Why the case's study or its answer is refused; empty where neither is.
+    /// Why the case's study or its answer is rejected; empty where neither is.
     QString trouble() const { return trouble_; }
     /// A method that older cases ask for and that is gone; empty where there is none.
     QString goneMethod() const { return goneMethod_; }
@@ -103,7 +103,7 @@ class StudyModel : public QObject {
     QStringList notes() const;
     /// Why the linear answer of a value fails; empty where it holds.
     QString failure(const StudyAnswer& answer) const;
-    /// Why samples were refused, in words, and how many.
+    /// Why samples were rejected, as text, and how many.
     std::vector<std::pair<QString, std::uint64_t>> refused() const;
     /// They are of what was before, and newer ones are on the way.
     bool isStale() const { return stale_; }
@@ -117,7 +117,7 @@ class StudyModel : public QObject {
 
   private:
     void follow();
-    /// Takes over study and inputs.
+    /// Adopts study and inputs.
     void refresh();
     /// The history says that something happened: a drag says no more than that.
     void move();

@@ -86,7 +86,7 @@ QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>
             troubles.add(texts.size() > 1 ? inputName(pointer) + QStringLiteral(": ") + why : why);
         }
     }
-    QString all = troubles.text(RefusingTable::tr("Refused besides: %1"));
+    QString all = troubles.text(RefusingTable::tr("Also not accepted: %1"));
     if (all.isEmpty()) {
         change(tr("Tolerance"), next);
     }
@@ -108,7 +108,7 @@ QString StudyModel::readScatter(Study& next, const std::string& pointer,
     const auto input = std::find_if(inputs_.begin(), inputs_.end(),
                                     [&](const Input& each) { return each.pointer == pointer; });
     if (input != inputs_.end() && rest == scatterText(*input)) {
-        return {};  // it stands for all digits
+        return {};  // it represents all digits
     }
     Varied varied{.pointer = pointer};
     if (rest.endsWith(QLatin1Char('%'))) {
@@ -132,8 +132,7 @@ QString StudyModel::readScatter(Study& next, const std::string& pointer,
         return trouble;
     }
     if (!number || !(*number > 0.0)) {
-        return tr("“%1” is no tolerance, which is a number above 0: 0.02, 1 %, σ 0.01.")
-            .arg(text.trimmed());
+        return tr("“%1” is not a tolerance. Examples: 0.02, 1 %, σ 0.01.").arg(text.trimmed());
     }
     if (QString either = thousandsTrouble(rest, unit.name); !either.isEmpty()) {
         return either;
@@ -200,13 +199,14 @@ QString StudyModel::readLimit(const std::string& pointer, const QString& text,
                               std::optional<double>& limit) const {
     const QString typed = text.trimmed();
     if (typed == limitText(pointer, limit)) {
-        return {};  // it stands for all digits of the limit
+        return {};  // it represents all digits of the limit
     }
     const ShownUnit shown = resultName(pointer).shown();
     const auto [number, trouble] = readTypedNumber(typed, shown.name);
     if (!typed.isEmpty() && !number) {
-        return !trouble.isEmpty() ? trouble
-                                  : tr("A limit is a number, or nothing; %1 is none.").arg(typed);
+        return !trouble.isEmpty()
+                   ? trouble
+                   : tr("%1 is not a limit: enter a number, or leave it blank.").arg(typed);
     }
     if (const QString either = thousandsTrouble(typed, shown.name); !either.isEmpty()) {
         return either;
@@ -222,11 +222,11 @@ QString StudyModel::setLimits(const std::vector<Watched>& limits) {
     Study next = study_;
     for (const Watched& limit : limits) {
         if (const auto across = studies::upper_across_zero(limit)) {
-            return tr("The lower limit is above the upper one: across 0° write %1 for %2.")
+            return tr("The lower limit is above the upper limit: across 0° enter %1 instead of %2.")
                 .arg(formNumber(*across, QLocale()), formNumber(*limit.max, QLocale()));
         }
         if (limit.min && limit.max && *limit.min > *limit.max) {
-            return tr("The lower limit is above the upper one.");
+            return tr("The lower limit is above the upper limit.");
         }
         std::replace_if(
             next.watch.begin(), next.watch.end(),

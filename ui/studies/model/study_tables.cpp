@@ -62,7 +62,7 @@ QString StudyTable::pasteBlock(int row, int column, const std::vector<QStringLis
     if (why.isEmpty()) {
         why = write(row, column, cells);
         if (!why.isEmpty()) {
-            return tr("Nothing is pasted. %1").arg(why);
+            return tr("Not pasted. %1").arg(why);
         }
         setTaken(row, column, cells);
     }
@@ -199,7 +199,7 @@ QString WatchTable::text(int row, int column, bool /*isEdited*/) const {
 bool WatchTable::setData(const QModelIndex& index, const QVariant& value, int role) {
     const int other = index.column() == Least ? Most : Least;
     if (index.isValid() && refused().contains({rowName(index.row()), other})) {
-        // It may stand beside what is typed now, as one step.
+        // It may be beside what is typed now, as one step.
         QStringList both{text(index.row(), Least, true), text(index.row(), Most, true)};
         both[other - 1] = this->index(index.row(), other).data(Qt::EditRole).toString();
         both[index.column() - 1] = value.toString();
@@ -238,7 +238,7 @@ QString WatchTable::write(int row, int column, const std::vector<QStringList>& c
         limits.push_back(limit);
         ++row;
     }
-    QString all = troubles.text(RefusingTable::tr("Refused besides: %1"));
+    QString all = troubles.text(RefusingTable::tr("Also not accepted: %1"));
     return all.isEmpty() ? model_->setLimits(limits) : all;
 }
 

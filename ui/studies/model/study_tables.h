@@ -15,7 +15,7 @@ class StudyTable : public RefusingTable {
 
     SceneModel* scene() const final { return model_->scene(); }
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
-    /// What rows with a text that is refused are called.
+    /// What rows with a text that is rejected are called.
     QStringList refusedNames() const;
 
     int columnCount(const QModelIndex& parent = {}) const final;

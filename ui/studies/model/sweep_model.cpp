@@ -56,7 +56,7 @@ class Sweeper {
     /// @return none where it was stopped
     std::vector<Sweep::Place> at(const std::vector<double>& values,
                                  std::pair<double, double> done) {
-        // By value, then by sample; not a number where it was refused.
+        // By value, then by sample; not a number where it was rejected.
         std::vector<std::vector<double>> found(values.size(),
                                                std::vector<double>(inputs_.size(), none));
         std::vector<std::vector<char>> built(values.size(), std::vector<char>(inputs_.size()));
@@ -262,7 +262,7 @@ void SweepModel::start() {
 
 void SweepModel::takeBest() {
     if (sweep_ && sweep_->best) {
-        study_->scene()->editField(sweep_->input, sweep_->best->x, tr("Lowest 95 % value"));
+        study_->scene()->editField(sweep_->input, sweep_->best->x, tr("Minimum 95th percentile"));
     }
 }
 

@@ -37,7 +37,7 @@ QString unbalanceOf(const Words& words, double unbalance) {
     return words.number(unbalance, units::gram_mm, 1);
 }
 
-/// An unbalance in words with its direction, where it has one.
+/// An unbalance as text with its direction, where it has one.
 QString atAngle(const Words& words, const QString& shown, double unbalance, double angle) {
     return has_direction(unbalance) ? shown + QStringLiteral(" ∠ ") + degreesOf(words, angle)
                                     : shown;
@@ -46,7 +46,7 @@ QString atAngle(const Words& words, const QString& shown, double unbalance, doub
 /// By what limit, and how the planes share it.
 QString limitOrigin(const Words& words, const Tolerance& tolerance) {
     if (!tolerance.by_grade) {
-        return words.translate("BobWeights", "A limit of the shop’s own for each plane, no grade.");
+        return words.translate("BobWeights", "Shop limit for each plane, instead of a grade.");
     }
     const QString grade =
         words.translate("BobWeights", "By G %1 of ISO 21940-11, %2 at %3.")
@@ -55,9 +55,11 @@ QString limitOrigin(const Words& words, const Tolerance& tolerance) {
                  words.plainWithUnit(*tolerance.service_speed, units::rpm, 0));
     const QString share =
         tolerance.front_bearing && tolerance.rear_bearing
-            ? words.translate("BobWeights", "Shared by the distances of the end bearings.")
-        : tolerance.centre_of_mass ? words.translate("BobWeights", "Shared by the centre of mass.")
-                                   : words.translate("BobWeights", "Half in each plane.");
+            ? words.translate("BobWeights",
+                              "Shared between the planes by the distances of the end bearings.")
+        : tolerance.centre_of_mass
+            ? words.translate("BobWeights", "Shared between the planes by the centre of mass.")
+            : words.translate("BobWeights", "Half in each plane.");
     return grade + QLatin1Char(' ') + share;
 }
 
@@ -133,7 +135,7 @@ QString missingText(const Words& words, const workshop::Machine& machine, const 
             ? words.translate("BobWeights", "Sheet 5, %1").arg(planeName(words, machine, 0))
         : is("/planes/1/")
             ? words.translate("BobWeights", "Sheet 5, %1").arg(planeName(words, machine, 1))
-        : is("/tolerance/") ? words.translate("BobWeights", "Sheet 5, what may remain")
+        : is("/tolerance/") ? words.translate("BobWeights", "Sheet 5, permissible residual")
         : is("/slug/")      ? words.translate("BobWeights", "Sheet 6, heavy metal")
                             : words.translate("BobWeights", "Sheet 6, drills");
     const auto missing = fieldAt(error);
@@ -142,25 +144,23 @@ QString missingText(const Words& words, const workshop::Machine& machine, const 
     }
     const QString name = words.name(*missing);
     return missing->key == field::diameters.key
-               ? words
-                     .translate("BobWeights",
-                                "%1: %2 are still needed, in %3, one after the other: %4")
+               ? words.translate("BobWeights", "%1: enter %2 in %3, separated by semicolons: %4")
                      .arg(sheet, name, words.unit(units::mm),
                           numberListText({8, 10, 12.5}, *missing))
-               : words.translate("BobWeights", "%1: %2 is still needed. %3")
+               : words.translate("BobWeights", "%1: enter %2. %3")
                      .arg(sheet, name, words.text(missing->hint));
 }
 
-/// "Sheet 5, Run 1, Front plane: Heavy spot is still needed."
+/// "Sheet 5, Run 1, Front plane: enter Heavy spot."
 QString valueMissing(const Words& words, const workshop::Input& input, std::size_t run,
                      std::size_t plane, const Field& field) {
-    return words.translate("BobWeights", "Sheet 5, %1, %2: %3 is still needed.")
+    return words.translate("BobWeights", "Sheet 5, %1, %2: enter %3.")
         .arg(runName(words, run - firstRun(input)), planeName(words, input.machine, plane),
              words.name(field));
 }
 
 /// What an error says of the sheets of the machine and of the weights, with its place on the form:
-/// "Sheet 4, Front plane: Radius is still needed. …"; empty of other places.
+/// "Sheet 4, Front plane: enter Radius. …"; empty of other places.
 QString sheetError(const Words& words, const workshop::Input& input, const InputError& error) {
     const QStringList place =
         QString::fromStdString(error.where()).split(QLatin1Char('/'), Qt::SkipEmptyParts);
@@ -196,7 +196,7 @@ QString sheetError(const Words& words, const workshop::Input& input, const Input
             if (place[2] == QLatin1String(word.word.data())) {
                 return words
                     .translate("BobWeights",
-                               "Weigh-in sheet: %1 of cylinder %2 is missing or no weight.")
+                               "Weigh-in sheet: %1 of cylinder %2 is missing or not a mass.")
                     .arg(words.text(word.label))
                     .arg(place[4].toInt() + 1);
             }
@@ -253,11 +253,11 @@ QString factor(const Words& words, const Input& input, const Result& result) {
     const auto percent = [&](double share) {
         return words.plain(100.0 * share, 2) + QStringLiteral("\u00A0%");
     };
-    QString text =
-        input.factor.reciprocating
-            ? words.translate("BobWeights", "Factor %1 (theory: %2)")
-                  .arg(percent(result.factor), percent(result.theory_factor))
-            : words.translate("BobWeights", "Factor %1, by theory").arg(percent(result.factor));
+    QString text = input.factor.reciprocating
+                       ? words.translate("BobWeights", "Balance factor %1 (theory: %2)")
+                             .arg(percent(result.factor), percent(result.theory_factor))
+                       : words.translate("BobWeights", "Balance factor %1, by theory")
+                             .arg(percent(result.factor));
     if (input.factor.overbalance != 0.0) {
         text += words
                     .translate("BobWeights", " + %1 overbalance",
@@ -275,14 +275,15 @@ QString limits(const Words& words, const Input& input, const Result& result) {
     const QString first = unbalanceOf(words, (*result.permissible)[0]);
     const QString second = unbalanceOf(words, (*result.permissible)[1]);
     const QString planes =
-        first == second ? words.translate("BobWeights", "%1 in each plane").arg(first)
-                        : words.translate("BobWeights", "%1 in the front plane, %2 in the rear one")
-                              .arg(first, second);
+        first == second
+            ? words.translate("BobWeights", "%1 in each plane").arg(first)
+            : words.translate("BobWeights", "%1 in the front plane, %2 in the rear plane")
+                  .arg(first, second);
     const QString said =
         result.permissible_whole
-            ? words.translate("BobWeights", "May remain: %1, of %2 for the crankshaft.")
+            ? words.translate("BobWeights", "Permissible residual: %1, of %2 for the crankshaft.")
                   .arg(planes, unbalanceOf(words, *result.permissible_whole))
-            : words.translate("BobWeights", "May remain: %1.").arg(planes);
+            : words.translate("BobWeights", "Permissible residual: %1.").arg(planes);
     return said + QLatin1Char(' ') + limitOrigin(words, *input.tolerance);
 }
 
@@ -309,7 +310,7 @@ QString notGiven(const Words& words, const Result& result) {
         names << inSentence(words.name(part->field));
     }
     return words
-        .translate("BobWeights", "Not given, counted as %1: %2. Where there is none, type 0.")
+        .translate("BobWeights", "Not given, %1 is used: %2. Enter 0 if there is no such part.")
         .arg(words.plainWithUnit(0.0, units::gram, 0), names.join(QStringLiteral(", ")));
 }
 
@@ -323,7 +324,7 @@ QStringList correctedRuns(const Words& words, const workshop::Input& input, cons
             result.runs[run].is_drilled()) {
             list << words
                         .translate("BobWeights",
-                                   "%1: what was drilled was planned from another reading.")
+                                   "%1: the drilled holes were planned from another reading.")
                         .arg(runName(words, run - firstRun(input)));
         }
     }
@@ -350,8 +351,8 @@ QString asReadNote(const Words& words, const Input& input, const Result& result)
     }
     return isMoved ? words
                          .translate("BobWeights",
-                                    "The machine read %1 and %2; measured is what that is in the "
-                                    "planes.")
+                                    "Readings: %1 and %2. “Measured” is the reading transferred to "
+                                    "the planes.")
                          .arg(read[0], read[1])
                    : QString();
 }
@@ -373,9 +374,9 @@ QString slugNote(const Words& words, const std::array<PlaneResult, 2>& planes) {
     });
     return hasSlugs ? QLatin1Char(' ') +
                           words.translate("BobWeights",
-                                          "A slug is as long as its hole is deep; its own weight "
-                                          "stands beside its diameter. Secure it: a press fit "
-                                          "alone does not hold the force at service speed.")
+                                          "A slug is as long as its hole; its mass is given with "
+                                          "its diameter. Secure it: a press fit alone does not "
+                                          "withstand the force at service speed.")
                     : QString();
 }
 
@@ -385,8 +386,7 @@ QString holeNote(const Words& words, const Result& result) {
     return !hasHoles(result)
                ? QString()
                : words.translate("BobWeights",
-                                 "Depths are to the full diameter, the cone of the drill’s point "
-                                 "lies beyond; the rim counts as flat where a hole begins.") +
+                                 "Depths exclude the drill point; the rim is taken as flat.") +
                      slugNote(words, *result.correction);
 }
 
@@ -397,7 +397,9 @@ QString metals(const Words& words, const Input& input, const Result& result) {
     const Drill& drill = input.correction->drill;
     const auto density = [&](double value) { return words.plainWithUnit(value, units::kg_m3, 1); };
     QString said =
-        words.translate("BobWeights", "Planned for a drill’s point of %1 and a crankshaft of %2")
+        words
+            .translate("BobWeights",
+                       "Planned with a point angle of %1 and a crankshaft density of %2")
             .arg(words.plainWithUnit(drill.point_angle, units::degree, 1), density(drill.density));
     const auto& slug = input.correction->slug;
     if (!slugNote(words, *result.correction).isEmpty() && slug && slug->density) {
@@ -475,7 +477,7 @@ QString weighIn(const Words& words, const Input& input, const Result& result) {
                                          : QStringLiteral("%1 (%2)"))
                                      .arg(mass, own));
     }
-    return words.translate("BobWeights", "Bob weights of the crankpins by themselves, %1: %2.")
+    return words.translate("BobWeights", "Bob weight by crankpin, %1: %2.")
         .arg(words.unit(units::gram), pins.join(QStringLiteral("; ")));
 }
 
@@ -518,9 +520,9 @@ QString balance(const Words& words, Balance balance) {
 QStringList lineHead(const Words& words) {
     const QString gram = words.unit(units::gram);
     return {words.translate("BobWeights", "Part"),
-            words.translate("BobWeights", "One, %1").arg(gram),
-            words.translate("BobWeights", "Counts"),
-            words.translate("BobWeights", "In all, %1").arg(gram)};
+            words.translate("BobWeights", "Each, %1").arg(gram),
+            words.translate("BobWeights", "Multiplier"),
+            words.translate("BobWeights", "Total, %1").arg(gram)};
 }
 
 namespace {
@@ -625,8 +627,8 @@ ResultRows runs(const Words& words, const Result& result) {
 QStringList planeHead(const Words& words) {
     return {words.translate("BobWeights", "Plane"),
             words.translate("BobWeights", "Measured"),
-            words.translate("BobWeights", "Heavy at"),
-            words.translate("BobWeights", "At the radius"),
+            words.translate("BobWeights", "Heavy spot"),
+            words.translate("BobWeights", "Mass at drilling radius"),
             words.translate("BobWeights", "After correction"),
             words.translate("BobWeights", "Verdict")};
 }
@@ -771,7 +773,7 @@ ResultRows holes(const Words& words, const workshop::Input& input, const Result&
 QStringList drilledHead(const Words& words) {
     QStringList head = QStringList(words.translate("BobWeights", "Run")) + holeHead(words);
     head.last() =
-        words.translate("BobWeights", "Taken off in all, %1").arg(words.unit(units::gram));
+        words.translate("BobWeights", "Taken off in total, %1").arg(words.unit(units::gram));
     return head;
 }
 
@@ -780,7 +782,7 @@ ResultRows drilled(const Words& words, const workshop::Machine& machine, const R
     ResultRows rows;
     const std::size_t first = firstRun(result);
     const auto nameOf = [&](std::size_t run) {
-        return run < first ? words.translate("BobWeights", "There before")
+        return run < first ? words.translate("BobWeights", "Older holes")
                            : runName(words, run - first);
     };
     for (std::size_t run = 0; run < result.runs.size(); ++run) {
@@ -801,7 +803,7 @@ QString drilledName(const Words& words, const workshop::Input& input, std::size_
                     const DrilledHole& hole) {
     const std::size_t first = firstRun(input);
     const QString when =
-        run < first ? words.translate("BobWeights", "There before") : runName(words, run - first);
+        run < first ? words.translate("BobWeights", "Older holes") : runName(words, run - first);
     const QString plane =
         inSentence(planeName(words, input.machine, static_cast<std::size_t>(hole.plane)));
     return (hole.is_slug() ? words.translate("BobWeights", "%1, %2: slug ⌀ %3")
@@ -813,16 +815,15 @@ QString machineText(const Words& words, const workshop::Machine& machine) {
     const bool isLight = machine.shows == workshop::Machine::Shows::light;
     QStringList said{
         machine.counts == workshop::Machine::Counts::clockwise
-            ? words.translate("BobWeights", "Degrees count clockwise, seen from the front.")
-            : words.translate("BobWeights",
-                              "Degrees count counter-clockwise, seen from the front.")};
+            ? words.translate("BobWeights", "Angles are clockwise, seen from the front.")
+            : words.translate("BobWeights", "Angles are counter-clockwise, seen from the front.")};
     if (!machine.zero.empty()) {
         said << words.translate("BobWeights", "0°: %1.")
                     .arg(QString::fromStdString(machine.zero).simplified());
     }
     if (isLight) {
         said << words.translate("BobWeights",
-                                "The machine shows the light spot; holes stand opposite it.");
+                                "The machine shows the light spot; holes are opposite.");
     }
     return said.join(QLatin1Char(' '));
 }

@@ -351,7 +351,7 @@ bool WorkshopModel::hasOwnEngine(const QString& name) const {
 QString WorkshopModel::engineNameTrouble(const QString& name) const {
     const QString trimmed = name.trimmed();
     if (trimmed.isEmpty()) {
-        return tr("The engine needs a name.");
+        return tr("Enter a name for the engine.");
     }
     QStringList presets;
     for (const v8_plugs::Engine& preset : engine_presets()) {
@@ -482,20 +482,18 @@ QString WorkshopModel::engineNote() const {
     }
     const v8_plugs::Engine* preset = find_preset(input().plugs->preset);
     if (preset == nullptr) {
-        return ownEngineChanged()
-                   ? tr("The values differ from those kept under this name; “Keep as own engine” "
-                        "keeps these.")
-                   : QString();
+        return ownEngineChanged() ? tr("The values differ from the saved engine; press “Keep as "
+                                       "own engine” to save them.")
+                                  : QString();
     }
     if (!preset->steel_plug_mass) {
         return tr(
-            "The paper gives only the crank radius of this engine; the rest has to be "
-            "measured.");
+            "The paper gives only the crank radius of this engine; measure the other values.");
     }
     if (input().plugs->engine.steel_plug_mass == preset->steel_plug_mass) {
         return tr(
-            "Plug masses as the paper prints them. They look too small for the threads it "
-            "prints: weigh the plugs and type what the scale says.");
+            "The paper's plug masses look too small for its threads: weigh the plugs and enter "
+            "their masses.");
     }
     return {};
 }

@@ -29,8 +29,8 @@ QString WorkshopModel::adviceText(const Words& words) const {
         return v8_text::advice(words, *plugsInput(), *plugs());
     }
     const QStringList names = v8_names::missing(words, *plugsInput(), false);
-    return names.isEmpty() ? words.translate("V8", "The values do not go together.")
-                           : words.translate("V8", "Still needed for the plugs: %1.")
+    return names.isEmpty() ? words.translate("V8", "The values are inconsistent.")
+                           : words.translate("V8", "Missing for the plugs: %1.")
                                  .arg(names.join(QStringLiteral(", ")));
 }
 
@@ -71,17 +71,17 @@ QString WorkshopModel::toleranceText() const {
     }
     const double tolerance = plugsInput()->tolerance;
     const bool isPapers = std::abs(tolerance - default_tolerance) < 1e-6 * default_tolerance;
-    return (isPapers ? tr("%1 in each plane is what Nazarov's experiments left: the limit of this "
-                          "method.")
-            : isShopsTolerance() ? tr("%1 in each plane is the shop's own limit.")
-                                 : tr("%1 in each plane is for this job alone."))
+    return (isPapers ? tr("Limit of this method: %1 in each plane, the residual of Nazarov's "
+                          "experiments.")
+            : isShopsTolerance() ? tr("Shop limit: %1 in each plane.")
+                                 : tr("%1 in each plane, for this job only."))
         .arg(v8_text::gramMillimetres(Words(), tolerance));
 }
 
 QString WorkshopModel::plugWeightText() const {
     const auto& sheet = hasPlugs() ? input().plugs->plug : std::nullopt;
     if (!sheet || !sheet->geometry()) {
-        return tr("With thread and height the sheet says what the plug would weigh.");
+        return tr("Enter thread and height to see the mass of the plug.");
     }
     if (const auto fault = geometry_fault(*sheet->geometry())) {
         return Words().message(*fault);
@@ -94,19 +94,16 @@ QString WorkshopModel::plugWeightText() const {
 
 Results WorkshopModel::optionResults() const {
     Results results{{
-        {tr("Option"), tr("What is bored or replaced; ✓ it is enough, ✗ it is not, ! only by the "
-                          "method")},
+        {tr("Option"), tr("Option; ✓ sufficient, ✗ not sufficient, ! only by the method")},
         {shownTitle(tr("fixed part, g")).text,
-         tr("Unbalanced mass that the option takes away with nothing bored, "
-            "kₚ times the exchange of plugs")},
-        {tr("gain"), tr("Unbalanced mass for each gram that is bored out of a plug")},
-        {shownTitle(tr("maximum, g")).text,
-         tr("Largest unbalanced mass that the option compensates")},
+         tr("Mass compensated without boring, kₚ times the exchange of plugs")},
+        {tr("gain"), tr("Mass compensated per gram taken off each plug")},
+        {shownTitle(tr("maximum, g")).text, tr("Maximum mass that the option compensates")},
         {shownTitle(tr("take off each, g")).text,
-         tr("To come off each plug; negative or beyond what is possible where the "
-            "option cannot")},
-        {shownTitle(tr("remains, g")).text, tr("Unbalanced mass that stays")},
-        {shownTitle(tr("remains, g·mm")).text, tr("Unbalance that stays, mass times crank radius")},
+         tr("Mass to take off each plug; negative or beyond the maximum if the option is not "
+            "sufficient")},
+        {shownTitle(tr("remains, g")).text, tr("Residual mass")},
+        {shownTitle(tr("remains, g·mm")).text, tr("Residual unbalance, mass times crank radius")},
     }};
     ResultRows& rows = results.rows;
     if (plugs() == nullptr || withheld().bob_weight) {
@@ -150,14 +147,14 @@ QString WorkshopModel::optionTip(const Option& option) const {
         text << tr("For the other crankshaft.");
     }
     if (v8_text::methodAlone(solution, option.id)) {
-        text << tr("By the method alone; the shift that it neglects leaves up to %1.")
+        text << tr("By the method only; the neglected shift leaves up to %1.")
                     .arg(v8_text::gramMillimetres(
                         Words(), std::abs(solution.shift[index(option.id)]->residual_unbalance)));
     }
     text << QStringList{
         tr("%1: %2.").arg(v8_names::optionName(Words(), option.id),
                           Words().message(describe_verdict(option, plugsInput()->tolerance))),
-        tr("At most %1 may come off a plug; slope kᵤ = %2, %3°.")
+        tr("Maximum off a plug: %1; slope kᵤ = %2, %3°.")
             .arg(v8_text::grams(Words(), option.max_reduction, 3), Words().number(option.slope, 3),
                  v8_text::slopeAngle(Words(), option.slope))};
     const QString boring = v8_text::boring(Words(), *plugsInput(), solution, option.id);
@@ -188,9 +185,9 @@ Results WorkshopModel::crankpinResults() const {
              QStringLiteral("2"),
              QStringLiteral("3"),
              QStringLiteral("4"),
-             {tr("spread"), tr("Largest less smallest excess of the four crankpins")}},
+             {tr("range"), tr("Maximum minus minimum excess of the four crankpins")}},
             {row(tr("as weighed, g"), *solution.weighed_excess,
-                 tr("Excess on each crankpin over the mean, parts where they were weighed")),
+                 tr("Excess on each crankpin over the mean, parts as weighed")),
              row(tr("after moving, g"), *solution.assigned_excess,
                  tr("Excess on each crankpin over the mean, parts moved"))}};
 }

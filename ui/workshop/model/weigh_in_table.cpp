@@ -62,15 +62,15 @@ QVariant WeighInTable::data(const QModelIndex& cell, int role) const {
         }
         case Qt::AccessibleTextRole:
             return shownTitle(isNominal  ? tr("%1, nominal mass, g").arg(part)
-                              : isSpread ? tr("%1, permitted spread, g").arg(part)
+                              : isSpread ? tr("%1, permitted range, g").arg(part)
                                          : tr("%1 of cylinder %2, g").arg(part).arg(cylinder))
                 .text;
         case Qt::ToolTipRole:
             return isNominal  ? tr("%1: mass by the drawing.").arg(part)
-                   : isSpread ? tr("%1: heaviest less lightest that the works manual permits. "
-                                   "Empty: no limit.")
+                   : isSpread ? tr("%1: permitted heaviest minus lightest, by the works manual. "
+                                   "Blank means no limit.")
                                     .arg(part)
-                              : tr("%1 of cylinder %2 as the scale says.").arg(part).arg(cylinder);
+                              : tr("%1 of cylinder %2 by the scale.").arg(part).arg(cylinder);
         case KeyRole: {
             const std::string_view word =
                 shop::part_word(shop::all_parts[static_cast<std::size_t>(cell.column())]).word;
@@ -93,7 +93,7 @@ QVariant WeighInTable::headerData(int section, Qt::Orientation orientation, int 
     }
     return section >= firstCylinder ? QString::number(section - firstCylinder + 1)
            : section == 0           ? shownTitle(tr("nominal, g")).text
-                                    : shownTitle(tr("permitted spread, g")).text;
+                                    : shownTitle(tr("permitted range, g")).text;
 }
 
 bool WeighInTable::setData(const QModelIndex& cell, const QVariant& value, int role) {
@@ -104,7 +104,7 @@ bool WeighInTable::setData(const QModelIndex& cell, const QVariant& value, int r
     const QString part = partOf(cell.column());
     const QString step = row >= firstCylinder ? tr("%1 %2").arg(part).arg(row - firstCylinder + 1)
                          : row == 0           ? tr("%1, nominal").arg(part)
-                                              : tr("%1, spread").arg(part);
+                                              : tr("%1, range").arg(part);
     return model_
         ->editWeights(step,
                       [&](shop::WeighIn& sheet) {
@@ -131,8 +131,8 @@ QString WeighInTable::pasteBlock(int row, int column, const std::vector<QStringL
             const int toRow = row + static_cast<int>(i);
             const int toColumn = column + static_cast<int>(j);
             if (!index(toRow, toColumn).isValid()) {
-                return tr("Nothing is pasted: the block does not fit on the sheet from here, which "
-                          "has %1 cylinders.")
+                return tr("Not pasted: from here the block does not fit on the sheet of %1 "
+                          "cylinders.")
                     .arg(cylinders());
             }
             // In the unit that the cells show.
@@ -140,7 +140,7 @@ QString WeighInTable::pasteBlock(int row, int column, const std::vector<QStringL
             const ShownUnit unit = shownUnit(field.unit);
             const auto value = readTypedNumber(typed, unit.name).value;
             if (!value || field.left_by(*value / unit.factor) != nullptr) {
-                return tr("Nothing is pasted: “%1” is no mass in %2.").arg(typed, unit.name);
+                return tr("Not pasted: “%1” is not a mass in %2.").arg(typed, unit.name);
             }
             pasted.push_back({toRow, toColumn, *value / unit.factor * field.unit});
         }

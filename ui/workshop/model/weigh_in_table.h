@@ -33,7 +33,7 @@ class WeighInTable final : public EditableTable {
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     /// An invalid value empties the cell.
     bool setData(const QModelIndex& cell, const QVariant& value, int role = Qt::EditRole) override;
-    /// One step; a cell without text leaves what is there, and where one is refused nothing is
+    /// One step; a cell without text leaves what is there, and where one is rejected nothing is
     /// written.
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 

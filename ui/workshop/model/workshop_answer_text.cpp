@@ -45,7 +45,7 @@ QString WorkshopModel::headline(const Words& words) const {
             missing << inSentence(words.name(*field));
         }
     }
-    return words.translate("BobWeights", "The bob weight still needs: %1")
+    return words.translate("BobWeights", "Missing for the bob weight: %1")
         .arg(missing.join(QStringLiteral(", ")));
 }
 
@@ -65,9 +65,9 @@ QString WorkshopModel::hangText(const Words& words) const {
     }
     QStringList said;
     if (!isNeeded) {
-        said << words.translate("BobWeights",
-                                "No bob weights are needed: the crankpins balance one another. "
-                                "Where they are hung:");
+        said << words.translate(
+            "BobWeights",
+            "No bob weights are needed: the crankpins balance one another. If you use them:");
     }
     const int crankpins = input().engine.crankpins();
     said << (crankpins == 1
@@ -99,7 +99,7 @@ QString WorkshopModel::limitText() const {
 
 QString WorkshopModel::holeNote() const {
     if (withheld().holes && input().correction) {
-        return tr("STOP: drill nothing before the line at the top is settled.");
+        return tr("STOP: correct the top line before drilling.");
     }
     return bob_text::holeNote(Words(), solution());
 }
@@ -115,7 +115,7 @@ QStringList WorkshopModel::notCounted(const Words& words) const {
 
 QStringList WorkshopModel::troubles(const Words& words, bool withDoubts) const {
     QStringList list{bob_text::brokenRule(words, input(), solution())};
-    // The first of those that block stands in the verdict, and so do the warnings where it is one.
+    // The first of those that block is in the verdict, and so do the warnings where it is one.
     const bool hasWarnings =
         withheld().any() || (!withDoubts && solved().verdict.severity != Severity::note);
     bool isSaid = withDoubts;
@@ -175,7 +175,7 @@ WeighedColumn WorkshopModel::columnNote(shop::Part part) const {
                          .arg(statistics->heaviest + 1)
                          .arg(statistics->lightest + 1);
     if (!weighed.is_weighed()) {
-        column.toolTip += QLatin1Char('\n') + tr("Counts once every cylinder is weighed.");
+        column.toolTip += QLatin1Char('\n') + tr("Used when every cylinder is weighed.");
     }
     return column;
 }
@@ -253,21 +253,20 @@ ResultColumns columnsOf(const QStringList& heads, const QStringList& tips) {
 Results WorkshopModel::lineResults() const {
     ResultRows rows = bob_text::lines(Words(), solution());
     if (solution().bob_weight) {
-        rows.last().tip = tr("The bob weight: weigh it out so");
+        rows.last().tip = tr("Mass of the bob weight");
     }
-    return {
-        columnsOf(bob_text::lineHead(Words()), {QString(),
-                                                tr("How many times the mass is in the bob weight: "
-                                                   "rods on it, times the factor for what "
-                                                   "moves with the piston"),
-                                                tr("Mass × how often it counts")}),
-        rows};
+    return {columnsOf(bob_text::lineHead(Words()),
+                      {QString(),
+                       tr("Multiplier of the mass in the bob weight: number of rods, times the "
+                          "balance factor for reciprocating parts"),
+                       tr("Mass × multiplier")}),
+            rows};
 }
 
 Results WorkshopModel::runResults() const {
     return {columnsOf(bob_text::runHead(Words(), input().machine),
-                      {tr("The readings of the run taken to the front plane"),
-                       tr("The readings of the run taken to the rear plane"),
+                      {tr("Readings of the run, transferred to the front plane"),
+                       tr("Readings of the run, transferred to the rear plane"),
                        tr("By the limits of both planes")}),
             newestRun() > 0 ? bob_text::runs(Words(), solution()) : ResultRows()};
 }
@@ -277,10 +276,10 @@ Results WorkshopModel::planeResults() const {
     const ResultRows planes = bob_text::planes(words, input().machine, solution());
     const QStringList names = bob_text::planeHead(words);
     const QStringList tips{
-        tr("Both readings taken to the correction planes: same force, same moment"),
+        tr("Both readings, transferred to the correction planes (same force, same moment)"),
         tr("Angle of the heavy spot from the machine's zero mark"),
-        tr("Mass that makes this unbalance at the plane's radius"),
-        tr("What the holes below leave, their depths rounded, added up as vectors"),
+        tr("Mass at the drilling radius for this unbalance"),
+        tr("Residual after the holes below, with rounded depths"),
         tr("By the limit of the plane: as measured → after the correction")};
     Results results{{names.first(), planeName(0), planeName(1)}};
     ResultRows& rows = results.rows;
@@ -299,9 +298,8 @@ namespace {
 /// Of depth, angle and mass of a hole.
 QStringList holeTips() {
     return {shownText(field::maximum_depth.hint), WorkshopModel::tr("From the machine's zero mark"),
-            WorkshopModel::tr(
-                "Mass, the cone of the point included; negative: a slug adds its own weight, which "
-                "stands beside its diameter, less what its hole took off")};
+            WorkshopModel::tr("Mass taken off, including the drill point; negative for a slug: its "
+                              "own mass minus its hole")};
 }
 
 }  // namespace

@@ -480,7 +480,7 @@ QString WorkshopModel::editReading(const QString& name, std::size_t shownRun, st
             note(correction.record, before, earlierOf(correction.readings));
         }
         if (isEmpty && earlier.size() > first) {
-            // It may be typed anew: what was drilled before it is there.
+            // It may be typed again: what was drilled before it is there.
             correction.record = earlier.back();
             for (std::size_t i = 0; i < 2; ++i) {
                 const EarlierReading& before = earlier.back().readings[i];
@@ -493,7 +493,7 @@ QString WorkshopModel::editReading(const QString& name, std::size_t shownRun, st
 }
 
 void WorkshopModel::confirmReadings() {
-    editCorrection(tr("Readings hold"), [this](Correction& correction) {
+    editCorrection(tr("Readings are still valid"), [this](Correction& correction) {
         const auto hold = [this](auto& readings) {
             for (auto& reading : readings) {
                 reading.bob_weight = bobWeightNow();
@@ -666,7 +666,7 @@ QString WorkshopModel::answerLacks() const {
         std::any_of(input().correction->planes.begin(), input().correction->planes.end(),
                     [](const Plane& plane) { return plane.position || plane.radius; });
     if (hasPlanes && !isRunRead()) {
-        return tr("Enter what the machine reads in both planes.");
+        return tr("Enter the readings of both planes.");
     }
     const RunResult* newest = solution().newest();
     return newest != nullptr && newest->passes() == false && isPlanned()

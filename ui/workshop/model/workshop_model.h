@@ -17,7 +17,7 @@ namespace ravnoves {
 
 class InputError;
 
-/// What stands below a column of the weigh-in sheet; dashes where nothing is weighed.
+/// What is below a column of the weigh-in sheet; dashes where nothing is weighed.
 struct WeighedColumn {
     QString mean = QStringLiteral("–");
     QString deviation = QStringLiteral("–");  ///< of the mean from nominal, with its sign
@@ -46,7 +46,7 @@ struct WorkshopScene {
     static bool isSameEngine(const Input& input, const Input& named);
     static Input read(const Json& input, const CaseContext& context);
     static Json write(const Input& input);
-    /// Refuses nothing: what is missing or broken is named by the model.
+    /// Rejects nothing: what is missing or broken is named by the model.
     static Solved solve(const Input& input);
 
     bool dated;  ///< a new job is of today, and has what the shop keeps
@@ -173,7 +173,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// Where the engine's values come from, and what the user should know of them.
     QString engineNote() const;
     /// Says whether the engine has the plugs of the group. The values of those that come back are
-    /// what stood there, else what the engine's own data have.
+    /// what was there, else what the engine's own data have.
     void setPlugs(const QString& name, v8_plugs::EngineGroup group, bool present);
     /// Takes the nominal masses for the bob weight from the nominal parts of the weigh-in sheet.
     void fillNominalMasses();
@@ -297,7 +297,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// Of readings that do not say it: that of the case as it came.
     std::optional<double> bobWeightAsLoaded_;
     Input beforeEditing_;             ///< of a field; else before the last change
-    std::optional<Input> otherForm_;  ///< what stood there before plugs came or went
+    std::optional<Input> otherForm_;  ///< what was there before plugs came or went
     QList<JournalEngine> ownEngines_;
     std::map<v8_plugs::EngineGroup, v8_plugs::Input> plugsBefore_;  ///< those taken out
     JobDesk desk_;

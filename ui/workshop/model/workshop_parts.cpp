@@ -20,7 +20,7 @@ using bob_weights::FirstOrder;
 
 namespace {
 
-/// The first-order force of the cylinders that a bob weight stands for, over a turn of the crank:
+/// The first-order force of the cylinders that a bob weight represents, over a turn of the crank:
 /// without counterweights, and what is left of it with them. As masses at the crank radius, g.
 Figure force(const WorkshopModel& model) {
     const QString gram = unitText(units::gram.name);
@@ -52,15 +52,14 @@ Figure force(const WorkshopModel& model) {
     add("bare",
         {.name = ForcePlot::tr("without counterweights"),
          .role = Role::Engine,
-         .toolTip =
-             ForcePlot::tr("Of the reciprocating parts alone, as a mass at the crank radius"),
+         .toolTip = ForcePlot::tr("Reciprocating parts only, as a mass at the crank radius"),
          .turn = 360.0},
         solution.first_order_bare);
     add("left",
         {.name = ForcePlot::tr("with counterweights"),
          .role = Role::Sum,
          .width = 2.2,
-         .toolTip = ForcePlot::tr("What is left by counterweights that hold the bob weight"),
+         .toolTip = ForcePlot::tr("Residual with counterweights for this bob weight"),
          .turn = 360.0},
         solution.first_order);
     if (reach > 0.0) {
@@ -112,7 +111,7 @@ Figure compensation(const WorkshopModel& model) {
     if (solution.unbalanced_mass) {
         const double today = *solution.unbalanced_mass / gram;
         figure.lines.push_back({today, Qt::Horizontal, Role::Present,
-                                CompensationPlot::tr("today %1")
+                                CompensationPlot::tr("present %1")
                                     .arg(words.digits(*solution.unbalanced_mass, gram, 2))});
         lowest = std::min(lowest, today);
         highest = std::max(highest, today);
@@ -267,32 +266,32 @@ QString weighingNote(const WorkshopModel& model) {
         if (const auto found = v8_plugs::weighing(*model.plugsInput(), resolution)) {
             said << words
                         .translate("V8",
-                                   "Weighed to %1, the bob weight is sure to ±%2 and the unbalance "
-                                   "of a crankpin to ±%3 (19 times of 20).")
+                                   "Weighed to %1, the bob weight is accurate to ±%2 and the "
+                                   "unbalance of a crankpin to ±%3 (95 %).")
                         .arg(digit(resolution), weight(found->bob_weight),
                              words.number(found->unbalance, units::gram_mm, 1));
             const QString tolerance =
                 words.number(model.plugsInput()->tolerance, units::gram_mm, 0);
             said << (found->enough
-                         ? words.translate("V8", "That is enough for the tolerance of %1.")
+                         ? words.translate("V8", "This is enough for the tolerance of %1.")
                                .arg(tolerance)
                          : words
                                .translate("V8",
-                                          "That is too coarse for the tolerance of %1: take a "
-                                          "scale that shows %2.")
+                                          "This is too coarse for the tolerance of %1: use a scale "
+                                          "with a last digit of %2.")
                                .arg(tolerance, digit(found->coarsest)));
         }
     } else if (const auto found =
                    bob_weights::weighing(model.input(), model.solution(), resolution)) {
         said << words
                     .translate("BobWeights",
-                               "Weighed to %1, a bob weight is sure to ±%2 (19 times of 20).")
+                               "Weighed to %1, a bob weight is accurate to ±%2 (95 %).")
                     .arg(digit(resolution), weight(found->bob_weight));
         if (found->largest_radius) {
             said << words
                         .translate("BobWeights",
-                                   "That is enough for what may remain in a plane with a crank "
-                                   "radius up to %1.")
+                                   "This is enough for the permissible residual at a crank radius "
+                                   "up to %1.")
                         .arg(words.number(*found->largest_radius, units::mm, 0));
         }
     }

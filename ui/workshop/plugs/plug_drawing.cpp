@@ -16,7 +16,7 @@ namespace {
 
 using units::mm;
 
-/// What stands at a dimension: numbers, or letters where the sizes are not known.
+/// What is at a dimension: numbers, or letters where the sizes are not known.
 struct Labels {
     QString thread;
     QString height;

@@ -17,8 +17,7 @@ PlugView::PlugView(WorkshopModel* model, QWidget* parent) : QWidget(parent), mod
     setAccessibleName(tr("Plug in section"));
     makeFigure(this);
     setToolTip(
-        tr("The plug of sheet 4 to scale, in section, with its sizes; those without a unit are in "
-           "millimetres."));
+        tr("Section of the plug of sheet 4, to scale; sizes without a unit are in millimetres."));
     const auto repaint = [this] { update(); };
     connect(model_, &SceneModel::changed, this, repaint);
     connect(&Theme::instance(), &Theme::changed, this, repaint);

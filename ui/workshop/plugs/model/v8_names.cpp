@@ -47,7 +47,7 @@ QStringList missing(const Words& words, const Input& input, bool withBobWeight) 
     }
     if (!input.changes_known()) {
         names << words.translate("V8",
-                                 "changes of mass (sheet 2) or weights of the parts (sheet 3)");
+                                 "changes of mass (sheet 2) or masses of the parts (sheet 3)");
     }
     return names;
 }

@@ -80,7 +80,7 @@ QStringList plugTroubles(const Words& words, const PlugSheet& plug) {
         list << words.message(*fault);
     }
     if (plug.bore_diameter.has_value() != plug.bore_depth.has_value()) {
-        list << words.translate("V8", "A bore needs both its diameter and its depth.");
+        list << words.translate("V8", "Enter both diameter and depth of the bore.");
     }
     return list;
 }
@@ -103,21 +103,19 @@ bool methodAlone(const Result& solution, OptionId option) {
 QString shiftText(const Words& words, const Input& input, const Result& solution,
                   const Option& option) {
     const double plug = option.plug_mass_unmachined - option.reduction;
-    QString text =
-        words
-            .translate(
-                "V8",
-                "Neglected by the method: the plug's centre of mass moves by %4 to %5 when it "
-                "is bored, which is worth %1 to %2 beside the %3 allowed.")
-            .arg(words.digits(shift_unbalance(plug, smallest_shift), units::gram_mm, 1),
-                 gramMillimetres(words, shift_unbalance(plug, largest_shift)),
-                 gramMillimetres(words, input.tolerance),
-                 words.digits(smallest_shift, units::mm, 1),
-                 words.number(largest_shift, units::mm, 1));
+    QString text = words
+                       .translate("V8",
+                                  "The method neglects the shift of the plug's centre of mass by "
+                                  "boring, %4 to %5. Effect: %1 to %2; permissible: %3.")
+                       .arg(words.digits(shift_unbalance(plug, smallest_shift), units::gram_mm, 1),
+                            gramMillimetres(words, shift_unbalance(plug, largest_shift)),
+                            gramMillimetres(words, input.tolerance),
+                            words.digits(smallest_shift, units::mm, 1),
+                            words.number(largest_shift, units::mm, 1));
     const auto& effect = solution.shift[index(option.id)];
     if (effect && effect->planned) {
         text +=
-            QLatin1Char(' ') + words.translate("V8", "Bored as planned here it moves by %1: %2.")
+            QLatin1Char(' ') + words.translate("V8", "With the planned bore it moves by %1: %2.")
                                    .arg(words.plainWithUnit(effect->greatest_shift, units::mm, 2),
                                         gramMillimetres(words, effect->greatest));
     }
@@ -150,8 +148,7 @@ QString plugsWhileHung(const Words& words, const Result& solution) {
         return {};
     }
     const BobWeight* after = bobWeightAfter(solution);
-    return words
-        .translate("V8", "The plugs are out of the shaft then; while they are in it hang %1.")
+    return words.translate("V8", "With the plugs removed. With the plugs fitted use %1.")
         .arg(grams(words, (after != nullptr ? *after : *solution.before).with_plugs_in(), 1));
 }
 
@@ -161,8 +158,7 @@ QString rodFactor(const Words& words, const Input& input, const Result& solution
         return {};
     }
     return words
-        .translate("V8",
-                   "Big end × %1: 2 for two rods as usual, kᵣ = %2 by the method, worth %3 here.")
+        .translate("V8", "Big end × %1: 2 for two rods, kᵣ = %2 by the method; effect here: %3.")
         .arg(words.plain(2.0 + *k, 3), words.plain(*k, 3),
              grams(words, *k * solution.changes.rod_big_end));
 }
@@ -175,13 +171,13 @@ QString bobWeightCheck(const Words& words, const Input& input, const Result& sol
     // Rounding of the sum, not a difference.
     if (std::abs(difference) < 1e-9 * solution.nominal->sum()) {
         if (!works(solution)) {
-            return words.translate("V8", "After would equal nominal, but this cannot be made.");
+            return words.translate("V8", "Would match nominal, but cannot be made.");
         }
         return solution.shift_that_matters() != nullptr
-                   ? words.translate("V8", "(!) After equals nominal by the method alone.")
-                   : words.translate("V8", "After equals nominal: balanced.");
+                   ? words.translate("V8", "(!) Matches nominal by the method only.")
+                   : words.translate("V8", "Matches nominal: balanced.");
     }
-    return words.translate("V8", "After less nominal: %1, which is %2.")
+    return words.translate("V8", "After minus nominal: %1 (%2).")
         .arg(grams(words, difference),
              gramMillimetres(words, difference * input.engine.crank_radius.value_or(0.0)));
 }
