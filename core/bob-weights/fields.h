@@ -231,7 +231,7 @@ inline constexpr Field minimum_wall{
 inline constexpr Field maximum_holes{
     .key = "maximum_holes",
     .range = Range::between(1, 15),
-    .label = CORE_TEXT("bob-weights", "&Maximum holes"),
+    .label = CORE_TEXT("bob-weights", "Maximum h&oles"),
     .hint = CORE_TEXT("bob-weights", "Maximum number of holes in one plane.")};
 inline constexpr Field maximum_angle{
     .key = "maximum_angle_deg",
@@ -331,7 +331,7 @@ inline constexpr Field slug_density{
     .key = "density_kg_m3",
     .unit = units::kg_m3,
     .range = Range::between(1000, 25'000),
-    .label = CORE_TEXT("bob-weights", "Slu&g density"),
+    .label = CORE_TEXT("bob-weights", "Slug dens&ity"),
     .hint = CORE_TEXT("bob-weights", "Tungsten heavy metal 17 000 to 18 500 kg/m³."),
     .placeholder = CORE_TEXT("V8", "required")};
 

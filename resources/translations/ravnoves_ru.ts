@@ -286,7 +286,7 @@
     </message>
     <message>
         <source>Weighed to %1, a bob weight is accurate to ±%2 (95 %).</source>
-        <translation>При взвешивании до %1 балансировочный груз известен до ±%2 (95 %).</translation>
+        <translation>При взвешивании до %1 балансировочный груз известен до ±%2 (95&#xa0;%).</translation>
     </message>
     <message>
         <source>This is enough for the permissible residual at a crank radius up to %1.</source>
@@ -459,7 +459,7 @@
         <translation>Контролёр, подпись</translation>
     </message>
     <message>
-        <source>Weights of the parts by cylinder, %1</source>
+        <source>Masses of the parts by cylinder, %1</source>
         <translation>Массы деталей по цилиндрам, %1</translation>
     </message>
     <message>
@@ -918,8 +918,8 @@
         <translation>заглушки</translation>
     </message>
     <message>
-        <source>permitted range</source>
-        <translation>допустимый размах</translation>
+        <source>permitted spread</source>
+        <translation>допустимый разброс</translation>
     </message>
 </context>
 <context>
@@ -1936,7 +1936,7 @@
     </message>
     <message>
         <source>Weighed to %1, the bob weight is accurate to ±%2 and the unbalance of a crankpin to ±%3 (95 %).</source>
-        <translation>При взвешивании до %1 масса балансировочного груза известна до ±%2, а дисбаланс шейки — до ±%3 (95 %).</translation>
+        <translation>При взвешивании до %1 масса балансировочного груза известна до ±%2, а дисбаланс шейки — до ±%3 (95&#xa0;%).</translation>
     </message>
     <message>
         <source>This is enough for the tolerance of %1.</source>
@@ -3654,7 +3654,7 @@
     </message>
     <message>
         <source>Torque and masses do not match, so the best angles are not meaningful: the torque contains mⱼ r² ω² = %1 (r/L = %2), masses and speed give %3. The torque matches these masses at %4, or %5 at this speed.</source>
-        <translation>Момент и массы не соответствуют друг другу, и лучшие углы не имеют смысла: в моменте mⱼ r² ω² = %1 (r/L = %2), массы и частота дают %3. Момент отвечает этим массам при %4 или массе %5 при этой частоте.</translation>
+        <translation>Момент и массы не соответствуют друг другу, и лучшие углы не имеют смысла: в моменте mⱼ r² ω² = %1 (r/L = %2), массы и частота дают %3. Момент отвечает этим массам при&#xa0;%4 или массе %5 при этой частоте.</translation>
     </message>
     <message>
         <source>The torque is computed from the masses and the speed: no check is necessary.</source>
@@ -3858,7 +3858,7 @@
     </message>
     <message>
         <source>The minimum pressure is %1 %2: gauge pressure?</source>
-        <translation>Минимальное давление %1 %2: это избыточное давление?</translation>
+        <translation>Минимальное давление %1&#xa0;%2: это избыточное давление?</translation>
     </message>
     <message>
         <source>must have as many numbers as %1, %2</source>
@@ -3874,11 +3874,11 @@
     </message>
     <message>
         <source>The peak of the pressure trace is at %1, near the gas-exchange dead centre. The firing dead centre is at 360°: shift the trace by one turn.</source>
-        <translation>Пик индикаторной диаграммы при %1, у мёртвой точки газообмена. Мёртвая точка сгорания при 360°: сдвиньте диаграмму на оборот.</translation>
+        <translation>Пик индикаторной диаграммы при&#xa0;%1, у мёртвой точки газообмена. Мёртвая точка сгорания при 360°: сдвиньте диаграмму на оборот.</translation>
     </message>
     <message>
         <source>The peak of the pressure trace is %1 after the firing dead centre at %2; usual: 5° before to 45° after. Check the phase of the crank angles.</source>
-        <translation>Пик индикаторной диаграммы на %1 после мёртвой точки сгорания при %2; обычно от 5° до неё до 45° после. Проверьте фазу углов.</translation>
+        <translation>Пик индикаторной диаграммы на %1 после мёртвой точки сгорания при&#xa0;%2; обычно от 5° до неё до 45° после. Проверьте фазу углов.</translation>
     </message>
     <message>
         <source>The trace looks like gauge pressure: %1 bar at the bottom dead centre before compression. Read it as gauge pressure (&quot;gauge&quot;: true).</source>
@@ -4081,7 +4081,7 @@
     </message>
     <message>
         <source>Added to the factor; negative for underbalance. Usual for high speeds: 1 to 3 %.</source>
-        <translation>Прибавляется к коэффициенту; отрицателен при недобалансе. Для высоких оборотов обычно 1–3 %.</translation>
+        <translation>Прибавляется к коэффициенту; отрицателен при недобалансе. Для высоких оборотов обычно 1–3&#xa0;%.</translation>
     </message>
     <message>
         <source>Masses of one cylinder&apos;s parts.</source>
@@ -4172,7 +4172,7 @@
         <translation>без вставок</translation>
     </message>
     <message>
-        <source>Slu&amp;g density</source>
+        <source>Slug dens&amp;ity</source>
         <translation>П&amp;лотность вставки</translation>
     </message>
     <message>
@@ -4553,39 +4553,39 @@
     </message>
     <message>
         <source>Banks at %1, crankpins split by %2: the backward parts of the first order cancel, 50 % balances the rest. First-order force fully balanced.</source>
-        <translation>Развал %1, шейки разведены на %2: обратные части первого порядка взаимно уничтожаются, 50 % уравновешивают остальное. Сила первого порядка уравновешена полностью.</translation>
+        <translation>Развал %1, шейки разведены на %2: обратные части первого порядка взаимно уничтожаются, 50&#xa0;% уравновешивают остальное. Сила первого порядка уравновешена полностью.</translation>
     </message>
     <message>
         <source>Banks at %1, crankpins split by %2: %3 of the reciprocating mass turns against the crank, with the crank only %4 even at 0 %. With a backward balance shaft use 50 %.</source>
-        <translation>Развал %1, шейки разведены на %2: против вала вращается %3 возвратно-поступательной массы, с валом только %4 даже при 0 %. С балансирным валом встречного вращения — 50 %.</translation>
+        <translation>Развал %1, шейки разведены на %2: против вала вращается %3 возвратно-поступательной массы, с валом только %4 даже при 0&#xa0;%. С балансирным валом встречного вращения — 50&#xa0;%.</translation>
     </message>
     <message>
         <source>Banks at %1, crankpins split by %2: %3 of the reciprocating mass turns against the crank. At %4 the residual is a straight motion, easiest on the mounts; with a backward balance shaft use 50 %.</source>
-        <translation>Развал %1, шейки разведены на %2: %3 возвратно-поступательной массы вращается против вала. При %4 остаток — прямолинейное движение, самое лёгкое для опор; с балансирным валом встречного вращения — 50 %.</translation>
+        <translation>Развал %1, шейки разведены на %2: %3 возвратно-поступательной массы вращается против вала. При %4 остаток — прямолинейное движение, самое лёгкое для опор; с балансирным валом встречного вращения — 50&#xa0;%.</translation>
     </message>
     <message>
         <source>Two cylinders at 90° on one crankpin: their first-order forces add up to a constant force that turns with the crank. 50 % balances it fully.</source>
-        <translation>Два цилиндра под 90° на одной шейке: их силы первого порядка складываются в постоянную силу, вращающуюся с валом. 50 % уравновешивают её полностью.</translation>
+        <translation>Два цилиндра под 90° на одной шейке: их силы первого порядка складываются в постоянную силу, вращающуюся с валом. 50&#xa0;% уравновешивают её полностью.</translation>
     </message>
     <message>
         <source>Banks at %1: 50 % balances the forward part of the first order. Counterweights cannot balance the backward part, %2 of the reciprocating mass.</source>
-        <translation>Развал %1: 50 % уравновешивают прямую часть первого порядка. Обратную часть, %2 возвратно-поступательной массы, противовесы уравновесить не могут.</translation>
+        <translation>Развал %1: 50&#xa0;% уравновешивают прямую часть первого порядка. Обратную часть, %2 возвратно-поступательной массы, противовесы уравновесить не могут.</translation>
     </message>
     <message>
         <source>Banks at %1: 50 % balances the forward part of the first order. The backward part, %2 of the reciprocating mass, may cancel between the crankpins, not by counterweights.</source>
-        <translation>Развал %1: 50 % уравновешивают прямую часть первого порядка. Обратную часть, %2 возвратно-поступательной массы, могут погасить шейки вместе, но не противовесы.</translation>
+        <translation>Развал %1: 50&#xa0;% уравновешивают прямую часть первого порядка. Обратную часть, %2 возвратно-поступательной массы, могут погасить шейки вместе, но не противовесы.</translation>
     </message>
     <message>
         <source>Boxer: opposite pistons cancel each other&apos;s force. The factor affects residual couple and main bearing load; 50 % minimises the maximum.</source>
-        <translation>Оппозитный: противолежащие поршни уничтожают силу друг друга. Коэффициент влияет на остаточный момент и нагрузку коренных подшипников; 50 % минимизируют максимум.</translation>
+        <translation>Оппозитный: противолежащие поршни уничтожают силу друг друга. Коэффициент влияет на остаточный момент и нагрузку коренных подшипников; 50&#xa0;% минимизируют максимум.</translation>
     </message>
     <message>
         <source>In line: 50 % halves the first-order force of each piston. If the crankpins balance one another (four, six in line), equal bob weights are not needed.</source>
-        <translation>Рядный: 50 % вдвое уменьшают силу первого порядка каждого поршня. Если шейки уравновешивают друг друга (четыре, шесть в ряд), одинаковые грузы не нужны.</translation>
+        <translation>Рядный: 50&#xa0;% вдвое уменьшают силу первого порядка каждого поршня. Если шейки уравновешивают друг друга (четыре, шесть в ряд), одинаковые грузы не нужны.</translation>
     </message>
     <message>
         <source>Each rod on its own crankpin: 50 % leaves half the first-order force of each piston, turning against the crank.</source>
-        <translation>У каждого шатуна своя шейка: 50 % оставляют половину силы первого порядка каждого поршня, вращающуюся против вала.</translation>
+        <translation>У каждого шатуна своя шейка: 50&#xa0;% оставляют половину силы первого порядка каждого поршня, вращающуюся против вала.</translation>
     </message>
     <message>
         <source>First-order force fully balanced.</source>
@@ -4744,7 +4744,7 @@
         <translation>Минимальная стенка между отверстиями у дна.</translation>
     </message>
     <message>
-        <source>&amp;Maximum holes</source>
+        <source>Maximum h&amp;oles</source>
         <translation>&amp;Отверстий не больше</translation>
     </message>
     <message>
@@ -6379,7 +6379,7 @@
     </message>
     <message>
         <source>from a crank angle of %1 the spring stores too little energy (worst at %2): the preload |ℓ₀/2 − ρ₀| is %3, the minimum %4</source>
-        <translation>начиная с угла кривошипа %1 энергии пружины не хватает (хуже всего при %2): преднатяг |ℓ₀/2 − ρ₀| равен %3, минимум %4</translation>
+        <translation>начиная с угла кривошипа %1 энергии пружины не хватает (хуже всего при&#xa0;%2): преднатяг |ℓ₀/2 − ρ₀| равен %3, минимум %4</translation>
     </message>
     <message>
         <source>%1; with this preload the minimum stiffness is %2</source>
@@ -7602,11 +7602,11 @@
     </message>
     <message>
         <source>%1: not in the two-term form, %2 % of the maximum order</source>
-        <translation>%1: в двучленной формуле нет, %2 % наибольшего порядка</translation>
+        <translation>%1: в двучленной формуле нет, %2&#xa0;% наибольшего порядка</translation>
     </message>
     <message>
         <source>%1: error of the two-term form %2 %</source>
-        <translation>%1: ошибка двучленной формулы %2 %</translation>
+        <translation>%1: ошибка двучленной формулы %2&#xa0;%</translation>
     </message>
     <message>
         <source>the mechanism of cylinder %1 is not possible: the rod does not reach the piston at any crank angle</source>
@@ -7790,7 +7790,7 @@
     </message>
     <message>
         <source>Cylinders %1 share a crankpin in one plane but are computed as plain rods. Tick &quot;Articulated rods&quot; above the table: they add a second order of 5 to 12 % and uneven dead centres.</source>
-        <translation>Цилиндры %1 стоят на одной шейке в одной плоскости, но считаются с обычными шатунами. Отметьте «Прицепные шатуны» над таблицей: они добавляют второй порядок, 5–12 %, и неравномерность мёртвых точек.</translation>
+        <translation>Цилиндры %1 стоят на одной шейке в одной плоскости, но считаются с обычными шатунами. Отметьте «Прицепные шатуны» над таблицей: они добавляют второй порядок, 5–12&#xa0;%, и неравномерность мёртвых точек.</translation>
     </message>
     <message>
         <source>&amp;Share of order 1 cancelled</source>
@@ -9308,7 +9308,7 @@
     </message>
     <message>
         <source>The paper names no α. The mean of the 49 rows (end counted twice) falls by 12 % at α from %1 to %2° and by 16 % from %3 to %4°. We use 30° (start of the paper&apos;s range) and 45° (Fig. 2); no shaft changes the cycle mean.</source>
-        <translation>Статья не называет α. Среднее 49 строк (конец учтён дважды) падает на 12 % при α от %1 до %2° и на 16 % от %3 до %4°. Взяты 30° (начало диапазона статьи) и 45° (рис. 2); среднее за цикл вал не меняет.</translation>
+        <translation>Статья не называет α. Среднее 49 строк (конец учтён дважды) падает на 12&#xa0;% при α от %1 до %2° и на 16&#xa0;% от %3 до %4°. Взяты 30° (начало диапазона статьи) и 45° (рис. 2); среднее за цикл вал не меняет.</translation>
     </message>
     <message>
         <source>α of the maximum ΔMᵤₚₛ</source>
@@ -9781,11 +9781,11 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Minimum range %2 at %1°</source>
-        <translation>Минимальный размах %2 при %1°</translation>
+        <translation>Минимальный размах %2 при&#xa0;%1°</translation>
     </message>
     <message>
         <source>Minimum RMS %2 at %1°</source>
-        <translation>Минимальное СКЗ %2 при %1°</translation>
+        <translation>Минимальное СКЗ %2 при&#xa0;%1°</translation>
     </message>
     <message>
         <source>does not fit</source>
@@ -13402,11 +13402,6 @@ but no position is feasible</source>
         <translation>&amp;Допуски: насколько надёжен результат</translation>
     </message>
     <message>
-        <source>s</source>
-        <comment>of the module&apos;s menu</comment>
-        <translation>р</translation>
-    </message>
-    <message>
         <source>Take the &amp;engine from</source>
         <translation>Взять дви&amp;гатель из</translation>
     </message>
@@ -14247,7 +14242,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>With bands: 5…95 % due to the tolerances.</source>
-        <translation>С полосами: 5…95 % из-за допусков.</translation>
+        <translation>С полосами: 5…95&#xa0;% из-за допусков.</translation>
     </message>
 </context>
 <context>
@@ -15565,7 +15560,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>%1 at %2 does not fit.</source>
-        <translation>%1 при %2 не помещается.</translation>
+        <translation>%1 при&#xa0;%2 не помещается.</translation>
     </message>
     <message>
         <source>; compared with it %1.</source>
@@ -16005,11 +16000,11 @@ but no position is feasible</source>
     </message>
     <message>
         <source> %1° would gain %2 % more but does not fit.</source>
-        <translation> %1° дал бы ещё %2 %, но не помещается.</translation>
+        <translation> %1° дал бы ещё %2&#xa0;%, но не помещается.</translation>
     </message>
     <message>
         <source>Best compromise α over the band, by %1 vs. no shaft: %2°. At the worst speed, %3, the %1 is %4 % %5.</source>
-        <translation>Лучший компромисс α в диапазоне (%1 относительно схемы без вала): %2°. При худшей частоте, %3, %1 на %4 % %5.</translation>
+        <translation>Лучший компромисс α в диапазоне (%1 относительно схемы без вала): %2°. При худшей частоте, %3, %1 на %4&#xa0;% %5.</translation>
     </message>
     <message>
         <source>The gas torque at every speed is from one pressure trace.</source>
@@ -16198,7 +16193,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>“%1” is not a tolerance. Examples: 0.02, 1 %, σ 0.01.</source>
-        <translation>«%1» — не допуск. Примеры: 0,02, 1 %, σ 0,01.</translation>
+        <translation>«%1» — не допуск. Примеры: 0,02, 1&#xa0;%, σ 0,01.</translation>
     </message>
     <message>
         <source>%1 is not a limit: enter a number, or leave it blank.</source>
@@ -16295,11 +16290,11 @@ but no position is feasible</source>
     </message>
     <message>
         <source>At no value are 95 % of the samples feasible.</source>
-        <translation>Ни при каком значении не допустимы 95 % проб.</translation>
+        <translation>Ни при каком значении не допустимы 95&#xa0;% проб.</translation>
     </message>
     <message>
         <source>Minimum 95th percentile: %1 at %2; %3 of the samples are feasible.</source>
-        <translation>Минимум 95-го процентиля: %1 при %2; допустимо %3 проб.</translation>
+        <translation>Минимум 95-го процентиля: %1 при&#xa0;%2; допустимо %3 проб.</translation>
     </message>
     <message>
         <source>feasible, %</source>
@@ -16520,11 +16515,11 @@ but no position is feasible</source>
     </message>
     <message>
         <source>5 % of the samples are smaller.</source>
-        <translation>Меньше — 5 % проб.</translation>
+        <translation>Меньше — 5&#xa0;% проб.</translation>
     </message>
     <message>
         <source>5 % of the samples are larger.</source>
-        <translation>Больше — 5 % проб.</translation>
+        <translation>Больше — 5&#xa0;% проб.</translation>
     </message>
     <message>
         <source>Choose a result to watch.</source>
@@ -17076,10 +17071,6 @@ but no position is feasible</source>
         <translation>Детали переставлены по этому правилу: чтобы изменить его, нажмите «Как взвешено».</translation>
     </message>
     <message>
-        <source>with its set</source>
-        <translation>с комплектом</translation>
-    </message>
-    <message>
         <source>Small end and big end are one rod and move together.</source>
         <translation>Верхняя и нижняя головки — один шатун и переставляются вместе.</translation>
     </message>
@@ -17106,6 +17097,10 @@ but no position is feasible</source>
     <message>
         <source>Mass to take off each part to match the lightest</source>
         <translation>Сколько снять с каждой детали до самой лёгкой</translation>
+    </message>
+    <message>
+        <source>with rod</source>
+        <translation>с шатуном</translation>
     </message>
 </context>
 <context>

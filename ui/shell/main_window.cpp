@@ -464,8 +464,7 @@ void MainWindow::updateSceneActions() {
         }
     }
     const QString title = isAtStart() ? QString() : documents_->currentScene().title;
-    const qsizetype letter = title.indexOf(tr("s", "of the module's menu"), 0, Qt::CaseInsensitive);
-    sceneMenu_->setTitle(QString(title).insert(std::max<qsizetype>(letter, 0), QLatin1Char('&')));
+    sceneMenu_->setTitle(title);
     sceneMenu_->menuAction()->setVisible(!actions.isEmpty());
 }
 

@@ -69,7 +69,7 @@ namespace {
     QT_TRANSLATE_NOOP("Keys", "notes"),
     QT_TRANSLATE_NOOP("Keys", "offset"),
     QT_TRANSLATE_NOOP("Keys", "parts"),
-    QT_TRANSLATE_NOOP("Keys", "permitted range"),
+    QT_TRANSLATE_NOOP("Keys", "permitted spread"),
     QT_TRANSLATE_NOOP("Keys", "pin"),
     QT_TRANSLATE_NOOP("Keys", "piston"),
     QT_TRANSLATE_NOOP("Keys", "piston sets"),

@@ -248,7 +248,7 @@ void WeighInSheet::addMoves(int row) {
     add(shop::Part::pin, shop::field::pin_moves, &Rules::pins);
     add(shop::Part::rings, shop::field::ring_moves, &Rules::rings);
     add(shop::Part::rod_big_end, shop::field::rod_moves, &Rules::rods);
-    auto* withRod = new QLabel(tr("with its set"), this);
+    auto* withRod = new QLabel(tr("with rod"), this);
     withRod->setFont(Theme::font(Theme::smallSize));
     withRod->setAlignment(Qt::AlignCenter);
     withRod->setToolTip(tr("Small end and big end are one rod and move together."));

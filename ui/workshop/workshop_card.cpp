@@ -335,7 +335,7 @@ std::vector<Block> weightBlocks(const Words& words, const Input& input) {
     std::vector<Block> blocks;
     for (std::size_t first = 0; first < cylinders; first += each) {
         const std::size_t end = std::min(first + each, cylinders);
-        Block block{words.translate("JobCard", "Weights of the parts by cylinder, %1")
+        Block block{words.translate("JobCard", "Masses of the parts by cylinder, %1")
                         .arg(words.unit(units::gram)),
                     {{nameWidth, Qt::AlignLeft}},
                     {words.translate("Matching", "Cylinder")},

@@ -206,7 +206,8 @@ TEST_F(TorqueSourceTest, WithoutATraceItSaysWhoseResultsTheyAre) {
     page.findChild<QTabWidget*>()->setCurrentWidget(source);
     choose(1);
     EXPECT_TRUE(line->isVisible());
-    EXPECT_TRUE(line->text().contains(QStringLiteral("of the table"))) << qPrintable(line->text());
+    EXPECT_TRUE(line->text().contains(QStringLiteral("the table is used")))
+        << qPrintable(line->text());
     choose(2);
     EXPECT_FALSE(line->isVisible());
     choose(1);

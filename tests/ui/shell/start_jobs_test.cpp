@@ -67,6 +67,11 @@ class StartJobsTest : public ::testing::Test {
     QList<QAbstractButton*> jobs() const {
         return window->findChildren<QAbstractButton*>(u"start-job"_s);
     }
+    /// The journal is read beside the window.
+    QAbstractButton* job(qsizetype row) const {
+        EXPECT_TRUE(QTest::qWaitFor([&] { return jobs().size() > row; })) << row;
+        return jobs().at(row);
+    }
     QAbstractButton* journalButton() const {
         return test::named<QAbstractButton>(*window, "start-journal");
     }
@@ -107,14 +112,14 @@ TEST_F(StartJobsTest, TheNewestFiveAreListedWithWhatTheyAre) {
         EXPECT_TRUE(page.findChildren<QWidget*>(u"start-job"_s).isEmpty());
     }
     showStart();
-    ASSERT_EQ(jobs().size(), 5);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return jobs().size() == 5; }));
     EXPECT_TRUE(journalButton()->isVisible());
     const QString newest = jobs().constFirst()->toolTip();
     for (const QString& part : {u"N7"_s, u"A & B"_s, u"V8 90°"_s, u"PASS"_s, u"2026"_s}) {
         EXPECT_TRUE(newest.contains(part)) << newest.toStdString();
     }
     EXPECT_FALSE(newest.contains(u"unfinished"_s));
-    const QString open = jobs().at(1)->toolTip();
+    const QString open = job(1)->toolTip();
     EXPECT_TRUE(open.contains(u"N6"_s) && open.contains(u"FAIL"_s) &&
                 open.contains(u"unfinished"_s))
         << open.toStdString();
@@ -123,14 +128,14 @@ TEST_F(StartJobsTest, TheNewestFiveAreListedWithWhatTheyAre) {
     window->showScene(u"balance-shaft"_s);
     keep(u"N8"_s, QDate(2026, 11, 8), true, {});
     showStart();
-    ASSERT_EQ(jobs().size(), 5);
-    QTRY_VERIFY(jobs().constFirst()->toolTip().contains(u"N8"_s));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return jobs().size() == 5; }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return jobs().constFirst()->toolTip().contains(u"N8"_s); }));
 }
 
 TEST_F(StartJobsTest, AClickBringsTheJobOntoTheSheet) {
     keepSeven();
     showStart();
-    jobs().at(2)->click();
+    job(2)->click();
     EXPECT_FALSE(window->isAtStart());
     EXPECT_EQ(window->currentScene(), u"workshop"_s);
     EXPECT_EQ(numberOnSheet(), u"N5"_s);
@@ -139,7 +144,7 @@ TEST_F(StartJobsTest, AClickBringsTheJobOntoTheSheet) {
     // The one on the sheet is shown with what was changed in it.
     test::type(test::named<QLineEdit>(*window->currentPage(), "customer"), u"Ivanov"_s);
     showStart();
-    jobs().at(2)->click();
+    job(2)->click();
     EXPECT_EQ(test::named<QLineEdit>(*window->currentPage(), "customer")->text(), u"Ivanov"_s);
     // Before another takes its place it is asked for.
     showStart();
@@ -148,7 +153,7 @@ TEST_F(StartJobsTest, AClickBringsTheJobOntoTheSheet) {
         asked = box->text();
         box->button(QMessageBox::Discard)->click();
     });
-    jobs().at(0)->click();
+    job(0)->click();
     EXPECT_TRUE(asked.contains(u"N5"_s)) << asked.toStdString();
     EXPECT_EQ(numberOnSheet(), u"N7"_s);
 }

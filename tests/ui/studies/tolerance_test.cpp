@@ -455,7 +455,7 @@ TEST_F(Tolerances, WhatHasTwoMeaningsIsAskedFor) {
     watch("/optimum/range/shaft_angle_deg");
     const QString why =
         tolerances->model()->setLimits({{"/optimum/range/shaft_angle_deg", 355.0, 3.0}});
-    EXPECT_TRUE(why.contains(u"write 363 for 3"_s)) << why.toStdString();
+    EXPECT_TRUE(why.contains(u"enter 363 instead of 3"_s)) << why.toStdString();
     EXPECT_EQ(tolerances->model()->setLimits({{"/optimum/range/shaft_angle_deg", 355.0, 363.0}}),
               QString());
 }

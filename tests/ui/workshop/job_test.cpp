@@ -195,7 +195,8 @@ TEST_F(JobPageTest, TheEngineBringsItsFactor) {
     typeShopCard();
     type("cylinders", u"6"_s);
     type("pin_split_deg", u"30"_s);
-    EXPECT_TRUE(label("factor").startsWith(u"Factor 36.6 %"_s)) << label("factor").toStdString();
+    EXPECT_TRUE(label("factor").startsWith(u"Balance factor 36.6 %"_s))
+        << label("factor").toStdString();
     auto* engine = find<QComboBox>("type");
     page.sheets()->setCurrentIndex(0);
     engine->setFocus();
@@ -507,7 +508,7 @@ TEST_F(JobPageTest, ReadingsBecomeHoles) {
     // A sector elsewhere: no hole, and the page says what to do.
     type("from_1", u"180"_s);
     type("to_1", u"300"_s);
-    EXPECT_TRUE(label("troubles").contains(u"outside the sector"_s))
+    EXPECT_TRUE(label("troubles").contains(u"outside the drilling sector"_s))
         << label("troubles").toStdString();
     type("slug_diameter_mm", u"20"_s);
     type("slug_density_kg_m3", u"17500"_s);
@@ -1336,7 +1337,7 @@ TEST_F(JobPageTest, AnUnbalanceThatGrewByTheDrillingIsNoJobWellDone) {
     EXPECT_TRUE(
         label("verdict").startsWith(u"STOP. Front plane: drilling increased the unbalance to "_s))
         << qPrintable(label("verdict"));
-    EXPECT_TRUE(said.contains(u"Rear plane: residual 1450.0 g·mm after drilling"_s))
+    EXPECT_TRUE(said.contains(u"Rear plane: residual 1450.0 g·mm ∠ 210.0° after drilling"_s))
         << qPrintable(said);
     // One says what was really drilled.
     QTest::mouseClick(find<QPushButton>("verdict_act"), Qt::LeftButton);
@@ -1727,7 +1728,7 @@ TEST_F(JobPageTest, AFinishedPassIsNotLostToAStopWithoutAWord) {
     type("reciprocating_percent", u"0.5"_s);
     const auto asked = answer(u"Cancel"_s);
     save();
-    EXPECT_TRUE(asked->contains(u"its verdict: PASS"_s)) << qPrintable(*asked);
+    EXPECT_TRUE(asked->contains(u"verdict: PASS"_s)) << qPrintable(*asked);
     EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
     EXPECT_EQ(jobs().size(), 1);
 }

@@ -291,7 +291,7 @@ TEST_F(PlugsModelTest, SpreadAbovePermittedIsWarnedOf) {
     });
     EXPECT_TRUE(model.columnNote(Part::piston).tooWide);
     EXPECT_TRUE(model.plugs()->advice);
-    EXPECT_TRUE(says(model, u"Piston: spread 7.00"_s));
+    EXPECT_TRUE(says(model, u"Piston: range 7.00"_s));
     EXPECT_NEAR(model.plugs()->changes.repair_piston_and_rings, 3.5 * gram, 1e-12);
     EXPECT_EQ(model.assignmentResults().rows.size(), 2);
     EXPECT_TRUE(model.assignmentText().contains(u"after moving"_s));

@@ -164,7 +164,7 @@ TEST_F(PlugsPageTest, SaysWhereThePlugsAreWhileTheBobWeightsHang) {
     EXPECT_TRUE(label("hang").contains(u"With the plugs removed. With the plugs fitted use "_s +
                                        QString::number(after.with_plugs_in() / gram, 'f', 1)))
         << qPrintable(label("hang"));
-    EXPECT_TRUE(label("check").contains(u"Big end × 2.445: 2 for two rods, k"_s))
+    EXPECT_TRUE(label("check").contains(u"Big end × 2.445: 2 for two rods,\u00A0k"_s))
         << qPrintable(label("check"));
     EXPECT_TRUE(label("check").contains(u"effect here: 0.22\u00A0g"_s))
         << qPrintable(label("check"));

@@ -58,8 +58,8 @@ TEST_F(PlugsPageTest, WeighInSheetByKeyboard) {
     }
     EXPECT_EQ(QApplication::focusWidget(), field("nominal_pin"));
     EXPECT_NEAR(*(*model->input().weigh_in)[Part::piston].mass[7], 607 * gram, 1e-12);
-    EXPECT_TRUE(label("verdict").contains(u"Piston: spread 7.00"_s) ||
-                label("troubles").contains(u"Piston: spread 7.00"_s));
+    EXPECT_TRUE(label("verdict").contains(u"Piston: range 7.00"_s) ||
+                label("troubles").contains(u"Piston: range 7.00"_s));
     // They count, and no box is to be ticked for it.
     auto* use = find<QCheckBox>("changes_from_weigh_in");
     EXPECT_TRUE(use->isChecked());
@@ -188,7 +188,7 @@ TEST_F(PlugsPageTest, FittedPistonsStayAndWhatTheEngineFeelsIsMadeSmall) {
     EXPECT_EQ(placing().pistons, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
     EXPECT_EQ(placing().goal, shop::MatchingGoal::least_shaking);
     EXPECT_LT(placing().shaking->ends, placing().shaking_before->ends);
-    EXPECT_TRUE(label("weigh_in_summary").contains(u"needs the cylinder spacing"_s))
+    EXPECT_TRUE(label("weigh_in_summary").contains(u"enter the cylinder spacing"_s))
         << qPrintable(label("weigh_in_summary"));
     type("cylinder_spacing_mm", u"110"_s);
     EXPECT_EQ(model->effectResults().rows.size(), 4);

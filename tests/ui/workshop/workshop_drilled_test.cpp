@@ -147,7 +147,7 @@ TEST_F(DrilledTest, AHoleThatIsThoughtOfSaysWhatItWouldLeaveAndChangesNothing) {
     EXPECT_EQ(label("what_if"), QString());
     type("what_if_angle", u"300"_s);
     const QString said = label("what_if");
-    EXPECT_TRUE(said.startsWith(u"Front plane: remains "_s)) << qPrintable(said);
+    EXPECT_TRUE(said.startsWith(u"Front plane: residual "_s)) << qPrintable(said);
     type("what_if_depth", u"5"_s);
     EXPECT_NE(label("what_if"), said);
     EXPECT_EQ(model->input(), before);
