@@ -84,14 +84,14 @@ AngleMinimum minimise_over_angle(const std::function<Cut(double)>& evaluate, dou
     const auto by_value = [](const Cut& a, const Cut& b) {
         return a.value < b.value;
     };
-    const auto [least, worst] = std::minmax_element(cuts.begin(), cuts.end(), by_value);
-    best.worst = worst->value;
+    const auto ends = std::minmax_element(cuts.begin(), cuts.end(), by_value);
+    best.worst = ends.second->value;
     // Values and bounds closer than this are rounding.
     const double rounding = 450 * std::numeric_limits<double>::epsilon();
     const double tolerance = rounding * (best.worst + size);
     // Of angles that are as good the first: the ends of what can be built often mirror each other.
     const auto chosen = std::find_if(cuts.begin(), cuts.end(), [&](const Cut& cut) {
-        return cut.value <= least->value + tolerance;
+        return cut.value <= ends.first->value + tolerance;
     });
     best.alpha = chosen->alpha;
     best.value = chosen->value;

@@ -169,7 +169,8 @@ void visit_plane(ResultVisitor& visitor, const ResultField& field, const PlaneVe
 }
 
 void visit_machine(ResultVisitor& visitor, const Result& result) {
-    const auto& [front, rear] = result.planes;
+    const auto& front = result.planes[0];
+    const auto& rear = result.planes[1];
     if (!result.permissible && !front.reading && !rear.reading) {
         return;
     }
