@@ -117,7 +117,6 @@ QGridLayout* BalanceShaftPage::buildBest(QWidget* parent) {
         label->setToolTip(tr("Over all feasible α, exact for the continuous cycle"));
         auto* button = new QPushButton(tr("Apply"), parent);
         button->setObjectName(QLatin1String(name));
-        button->setMaximumWidth(Theme::withText(52));
         button->setAccessibleName(hint);
         button->setToolTip(hint);
         connect(button, &QPushButton::clicked, model_, go);

@@ -62,7 +62,6 @@ QWidget* SpeedView::buildWords() {
     colourText(answer, &Theme::text);
     row->addWidget(answer, 1);
     goLeastBad_ = new QPushButton(tr("Apply"), panel);
-    goLeastBad_->setMaximumWidth(Theme::withText(52));
     goLeastBad_->setAccessibleName(tr("Apply the best compromise α"));
     goLeastBad_->setToolTip(goLeastBad_->accessibleName());
     connect(goLeastBad_, &QPushButton::clicked, study_, &SpeedStudyModel::goToLeastBad);

@@ -81,7 +81,8 @@ class Checker {
             lookAtLabel(label);
         } else if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) {
             if (qobject_cast<const LegendItem*>(widget) == nullptr && !button->text().isEmpty() &&
-                !hasWholeTip(button, button->text())) {
+                (qobject_cast<const QPushButton*>(button) != nullptr ||
+                 !hasWholeTip(button, button->text()))) {
                 needs(button, button->width(), button->minimumSizeHint().width(), u"the text"_s);
             }
             if (qobject_cast<const LegendItem*>(widget) == nullptr && !button->text().isEmpty()) {
