@@ -100,7 +100,7 @@ void ToleranceBands::outdate() {
     isOfAll_ = false;
     ++run_;
     job_->cancel();
-    if (!spreads_.empty()) {
+    if (!spreads_.empty() || (isAwaited_ && !isWanted())) {
         clear(isWanted());
     }
     if (!isWanted()) {
@@ -119,6 +119,7 @@ void ToleranceBands::beginLater() {
 
 void ToleranceBands::clear(bool othersFollow) {
     spreads_.clear();
+    isAwaited_ = othersFollow;
     for (PartView* view : PartView::below(*page_, false)) {
         view->clearSpread(othersFollow);
     }

@@ -63,6 +63,7 @@ class ToleranceBands : public QObject {
     int run_ = 0;  ///< whose samples count
     int solutions_ = -1;
     bool isOfAll_ = false;
+    bool isAwaited_ = false;  ///< tables show "± …"
 };
 
 }  // namespace ravnoves

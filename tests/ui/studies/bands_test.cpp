@@ -64,6 +64,20 @@ class Bands : public ::testing::Test {
     static const PlotCurve& curve(const PlotView* plot, std::size_t number) {
         return plot->data().curves.at(number);
     }
+    /// Those beside the numbers of tables.
+    QStringList texts() const {
+        QStringList all;
+        for (const ResultTable* table : page->findChildren<ResultTable*>()) {
+            for (int row = 0; row < table->rowCount(); ++row) {
+                for (int column = 1; column < table->columnCount(); ++column) {
+                    all << table->spreadAt(row, column);
+                }
+            }
+        }
+        all.removeAll(QString());
+        all.removeDuplicates();
+        return all;
+    }
 
     std::unique_ptr<ScenePage> page;
 };
@@ -116,19 +130,6 @@ TEST_F(Bands, AreThereAgainWhenTheHandRests) {
     open("balance-shaft", {{"/centre_distance_mm", {{"plus_minus", 1.0}}}});
     PlotView* moments = plot(3);
     const std::vector<double> before = curve(moments, 1).above;
-    const auto texts = [&] {
-        QStringList all;
-        for (const ResultTable* table : page->findChildren<ResultTable*>()) {
-            for (int row = 0; row < table->rowCount(); ++row) {
-                for (int column = 1; column < table->columnCount(); ++column) {
-                    all << table->spreadAt(row, column);
-                }
-            }
-        }
-        all.removeAll(QString());
-        all.removeDuplicates();
-        return all;
-    };
     EXPECT_GT(texts().size(), 1);
     auto* slider = test::named<QSlider>(*page, "shaft_angle_slider");
     slider->setFocus();
@@ -156,6 +157,15 @@ TEST_F(Bands, StayWhereTheTextOfTheCaseChanges) {
     EXPECT_FALSE(bands->isBusy());
     page->model()->setByKey(u"centre_distance_mm"_s, u"130"_s);
     EXPECT_TRUE(bands->isBusy());
+}
+
+TEST_F(Bands, AreNotAwaitedOnceTheTolerancesAreUndone) {
+    open("balance-shaft", {{"/centre_distance_mm", {{"plus_minus", 1.0}}}});
+    page->model()->setByKey(u"centre_distance_mm"_s, u"130"_s);
+    page->model()->undo();
+    EXPECT_EQ(texts(), QStringList(u"± …"_s));
+    page->model()->undo();
+    EXPECT_EQ(texts(), QStringList());
 }
 
 TEST_F(Bands, AreSwitchedOffAndOn) {
