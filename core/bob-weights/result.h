@@ -17,6 +17,7 @@ struct Line {
     const PartField* part;  ///< nothing where the word alone says what it is
     double factor;          ///< how many times the mass counts in the bob weight
     double mass;            ///< kg
+    PartKind kind;
     Word word{};
 
     double product() const { return factor * mass; }

@@ -59,7 +59,7 @@ void solve_bob_weight(const Input& input, double factor, Result& result) {
             }
             continue;
         }
-        const Line line{&part, factor_of(part, input.engine, factor), *mass};
+        const Line line{&part, factor_of(part, input.engine, factor), *mass, part.kind};
         result.lines.push_back(line);
         sum += line.product();
         reciprocating += part.kind == PartKind::reciprocating ? *mass : 0.0;

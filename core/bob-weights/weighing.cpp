@@ -14,7 +14,7 @@ std::optional<Weighing> weighing(const Input& input, const Result& result, doubl
     }
     double sum = 1.0;
     for (const Line& line : result.lines) {
-        if (line.part == nullptr || line.part->kind == PartKind::crankpin || line.mass == 0.0) {
+        if (line.part == nullptr || line.kind == PartKind::crankpin || line.mass == 0.0) {
             continue;
         }
         const bool is_column = input.weigh_in && line.part->column &&

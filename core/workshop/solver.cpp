@@ -24,8 +24,11 @@ std::optional<bob_weights::KnownWeight> weight_of(const v8_plugs::Input& plugs,
         gear->rotating + changes.rod_big_end + 0.5 * changes.repair_bearing,
         weight->sum()};
     for (const v8_plugs::BobWeightLine& line : weight->lines) {
+        const auto kind = line.part < v8_plugs::BobWeightLine::Part::rotating
+                              ? bob_weights::PartKind::reciprocating
+                              : bob_weights::PartKind::rotating;
         known.lines.push_back(
-            {nullptr, line.factor, line.mass, v8_plugs::bob_weight_word(line.part)});
+            {nullptr, line.factor, line.mass, kind, v8_plugs::bob_weight_word(line.part)});
     }
     return known;
 }

@@ -953,14 +953,6 @@
         <translation>Цилиндр</translation>
     </message>
     <message>
-        <source>Piston from</source>
-        <translation>Поршень из</translation>
-    </message>
-    <message>
-        <source>Rod from</source>
-        <translation>Шатун из</translation>
-    </message>
-    <message>
         <source>Unbalance</source>
         <translation>Дисбаланс</translation>
     </message>
@@ -13937,6 +13929,10 @@ but no position is feasible</source>
         <source>Enter a value: %1.</source>
         <translation>Введите значение: %1.</translation>
     </message>
+    <message>
+        <source>“%1” was read as %2. Type %3 if that is meant.</source>
+        <translation>«%1» прочитано как %2. Если имеется в виду %3, введите это число.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::NumberListField</name>
@@ -17748,10 +17744,6 @@ but no position is feasible</source>
     <message>
         <source>Read as %1: %2</source>
         <translation>Прочитано как %1: %2</translation>
-    </message>
-    <message>
-        <source>“%1” was read as %2. Type %3 if that is meant.</source>
-        <translation>«%1» прочитано как %2. Если имеется в виду %3, введите это число.</translation>
     </message>
     <message>
         <source>Read as one value: %1</source>

@@ -86,10 +86,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(std::isfinite(each), "torques are numbers");
     }
     paste(pages.shaft, [&] {
-        return pages.weights.pasteBlock(row, column, readTextTable(text, EmptyLine::gap));
+        return pages.weights.paste(row, column, readTextTable(text, EmptyLine::gap));
     });
     paste(pages.plugs, [&] {
-        return pages.weightsWithPlugs.pasteBlock(row, column, readTextTable(text, EmptyLine::gap));
+        return pages.weightsWithPlugs.paste(row, column, readTextTable(text, EmptyLine::gap));
     });
     paste(pages.engine, [&] { return pages.cylinders.pasteBlock(row, column, cells); });
     paste(pages.engine, [&] { return pages.scatter.pasteBlock(row, column, cells); });

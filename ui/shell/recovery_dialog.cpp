@@ -12,7 +12,7 @@
 #include "case-file/json.h"
 #include "model/scene_model.h"
 #include "page/scene_names.h"
-#include "shop/model/job_desk.h"
+#include "workshop/model/job_desk.h"
 #include "text/language.h"
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"

@@ -21,7 +21,6 @@
 #include "model/case_document.h"
 #include "shell/scene_list.h"
 #include "shop/journal_dialog.h"
-#include "shop/model/job_desk.h"
 #include "shop/model/journal.h"
 #include "shop/model/verdict.h"
 #include "text/plain_title.h"
@@ -228,7 +227,7 @@ QString datedFolderOf(const QString& path) {
 /// When, whose, which engine, what the machine said.
 QString jobText(const Words& words, const JournalJob& job) {
     QStringList said{words.day(job.date.toString(Qt::ISODate)),
-                     JobDesk::numbersOf(job),
+                     job.numbers(),
                      job.customer,
                      WorkshopPage::listed(words, job).engine,
                      verdictText(words, job.verdict),

@@ -199,7 +199,20 @@ double CardTable::tableWidth() const {
     return sum;
 }
 
+void CardTable::take(const Results& results, Bold bold) {
+    for (const ResultColumn& column : results.columns) {
+        head_ << column.heading;
+    }
+    for (const ResultRow& row : results.rows) {
+        const bool isLast = bold == Bold::Last && &row == &results.rows.constLast();
+        rows_.push_back({row.texts(), isLast || bold == Bold::All, isLast});
+    }
+}
+
 double CardTable::draw(CardPage& page, double x, double y) const {
+    if (rows_.empty()) {
+        return 0.0;
+    }
     double at = y;
     const double width = tableWidth();
     if (!head_.isEmpty()) {
@@ -246,12 +259,8 @@ void CardTable::drawCells(CardPage& page, double x, double y, const Row& row, bo
             page.paragraph(x + inset, y + 0.5 * inset, room, text, CardPage::smallestType, bold,
                            colour, columns_[i].align);
         } else {
-            const double usual = caption ? points_ - 0.7 : points_;
-            const double points =
-                page.fittingType(row.beside.value(static_cast<qsizetype>(i)), usual, room, bold);
-            const double lower = (page.lineHeight(usual) - page.lineHeight(points)) / 2.0;
-            page.text(x + inset, y + above + lower, room, text, points, columns_[i].align, bold,
-                      colour);
+            page.text(x + inset, y + above, room, text, caption ? points_ - 0.7 : points_,
+                      columns_[i].align, bold, colour);
         }
         x += columns_[i].width;
     }

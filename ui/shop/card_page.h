@@ -7,6 +7,8 @@
 #include <functional>
 #include <vector>
 
+#include "text/result_row.h"
+
 namespace ravnoves {
 
 /// Sheets of paper in millimetres from their upper left corner, with type in points: what the job
@@ -109,24 +111,24 @@ class CardTable {
         double width;  ///< mm
         Qt::Alignment align = Qt::AlignRight;
     };
-    struct Row {
-        QStringList cells;
-        bool bold = false;
-        bool shaded = false;
-        QStringList beside{};  ///< of the table beside it: both are set in the smaller type
-    };
+    enum class Bold { None, Last, All };
 
     CardTable(std::vector<Column> columns, double points, double rowHeight)
         : columns_(std::move(columns)), points_(points), rowHeight_(rowHeight) {}
 
-    void head(const QStringList& cells) { head_ = cells; }
-    void add(Row row) { rows_.push_back(std::move(row)); }
+    /// @param bold  the last row is shaded, too
+    void take(const Results& results, Bold bold);
 
-    /// @return the height, mm
+    /// @return the height, mm; nothing is drawn without rows
     double draw(CardPage& page, double x, double y) const;
     double tableWidth() const;  ///< mm
 
   private:
+    struct Row {
+        QStringList cells;
+        bool bold = false;
+        bool shaded = false;
+    };
     double heightOf(const CardPage& page, const QStringList& texts, bool bold) const;
     void drawCells(CardPage& page, double x, double y, const Row& row, bool caption) const;
 

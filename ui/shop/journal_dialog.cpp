@@ -15,7 +15,6 @@
 
 #include "pictures/file_dialogs.h"
 #include "shop/checked_field.h"
-#include "shop/model/job_desk.h"
 #include "shop/model/verdict.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
@@ -309,11 +308,11 @@ void JournalDialog::removeSelected() {
     }
     const JournalJob& job = jobs_.at(table_->currentRow());
     const QString day = Words().day(job.date.toString(Qt::ISODate));
-    if (QMessageBox::question(
-            this, tr("Remove job"),
-            tr("Remove job %1 of %2 from the journal permanently?")
-                .arg(JobDesk::numbersOf(job), day.isEmpty() ? QStringLiteral("–") : day),
-            QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes) {
+    if (QMessageBox::question(this, tr("Remove job"),
+                              tr("Remove job %1 of %2 from the journal permanently?")
+                                  .arg(job.numbers(), day.isEmpty() ? QStringLiteral("–") : day),
+                              QMessageBox::Yes | QMessageBox::No,
+                              QMessageBox::No) == QMessageBox::Yes) {
         if (!journal_->remove(id)) {
             message_->setText(journal_->lastError());
             return;

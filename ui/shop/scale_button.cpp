@@ -30,7 +30,7 @@ ScaleButton::ScaleButton(QWidget* parent) : QToolButton(parent), reader_(new Sca
             });
     connect(reader_, &ScaleReader::weighed, this, [this](const ScaleLine& line) {
         if (!isSettingUp_) {
-            Q_EMIT status(enterWeight(line).text);
+            Q_EMIT status(enterWeight(line));
         }
     });
     connect(reader_, &ScaleReader::repeated, this, [this](const ScaleLine& line) {

@@ -29,37 +29,35 @@ void press(QWidget* widget, Qt::Key key) {
     }
 }
 
-ScaleEntry enterInto(NumberField* field, const QString& weight) {
+QString enterInto(NumberField* field, const QString& weight) {
     const QPointer<NumberField> entered = field;
     field->setText(weight);
     Q_EMIT field->textEdited(weight);
     if (const QString trouble = field->trouble(); !trouble.isEmpty()) {
         press(field, Qt::Key_Escape);  // nobody typed it: what was there stays
         QApplication::beep();
-        return {ScaleInput::tr("%1 from the scale is not accepted. %2").arg(weight, trouble),
-                false};
+        return ScaleInput::tr("%1 from the scale is not accepted. %2").arg(weight, trouble);
     }
     const QString name = field->accessibleName();
     press(field, Qt::Key_Return);
     if (entered != nullptr && entered->hasFocus()) {
         press(entered, Qt::Key_Tab);
     }
-    return {ScaleInput::tr("%1 from the scale: %2").arg(weight, name), true};
+    return ScaleInput::tr("%1 from the scale: %2").arg(weight, name);
 }
 
-ScaleEntry enterInto(QAbstractItemView* view, const QString& weight) {
+QString enterInto(QAbstractItemView* view, const QString& weight) {
     const QModelIndex cell = view->currentIndex();
     if (!view->model()->setData(cell, weight)) {
         QApplication::beep();
-        return {ScaleInput::tr("%1 from the scale is not accepted. %2")
-                    .arg(weight, QString())
-                    .trimmed(),
-                false};
+        return ScaleInput::tr("%1 from the scale is not accepted. %2")
+            .arg(weight, QString())
+            .trimmed();
     }
     if (const QModelIndex below = cell.siblingAtRow(cell.row() + 1); below.isValid()) {
         view->setCurrentIndex(below);
     }
-    return {ScaleInput::tr("%1 from the scale").arg(weight), true};
+    return ScaleInput::tr("%1 from the scale").arg(weight);
 }
 
 /// True for a cell of a column of masses that can be edited.
@@ -95,7 +93,7 @@ QString meaningOf(const shop::ScaleLine& line) {
     return ScaleInput::tr("no weight");
 }
 
-ScaleEntry enterWeight(const shop::ScaleLine& line) {
+QString enterWeight(const shop::ScaleLine& line) {
     const QString weight = scaleText(line);
     QWidget* focus = QApplication::focusWidget();
     auto* field = qobject_cast<NumberField*>(focus);
@@ -108,9 +106,8 @@ ScaleEntry enterWeight(const shop::ScaleLine& line) {
         return enterInto(view, weight);
     }
     QApplication::beep();
-    return {
-        ScaleInput::tr("%1 from the scale was not entered: click a mass field first.").arg(weight),
-        false};
+    return ScaleInput::tr("%1 from the scale was not entered: click a mass field first.")
+        .arg(weight);
 }
 
 }  // namespace ravnoves

@@ -12,15 +12,10 @@ QString scaleText(const shop::ScaleLine& line);
 /// What a line means: "568.50 g, stable".
 QString meaningOf(const shop::ScaleLine& line);
 
-/// What became of a weight.
-struct ScaleEntry {
-    QString text;          ///< as text, for the status bar
-    bool isTaken = false;  ///< it is in a field now
-};
-
 /// Puts a weight into the field or cell with the focus, as if it were typed and Enter pressed: the
 /// next one has the focus then. Only fields of masses take it; one that rejects it keeps its value
 /// and the focus.
-ScaleEntry enterWeight(const shop::ScaleLine& line);
+/// @return what became of it, for the status bar
+QString enterWeight(const shop::ScaleLine& line);
 
 }  // namespace ravnoves

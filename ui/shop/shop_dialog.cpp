@@ -10,7 +10,7 @@
 #include <QPushButton>
 
 #include "pictures/file_dialogs.h"
-#include "shop/job_card.h"
+#include "shop/shop.h"
 #include "theme/theme.h"
 #include "widgets/text_length.h"
 

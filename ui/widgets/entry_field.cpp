@@ -28,6 +28,7 @@ EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
         if (text() == shown_) {
             bringBack();  // the value may have more digits than are shown
             setTrouble({});
+            sayHowRead({});
         } else {
             readText();
         }
@@ -158,9 +159,9 @@ void EntryField::sayTrouble(const QString& trouble) {
     update();
 }
 
-void EntryField::sayCut(const QString& note) {
-    if (note != note_) {
-        note_ = note;
+void EntryField::say(QString& which, const QString& note) {
+    if (note != which) {
+        which = note;
         Q_EMIT troubleChanged();
     }
 }
@@ -207,6 +208,7 @@ void EntryField::keyPressEvent(QKeyEvent* event) {
         }
         setTrouble({});
         sayCut({});
+        sayHowRead({});
         showValue();
         endEditing();
         return;

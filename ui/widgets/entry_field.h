@@ -32,7 +32,9 @@ class EntryField : public QLineEdit {
     /// The whole number where its text is shortened; else empty. The tip says it.
     virtual QString wholeText() const { return {}; }
     /// What its line below says: what is wrong, or else what was done to the text.
-    QString said() const { return trouble_.isEmpty() ? note_ : trouble_; }
+    QString said() const {
+        return !trouble_.isEmpty() ? trouble_ : !note_.isEmpty() ? note_ : howRead_;
+    }
     /// The text that explains the field; the rule for its values is added.
     void setHint(const QString& hint);
     /// What is in it may not hold any more: it has an amber frame, where nothing is wrong.
@@ -67,6 +69,8 @@ class EntryField : public QLineEdit {
 
     /// @param isOfModel  other values of the model may mend it
     void setTrouble(const QString& trouble, bool isOfModel = false);
+    /// How a text was read that may mean something else; said until the value is another.
+    void sayHowRead(const QString& note) { say(howRead_, note); }
     void showValue();
     /// The text is that of the value, and nobody is at it.
     bool isAtRest() const { return !editing_ && trouble_.isEmpty() && text() == shown_; }
@@ -92,12 +96,14 @@ class EntryField : public QLineEdit {
     /// The same by itself, once other values have changed and nobody is at any of them.
     void tryStale();
     void sayTrouble(const QString& trouble);
-    void sayCut(const QString& note);
+    void sayCut(const QString& note) { say(note_, note); }
+    void say(QString& which, const QString& note);
 
     QPointer<SceneModel> model_;
     QString hint_;
     QString trouble_;
     QString note_;  ///< that a text was cut
+    QString howRead_;
     QString refusal_;
     QString shown_;  ///< text of the value that was shown last
     bool editing_ = false;
@@ -130,6 +136,7 @@ class ValueEntry : public EntryField {
         const bool wasNone = isNone(value_);
         if (!before) {
             value_ = value;
+            sayHowRead({});
         }
         if ((wasNone || isNone(value_)) && !trouble().isEmpty()) {
             return;  // the value came and went elsewhere; what was typed for it still waits
@@ -147,7 +154,8 @@ class ValueEntry : public EntryField {
   protected:
     struct Reading {
         Value value{};
-        QString trouble;  ///< why the text is rejected; else empty
+        QString trouble;    ///< why the text is rejected; else empty
+        QString howRead{};  ///< where it may mean something else
     };
 
     virtual Reading read(const QString& typed) const = 0;
@@ -172,6 +180,7 @@ class ValueEntry : public EntryField {
     }
     void readText() override {
         const Reading reading = read(text().trimmed());
+        sayHowRead(reading.howRead);
         if (!reading.trouble.isEmpty()) {
             refuse(reading.trouble);
             return;

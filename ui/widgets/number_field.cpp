@@ -99,12 +99,23 @@ NumberField::Reading NumberField::read(const QString& typed) const {
     if (!range_.contains(*number)) {
         return {{}, tr("The value %1.").arg(rangeText(range_, unit_))};
     }
+    constexpr double mostThousands = 100'000.0;  // of any quantity that is typed so
+    const double thousand = 1000.0 * *number;
+    const bool isEither =
+        saysHowRead_ && !unit_.isEmpty() && thousand <= mostThousands &&
+        range_.contains(thousand) && typed.back().isDigit() &&
+        may_have_thousands(
+            QString(typed).replace(QLatin1Char('.'), QLatin1Char(',')).toStdString());
     constexpr int digits = 15;  // 2 in are 50.8 mm, not 50.799999999999997
     // What the text's rule allows, the value's allows: its ends are rounded for the text.
     return {factor_ == 1.0
                 ? *number
                 : std::clamp(rounded_to_digits(*number / factor_, digits), own_.min, own_.max),
-            {}};
+            {},
+            isEither ? tr("“%1” was read as %2. Type %3 if that is meant.")
+                           .arg(typed, shownFormNumber(*number, locale(), digits),
+                                shownFormNumber(thousand, locale(), digits))
+                     : QString()};
 }
 
 QString NumberField::written() const {

@@ -30,6 +30,8 @@ class NumberField : public ValueEntry<std::optional<double>> {
         whole_ = whole;
         step_ = whole ? 1.0 : 0.0;
     }
+    /// Says how a text was read that may mean thousands: "1.100" as 1.1.
+    void setSaysHowRead(bool says) { saysHowRead_ = says; }
     /// The arrows up and down go so much on; 0: they do nothing.
     void setStep(double step) { step_ = step; }
     /// The unit that the text is in, where it is given by itself.
@@ -74,6 +76,7 @@ class NumberField : public ValueEntry<std::optional<double>> {
     bool optional_ = false;
     bool isEntered_ = false;  ///< by a click that is not over
     bool whole_ = false;
+    bool saysHowRead_ = false;
 };
 
 }  // namespace ravnoves

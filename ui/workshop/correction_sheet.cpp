@@ -16,7 +16,6 @@
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
-#include "workshop/model/bob_text.h"
 #include "workshop/sheets.h"
 
 namespace ravnoves {
@@ -91,43 +90,15 @@ void CorrectionSheet::buildDrills() {
 
 void CorrectionSheet::buildSlugs() {
     section(tr("Heavy metal"));
-    const auto slug = [this](const Field& field, std::optional<double> Slug::*member) {
-        NumberField* made = number(
-            field,
-            [this, member] {
-                const auto& correction = model_->input().correction;
-                return correction && correction->slug ? *correction->slug.*member : std::nullopt;
-            },
-            [this, member, name = fieldName(field)](std::optional<double> value) {
-                model_->editSlug(name, [&](Slug& it) { it.*member = value; });
-            });
-        made->setObjectName(QStringLiteral("slug_") + made->objectName());
-        return made;
-    };
-    slug(field::slug_diameter, &Slug::diameter);
-    NumberField* density = slug(field::slug_density, &Slug::density);
+    number("/correction/slug/diameter_mm")->setObjectName(QStringLiteral("slug_diameter_mm"));
+    NumberField* density = number("/correction/slug/density_kg_m3");
+    density->setObjectName(QStringLiteral("slug_density_kg_m3"));
     follow([this, density, needed = density->placeholderText()] {
         const auto& correction = model_->input().correction;
         const bool hasSlugs = correction && correction->slug && correction->slug->diameter;
         density->setPlaceholderText(hasSlugs ? needed : QStringLiteral("–"));
     });
-    QStringList words;
-    for (const Word& word : direction_words) {
-        words << shownText(word.label);
-    }
-    enlarge(ordered(Form::choice(
-        QStringLiteral("slug_direction"), shownText(field::slug_direction.label), words,
-        fieldHint(field::slug_direction),
-        [this] {
-            const auto& correction = model_->input().correction;
-            return static_cast<int>(correction && correction->slug ? correction->slug->direction
-                                                                   : SlugDirection::axial);
-        },
-        [this](int place) {
-            model_->editSlug(fieldName(field::slug_direction), [place](Slug& it) {
-                it.direction = static_cast<SlugDirection>(place);
-            });
-        })));
+    choice("/correction/slug/direction")->setObjectName(QStringLiteral("slug_direction"));
 }
 
 // ---------------------------------------------------------------------------------- what if
@@ -291,9 +262,7 @@ void CorrectionSheet::addHoleRow() {
             each->setVisible(hole != nullptr);
         }
         if (hole != nullptr) {
-            const Words words;
-            const std::size_t run = holePlaces(model_->input())[row].run;
-            name->setText(bob_text::drilledName(words, model_->input(), run, *hole));
+            name->setText(model_->drilledName(holePlaces(model_->input())[row].run, *hole));
         }
     });
     rows_ << widgets;

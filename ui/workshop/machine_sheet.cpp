@@ -14,7 +14,6 @@
 #include "text/typed_number.h"
 #include "theme/theme.h"
 #include "workshop/fields.h"
-#include "workshop/model/bob_text.h"
 #include "workshop/model/shop_machine.h"
 #include "workshop/sheets.h"
 
@@ -74,9 +73,7 @@ MachineSettings::MachineSettings(QWidget* parent)
 MachineSheet::MachineSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(model, parent) {
     buildRuns();
     // Beside the readings: by another convention a hole is drilled on the wrong side.
-    QLabel* convention = line(Theme::baseSize, [this] {
-        return bob_text::machineText(Words(), model_->input().machine);
-    });
+    QLabel* convention = line(Theme::baseSize, [this] { return model_->machineText(); });
     convention->setObjectName(QStringLiteral("machine_convention"));
     addHold();
     buildPlanes();
@@ -136,8 +133,8 @@ void MachineSheet::addHold() {
 
 void MachineSheet::buildPlanes() {
     section(tr("Planes"));
-    const std::array names{bob_text::planeName(Words(), {}, 0),
-                           bob_text::planeName(Words(), {}, 1)};
+    const std::array names{WorkshopModel::planeName(Words(), {}, 0),
+                           WorkshopModel::planeName(Words(), {}, 1)};
     const auto sheet = this->grid({QString(), names[0], names[1]});
     followNames(sheet.first, {{1, 0}, {2, 1}}, {});
     QGridLayout* const grid = sheet.first;
@@ -203,16 +200,16 @@ void MachineSheet::buildRuns() {
     QList<QList<QWidget*>> rows;
     for (std::size_t run = 0; run < most_runs; ++run) {
         const int at = grid->rowCount();
-        auto* label = new QLabel(bob_text::runName(words, run));
+        auto* label = new QLabel(WorkshopModel::runName(words, run));
         label->setFont(Theme::font(Theme::smallSize));
         grid->addWidget(label, at, 0);
         QList<QWidget*> row{label};
         for (std::size_t plane = 0; plane < 2; ++plane) {
             for (const bool isAngle : {false, true}) {
                 const Field& field = isAngle ? field::angle : field::unbalance;
-                const QString name = bob_text::runName(words, run) + QStringLiteral(", ") +
-                                     bob_text::planeName(words, {}, plane) + QStringLiteral(": ") +
-                                     fieldName(field);
+                const QString name = WorkshopModel::runName(words, run) + QStringLiteral(", ") +
+                                     WorkshopModel::planeName(words, {}, plane) +
+                                     QStringLiteral(": ") + fieldName(field);
                 const QString key =
                     QStringLiteral("%1_%2")
                         .arg(isAngle ? QStringLiteral("angle") : QStringLiteral("unbalance"))

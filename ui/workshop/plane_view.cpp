@@ -4,9 +4,7 @@
 
 #include "model/reference_case.h"
 #include "pictures/figure.h"
-#include "text/csv_format.h"
 #include "widgets/panel.h"
-#include "workshop/model/bob_text.h"
 #include "workshop/model/workshop_model.h"
 #include "workshop/plane_drawing.h"
 
@@ -17,7 +15,7 @@ using namespace bob_weights;
 PlaneView::PlaneView(WorkshopModel* model, std::size_t plane, QWidget* parent)
     : ComparedFigure(parent), model_(model), plane_(plane) {
     setObjectName(QStringLiteral("plane_%1").arg(plane + 1));
-    makeFigure(this, [this](const CsvFormat& format) { return table(format); });
+    makeFigure(this);
     const auto repaint = [this] {
         setAccessibleName(model_->planeName(plane_));
         setAccessibleDescription(caption());
@@ -30,29 +28,6 @@ PlaneView::PlaneView(WorkshopModel* model, std::size_t plane, QWidget* parent)
         tr("Arrow: reading; dashed circle: limit; dot: residual; rim: holes and slugs, existing "
            "holes dimmed. Front view, angles as on the machine."));
     repaint();
-}
-
-QString PlaneView::table(const CsvFormat& format) const {
-    const Words words;
-    const Result& solution = model_->solution();
-    if (!solution.correction) {
-        return {};
-    }
-    QString text = format.line(bob_text::planeHead(words)) +
-                   format.line(bob_text::planes(words, model_->input().machine, solution)
-                                   .at(static_cast<int>(plane_))
-                                   .texts());
-    const auto holes = bob_text::holes(words, model_->input(), solution, plane_);
-    text += holes.isEmpty() ? QString() : format.line(bob_text::holeHead(words));
-    for (const ResultRow& hole : holes) {
-        text += format.line(hole.texts());
-    }
-    const auto drilled = bob_text::drilled(words, model_->input().machine, solution, plane_);
-    text += drilled.isEmpty() ? QString() : format.line(bob_text::drilledHead(words));
-    for (const ResultRow& hole : drilled) {
-        text += format.line(hole.texts());
-    }
-    return text;
 }
 
 QString PlaneView::caption() const {

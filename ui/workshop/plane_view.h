@@ -7,8 +7,6 @@ class QPainter;
 
 namespace ravnoves {
 
-struct CsvFormat;
-
 class WorkshopModel;
 
 /// A correction plane as the machine sees it, as drawPlane() draws it. Of a reference it shows
@@ -28,8 +26,6 @@ class PlaneView : public ComparedFigure {
   private:
     /// "2885 g·mm at 73.1°"
     QString caption() const;
-    /// What the plane's rows of the answer say.
-    QString table(const CsvFormat& format) const;
     WorkshopModel* model_;
     std::size_t plane_;
 };

@@ -140,7 +140,7 @@ void PlugsSheet::addOwnEngineButtons() {
     remove_ = button(QStringLiteral("remove_engine"), tr("Remo&ve…"));
     connect(remove_, &QPushButton::clicked, this, &PlugsSheet::removeEngine);
     const auto show = [this] {
-        const bool own = model_->isOwnEngine(model_->engineIndex());
+        const bool own = model_->ownEngine(model_->engineIndex()) != nullptr;
         rename_->setEnabled(own);
         remove_->setEnabled(own);
     };

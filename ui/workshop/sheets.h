@@ -1,5 +1,6 @@
 #pragma once
 
+#include "workshop/model/weigh_in_table.h"
 #include "workshop/workshop_sheet.h"
 
 class QComboBox;
@@ -7,8 +8,6 @@ class QGridLayout;
 class QPushButton;
 
 namespace ravnoves {
-
-class WeighInTable;
 
 /// Sheet 1: whose job it is, which engine, whether it has plugs.
 class JobSheet : public WorkshopSheet {
@@ -68,9 +67,8 @@ class WeighInSheet : public WorkshopSheet {
     Rules rules() const;
     void editRules(const QString& name, const std::function<void(Rules&)>& change);
 
-    WeighInTable* table_;
+    WeighInTable table_;
     TroubleLine* trouble_;
-    HowRead* read_;
     int rows_;  ///< that have cells
     QGridLayout* grid_ = nullptr;
     std::vector<NumberField*> cells_;  ///< column by column

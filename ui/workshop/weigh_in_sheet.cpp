@@ -9,13 +9,13 @@
 #include <algorithm>
 
 #include "bob-weights/fields.h"
+#include "model/editable_table.h"
 #include "page/part_views.h"
 #include "text/message_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "v8-plugs/fields.h"
 #include "widgets/form_section.h"
-#include "workshop/model/weigh_in_table.h"
 #include "workshop/sheets.h"
 
 namespace ravnoves {
@@ -31,9 +31,8 @@ constexpr int mostRows = 16;     // further cylinders come by pasting a column
 
 WeighInSheet::WeighInSheet(WorkshopModel* model, QWidget* parent)
     : WorkshopSheet(model, parent),
-      table_(new WeighInTable(model, this)),
+      table_(model),
       trouble_(new TroubleLine(this)),
-      read_(new HowRead(model, this)),
       rows_(WeighInTable::firstCylinder + mostRows) {
     column()->setSpacing(Theme::space);
     addSource();
@@ -90,16 +89,16 @@ void WeighInSheet::addWeights() {
     grid_->setColumnMinimumWidth(0, Theme::withText(50));
     for (int row = 0; row < rows_; ++row) {
         QLabel* title =
-            put(row + 1, 0, table_->headerData(row, Qt::Vertical, Qt::DisplayRole).toString(),
+            put(row + 1, 0, WeighInTable::titleOf(row),
                 row < WeighInTable::firstCylinder ? Theme::smallSize : Theme::titleSize);
-        follow([this, title, row] { title->setVisible(row < table_->rowCount()); });
+        follow([this, title, row] { title->setVisible(row < table_.rows()); });
     }
     int row = rows_ + 1;
     for (const QString& title : {tr("mean, g"), tr("to nominal, g"), tr("range, g")}) {
         put(row++, 0, shownTitle(title).text, Theme::smallSize);
     }
     trouble_->setObjectName(QStringLiteral("weigh_in_trouble"));
-    for (int column = 0; column < table_->columnCount(); ++column) {
+    for (int column = 0; column < WeighInTable::columns; ++column) {
         addColumn(column);
     }
     QList<QList<QWidget*>> rows(rows_);
@@ -109,7 +108,6 @@ void WeighInSheet::addWeights() {
     addGrid(rows);
     addMoves(row);
     column()->addWidget(trouble_);
-    column()->addWidget(read_);
 }
 
 /// A label of the grid; those above and to the left of the cells wrap.
@@ -129,8 +127,7 @@ QLabel* WeighInSheet::put(int row, int column, const QString& text, int size, bo
 
 void WeighInSheet::addColumn(int column) {
     const int place = column + 1;
-    put(0, place, table_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString(),
-        Theme::smallSize, true);
+    put(0, place, WeighInTable::partOf(column), Theme::smallSize, true);
     grid_->setColumnStretch(place, 1);
     for (int row = 0; row < rows_; ++row) {
         grid_->addWidget(addCell(row, column), row + 1, place);
@@ -155,32 +152,25 @@ void WeighInSheet::addColumn(int column) {
 }
 
 NumberField* WeighInSheet::addCell(int row, int column) {
-    // Rows that are not there yet have names, too.
-    const QModelIndex named = table_->createdIndex(row, column);
-    auto* field = ordered(new NumberField(table_->fieldOf(row), this));
-    field->setObjectName(table_->data(named, WeighInTable::KeyRole).toString());
-    field->setAccessibleName(table_->data(named, Qt::AccessibleTextRole).toString());
-    field->setHint(table_->data(named, Qt::ToolTipRole).toString());
+    const Field& description = WeighInTable::fieldOf(row);
+    auto* field = ordered(new NumberField(description, this));
+    field->setObjectName(WeighInTable::keyOf(row, column));
+    field->setAccessibleName(WeighInTable::nameOf(row, column));
+    field->setHint(WeighInTable::hintOf(row, column));
     field->setOptional(true);
+    field->setSaysHowRead(true);
     field->setMinimumWidth(Theme::withText(cellWidth));
     field->setMinimumHeight(Theme::withText(cellHeight));
     field->setFont(Theme::font(Theme::baseSize));
     field->setTextMargins(-1, 0, -1, 0);  // "1568.52" is seen whole
-    field->setDecimals(2 + shownUnit(table_->fieldOf(row).unit).decimals);
+    field->setDecimals(2 + shownUnit(description.unit).decimals);
     bind(
-        field,
-        [this, row, column]() -> std::optional<double> {
-            const QVariant mass = table_->index(row, column).data(Qt::EditRole);
-            return mass.isValid() ? std::optional(mass.toDouble()) : std::nullopt;
-        },
-        [this, row, column](std::optional<double> value) {
-            table_->setData(table_->index(row, column), value ? QVariant(*value) : QVariant());
-        });
+        field, description, [this, row, column] { return table_.mass(row, column); },
+        [this, row, column](std::optional<double> mass) { table_.setMass(row, column, mass); });
     makeCell(field);
     trouble_->watch(field);
-    read_->follow(field, true);
     cells_.push_back(field);
-    follow([this, field, row] { field->setVisible(row < table_->rowCount()); });
+    follow([this, field, row] { field->setVisible(row < table_.rows()); });
     return field;
 }
 
@@ -202,7 +192,7 @@ bool WeighInSheet::pasteBlock(int row, int column) {
     const QString text = QGuiApplication::clipboard()->text();
     const bool isBlock = text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\t'));
     if (isBlock) {
-        trouble_->say(table_->paste(row, column, readTextTable(text, EmptyLine::gap)));
+        trouble_->say(table_.paste(row, column, readTextTable(text, EmptyLine::gap)));
     }
     return isBlock;
 }

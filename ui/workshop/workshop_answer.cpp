@@ -11,7 +11,6 @@
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
-#include "workshop/model/bob_text.h"
 #include "workshop/model/workshop_model.h"
 #include "workshop/plane_view.h"
 #include "workshop/plugs/model/v8_text.h"
@@ -55,20 +54,38 @@ WorkshopAnswer::WorkshopAnswer(WorkshopModel* model, QWidget* parent)
     showAnswer();
 }
 
+QLabel* WorkshopAnswer::say(QVBoxLayout* column, const char* name, int pixelSize,
+                            std::function<QString()> text, Ink ink, bool isBold) {
+    auto* label = copyableLabel(name, pixelSize, column->parentWidget(), isBold);
+    colourText(label, ink);
+    column->addWidget(label);
+    said_.push_back({label, std::move(text)});
+    return label;
+}
+
 QWidget* WorkshopAnswer::buildHead() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
-    headline_ = copyableLabel("headline", Theme::displaySize, panel, true);
-    hang_ = copyableLabel("hang", Theme::titleSize, panel);
-    factor_ = copyableLabel("factor", Theme::baseSize, panel);
-    limits_ = copyableLabel("limits", Theme::baseSize, panel);
-    troubles_ = copyableLabel("troubles", Theme::baseSize, panel, true);
-    refused_ = copyableLabel("refused", Theme::baseSize, panel, true);
-    refused_->hide();
-    doubtful_ = copyableLabel("doubtful", Theme::smallSize, panel);
-    for (QLabel* label : {headline_, refused_, hang_, factor_, limits_, troubles_, doubtful_}) {
-        column->addWidget(label);
-    }
+    headline_ = say(column, "headline", Theme::displaySize, [this] { return model_->headline(); });
+    say(
+        column, "refused", Theme::baseSize, [this] { return refused_; }, &Theme::warning, true);
+    say(column, "hang", Theme::titleSize, [this] { return model_->hangText(); });
+    say(column, "factor", Theme::baseSize, [this] {
+        const bool isKnown = model_->solution().bob_weight && !model_->hasPlugs();
+        return isKnown ? model_->factorText() : QString();
+    });
+    say(column, "limits", Theme::baseSize, [this] {
+        QStringList limits =
+            QStringList{model_->limitText(), weighingNote(*model_)} + model_->remarks();
+        limits.removeAll(QString());
+        return limits.join(QLatin1Char('\n'));
+    });
+    say(
+        column, "troubles", Theme::baseSize,
+        [this] { return model_->troubles().join(QLatin1Char('\n')); }, &Theme::warning, true);
+    say(
+        column, "doubtful", Theme::smallSize, [this] { return model_->doubtfulText(); },
+        &Theme::mutedText);
     return panel;
 }
 
@@ -76,12 +93,9 @@ QWidget* WorkshopAnswer::buildPlugs() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     column->addWidget(headingLabel(tr("Plugs"), panel));
-    advice_ = copyableLabel("advice", Theme::titleSize, panel, true);
-    boring_ = copyableLabel("boring", Theme::baseSize, panel);
-    excess_ = copyableLabel("excess", Theme::baseSize, panel);
-    for (QLabel* label : {advice_, boring_, excess_}) {
-        column->addWidget(label);
-    }
+    advice_ = say(column, "advice", Theme::titleSize, [this] { return model_->adviceText(); });
+    say(column, "boring", Theme::baseSize, [this] { return model_->boringText(); });
+    say(column, "excess", Theme::baseSize, [this] { return model_->excessText(); });
     options_ = new PartTable(model_, "options", tr("The options"), panel);
     options_->hideWhereEmpty();
     options_->setFont(Theme::font(Theme::smallSize));
@@ -107,8 +121,9 @@ QWidget* WorkshopAnswer::buildLines() {
     auto* lines = new PartTable(model_, "lines", tr("Bob weight, line by line"), panel);
     lines->hideWhereEmpty();
     column->addWidget(lines);
-    check_ = copyableCaption("check", panel);
-    column->addWidget(check_);
+    say(
+        column, "check", Theme::smallSize, [this] { return model_->checkText(); },
+        &Theme::mutedText);
     column->addStretch();
     row->add(panel, 4);
     auto* beside = new QWidget(row);
@@ -170,14 +185,14 @@ QWidget* WorkshopAnswer::buildCorrection() {
         column->addWidget(made);
         return made;
     };
-    holes_ = table("holes", tr("Holes and slugs"));
+    table("holes", tr("Holes and slugs"));
     planes_ = table("planes", tr("The correction planes"));
-    asReadNote_ = captionLabel({}, panel);
-    asReadNote_->setObjectName(QStringLiteral("as_read_note"));
-    column->addWidget(asReadNote_);
-    holeNote_ = captionLabel({}, panel);
-    holeNote_->setObjectName(QStringLiteral("hole_note"));
-    column->addWidget(holeNote_);
+    say(
+        column, "as_read_note", Theme::smallSize, [this] { return model_->asReadNote(); },
+        &Theme::mutedText);
+    say(
+        column, "hole_note", Theme::smallSize, [this] { return model_->holeNote(); },
+        &Theme::mutedText);
     runs_ = table("runs", tr("Runs of the machine"));
     drilledHeading_ = headingLabel(tr("Already drilled"), panel);
     column->addWidget(drilledHeading_);
@@ -189,16 +204,17 @@ QWidget* WorkshopAnswer::buildCorrection() {
 }
 
 void WorkshopAnswer::setRefused(const QStringList& refused) {
-    sayOrHide(refused_, refusedNote(Words(), refused));
+    refused_ = refusedNote(Words(), refused);
     showAnswer();
 }
 
 void WorkshopAnswer::showAnswer() {
-    const bob_weights::Result& solution = model_->solution();
-    const bool known = solution.bob_weight.has_value();
+    for (const auto& [label, text] : said_) {
+        sayOrHide(label, text());
+    }
+    const bool known = model_->solution().bob_weight.has_value();
     const bool isStopped = model_->withheld().bob_weight;
-    const bool isStale = !refused_->text().isEmpty();
-    sayOrHide(headline_, model_->headline());
+    const bool isStale = !refused_.isEmpty();
     // What is still missing is no sentence for the display size.
     headline_->setFont(
         Theme::font(known || isStopped ? Theme::displaySize : Theme::titleSize, !isStale));
@@ -206,40 +222,22 @@ void WorkshopAnswer::showAnswer() {
                           : !known  ? &Theme::mutedText
                           : isStale ? &Theme::warning
                                     : &Theme::text);
-    colourText(refused_, &Theme::warning);
-    sayOrHide(hang_, model_->hangText());
-    sayOrHide(factor_, known && !model_->hasPlugs() ? model_->factorText() : QString());
-    QStringList limits =
-        QStringList{model_->limitText(), weighingNote(*model_)} + model_->remarks();
-    limits.removeAll(QString());
-    sayOrHide(limits_, limits.join(QLatin1Char('\n')));
-    sayOrHide(troubles_, model_->troubles().join(QLatin1Char('\n')));
-    colourText(troubles_, &Theme::warning);
-    sayOrHide(doubtful_, model_->doubtfulText());
-    colourText(doubtful_, &Theme::mutedText);
-
     const v8_plugs::Result* plugs = model_->plugs();
-    plugs_->setVisible(plugs != nullptr && !isStopped);
-    sayOrHide(advice_, model_->adviceText());
     const bool works = plugs != nullptr && v8_text::works(*plugs);
     advice_->setFont(Theme::font(Theme::titleSize, works && !isStale));
     colourText(advice_, plugs == nullptr || !plugs->advice ? &Theme::mutedText
                         : isStale                          ? &Theme::warning
                         : works                            ? &Theme::text
                                                            : &Theme::error);
-    sayOrHide(boring_, model_->boringText());
-    sayOrHide(excess_, model_->excessText());
-    sayOrHide(check_, model_->checkText());
+    plugs_->setVisible(plugs != nullptr && !isStopped);
     lines_->setVisible(known);
     force_->setVisible(!model_->hasPlugs());
     plugPlots_->setVisible(model_->hasPlugs());
-
-    pictures_->setVisible(solution.correction.has_value() || drilled_->rowCount() > 0);
-    sayOrHide(asReadNote_, bob_text::asReadNote(Words(), model_->input(), solution));
-    sayOrHide(holeNote_, model_->holeNote());
-    drilledHeading_->setVisible(drilled_->rowCount() > 0);
+    const bool isDrilled = drilled_->rowCount() > 0;
+    pictures_->setVisible(model_->solution().correction.has_value() || isDrilled);
+    drilledHeading_->setVisible(isDrilled);
     planes_->parentWidget()->setVisible(planes_->rowCount() > 0 || runs_->rowCount() > 0 ||
-                                        drilled_->rowCount() > 0);
+                                        isDrilled);
 }
 
 }  // namespace ravnoves

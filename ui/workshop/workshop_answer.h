@@ -1,8 +1,13 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
+#include <utility>
+#include <vector>
 
-class QLabel;
+#include "widgets/form_section.h"
+
+class QVBoxLayout;
 
 namespace ravnoves {
 
@@ -24,6 +29,8 @@ class WorkshopAnswer : public QWidget {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
+    QLabel* say(QVBoxLayout* column, const char* name, int pixelSize, std::function<QString()> text,
+                Ink ink = &Theme::text, bool isBold = false);
     QWidget* buildHead();
     QWidget* buildPlugs();
     QWidget* buildCorrection();
@@ -32,25 +39,16 @@ class WorkshopAnswer : public QWidget {
     void showAnswer();
 
     WorkshopModel* model_;
+    QString refused_;
+    /// The sentences that follow the model, with what makes them.
+    std::vector<std::pair<QLabel*, std::function<QString()>>> said_;
     QLabel* headline_ = nullptr;
-    QLabel* doubtful_ = nullptr;
-    QLabel* refused_ = nullptr;
-    QLabel* hang_ = nullptr;
-    QLabel* factor_ = nullptr;
-    QLabel* limits_ = nullptr;
-    QLabel* troubles_ = nullptr;
     QWidget* plugs_ = nullptr;
     QLabel* advice_ = nullptr;
-    QLabel* boring_ = nullptr;
-    QLabel* excess_ = nullptr;
     PartTable* options_ = nullptr;
-    QLabel* check_ = nullptr;
     QWidget* pictures_ = nullptr;
-    QLabel* asReadNote_ = nullptr;
     PartTable* runs_ = nullptr;
     PartTable* planes_ = nullptr;
-    PartTable* holes_ = nullptr;
-    QLabel* holeNote_ = nullptr;
     PartTable* drilled_ = nullptr;
     QLabel* drilledHeading_ = nullptr;
     QWidget* lines_ = nullptr;

@@ -1,30 +1,78 @@
 #pragma once
 
-#include "shop/job_card.h"
+#include <QRectF>
+#include <functional>
+
+#include "shop/model/verdict.h"
+#include "shop/shop.h"
 #include "workshop/model/workshop_model.h"
+
+class QPagedPaintDevice;
+class QPainter;
 
 namespace ravnoves {
 
-/// The job card of the workshop. The first page is what one takes to the machine: bob weight and
-/// verdict in large type, the planes as clocks with their holes, lines for the machine's readings.
-/// Parts, plugs and take-offs follow.
-class WorkshopCard : public JobCard {
+class CardPage;
+
+/// The job card: one sheet of paper, or more where there is more to say, painted in millimetres of
+/// A4. The first page is what one takes to the machine: bob weight and verdict in large type, the
+/// planes as clocks with their holes, lines for the machine's readings. Parts, plugs and take-offs
+/// follow.
+class WorkshopCard {
   public:
     /// Of the model in its present state when it is painted: the card says what the page says.
     WorkshopCard(const WorkshopModel& model, Words words)
-        : JobCard(std::move(words)), model_(model) {}
+        : model_(model), words_(std::move(words)) {}
 
-  protected:
-    void draw(CardPage& page) const override;
-    QString title() const override;
+    /// Paints the card. `page` is the whole of A4, 210 × 297 mm, in the painter's units; one
+    /// millimetre is page.width() / 210 of them.
+    /// @param next  begins another sheet at the same place, false where there is none; without it
+    ///              the first sheet alone is painted
+    void paint(QPainter& painter, const QRectF& page, const std::function<bool()>& next = {}) const;
+    /// Paints onto a printer or PDF writer, as large as its paper allows where that is not A4
+    /// upright.
+    /// @return false where the device cannot be painted on
+    bool print(QPagedPaintDevice& device) const;
+    /// Sets the paper that a card was printed on last, else the usual one of the desktop's country,
+    /// upright without margins of the device's own.
+    static void setPage(QPagedPaintDevice& device);
+    /// Keeps the paper of a device, which the user may have changed in a dialog, for the next card.
+    static void keepPaper(const QPagedPaintDevice& device);
+
+    /// Writes a PDF with selectable text; a file already there stays whole when anything fails.
+    /// @return an empty string, or what went wrong
+    QString writePdf(const QString& path) const;
+
+    void setShop(const Shop& shop) { shop_ = shop; }
+    /// Entries that the form rejects: the card is of the values before them, and says so.
+    /// @param ofResult  those of them that the answer depends on
+    void setRefused(const QStringList& refused, const QStringList& ofResult) {
+        refused_ = refused;
+        refusedOfResult_ = ofResult;
+    }
 
   private:
+    void draw(CardPage& page) const;
+    QString title() const;
+    /// @return where what goes on begins, mm
+    double goOn(CardPage& page) const;
+    /// Empty where nothing is rejected that the answer depends on.
+    QString refusedText() const { return refusedNote(words_, refusedOfResult_); }
+    /// The same of all other entries.
+    QString otherRefusedText() const;
+    // What returns a number returns where the block ends, mm.
+    double head(CardPage& page, double y) const;
     double answer(CardPage& page, double y) const;
     double clocks(CardPage& page, double y) const;
+    double notes(CardPage& page, double y) const;
+    void signatures(CardPage& page, double y) const;
     void drawPlugBeside(CardPage& page, double y) const;
-    QString verdictWords() const;
 
     const WorkshopModel& model_;
+    Words words_;
+    Shop shop_;
+    QStringList refused_;
+    QStringList refusedOfResult_;
 };
 
 }  // namespace ravnoves

@@ -19,13 +19,13 @@
 #include <atomic>
 #include <exception>
 
+#include "bob-weights/input.h"
+#include "case-file/field_reader.h"
+#include "case-file/json.h"
 #include "model/worker_thread.h"
 #include "page/refused_entries.h"
 #include "pictures/file_dialogs.h"
-#include "shop/job_card.h"
-#include "shop/journal_banner.h"
 #include "shop/journal_dialog.h"
-#include "shop/model/job_desk.h"
 #include "shop/model/verdict.h"
 #include "shop/shop_dialog.h"
 #include "text/error_text.h"
@@ -39,9 +39,8 @@
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
 #include "widgets/verdict_line.h"
-#include "workshop/model/bob_text.h"
+#include "workshop/journal_banner.h"
 #include "workshop/model/workshop_model.h"
-#include "workshop/plugs/model/v8_names.h"
 #include "workshop/plugs/model/v8_text.h"
 #include "workshop/sheets.h"
 #include "workshop/workshop_answer.h"
@@ -52,6 +51,17 @@ namespace ravnoves {
 namespace {
 constexpr int sheetWidth = 470;
 constexpr int narrowestSheet = 280;
+
+/// Of a job without plugs, in the language of the list.
+QString listedEngine(const Words& words, const JournalJob& job) {
+    try {
+        const Json engine = parse_json(job.form.toStdString()).at("input").at("engine");
+        return WorkshopModel::engineName(
+            words, read_fields<bob_weights::Engine>(engine, Completeness::as_is));
+    } catch (const std::exception&) {
+        return job.engine;  // a sheet that cannot be read says so when it is opened
+    }
+}
 
 /// One types into it.
 bool isEntry(const QWidget* field, const WorkshopSheet& sheet) {
@@ -111,8 +121,8 @@ WorkshopPage::WorkshopPage(const QString& journalPath, QWidget* parent, SceneMod
             return;
         }
         const bool isThere = sheets_->currentWidget()->isAncestorOf(at) && at->isVisible();
-        if (unseen_.remove(sheet) || !isThere) {
-            firstEmpty(*forms_.at(sheet))->setFocus(Qt::TabFocusReason);
+        if (unseen_.remove(sheet) || !isThere || forms_.at(sheet) == machine_) {
+            nextEntry(*forms_.at(sheet), true)->setFocus(Qt::TabFocusReason);
         }
     });
     buildActions();
@@ -150,33 +160,25 @@ void WorkshopPage::showVerdict() {
                                                                    : QString());
 }
 
-void WorkshopPage::showSheet(int sheet) {
-    sheets_->setCurrentIndex(sheet);
-}
-
 void WorkshopPage::doVerdictAct() {
     if (model_->verdictShown()->act == workshop::swap_ends_act) {
         model_->swapRodEnds();
         return;
     }
-    showSheet(static_cast<int>(forms_.indexOf(correction_)));
+    sheets_->setCurrentIndex(static_cast<int>(forms_.indexOf(correction_)));
     if (QWidget* hole = correction_->lastDrilled()) {
         hole->setFocus(Qt::TabFocusReason);
     }
 }
 
-std::unique_ptr<JobCard> WorkshopPage::card() {
-    return std::make_unique<WorkshopCard>(*model_, model_->desk()->cardWords());
-}
-
 ListedJob WorkshopPage::listed(const Words& words, const JournalJob& job) {
     if (job.process.isEmpty()) {
-        return {bob_text::engineName(words, job.engine),
+        return {listedEngine(words, job),
                 job.bobWeight ? words.translate("BobWeights", "Bob weight %1")
                                     .arg(words.number(*job.bobWeight * units::gram, units::gram, 1))
                               : QStringLiteral("–")};
     }
-    ListedJob text{v8_names::engineName(words, job.engine.toStdString()), job.recommended};
+    ListedJob text{v8_text::engineName(words, job.engine.toStdString()), job.recommended};
     if (job.recommended.isEmpty()) {
         text.result = QStringLiteral("–");
     } else if (job.recommended == QLatin1String("none-needed")) {
@@ -186,7 +188,7 @@ ListedJob WorkshopPage::listed(const Words& words, const JournalJob& job) {
     }
     for (const v8_plugs::OptionId id : v8_plugs::all_options) {
         if (job.recommended.toStdString() == v8_plugs::option_word(id).word) {
-            text.result = v8_names::optionName(words, id);
+            text.result = v8_text::optionName(words, id);
             if (job.reduction) {
                 text.result +=
                     QStringLiteral(", ") + v8_text::grams(words, *job.reduction * units::gram);
@@ -237,10 +239,6 @@ void WorkshopPage::markTab(int tab) {
     if (colour != sheets_->tabBar()->tabTextColor(tab)) {
         sheets_->tabBar()->setTabTextColor(tab, colour);
     }
-}
-
-QList<QWidget*> WorkshopPage::fieldsOf(int sheet) const {
-    return forms_.value(sheet)->order();
 }
 
 void WorkshopPage::buildActions() {
@@ -332,32 +330,20 @@ bool WorkshopPage::eventFilter(QObject* watched, QEvent* event) {
     return ScenePage::eventFilter(watched, event);
 }
 
-/// Where one begins to type: the number of the engine, where the sheet has it; not a list, which
-/// would take its letters for a choice.
-QWidget* WorkshopPage::firstEntry(const WorkshopSheet& sheet) {
-    QWidget* first = nullptr;
-    for (QWidget* each : sheet.order()) {
-        if (qobject_cast<EntryField*>(each) == nullptr || !each->isEnabled()) {
-            continue;
-        }
-        if (qobject_cast<NumberField*>(each) == nullptr) {
-            return each;
-        }
-        first = first != nullptr ? first : each;
-    }
-    return first != nullptr ? first : sheet.order().constFirst();
-}
-
-QWidget* WorkshopPage::firstEmpty(const WorkshopSheet& sheet) {
+QWidget* WorkshopPage::nextEntry(const WorkshopSheet& sheet, bool isEmpty) {
     if (const auto* machine = qobject_cast<const MachineSheet*>(&sheet)) {
         return machine->nextReading();
     }
+    QWidget* first = nullptr;
     for (QWidget* each : sheet.order()) {
-        if (isEntry(each, sheet) && static_cast<EntryField*>(each)->text().isEmpty()) {
-            return each;
+        if (isEntry(each, sheet)) {
+            if (!isEmpty || static_cast<EntryField*>(each)->text().isEmpty()) {
+                return each;
+            }
+            first = first != nullptr ? first : each;
         }
     }
-    return firstEntry(sheet);
+    return first != nullptr ? first : sheet.order().constFirst();
 }
 
 void WorkshopPage::beginSheets() {
@@ -386,20 +372,15 @@ void WorkshopPage::goOn(QWidget* from) {
                 return;
             }
         }
-        // The end of the sheet: the first field of the next one, but no list, which the next key
-        // would change. The last sheet is not left: nobody fills the first one after it.
+        // The end of the sheet: on to the next one. The last sheet is not left: nobody fills the
+        // first one after it.
         int then = static_cast<int>(sheet) + 1;
         while (then < forms_.size() && !sheets_->isTabVisible(then)) {
             ++then;  // that of the plugs, where there are none
         }
         if (then < forms_.size()) {
-            const WorkshopSheet& following = *forms_.at(then);
             sheets_->setCurrentIndex(then);
-            const auto field =
-                std::find_if(following.order().begin(), following.order().end(),
-                             [&](const QWidget* each) { return isEntry(each, following); });
-            (field != following.order().end() ? *field : sheets_->tabBar())
-                ->setFocus(Qt::TabFocusReason);
+            nextEntry(*forms_.at(then), false)->setFocus(Qt::TabFocusReason);
         } else if (entry != nullptr) {
             Q_EMIT entry->editingFinished();  // what is typed counts, as where it is left
             entry->selectAll();
@@ -418,7 +399,7 @@ void WorkshopPage::showEvent(QShowEvent* event) {
         if (isVisible() && QApplication::activeModalWidget() == nullptr &&
             (!sheets_->isAncestorOf(window()->focusWidget()) ||
              window()->focusWidget() == sheets_->tabBar())) {
-            firstEntry(*forms_.at(sheets_->currentIndex()))->setFocus();
+            nextEntry(*forms_.at(sheets_->currentIndex()), true)->setFocus();
         }
     });
     if (!journalTried_) {
@@ -533,12 +514,12 @@ void WorkshopPage::restoreFrom(const QString& file) {
     QMessageBox::information(this, tr("Journal"), said);
 }
 
-std::unique_ptr<JobCard> WorkshopPage::shopsCard() {
-    auto made = card();
+WorkshopCard WorkshopPage::card() {
+    WorkshopCard made(*model_, desk()->cardWords());
     const Shop shop = Shop::kept();
     banner_->say(shop.trouble());
-    made->setShop(shop);
-    made->setRefused(refusedEntries(this), refusedInputs(this));
+    made.setShop(shop);
+    made.setRefused(refusedEntries(this), refusedInputs(this));
     return made;
 }
 
@@ -582,7 +563,8 @@ bool WorkshopPage::isJobKnown() {
         goToBeginning();
         return false;
     }
-    const QString here = desk()->engineOnSheet();
+    const JournalJob onSheet = model_->journalEntry();
+    const QString here = onSheet.numbers();
     const auto same = desk()->sameJob();
     if (same) {
         const int answer = ask(tr("The journal has a job of %1 and this day already, saved on %2.")
@@ -603,8 +585,7 @@ bool WorkshopPage::isJobKnown() {
         const Words words;
         text = tr("The job of %1 in the journal is finished, verdict: %2. With this sheet the "
                   "verdict is: %3.")
-                   .arg(here, verdictText(words, verdict),
-                        verdictText(words, desk()->verdictOnSheet()));
+                   .arg(here, verdictText(words, verdict), verdictText(words, onSheet.verdict));
     } else {
         return true;
     }
@@ -624,7 +605,7 @@ void WorkshopPage::newJob() {
 
 void WorkshopPage::goToBeginning() {
     sheets_->setCurrentIndex(0);
-    firstEntry(*forms_.constFirst())->setFocus(Qt::TabFocusReason);
+    nextEntry(*forms_.constFirst(), true)->setFocus(Qt::TabFocusReason);
 }
 
 void WorkshopPage::showNewJob(const QString& said) {
@@ -672,7 +653,7 @@ void WorkshopPage::bringJob(qint64 id, bool isCopy) {
 }
 
 void WorkshopPage::paintCard(QPrinter* printer) {
-    if (!shopsCard()->print(*printer)) {
+    if (!card().print(*printer)) {
         QMessageBox::warning(this, tr("Job card"), tr("The printer cannot be used."));
     }
 }
@@ -682,13 +663,13 @@ void WorkshopPage::previewCard() {
         return;
     }
     QPrinter printer(QPrinter::HighResolution);
-    JobCard::setPage(printer);
+    WorkshopCard::setPage(printer);
     QPrintPreviewDialog dialog(&printer, this);
     dialog.setWindowTitle(tr("Job card"));
     dialog.resize(900, 760);
     connect(&dialog, &QPrintPreviewDialog::paintRequested, this, &WorkshopPage::paintCard);
     dialog.exec();
-    JobCard::keepPaper(printer);
+    WorkshopCard::keepPaper(printer);
 }
 
 void WorkshopPage::printCard() {
@@ -696,17 +677,17 @@ void WorkshopPage::printCard() {
         return;
     }
     QPrinter printer(QPrinter::HighResolution);
-    JobCard::setPage(printer);
+    WorkshopCard::setPage(printer);
     QPrintDialog dialog(&printer, this);
     dialog.setOption(QPrintDialog::PrintPageRange, false);  // the card is printed whole
     if (dialog.exec() == QDialog::Accepted) {
-        JobCard::keepPaper(printer);
+        WorkshopCard::keepPaper(printer);
         paintCard(&printer);
     }
 }
 
 QString WorkshopPage::writeCard(const QString& file) {
-    return shopsCard()->writePdf(file);
+    return card().writePdf(file);
 }
 
 void WorkshopPage::exportCard() {

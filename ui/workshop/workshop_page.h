@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QSet>
-#include <memory>
 
 #include "page/scene_page.h"
 #include "shop/model/journal.h"
@@ -12,7 +11,6 @@ class QTabWidget;
 namespace ravnoves {
 
 class CorrectionSheet;
-class JobCard;
 class JobDesk;
 class JournalBanner;
 struct ListedJob;
@@ -21,6 +19,7 @@ class WorkshopSheet;
 class VerdictLine;
 class Words;
 class WorkshopAnswer;
+class WorkshopCard;
 class WorkshopModel;
 
 /// The page Workshop: the sheets of a job to the left, the answer to the right, journal and job
@@ -53,8 +52,6 @@ class WorkshopPage : public ScenePage {
 
     // For tests.
     QTabWidget* sheets() const { return sheets_; }
-    /// The fields of a sheet in the order of Enter.
-    QList<QWidget*> fieldsOf(int sheet) const;
     QString writeCard(const QString& file);
 
     void setActive(bool active) override;
@@ -65,19 +62,19 @@ class WorkshopPage : public ScenePage {
 
   private:
     JobDesk* desk() const;
-    std::unique_ptr<JobCard> card();
+    /// With the shop's name, and what is rejected now.
+    WorkshopCard card();
     /// Does what the verdict proposes.
     void doVerdictAct();
     void showVerdict();
-    void showSheet(int sheet);
     void addSheet(WorkshopSheet* form, const QString& title);
     void markTab(int tab);
     void buildActions();
     void buildCardLanguages();
-    static QWidget* firstEntry(const WorkshopSheet& sheet);
     void goToBeginning();
-    /// Where one continues with a sheet: its first empty field, or where it begins.
-    static QWidget* firstEmpty(const WorkshopSheet& sheet);
+    /// Where one continues with a sheet: the next reading of the machine; elsewhere the first
+    /// field, or the first that is empty. Not a list, which would take letters for a choice.
+    static QWidget* nextEntry(const WorkshopSheet& sheet, bool isEmpty);
     /// Another job is on the sheets: none of them is gone on with where the last one was.
     void beginSheets();
     void goOn(QWidget* from);
@@ -101,7 +98,6 @@ class WorkshopPage : public ScenePage {
     void restore();
     /// In the background, until it ends or is cancelled.
     void restoreFrom(const QString& file);
-    std::unique_ptr<JobCard> shopsCard();
     void newJob();
     /// A job of the journal comes onto the sheet, as it is or as a new one like it.
     void bringJob(qint64 id, bool isCopy);

@@ -10,7 +10,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "shop/checked_field.h"
 #include "text/capital.h"
@@ -29,45 +28,7 @@ namespace {
 constexpr int numberWidth = 140;
 constexpr int textFieldWidth = 290;
 
-/// That the sign with three digits behind it was read as the decimal one: "1.100" as 1.1. Empty for
-/// a text that is plain, has a unit or can mean no part's thousands.
-QString decimalNote(const QString& typed, const std::optional<double>& read) {
-    constexpr double heaviest = 100'000.0;  // g
-    const QString text = typed.trimmed();
-    const bool isEither =
-        read && text.back().isDigit() &&
-        may_have_thousands(QString(text).replace(QLatin1Char('.'), QLatin1Char(',')).toStdString());
-    constexpr int digits = 15;
-    const auto shown = [](double value) { return shownFormNumber(value, QLocale(), digits); };
-    return isEither && 1000.0 * *read <= heaviest
-               ? WorkshopSheet::tr("“%1” was read as %2. Type %3 if that is meant.")
-                     .arg(text, shown(*read), shown(1000.0 * *read))
-               : QString();
-}
-
 }  // namespace
-
-HowRead::HowRead(WorkshopModel* model, QWidget* parent) : TroubleLine(parent) {
-    connect(model, &SceneModel::changed, this, [this] {
-        if (noted_ != nullptr && noted_->value() != value_) {
-            noted_ = nullptr;
-            say({});
-        }
-    });
-}
-
-void HowRead::follow(NumberField* field, bool isNamed) {
-    connect(field, &QLineEdit::textEdited, this, [=, this](const QString& typed) {
-        const QString note = decimalNote(typed, field->value());
-        if (note.isEmpty() && noted_ != field) {
-            return;
-        }
-        noted_ = note.isEmpty() ? nullptr : field;
-        value_ = field->value();
-        const bool hasName = isNamed && noted_ != nullptr;
-        say(hasName ? field->accessibleName() + QStringLiteral(": ") + note : note, false);
-    });
-}
 
 WorkshopSheet::WorkshopSheet(WorkshopModel* model, QWidget* parent)
     : Form(model, parent), model_(model) {}
@@ -154,11 +115,7 @@ QComboBox* WorkshopSheet::wide(QComboBox* box, int width) {
 NumberField* WorkshopSheet::large(NumberField* field) {
     field->setMaximumWidth(Theme::withText(numberWidth));
     enlarge(field);
-    if (isMassUnit(field->unit())) {
-        auto* read = new HowRead(model_, current());
-        current()->addWide(read);
-        read->follow(field, false);
-    }
+    field->setSaysHowRead(true);
     return ordered(field);
 }
 
@@ -293,6 +250,7 @@ NumberField* WorkshopSheet::cell(const Field& field, const QString& name, const 
     made->setObjectName(name);
     made->setAccessibleName(spoken);
     made->setOptional(true);
+    made->setSaysHowRead(true);
     enlarge(made);
     makeCell(made);
     return made;

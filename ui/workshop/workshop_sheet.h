@@ -12,20 +12,6 @@ class QPushButton;
 
 namespace ravnoves {
 
-/// Below fields of masses: that a number which may mean thousands was read otherwise.
-class HowRead : public TroubleLine {
-    Q_OBJECT
-
-  public:
-    HowRead(WorkshopModel* model, QWidget* parent);
-    /// @param isNamed  several fields share the line: it says which one is meant
-    void follow(NumberField* field, bool isNamed);
-
-  private:
-    NumberField* noted_ = nullptr;
-    std::optional<double> value_;  ///< of it
-};
-
 /// A sheet of the workshop's form: large fields bound to the input, in the order in which one fills
 /// them.
 class WorkshopSheet : public Form {

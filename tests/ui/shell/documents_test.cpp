@@ -34,7 +34,7 @@
 #include "shell/main_window.h"
 #include "shell/screenshot.h"
 #include "shop/journal_dialog.h"
-#include "shop/model/job_desk.h"
+#include "workshop/model/job_desk.h"
 
 namespace ravnoves {
 namespace {

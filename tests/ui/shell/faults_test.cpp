@@ -28,7 +28,7 @@
 #include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shell/screenshot.h"
-#include "shop/model/job_desk.h"
+#include "workshop/model/job_desk.h"
 
 namespace ravnoves {
 namespace {

@@ -339,5 +339,98 @@ TEST_F(ScaleTest, AKeyboardScaleAndAColumnWithUnitsAreUnderstood) {
     EXPECT_EQ(rotor.value(), 56.85);
 }
 
+/// One scale after another at the same port, and what is made of their lines.
+class OtherScaleTest : public ::testing::Test {
+  protected:
+    OtherScaleTest() {
+        ScaleSettings settings;
+        settings.port = scale.port();
+        settings.resolution = 1e-5;
+        settings.save();
+        QObject::connect(reader(), &ScaleReader::weighed,
+                         [this](const shop::ScaleLine& line) { weights << line.number; });
+        QObject::connect(reader(), &ScaleReader::lineRead, [this] { ++lines; });
+        QObject::connect(&button, &ScaleButton::status,
+                         [this](const QString& text) { said = text; });
+        reader()->use(settings);
+    }
+    ~OtherScaleTest() override { QSettings().remove(u"scale"_s); }
+
+    ScaleReader* reader() { return button.reader(); }
+    void plugAnother() {
+        scale.unplug();
+        ASSERT_TRUE(comes([&] { return !reader()->isConnected(); }));
+        scale.plug();
+        ASSERT_TRUE(comes([&] { return reader()->isConnected(); }));
+    }
+    /// @return false where no line comes of it
+    bool send(std::string_view bytes) {
+        const int before = lines;
+        scale.send(bytes);
+        return comes([&] { return lines > before; });
+    }
+
+    Scale scale;
+    ScaleButton button;
+    QList<double> weights;
+    int lines = 0;
+    QString said;
+};
+
+TEST_F(OtherScaleTest, IsTakenAtOnceAfterTheFirstWasUnplugged) {
+    ASSERT_TRUE(send("S S    568.50 g\r\n"));
+    plugAnother();
+    ASSERT_TRUE(send("570.25 g\r\n"));
+    EXPECT_EQ(weights, QList<double>({568.5, 570.25})) << said.toStdString();
+    // It has a form of its own now.
+    ASSERT_TRUE(send("0.25\r\n"));
+    EXPECT_EQ(weights.size(), 2);
+    plugAnother();
+    ASSERT_TRUE(send("580\r\n"));
+    EXPECT_EQ(weights.constLast(), 580.0);
+    EXPECT_EQ(reader()->refusal(), QString());
+}
+
+TEST_F(OtherScaleTest, SaysWhichLinesAreAwaited) {
+    ASSERT_TRUE(send("S S    568.50 g\r\n"));
+    said.clear();
+    ASSERT_TRUE(
+        send("\x02"
+             "569.00 g\r\n"));
+    EXPECT_EQ(weights.size(), 1);
+    EXPECT_EQ(
+        said,
+        u"Expected lines such as “S S    568.50 g”, got “‹02›569.00 g”. For another scale open Edit ▸ Scale…."_s);
+    // A line of its form is taken as before, and the reason is gone.
+    ASSERT_TRUE(send("S S    570.00 g\r\n"));
+    EXPECT_EQ(weights.constLast(), 570.0);
+    EXPECT_EQ(reader()->refusal(), QString());
+    ASSERT_TRUE(send("569.00 g\r\n"));
+    EXPECT_TRUE(said.contains(u"“S S    570.00 g”"_s)) << said.toStdString();
+
+    // Whoever looks into the settings may have another scale.
+    button.openSettings();
+    auto* shown = test::named<QPlainTextEdit>(button, "scale_lines");
+    ASSERT_TRUE(send("571.00 g\r\n"));
+    EXPECT_EQ(weights.constLast(), 571.0);
+    ASSERT_TRUE(send("572.00\r\n"));
+    EXPECT_EQ(weights.constLast(), 571.0);
+    EXPECT_TRUE(shown->toPlainText().endsWith(reader()->refusal())) << "the list says why";
+    EXPECT_FALSE(reader()->refusal().isEmpty());
+    shown->window()->close();
+}
+
+TEST_F(OtherScaleTest, TheEndOfALineThatWasLostIsNoWeight) {
+    ASSERT_TRUE(send("S S    568.50 g\r\n"));
+    scale.send("S S    57");
+    QTest::qWait(20);
+    plugAnother();
+    ASSERT_TRUE(send("0.25 g\r\n"));
+    EXPECT_EQ(weights.size(), 1);
+    EXPECT_FALSE(said.isEmpty());
+    ASSERT_TRUE(send("570.25 g\r\n"));
+    EXPECT_EQ(weights, QList<double>({568.5, 570.25})) << "the next line is whole";
+}
+
 }  // namespace
 }  // namespace ravnoves

@@ -12,8 +12,8 @@
 #include <QRegularExpression>
 #include <QSettings>
 
+#include "job_page_test.h"
 #include "pictures/file_dialogs.h"
-#include "plugs_page_test.h"
 #include "shop/shop_dialog.h"
 #include "workshop/workshop_card.h"
 
@@ -42,7 +42,7 @@ TEST_F(PlugsPageTest, CardIsWholeOnLetterAndOnItsSide) {
         QPrinter printer(QPrinter::HighResolution);
         printer.setOutputFormat(QPrinter::PdfFormat);
         printer.setOutputFileName(file);
-        JobCard::setPage(printer);
+        WorkshopCard::setPage(printer);
         printer.setPageSize(QPageSize(paper.size));
         printer.setPageOrientation(paper.side);
         ASSERT_TRUE(WorkshopCard(*model, Words()).print(printer));
@@ -126,7 +126,7 @@ TEST_F(PlugsPageTest, CardIsPrintedAsThePdfIs) {
     QPrinter printer(QPrinter::HighResolution);
     printer.setOutputFormat(QPrinter::PdfFormat);
     printer.setOutputFileName(printed);
-    JobCard::setPage(printer);
+    WorkshopCard::setPage(printer);
     ASSERT_TRUE(WorkshopCard(*model, model->desk()->cardWords()).print(printer));
     EXPECT_TRUE(textOfPdf(exported).contains(u"card"_s));
     EXPECT_EQ(textOfPdf(exported), textOfPdf(printed));
@@ -140,6 +140,7 @@ TEST_F(PlugsPageTest, TheCardWithholdsWhatThePageWithholds) {
     const QString printed = card().simplified();
     EXPECT_TRUE(printed.contains(u"Missing for the bob weight: "_s)) << qPrintable(printed);
     EXPECT_TRUE(printed.contains(u"changes of mass (sheet 2)"_s)) << qPrintable(printed);
+    EXPECT_FALSE(printed.contains(u"nan"_s));
     // Whether a plug does is not known either; the engine has it.
     for (const QString& each : {u"works"_s, u"The method neglects"_s, u"Machine all"_s}) {
         EXPECT_FALSE(printed.contains(each)) << qPrintable(printed);

@@ -5,7 +5,7 @@
 #include <QInputDialog>
 #include <QPushButton>
 
-#include "plugs_page_test.h"
+#include "job_page_test.h"
 
 namespace ravnoves {
 namespace {
@@ -14,7 +14,7 @@ using namespace Qt::StringLiterals;
 using namespace v8_plugs;
 
 TEST_F(PlugsPageTest, OwnEnginesByKeyboard) {
-    show(Plugs);
+    show(PlugsTab);
     auto* keep = find<QPushButton>("save_engine");
     auto* rename = find<QPushButton>("rename_engine");
     auto* remove = find<QPushButton>("remove_engine");
@@ -60,13 +60,13 @@ TEST_F(PlugsPageTest, OwnEnginesByKeyboard) {
 
 TEST_F(PlugsPageTest, EngineBringsItsPlugAndItsOwnSheets) {
     type("customer", u"Smith"_s);
-    type("height_mm", u"9.5"_s);
-    type("bore_diameter_mm", u"12"_s);
-    type("bore_depth_mm", u"5"_s);
-    type("cutter_diameter_mm", u"14"_s);
-    type("nominal_piston", u"600"_s);
-    type("spread_piston", u"2"_s);
-    type("mass_piston_1", u"601"_s);
+    fill({{"height_mm", "9.5"},
+          {"bore_diameter_mm", "12"},
+          {"bore_depth_mm", "5"},
+          {"cutter_diameter_mm", "14"},
+          {"nominal_piston", "600"},
+          {"spread_piston", "2"},
+          {"mass_piston_1", "601"}});
     // Kept with the engine.
     const PlugSheet plug = model->input().plugs->plug.value();
     whenModal<QInputDialog>([](QInputDialog* dialog) {
@@ -75,7 +75,7 @@ TEST_F(PlugsPageTest, EngineBringsItsPlugAndItsOwnSheets) {
     });
     QTest::mouseClick(find<QPushButton>("save_engine"), Qt::LeftButton);
     auto* engine = find<QComboBox>("engine");
-    show(Job);
+    show(JobTab);
     engine->setFocus();
     QTest::keyClick(engine, Qt::Key_Home);
     QTest::keyClick(engine, Qt::Key_Down);
@@ -91,10 +91,10 @@ TEST_F(PlugsPageTest, EngineBringsItsPlugAndItsOwnSheets) {
     EXPECT_EQ(field("nominal_piston")->value(), 600.0);
     EXPECT_EQ(field("spread_piston")->value(), 2.0);
     // The next job keeps what is the engine's.
-    type("grade_mm_s", u"16"_s);
-    type("rotor_mass_kg", u"30"_s);
-    type("service_speed_rpm", u"3200"_s);
-    type("unbalance_1", u"100"_s);
+    fill({{"grade_mm_s", "16"},
+          {"rotor_mass_kg", "30"},
+          {"service_speed_rpm", "3200"},
+          {"unbalance_1", "100"}});
     press(Qt::Key_F2);
     press(Qt::Key_F4);
     EXPECT_EQ(model->input().plugs->plug, plug);
@@ -112,7 +112,7 @@ TEST_F(PlugsPageTest, EngineChoiceAndFlags) {
     EXPECT_EQ(model->input().plugs->preset, "6 l");
     EXPECT_EQ(field("crank_radius_mm")->value(), 47.5);
     auto* flag = find<QCheckBox>("has_new_plug");
-    show(Plugs);
+    show(PlugsTab);
     QTest::mouseClick(flag, Qt::LeftButton, {}, QPoint(10, flag->height() / 2));
     EXPECT_FALSE(model->input().plugs->engine.has_new_plug);
     EXPECT_FALSE(field("new_plug_radius_mm")->isEnabled());

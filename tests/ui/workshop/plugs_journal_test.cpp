@@ -10,8 +10,8 @@
 #include <QSqlQuery>
 #include <QTableWidget>
 
+#include "job_page_test.h"
 #include "pictures/file_dialogs.h"
-#include "plugs_page_test.h"
 #include "shop/checked_field.h"
 #include "shop/journal_dialog.h"
 
@@ -23,26 +23,11 @@ using namespace v8_plugs;
 
 using units::gram;
 
-TEST_F(PlugsPageTest, TheWindowAsksForTheJournal) {
-    type("engine_number", u"7"_s);
-    QString asked;
-    whenModal<QMessageBox>([&](QMessageBox* box) {
-        asked = box->text();
-        box->button(QMessageBox::Save)->click();
-    });
-    EXPECT_EQ(page.askToSave(), true);
-    EXPECT_EQ(asked, u"Save the job “7” in the journal?"_s);
-    EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
-    type("engine_number", u"8"_s);
-    answer(QMessageBox::Cancel);
-    EXPECT_EQ(page.askToSave(), false);
-}
-
 TEST_F(PlugsPageTest, EscapeReturnsToWhatIsSaved) {
     auto* number = find<QLineEdit>("engine_number");
     number->setFocus();
     QTest::keyClicks(number, u"77"_s);
-    press(Qt::Key_F2);
+    save();
     QTest::keyClicks(number, u"8"_s);
     EXPECT_EQ(model->input().job.engine_number, "778");
     for (int i = 0; i < 2; ++i) {
@@ -52,10 +37,10 @@ TEST_F(PlugsPageTest, EscapeReturnsToWhatIsSaved) {
         EXPECT_FALSE(model->hasChanges());
     }
     auto* plug = find<QLineEdit>("rod_big_end");
-    show(Parts);
+    show(PartsTab);
     plug->setFocus();
     QTest::keyClicks(plug, u"5"_s);
-    press(Qt::Key_F2);
+    save();
     QTest::keyClick(plug, Qt::Key_Backspace);
     EXPECT_EQ(model->input().plugs->typed_changes.rod_big_end, 0.0)
         << "what stood before the saving";
@@ -69,11 +54,8 @@ TEST_F(PlugsPageTest, JournalListsWhatTheMachineSaidAndFindsTheCrankshaft) {
     type("rod_big_end", u"1"_s);
     type("unbalance_1", u"3.14159"_s);
     type("unbalance_2", u"6"_s);
-    model->editTolerance(u"own"_s, [](bob_weights::Tolerance& it) {
-        it.by_grade = false;
-        it.plane = 5.0 * units::gram_mm;
-    });
-    press(Qt::Key_F2);
+    limitTo(5.0);
+    save();
     QStringList cells;
     whenModal<JournalDialog>([&](JournalDialog* dialog) {
         QTest::keyClicks(dialog->findChild<QLineEdit*>(u"journal_search"_s), u"kv-77"_s);
@@ -91,11 +73,11 @@ TEST_F(PlugsPageTest, JournalListsWhatTheMachineSaidAndFindsTheCrankshaft) {
 TEST_F(PlugsPageTest, AnEngineThatIsRememberedStaysThatOfItsJob) {
     type("engine_number", u"53-11"_s);
     type("rod_big_end", u"1"_s);
-    press(Qt::Key_F2);
+    save();
     ASSERT_EQ(model->saveEngineAs(u"Ours"_s), QString());
     EXPECT_EQ(model->desk()->otherEngine(), QString());
-    press(Qt::Key_F2);
-    const auto jobs = model->desk()->journal()->search({});
+    save();
+    const auto jobs = this->jobs();
     ASSERT_EQ(jobs.size(), 1);
     EXPECT_EQ(jobs.at(0).engine, u"Ours"_s);
     // Its values make it another.
@@ -106,7 +88,7 @@ TEST_F(PlugsPageTest, AnEngineThatIsRememberedStaysThatOfItsJob) {
 
 TEST_F(PlugsPageTest, AJobRemovedFromTheJournalIsNoLongerSaved) {
     type("engine_number", u"53-11"_s);
-    press(Qt::Key_F2);
+    save();
     ASSERT_FALSE(model->hasChanges());
     model->desk()->missJob(model->desk()->jobId() + 1);  // another
     EXPECT_FALSE(model->hasChanges());
@@ -128,9 +110,7 @@ TEST_F(PlugsPageTest, AJobRemovedFromTheJournalIsNoLongerSaved) {
 TEST_F(PlugsPageTest, JobsArePutAsideUnfinishedAndTheTechnicianIsRemembered) {
     type("engine_number", u"53-11"_s);
     type("technician", u"O. Bauer"_s);
-    page.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
-    QTest::keyClick(&page, Qt::Key_F2, Qt::ShiftModifier);
+    press(Qt::Key_F2, Qt::ShiftModifier);
     ASSERT_GT(model->desk()->jobId(), 0);
     EXPECT_FALSE(model->desk()->journal()->job(model->desk()->jobId())->isFinished);
     press(Qt::Key_F4);
@@ -140,7 +120,7 @@ TEST_F(PlugsPageTest, JobsArePutAsideUnfinishedAndTheTechnicianIsRemembered) {
     type("engine_number", u"done"_s);
     typeGear();
     type("rod_big_end", u"0"_s);
-    press(Qt::Key_F2);
+    save();
     QStringList found;
     whenModal<JournalDialog>([&](JournalDialog* dialog) {
         auto* table = dialog->findChild<QTableWidget*>(u"journal_table"_s);
@@ -164,8 +144,8 @@ TEST_F(PlugsPageTest, JobsArePutAsideUnfinishedAndTheTechnicianIsRemembered) {
     EXPECT_EQ(model->input().job.engine_number, "53-11");
     typeGear();
     type("rod_big_end", u"1"_s);
-    press(Qt::Key_F2);
-    EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
+    save();
+    EXPECT_EQ(jobs().size(), 2);
     EXPECT_TRUE(model->desk()->journal()->job(model->desk()->jobId())->isFinished);
     QSettings().remove(u"workshop/technician"_s);
 }
@@ -184,16 +164,16 @@ TEST_F(PlugsPageTest, JournalIsBackedUpAndRestoredByTheMenu) {
         act(name);
     };
     type("engine_number", u"first"_s);
-    press(Qt::Key_F2);
+    save();
     command(u"back_up"_s);
     EXPECT_TRUE(said.contains(backup)) << qPrintable(said);
     ASSERT_TRUE(model->desk()->journal()->remove(model->desk()->jobId()));
     press(Qt::Key_F4);
     type("engine_number", u"second"_s);
-    press(Qt::Key_F2);
+    save();
     command(u"restore"_s);
     EXPECT_EQ(said, u"Jobs restored: 1; already in the journal: 0."_s);
-    EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
+    EXPECT_EQ(jobs().size(), 2);
     command(u"restore"_s);
     EXPECT_EQ(said, u"Jobs restored: 0; already in the journal: 1."_s);
     QFile torn(backup);
@@ -202,7 +182,7 @@ TEST_F(PlugsPageTest, JournalIsBackedUpAndRestoredByTheMenu) {
     torn.close();
     command(u"restore"_s);
     EXPECT_TRUE(said.contains(u"not a backup"_s)) << qPrintable(said);
-    EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
+    EXPECT_EQ(jobs().size(), 2);
     fileChoosers() = before;
 }
 
@@ -220,77 +200,50 @@ TEST_F(PlugsPageTest, AJobThatAnotherProgramKeepsFromTheJournalIsSaid) {
             said = box->text();
             QTest::keyClick(box, Qt::Key_Return);
         });
-        press(Qt::Key_F2);
+        save();
         EXPECT_TRUE(said.contains(u"another program is writing"_s)) << qPrintable(said);
         EXPECT_EQ(model->desk()->jobId(), 0);
         EXPECT_FALSE(model->desk()->isJournaled());
         ASSERT_TRUE(query.exec(u"ROLLBACK"_s));
     }
     QSqlDatabase::removeDatabase(u"other"_s);
-    press(Qt::Key_F2);
+    save();
     EXPECT_GT(model->desk()->jobId(), 0);
 }
 
 TEST_F(PlugsPageTest, JobWithoutAnAnswerIsSavedAndSaidSo) {
     type("engine_number", u"53-11"_s);
     QSignalSpy status(&page, &ScenePage::status);
-    press(Qt::Key_F2);
+    save();
     ASSERT_EQ(status.count(), 1);
     EXPECT_TRUE(status.at(0).at(0).toString().contains(
         u"put aside in the journal, unfinished. Missing for the bob weight"_s));
-    const auto job = model->desk()->journal()->job(model->desk()->jobId());
-    ASSERT_TRUE(job);
-    EXPECT_FALSE(job->unbalancedMass);
-    EXPECT_FALSE(job->isFinished);
-    EXPECT_TRUE(job->recommended.isEmpty());
-}
-
-TEST_F(PlugsPageTest, JobGoesToTheJournalByKeyAndComesBack) {
-    type("engine_number", u"53-11"_s);
-    type("rod_big_end", u"1"_s);
-    QSignalSpy status(&page, &ScenePage::status);
-    press(Qt::Key_F2);
-    ASSERT_EQ(status.count(), 1);
-    EXPECT_TRUE(status.at(0).at(0).toString().contains(u"53-11"_s));
-    const qint64 id = model->desk()->jobId();
-    EXPECT_GT(id, 0);
-    press(Qt::Key_F4);
-    EXPECT_EQ(model->desk()->jobId(), 0);
-    EXPECT_TRUE(status.last().at(0).toString().contains(WorkshopModel::carriedOver()));
-    EXPECT_EQ(QApplication::focusWidget(), find<QWidget>("engine_number"));
-    // F3: search, Enter opens.
-    bool seen = false;
-    whenModal<JournalDialog>([&](JournalDialog* dialog) {
-        auto* search = dialog->findChild<QLineEdit*>(u"journal_search"_s);
-        auto* table = dialog->findChild<QTableWidget*>(u"journal_table"_s);
-        QTest::keyClicks(search, u"nothing like it"_s);
-        EXPECT_EQ(table->rowCount(), 0);
-        search->clear();
-        QTest::keyClicks(search, u"53"_s);
-        EXPECT_EQ(table->rowCount(), 1);
-        QTest::keyClick(search, Qt::Key_Return);
-        seen = true;
-        EXPECT_FALSE(dialog->isVisible());
-    });
-    press(Qt::Key_F3);
-    EXPECT_TRUE(seen);
-    EXPECT_EQ(model->desk()->jobId(), id);
-    EXPECT_NEAR(model->input().plugs->typed_changes.rod_big_end, 1 * gram, 1e-12);
+    ASSERT_EQ(jobs().size(), 1);
+    EXPECT_FALSE(jobs().at(0).unbalancedMass);
+    EXPECT_FALSE(jobs().at(0).isFinished);
+    EXPECT_TRUE(jobs().at(0).recommended.isEmpty());
 }
 
 TEST_F(PlugsPageTest, UnsavedJobIsAskedAbout) {
     type("engine_number", u"7"_s);
-    answer(QMessageBox::Cancel);
+    const auto asked = answer(u"Cancel"_s);
     press(Qt::Key_F4);
+    EXPECT_EQ(*asked, u"Save the job “7” in the journal?"_s);
     EXPECT_EQ(model->input().job.engine_number, "7");
     answer(QMessageBox::Save);
     press(Qt::Key_F4);
     EXPECT_TRUE(model->input().job.engine_number.empty());
-    EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
+    EXPECT_EQ(jobs().size(), 1);
+    // So does the window that is closed.
     type("engine_number", u"8"_s);
+    answer(QMessageBox::Cancel);
+    EXPECT_EQ(page.askToSave(), false);
     answer(QMessageBox::Discard);
-    press(Qt::Key_F4);
-    EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
+    EXPECT_EQ(page.askToSave(), true);
+    EXPECT_EQ(jobs().size(), 1);
+    answer(QMessageBox::Save);
+    EXPECT_EQ(page.askToSave(), true);
+    EXPECT_EQ(jobs().size(), 2);
 }
 
 TEST_F(PlugsPageTest, LongJournalSaysThatTheListIsCutAndExportsAll) {
@@ -344,7 +297,7 @@ TEST_F(PlugsPageTest, TheResultIsReadWholeWhereTheListHasRoom) {
 TEST_F(PlugsPageTest, TheListIsWorkedFromTheSearch) {
     for (const char* number : {"A-1", "B-2", "C-3"}) {
         type("engine_number", QString::fromLatin1(number));
-        press(Qt::Key_F2);
+        save();
         press(Qt::Key_F4);
     }
     qint64 second = 0;
@@ -365,7 +318,7 @@ TEST_F(PlugsPageTest, JournalDialogExportsWhatItLists) {
     for (const QString& number : {u"A-1"_s, u"B-2"_s}) {
         model->newJob();
         type("engine_number", number);
-        press(Qt::Key_F2);
+        save();
     }
     JournalDialog dialog(model->desk()->journal(), [](const Words&, const JournalJob& job) {
         return ListedJob{job.engine, job.recommended};
@@ -387,10 +340,10 @@ TEST_F(PlugsPageTest, JournalDialogExportsWhatItLists) {
         QTest::keyClick(box, Qt::Key_Return);
     });
     QTest::mouseClick(remove, Qt::LeftButton);
-    EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
+    EXPECT_EQ(jobs().size(), 2);
     answer(QMessageBox::Yes);
     QTest::mouseClick(remove, Qt::LeftButton);
-    EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
+    EXPECT_EQ(jobs().size(), 1);
     // Days.
     auto* from = dialog.findChild<CheckedField*>(u"journal_from"_s);
     const auto says = [&](const QString& text) {

@@ -5,7 +5,7 @@
 #include <QTemporaryDir>
 
 #include "case-file/input_error.h"
-#include "plugs_page_test.h"
+#include "job_page_test.h"
 #include "workshop/doubts.h"
 
 namespace ravnoves {

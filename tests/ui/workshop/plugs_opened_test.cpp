@@ -6,8 +6,8 @@
 
 #include "core/workshop/support.h"
 #include "fixtures.h"
+#include "job_page_test.h"
 #include "model/case_document.h"
-#include "plugs_page_test.h"
 #include "scenes/scenes.h"
 #include "v8-plugs/scene.h"
 
@@ -116,19 +116,22 @@ TEST_F(PlugsPageTest, PlugsThatComeAndGoKeepPartsAndFactor) {
     const workshop::Input without = model->input();
     auto* there = find<QCheckBox>("has_plugs");
     const auto toggle = [&] {
-        show(Job);
+        show(JobTab);
         there->setFocus();
         QTest::keyClick(there, Qt::Key_Space);
     };
-    EXPECT_FALSE(page.sheets()->isTabVisible(Plugs));
-    QWidget* last = page.fieldsOf(WeighIn).constLast();
-    show(WeighIn);
+    EXPECT_FALSE(page.sheets()->isTabVisible(PlugsTab));
+    EXPECT_TRUE(field("piston")->isVisibleTo(page.sheets()->widget(PartsTab)));
+    QWidget* last = fieldsOf(WeighInTab).constLast();
+    show(WeighInTab);
     last->setFocus();
     QTest::keyClick(last, Qt::Key_Return);
-    EXPECT_EQ(page.sheets()->currentIndex(), Machine) << "no sheet that is not there";
+    EXPECT_EQ(page.sheets()->currentIndex(), MachineTab) << "no sheet that is not there";
     toggle();
     ASSERT_TRUE(model->hasPlugs());
-    EXPECT_TRUE(page.sheets()->isTabVisible(Plugs));
+    EXPECT_TRUE(page.sheets()->isTabVisible(PlugsTab));
+    EXPECT_FALSE(field("piston")->isVisibleTo(page.sheets()->widget(PartsTab)));
+    EXPECT_TRUE(field("reciprocating_mass_g")->isVisibleTo(page.sheets()->widget(PartsTab)));
     EXPECT_FALSE(model->resultJson().at("error").get<std::string>().find("factor") !=
                  std::string::npos);
     EXPECT_DOUBLE_EQ(model->input().plugs->tolerance, 7.0 * units::gram_mm) << "Shop limit";
@@ -137,7 +140,7 @@ TEST_F(PlugsPageTest, PlugsThatComeAndGoKeepPartsAndFactor) {
     type("rod_big_end", u"0.5"_s);
     toggle();
     EXPECT_EQ(model->input(), without);
-    EXPECT_FALSE(page.sheets()->isTabVisible(Plugs));
+    EXPECT_FALSE(page.sheets()->isTabVisible(PlugsTab));
     toggle();
     EXPECT_NEAR(model->input().plugs->typed_changes.rod_big_end, 0.5 * units::gram, 1e-15);
     model->history()->undo();
@@ -147,6 +150,7 @@ TEST_F(PlugsPageTest, PlugsThatComeAndGoKeepPartsAndFactor) {
     type("bank_angle_deg", u"60"_s);
     EXPECT_TRUE(model->input().engine.bank_angle == without.engine.bank_angle)
         << "refused while there are plugs";
+    EXPECT_TRUE(field("bank_angle_deg")->trouble().contains(u"Untick"_s));
     QTest::keyClick(field("bank_angle_deg"), Qt::Key_Escape);
     toggle();
     type("bank_angle_deg", u"60"_s);

@@ -3,12 +3,14 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QDate>
+#include <QPushButton>
 #include <QScrollArea>
+#include <QSettings>
 #include <QTabBar>
 #include <map>
 
+#include "job_page_test.h"
 #include "model/case_document.h"
-#include "plugs_page_test.h"
 #include "shop/checked_field.h"
 
 namespace ravnoves {
@@ -57,7 +59,7 @@ TEST_F(PlugsSheetsTest, NothingTypedIntoTheHeadIsIgnoredInSilence) {
 
 TEST_F(PlugsSheetsTest, EnterGoesDownTheSheetsAndOn) {
     page.sheets()->setCurrentIndex(0);
-    page.fieldsOf(0).constFirst()->setFocus();
+    fieldsOf(0).constFirst()->setFocus();
     QList<QWidget*> visited;
     for (int step = 0;
          step < 250 && (visited.isEmpty() || QApplication::focusWidget() != visited.constLast());
@@ -68,7 +70,7 @@ TEST_F(PlugsSheetsTest, EnterGoesDownTheSheetsAndOn) {
     QList<QWidget*> expected;
     for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
         bool isBegun = sheet == 0;
-        for (QWidget* each : page.fieldsOf(sheet)) {
+        for (QWidget* each : fieldsOf(sheet)) {
             // A sheet is entered at a field: a list or a tick would take the next key for a choice.
             const bool isOpen = each->isEnabled() && isThere(each);
             isBegun = isBegun || (isOpen && qobject_cast<EntryField*>(each) != nullptr);
@@ -88,7 +90,7 @@ TEST_F(PlugsSheetsTest, TabGoesDownASheetAndAlongTheRowsOfItsGrid) {
     for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
         page.sheets()->setCurrentIndex(sheet);
         QList<QWidget*> expected;
-        for (QWidget* each : page.fieldsOf(sheet)) {
+        for (QWidget* each : fieldsOf(sheet)) {
             if (each->isEnabled() && isThere(each)) {
                 expected << each;
             }
@@ -114,7 +116,7 @@ TEST_F(PlugsSheetsTest, TabGoesDownASheetAndAlongTheRowsOfItsGrid) {
 }
 
 TEST_F(PlugsSheetsTest, ArrowsGoFromCellToCell) {
-    show(WeighIn);
+    show(WeighInTab);
     const auto press = [](Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); };
     const auto at = [] { return QApplication::focusWidget()->objectName(); };
     field("mass_piston_2")->setFocus(Qt::TabFocusReason);
@@ -141,13 +143,29 @@ TEST_F(PlugsSheetsTest, ArrowsGoFromCellToCell) {
     EXPECT_EQ(at(), u"nominal_piston"_s);
 }
 
+TEST_F(PlugsSheetsTest, TheLimitOfThePlugsIsThePapersTheJobsOrTheShops) {
+    EXPECT_TRUE(label("tolerance_owner").contains(u"Nazarov"_s));
+    type("tolerance_g_mm", u"1440"_s);
+    EXPECT_TRUE(label("tolerance_owner").contains(u"for this job only"_s));
+    auto* keep = find<QPushButton>("keep_tolerance");
+    show(PartsTab);
+    keep->setFocus();
+    QTest::keyClick(keep, Qt::Key_Space);
+    EXPECT_TRUE(label("tolerance_owner").contains(u"Shop limit"_s));
+    EXPECT_FALSE(keep->isVisible());
+    PlugsModel next(model->desk()->journal()->path());
+    EXPECT_NEAR(next.input().plugs->tolerance, 1440e-6, 1e-12);
+    EXPECT_EQ(PlugsModel().input().plugs->tolerance, v8_plugs::default_tolerance);
+    QSettings().remove(u"workshop/tolerance_g_mm"_s);
+}
+
 TEST_F(PlugsSheetsTest, PlugsThatComeBackHaveTheirValues) {
     auto* there = find<QCheckBox>("has_aluminium_plug");
     const auto toggle = [&] {
         there->setFocus();
         QTest::keyClick(there, Qt::Key_Space);
     };
-    show(Plugs);
+    show(PlugsTab);
     toggle();
     EXPECT_FALSE(model->input().plugs->engine.has_aluminium_plug);
     EXPECT_EQ(model->input().plugs->engine.aluminium_plug_mass, std::nullopt);
@@ -191,11 +209,11 @@ TEST_F(PlugsSheetsTest, APresetBeginsAJobOfToday) {
 
 TEST_F(PlugsSheetsTest, EveryFieldIsLargeAndNamesItsUnit) {
     for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
-        for (QWidget* each : page.fieldsOf(sheet)) {
+        for (QWidget* each : fieldsOf(sheet)) {
             const QString name = each->objectName();
             EXPECT_FALSE(name.isEmpty());
             EXPECT_GE(each->minimumHeight(), qobject_cast<QCheckBox*>(each) != nullptr ? 0
-                                             : sheet != Plugs && sheet != Job          ? 30
+                                             : sheet != PlugsTab && sheet != JobTab    ? 30
                                                                                        : 34)
                 << qPrintable(name);
         }
@@ -303,19 +321,19 @@ TEST_F(PlugsSheetsTest, RefusedEntryStaysUntilItIsMended) {
     EXPECT_FALSE(mass->trouble().isEmpty());
     EXPECT_EQ(model->input().plugs->engine.steel_plug_mass, find_preset("4.25 l")->steel_plug_mass);
     // The tab says so, wherever one is.
-    show(Job);
-    EXPECT_TRUE(page.sheets()->tabBar()->tabTextColor(Plugs).isValid());
-    EXPECT_TRUE(label("refused").contains(u"Steel plug\u00A0mₚ"_s)) << qPrintable(label("refused"));
+    show(JobTab);
+    EXPECT_TRUE(page.sheets()->tabBar()->tabTextColor(PlugsTab).isValid());
+    EXPECT_TRUE(label("refused").contains(u"Steel plug mₚ"_s)) << qPrintable(label("refused"));
     EXPECT_FALSE(find<QLabel>("advice")->font().bold());
     type(mass, u"25"_s);
     EXPECT_TRUE(mass->trouble().isEmpty());
     EXPECT_EQ(label("refused"), QString());
-    EXPECT_FALSE(page.sheets()->tabBar()->tabTextColor(Plugs).isValid());
+    EXPECT_FALSE(page.sheets()->tabBar()->tabTextColor(PlugsTab).isValid());
     EXPECT_NEAR(*model->input().plugs->engine.steel_plug_mass, 25 * gram, 1e-12);
 }
 
 TEST_F(PlugsSheetsTest, RefusedWeightNeverBecomesAnother) {
-    show(WeighIn);
+    show(WeighInTab);
     NumberField* mass = field("mass_piston_1");
     QTest::mouseClick(mass, Qt::LeftButton);
     QTest::keyClicks(mass, u"5672.5.1"_s);
@@ -342,7 +360,7 @@ TEST_F(PlugsSheetsTest, SheetsNeedNoScrollingSideways) {
         auto* scroll = qobject_cast<QScrollArea*>(page.sheets()->widget(sheet));
         ASSERT_NE(scroll, nullptr);
         EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width()) << sheet;
-        for (QWidget* each : page.fieldsOf(sheet)) {
+        for (QWidget* each : fieldsOf(sheet)) {
             const int end = each->mapTo(scroll->widget(), QPoint(each->width(), 0)).x();
             EXPECT_LE(end, scroll->viewport()->width()) << qPrintable(each->objectName());
         }
@@ -353,7 +371,7 @@ TEST_F(PlugsSheetsTest, FieldsStayWhereTheyAreWhileOneTypes) {
     // Those above and itself; a line may come below them.
     const auto places = [&](int sheet) {
         QList<QPoint> points;
-        for (QWidget* each : page.fieldsOf(sheet)) {
+        for (QWidget* each : fieldsOf(sheet)) {
             points << each->mapTo(each->window(), QPoint());
             if (each == QApplication::focusWidget()) {
                 break;
@@ -366,7 +384,7 @@ TEST_F(PlugsSheetsTest, FieldsStayWhereTheyAreWhileOneTypes) {
         {"mass_pin_4", "0.151"},    {"grade_mm_s", "16"},    {"unbalance_2", "9"}};
     for (const auto& [name, text] : typed) {
         int sheet = 0;
-        while (!page.fieldsOf(sheet).contains(find<QWidget>(name))) {
+        while (!fieldsOf(sheet).contains(find<QWidget>(name))) {
             ++sheet;
         }
         page.sheets()->setCurrentIndex(sheet);
@@ -382,7 +400,7 @@ TEST_F(PlugsSheetsTest, FieldsStayWhereTheyAreWhileOneTypes) {
 }
 
 TEST_F(PlugsSheetsTest, CellsShowHundredthsOfAGram) {
-    show(WeighIn);
+    show(WeighInTab);
     type("mass_piston_8", u"1568.52"_s);
     NumberField* cell = field("mass_piston_8");
     // Frame and margins are three pixels at each side.

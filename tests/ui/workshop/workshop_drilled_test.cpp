@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "core/workshop/support.h"
-#include "plugs_page_test.h"
+#include "job_page_test.h"
 
 namespace ravnoves {
 namespace {
@@ -20,11 +20,8 @@ class DrilledTest : public PlugsPageTest {
     /// A job whose plan of the first run was drilled.
     DrilledTest() {
         model->loadInput(workshop::test::card(), {});
-        type("run_1_unbalance_1", u"300"_s);
-        type("run_1_angle_1", u"40"_s);
-        type("run_1_unbalance_2", u"95"_s);
-        type("run_1_angle_2", u"70"_s);
-        show(Correction);
+        typeRun(1, {u"300"_s, u"40"_s, u"95"_s, u"70"_s});
+        show(CorrectionTab);
     }
     const bob_weights::DrilledHole& hole(std::size_t at) const {
         return model->input().correction->earlier_runs.at(0).drilled->at(at);
@@ -33,7 +30,7 @@ class DrilledTest : public PlugsPageTest {
     const bob_weights::Metal& drilled() const { return model->solution().runs.at(0).drilled[0]; }
     void choose(const char* name, HoleState state) {
         auto* box = find<QComboBox>(name);
-        show(Correction);
+        show(CorrectionTab);
         ASSERT_TRUE(box->isVisible());
         box->setFocus();
         QTest::keyClick(box, Qt::Key_Home);
@@ -110,7 +107,7 @@ TEST_F(DrilledTest, AHoleThatWasThereBeforeIsAddedAndKeptClearOf) {
     const auto holes = [&] { return (*model->solution().correction)[0].holes; };
     ASSERT_FALSE(holes().empty());
     const double angle = holes().front().angle;
-    show(Correction);
+    show(CorrectionTab);
     whenModal<QDialog>([&](QDialog* dialog) {
         auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
         EXPECT_FALSE(ok->isEnabled());
@@ -126,7 +123,7 @@ TEST_F(DrilledTest, AHoleThatWasThereBeforeIsAddedAndKeptClearOf) {
     find<QPushButton>("add_hole")->click();
     ASSERT_EQ(model->input().correction->earlier_runs.size(), 1U);
     EXPECT_EQ(model->newestRun(), 0U) << "no run of the machine";
-    EXPECT_EQ(std::get<Results>(model->part("drilled")).rows.at(0).at(0).text, u"Older holes"_s);
+    EXPECT_EQ(model->drilledResults().rows.at(0).at(0).text, u"Older holes"_s);
     const Json kept = model->inputJson();
     EXPECT_TRUE(find<QComboBox>("drilled_state_1")->isVisible());
     for (const bob_weights::Hole& each : holes()) {
@@ -160,9 +157,9 @@ TEST_F(DrilledTest, TheVerdictLeadsToWhatWasDrilledOtherwise) {
     // The machine reads what the holes do not explain.
     type("run_1_unbalance_1", u"4900"_s);
     ASSERT_TRUE(model->withheld().holes);
-    show(Job);
+    show(JobTab);
     QTest::mouseClick(find<QPushButton>("verdict_act"), Qt::LeftButton);
-    EXPECT_EQ(page.sheets()->currentIndex(), Correction);
+    EXPECT_EQ(page.sheets()->currentIndex(), CorrectionTab);
     EXPECT_EQ(QApplication::focusWidget(), find<QWidget>("drilled_state_1"));
     // They were drilled on the wrong side: that explains it, and there is a plan again.
     for (int row = 1; model->withheld().holes && row <= 5; ++row) {

@@ -29,6 +29,12 @@ QString likePattern(QString text) {
 
 }  // namespace
 
+QString JournalJob::numbers() const {
+    QStringList numbers{engineNumber, crankshaftNumber};
+    numbers.removeAll(QString());
+    return numbers.isEmpty() ? QStringLiteral("–") : numbers.join(QStringLiteral(" / "));
+}
+
 Journal::Journal(const QString& path, QObject* parent)
     : QObject(parent),
       path_(path),

@@ -42,6 +42,11 @@ struct JournalJob {
     bool isFinished = true;              ///< false: put aside, to go on with
     QDateTime saved;                     ///< UTC
     QByteArray form;                     ///< JSON text, UTF-8
+
+    /// Of engine and crankshaft; a dash where it has none.
+    QString numbers() const;
+
+    friend bool operator==(const JournalJob&, const JournalJob&) = default;
 };
 
 /// An unfinished job that a version before the store of model/recovery.h kept for a crash.
@@ -58,7 +63,7 @@ struct JournalDraft {
 /// An engine of the user's own.
 struct JournalEngine {
     QString name;
-    QByteArray values;  ///< the what the scene keeps of it, JSON text
+    QByteArray values;  ///< what the scene keeps of it, JSON text
 };
 
 /// What came out of a backup.

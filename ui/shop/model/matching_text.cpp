@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "shop/kilograms.h"
+#include "text/capital.h"
 
 namespace ravnoves::matching_text {
 
@@ -171,23 +172,6 @@ ResultColumns numbered(const ResultColumn& first, std::size_t count) {
 
 }  // namespace
 
-Results setsOfCylinders(const Words& words, const WeighIn& sheet, const Matched* placing) {
-    const std::size_t cylinders = sheet.columns.front().mass.size();
-    const auto row = [&](const QString& name, const SetNumbers& numbers, auto Matched::*from) {
-        ResultRow cells{name};
-        for (const int number :
-             whole_numbers(placing != nullptr ? moved_numbers(numbers, placing->*from) : numbers,
-                           cylinders)) {
-            cells << QString::number(number);
-        }
-        return cells;
-    };
-    return {
-        numbered(words.translate("Matching", "Cylinder"), cylinders),
-        {row(words.translate("JobCard", "Piston set from"), sheet.piston_sets, &Matched::pistons),
-         row(words.translate("JobCard", "Rod set from"), sheet.rod_sets, &Matched::rods)}};
-}
-
 Results assignment(const Words& words, const Shown& shown) {
     const auto row = [](const QString& name, const SetNumbers& numbers,
                         const std::vector<int>& from, const QString& tip) {
@@ -204,10 +188,34 @@ Results assignment(const Words& words, const Shown& shown) {
         words.translate("Matching", "Dot: the part is not moved; number: its previous cylinder"));
     return {
         numbered(first, shown.matched.pistons.size()),
-        {row(words.translate("Matching", "Piston from"), shown.piston_sets, shown.matched.pistons,
-             words.translate("Matching", "Previous cylinder of the piston")),
-         row(words.translate("Matching", "Rod from"), shown.rod_sets, shown.matched.rods,
+        {row(words.translate("JobCard", "Piston set from"), shown.piston_sets,
+             shown.matched.pistons, words.translate("Matching", "Previous cylinder of the piston")),
+         row(words.translate("JobCard", "Rod set from"), shown.rod_sets, shown.matched.rods,
              words.translate("Matching", "Previous cylinder of the rod"))}};
+}
+
+QString weighAgain(const Words& words, const WeighIn& sheet) {
+    QStringList parts;
+    const auto swapped =
+        swapped_rod_ends(sheet[Part::rod_big_end].mass, sheet[Part::rod_small_end].mass);
+    for (const Part part : all_parts) {
+        if (!swapped.empty() && (part == Part::rod_big_end || part == Part::rod_small_end)) {
+            continue;  // whole rods are named below
+        }
+        if (const auto odd = odd_mass(sheet[part].nominal, sheet[part].mass)) {
+            for (const std::size_t cylinder : odd->cylinders()) {
+                parts << words.translate("Workshop", "%1 of cylinder %2")
+                             .arg(inSentence(words.text(part_word(part).label)))
+                             .arg(cylinder + 1);
+            }
+        }
+    }
+    for (const std::size_t cylinder : swapped) {
+        parts << words.translate("Workshop", "rod of cylinder %1").arg(cylinder + 1);
+    }
+    return parts.isEmpty() ? QString()
+                           : words.translate("Workshop", "Weigh again first: %1.")
+                                 .arg(parts.join(QStringLiteral("; ")));
 }
 
 Results takeOff(const Words& words, WeighIn sheet) {

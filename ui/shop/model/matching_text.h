@@ -38,10 +38,10 @@ Results effects(const Words& words, const Shown& shown);
 
 /// From which cylinder each set comes; a dot where it was weighed there.
 Results assignment(const Words& words, const Shown& shown);
-/// The number of the set that goes to each cylinder, a row of pistons and one of rods.
-/// @param placing  null: as the sheet has them
-Results setsOfCylinders(const Words& words, const shop::WeighIn& sheet,
-                        const shop::Matched* placing);
+/// What is to be weighed again before anything is done by the weights of a sheet: what is unlike
+/// the others of its column, and rods whose ends are swapped. "Weigh again first: piston of
+/// cylinder 3; rod of cylinder 5."; empty where the weights are believed.
+QString weighAgain(const Words& words, const shop::WeighIn& sheet);
 
 /// What to take off each part to reach the lightest of its column, for columns that differ; by the
 /// numbers of the parts, wherever they are moved. Nothing of a column whose weights are doubted:

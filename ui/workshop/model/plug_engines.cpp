@@ -13,7 +13,6 @@
 #include "v8-plugs/presets.h"
 #include "v8-plugs/scene.h"
 #include "workshop/model/workshop_model.h"
-#include "workshop/plugs/model/v8_names.h"
 #include "workshop/plugs/model/v8_text.h"
 
 namespace ravnoves {
@@ -92,6 +91,10 @@ OwnEngine readOwnEngine(const JournalEngine& own) {
     OwnEngine engine{input.engine, ownedSheets(input, input.weigh_in)};
     engine.engine.name = own.name.toStdString();
     return engine;
+}
+
+bool isSameName(const QString& a, const QString& b) {
+    return a.compare(b, Qt::CaseInsensitive) == 0;
 }
 
 const QString toleranceKey = QStringLiteral("workshop/tolerance_g_mm");
@@ -281,7 +284,7 @@ void WorkshopModel::setPlugs(const QString& name, EngineGroup group, bool presen
 QStringList WorkshopModel::engineNames() const {
     QStringList names;
     for (const v8_plugs::Engine& preset : engine_presets()) {
-        names << v8_names::engineName(Words(), preset.name);
+        names << v8_text::engineName(Words(), preset.name);
     }
     for (const JournalEngine& own : ownEngines_) {
         names << own.name;
@@ -289,62 +292,58 @@ QStringList WorkshopModel::engineNames() const {
     return names;
 }
 
-bool WorkshopModel::isOwnEngine(int place) const {
-    return place >= static_cast<int>(engine_presets().size());
-}
-
 int WorkshopModel::engineIndex() const {
     if (!hasPlugs()) {
         return -1;
     }
     const auto presets = engine_presets();
-    for (std::size_t i = 0; i < presets.size(); ++i) {
-        if (presets[i].name == input().plugs->preset) {
-            return static_cast<int>(i);
-        }
+    const auto preset = std::ranges::find(presets, input().plugs->preset, &v8_plugs::Engine::name);
+    if (preset != presets.end()) {
+        return static_cast<int>(preset - presets.begin());
     }
-    for (qsizetype i = 0; i < ownEngines_.size(); ++i) {
-        if (ownEngines_.at(i).name == QString::fromStdString(input().plugs->engine.name)) {
-            return static_cast<int>(presets.size()) + static_cast<int>(i);
-        }
-    }
-    return -1;
+    const auto own = std::ranges::find(
+        ownEngines_, QString::fromStdString(input().plugs->engine.name), &JournalEngine::name);
+    return own == ownEngines_.end()
+               ? -1
+               : static_cast<int>(presets.size()) + static_cast<int>(own - ownEngines_.begin());
+}
+
+const JournalEngine* WorkshopModel::ownEngine(int place) const {
+    const auto own = place - static_cast<qsizetype>(engine_presets().size());
+    return own >= 0 && own < ownEngines_.size() ? &ownEngines_[own] : nullptr;
 }
 
 void WorkshopModel::chooseEngine(int place) {
     const auto presets = engine_presets();
-    if (!hasPlugs() || place < 0 ||
-        place >= static_cast<int>(presets.size()) + ownEngines_.size()) {
+    const JournalEngine* own = ownEngine(place);
+    if (!hasPlugs() || place < 0 || (own == nullptr && place >= static_cast<int>(presets.size()))) {
         return;
     }
     finishDrag();
-    if (!isOwnEngine(place)) {
+    try {
+        const auto kept = own != nullptr ? std::optional(readOwnEngine(*own)) : std::nullopt;
         edit(tr("Engine"), [&](workshop::Input& job) {
-            takePreset(job, presets[static_cast<std::size_t>(place)]);
+            if (!kept) {
+                takePreset(job, presets[static_cast<std::size_t>(place)]);
+                return;
+            }
+            takeSheets(job, kept->sheets);
+            job.plugs->preset.clear();
+            job.plugs->engine = kept->engine;
+            if (!kept->engine.has_new_plug) {
+                job.plugs->crankshaft = Crankshaft::standard;
+            }
         });
-    } else {
-        const JournalEngine& own = ownEngines_.at(place - static_cast<int>(presets.size()));
-        try {
-            const OwnEngine kept = readOwnEngine(own);
-            edit(tr("Engine"), [&](workshop::Input& job) {
-                takeSheets(job, kept.sheets);
-                job.plugs->preset.clear();
-                job.plugs->engine = kept.engine;
-                if (!kept.engine.has_new_plug) {
-                    job.plugs->crankshaft = Crankshaft::standard;
-                }
-            });
-        } catch (const InputError& error) {
-            desk()->setJournalTrouble(tr("The values kept for the engine “%1” cannot be read: %2")
-                                          .arg(own.name, errorText(error)));
-        }
+    } catch (const InputError& error) {
+        desk()->setJournalTrouble(tr("The values kept for the engine “%1” cannot be read: %2")
+                                      .arg(own->name, errorText(error)));
     }
     finishDrag();
 }
 
 bool WorkshopModel::hasOwnEngine(const QString& name) const {
-    return std::any_of(ownEngines_.cbegin(), ownEngines_.cend(), [&](const JournalEngine& own) {
-        return own.name.compare(name.trimmed(), Qt::CaseInsensitive) == 0;
+    return std::ranges::any_of(ownEngines_, [&](const JournalEngine& own) {
+        return isSameName(own.name, name.trimmed());
     });
 }
 
@@ -357,7 +356,7 @@ QString WorkshopModel::engineNameTrouble(const QString& name) const {
     for (const v8_plugs::Engine& preset : engine_presets()) {
         presets
             << QString::fromStdString(preset.name)
-            << v8_names::engineName(Words(), preset.name).replace(QChar(0x00A0), QLatin1Char(' '));
+            << v8_text::engineName(Words(), preset.name).replace(QChar(0x00A0), QLatin1Char(' '));
     }
     if (find_preset(trimmed.toStdString()) != nullptr ||
         presets.contains(trimmed, Qt::CaseInsensitive)) {
@@ -366,21 +365,23 @@ QString WorkshopModel::engineNameTrouble(const QString& name) const {
     return {};
 }
 
-QString WorkshopModel::saveEngineAs(const QString& name) {
-    const QString trimmed = name.trimmed();
-    QString trouble = engineNameTrouble(trimmed);
-    if (!trouble.isEmpty()) {
-        return trouble;
-    }
+QString WorkshopModel::changeEngines(const std::function<bool(Journal&)>& change) {
     if (!desk()->openJournal()) {
         return desk()->journalTrouble();
     }
-    // A name that differs in capitals alone is the same engine.
-    for (const JournalEngine& own : std::as_const(ownEngines_)) {
-        if (own.name != trimmed && own.name.compare(trimmed, Qt::CaseInsensitive) == 0 &&
-            !desk()->journal()->removeEngine(own.name)) {
-            return desk()->journal()->lastError();
-        }
+    Journal& journal = *desk()->journal();
+    if (!change(journal)) {
+        return journal.lastError();
+    }
+    ownEngines_ = journal.engines();
+    Q_EMIT enginesChanged();
+    return {};
+}
+
+QString WorkshopModel::saveEngineAs(const QString& name) {
+    const QString trimmed = name.trimmed();
+    if (QString trouble = engineNameTrouble(trimmed); !trouble.isEmpty()) {
+        return trouble;
     }
     v8_plugs::Input own;
     own.engine = input().plugs->engine;
@@ -397,64 +398,54 @@ QString WorkshopModel::saveEngineAs(const QString& name) {
             kept[key] = written.at(key);
         }
     }
-    const std::string values = kept.dump();
-    if (!desk()->journal()->saveEngine({trimmed, QByteArray::fromStdString(values)})) {
-        return desk()->journal()->lastError();
-    }
-    ownEngines_ = desk()->journal()->engines();
-    editPlugs(tr("Save engine"), [&](v8_plugs::Input& plugs) {
-        plugs.preset.clear();
-        plugs.engine.name = trimmed.toStdString();
+    const QString trouble = changeEngines([&](Journal& journal) {
+        // A name that differs in capitals alone is the same engine.
+        return std::ranges::all_of(ownEngines_,
+                                   [&](const JournalEngine& each) {
+                                       return each.name == trimmed ||
+                                              !isSameName(each.name, trimmed) ||
+                                              journal.removeEngine(each.name);
+                                   }) &&
+               journal.saveEngine({trimmed, QByteArray::fromStdString(kept.dump())});
     });
-    Q_EMIT enginesChanged();
-    return {};
+    if (trouble.isEmpty()) {
+        editPlugs(tr("Save engine"), [&](v8_plugs::Input& plugs) {
+            plugs.preset.clear();
+            plugs.engine.name = trimmed.toStdString();
+        });
+    }
+    return trouble;
 }
 
 QString WorkshopModel::renameEngine(const QString& from, const QString& to) {
     const QString trimmed = to.trimmed();
     QString trouble = engineNameTrouble(trimmed);
-    if (!trouble.isEmpty()) {
-        return trouble;
+    if (trouble.isEmpty() && !isSameName(from, trimmed) && hasOwnEngine(trimmed)) {
+        trouble =
+            tr("“%1” is the name of another engine of your own; choose another.").arg(trimmed);
     }
-    if (from.compare(trimmed, Qt::CaseInsensitive) != 0 && hasOwnEngine(trimmed)) {
-        return tr("“%1” is the name of another engine of your own; choose another.").arg(trimmed);
+    if (trouble.isEmpty()) {
+        trouble =
+            changeEngines([&](Journal& journal) { return journal.renameEngine(from, trimmed); });
     }
-    if (!desk()->openJournal()) {
-        return desk()->journalTrouble();
-    }
-    if (!desk()->journal()->renameEngine(from, trimmed)) {
-        return desk()->journal()->lastError();
-    }
-    ownEngines_ = desk()->journal()->engines();
-    if (hasPlugs() && QString::fromStdString(input().plugs->engine.name) == from) {
+    if (trouble.isEmpty() && hasPlugs() &&
+        QString::fromStdString(input().plugs->engine.name) == from) {
         editPlugs(tr("Rename engine"),
                   [&](v8_plugs::Input& plugs) { plugs.engine.name = trimmed.toStdString(); });
     }
-    Q_EMIT enginesChanged();
-    return {};
+    return trouble;
 }
 
 QString WorkshopModel::removeEngine(const QString& name) {
-    if (!desk()->openJournal()) {
-        return desk()->journalTrouble();
-    }
-    if (!desk()->journal()->removeEngine(name)) {
-        return desk()->journal()->lastError();
-    }
-    ownEngines_ = desk()->journal()->engines();
-    Q_EMIT enginesChanged();
-    return {};
+    return changeEngines([&](Journal& journal) { return journal.removeEngine(name); });
 }
 
 bool WorkshopModel::ownEngineChanged() const {
-    const int place = engineIndex();
-    if (!isOwnEngine(place)) {
-        return false;
-    }
+    const JournalEngine* own = ownEngine(engineIndex());
     try {
-        const OwnEngine kept =
-            readOwnEngine(ownEngines_.at(place - static_cast<int>(engine_presets().size())));
-        return kept.engine != input().plugs->engine || kept.sheets != ownedSheets(input());
+        const auto kept = own != nullptr ? std::optional(readOwnEngine(*own)) : std::nullopt;
+        return kept &&
+               (kept->engine != input().plugs->engine || kept->sheets != ownedSheets(input()));
     } catch (const InputError&) {
         return true;
     }
@@ -464,13 +455,9 @@ std::optional<v8_plugs::Engine> WorkshopModel::keptEngine() const {
     if (const v8_plugs::Engine* preset = find_preset(input().plugs->preset)) {
         return *preset;
     }
-    const int place = engineIndex();
-    if (!isOwnEngine(place)) {
-        return std::nullopt;
-    }
+    const JournalEngine* own = ownEngine(engineIndex());
     try {
-        return readOwnEngine(ownEngines_.at(place - static_cast<int>(engine_presets().size())))
-            .engine;
+        return own != nullptr ? std::optional(readOwnEngine(*own).engine) : std::nullopt;
     } catch (const InputError&) {
         return std::nullopt;
     }

@@ -1,43 +1,121 @@
-// What the page shows of the solution: sentences and tables.
+// What page, card and journal say of the plugs: sentences and tables.
 
 #include <cmath>
 
 #include "shop/model/verdict.h"
+#include "text/capital.h"
 #include "text/shown_units.h"
+#include "v8-plugs/fields.h"
 #include "workshop/model/workshop_model.h"
-#include "workshop/plugs/model/v8_names.h"
 #include "workshop/plugs/model/v8_text.h"
 
 namespace ravnoves {
 
 using namespace v8_plugs;
+using v8_text::gramMillimetres;
+using v8_text::grams;
 
 namespace {
 
-using units::gram;
-using units::gram_mm;
-
 const QString dash = QStringLiteral("–");
 
+/// True where an option works only as long as the shift is neglected.
+bool methodAlone(const v8_plugs::Result& solution, OptionId option) {
+    const auto& effect = solution.shift[index(option)];
+    return effect && effect->matters;
+}
+
+QStringList engineTroubles(const Words& words, const v8_plugs::Engine& engine) {
+    QStringList list;
+    for (const EngineConflict& conflict : engine_conflicts(engine)) {
+        list << words.translate("V8", "%1: must be less than the plug's mass, %2.")
+                    .arg(words.name(conflict.reduction->field),
+                         grams(words, conflict.plug_mass, 3));
+    }
+    return list;
+}
+
+QStringList plugSheetTroubles(const Words& words, const PlugSheet& plug) {
+    QStringList list;
+    const auto geometry = plug.geometry();
+    if (const auto fault = geometry ? geometry_fault(*geometry) : std::nullopt) {
+        list << words.message(*fault);
+    }
+    if (plug.bore_diameter.has_value() != plug.bore_depth.has_value()) {
+        list << words.translate("V8", "Enter both diameter and depth of the bore.");
+    }
+    return list;
+}
+
 }  // namespace
+
+QStringList WorkshopModel::missingForPlugs(const Words& words, bool withBobWeight) const {
+    QStringList names;
+    for (const EngineField* each : missing_fields(plugsInput()->engine, withBobWeight)) {
+        names << inSentence(words.name(each->field));
+    }
+    if (!plugsInput()->changes_known()) {
+        names << words.translate("V8",
+                                 "changes of mass (sheet 2) or masses of the parts (sheet 3)");
+    }
+    return names;
+}
+
+QStringList WorkshopModel::plugTroubles(const Words& words) const {
+    if (plugs() == nullptr) {
+        return {};
+    }
+    QStringList list = engineTroubles(words, plugsInput()->engine);
+    if (plugsInput()->plug) {
+        list << plugSheetTroubles(words, *plugsInput()->plug);
+    }
+    return list;
+}
 
 QString WorkshopModel::adviceText(const Words& words) const {
     if (plugs() == nullptr || withheld().bob_weight) {
         return {};
     }
-    if (plugs()->advice) {
-        return v8_text::advice(words, *plugsInput(), *plugs());
+    if (!plugs()->advice) {
+        const QStringList names = missingForPlugs(words, false);
+        return names.isEmpty() ? words.translate("V8", "The values are inconsistent.")
+                               : words.translate("V8", "Missing for the plugs: %1.")
+                                     .arg(names.join(QStringLiteral(", ")));
     }
-    const QStringList names = v8_names::missing(words, *plugsInput(), false);
-    return names.isEmpty() ? words.translate("V8", "The values are inconsistent.")
-                           : words.translate("V8", "Missing for the plugs: %1.")
-                                 .arg(names.join(QStringLiteral(", ")));
+    if (const ShiftEffect* effect = plugs()->shift_that_matters()) {
+        // What can be done, not what the method alone would have.
+        return words.message(describe_action(*plugs()->advice->option, effect->least_reduction,
+                                             effect->greatest_reduction));
+    }
+    return plugs()->unbalanced_mass
+               ? words.message(describe(*plugs()->advice, *plugs()->unbalanced_mass,
+                                        plugsInput()->engine.crank_radius.value_or(0.0),
+                                        plugsInput()->tolerance))
+               : QString();
 }
 
 QString WorkshopModel::boringText(const Words& words) const {
     return plugs() != nullptr && plugs()->advice && plugs()->advice->kind == Advice::Kind::option
-               ? v8_text::boring(words, *plugsInput(), *plugs(), plugs()->advice->option->id)
+               ? boringText(words, plugs()->advice->option->id)
                : QString();
+}
+
+QString WorkshopModel::boringText(const Words& words, OptionId option) const {
+    const auto& plan = plugs()->boring[index(option)];
+    const auto& effect = plugs()->shift[index(option)];
+    if (!plan || !plugsInput()->plug) {
+        return {};
+    }
+    Boring bored = *plan;
+    if (effect && effect->matters) {
+        // One depth is said, that which is right.
+        if (!effect->depth) {
+            return {};
+        }
+        bored.deeper += bored.deeper > 0.0 ? *effect->depth - bored.depth : 0.0;
+        bored.depth = *effect->depth;
+    }
+    return words.message(describe(bored, plugsInput()->plug->limits().value()));
 }
 
 QString WorkshopModel::excessText() const {
@@ -46,22 +124,80 @@ QString WorkshopModel::excessText() const {
         return {};
     }
     return tr("Excess Δmᵤ: %1, %2")
-        .arg(v8_text::grams(Words(), *plugs()->unbalanced_mass, 3),
-             v8_text::gramMillimetres(
-                 Words(), *plugs()->unbalanced_mass * *plugsInput()->engine.crank_radius));
+        .arg(grams(Words(), *plugs()->unbalanced_mass, 3),
+             gramMillimetres(Words(),
+                             *plugs()->unbalanced_mass * *plugsInput()->engine.crank_radius));
 }
 
-QString WorkshopModel::shiftText() const {
-    return plugs() != nullptr ? v8_text::shiftText(Words(), *plugsInput(), *plugs()) : QString();
+QString WorkshopModel::shiftText(const Words& words, const Option& option) const {
+    const double plug = option.plug_mass_unmachined - option.reduction;
+    QString text = words
+                       .translate("V8",
+                                  "The method neglects the shift of the plug's centre of mass by "
+                                  "boring, %4 to %5. Effect: %1 to %2; permissible: %3.")
+                       .arg(words.digits(shift_unbalance(plug, smallest_shift), units::gram_mm, 1),
+                            gramMillimetres(words, shift_unbalance(plug, largest_shift)),
+                            gramMillimetres(words, plugsInput()->tolerance),
+                            words.digits(smallest_shift, units::mm, 1),
+                            words.number(largest_shift, units::mm, 1));
+    const auto& effect = plugs()->shift[index(option.id)];
+    if (effect && effect->planned) {
+        text +=
+            QLatin1Char(' ') + words.translate("V8", "With the planned bore it moves by %1: %2.")
+                                   .arg(words.plainWithUnit(effect->greatest_shift, units::mm, 2),
+                                        gramMillimetres(words, effect->greatest));
+    }
+    return text;
 }
 
-QString WorkshopModel::checkText() const {
+QString WorkshopModel::shiftText(const Words& words) const {
     if (plugs() == nullptr) {
         return {};
     }
-    QStringList said{v8_text::bobWeightCheck(Words(), *plugsInput(), *plugs()),
-                     v8_text::rodFactor(Words(), *plugsInput(), *plugs())};
-    said.removeAll(QString());
+    const auto chosen = v8_text::chosenOption(*plugs());
+    const auto option = chosen ? chosen : plugs()->option(OptionId::steel_machined);
+    return option ? shiftText(words, *option) : QString();
+}
+
+QString WorkshopModel::plugsWhileHung(const Words& words) const {
+    const BobWeight* hung =
+        plugs() != nullptr && plugs()->before ? plugs()->hung_weight() : nullptr;
+    return hung != nullptr
+               ? words.translate("V8", "With the plugs removed. With the plugs fitted use %1.")
+                     .arg(grams(words, hung->with_plugs_in(), 1))
+               : QString();
+}
+
+QString WorkshopModel::checkText() const {
+    if (plugs() == nullptr || !plugs()->before) {
+        return {};
+    }
+    const Words words;
+    const v8_plugs::Result& solution = *plugs();
+    const v8_plugs::Engine& engine = plugsInput()->engine;
+    QStringList said;
+    if (solution.nominal) {
+        const double difference = solution.hung().value() - solution.nominal->sum();
+        // Rounding of the sum, not a difference.
+        const bool isNone = std::abs(difference) < 1e-9 * solution.nominal->sum();
+        said << (isNone && !v8_text::works(solution)
+                     ? words.translate("V8", "Would match nominal, but cannot be made.")
+                 : isNone && solution.shift_that_matters() != nullptr
+                     ? words.translate("V8", "(!) Matches nominal by the method only.")
+                 : isNone ? words.translate("V8", "Matches nominal: balanced.")
+                          : words.translate("V8", "After minus nominal: %1 (%2).")
+                                .arg(grams(words, difference),
+                                     gramMillimetres(
+                                         words, difference * engine.crank_radius.value_or(0.0))));
+    }
+    if (const auto& k = engine.rod_coefficient) {
+        said << words
+                    .translate(
+                        "V8",
+                        "Big end × %1: 2 for two rods, kᵣ = %2 by the method; effect here: %3.")
+                    .arg(words.plain(2.0 + *k, 3), words.plain(*k, 3),
+                         grams(words, *k * solution.changes.rod_big_end));
+    }
     return said.join(QLatin1Char(' '));
 }
 
@@ -75,7 +211,7 @@ QString WorkshopModel::toleranceText() const {
                           "experiments.")
             : isShopsTolerance() ? tr("Shop limit: %1 in each plane.")
                                  : tr("%1 in each plane, for this job only."))
-        .arg(v8_text::gramMillimetres(Words(), tolerance));
+        .arg(gramMillimetres(Words(), tolerance));
 }
 
 QString WorkshopModel::plugWeightText() const {
@@ -88,8 +224,8 @@ QString WorkshopModel::plugWeightText() const {
     }
     const double volume = sheet->geometry()->volume();
     return tr("A plug of these dimensions weighs %1 in steel, %2 in aluminium.")
-        .arg(v8_text::grams(Words(), volume * sheet->steel_density, 1),
-             v8_text::grams(Words(), volume * sheet->aluminium_density, 1));
+        .arg(grams(Words(), volume * sheet->steel_density, 1),
+             grams(Words(), volume * sheet->aluminium_density, 1));
 }
 
 Results WorkshopModel::optionResults() const {
@@ -112,24 +248,25 @@ Results WorkshopModel::optionResults() const {
     const v8_plugs::Result& solution = *plugs();
     for (const OptionId id : all_options) {
         const auto& option = solution.option(id);
-        const QString name = v8_names::optionName(Words(), id);
+        const QString name = v8_text::optionName(Words(), id);
         if (!option) {
             rows << ResultRow({name, dash, dash, dash, dash, dash, dash},
                               tr("The engine has no such plug, or its data are missing."));
             continue;
         }
         const bool works = option->feasible && solution.can_be_made(id);
-        const QString mark = !works                               ? QStringLiteral("✗")
-                             : v8_text::methodAlone(solution, id) ? QStringLiteral("!")
-                                                                  : QStringLiteral("✓");
+        const QString mark = !works                      ? QStringLiteral("✗")
+                             : methodAlone(solution, id) ? QStringLiteral("!")
+                                                         : QStringLiteral("✓");
         rows << ResultRow(
             {// in brackets what the crankshaft that is fitted does not allow
              (isFitted(id) ? mark : QStringLiteral("(%1)").arg(mark)) + QLatin1Char(' ') + name,
-             Words().cell(option->constant, gram, 3), Words().cell(option->slope, units::none, 3),
-             Words().cell(option->maximum, gram, 3),
-             Words().cell(option->required_reduction, gram, 3),
-             Words().cell(option->residual_mass, gram, 3),
-             Words().cell(option->residual_unbalance, gram_mm, 1)},
+             Words().cell(option->constant, units::gram, 3),
+             Words().cell(option->slope, units::none, 3),
+             Words().cell(option->maximum, units::gram, 3),
+             Words().cell(option->required_reduction, units::gram, 3),
+             Words().cell(option->residual_mass, units::gram, 3),
+             Words().cell(option->residual_unbalance, units::gram_mm, 1)},
             optionTip(*option));
         rows.last().name = QString::fromUtf8(option_word(id).word);  // whatever its mark
     }
@@ -146,22 +283,22 @@ QString WorkshopModel::optionTip(const Option& option) const {
     if (!isFitted(option.id)) {
         text << tr("For the other crankshaft.");
     }
-    if (v8_text::methodAlone(solution, option.id)) {
+    if (methodAlone(solution, option.id)) {
         text << tr("By the method only; the neglected shift leaves up to %1.")
-                    .arg(v8_text::gramMillimetres(
+                    .arg(gramMillimetres(
                         Words(), std::abs(solution.shift[index(option.id)]->residual_unbalance)));
     }
     text << QStringList{
-        tr("%1: %2.").arg(v8_names::optionName(Words(), option.id),
+        tr("%1: %2.").arg(v8_text::optionName(Words(), option.id),
                           Words().message(describe_verdict(option, plugsInput()->tolerance))),
         tr("Maximum off a plug: %1; slope kᵤ = %2, %3°.")
-            .arg(v8_text::grams(Words(), option.max_reduction, 3), Words().number(option.slope, 3),
-                 v8_text::slopeAngle(Words(), option.slope))};
-    const QString boring = v8_text::boring(Words(), *plugsInput(), solution, option.id);
+            .arg(grams(Words(), option.max_reduction, 3), Words().number(option.slope, 3),
+                 Words().number(std::atan(option.slope) / units::degree, 1))};
+    const QString boring = boringText(Words(), option.id);
     if (!boring.isEmpty()) {
         text << boring;
     }
-    text << v8_text::shiftText(Words(), *plugsInput(), solution, option);
+    text << shiftText(Words(), option);
     return text.join(QLatin1Char('\n'));
 }
 
@@ -175,9 +312,9 @@ Results WorkshopModel::crankpinResults() const {
                          const QString& tip) {
         ResultRow cells({shownTitle(name).text}, tip);
         for (const double mass : excess) {
-            cells << Words().cell(mass, gram, 2);
+            cells << Words().cell(mass, units::gram, 2);
         }
-        cells << Words().cell(spread(excess), gram, 2);
+        cells << Words().cell(spread(excess), units::gram, 2);
         return cells;
     };
     return {{tr("Crankpin"),

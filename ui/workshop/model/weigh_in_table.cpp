@@ -1,6 +1,7 @@
 #include "workshop/model/weigh_in_table.h"
 
 #include "bob-weights/fields.h"
+#include "model/editable_table.h"
 #include "text/message_text.h"
 #include "text/shown_units.h"
 #include "text/typed_number.h"
@@ -10,10 +11,6 @@ namespace ravnoves {
 
 namespace {
 
-QString partOf(int column) {
-    return shownText(shop::part_word(shop::all_parts[static_cast<std::size_t>(column)]).label);
-}
-
 auto& cellOf(auto& sheet, int row, int column) {
     auto& part = sheet.columns[static_cast<std::size_t>(column)];
     constexpr int first = WeighInTable::firstCylinder;
@@ -22,13 +19,19 @@ auto& cellOf(auto& sheet, int row, int column) {
                         : part.permitted_spread;
 }
 
+/// A text with %1 for the part and %2 for the cylinder; the first two are of nominal and spread.
+QString ofCell(int row, int column, const QString& nominal, const QString& spread,
+               const QString& cylinder) {
+    const QString part = WeighInTable::partOf(column);
+    return row == 0   ? nominal.arg(part)
+           : row == 1 ? spread.arg(part)
+                      : cylinder.arg(part).arg(row - WeighInTable::firstCylinder + 1);
+}
+
 }  // namespace
 
-WeighInTable::WeighInTable(WorkshopModel* model, QObject* parent)
-    : EditableTable(parent), model_(model) {}
-
-int WeighInTable::cylinders() const {
-    return model_->input().engine.cylinders;
+int WeighInTable::rows() const {
+    return firstCylinder + model_->input().engine.cylinders;
 }
 
 const Field& WeighInTable::fieldOf(int row) {
@@ -37,85 +40,53 @@ const Field& WeighInTable::fieldOf(int row) {
                                 : shop::field::permitted_spread;
 }
 
-int WeighInTable::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : firstCylinder + cylinders();
+QString WeighInTable::titleOf(int row) {
+    return row >= firstCylinder ? QString::number(row - firstCylinder + 1)
+           : row == 0           ? shownTitle(tr("nominal, g")).text
+                                : shownTitle(tr("permitted range, g")).text;
 }
 
-int WeighInTable::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(shop::all_parts.size());
+QString WeighInTable::partOf(int column) {
+    return shownText(shop::part_word(shop::all_parts[static_cast<std::size_t>(column)]).label);
 }
 
-QVariant WeighInTable::data(const QModelIndex& cell, int role) const {
-    const int row = cell.row();
-    const QString part = partOf(cell.column());
-    const int cylinder = row - firstCylinder + 1;
-    const bool isNominal = cylinder < 1 && row == 0;
-    const bool isSpread = cylinder < 1 && row == 1;
-    switch (role) {
-        case Qt::EditRole: {
-            const auto& sheet = model_->input().weigh_in;
-            const bool isThere =
-                sheet && row < firstCylinder + static_cast<int>(sheet->columns[0].mass.size());
-            const shop::Weighed mass =
-                isThere ? cellOf(*sheet, row, cell.column()) : shop::Weighed();
-            return mass ? QVariant(from_si(fieldOf(row), *mass)) : QVariant();
-        }
-        case Qt::AccessibleTextRole:
-            return shownTitle(isNominal  ? tr("%1, nominal mass, g").arg(part)
-                              : isSpread ? tr("%1, permitted range, g").arg(part)
-                                         : tr("%1 of cylinder %2, g").arg(part).arg(cylinder))
-                .text;
-        case Qt::ToolTipRole:
-            return isNominal  ? tr("%1: mass by the drawing.").arg(part)
-                   : isSpread ? tr("%1: permitted heaviest minus lightest, by the works manual. "
-                                   "Blank means no limit.")
-                                    .arg(part)
-                              : tr("%1 of cylinder %2 by the scale.").arg(part).arg(cylinder);
-        case KeyRole: {
-            const std::string_view word =
-                shop::part_word(shop::all_parts[static_cast<std::size_t>(cell.column())]).word;
-            const auto key = QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
-            return isNominal  ? QStringLiteral("nominal_") + key
-                   : isSpread ? QStringLiteral("spread_") + key
-                              : QStringLiteral("mass_%1_%2").arg(key).arg(cylinder);
-        }
-        default:
-            return {};
+QString WeighInTable::keyOf(int row, int column) {
+    const auto word = shop::part_word(shop::all_parts[static_cast<std::size_t>(column)]).word;
+    const QString part = QString::fromStdString(std::string(word));
+    return row == 0   ? QStringLiteral("nominal_") + part
+           : row == 1 ? QStringLiteral("spread_") + part
+                      : QStringLiteral("mass_%1_%2").arg(part).arg(row - firstCylinder + 1);
+}
+
+QString WeighInTable::nameOf(int row, int column) {
+    return shownTitle(ofCell(row, column, tr("%1, nominal mass, g"), tr("%1, permitted range, g"),
+                             tr("%1 of cylinder %2, g")))
+        .text;
+}
+
+QString WeighInTable::hintOf(int row, int column) {
+    return ofCell(row, column, tr("%1: mass by the drawing."),
+                  tr("%1: permitted heaviest minus lightest, by the works manual. Blank means no "
+                     "limit."),
+                  tr("%1 of cylinder %2 by the scale."));
+}
+
+std::optional<double> WeighInTable::mass(int row, int column) const {
+    const auto& sheet = model_->input().weigh_in;
+    const bool isThere =
+        sheet && row < firstCylinder + static_cast<int>(sheet->columns[0].mass.size());
+    return isThere ? cellOf(*sheet, row, column) : std::nullopt;
+}
+
+void WeighInTable::setMass(int row, int column, std::optional<double> mass) {
+    model_->editWeights(ofCell(row, column, tr("%1, nominal"), tr("%1, range"), tr("%1 %2")),
+                        [&](shop::WeighIn& sheet) { cellOf(sheet, row, column) = mass; });
+}
+
+QString WeighInTable::paste(int row, int column, const std::vector<QStringList>& cells) {
+    if (QString mixed = mixedDecimalSigns(cells); !mixed.isEmpty()) {
+        return mixed;
     }
-}
-
-QVariant WeighInTable::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (role != Qt::DisplayRole) {
-        return {};
-    }
-    if (orientation == Qt::Horizontal) {
-        return partOf(section);
-    }
-    return section >= firstCylinder ? QString::number(section - firstCylinder + 1)
-           : section == 0           ? shownTitle(tr("nominal, g")).text
-                                    : shownTitle(tr("permitted range, g")).text;
-}
-
-bool WeighInTable::setData(const QModelIndex& cell, const QVariant& value, int role) {
-    if (role != Qt::EditRole || !cell.isValid()) {
-        return false;
-    }
-    const int row = cell.row();
-    const QString part = partOf(cell.column());
-    const QString step = row >= firstCylinder ? tr("%1 %2").arg(part).arg(row - firstCylinder + 1)
-                         : row == 0           ? tr("%1, nominal").arg(part)
-                                              : tr("%1, range").arg(part);
-    return model_
-        ->editWeights(step,
-                      [&](shop::WeighIn& sheet) {
-                          cellOf(sheet, row, cell.column()) =
-                              value.isValid() ? shop::Weighed(value.toDouble() * fieldOf(row).unit)
-                                              : std::nullopt;
-                      })
-        .isEmpty();
-}
-
-QString WeighInTable::pasteBlock(int row, int column, const std::vector<QStringList>& cells) {
     struct Pasted {
         int row;
         int column;
@@ -130,10 +101,10 @@ QString WeighInTable::pasteBlock(int row, int column, const std::vector<QStringL
             }
             const int toRow = row + static_cast<int>(i);
             const int toColumn = column + static_cast<int>(j);
-            if (!index(toRow, toColumn).isValid()) {
+            if (toRow >= rows() || toColumn >= columns) {
                 return tr("Not pasted: from here the block does not fit on the sheet of %1 "
                           "cylinders.")
-                    .arg(cylinders());
+                    .arg(rows() - firstCylinder);
             }
             // In the unit that the cells show.
             const Field& field = fieldOf(toRow);

@@ -1,45 +1,47 @@
 #pragma once
 
+#include <QCoreApplication>
+#include <QStringList>
+#include <optional>
+#include <vector>
+
 #include "case-file/field.h"
-#include "model/editable_table.h"
+#include "shop/weigh_in.h"
 
 namespace ravnoves {
 
 class WorkshopModel;
 
-/// The weigh-in sheet as a table: a column for each kind of part, a row for each cylinder; above
-/// them rows for the nominal mass and for the permitted spread. A cell is a number in the unit of
-/// its field, or nothing.
-class WeighInTable final : public EditableTable {
-    Q_OBJECT
+/// The weigh-in sheet as cells: a column for each kind of part, a row for each cylinder; above them
+/// rows for the nominal mass and for the permitted spread. A cell is a mass in kg, or nothing.
+class WeighInTable {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::WeighInTable)
 
   public:
-    /// Name of a cell among the page's fields: "nominal_pin", "mass_piston_3".
-    static constexpr int KeyRole = TroubleRole + 1;
-    /// The row of the first cylinder.
-    static constexpr int firstCylinder = 2;
+    static constexpr int firstCylinder = 2;  ///< its row
+    static constexpr int columns = static_cast<int>(shop::all_parts.size());
 
-    explicit WeighInTable(WorkshopModel* model, QObject* parent = nullptr);
+    explicit WeighInTable(WorkshopModel* model) : model_(model) {}
 
+    int rows() const;
     /// What is described once for all cells of a row.
     static const Field& fieldOf(int row);
+    static QString titleOf(int row);
+    static QString partOf(int column);
+    /// Of a cell among the page's fields: "nominal_pin", "mass_piston_3".
+    static QString keyOf(int row, int column);
+    /// Of a cell for screen readers.
+    static QString nameOf(int row, int column);
+    static QString hintOf(int row, int column);
 
-    /// The cell of a row that may not be there yet, for its names.
-    QModelIndex createdIndex(int row, int column) const { return createIndex(row, column); }
-
-    int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& parent = {}) const override;
-    QVariant data(const QModelIndex& cell, int role) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    /// An invalid value empties the cell.
-    bool setData(const QModelIndex& cell, const QVariant& value, int role = Qt::EditRole) override;
-    /// One step; a cell without text leaves what is there, and where one is rejected nothing is
-    /// written.
-    QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
+    std::optional<double> mass(int row, int column) const;
+    void setMass(int row, int column, std::optional<double> mass);
+    /// Writes a block of cells, as a spreadsheet does, in one step; a cell without text leaves what
+    /// is there, and where one is rejected nothing is written.
+    /// @return an empty string, or what is wrong
+    QString paste(int row, int column, const std::vector<QStringList>& cells);
 
   private:
-    int cylinders() const;
-
     WorkshopModel* model_;
 };
 

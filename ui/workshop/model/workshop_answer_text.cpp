@@ -1,24 +1,334 @@
-// What the page shows of the solution: what is missing, sentences and tables.
+// What page, card and journal say of the crankshaft: what is missing, sentences and tables. Each
+// text is made once, in the language of its Words.
 
+#include <QRegularExpression>
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
 
 #include "bob-weights/fields.h"
+#include "bob-weights/matching.h"
+#include "case-file/field_index.h"
 #include "case-file/input_error.h"
-#include "shop/model/weigh_again.h"
+#include "shop/balance_grade.h"
+#include "shop/model/verdict.h"
+#include "shop/results.h"
 #include "text/capital.h"
 #include "text/message_text.h"
-#include "workshop/model/bob_text.h"
+#include "text/shown_units.h"
+#include "text/typed_number.h"
+#include "v8-plugs/weigh_in.h"
 #include "workshop/model/workshop_model.h"
-#include "workshop/plugs/model/v8_names.h"
 #include "workshop/plugs/model/v8_text.h"
 
 namespace ravnoves {
 
 using namespace bob_weights;
 
-QString WorkshopModel::planeName(std::size_t plane) const {
-    return bob_text::planeName(Words(), input().machine, plane);
+namespace {
+
+const QString noNumber = QStringLiteral("–");
+
+QString degreesOf(const Words& words, double angle) {
+    return words.number(angle, units::degree, 1);
 }
+
+ResultCell direction(const Words& words, double angle) {
+    return {angle / degree, degreesOf(words, angle), ResultCell::Kind::Direction};
+}
+
+QString unbalanceOf(const Words& words, double unbalance) {
+    return words.number(unbalance, units::gram_mm, 1);
+}
+
+/// An unbalance as text with its direction, where it has one.
+QString atAngle(const Words& words, const QString& shown, double unbalance, double angle) {
+    return has_direction(unbalance) ? shown + QStringLiteral(" ∠ ") + degreesOf(words, angle)
+                                    : shown;
+}
+
+/// By what limit, and how the planes share it.
+QString limitOrigin(const Words& words, const Tolerance& tolerance) {
+    if (!tolerance.by_grade) {
+        return words.translate("BobWeights", "Shop limit for each plane, instead of a grade.");
+    }
+    const QString grade =
+        words.translate("BobWeights", "By G %1 of ISO 21940-11, %2 at %3.")
+            .arg(words.plain(*tolerance.grade / units::mm_per_s, 2),
+                 words.plainWithUnit(*tolerance.rotor_mass, shop::field::rotor_mass, 2),
+                 words.plainWithUnit(*tolerance.service_speed, units::rpm, 0));
+    const QString share =
+        tolerance.front_bearing && tolerance.rear_bearing
+            ? words.translate("BobWeights",
+                              "Shared between the planes by the distances of the end bearings.")
+        : tolerance.centre_of_mass
+            ? words.translate("BobWeights", "Shared between the planes by the centre of mass.")
+            : words.translate("BobWeights", "Half in each plane.");
+    return grade + QLatin1Char(' ') + share;
+}
+
+}  // namespace
+
+QString WorkshopModel::engineName(const Words& words, const bob_weights::Engine& engine) {
+    switch (engine.type) {
+        case EngineType::v:
+            return engine.bank_angle
+                       ? words.translate("BobWeights", "V-%1, %2")
+                             .arg(engine.cylinders)
+                             .arg(words.plain(*engine.bank_angle / degree, 1) + QStringLiteral("°"))
+                       : QStringLiteral("V-%1").arg(engine.cylinders);
+        case EngineType::in_line:
+            return words.translate("BobWeights", "%1 in line").arg(engine.cylinders);
+        case EngineType::boxer:
+            return words.translate("BobWeights", "Boxer, %1").arg(engine.cylinders);
+    }
+    return {};
+}
+
+QString WorkshopModel::planeName(const Words& words, const workshop::Machine& machine,
+                                 std::size_t plane) {
+    const std::string& own = machine.planes.at(plane);
+    return !own.empty() ? capitalised(QString::fromStdString(own))
+           : plane == 0 ? words.translate("BobWeights", "Front plane")
+                        : words.translate("BobWeights", "Rear plane");
+}
+
+QString WorkshopModel::runName(const Words& words, std::size_t run) {
+    return run == 0 ? words.translate("BobWeights", "Before")
+                    : words.translate("BobWeights", "Run %1").arg(run);
+}
+
+namespace {
+
+/// The field of an error's place; nothing where that is none.
+std::optional<Field> fieldAt(const InputError& error) {
+    constexpr std::string_view root = "/input";
+    // All elements of a list are described by its first.
+    static const QRegularExpression element(QStringLiteral("/\\d+(?=/)"));
+    const QString pointer = QString::fromStdString(error.where().substr(root.size()))
+                                .replace(element, QStringLiteral("/0"));
+    const auto found = describe_fields<workshop::Input>(pointer.toStdString());
+    return found.empty() ? std::nullopt : std::optional(found.front().field);
+}
+
+QString ruleText(const Words& words, const QString& name, const InputError& error) {
+    const QString rule = words.message(
+        error.found_message().empty() ? error.allowed_message()
+                                      : Message(CORE_TEXT("core", "%1, got %2"),
+                                                error.allowed_message(), error.found_message()));
+    return name.isEmpty() ? rule : name + QStringLiteral(": ") + rule;
+}
+
+/// Its name without the place.
+QString ruleText(const Words& words, const InputError& error) {
+    const auto field = fieldAt(error);
+    return ruleText(words, field ? words.name(*field) : QString(), error);
+}
+
+/// Where something is missing, and what is to be typed there.
+QString missingText(const Words& words, const workshop::Machine& machine, const InputError& error) {
+    const QString pointer = QString::fromStdString(error.where());
+    const auto is = [&](const char* list) { return pointer.contains(QLatin1String(list)); };
+    const QString sheet = is("/planes/0/") ? words.translate("BobWeights", "Sheet 5, %1")
+                                                 .arg(WorkshopModel::planeName(words, machine, 0))
+                          : is("/planes/1/") ? words.translate("BobWeights", "Sheet 5, %1")
+                                                   .arg(WorkshopModel::planeName(words, machine, 1))
+                          : is("/tolerance/")
+                              ? words.translate("BobWeights", "Sheet 5, permissible residual")
+                          : is("/slug/") ? words.translate("BobWeights", "Sheet 6, heavy metal")
+                                         : words.translate("BobWeights", "Sheet 6, drills");
+    const auto missing = fieldAt(error);
+    if (!missing) {
+        return {};
+    }
+    const QString name = words.name(*missing);
+    return missing->key == field::diameters.key
+               ? words.translate("BobWeights", "%1: enter %2 in %3, separated by semicolons: %4")
+                     .arg(sheet, name, words.unit(units::mm),
+                          numberListText({8, 10, 12.5}, *missing))
+               : words.translate("BobWeights", "%1: enter %2. %3")
+                     .arg(sheet, name, words.text(missing->hint));
+}
+
+/// Holes that were there before the first run are one without readings.
+std::size_t firstOf(const workshop::Input& input) {
+    return input.correction && starts_with_holes(*input.correction) ? 1 : 0;
+}
+
+/// "Sheet 5, Run 1, Front plane: enter Heavy spot."
+QString valueMissing(const Words& words, const workshop::Input& input, std::size_t run,
+                     std::size_t plane, const Field& field) {
+    return words.translate("BobWeights", "Sheet 5, %1, %2: enter %3.")
+        .arg(WorkshopModel::runName(words, run - firstOf(input)),
+             WorkshopModel::planeName(words, input.machine, plane), words.name(field));
+}
+
+/// What an error says of the sheets of the machine and of the weights, with its place on the form:
+/// "Sheet 4, Front plane: enter Radius. …"; empty of other places.
+QString sheetError(const Words& words, const workshop::Input& input, const InputError& error) {
+    const QStringList place =
+        QString::fromStdString(error.where()).split(QLatin1Char('/'), Qt::SkipEmptyParts);
+    const bool isOfCorrection = place.value(1) == QLatin1String("correction");
+    const bool isEarlier = place.value(2) == QLatin1String("earlier_runs");
+    if (error.found().empty() && (isEarlier || place.value(2) == QLatin1String("readings"))) {
+        // What is missing of a run.
+        const QString& key = place.last();
+        const Field& field =
+            key == QLatin1String(field::angle.key.data()) ? field::angle : field::unbalance;
+        const auto newest = input.correction ? input.correction->earlier_runs.size() : 0;
+        const auto run = isEarlier ? place.value(3).toULongLong() : newest;
+        const auto plane = place.value(place.size() - 2).toULongLong();
+        return valueMissing(words, input, run, plane, field);
+    }
+    if (error.found().empty() && (isOfCorrection || place.value(1) == QLatin1String("tolerance"))) {
+        return missingText(words, input.machine, error);
+    }
+    if (isOfCorrection && place.size() == 3 && place.value(2) == QLatin1String("planes")) {
+        return words.translate("BobWeights", "Sheet 5: enter position and radius of both planes.");
+    }
+    if (isOfCorrection && place.value(2) == QLatin1String("planes") && place.size() == 5) {
+        // The form has a column for each plane, no rows.
+        const QString plane =
+            WorkshopModel::planeName(words, input.machine, place[3].toULongLong());
+        const auto field = fieldAt(error);
+        return field
+                   ? ruleText(words, plane + QStringLiteral(", ") + inSentence(words.name(*field)),
+                              error)
+                   : QString();
+    }
+    if (place.value(1) == QLatin1String("weigh_in") && place.size() >= 5) {
+        for (const Word& word : shop::part_words) {
+            if (place[2] == QLatin1String(word.word.data())) {
+                return words
+                    .translate("BobWeights",
+                               "Weigh-in sheet: %1 of cylinder %2 is missing or not a mass.")
+                    .arg(words.text(word.label))
+                    .arg(place[4].toInt() + 1);
+            }
+        }
+    }
+    return {};
+}
+
+/// The angles that a correction still needs, each with its place; nothing where none is begun, or
+/// the readings pass as they are.
+QStringList missingAngles(const Words& words, const workshop::Input& input,
+                          const bob_weights::Result& result) {
+    QStringList list;
+    const RunResult* newest = result.newest();
+    if (!input.correction || input.correction->planes.empty() || newest == nullptr ||
+        newest->passes() == true) {
+        return list;
+    }
+    const Correction& correction = *input.correction;
+    for (std::size_t plane = 0; plane < correction.readings.size(); ++plane) {
+        const Reading& reading = correction.readings[plane];
+        if (reading.unbalance && !is_read(reading)) {
+            list << valueMissing(words, input, correction.earlier_runs.size(), plane, field::angle);
+        }
+    }
+    return list;
+}
+
+/// The rule that the input breaks first, with its place on the form; empty where it breaks none.
+QString brokenRule(const Words& words, const workshop::Input& input) {
+    try {
+        workshop::check_input(input);
+    } catch (const InputError& error) {
+        const QString said = sheetError(words, input, error);
+        return said.isEmpty() ? ruleText(words, error) : said;
+    }
+    return {};
+}
+
+/// Why engine and factor give no answer; empty where they do, or where something is missing.
+QString contradiction(const Words& words, const bob_weights::Input& input) {
+    if (!missing_for_bob_weight(input).empty()) {
+        return {};
+    }
+    try {
+        check_bob_weight(input);
+    } catch (const InputError& error) {
+        return ruleText(words, error);
+    }
+    return {};
+}
+
+/// What counts as 0 because it was not given; empty where everything was.
+QString notGiven(const Words& words, const bob_weights::Result& result) {
+    if (!result.bob_weight || result.not_given.empty()) {
+        return {};
+    }
+    QStringList names;
+    for (const PartField* part : result.not_given) {
+        names << inSentence(words.name(part->field));
+    }
+    return words
+        .translate("BobWeights", "Not given, %1 is used: %2. Enter 0 if there is no such part.")
+        .arg(words.plainWithUnit(0.0, units::gram, 0), names.join(QStringLiteral(", ")));
+}
+
+/// Runs whose holes were planned before their readings were put right.
+QStringList correctedRuns(const Words& words, const workshop::Input& input,
+                          const bob_weights::Result& result) {
+    QStringList list;
+    // Without planes or readings nothing was planned.
+    const std::size_t runs =
+        input.correction ? std::min(input.correction->earlier_runs.size(), result.runs.size()) : 0;
+    for (std::size_t run = 0; run < runs; ++run) {
+        if (!input.correction->earlier_runs[run].drilled_by.empty() &&
+            result.runs[run].is_drilled()) {
+            list << words
+                        .translate("BobWeights",
+                                   "%1: the drilled holes were planned from another reading.")
+                        .arg(WorkshopModel::runName(words, run - firstOf(input)));
+        }
+    }
+    return list;
+}
+
+/// What falls short, plane by plane.
+QStringList shortfalls(const Words& words, const workshop::Machine& machine,
+                       const bob_weights::Result& result) {
+    QStringList list;
+    // Nothing is said of a correction by readings that may not hold.
+    if (result.correction && result.holds()) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            const PlaneResult& plane = (*result.correction)[i];
+            if (!plane.reason.empty()) {
+                list << WorkshopModel::planeName(words, machine, i) + QStringLiteral(": ") +
+                            words.message(plane.reason);
+            }
+        }
+    }
+    return list;
+}
+
+/// Nothing is drilled by readings that may not hold.
+bool hasHoles(const bob_weights::Result& result) {
+    return result.correction && result.holds() &&
+           std::any_of(result.correction->begin(), result.correction->end(),
+                       [](const PlaneResult& plane) {
+                           return !plane.holes.empty() || !plane.slugs.empty();
+                       });
+}
+
+QString slugNote(const Words& words, const std::array<PlaneResult, 2>& planes) {
+    const bool hasSlugs = std::any_of(planes.begin(), planes.end(), [](const PlaneResult& plane) {
+        return !plane.slugs.empty();
+    });
+    return hasSlugs ? QLatin1Char(' ') +
+                          words.translate("BobWeights",
+                                          "A slug is as long as its hole; its mass is given with "
+                                          "its diameter. Secure it: a press fit alone does not "
+                                          "withstand the force at service speed.")
+                    : QString();
+}
+
+}  // namespace
+
+// ----------------------------------------------------------------------------- the bob weight
 
 QString WorkshopModel::headline(const Words& words) const {
     if (withheld().bob_weight) {
@@ -26,19 +336,18 @@ QString WorkshopModel::headline(const Words& words) const {
     }
     if (const auto& weight = solution().bob_weight) {
         const bool isNearest = plugs() != nullptr && plugs()->advice && !v8_text::works(*plugs());
-        return (isNearest ? words.translate("BobWeights", "Bob weight with the nearest option: %1")
-                : bob_text::isMean(words, solution())
-                    ? words.translate("BobWeights", "Mean bob weight %1")
-                    : words.translate("BobWeights", "Bob weight %1"))
+        return (isNearest  ? words.translate("BobWeights", "Bob weight with the nearest option: %1")
+                : isMean() ? words.translate("BobWeights", "Mean bob weight %1")
+                           : words.translate("BobWeights", "Bob weight %1"))
             .arg(words.number(*weight, units::gram, 1));
     }
-    if (bob_weights::balances_itself(input().engine)) {
+    if (balances_itself(input().engine)) {
         return words.translate("BobWeights", "No bob weights are needed");
     }
     QStringList missing;
     if (hasPlugs()) {
-        missing = v8_names::missing(words, *plugsInput(), true);
-    } else if (QString why = bob_text::contradiction(words, input()); !why.isEmpty()) {
+        missing = missingForPlugs(words, true);
+    } else if (QString why = contradiction(words, input()); !why.isEmpty()) {
         return why;
     } else {
         for (const Field* field : missing_for_bob_weight(input())) {
@@ -49,15 +358,8 @@ QString WorkshopModel::headline(const Words& words) const {
         .arg(missing.join(QStringLiteral(", ")));
 }
 
-QString WorkshopModel::doubtfulText() const {
-    const auto& weight = solved().found.shaft.bob_weight;
-    return withheld().bob_weight && weight
-               ? tr("Not to be used: bob weight %1.").arg(Words().number(*weight, units::gram, 1))
-               : QString();
-}
-
 QString WorkshopModel::hangText(const Words& words) const {
-    const bool isNeeded = !bob_weights::balances_itself(input().engine);
+    const bool isNeeded = !balances_itself(input().engine);
     if (!solution().bob_weight) {
         return isNeeded || withheld().bob_weight
                    ? QString()
@@ -73,18 +375,35 @@ QString WorkshopModel::hangText(const Words& words) const {
     said << (crankpins == 1
                  ? words.translate("BobWeights", "On the crankpin.")
                  : words.translate("BobWeights", "On each of the %1 crankpins.").arg(crankpins));
-    if (bob_text::isMean(words, solution())) {
-        said << bob_text::weighIn(words, input(), solution());
+    if (isMean()) {
+        said << weighInText(words);
     }
     if (plugs() != nullptr) {
-        said << v8_text::plugsWhileHung(words, *plugs());
+        said << plugsWhileHung(words);
     }
     said.removeAll(QString());
     return said.join(QLatin1Char(' '));
 }
 
 QString WorkshopModel::factorText(const Words& words) const {
-    return bob_text::factor(words, input(), solution());
+    const Factor& typed = input().factor;
+    const bob_weights::Result& result = solution();
+    const auto percent = [&](double share) {
+        return words.plain(100.0 * share, 2) + QStringLiteral("\u00A0%");
+    };
+    QString text = typed.reciprocating
+                       ? words.translate("BobWeights", "Balance factor %1 (theory: %2)")
+                             .arg(percent(result.factor), percent(result.theory_factor))
+                       : words.translate("BobWeights", "Balance factor %1, by theory")
+                             .arg(percent(result.factor));
+    if (typed.overbalance != 0.0) {
+        text += words
+                    .translate("BobWeights", " + %1 overbalance",
+                               "after the factor; negative numbers have their sign")
+                    .arg(percent(typed.overbalance));
+    }
+    return text + QStringLiteral(". ") +
+           words.message(factor_effect(input().engine, result.factor + typed.overbalance));
 }
 
 QString WorkshopModel::reasonText() const {
@@ -93,15 +412,106 @@ QString WorkshopModel::reasonText() const {
                : messageText(factor_reason(input().engine));
 }
 
-QString WorkshopModel::limitText() const {
-    return bob_text::limits(Words(), input(), solution());
+QString WorkshopModel::limitText(const Words& words) const {
+    const bob_weights::Result& result = solution();
+    if (!result.permissible || !input().tolerance) {
+        return {};
+    }
+    const QString first = unbalanceOf(words, (*result.permissible)[0]);
+    const QString second = unbalanceOf(words, (*result.permissible)[1]);
+    const QString planes =
+        first == second
+            ? words.translate("BobWeights", "%1 in each plane").arg(first)
+            : words.translate("BobWeights", "%1 in the front plane, %2 in the rear plane")
+                  .arg(first, second);
+    const QString said =
+        result.permissible_whole
+            ? words.translate("BobWeights", "Permissible residual: %1, of %2 for the crankshaft.")
+                  .arg(planes, unbalanceOf(words, *result.permissible_whole))
+            : words.translate("BobWeights", "Permissible residual: %1.").arg(planes);
+    return said + QLatin1Char(' ') + limitOrigin(words, *input().tolerance);
 }
 
-QString WorkshopModel::holeNote() const {
-    if (withheld().holes && input().correction) {
-        return tr("STOP: correct the top line before drilling.");
+namespace {
+
+/// The products of the lines in tenths of a gram, so that they add up to the sum printed.
+std::vector<long> tenthsOf(const bob_weights::Result& result) {
+    constexpr double tenth = 0.1 * units::gram;
+    std::vector<long> tenths;
+    long left = std::lround(result.bob_weight.value_or(0.0) / tenth);
+    for (const Line& line : result.lines) {
+        tenths.push_back(std::lround(line.product() / tenth));
+        left -= tenths.back();
     }
-    return bob_text::holeNote(Words(), solution());
+    while (left != 0 && !tenths.empty()) {
+        const long step = left > 0 ? 1 : -1;
+        std::size_t nearest = 0;
+        double most = -1.0;
+        for (std::size_t i = 0; i < tenths.size(); ++i) {
+            const double short_by = static_cast<double>(step) * (result.lines[i].product() / tenth -
+                                                                 static_cast<double>(tenths[i]));
+            if (short_by > most) {
+                most = short_by;
+                nearest = i;
+            }
+        }
+        tenths[nearest] += step;
+        left -= step;
+    }
+    return tenths;
+}
+
+}  // namespace
+
+Results WorkshopModel::lineResults(const Words& words) const {
+    const bob_weights::Result& result = solution();
+    const QString gram = words.unit(units::gram);
+    Results results{
+        {words.translate("BobWeights", "Part"),
+         words.translate("BobWeights", "Each, %1").arg(gram),
+         {words.translate("BobWeights", "Multiplier"),
+          tr("Multiplier of the mass in the bob weight: number of rods, times the balance factor "
+             "for reciprocating parts")},
+         {words.translate("BobWeights", "Total, %1").arg(gram), tr("Mass × multiplier")}}};
+    ResultRows& rows = results.rows;
+    const std::vector<long> tenths =
+        result.bob_weight ? tenthsOf(result) : std::vector<long>(result.lines.size());
+    const auto printed = [&](long value) {
+        return words.cell(0.1 * units::gram * static_cast<double>(value), units::gram, 1);
+    };
+    std::array<long, 2> subtotals{};
+    for (std::size_t i = 0; i < result.lines.size(); ++i) {
+        const Line& line = result.lines[i];
+        rows << ResultRow(
+            {words.text(line.name().label).remove(QLatin1Char('&')),
+             words.cell(line.mass, units::gram, 1),
+             QStringLiteral("× ") + words.plain(line.factor, 4),
+             result.bob_weight ? printed(tenths[i]) : words.cell(line.product(), units::gram, 1)},
+            line.part != nullptr ? words.text(line.part->field.hint) : QString());
+        subtotals[line.kind == PartKind::reciprocating ? 0 : 1] += tenths[i];
+    }
+    if (!result.bob_weight) {
+        return results;
+    }
+    if (!result.lines.empty()) {
+        rows << ResultRow{words.translate("BobWeights", "Reciprocating"), QString(), QString(),
+                          printed(subtotals[0])}
+             << ResultRow{words.translate("BobWeights", "Rotating"), QString(), QString(),
+                          printed(subtotals[1])};
+    }
+    rows << ResultRow({words.translate("BobWeights", "Sum"), QString(), QString(),
+                       words.cell(*result.bob_weight, units::gram, 1)},
+                      tr("Mass of the bob weight"));
+    return results;
+}
+
+// ------------------------------------------------------------------ what is wrong or doubtful
+
+QString WorkshopModel::doubtfulText() const {
+    const auto& weight = solved().found.shaft.bob_weight;
+    return withheld().bob_weight && weight
+               ? tr("Not to be used: bob weight %1.").arg(Words().number(*weight, units::gram, 1))
+               : QString();
 }
 
 QStringList WorkshopModel::notCounted(const Words& words) const {
@@ -114,7 +524,9 @@ QStringList WorkshopModel::notCounted(const Words& words) const {
 }
 
 QStringList WorkshopModel::troubles(const Words& words, bool withDoubts) const {
-    QStringList list{bob_text::brokenRule(words, input(), solution())};
+    const bob_weights::Result& result = solution();
+    // Where there is no bob weight that is said by itself.
+    QStringList list{result.bob_weight ? brokenRule(words, input()) : QString()};
     // The first of those that block is in the verdict, and so do the warnings where it is one.
     const bool hasWarnings =
         withheld().any() || (!withDoubts && solved().verdict.severity != Severity::note);
@@ -125,13 +537,9 @@ QStringList WorkshopModel::troubles(const Words& words, bool withDoubts) const {
             list << words.message(doubt.text);
         }
     }
-    list << notCounted(words) << bob_text::notGiven(words, solution())
-         << bob_text::missingAngles(words, input(), solution())
-         << bob_text::shortfalls(words, input().machine, solution())
-         << bob_text::correctedRuns(words, input(), solution());
-    if (plugs() != nullptr) {
-        list << v8_text::troubles(words, *plugsInput());
-    }
+    list << notCounted(words) << notGiven(words, result) << missingAngles(words, input(), result)
+         << shortfalls(words, input().machine, result) << correctedRuns(words, input(), result)
+         << plugTroubles(words);
     list.removeAll(QString());
     list.removeDuplicates();
     return list;
@@ -145,6 +553,22 @@ QStringList WorkshopModel::remarks() const {
         }
     }
     return list;
+}
+
+QString WorkshopModel::otherRunText() const {
+    const Words words;
+    const bob_weights::Result& result = solution();
+    for (std::size_t run = result.runs.size(); run-- > 0;) {
+        const RunResult& read = result.runs[run];
+        if (!read.holds()) {
+            const QString said = words.message(
+                shop::other_readings(read.read_with, read.read_on, result.bob_weight));
+            return &read == result.newest()
+                       ? said
+                       : runName(words, run - firstRun()) + QStringLiteral(": ") + said;
+        }
+    }
+    return {};
 }
 
 // ----------------------------------------------------------------------------------- the parts
@@ -180,40 +604,111 @@ WeighedColumn WorkshopModel::columnNote(shop::Part part) const {
     return column;
 }
 
-QString WorkshopModel::weighInText() const {
-    return bob_text::weighIn(Words(), input(), solution());
+QStringList WorkshopModel::cylindersOfCrankpins() const {
+    if (input().engine.cylinders % input().engine.rods_per_pin != 0) {
+        return {};
+    }
+    QStringList pins;
+    const auto places = places_of(crank_of(input()));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto pin = static_cast<qsizetype>(places[i].crankpin);
+        pins.resize(std::max(pins.size(), pin + 1));
+        pins[pin] +=
+            (pins[pin].isEmpty() ? QString() : QStringLiteral("+")) + QString::number(i + 1);
+    }
+    return pins;
 }
 
-QString WorkshopModel::weighAgain() const {
+bool WorkshopModel::isMean() const {
+    const bob_weights::Result& result = solution();
+    const auto shown = [](double mass) { return Words().digits(mass, units::gram, 1); };
+    return result.bob_weight &&
+           std::any_of(result.crankpins.begin(), result.crankpins.end(),
+                       [&](double own) { return shown(own) != shown(*result.bob_weight); });
+}
+
+QString WorkshopModel::weighInText(const Words& words) const {
+    const bob_weights::Result& result = solution();
+    if (result.crankpins.empty()) {
+        return {};
+    }
+    const QStringList cylinders = cylindersOfCrankpins();
+    QStringList pins;
+    for (std::size_t i = 0; i < result.crankpins.size(); ++i) {
+        const QString own = cylinders.value(static_cast<qsizetype>(i));
+        const QString mass = words.digits(result.crankpins[i], units::gram, 1);
+        pins << (own.isEmpty() ? mass
+                               : (i == 0 ? words.translate("BobWeights", "%1 (cylinders %2)")
+                                         : QStringLiteral("%1 (%2)"))
+                                     .arg(mass, own));
+    }
+    return words.translate("BobWeights", "Bob weight by crankpin, %1: %2.")
+        .arg(words.unit(units::gram), pins.join(QStringLiteral("; ")));
+}
+
+QString WorkshopModel::weighAgain(const Words& words) const {
     const auto sheet = fitted(input()).weigh_in;
-    return sheet ? weighAgainText(Words(), *sheet) : QString();
+    return sheet ? matching_text::weighAgain(words, *sheet) : QString();
+}
+
+QString WorkshopModel::placedText(const Words& words) const {
+    const bob_weights::Result& result = solution();
+    if (!result.placing || result.placing->moved == 0 || result.placed_crankpins.empty() ||
+        !weighAgain(words).isEmpty()) {
+        return {};
+    }
+    QStringList pins;
+    for (const double mass : result.placed_crankpins) {
+        pins << words.digits(mass, units::gram, 1);
+    }
+    return words.translate("BobWeights", "After moving the sets as suggested: %1.")
+        .arg(pins.join(QStringLiteral("; ")));
 }
 
 std::optional<matching_text::Shown> WorkshopModel::matchingShown() const {
-    return plugs() != nullptr ? v8_text::matchingShown(*plugsInput(), *plugs())
-                              : bob_text::matchingShown(input(), solution());
+    const bob_weights::Input job = fitted(input());
+    const auto& placing = solution().placing;
+    if (!job.weigh_in || !placing || !weighAgain().isEmpty()) {
+        return std::nullopt;
+    }
+    const WeighIn& sheet = *job.weigh_in;
+    matching_text::Shown shown{*placing,           crank_of(job),     sheet.matching.crank_radius,
+                               service_speed(job), sheet.piston_sets, sheet.rod_sets};
+    shown.is_origin_unknown = input().weigh_in->is_moved() && !sheet.is_moved();
+    if (const v8_plugs::Input* plugs = plugsInput()) {
+        shown.crank = v8_plugs::crank_of(*plugs->weigh_in);
+        shown.crank_radius = plugs->engine.crank_radius;
+        matching_text::takeAsWeighed(
+            shown,
+            v8_plugs::matching_task(*plugs->weigh_in, plugs->engine.rod_coefficient.value_or(0.0)),
+            sheet);
+    } else {
+        matching_text::takeAsWeighed(
+            shown, matching_task(job, solution().factor + job.factor.overbalance), sheet);
+    }
+    return shown;
 }
 
-QString WorkshopModel::assignmentText() const {
-    const QString again = weighAgain();
-    return again.isEmpty() ? ofMatching(matching_text::summary) : again;
+QString WorkshopModel::assignmentText(const Words& words) const {
+    const QString again = weighAgain(words);
+    return again.isEmpty() ? ofMatching(matching_text::summary, words) : again;
 }
 
 QStringList WorkshopModel::assignmentRemarks() const {
     return ofMatching(matching_text::remarks);
 }
 
-Results WorkshopModel::assignmentResults() const {
-    return ofMatching(matching_text::assignment);
+Results WorkshopModel::assignmentResults(const Words& words) const {
+    return ofMatching(matching_text::assignment, words);
 }
 
-Results WorkshopModel::effectResults() const {
-    return ofMatching(matching_text::effects);
+Results WorkshopModel::effectResults(const Words& words) const {
+    return ofMatching(matching_text::effects, words);
 }
 
-Results WorkshopModel::takeOffResults() const {
+Results WorkshopModel::takeOffResults(const Words& words) const {
     const auto sheet = fitted(input()).weigh_in;
-    return sheet ? matching_text::takeOff(Words(), *sheet) : Results();
+    return sheet ? matching_text::takeOff(words, *sheet) : Results();
 }
 
 bool WorkshopModel::canMoveBack() const {
@@ -235,78 +730,283 @@ void WorkshopModel::moveParts() {
     }
 }
 
-// ---------------------------------------------------------------------------------- the tables
+// ----------------------------------------------------------------------------- the correction
 
-namespace {
-
-/// @param tips  of the headings behind the first
-ResultColumns columnsOf(const QStringList& heads, const QStringList& tips) {
-    ResultColumns columns(heads.begin(), heads.end());
-    for (qsizetype i = 1; i < columns.size(); ++i) {
-        columns[i].tip = tips.value(i - 1);
-    }
-    return columns;
+QString WorkshopModel::planeName(std::size_t plane, const Words& words) const {
+    return planeName(words, input().machine, plane);
 }
 
-}  // namespace
-
-Results WorkshopModel::lineResults() const {
-    ResultRows rows = bob_text::lines(Words(), solution());
-    if (solution().bob_weight) {
-        rows.last().tip = tr("Mass of the bob weight");
+QString WorkshopModel::machineText(const Words& words) const {
+    const workshop::Machine& machine = input().machine;
+    const bool isLight = machine.shows == workshop::Machine::Shows::light;
+    QStringList said{
+        machine.counts == workshop::Machine::Counts::clockwise
+            ? words.translate("BobWeights", "Angles are clockwise, seen from the front.")
+            : words.translate("BobWeights", "Angles are counter-clockwise, seen from the front.")};
+    if (!machine.zero.empty()) {
+        said << words.translate("BobWeights", "0°: %1.")
+                    .arg(QString::fromStdString(machine.zero).simplified());
     }
-    return {columnsOf(bob_text::lineHead(Words()),
-                      {QString(),
-                       tr("Multiplier of the mass in the bob weight: number of rods, times the "
-                          "balance factor for reciprocating parts"),
-                       tr("Mass × multiplier")}),
-            rows};
+    if (isLight) {
+        said << words.translate("BobWeights",
+                                "The machine shows the light spot; holes are opposite.");
+    }
+    return said.join(QLatin1Char(' '));
+}
+
+QString WorkshopModel::asReadNote() const {
+    const Words words;
+    if (!solution().correction || !input().correction) {
+        return {};
+    }
+    QStringList read;
+    bool isMoved = false;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Reading& reading = input().correction->readings.at(i);
+        const double plane = input().correction->planes.at(i).position.value_or(0.0);
+        const double at = reading.position.value_or(plane);
+        constexpr double same = 1e-9;  // m
+        isMoved = isMoved || std::abs(at - plane) > same;
+        const double unbalance = reading.unbalance.value_or(0.0);
+        read << words.translate("BobWeights", "%1 at %2")
+                    .arg(atAngle(words, unbalanceOf(words, unbalance), unbalance,
+                                 reading.angle.value_or(0.0)),
+                         words.plainWithUnit(at, units::mm, 1));
+    }
+    return isMoved ? words
+                         .translate("BobWeights",
+                                    "Readings: %1 and %2. “Measured” is the reading transferred to "
+                                    "the planes.")
+                         .arg(read[0], read[1])
+                   : QString();
+}
+
+QString WorkshopModel::holeNote(const Words& words) const {
+    if (withheld().holes && input().correction) {
+        return tr("STOP: correct the top line before drilling.");
+    }
+    return !hasHoles(solution())
+               ? QString()
+               : words.translate("BobWeights",
+                                 "Depths exclude the drill point; the rim is taken as flat.") +
+                     slugNote(words, *solution().correction);
+}
+
+QString WorkshopModel::metalsText(const Words& words) const {
+    if (!input().correction || !hasHoles(solution())) {
+        return {};
+    }
+    const Drill& drill = input().correction->drill;
+    const auto density = [&](double value) { return words.plainWithUnit(value, units::kg_m3, 1); };
+    QString said =
+        words
+            .translate("BobWeights",
+                       "Planned with a point angle of %1 and a crankshaft density of %2")
+            .arg(words.plainWithUnit(drill.point_angle, units::degree, 1), density(drill.density));
+    const auto& slug = input().correction->slug;
+    if (!slugNote(words, *solution().correction).isEmpty() && slug && slug->density) {
+        said += words.translate("BobWeights", ", slugs of %1").arg(density(*slug->density));
+    }
+    return said + QLatin1Char('.');
 }
 
 Results WorkshopModel::runResults() const {
-    return {columnsOf(bob_text::runHead(Words(), input().machine),
-                      {tr("Readings of the run, transferred to the front plane"),
-                       tr("Readings of the run, transferred to the rear plane"),
-                       tr("By the limits of both planes")}),
-            newestRun() > 0 ? bob_text::runs(Words(), solution()) : ResultRows()};
+    const Words words;
+    const QString unit = QStringLiteral(", ") + words.unit(units::gram_mm);
+    Results results{
+        {words.translate("BobWeights", "Run"),
+         {planeName(0) + unit, tr("Readings of the run, transferred to the front plane")},
+         {planeName(1) + unit, tr("Readings of the run, transferred to the rear plane")},
+         {words.translate("BobWeights", "Verdict"), tr("By the limits of both planes")}}};
+    const auto& runs = solution().runs;
+    for (std::size_t run = firstRun(); newestRun() > 0 && run < runs.size(); ++run) {
+        const auto& planes = runs[run].planes;
+        const auto cell = [&](std::size_t i) {
+            if (!planes) {
+                const auto& alone = runs[run].alone[i];
+                return alone ? words.digits(alone->unbalance, units::gram_mm, 1) : noNumber;
+            }
+            const auto& plane = (*planes)[i];
+            return atAngle(words, words.digits(plane.unbalance, units::gram_mm, 1), plane.unbalance,
+                           plane.angle);
+        };
+        const QString verdict = verdictText(words, readWord(runs[run], runs[run].passes()));
+        results.rows << ResultRow{runName(words, run - firstRun()), cell(0), cell(1),
+                                  verdict.isEmpty() ? noNumber : verdict};
+    }
+    return results;
 }
 
-Results WorkshopModel::planeResults() const {
-    const Words words;
-    const ResultRows planes = bob_text::planes(words, input().machine, solution());
-    const QStringList names = bob_text::planeHead(words);
-    const QStringList tips{
-        tr("Both readings, transferred to the correction planes (same force, same moment)"),
-        tr("Angle of the heavy spot from the machine's zero mark"),
-        tr("Mass at the drilling radius for this unbalance"),
-        tr("Residual after the holes below, with rounded depths"),
-        tr("By the limit of the plane: as measured → after the correction")};
-    Results results{{names.first(), planeName(0), planeName(1)}};
-    ResultRows& rows = results.rows;
-    for (qsizetype i = 1; i < names.size() && planes.size() == 2; ++i) {
-        const auto isKnown = [i](const ResultRow& row) { return row[i].text != QChar(0x2013); };
-        if (!std::any_of(planes.begin(), planes.end(), isKnown)) {
-            continue;  // of readings alone
-        }
-        rows << ResultRow({names[i], planes[0][i], planes[1][i]}, tips.value(i - 1));
+Results WorkshopModel::planeResults(const Words& words) const {
+    Results results{
+        {words.translate("BobWeights", "Plane"), planeName(0, words), planeName(1, words)}};
+    const RunResult* newest = solution().newest();
+    if (newest == nullptr) {
+        return results;
     }
+    const auto add = [&](const QString& name, const QString& tip, const auto& cellOf) {
+        const ResultRow row({name, cellOf(0U), cellOf(1U)}, tip);
+        if (row[1].text != noNumber || row[2].text != noNumber) {
+            results.rows << row;
+        }
+    };
+    const auto unbalance = [&](const std::optional<double>& value) {
+        return value ? words.cellWithUnit(*value, units::gram_mm, 1) : ResultCell(noNumber);
+    };
+    const auto& planned = solution().correction;
+    add(words.translate("BobWeights", "Measured"),
+        tr("Both readings, transferred to the correction planes (same force, same moment)"),
+        [&](std::size_t i) {
+            return unbalance(planned ? (*planned)[i].unbalance : newest->unbalances()[i]);
+        });
+    if (planned) {
+        add(words.translate("BobWeights", "Heavy spot"),
+            tr("Angle of the heavy spot from the machine's zero mark"), [&](std::size_t i) {
+                const PlaneResult& plane = (*planned)[i];
+                return has_direction(plane.unbalance) ? direction(words, plane.angle)
+                                                      : ResultCell(noNumber);
+            });
+        add(words.translate("BobWeights", "Mass at drilling radius"),
+            tr("Mass at the drilling radius for this unbalance"), [&](std::size_t i) {
+                return words.cellWithUnit((*planned)[i].grams_at_radius, units::gram, 2);
+            });
+        add(words.translate("BobWeights", "After correction"),
+            tr("Residual after the holes below, with rounded depths"), [&](std::size_t i) {
+                // Of readings that may not hold nothing is known to remain.
+                return unbalance(solution().holds() ? std::optional((*planned)[i].remaining)
+                                                    : std::nullopt);
+            });
+    }
+    add(words.translate("BobWeights", "Verdict"),
+        tr("By the limit of the plane: as measured → after the correction"), [&](std::size_t i) {
+            // What is planned rests on that the holes before acted as they were to.
+            const QString verdict = verdictText(
+                words, planned ? readWord(*newest, (*planned)[i].measured_within,
+                                          newest->other_effect[i] ? std::nullopt
+                                                                  : (*planned)[i].within_tolerance)
+                               : readWord(*newest, newest->within(i)));
+            return ResultCell(verdict.isEmpty() ? noNumber : verdict);
+        });
     return results;
 }
 
 namespace {
 
-/// Of depth, angle and mass of a hole.
-QStringList holeTips() {
-    return {shownText(field::maximum_depth.hint), WorkshopModel::tr("From the machine's zero mark"),
-            WorkshopModel::tr("Mass taken off, including the drill point; negative for a slug: its "
-                              "own mass minus its hole")};
+/// "⌀ 16 mm", "slug ⌀ 25 mm, 33.5 g".
+QString sizeName(const Words& words, bool isSlug, const Hole& hole) {
+    const QString size = words.plainWithUnit(hole.diameter, units::mm, 2);
+    const QString name =
+        isSlug ? words.translate("BobWeights", "slug ⌀ %1").arg(size) : QStringLiteral("⌀ ") + size;
+    // As it is found on the scale; old records lack it.
+    return hole.slug > 0.0 ? name + QStringLiteral(", ") + words.number(hole.slug, units::gram, 1)
+                           : name;
+}
+
+/// Holes that are alike are a row, with the angle of each, as many as a cell has room for.
+void addDrilled(ResultRows& rows, const Words& words, const QString& run, const QString& plane,
+                const std::vector<Hole>& holes, bool isSlug) {
+    const double sign = isSlug ? -1.0 : 1.0;
+    for (auto first = holes.begin(); first != holes.end();) {
+        constexpr std::ptrdiff_t most = 4;
+        const auto end = first + std::min(most, holes.end() - first);
+        const auto last = std::find_if(first, end, [&](const Hole& hole) {
+            return hole.diameter != first->diameter || hole.depth != first->depth ||
+                   hole.slug != first->slug;
+        });
+        QStringList angles;
+        double mass = 0.0;
+        for (auto hole = first; hole != last; ++hole) {
+            angles << degreesOf(words, hole->angle);
+            mass += sign * hole->mass;
+        }
+        rows << ResultRow{run, plane + QStringLiteral(": ") + sizeName(words, isSlug, *first),
+                          words.cell(first->depth, units::mm, 1),
+                          angles.size() == 1 ? direction(words, first->angle)
+                                             : ResultCell(angles.join(QStringLiteral("; "))),
+                          words.cell(mass, units::gram, 2)};
+        first = last;
+    }
 }
 
 }  // namespace
 
-Results WorkshopModel::holeResults() const {
-    return {columnsOf(bob_text::holeHead(Words()), holeTips()),
-            bob_text::holes(Words(), input(), solution())};
+Results WorkshopModel::holeResults(const Words& words, std::optional<std::size_t> plane) const {
+    Results results{
+        {words.translate("BobWeights", "Hole"),
+         {words.translate("BobWeights", "Depth, %1").arg(words.unit(units::mm)),
+          shownText(field::maximum_depth.hint)},
+         {words.translate("BobWeights", "Angle"), tr("From the machine's zero mark")},
+         {words.translate("BobWeights", "Takes off, %1").arg(words.unit(units::gram)),
+          tr("Mass taken off, including the drill point; negative for a slug: its own mass minus "
+             "its hole")}}};
+    // Nothing is drilled by readings that may not hold.
+    if (!solution().correction || !solution().holds()) {
+        return results;
+    }
+    const auto speed = service_speed(input());
+    QString before;
+    const auto add = [&](const Hole& hole, bool isSlug) {
+        const bool isDeeper = hole.deepens && hole.from_depth > 0.0;
+        QString name = sizeName(words, isSlug, hole);
+        if (isSlug) {
+            name += QStringLiteral(", ") +
+                    inSentence(words.text(direction_words[hole.is_axial ? 0 : 1].label));
+        }
+        if (isSlug && speed) {
+            name += QStringLiteral(", ") + words.number(hole.slug_force(*speed), units::newton, 0);
+        }
+        results.rows << ResultRow{
+            before + name,
+            isDeeper ? ResultCell(words.translate("BobWeights", "%1 → %2")
+                                      .arg(words.digits(hole.from_depth, units::mm, 1),
+                                           words.digits(hole.depth, units::mm, 1)))
+                     : words.cell(hole.depth, units::mm, 1),
+            direction(words, hole.angle),
+            words.cell(isSlug ? -hole.mass : hole.mass, units::gram, 2)};
+    };
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (plane.value_or(i) != i) {
+            continue;
+        }
+        before = plane ? QString() : planeName(i, words) + QStringLiteral(": ");
+        for (const Hole& hole : (*solution().correction)[i].holes) {
+            add(hole, false);
+        }
+        for (const Hole& slug : (*solution().correction)[i].slugs) {
+            add(slug, true);
+        }
+    }
+    return results;
+}
+
+QString WorkshopModel::drilledName(const Words& words, std::size_t run) const {
+    return run < firstRun() ? words.translate("BobWeights", "Older holes")
+                            : runName(words, run - firstRun());
+}
+
+Results WorkshopModel::drilledResults(const Words& words) const {
+    Results results{holeResults(words).columns};
+    results.columns.push_front(words.translate("BobWeights", "Run"));
+    results.columns.last() =
+        words.translate("BobWeights", "Taken off in total, %1").arg(words.unit(units::gram));
+    const auto& runs = solution().runs;
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Metal& metal = runs[run].drilled[i];
+            const QString name = drilledName(words, run);
+            addDrilled(results.rows, words, name, planeName(i, words), metal.holes, false);
+            addDrilled(results.rows, words, name, planeName(i, words), metal.slugs, true);
+        }
+    }
+    return results;
+}
+
+QString WorkshopModel::drilledName(std::size_t run, const DrilledHole& hole) const {
+    const Words words;
+    return (hole.is_slug() ? words.translate("BobWeights", "%1, %2: slug ⌀ %3")
+                           : words.translate("BobWeights", "%1, %2: ⌀ %3"))
+        .arg(drilledName(words, run), inSentence(planeName(static_cast<std::size_t>(hole.plane))),
+             words.plainWithUnit(hole.diameter, units::mm, 2));
 }
 
 }  // namespace ravnoves

@@ -16,7 +16,6 @@
 #include "text/error_text.h"
 #include "text/message_text.h"
 #include "v8-plugs/fields.h"
-#include "workshop/model/bob_text.h"
 #include "workshop/model/plug_engines.h"
 #include "workshop/model/shop_machine.h"
 #include "workshop/results.h"
@@ -144,12 +143,7 @@ WorkshopScene::Solved WorkshopScene::solve(const Job& input) {
 template class CaseModel<WorkshopScene>;
 
 WorkshopModel::WorkshopModel(const QString& journalPath, QObject* parent)
-    : CaseModel({.dated = !journalPath.isEmpty()}, parent),
-      desk_(this, journalPath,
-            {[this] { return journalEntry(); },
-             [this](const CaseFile& file, bool isCopy) { takeJob(file, isCopy); },
-             [this] { return hasNumbers(); }, [this] { return answerLacks(); },
-             [this](const CaseFile& file) { return isEngineOf(file); }}) {
+    : CaseModel({.dated = !journalPath.isEmpty()}, parent), desk_(this, journalPath) {
     connect(desk(), &JobDesk::journalOpened, this, &WorkshopModel::reloadEngines);
     if (scene().dated) {
         connect(&ShopMachine::instance(), &ShopMachine::changed, this,
@@ -244,6 +238,29 @@ QString WorkshopModel::engineTrouble(const Job& next) {
                : QString();
 }
 
+void WorkshopModel::dropEmpty(Job& input) {
+    const auto drop = [](auto& object) {
+        if (object && *object == typename std::decay_t<decltype(object)>::value_type{}) {
+            object.reset();
+        }
+    };
+    drop(input.tolerance);
+    if (!input.correction) {
+        return;
+    }
+    drop(input.correction->slug);
+    const auto isBlank = [](const Plane& plane) { return plane == Plane{}; };
+    if (std::ranges::all_of(input.correction->planes, isBlank)) {
+        Correction whole = *input.correction;
+        whole.planes.resize(2);
+        whole.readings.resize(2);
+        input.correction->planes.clear();  // readings alone have a verdict
+        if (whole == Correction{}) {
+            input.correction.reset();
+        }
+    }
+}
+
 QString WorkshopModel::edit(const QString& name, const std::function<void(Job&)>& mutate,
                             const QString& title) {
     Job next = input();
@@ -251,6 +268,7 @@ QString WorkshopModel::edit(const QString& name, const std::function<void(Job&)>
         noteBobWeight(next, *bobWeightAsLoaded_);
     }
     mutate(next);
+    dropEmpty(next);
     // A case that came so stays as it came, until its engine changes.
     if (QString why = engineTrouble(next); !why.isEmpty() && next.engine != input().engine) {
         sayRefused(why);
@@ -322,32 +340,14 @@ QString WorkshopModel::editCorrection(const QString& name,
             run.readings.resize(run.readings.empty() ? 0 : 2);  // without any it was not read
         }
         mutate(correction);
-        if (correction == Correction{}) {
-            input.correction.reset();
-            return;
-        }
-        const auto isBlank = [](const Plane& plane) { return plane == Plane{}; };
-        if (std::all_of(correction.planes.begin(), correction.planes.end(), isBlank)) {
-            correction.planes.clear();  // readings alone have a verdict
-        }
         input.correction = std::move(correction);
-    });
-}
-
-QString WorkshopModel::editSlug(const QString& name, const std::function<void(Slug&)>& mutate) {
-    return editCorrection(name, [&](Correction& correction) {
-        Slug slug = correction.slug.value_or(Slug{});
-        mutate(slug);
-        correction.slug = slug == Slug{} ? std::nullopt : std::optional(slug);
     });
 }
 
 QString WorkshopModel::editTolerance(const QString& name,
                                      const std::function<void(Tolerance&)>& mutate) {
     return edit(name, [&](Job& input) {
-        Tolerance tolerance = input.tolerance.value_or(Tolerance{});
-        mutate(tolerance);
-        input.tolerance = tolerance == Tolerance{} ? std::nullopt : std::optional(tolerance);
+        mutate(input.tolerance ? *input.tolerance : input.tolerance.emplace());
     });
 }
 
@@ -383,7 +383,7 @@ void WorkshopModel::swapRodEnds() {
 
 // -------------------------------------------------------------------------- runs of the machine
 
-/// Holes that were there before the first run stand as one without readings.
+/// Holes that were there before the first run are one without readings.
 std::size_t WorkshopModel::firstRun() const {
     return input().correction && starts_with_holes(*input().correction) ? 1 : 0;
 }
@@ -545,10 +545,6 @@ void WorkshopModel::confirmReadings() {
     });
 }
 
-QString WorkshopModel::otherRunText() const {
-    return bob_text::otherRun(Words(), solution());
-}
-
 void WorkshopModel::keepMachine() {
     if (scene().dated) {
         ShopMachine::instance().keep(input().machine);
@@ -684,7 +680,7 @@ bool WorkshopModel::isEngineOf(const CaseFile& job) const {
 
 JournalJob WorkshopModel::journalEntry() const {
     JournalJob job = JobDesk::entryOf(input().job);
-    job.engine = bob_text::engineName(Words(QStringLiteral("en")), input().engine);
+    job.engine = engineName(Words(QStringLiteral("en")), input().engine);
     if (plugs() != nullptr) {
         plug_engines::noteInJournal(job, *plugsInput(), *plugs());
     }

@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "model/case_model.h"
-#include "shop/model/job_desk.h"
 #include "shop/model/matching_text.h"
 #include "text/result_row.h"
 #include "workshop/input.h"
+#include "workshop/model/job_desk.h"
 #include "workshop/model/workshop_parts.h"
 #include "workshop/result.h"
 
@@ -93,9 +93,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     }
     const std::vector<workshop::Doubt>& doubts() const { return solved().found.doubts; }
     workshop::Withheld withheld() const { return solved().found.withheld(); }
-    /// What is withheld, to be seen and not to be used; empty where nothing is.
-    QString doubtfulText() const;
-
     /// Its place in the journal.
     JobDesk* desk() { return &desk_; }
 
@@ -109,8 +106,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// Changes the correction; it comes into being with the first value and goes with the last.
     QString editCorrection(const QString& name,
                            const std::function<void(bob_weights::Correction&)>& mutate);
-    /// The same for the slug alone.
-    QString editSlug(const QString& name, const std::function<void(bob_weights::Slug&)>& mutate);
     QString editTolerance(const QString& name,
                           const std::function<void(bob_weights::Tolerance&)>& mutate);
     /// Changes the weights, as many as the engine has cylinders; without any there is no sheet.
@@ -167,7 +162,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// The same return.
     QString renameEngine(const QString& from, const QString& to);
     QString removeEngine(const QString& name);
-    bool isOwnEngine(int index) const;
+    /// The user's own at a place in engineNames(); null where there is none.
+    const JournalEngine* ownEngine(int place) const;
     /// True where the sheet's values are not those kept under the engine's name.
     bool ownEngineChanged() const;
     /// Where the engine's values come from, and what the user should know of them.
@@ -185,20 +181,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
 
     // ----------------------------------------------------------------------------- the parts
     WeighedColumn columnNote(shop::Part part) const;
-    /// Each crankpin's own bob weight.
-    QString weighInText() const;
-    /// Which of the weights are doubted: by them no part is moved.
-    QString weighAgain() const;
-    /// Which sets to move; nothing where no column counts, or weights are doubted.
-    std::optional<matching_text::Shown> matchingShown() const;
-    QString assignmentText() const;
-    QStringList assignmentRemarks() const;
-    Results assignmentResults() const;
-    /// What the placing makes of spread, force and couple.
-    Results effectResults() const;
-    Results takeOffResults() const;
-    /// What was typed or weighed, but does not count (yet).
-    QStringList notCounted(const Words& words = {}) const;
     /// The weights change places as the placing says.
     void moveParts();
     /// The weights go back to where they were weighed.
@@ -206,34 +188,84 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// Parts are elsewhere than they were weighed, and it is known where that was.
     bool canMoveBack() const;
 
-    // -------------------------------------------------------------------- what the page shows
-    QString planeName(std::size_t plane) const;
-    // In the language of the page, or of the job card.
+    // ---------------------------------- what is said: in the language of the page, or of the card
+    /// "V-8, 90°", "4 in line", "Boxer, 6".
+    static QString engineName(const Words& words, const bob_weights::Engine& engine);
+    /// As the machine is set up to call it.
+    static QString planeName(const Words& words, const workshop::Machine& machine,
+                             std::size_t plane);
+    QString planeName(std::size_t plane, const Words& words = {}) const;
+    /// "Before", "Run 1".
+    static QString runName(const Words& words, std::size_t run);
+    /// How the machine is set up.
+    QString machineText(const Words& words = {}) const;
+
     /// The bob weight; where it is not known why, or what is missing.
     QString headline(const Words& words = {}) const;
+    /// What is withheld, to be seen and not to be used; empty where nothing is.
+    QString doubtfulText() const;
     QString hangText(const Words& words = {}) const;  ///< on what it is hung
     QString factorText(const Words& words = {}) const;
     QString reasonText() const;
-    QString limitText() const;
-    QString holeNote() const;
+    /// What may remain, and where that comes from.
+    QString limitText(const Words& words = {}) const;
+    /// The lines of the bob weight, their subtotals and sum: printed numbers add up.
+    Results lineResults(const Words& words = {}) const;
+
+    /// What was typed or weighed, but does not count (yet).
+    QStringList notCounted(const Words& words = {}) const;
     /// What is wrong or to be known beside the verdict, a sentence each.
     QStringList troubles() const { return troubles(Words(), false); }
     /// @param withDoubts  and what the verdict says of doubts
     QStringList troubles(const Words& words, bool withDoubts) const;
     /// What is to be known of the answer, a sentence each.
     QStringList remarks() const;
-    Results lineResults() const;
-    Results runResults() const;  ///< nothing where there is but one run
+
+    /// Whether the crankpins differ, so that the bob weight is no more than their mean.
+    bool isMean() const;
+    /// Which cylinders each crankpin carries, "1+5"; empty where they do not share out.
+    QStringList cylindersOfCrankpins() const;
+    /// Each crankpin's own bob weight.
+    QString weighInText(const Words& words = {}) const;
+    /// The same after the sets are moved; empty where none is to be.
+    QString placedText(const Words& words) const;
+    /// Which of the weights are doubted: by them no part is moved.
+    QString weighAgain(const Words& words = {}) const;
+    /// Which sets to move; nothing where no column counts, or weights are doubted.
+    std::optional<matching_text::Shown> matchingShown() const;
+    QString assignmentText(const Words& words = {}) const;
+    QStringList assignmentRemarks() const;
+    Results assignmentResults(const Words& words = {}) const;
+    /// What the placing makes of spread, force and couple.
+    Results effectResults(const Words& words = {}) const;
+    Results takeOffResults(const Words& words = {}) const;
+
     /// A row for each quantity, a column for each plane.
-    Results planeResults() const;
-    Results holeResults() const;
+    Results planeResults(const Words& words = {}) const;
+    /// @param plane  its holes alone, without its name
+    Results holeResults(const Words& words = {}, std::optional<std::size_t> plane = {}) const;
+    /// What was drilled and pressed in after earlier runs, run by run.
+    Results drilledResults(const Words& words = {}) const;
+    /// A hole or slug of the record after a run: "Run 1, rear plane: ⌀ 10 mm".
+    QString drilledName(std::size_t run, const bob_weights::DrilledHole& hole) const;
+    Results runResults() const;  ///< nothing where there is but one run
+    /// What the machine read, where that was not in the planes; empty where it was.
+    QString asReadNote() const;
+    /// What the depths are measured to; empty without holes.
+    QString holeNote(const Words& words = {}) const;
+    /// What the holes are planned for: the drill's point, the metals; empty without holes.
+    QString metalsText(const Words& words) const;
 
     // Of the plugs; empty without.
-    /// What to do; what is missing where that is not known.
+    /// What to do; what is missing where that is not known. Where the method neglects what matters,
+    /// it is what can be done.
     QString adviceText(const Words& words = {}) const;
+    /// How to bore, or why it cannot be bored.
     QString boringText(const Words& words = {}) const;
     QString excessText() const;
-    QString shiftText() const;
+    /// What the shift of the plug's centre of mass is worth beside the tolerance, by the paper's
+    /// range and by the planned bore.
+    QString shiftText(const Words& words = {}) const;
     QString checkText() const;  ///< after equals nominal
     QString toleranceText() const;
     QString plugWeightText() const;
@@ -241,6 +273,18 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     Results crankpinResults() const;
 
     // ------------------------------------------------------------------------------- journal
+    JournalJob journalEntry() const;
+    /// Adopts a job's case, as it was or to be the sheet of another one: what says whose it is, and
+    /// all that was weighed and read, is new then. Nothing has changed where it throws.
+    /// @throws InputError
+    void takeJob(const CaseFile& file, bool isCopy);
+    /// False while no weight and no reading of the job is on the sheet.
+    bool hasNumbers() const;
+    /// What the answer still lacks, as a sentence; empty where it lacks nothing.
+    QString answerLacks() const;
+    /// Whether the sheet's engine is that of a job in all but its name.
+    /// @throws InputError
+    bool isEngineOf(const CaseFile& job) const;
     /// Empties the sheet for the next job; engine, factor, planes, drills and limits stay.
     void newJob();
     /// What newJob() keeps.
@@ -262,28 +306,33 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     std::size_t firstRun() const;
     /// That hangs on the crankpins, doubted or not.
     std::optional<double> bobWeightNow() const { return solved().found.shaft.bob_weight; }
+    /// What has nothing in it is not there.
+    static void dropEmpty(Input& input);
     /// Why there are not such an engine and such plugs; empty where there may be.
     static QString engineTrouble(const Input& next);
     template <typename Said>
-    Said ofMatching(Said (*say)(const Words&, const matching_text::Shown&)) const {
+    Said ofMatching(Said (*say)(const Words&, const matching_text::Shown&),
+                    const Words& words = {}) const {
         const auto shown = matchingShown();
-        return shown ? say(Words(), *shown) : Said();
+        return shown ? say(words, *shown) : Said();
     }
+    QString drilledName(const Words& words, std::size_t run) const;
+    /// The values that the answer lacks: "oil in a crankpin mₘ", "oil coefficient kₘ".
+    QStringList missingForPlugs(const Words& words, bool withBobWeight) const;
+    /// Rules broken by engine and plug.
+    QStringList plugTroubles(const Words& words) const;
+    /// Whether the plugs are in the shaft while it hangs there, and what to hang in the other case.
+    QString plugsWhileHung(const Words& words) const;
+    QString boringText(const Words& words, v8_plugs::OptionId option) const;
+    QString shiftText(const Words& words, const v8_plugs::Option& option) const;
     QString optionTip(const v8_plugs::Option& option) const;
     /// It is for the crankshaft that there is.
     bool isFitted(v8_plugs::OptionId id) const;
     /// What the paper prints, or the user keeps, of the present engine; nothing where neither does.
     std::optional<v8_plugs::Engine> keptEngine() const;
     QString engineNameTrouble(const QString& name) const;
-
-    // What the desk asks for, as JobDesk::Scene.
-    JournalJob journalEntry() const;
-    /// A job of the journal comes onto the sheet.
-    void takeJob(const CaseFile& file, bool isCopy);
-    bool hasNumbers() const;
-    QString answerLacks() const;
-    /// Whether the sheet's engine is that of a job in all but its name.
-    bool isEngineOf(const CaseFile& job) const;
+    /// @return an empty string, or what went wrong
+    QString changeEngines(const std::function<bool(Journal&)>& change);
 
     /// Readings that do not say with which bob weight they were taken get this one.
     static void noteBobWeight(Input& input, double bobWeight);

@@ -9,9 +9,7 @@
 #include "text/number_text.h"
 #include "v8-plugs/compensation.h"
 #include "v8-plugs/weighing.h"
-#include "workshop/model/bob_text.h"
 #include "workshop/model/workshop_model.h"
-#include "workshop/plugs/model/v8_names.h"
 #include "workshop/plugs/model/v8_text.h"
 
 namespace ravnoves {
@@ -75,6 +73,11 @@ Figure force(const WorkshopModel& model) {
 /// (15)–(18) up to their limits, today's excess, and the point of the option chosen.
 Figure compensation(const WorkshopModel& model) {
     using units::gram;
+    // In the order of their enumeration.
+    static constexpr std::array names{
+        QT_TRANSLATE_NOOP("V8", "steel"), QT_TRANSLATE_NOOP("V8", "aluminium"),
+        QT_TRANSLATE_NOOP("V8", "new: steel"), QT_TRANSLATE_NOOP("V8", "new: its own"),
+        QT_TRANSLATE_NOOP("V8", "new: aluminium")};
     const Words words;
     Figure figure;
     if (model.plugs() == nullptr) {
@@ -90,10 +93,10 @@ Figure compensation(const WorkshopModel& model) {
     for (const v8_plugs::OptionId id : v8_plugs::all_options) {
         Figure::Curve& curve = figure.curves.emplace_back();
         curve.id = v8_plugs::option_word(id).word;
-        curve.style = {.name = v8_names::shortOption(words, id),
+        curve.style = {.name = words.translate("V8", names.at(static_cast<std::size_t>(id))),
                        .role = series(static_cast<int>(id)),
                        .width = 2.0,
-                       .toolTip = v8_names::optionName(words, id)};
+                       .toolTip = v8_text::optionName(words, id)};
         const auto& option = solution.option(id);
         if (!option) {
             continue;
@@ -211,9 +214,7 @@ Notes notes(const WorkshopModel& model) {
 /// Of readings, holes, and what was drilled before.
 Notes holeNotes(const WorkshopModel& model) {
     Notes notes;
-    notes.say(Severity::note,
-              QStringList{bob_text::asReadNote(Words(), model.input(), model.solution()),
-                          model.holeNote()});
+    notes.say(Severity::note, QStringList{model.asReadNote(), model.holeNote()});
     return notes;
 }
 
@@ -224,30 +225,33 @@ Notes matching(const WorkshopModel& model) {
     return notes;
 }
 
-Results drilled(const WorkshopModel& model) {
-    const Words words;
-    const QStringList heads = bob_text::drilledHead(words);
-    return {ResultColumns(heads.begin(), heads.end()),
-            bob_text::drilled(words, model.input().machine, model.solution())};
+Results holes(const WorkshopModel& model) {
+    return model.holeResults();
+}
+
+/// A table in the language of the page.
+template <auto make>
+Results inWords(const WorkshopModel& model) {
+    return (model.*make)(Words());
 }
 
 using Maker = PartMaker<WorkshopModel>;
 constexpr std::array makers{
     Maker{{.id = "notes", .isAnswer = true}, made<notes>},
-    Maker{{.id = "planes", .isAnswer = true}, made<&WorkshopModel::planeResults>},
-    Maker{{.id = "holes", .isAnswer = true}, made<&WorkshopModel::holeResults>},
+    Maker{{.id = "planes", .isAnswer = true}, made<inWords<&WorkshopModel::planeResults>>},
+    Maker{{.id = "holes", .isAnswer = true}, made<holes>},
     Maker{{.id = "hole-notes", .isAnswer = true}, made<holeNotes>},
     Maker{{.id = "runs", .isAnswer = true}, made<&WorkshopModel::runResults>},
-    Maker{{.id = "drilled", .isAnswer = true}, made<drilled>},
+    Maker{{.id = "drilled", .isAnswer = true}, made<inWords<&WorkshopModel::drilledResults>>},
     Maker{{.id = "options", .isAnswer = true}, made<&WorkshopModel::optionResults>},
-    Maker{{.id = "lines", .isAnswer = true}, made<&WorkshopModel::lineResults>},
+    Maker{{.id = "lines", .isAnswer = true}, made<inWords<&WorkshopModel::lineResults>>},
     Maker{{.id = "force"}, made<force>},
     Maker{{.id = "compensation"}, made<compensation>},
     Maker{{.id = "shift"}, made<shift>},
     Maker{{.id = "matching", .tab = "sheet-3"}, made<matching>},
-    Maker{{.id = "effects", .tab = "sheet-3"}, made<&WorkshopModel::effectResults>},
-    Maker{{.id = "assignment", .tab = "sheet-3"}, made<&WorkshopModel::assignmentResults>},
-    Maker{{.id = "take-off", .tab = "sheet-3"}, made<&WorkshopModel::takeOffResults>},
+    Maker{{.id = "effects", .tab = "sheet-3"}, made<inWords<&WorkshopModel::effectResults>>},
+    Maker{{.id = "assignment", .tab = "sheet-3"}, made<inWords<&WorkshopModel::assignmentResults>>},
+    Maker{{.id = "take-off", .tab = "sheet-3"}, made<inWords<&WorkshopModel::takeOffResults>>},
     Maker{{.id = "crankpins", .tab = "sheet-3"}, made<&WorkshopModel::crankpinResults>},
 };
 

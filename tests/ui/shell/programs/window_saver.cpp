@@ -10,7 +10,7 @@
 
 #include "shell/main_window.h"
 #include "shell/screenshot.h"
-#include "shop/model/job_desk.h"
+#include "workshop/model/job_desk.h"
 #include "text/language.h"
 #include "theme/theme.h"
 

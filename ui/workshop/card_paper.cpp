@@ -1,42 +1,30 @@
-#include "shop/job_card.h"
+// The job card on its paper: sheets, printer, PDF.
 
 #include <QBuffer>
 #include <QCoreApplication>
-#include <QDir>
-#include <QFileInfo>
-#include <QImage>
 #include <QPageLayout>
 #include <QPagedPaintDevice>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSettings>
-#include <QStandardPaths>
 #include <algorithm>
 
-#include "case-file/input_error.h"
-#include "case-file/text_file.h"
 #include "numerics/units.h"
 #include "shop/card_page.h"
-#include "text/file_path.h"
 #include "text/usual_paper.h"
 #include "text/write_file.h"
+#include "workshop/workshop_card.h"
 
 namespace ravnoves {
 
 namespace {
 
-const QString shopName = QStringLiteral("workshop/shop-name");
-const QString shopLogo = QStringLiteral("workshop/shop-logo");
 const QString paperKey = QStringLiteral("workshop/paper");  ///< upright, in points
 
 /// The paper of the last card.
 QPageSize paper() {
     const QPageSize kept(QSettings().value(paperKey).toSize());
     return kept.isValid() ? kept : QPageSize(usualPaper());
-}
-
-QDir shopFolder() {
-    return {QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)};
 }
 
 /// Above the card's title, where the margin is.
@@ -56,64 +44,13 @@ void drawShop(CardPage& page, const Shop& shop) {
 
 }  // namespace
 
-QImage Shop::read(const QString& file) {
-    try {
-        return file.isEmpty()
-                   ? QImage()
-                   : QImage::fromData(QByteArray::fromStdString(read_text_file(fsPath(file))));
-    } catch (const InputError&) {
-        return {};
-    } catch (const std::bad_alloc&) {
-        return {};
-    }
-}
-
-Shop Shop::kept() {
-    const QSettings settings;
-    return {settings.value(shopName).toString(), settings.value(shopLogo).toString()};
-}
-
-QString Shop::keep() const {
-    QSettings settings;
-    settings.setValue(shopName, name);
-    const QDir folder = shopFolder();
-    const QFileInfo chosen(logo);
-    QString own = logo;
-    QString trouble;
-    if (!logo.isEmpty() && chosen.absolutePath() != folder.absolutePath()) {
-        own = folder.filePath(QStringLiteral("shop-logo.") + chosen.suffix().toLower());
-        trouble = this->trouble();
-        if (trouble.isEmpty() && QDir().mkpath(folder.path())) {
-            trouble = writeFile(own, [&] { return read_text_file(fsPath(logo)); });
-        }
-        own = trouble.isEmpty() ? own : logo;
-    }
-    settings.setValue(shopLogo, own);
-    for (const QFileInfo& each :
-         folder.entryInfoList({QStringLiteral("shop-logo.*")}, QDir::Files)) {
-        if (each.filePath() != own) {
-            QFile::remove(each.filePath());
-        }
-    }
-    return trouble;
-}
-
-QString Shop::trouble() const {
-    return logo.isEmpty() || !read(logo).isNull()
-               ? QString()
-               : QCoreApplication::translate(
-                     "ravnoves::JobCard",
-                     "The card has no logo, because the file cannot be read: %1")
-                     .arg(QDir::toNativeSeparators(logo));
-}
-
-QString JobCard::otherRefusedText() const {
+QString WorkshopCard::otherRefusedText() const {
     QStringList others = refused_;
     others.removeIf([this](const QString& each) { return refusedOfResult_.contains(each); });
     return refusedNote(words_, others);
 }
 
-double JobCard::goOn(CardPage& page) const {
+double WorkshopCard::goOn(CardPage& page) const {
     constexpr double points = 9.0;
     const double end = CardPage::top + page.paragraph(CardPage::left, CardPage::top, CardPage::full,
                                                       title(), points, true);
@@ -121,8 +58,8 @@ double JobCard::goOn(CardPage& page) const {
     return end + 3.0;
 }
 
-void JobCard::paint(QPainter& painter, const QRectF& page,
-                    const std::function<bool()>& next) const {
+void WorkshopCard::paint(QPainter& painter, const QRectF& page,
+                         const std::function<bool()>& next) const {
     painter.save();
     CardPage counted(painter, page);
     counted.setMeasuring(true);
@@ -154,21 +91,21 @@ void JobCard::paint(QPainter& painter, const QRectF& page,
     painter.restore();
 }
 
-void JobCard::setPage(QPagedPaintDevice& device) {
+void WorkshopCard::setPage(QPagedPaintDevice& device) {
     QPageLayout layout(paper(), QPageLayout::Portrait, QMarginsF(0, 0, 0, 0),
                        QPageLayout::Millimeter);
     layout.setMode(QPageLayout::FullPageMode);
     device.setPageLayout(layout);
 }
 
-void JobCard::keepPaper(const QPagedPaintDevice& device) {
+void WorkshopCard::keepPaper(const QPagedPaintDevice& device) {
     const QPageSize chosen = device.pageLayout().pageSize();
     if (chosen.isValid() && chosen != paper()) {  // the usual one may change with the country
         QSettings().setValue(paperKey, chosen.sizePoints());
     }
 }
 
-bool JobCard::print(QPagedPaintDevice& device) const {
+bool WorkshopCard::print(QPagedPaintDevice& device) const {
     QPainter painter;
     if (!painter.begin(&device)) {
         return false;
@@ -195,7 +132,7 @@ bool JobCard::print(QPagedPaintDevice& device) const {
     return painter.end() && isWhole;
 }
 
-QString JobCard::writePdf(const QString& path) const {
+QString WorkshopCard::writePdf(const QString& path) const {
     QBuffer whole;  // a file is only begun with a card that is painted
     whole.open(QIODevice::WriteOnly);
     bool painted = false;

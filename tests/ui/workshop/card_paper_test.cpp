@@ -9,25 +9,13 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
-#include "shop/card_page.h"
-#include "shop/job_card.h"
 #include "text/usual_paper.h"
+#include "workshop/workshop_card.h"
 
 namespace ravnoves {
 namespace {
 
 using namespace Qt::StringLiterals;
-
-class PlainCard : public JobCard {
-  public:
-    PlainCard() : JobCard(Words()) {}
-
-  protected:
-    void draw(CardPage& page) const override {
-        page.text(CardPage::left, CardPage::top, CardPage::full, u"Job"_s, 12);
-    }
-    QString title() const override { return u"Job"_s; }
-};
 
 class CardPaperTest : public ::testing::Test {
   protected:
@@ -37,18 +25,18 @@ class CardPaperTest : public ::testing::Test {
 
     QPageSize paperOfNext() const {
         QPdfWriter writer(folder.filePath(u"next.pdf"_s));
-        JobCard::setPage(writer);
+        WorkshopCard::setPage(writer);
         return writer.pageLayout().pageSize();
     }
     void choose(const QPageSize& size) const {
         QPdfWriter writer(folder.filePath(u"chosen.pdf"_s));
-        JobCard::setPage(writer);
+        WorkshopCard::setPage(writer);
         writer.setPageSize(size);
-        JobCard::keepPaper(writer);
+        WorkshopCard::keepPaper(writer);
     }
     QByteArray written() const {
         const QString path = folder.filePath(u"card.pdf"_s);
-        EXPECT_EQ(PlainCard().writePdf(path), QString());
+        EXPECT_EQ(WorkshopCard(WorkshopModel(QString()), Words()).writePdf(path), QString());
         QFile file(path);
         EXPECT_TRUE(file.open(QIODevice::ReadOnly));
         return file.readAll();

@@ -1,12 +1,12 @@
-#include "shop/journal_banner.h"
+#include "workshop/journal_banner.h"
 
 #include <QLabel>
 #include <QPushButton>
 
-#include "shop/model/job_desk.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
+#include "workshop/model/job_desk.h"
 
 namespace ravnoves {
 

@@ -5,12 +5,14 @@
 #include <functional>
 #include <memory>
 
-#include "model/scene_model.h"
+#include "case-file/case_file.h"
 #include "shop/job_header.h"
 #include "shop/model/journal.h"
 #include "shop/model/words.h"
 
 namespace ravnoves {
+
+class WorkshopModel;
 
 /// Where a job lies while it is worked on: its place in the journal, and the language of its card.
 /// For a crash it is kept as any case is (model/recovery.h).
@@ -18,26 +20,8 @@ class JobDesk : public QObject {
     Q_OBJECT
 
   public:
-    /// What differs from scene to scene.
-    struct Scene {
-        /// What the journal's lists and searches show of the job; id, revision, scene and form are
-        /// the desk's.
-        std::function<JournalJob()> entry;
-        /// Adopts a job's case, as it was or to be the sheet of another one: what says whose it
-        /// is, and all that was weighed and read, is new then. Nothing has changed where it throws.
-        /// @throws InputError
-        std::function<void(const CaseFile& file, bool isCopy)> take;
-        /// False while no weight and no reading of the job is on the sheet.
-        std::function<bool()> hasNumbers;
-        /// What the answer still lacks, as a sentence; empty where it lacks nothing.
-        std::function<QString()> missing;
-        /// Whether the engine of a job's case is that of the sheet in all but its name.
-        /// @throws InputError
-        std::function<bool(const CaseFile& file)> isSameEngine;
-    };
-
     /// @param journalPath  the journal's file; empty: none is kept (pictures, tests)
-    JobDesk(SceneModel* model, const QString& journalPath, Scene scene);
+    JobDesk(WorkshopModel* model, const QString& journalPath);
     ~JobDesk() override;
 
     /// Opens the journal; called once the page is shown. False: no journal, see journalTrouble().
@@ -74,8 +58,6 @@ class JobDesk : public QObject {
     /// The verdict of the finished job in the journal that saving would put a withheld one in the
     /// place of; empty where it would not.
     QString verdictToLose();
-    QString verdictOnSheet() const { return scene_.entry().verdict; }
-    QString engineOnSheet() const { return numbersOf(scene_.entry()); }
     /// A job that is in no journal yet, and has nothing by which it could be found there.
     bool isNameless() const;
     /// True where the journal has the sheet in its present state, though a case file may not.
@@ -97,8 +79,6 @@ class JobDesk : public QObject {
     /// What it keeps for another engine of the kind, as a new job.
     QString copyJob(qint64 id) { return takeJob(id, true); }
 
-    /// Of engine and crankshaft; a dash where it has none.
-    static QString numbersOf(const JournalJob& job);
     /// What the case of a job is known by: both numbers and the customer, where it has them. Empty
     /// for other cases.
     static QStringList wordsOf(const CaseFile& file);
@@ -130,8 +110,7 @@ class JobDesk : public QObject {
     QString takeJob(qint64 id, bool isCopy);
     QString takeForm(const QByteArray& form, qint64 id, int revision, bool isCopy);
 
-    SceneModel* model_;
-    Scene scene_;
+    WorkshopModel* model_;
     QString cardLanguage_;
     QString journalPath_;
     std::unique_ptr<Journal> journal_;

@@ -1,8 +1,7 @@
-#include "shop/model/job_desk.h"
+#include "workshop/model/job_desk.h"
 
 #include <QDate>
 #include <QSettings>
-#include <utility>
 
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
@@ -12,6 +11,7 @@
 #include "scenes/scenes.h"
 #include "shop/model/verdict.h"
 #include "text/error_text.h"
+#include "workshop/model/workshop_model.h"
 
 namespace ravnoves {
 
@@ -34,8 +34,8 @@ QList<JobDesk*>& desks() {
 
 }  // namespace
 
-JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
-    : QObject(model), model_(model), scene_(std::move(scene)), journalPath_(journalPath) {
+JobDesk::JobDesk(WorkshopModel* model, const QString& journalPath)
+    : QObject(model), model_(model), journalPath_(journalPath) {
     if (!journalPath_.isEmpty()) {
         desks() << this;
         const QSettings settings;
@@ -99,7 +99,7 @@ void JobDesk::putJobId(qint64 id, int revision) {
 }
 
 bool JobDesk::isNameless() const {
-    return jobId_ == 0 && !isNamed(scene_.entry()) && scene_.hasNumbers();
+    return jobId_ == 0 && !isNamed(model_->journalEntry()) && model_->hasNumbers();
 }
 
 void JobDesk::forgetJob() {
@@ -175,12 +175,6 @@ void JobDesk::takeRestored() {
     Q_EMIT journalOpened();  // engines may have come with it
 }
 
-QString JobDesk::numbersOf(const JournalJob& job) {
-    QStringList numbers{job.engineNumber, job.crankshaftNumber};
-    numbers.removeAll(QString());
-    return numbers.isEmpty() ? QStringLiteral("–") : numbers.join(QStringLiteral(" / "));
-}
-
 QStringList JobDesk::wordsOf(const CaseFile& file) {
     QStringList words;
     const std::string head(shop::field::job.key);
@@ -202,7 +196,7 @@ bool JobDesk::isSameEngine(const JournalJob& there, const JournalJob& here) cons
         return true;
     }
     try {
-        return scene_.isSameEngine(parse_shown_case(there.form.toStdString()));
+        return model_->isEngineOf(parse_shown_case(there.form.toStdString()));
     } catch (const InputError&) {
         return false;
     }
@@ -216,7 +210,7 @@ QString JobDesk::otherEngine() {
     if (!there) {
         return {};
     }
-    const JournalJob here = scene_.entry();
+    const JournalJob here = model_->journalEntry();
     // A number that comes later is of the same engine.
     const auto isOther = [](const QString& before, const QString& now) {
         return !before.isEmpty() && before != now;
@@ -224,7 +218,7 @@ QString JobDesk::otherEngine() {
     return isOther(there->engineNumber, here.engineNumber) ||
                    isOther(there->crankshaftNumber, here.crankshaftNumber) ||
                    (!there->engine.isEmpty() && !isSameEngine(*there, here))
-               ? numbersOf(*there)
+               ? there->numbers()
                : QString();
 }
 
@@ -232,7 +226,7 @@ std::optional<JournalJob> JobDesk::sameJob() {
     if (jobId_ != 0 || !openJournal()) {
         return std::nullopt;
     }
-    const JournalJob here = scene_.entry();
+    const JournalJob here = model_->journalEntry();
     JournalQuery query;
     query.from = here.date;
     query.to = here.date;
@@ -260,7 +254,7 @@ std::optional<JournalJob> JobDesk::sameJob() {
 }
 
 QString JobDesk::verdictToLose() {
-    if (jobId_ == 0 || !isOpen() || !isWithheld(scene_.entry().verdict)) {
+    if (jobId_ == 0 || !isOpen() || !isWithheld(model_->journalEntry().verdict)) {
         return {};
     }
     const auto there = journal_->job(jobId_);
@@ -271,18 +265,18 @@ QString JobDesk::saveJob(bool* ok, bool isFinished) {
     if (ok != nullptr) {
         *ok = false;
     }
-    if (jobId_ == 0 && !isNamed(scene_.entry()) && !scene_.hasNumbers()) {
-        return tr("The sheet is empty: not saved.") + QLatin1Char(' ') + scene_.missing();
+    if (jobId_ == 0 && !isNamed(model_->journalEntry()) && !model_->hasNumbers()) {
+        return tr("The sheet is empty: not saved.") + QLatin1Char(' ') + model_->answerLacks();
     }
     if (!openJournal()) {
         return journalTrouble_.isEmpty() ? tr("The journal is not available.") : journalTrouble_;
     }
     model_->keepForSaving();
-    JournalJob job = scene_.entry();
+    JournalJob job = model_->journalEntry();
     job.id = jobId_;
     job.revision = jobRevision_;
     job.scene = model_->sceneName();
-    job.isFinished = isFinished && isNamed(job) && scene_.missing().isEmpty();
+    job.isFinished = isFinished && isNamed(job) && model_->answerLacks().isEmpty();
     job.form = formText();
     const Journal::Saved saved = journal_->save(job);
     if (saved == Journal::Saved::No) {
@@ -318,7 +312,7 @@ QString JobDesk::savedText(Journal::Saved saved, const JournalJob& job) const {
             ? tr("Job %1 was changed by another program: saved as a new job.").arg(number)
         : job.isFinished ? tr("Job %1 saved in the journal.").arg(number)
                          : tr("Job %1 put aside in the journal, unfinished.").arg(number);
-    QStringList said{done, scene_.missing()};
+    QStringList said{done, model_->answerLacks()};
     if (!isNamed(job)) {
         said << tr("Enter a number of engine or crankshaft, or a customer, to find the job again.");
     }
@@ -335,7 +329,7 @@ QString JobDesk::takeForm(const QByteArray& form, qint64 id, int revision, bool 
                               quoted_list({model_->sceneName().toStdString()})},
                              file.scene);
         }
-        replaceJob(isCopy ? 0 : id, isCopy ? 0 : revision, [&] { scene_.take(file, isCopy); });
+        replaceJob(isCopy ? 0 : id, isCopy ? 0 : revision, [&] { model_->takeJob(file, isCopy); });
         return {};
     } catch (const InputError& error) {
         return tr("The job's sheet cannot be read: %1").arg(errorText(error));
