@@ -38,7 +38,6 @@
 #include "shell/recovery_dialog.h"
 #include "shell/start_page.h"
 #include "shell/variant_menu.h"
-#include "shop/journal_dialog.h"
 #include "shop/scale_button.h"
 #include "studies/tolerance_window.h"
 #include "text/language.h"
@@ -46,6 +45,7 @@
 #include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "workshop/journal_dialog.h"
 
 namespace ravnoves {
 

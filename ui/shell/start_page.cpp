@@ -20,7 +20,6 @@
 
 #include "model/case_document.h"
 #include "shell/scene_list.h"
-#include "shop/journal_dialog.h"
 #include "shop/model/journal.h"
 #include "shop/model/verdict.h"
 #include "text/plain_title.h"
@@ -29,7 +28,8 @@
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
-#include "workshop/workshop_page.h"
+#include "workshop/journal_dialog.h"
+#include "workshop/model/listed_job.h"
 
 namespace ravnoves {
 
@@ -229,7 +229,7 @@ QString jobText(const Words& words, const JournalJob& job) {
     QStringList said{words.day(job.date.toString(Qt::ISODate)),
                      job.numbers(),
                      job.customer,
-                     WorkshopPage::listed(words, job).engine,
+                     listedJob(words, job).engine,
                      verdictText(words, job.verdict),
                      job.isFinished ? QString() : StartPage::tr("unfinished")};
     said.removeAll(QString());

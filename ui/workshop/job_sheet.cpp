@@ -3,10 +3,10 @@
 #include <QSignalBlocker>
 
 #include "shop/job_header.h"
-#include "shop/journal_dialog.h"
 #include "text/message_text.h"
 #include "theme/theme.h"
 #include "v8-plugs/fields.h"
+#include "workshop/journal_dialog.h"
 #include "workshop/sheets.h"
 
 namespace ravnoves {

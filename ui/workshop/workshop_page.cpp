@@ -19,13 +19,9 @@
 #include <atomic>
 #include <exception>
 
-#include "bob-weights/input.h"
-#include "case-file/field_reader.h"
-#include "case-file/json.h"
 #include "model/worker_thread.h"
 #include "page/refused_entries.h"
 #include "pictures/file_dialogs.h"
-#include "shop/journal_dialog.h"
 #include "shop/model/verdict.h"
 #include "shop/shop_dialog.h"
 #include "text/error_text.h"
@@ -40,8 +36,8 @@
 #include "widgets/page_columns.h"
 #include "widgets/verdict_line.h"
 #include "workshop/journal_banner.h"
+#include "workshop/journal_dialog.h"
 #include "workshop/model/workshop_model.h"
-#include "workshop/plugs/model/v8_text.h"
 #include "workshop/sheets.h"
 #include "workshop/workshop_answer.h"
 #include "workshop/workshop_card.h"
@@ -51,17 +47,6 @@ namespace ravnoves {
 namespace {
 constexpr int sheetWidth = 470;
 constexpr int narrowestSheet = 280;
-
-/// Of a job without plugs, in the language of the list.
-QString listedEngine(const Words& words, const JournalJob& job) {
-    try {
-        const Json engine = parse_json(job.form.toStdString()).at("input").at("engine");
-        return WorkshopModel::engineName(
-            words, read_fields<bob_weights::Engine>(engine, Completeness::as_is));
-    } catch (const std::exception&) {
-        return job.engine;  // a sheet that cannot be read says so when it is opened
-    }
-}
 
 /// One types into it.
 bool isEntry(const QWidget* field, const WorkshopSheet& sheet) {
@@ -169,33 +154,6 @@ void WorkshopPage::doVerdictAct() {
     if (QWidget* hole = correction_->lastDrilled()) {
         hole->setFocus(Qt::TabFocusReason);
     }
-}
-
-ListedJob WorkshopPage::listed(const Words& words, const JournalJob& job) {
-    if (job.process.isEmpty()) {
-        return {listedEngine(words, job),
-                job.bobWeight ? words.translate("BobWeights", "Bob weight %1")
-                                    .arg(words.number(*job.bobWeight * units::gram, units::gram, 1))
-                              : QStringLiteral("–")};
-    }
-    ListedJob text{v8_text::engineName(words, job.engine.toStdString()), job.recommended};
-    if (job.recommended.isEmpty()) {
-        text.result = QStringLiteral("–");
-    } else if (job.recommended == QLatin1String("none-needed")) {
-        text.result = tr("no action required");
-    } else if (job.recommended == QLatin1String("not-compensated")) {
-        text.result = tr("not compensated");
-    }
-    for (const v8_plugs::OptionId id : v8_plugs::all_options) {
-        if (job.recommended.toStdString() == v8_plugs::option_word(id).word) {
-            text.result = v8_text::optionName(words, id);
-            if (job.reduction) {
-                text.result +=
-                    QStringLiteral(", ") + v8_text::grams(words, *job.reduction * units::gram);
-            }
-        }
-    }
-    return text;
 }
 
 QString WorkshopPage::resultsAsText() const {
@@ -620,7 +578,7 @@ void WorkshopPage::showJournal(const QString& search) {
         QMessageBox::warning(this, tr("Journal"), desk()->journalTrouble());
         return;
     }
-    JournalDialog dialog(desk()->journal(), &WorkshopPage::listed, this);
+    JournalDialog dialog(desk()->journal(), this);
     dialog.searchFor(search);
     connect(&dialog, &JournalDialog::removed, desk(), &JobDesk::missJob);
     if (dialog.exec() == QDialog::Accepted) {

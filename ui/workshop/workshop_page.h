@@ -3,7 +3,6 @@
 #include <QSet>
 
 #include "page/scene_page.h"
-#include "shop/model/journal.h"
 
 class QPrinter;
 class QTabWidget;
@@ -13,11 +12,9 @@ namespace ravnoves {
 class CorrectionSheet;
 class JobDesk;
 class JournalBanner;
-struct ListedJob;
 class MachineSheet;
 class WorkshopSheet;
 class VerdictLine;
-class Words;
 class WorkshopAnswer;
 class WorkshopCard;
 class WorkshopModel;
@@ -47,8 +44,6 @@ class WorkshopPage : public ScenePage {
 
     /// Opens the journal; happens by itself once shown.
     void openJournal();
-    /// Engine and result as lists of the journal's jobs say them.
-    static ListedJob listed(const Words& words, const JournalJob& job);
 
     // For tests.
     QTabWidget* sheets() const { return sheets_; }

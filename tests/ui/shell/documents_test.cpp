@@ -33,7 +33,7 @@
 #include "page/scene_page.h"
 #include "shell/main_window.h"
 #include "shell/screenshot.h"
-#include "shop/journal_dialog.h"
+#include "workshop/journal_dialog.h"
 #include "workshop/model/job_desk.h"
 
 namespace ravnoves {

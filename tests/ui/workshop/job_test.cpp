@@ -18,11 +18,12 @@
 #include "model/case_document.h"
 #include "page/part_views.h"
 #include "shop/checked_field.h"
-#include "shop/journal_dialog.h"
 #include "shop/model/verdict.h"
 #include "shown_number.h"
 #include "text/language.h"
 #include "text/preferences.h"
+#include "workshop/journal_dialog.h"
+#include "workshop/model/listed_job.h"
 #include "workshop/plane_view.h"
 #include "workshop/sheets.h"
 
@@ -711,33 +712,26 @@ TEST_F(JobPageTest, ReadingsAreOfTheirCrankshaftAlone) {
 TEST_F(JobPageTest, WhatIsMissingIsSaidWithItsPlace) {
     typeShopCard();
     typeReadings();
-    type("radius_1", QString());
-    EXPECT_TRUE(
-        label("troubles")
-            .contains(u"Sheet 5, Front plane: enter Radius. From the axis to the drilled rim"_s))
-        << label("troubles").toStdString();
-    typeReadings();
-    type("diameters_mm", QString());
-    EXPECT_TRUE(
-        label("troubles")
-            .contains(
-                u"Sheet 6, drills: enter Drills in mm, separated by semicolons: 8; 10; 12.5"_s))
-        << label("troubles").toStdString();
-    type("diameters_mm", u"8"_s);
-    type("maximum_depth_mm", QString());
-    EXPECT_TRUE(label("troubles").contains(u"Sheet 6, drills: enter Maximum depth."_s))
-        << label("troubles").toStdString();
-    type("maximum_depth_mm", u"20"_s);
-    type("slug_density_kg_m3", u"17000"_s);
-    EXPECT_TRUE(
-        label("troubles")
-            .contains(
-                u"Sheet 6, heavy metal: enter Slug diameter. Diameter of the available slugs."_s))
-        << label("troubles").toStdString();
-    type("slug_density_kg_m3", QString());
-    type("grade_mm_s", u"6.3"_s);
-    EXPECT_TRUE(label("troubles").contains(u"Sheet 5, permissible residual: "_s));
-    EXPECT_FALSE(label("troubles").contains(u"missing"_s)) << label("troubles").toStdString();
+    const struct {
+        const char* field;
+        const char* wrong;
+        const char* right;
+        QString said;
+    } cases[] = {{"radius_1", "", "85",
+                  u"Sheet 5, Front plane: enter Radius. From the axis to the drilled rim"_s},
+                 {"diameters_mm", "", "8",
+                  u"Sheet 6, drills: enter Drills in mm, separated by semicolons: 8; 10; 12.5"_s},
+                 {"maximum_depth_mm", "", "20", u"Sheet 6, drills: enter Maximum depth."_s},
+                 {"slug_density_kg_m3", "17000", "",
+                  u"Sheet 6, heavy metal: enter Slug diameter. Diameter of the available slugs."_s},
+                 {"grade_mm_s", "6.3", "", u"Sheet 5, permissible residual: "_s}};
+    for (const auto& each : cases) {
+        type(each.field, QString::fromLatin1(each.wrong));
+        EXPECT_TRUE(label("troubles").contains(each.said)) << qPrintable(label("troubles"));
+        EXPECT_FALSE(label("troubles").contains(u"missing"_s)) << qPrintable(label("troubles"));
+        type(each.field, QString::fromLatin1(each.right));
+        EXPECT_FALSE(label("troubles").contains(each.said)) << qPrintable(label("troubles"));
+    }
 }
 
 TEST_F(JobPageTest, AJobWithoutNumbersIsNotSavedAndNoneIsFinishedUnfound) {
@@ -822,9 +816,9 @@ TEST_F(JobPageTest, JournalAndCard) {
     JournalJob listed = model->journalEntry();
     listed.form = QByteArray::fromStdString(write_case(model->caseFile()).dump());
     const Words russian(u"ru"_s);
-    EXPECT_EQ(WorkshopPage::listed(russian, listed).engine,
+    EXPECT_EQ(listedJob(russian, listed).engine,
               WorkshopModel::engineName(russian, model->input().engine));
-    EXPECT_NE(WorkshopPage::listed(russian, listed).engine, u"4 in line"_s);
+    EXPECT_NE(listedJob(russian, listed).engine, u"4 in line"_s);
     model->history()->undo();
     // The next job keeps engine, planes and drills; readings and masses are new.
     press(Qt::Key_F4);
@@ -1121,15 +1115,6 @@ TEST_F(JobPageTest, PlanesAtOnePlaceAreNamedAsTheFormNamesThem) {
     EXPECT_TRUE(said.contains(u"Rear plane, position: must differ"_s)) << qPrintable(said);
 }
 
-TEST_F(JobPageTest, WhatIsTypedAfterARefusedEnterTakesItsPlace) {
-    type("rings", u"1,250"_s);
-    auto* rings = field("rings");
-    EXPECT_FALSE(rings->trouble().isEmpty());
-    QTest::keyClicks(rings, u"69"_s);
-    EXPECT_EQ(rings->text(), u"69"_s);
-    EXPECT_EQ(rings->value(), 69.0);
-}
-
 TEST_F(JobPageTest, WhatIsZeroNeedsNoAngle) {
     typeShopCard();
     typeReadings();
@@ -1169,6 +1154,10 @@ TEST_F(JobPageTest, ARefusedEntryMakesTheAnswerStale) {
     EXPECT_TRUE(label("refused").contains(u"Piston"_s)) << qPrintable(label("refused"));
     EXPECT_TRUE(isAmber("headline"));
     EXPECT_FALSE(find<QLabel>("headline")->font().bold());
+    EXPECT_EQ(page.focusWidget(), field("piston")) << "Enter does not pass it over";
+    // The tab says so, wherever one is.
+    show(JobTab);
+    EXPECT_EQ(page.sheets()->tabBar()->tabTextColor(PartsTab), Theme::instance().error());
     EXPECT_TRUE(card({u"Piston, g: no number"_s}).contains(u"entries not accepted: Piston"_s));
     const auto asked = answer(u"Continue"_s);
     save();
@@ -1178,6 +1167,7 @@ TEST_F(JobPageTest, ARefusedEntryMakesTheAnswerStale) {
     type("piston", u"583.9"_s);
     EXPECT_TRUE(label("refused").isEmpty());
     EXPECT_FALSE(isAmber("headline"));
+    EXPECT_FALSE(page.sheets()->tabBar()->tabTextColor(PartsTab).isValid());
     save();
     EXPECT_TRUE(jobs().at(0).isFinished);
 }

@@ -13,7 +13,7 @@
 #include "job_page_test.h"
 #include "pictures/file_dialogs.h"
 #include "shop/checked_field.h"
-#include "shop/journal_dialog.h"
+#include "workshop/journal_dialog.h"
 
 namespace ravnoves {
 namespace {
@@ -258,9 +258,7 @@ TEST_F(PlugsPageTest, LongJournalSaysThatTheListIsCutAndExportsAll) {
         ASSERT_EQ(model->desk()->journal()->save(job), Journal::Saved::Yes);
     }
     database.commit();
-    JournalDialog dialog(model->desk()->journal(), [](const Words&, const JournalJob& job) {
-        return ListedJob{job.engine, job.recommended};
-    });
+    JournalDialog dialog(model->desk()->journal());
     EXPECT_EQ(dialog.findChild<QTableWidget*>(u"journal_table"_s)->rowCount(), 1000);
     bool said = false;
     for (const QLabel* each : dialog.findChildren<QLabel*>()) {
@@ -279,10 +277,11 @@ TEST_F(PlugsPageTest, TheResultIsReadWholeWhereTheListHasRoom) {
     job.scene = u"workshop"_s;
     job.date = QDate(2024, 5, 31);
     job.isFinished = true;
+    job.process = u"repair"_s;
+    job.recommended = QString::fromUtf8(option_word(all_options[4]).word);
+    job.reduction = 3.14;
     ASSERT_EQ(model->desk()->journal()->save(job), Journal::Saved::Yes);
-    JournalDialog dialog(model->desk()->journal(), [](const Words&, const JournalJob&) {
-        return ListedJob{{}, u"aluminium plugs in the place of all, 3.14 g"_s};
-    });
+    JournalDialog dialog(model->desk()->journal());
     const auto* table = dialog.findChild<QTableWidget*>(u"journal_table"_s);
     const auto needed = [&] {
         return table->sizeHintForIndex(table->model()->index(0, 6)).width();
@@ -320,9 +319,7 @@ TEST_F(PlugsPageTest, JournalDialogExportsWhatItLists) {
         type("engine_number", number);
         save();
     }
-    JournalDialog dialog(model->desk()->journal(), [](const Words&, const JournalJob& job) {
-        return ListedJob{job.engine, job.recommended};
-    });
+    JournalDialog dialog(model->desk()->journal());
     dialog.findChild<QLineEdit*>(u"journal_search"_s)->setText(u"b-"_s);
     const QString file = QDir(folder.path()).filePath(u"list.csv"_s);
     EXPECT_EQ(dialog.exportTo(file), QString());

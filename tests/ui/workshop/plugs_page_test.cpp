@@ -11,11 +11,11 @@
 #include "job_page_test.h"
 #include "page/part_views.h"
 #include "painted.h"
-#include "shop/journal_dialog.h"
 #include "text/language.h"
 #include "theme/theme.h"
 #include "widgets/entry_field.h"
 #include "widgets/result_table.h"
+#include "workshop/journal_dialog.h"
 
 namespace ravnoves {
 namespace {

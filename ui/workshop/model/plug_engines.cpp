@@ -257,21 +257,12 @@ void WorkshopModel::reloadEngines() {
 }
 
 void WorkshopModel::setPlugs(const QString& name, EngineGroup group, bool present) {
-    if (!present) {
-        plugsBefore_[group] = input().plugs.value();
-    }
     editPlugs(name, [&](v8_plugs::Input& plugs) {
         set_plugs(plugs.engine, group, present);
         if (!plugs.engine.has_new_plug) {
             plugs.crankshaft = Crankshaft::standard;
         }
-        if (!present) {
-            return;
-        }
-        const auto before = plugsBefore_.find(group);
-        const bool isSame = before != plugsBefore_.end() && before->second.preset == plugs.preset &&
-                            before->second.engine.name == plugs.engine.name;
-        if (const auto known = isSame ? std::optional(before->second.engine) : keptEngine()) {
+        if (const auto known = present ? keptEngine() : std::nullopt) {
             for (const EngineField& each : engine_fields()) {
                 if (each.group == group) {
                     plugs.engine.*each.member = (*known).*each.member;

@@ -212,7 +212,6 @@ QString WorkshopModel::jobName() const {
 void WorkshopModel::aboutToLoad() {
     desk_.forgetJob();
     otherForm_.reset();
-    plugsBefore_.clear();
     isLoading_ = true;
 }
 
@@ -590,7 +589,6 @@ void WorkshopModel::newJob() {
     }
     next.job.technician = input().job.technician;
     otherForm_.reset();
-    plugsBefore_.clear();
     desk_.beginJob([&] {
         setTitle({});
         // Undo must not bring another job's values under this job's number.
@@ -605,7 +603,6 @@ void WorkshopModel::takeJob(const CaseFile& file, bool isCopy) {
         next.job.technician = input().job.technician;
     }
     otherForm_.reset();
-    plugsBefore_.clear();
     editText(QString::fromStdString(file.title),
              isCopy ? QString() : QString::fromStdString(file.notes));
     // Undo must not bring another job's values under this job's number.

@@ -2,7 +2,6 @@
 
 #include <QList>
 #include <QStringList>
-#include <map>
 #include <optional>
 
 #include "model/case_model.h"
@@ -168,8 +167,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     bool ownEngineChanged() const;
     /// Where the engine's values come from, and what the user should know of them.
     QString engineNote() const;
-    /// Says whether the engine has the plugs of the group. The values of those that come back are
-    /// what was there, else what the engine's own data have.
+    /// Says whether the engine has the plugs of the group; those that come are the engine's own.
     void setPlugs(const QString& name, v8_plugs::EngineGroup group, bool present);
     /// Takes the nominal masses for the bob weight from the nominal parts of the weigh-in sheet.
     void fillNominalMasses();
@@ -348,7 +346,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     Input beforeEditing_;             ///< of a field; else before the last change
     std::optional<Input> otherForm_;  ///< what was there before plugs came or went
     QList<JournalEngine> ownEngines_;
-    std::map<v8_plugs::EngineGroup, v8_plugs::Input> plugsBefore_;  ///< those taken out
     JobDesk desk_;
 };
 

@@ -2,7 +2,6 @@
 
 #include <QDialog>
 #include <QList>
-#include <functional>
 
 #include "shop/model/journal.h"
 #include "shop/model/words.h"
@@ -18,12 +17,6 @@ namespace ravnoves {
 class CheckedField;
 class TroubleLine;
 
-/// What the list says of a job.
-struct ListedJob {
-    QString engine;
-    QString result;
-};
-
 /// The jobs in the journal: search by numbers, customer or date, open, copy, remove, export.
 class JournalDialog : public QDialog {
     Q_OBJECT
@@ -31,9 +24,7 @@ class JournalDialog : public QDialog {
   public:
     enum class Choice { None, Open, Copy };
 
-    using Listed = std::function<ListedJob(const Words& words, const JournalJob& job)>;
-
-    JournalDialog(Journal* journal, Listed listed, QWidget* parent = nullptr);
+    explicit JournalDialog(Journal* journal, QWidget* parent = nullptr);
 
     /// What the user wants with chosenId(); None where the dialog was only closed.
     Choice choice() const { return choice_; }
@@ -62,7 +53,6 @@ class JournalDialog : public QDialog {
     QStringList cellsOf(const Words& words, const JournalJob& job) const;
 
     Journal* journal_;
-    Listed listed_;
     QList<JournalJob> jobs_;
     bool truncated_ = false;  // more match than the list shows
     Choice choice_ = Choice::None;

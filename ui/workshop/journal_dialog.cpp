@@ -1,4 +1,4 @@
-#include "shop/journal_dialog.h"
+#include "workshop/journal_dialog.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -23,6 +23,7 @@
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/text_length.h"
+#include "workshop/model/listed_job.h"
 
 namespace ravnoves {
 
@@ -66,8 +67,8 @@ QString dayTrouble(const QString& text) {
                                          .arg(text, Words().day(QStringLiteral("2024-05-31")));
 }
 
-JournalDialog::JournalDialog(Journal* journal, Listed listed, QWidget* parent)
-    : QDialog(parent), journal_(journal), listed_(std::move(listed)) {
+JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
+    : QDialog(parent), journal_(journal) {
     setWindowTitle(tr("Journal of jobs"));
     resizeWithText(this, 1120, 560);
     auto* column = new QVBoxLayout(this);
@@ -208,7 +209,7 @@ QStringList JournalDialog::cellsOf(const Words& words, const JournalJob& job) co
                    number(job.frontReading, units::gram_mm) + QStringLiteral(" / ") +
                    number(job.rearReading, units::gram_mm);
     }
-    const ListedJob listed = listed_(words, job);
+    const ListedJob listed = listedJob(words, job);
     return {words.day(job.date.toString(Qt::ISODate)),
             job.engineNumber,
             job.crankshaftNumber,
