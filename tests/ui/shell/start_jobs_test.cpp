@@ -45,7 +45,7 @@ class StartJobsTest : public ::testing::Test {
         job.scene = u"workshop"_s;
         job.engineNumber = number;
         job.customer = u"A & B"_s;
-        job.engine = u"V8 90°"_s;
+        job.engine = u"V-8, 90°"_s;
         job.date = day;
         job.isFinished = isFinished;
         job.verdict = verdict;
@@ -115,7 +115,7 @@ TEST_F(StartJobsTest, TheNewestFiveAreListedWithWhatTheyAre) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return jobs().size() == 5; }));
     EXPECT_TRUE(journalButton()->isVisible());
     const QString newest = jobs().constFirst()->toolTip();
-    for (const QString& part : {u"N7"_s, u"A & B"_s, u"V8 90°"_s, u"PASS"_s, u"2026"_s}) {
+    for (const QString& part : {u"N7"_s, u"A & B"_s, u"V-8, 90°"_s, u"PASS"_s, u"2026"_s}) {
         EXPECT_TRUE(newest.contains(part)) << newest.toStdString();
     }
     EXPECT_FALSE(newest.contains(u"unfinished"_s));
