@@ -31,7 +31,7 @@ fi
 . packaging/common.sh
 all=$(packages_in core ui run deb test lint full benchmark)
 packages_in core | grep -x cmake >/dev/null || fault "section [core] is not read"
-packages_in ui | grep -x qt6-charts-dev >/dev/null || fault "section [ui] is not read"
+packages_in ui | grep -x qt6-svg-dev >/dev/null || fault "section [ui] is not read"
 ! packages_in core | grep -i qt >/dev/null || fault "section [core] asks for Qt"
 repeated=$(sort <<<"$all" | uniq -d)
 [ -z "$repeated" ] || fault "listed twice: $repeated"

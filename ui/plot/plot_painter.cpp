@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "pictures/model/stroke.h"
-#include "plot/chart_frame.h"
 #include "plot/model/axis_title.h"
 #include "plot/model/label_places.h"
 #include "plot/model/ticks.h"
@@ -167,11 +166,9 @@ void PlotPainter::paintAxes(QPainter& painter) {
         paintBand(painter, band);
     }
     paintGrid(painter);
-    const bool hasRight = data_.sideUsed(Side::Right);
-    ChartFrame::instance(hasRight).paint(painter, size_, data_.area);
     paintAxis(painter, data_.x, Qt::BottomEdge);
     paintAxis(painter, data_.left, Qt::LeftEdge);
-    if (hasRight) {
+    if (data_.sideUsed(Side::Right)) {
         paintAxis(painter, data_.right, Qt::RightEdge);
     }
     paintGhosts(painter);
@@ -182,7 +179,8 @@ void PlotPainter::paintGrid(QPainter& painter) const {
     const Theme& theme = Theme::instance();
     const QRectF& area = data_.area;
     QList<QLineF> grid;
-    QList<QLineF> strokes;
+    QList<QLineF> strokes{{area.topLeft(), area.bottomLeft()},
+                          {area.bottomLeft(), area.bottomRight()}};
     for (const double tick : data_.x.ticks(area.width(), columnPerTick())) {
         const double x = area.left() + data_.x.fraction(tick) * area.width();
         grid.append({x, area.top(), x, area.bottom()});
@@ -203,6 +201,7 @@ void PlotPainter::paintGrid(QPainter& painter) const {
     };
     addRows(data_.left, area.left() - stroke, area.left(), true);
     if (data_.sideUsed(Side::Right)) {
+        strokes.append({area.topRight(), area.bottomRight()});
         addRows(data_.right, area.right(), area.right() + stroke, false);
     }
     // Over a picture the grid gives way.

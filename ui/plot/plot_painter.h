@@ -32,8 +32,8 @@ struct PlotTitle {
     double width = 0.0;  ///< in one line
 };
 
-/// Paints what a plot shows onto any device: the lines of the axes by Qt Charts, all else by hand.
-/// What rests (axes), what moves (curves) and what continues top are painted apart.
+/// Paints what a plot shows onto any device. What rests (axes), what moves (curves) and what is on
+/// top are painted apart.
 class PlotPainter {
   public:
     explicit PlotPainter(PlotData& data);
@@ -71,7 +71,7 @@ class PlotPainter {
     /// The step of x in so many pixels.
     void chooseColumns(PlotScale& x, double pixels) const;
     void layoutAxes();
-    /// Grid, and ticks of scales that are not own.
+    /// Grid, lines of the axes, and ticks of scales that are not own.
     void paintGrid(QPainter& painter) const;
     void paintBand(QPainter& painter, const plot::Band& band) const;
     /// Where there is room for them.

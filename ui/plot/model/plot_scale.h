@@ -53,7 +53,7 @@ struct PlotScale {
     /// A value as a number of the axis.
     double number(double value) const;
 
-    /// Logarithmic or with a scale of its own: neither grid nor labels of Qt Charts fit.
+    /// Logarithmic or with a scale of its own: its ticks have no strokes.
     bool isOwn() const { return spec.logarithmic || spec.scale.place; }
     /// A value that has a place here.
     bool holds(double value) const {
