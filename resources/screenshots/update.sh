@@ -1,6 +1,6 @@
 #!/bin/sh
-# update.sh PROGRAM: renews the pictures of README and help, so that no number in them is old. Needs
-# convert of ImageMagick. Look at each.
+# update.sh PROGRAM: renews the pictures of README, help and start page, so that no number in them is
+# old. Needs convert of ImageMagick. Look at each.
 set -eu
 program=$1
 here=$(dirname "$0")
@@ -20,6 +20,22 @@ shot "$here/balance-shaft.png" --language en --scene balance-shaft
 shot "$here/balance-shaft-map.png" --language en --set tab=map \
     --case "$here/../examples/with-shaft-88x75.case.json"
 shot "$here/methods.png" --language en --scene methods --set tab=charts
+
+# Pages without navigation and tool bar, as the start page shows them: built into the program.
+page() {
+    name=$1
+    shift
+    for theme in light dark; do
+        shot "$folder/page.png" --language en --theme $theme --size 1152x737 "$@"
+        convert "$folder/page.png" -crop 1047x654+105+55 +repage -resize '480x300!' -colors 64 \
+            "$here/../start/$name-$theme.png"
+    done
+}
+page balance-shaft --case "$here/../examples/with-shaft-88x75.case.json" --set tab=map
+page elastic-hinge --case "$here/../examples/zotov-softer-spring.case.json" --set tab=rod-hinge
+page workshop --case "$here/../examples/workshop-v8-4.25.case.json" --set tab=sheet-6
+page inertia-moments --case "$here/../examples/vr5-volkswagen.case.json"
+page methods --scene methods --set tab=charts
 
 # The map alone, without form and table.
 map='470x454+438+288'

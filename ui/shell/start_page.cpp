@@ -11,7 +11,6 @@
 #include <QLocale>
 #include <QPainter>
 #include <QScrollArea>
-#include <QSvgRenderer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <map>
@@ -55,11 +54,11 @@ class StartButton : public QAbstractButton {
     bool isMarked() const { return hasFocus() || underMouse(); }
 };
 
-/// A scene: its picture, its name, what it is for.
+/// A scene: a picture of its page, its name, what it is for.
 class SceneCard : public StartButton {
   public:
     SceneCard(const SceneInfo& info, QWidget* parent)
-        : StartButton(parent), summary_(info.summary), svg_(info.name) {
+        : StartButton(parent), summary_(info.summary), scene_(info.name) {
         setObjectName(QStringLiteral("start-") + info.name);
         setText(info.title);
         setAccessibleDescription(info.summary);
@@ -96,10 +95,12 @@ class SceneCard : public StartButton {
         painter.setPen(QPen(isMarked() ? theme.accent() : theme.border(), hasFocus() ? 2.0 : 1.0));
         painter.setBrush(theme.panel());
         painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
-        QSvgRenderer picture(themedSvg(QStringLiteral(":/icons/start-%1.svg").arg(svg_)));
-        picture.setAspectRatioMode(Qt::KeepAspectRatio);
-        picture.render(&painter, QRectF(Theme::margin, Theme::margin, width() - 2 * Theme::margin,
-                                        pictureHeight(width()) - Theme::margin));
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawPixmap(QRect(Theme::margin, Theme::margin, width() - 2 * Theme::margin,
+                                 pictureHeight(width()) - Theme::margin),
+                           QPixmap(QStringLiteral(":/start/%1-%2.png")
+                                       .arg(scene_, theme.isDark() ? QStringLiteral("dark")
+                                                                   : QStringLiteral("light"))));
         int top = pictureHeight(width()) + Theme::space;
         painter.setPen(theme.text());
         painter.setFont(titleFont());
@@ -119,7 +120,7 @@ class SceneCard : public StartButton {
     static constexpr int wrap = Qt::TextWordWrap | Qt::AlignLeft | Qt::AlignTop;
 
     static int pictureHeight(int width) {
-        return Theme::margin + (width - 2 * Theme::margin) * 3 / 5;
+        return Theme::margin + (width - 2 * Theme::margin) * 5 / 8;
     }
     QFont titleFont() const {
         QFont bold = font();
@@ -146,7 +147,7 @@ class SceneCard : public StartButton {
     }
 
     QString summary_;
-    QString svg_;
+    QString scene_;
     mutable std::map<int, Texts> known_;  ///< by width
 };
 
