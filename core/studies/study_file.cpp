@@ -95,7 +95,7 @@ Basis read_basis(const Json& json, const Study& study) {
                               plan.at(2).get<double>(), plan.at(3).get<double>(),
                               study.watch[w].min, study.watch[w].max});
     }
-    if (study.method == Method::linear) {
+    if (!grid) {
         basis.distances.resize(study.watch.size());
     }
     return basis;
@@ -211,15 +211,6 @@ Json write_watched(const Part& part, std::size_t w) {
     return json;
 }
 
-/// Standard errors, by seven degrees of freedom, that one value of 500 is beyond by chance.
-constexpr double sure = 4.5;
-
-/// A number that is but what rounding leaves of another is 0.
-Number shown(double value, double size, int digits) {
-    constexpr double rounding = 1e-10;
-    return {std::abs(value) < rounding * std::abs(size) ? 0.0 : value, {}, digits};
-}
-
 /// The linear answer of a value against samples that try it.
 std::optional<Message> note_of_linear(const Part& part, std::size_t w,
                                       const Taylor::Propagated& linear) {
@@ -236,31 +227,6 @@ std::optional<Message> note_of_linear(const Part& part, std::size_t w,
                              "standard deviation %3."),
                    part.study.watch[w].pointer, Number{distance, {}, 4},
                    Number{linear.deviation, {}, 4}};
-}
-
-/// The linear answer of a value against the samples of the study.
-std::optional<Message> note_of_samples(const Part& part, std::size_t w,
-                                       const Taylor::Propagated& linear, const Statistics& found) {
-    // What errors, and a thousandth that nobody minds, do not explain.
-    const double least = 1e-3 * found.deviation;
-    const double mean = *part.basis.expansions[w].value;
-    const double shift = difference(found.mean, mean, part.basis.plan[w].period);
-    const double off = std::abs(found.plain_deviation - linear.deviation);
-    const double error = std::hypot(found.deviation_error, linear.deviation_error);
-    if (!(off > std::max(sure * error, least)) &&
-        !(std::abs(shift) > std::max(sure * found.mean_error, least))) {
-        return std::nullopt;
-    }
-    const double size = std::max(std::abs(found.mean), found.plain_deviation);
-    return Message{
-        CORE_TEXT(
-            "studies",
-            "The linear answer fails for %1: mean %2, standard deviation %3; samples %4 and %5."),
-        part.study.watch[w].pointer,
-        shown(mean, size, 6),
-        shown(linear.deviation, size, 4),
-        shown(mean + shift, size, 6),
-        shown(found.plain_deviation, size, 4)};
 }
 
 /// Where sensitivities are vague, their largest standard error.
@@ -313,26 +279,22 @@ std::vector<Note> noted(const Part& part) {
     for (std::size_t w = 0; w < part.study.watch.size(); ++w) {
         const std::string& name = part.study.watch[w].pointer;
         const auto linear = basis.expansions[w].propagated(basis.laws);
-        std::optional<Message> fails;
+        const auto most = linear_study
+                              ? std::nullopt
+                              : vague_sensitivities(part.tally.statistics(w, part.blocks));
+        if (most) {
+            notes.push_back({{CORE_TEXT("studies",
+                                        "The samples are too few for the sensitivities of %1: "
+                                        "standard errors up to %2."),
+                              name, Number{*most, {}, 2}}});
+        }
         if (!linear) {
-            fails.emplace(CORE_TEXT("studies",
-                                    "%1 has no linear answer: a derivative does not exist at the "
-                                    "inputs' means."),
-                          name);
-        } else if (linear_study) {
-            fails = note_of_linear(part, w, *linear);
-        }
-        if (!linear_study) {
-            const Statistics found = part.tally.statistics(w, part.blocks);
-            if (const auto most = vague_sensitivities(found)) {
-                notes.push_back({{CORE_TEXT("studies",
-                                            "The samples are too few for the sensitivities of %1: "
-                                            "standard errors up to %2."),
-                                  name, Number{*most, {}, 2}}});
-            }
-            fails = linear ? note_of_samples(part, w, *linear, found) : fails;
-        }
-        if (fails) {
+            notes.push_back({{CORE_TEXT("studies",
+                                        "%1 has no linear answer: a derivative does not exist at "
+                                        "the inputs' means."),
+                              name},
+                             w});
+        } else if (const auto fails = note_of_linear(part, w, *linear)) {
             notes.push_back({*fails, w});
         }
     }

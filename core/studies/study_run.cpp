@@ -274,9 +274,7 @@ bool make_basis(const Problem& problem, Part& part, int threads,
     const auto expand_about_means = [&] {
         const auto response = problem.make();
         basis.expansions = expand(*response, basis.laws, periods);
-        if (study.method == Method::linear) {
-            try_expansions(*response, study, periods, basis);
-        }
+        try_expansions(*response, study, periods, basis);
     };
     if (study.method == Method::linear) {
         for (std::size_t w = 0; w < watched; ++w) {

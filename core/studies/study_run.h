@@ -54,7 +54,7 @@ struct Basis {
     std::vector<std::optional<double>> nominal;  ///< the watched values
     std::vector<Taylor> expansions;
     std::vector<CountingPlan> plan;
-    // Of a linear study, whose expansions are tried by some samples:
+    // Some samples try the expansions:
     std::vector<double> distances;  ///< root mean square of the values' from the expansions
     Refusals refusals;
 };
@@ -90,7 +90,7 @@ struct Part {
 inline constexpr std::uint64_t most_blocks = 1024;
 /// Those of a shard, nothing done.
 std::vector<Block> blocks_of(const Study& study, std::uint64_t shard, std::uint64_t shards);
-/// Samples that a linear study is tried by.
+/// Samples that the expansions are tried by.
 inline constexpr std::uint64_t tried_samples = 64;
 
 /// A part of which nothing is done yet. Its basis costs some thousand solutions at most.
@@ -136,8 +136,8 @@ struct Note {
     Message text;
     std::optional<std::size_t> fails{};  ///< of the watched value whose linear answer fails
 };
-/// Of the files that the case names; where the linear answer fails by more than its error bars;
-/// what too few samples do not tell.
+/// Of the files that the case names; where the linear answer fails; what too few samples do not
+/// tell.
 std::vector<Note> noted(const Part& part);
 
 /// Why samples were rejected, the most frequent first.

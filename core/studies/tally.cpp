@@ -24,7 +24,6 @@ constexpr std::size_t slice_count = 64;
 constexpr std::size_t most_slice_lists = 1000;
 constexpr std::size_t below = bin_count;
 constexpr std::size_t above = bin_count + 1;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double square(double x) {
     return x * x;
@@ -284,15 +283,7 @@ Statistics Tally::statistics(std::size_t watched, std::span<const Block> blocks)
     const double n = all.n;
     Statistics found;
     found.mean = plan.centre + all.mean();
-    found.plain_deviation = solved_ < 2 ? 0.0 : std::sqrt(all.variance());
-    found.deviation = found.plain_deviation;
-    const auto error = [&](const auto& of) {
-        const double of_jackknife = jackknife(of).error;
-        return solved_ < 2 * replicates || std::isnan(of_jackknife) ? infinite : of_jackknife;
-    };
-    found.mean_error = error([&](std::size_t i) { return without(whole, i).mean(); });
-    found.deviation_error =
-        error([&](std::size_t i) { return std::sqrt(without(whole, i).variance()); });
+    found.deviation = solved_ < 2 ? 0.0 : std::sqrt(all.variance());
     found.min = value.min;
     found.max = value.max;
     double shift = 0.0;

@@ -39,14 +39,10 @@ struct Estimate {
     double error = 0.0;  ///< standard
 };
 
-/// What is known of one watched value. Errors are those of the replicates' jackknife; infinite
-/// where there are too few samples.
+/// What is known of one watched value. Errors are those of the replicates' jackknife.
 struct Statistics {
     double mean = 0.0;
-    double mean_error = 0.0;
     double deviation = 0.0;  ///< standard, with n − 1; of an angle √(−2 ln R), with the same factor
-    double plain_deviation = 0.0;  ///< with n − 1, of an angle along the unrolled circle
-    double deviation_error = 0.0;  ///< of the plain one
     double min = 0.0;
     double max = 0.0;
     std::array<double, percent_points.size()> percentiles{};
