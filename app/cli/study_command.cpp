@@ -94,13 +94,27 @@ struct ProgressError : InputError {
     using InputError::InputError;
 };
 
+/// The file that a path leads to through links, which may be there later; as given without any.
+std::string without_links(const std::string& path) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    fs::path file = path;
+    constexpr int most = 40;
+    for (int i = 0; i < most && fs::is_symlink(fs::symlink_status(file, error)); ++i) {
+        file = file.parent_path() / fs::read_symlink(file, error);
+    }
+    const fs::path real = fs::weakly_canonical(file, error);
+    return error || real == fs::absolute(file, error).lexically_normal() ? file : real;
+}
+
 /// What a study with an output has done, in a file beside that, so that it continues from there. No
 /// other study touches it: it is locked while a study runs, and is rejected where it is another's.
+/// One output has one such file, by whatever links it is named.
 class Progress {
   public:
     /// @throws ProgressError where another study is at work for that output
     explicit Progress(const std::string& output)
-        : path_(output + ".unfinished"), lock_path_(path_ + ".lock") {
+        : path_(without_links(output) + ".unfinished"), lock_path_(path_ + ".lock") {
         constexpr unsigned rights = 0666;
         lock_ = ::open(lock_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, rights);
         if (lock_ < 0) {

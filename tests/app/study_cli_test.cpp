@@ -173,8 +173,12 @@ TEST_F(StudyCommandLine, OneOutputIsOfOneStudyAtATime) {
     const fs::path lock = folder / "r.json.unfinished.lock";
     const int held = ::open(lock.c_str(), O_RDWR | O_CREAT, 0666);
     ASSERT_EQ(::flock(held, LOCK_EX | LOCK_NB), 0);
-    expect_refused(run("study case.json -o r.json"),
-                   "r.json: is being written by another study; choose another file");
+    fs::create_symlink("r.json", folder / "link.json");
+    fs::create_directory_symlink(".", folder / "here");
+    for (const std::string name : {"r.json", "link.json", "here/r.json", "here/link.json"}) {
+        expect_refused(run("study case.json -o " + name),
+                       name + ": is being written by another study; choose another file");
+    }
     ::close(held);
     EXPECT_EQ(run("study case.json -o r.json").status, 0);
     EXPECT_FALSE(fs::exists(lock));
