@@ -1,5 +1,5 @@
 // What the balance-shaft page waits for: one position of the shaft, the sweep over its angle, the
-// best angle, a new solver. On the paper's table of 49 rows and on one of 721 rows (every degree).
+// best angle. On the paper's table of 49 rows and on one of 721 rows (every degree).
 
 #include <benchmark/benchmark.h>
 
@@ -10,11 +10,7 @@
 #include "balance-shaft/angle_search.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/solver.h"
-#include "balance-shaft/speed_study.h"
-#include "case-file/text_file.h"
 #include "numerics/periodic_piecewise.h"
-#include "numerics/vector_lanes.h"
-#include "scenes/scenes.h"
 
 namespace {
 
@@ -76,29 +72,6 @@ BENCHMARK(sweep)
     ->ArgNames({"rows", "cubic"})
     ->Unit(benchmark::kMicrosecond);
 
-/// The same, each angle for itself, with the processor's vector units and without.
-void angle_by_angle(benchmark::State& state) {
-    const Solver solver(engine(static_cast<int>(state.range(0)), interpolation_of(state)));
-    want_avx2(state.range(2) != 0);
-    std::vector<double> range(360);
-    std::vector<double> rms(360);
-    for (auto _ : state) {
-        for (std::size_t i = 0; i < range.size(); ++i) {
-            const double alpha = static_cast<double>(i) * degree;
-            range[i] = solver.range(alpha);
-            rms[i] = solver.rms(alpha);
-        }
-        benchmark::DoNotOptimize(range.data());
-        benchmark::DoNotOptimize(rms.data());
-        benchmark::ClobberMemory();
-    }
-    want_avx2(true);
-}
-BENCHMARK(angle_by_angle)
-    ->ArgsProduct({{49, 721}, {0, 1}, {0, 1}})
-    ->ArgNames({"rows", "cubic", "avx2"})
-    ->Unit(benchmark::kMicrosecond);
-
 /// The global minimum of the range over α.
 void best_angle(benchmark::State& state) {
     const Solver solver(engine(static_cast<int>(state.range(0)), interpolation_of(state)));
@@ -115,68 +88,6 @@ BENCHMARK(best_angle)
     ->ArgsProduct({{49, 721}, {0, 1}})
     ->ArgNames({"rows", "cubic"})
     ->Unit(benchmark::kMicrosecond);
-
-/// Everything from an input: what a change of size or mass costs.
-void solve_anew(benchmark::State& state) {
-    const Input input = engine(static_cast<int>(state.range(0)), interpolation_of(state));
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(Solver(input).result().best_range.value);
-    }
-}
-BENCHMARK(solve_anew)
-    ->ArgsProduct({{49, 721}, {0, 1}})
-    ->ArgNames({"rows", "cubic"})
-    ->Unit(benchmark::kMicrosecond);
-
-/// The paper's engine with a computed diesel cycle.
-Input diesel(Interpolation interpolation) {
-    Input input = preset_tmz_650d();
-    input.interpolation = interpolation;
-    input.cylinder.rod_length = 0.150;
-    input.torque = {};
-    input.torque.kind = TorqueSource::Kind::cycle;
-    input.cylinder.bore = 0.0955;
-    input.torque.cycle.heat = 1300.0;
-    input.torque.cycle.combustion_start = 352.0 * degree;
-    input.torque.cycle.combustion_duration = 60.0 * degree;
-    return input;
-}
-
-/// What a change of speed or load costs where the torque is computed.
-void solve_computed(benchmark::State& state) {
-    Input input = diesel(Interpolation::linear);
-    if (state.range(0) != 0) {
-        input.torque.cycle.heat.reset();
-        input.torque.cycle.imep = 7e5;
-    }
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(solve(input).best_range.value);
-    }
-}
-BENCHMARK(solve_computed)->ArgName("imep")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-
-/// Range and RMS over 360 angles × 60 speeds, the torque rebuilt per speed, with the best angles of
-/// every speed.
-void speed_map(benchmark::State& state) {
-    const Input input =
-        diesel(state.range(0) == 0 ? Interpolation::linear : Interpolation::periodic_cubic);
-    for (auto _ : state) {
-        const SpeedStudy study(input, {1000.0 * units::rpm, 4000.0 * units::rpm, 60, false});
-        benchmark::DoNotOptimize(study.map(360)->range.data());
-    }
-}
-BENCHMARK(speed_map)->ArgName("cubic")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-
-void least_bad_angle(benchmark::State& state) {
-    const SpeedStudy study(diesel(Interpolation::linear),
-                           {1000.0 * units::rpm, 4000.0 * units::rpm, 60, false});
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(
-            study.least_bad_angle(SpeedStudy::Criterion::range, SpeedStudy::Measure::relative)
-                .shaft_angle);
-    }
-}
-BENCHMARK(least_bad_angle)->Unit(benchmark::kMillisecond);
 
 /// For comparison: one range by a plain loop over 721 samples, not exact.
 void plain_range_sweep(benchmark::State& state) {
@@ -202,13 +113,5 @@ void plain_range_sweep(benchmark::State& state) {
     }
 }
 BENCHMARK(plain_range_sweep)->Unit(benchmark::kMicrosecond);
-
-void read_case_and_solve(benchmark::State& state) {
-    const std::string text = read_text_file(std::string(RAVNOVES_EXAMPLES) + "/tmz-650d.case.json");
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(solve_case(parse_case(text), CaseContext{}).dump(2).size());
-    }
-}
-BENCHMARK(read_case_and_solve)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

@@ -1,6 +1,6 @@
-// The place of the shaft: the best one from a prepared solver, among those that can be built, the
-// front, the map of range and RMS; beside a plain grid in Eigen and the method of Nelder and Mead,
-// which see the torque at every degree alone.
+// The place of the shaft: the best one from a prepared solver, the map of range and RMS; beside a
+// plain grid in Eigen and the method of Nelder and Mead, which see the torque at every degree
+// alone.
 
 #include <benchmark/benchmark.h>
 
@@ -56,32 +56,11 @@ struct Samples {
 
 void best_place(benchmark::State& state) {
     const Solver solver = solver_of(state);
-    int evaluations = 0;
     for (auto _ : state) {
-        const BestPositions best = PositionStudy(solver).best();
-        evaluations = best.range->evaluations;
-        benchmark::DoNotOptimize(best.rms->position.x);
+        benchmark::DoNotOptimize(PositionStudy(solver).best().rms->position.x);
     }
-    state.counters["evaluations"] = evaluations;
 }
 BENCHMARK(best_place)->Arg(49)->Arg(721)->Unit(benchmark::kMicrosecond);
-
-void best_place_buildable(benchmark::State& state) {
-    const PositionStudy study(solver_of(state));
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(study.best_buildable().range->position.x);
-    }
-}
-BENCHMARK(best_place_buildable)->Arg(49)->Arg(721)->Unit(benchmark::kMicrosecond);
-
-void front(benchmark::State& state) {
-    const PositionStudy study(solver_of(state));
-    const BestPositions best = study.best_buildable();
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(study.front(best).size());
-    }
-}
-BENCHMARK(front)->Arg(49)->Arg(721)->Unit(benchmark::kMillisecond);
 
 /// Range and RMS at 200 × 200 places, exact over the continuous cycle.
 void map_of_places(benchmark::State& state) {
@@ -91,20 +70,6 @@ void map_of_places(benchmark::State& state) {
     }
 }
 BENCHMARK(map_of_places)->Arg(49)->Arg(721)->Unit(benchmark::kMillisecond);
-
-/// What keeps the shaft from 200 × 200 places.
-void obstacles(benchmark::State& state) {
-    const PositionStudy study(solver_of(state));
-    for (auto _ : state) {
-        int free = 0;
-        for (int i = 0; i < 40'000; ++i) {
-            free += study.obstacle({-0.25 + 0.0025 * (i % 200), -0.25 + 0.0025 * (i / 200)}) ==
-                    Obstacle::none;
-        }
-        benchmark::DoNotOptimize(free);
-    }
-}
-BENCHMARK(obstacles)->Arg(49)->Unit(benchmark::kMillisecond);
 
 /// The rival: ranges of the sampled torque.
 void plain_map_of_places(benchmark::State& state) {
