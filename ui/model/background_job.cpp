@@ -1,7 +1,8 @@
 #include "model/background_job.h"
 
+#include <QPointer>
 #include <exception>
-#include <limits>
+#include <system_error>
 #include <utility>
 
 #include "numerics/vector_state.h"
@@ -24,6 +25,9 @@ BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {
 BackgroundJob::~BackgroundJob() {
     if (stop_) {
         *stop_ = true;
+    }
+    if (thread_.joinable()) {
+        thread_.join();
     }
 }
 
@@ -53,30 +57,72 @@ void BackgroundJob::launch() {
     }
     stop_ = std::make_shared<std::atomic<bool>>(false);
     clock_.start();
-    worker_.begin([this, work = std::exchange(pending_, nullptr),
-                   stop = stop_]() -> WorkerThread::Telling {
-        QElapsedTimer sinceReport;
-        sinceReport.start();
-        const auto report = [&](double part) {
-            if (sinceReport.elapsed() >= reportMs) {
-                sinceReport.restart();
-                worker_.post([this, stop, part] {
-                    if (!*stop) {
-                        Q_EMIT progress(part);
-                    }
-                });
-            }
-            return !*stop;
-        };
-        std::function<void()> apply;
-        clear_vector_state();
-        try {
-            apply = work(report);
-        } catch (...) {
-            apply = [this, thrown = std::current_exception()] { Q_EMIT failed(errorText(thrown)); };
+    {
+        const std::lock_guard lock(mutex_);
+        work_ = std::exchange(pending_, nullptr);
+    }
+    if (thread_.joinable()) {
+        thread_.join();  // it has told its end
+    }
+    try {
+        thread_ = std::thread(&BackgroundJob::run, this, stop_);
+    } catch (const std::system_error&) {
+        run(stop_);  // no memory for its stack, or as many threads as this user may have
+    }
+}
+
+void BackgroundJob::run(const std::shared_ptr<std::atomic<bool>>& stop) {
+    Work work;
+    {
+        const std::lock_guard lock(mutex_);
+        work = std::exchange(work_, nullptr);
+    }
+    QElapsedTimer sinceReport;
+    sinceReport.start();
+    const auto report = [&](double part) {
+        if (sinceReport.elapsed() >= reportMs) {
+            sinceReport.restart();
+            post([this, stop, part] {
+                if (!*stop) {
+                    Q_EMIT progress(part);
+                }
+            });
         }
-        return [this, stop, apply] { done(*stop, apply); };
-    });
+        return !*stop;
+    };
+    std::function<void()> apply;
+    clear_vector_state();
+    try {
+        apply = work(report);
+    } catch (...) {
+        apply = [this, thrown = std::current_exception()] { Q_EMIT failed(errorText(thrown)); };
+    }
+    work = nullptr;  // what it holds goes in this thread
+    post([this, stop, apply = std::move(apply)] { done(*stop, apply); });
+}
+
+void BackgroundJob::post(std::function<void()> telling) {
+    {
+        const std::lock_guard lock(mutex_);
+        told_.push_back(std::move(telling));
+    }
+    QMetaObject::invokeMethod(this, &BackgroundJob::tell, Qt::QueuedConnection);
+}
+
+void BackgroundJob::tell() {
+    const QPointer<BackgroundJob> self(this);
+    while (self) {  // what is told may end it
+        std::function<void()> telling;
+        {
+            const std::lock_guard lock(mutex_);
+            if (told_.empty()) {
+                return;
+            }
+            telling = std::move(told_.front());
+            told_.erase(told_.begin());
+        }
+        telling();
+    }
 }
 
 void BackgroundJob::done(const std::atomic<bool>& stopped, const std::function<void()>& apply) {
@@ -110,8 +156,10 @@ void BackgroundJob::cancel() {
 
 void BackgroundJob::stop() {
     cancel();
-    constexpr int ever = std::numeric_limits<int>::max();
-    worker_.wait(ever);
+    if (thread_.joinable()) {
+        thread_.join();
+    }
+    tell();
 }
 
 void BackgroundJob::setRunning(bool running) {

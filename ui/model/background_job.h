@@ -6,14 +6,16 @@
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <utility>
-
-#include "model/worker_thread.h"
+#include <mutex>
+#include <thread>
+#include <vector>
 
 namespace ravnoves {
 
 /// Runs one computation at a time off the GUI thread, with progress and cancel. The latest start
-/// wins: it replaces the one that runs.
+/// wins: it replaces the one that runs. What passes between the threads goes through one mutex,
+/// where a checker of threads sees it (preset `tsan`). Where the machine gives no thread, that of
+/// this object does the work.
 class BackgroundJob : public QObject {
     Q_OBJECT
 
@@ -49,6 +51,11 @@ class BackgroundJob : public QObject {
 
   private:
     void launch();
+    /// In the thread of the work.
+    void run(const std::shared_ptr<std::atomic<bool>>& stop);
+    /// From there: to be told in the thread of this object.
+    void post(std::function<void()> telling);
+    void tell();
     void done(const std::atomic<bool>& stopped, const std::function<void()>& apply);
     void setRunning(bool running);
 
@@ -59,7 +66,10 @@ class BackgroundJob : public QObject {
     int patienceMs_ = -1;
     bool untilRest_ = false;
     bool running_ = false;
-    WorkerThread worker_;  ///< goes first: what it does uses the others
+    std::mutex mutex_;  ///< of work_ and told_
+    Work work_;         ///< to be run
+    std::vector<std::function<void()>> told_;
+    std::thread thread_;  ///< of one run
 };
 
 }  // namespace ravnoves

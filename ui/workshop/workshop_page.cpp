@@ -17,14 +17,12 @@
 #include <QTimer>
 #include <algorithm>
 #include <atomic>
-#include <exception>
 
-#include "model/worker_thread.h"
+#include "model/background_job.h"
 #include "page/refused_entries.h"
 #include "pictures/file_dialogs.h"
 #include "shop/model/verdict.h"
 #include "shop/shop_dialog.h"
-#include "text/error_text.h"
 #include "text/file_path.h"
 #include "text/language.h"
 #include "theme/icons.h"
@@ -447,24 +445,15 @@ void WorkshopPage::restoreFrom(const QString& file) {
     connect(&wait, &QProgressDialog::canceled, this, [&] { cancelled = true; });
     QString said;
     {
-        WorkerThread worker;
-        bool ended = false;
-        worker.begin([&, path = desk()->journal()->path()]() -> WorkerThread::Telling {
-            QString result;
-            try {
-                result = JobDesk::restoreJournal(path, file, cancelled);
-            } catch (...) {
-                result = errorText(std::current_exception());
-            }
-            return [&, result] {
-                said = result;
-                ended = true;
-            };
+        BackgroundJob job;
+        connect(&job, &BackgroundJob::failed, this, [&](const QString& why) { said = why; });
+        job.start([&, path = desk()->journal()->path()](
+                      const BackgroundJob::Progress&) -> std::function<void()> {
+            return
+                [&said, result = JobDesk::restoreJournal(path, file, cancelled)] { said = result; };
         });
-        constexpr int step = 20;  // ms
-        while (!ended) {
-            worker.wait(step);
-            QCoreApplication::processEvents();
+        while (job.isRunning()) {
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
         }
     }
     wait.reset();
