@@ -112,11 +112,11 @@ void runStudies() {
     study.take(StudyModel::Preset::OnePercent);
     const auto results = study.results();
     check(!results.empty(), "there are results");
-    study.watch(results.front().pointer);
+    study.watch(results.front());
     study.setSamples(256);
     SweepModel sweep(&study);
     sweep.setWatched(true);
-    sweep.choose("/centre_distance_mm", results.front().pointer, 1.0);
+    sweep.choose("/centre_distance_mm", results.front(), 1.0);
     for (int i = 0; i < 3; ++i) {
         model.setByKey(u"shaft_angle_deg"_s, QString::number(90 + i));
         comes([] { return false; }, 300);

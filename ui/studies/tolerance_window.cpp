@@ -110,7 +110,7 @@ ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     connect(model_, &StudyModel::changed, this, &ToleranceWindow::showStudy);
     connect(model_, &StudyModel::answered, this, &ToleranceWindow::showAnswers);
     connect(&Theme::instance(), &Theme::changed, this, &ToleranceWindow::showAnswers);
-    // All results as JSON take longer than a frame: not at each step of a slider.
+    // All results take longer than a frame: not at each step of a slider.
     constexpr int restMs = 400;
     rest_.setSingleShot(true);
     rest_.setInterval(restMs);
@@ -399,9 +399,9 @@ QWidget* ToleranceWindow::makeFound() {
 void ToleranceWindow::fillWatchable() {
     const QSignalBlocker block(watchable_);
     watchable_->clearEntries();
-    for (const StudyModel::Value& value : model_->results()) {
-        watchable_->addItem(model_->resultName(value.pointer).withUnit(),
-                            QString::fromStdString(value.pointer));
+    for (const std::string& pointer : model_->results()) {
+        watchable_->addItem(model_->resultName(pointer).withUnit(),
+                            QString::fromStdString(pointer));
     }
 }
 

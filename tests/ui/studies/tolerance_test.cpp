@@ -29,7 +29,6 @@
 #include "scene_tests.h"
 #include "scenes/open_example.h"
 #include "shell/main_window.h"
-#include "studies/model/result_words.h"
 #include "studies/model/study_answers.h"
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"
@@ -228,18 +227,20 @@ TEST_F(Tolerances, WhatIsTypedIsComputedAndShown) {
 }
 
 TEST_F(Tolerances, ResultsAreNamedWithTheUnitsOfTheirKeys) {
-    EXPECT_EQ(resultName(u"balance-shaft"_s, "/metrics/M_ups/range_Nm").withUnit(),
-              u"Mᵤₚₛ, range, N·m"_s);
-    EXPECT_EQ(
-        resultName(u"inertia-moments"_s, "/exact/order_2/moment_Nm/forward/amplitude").withUnit(),
-        u"Exact, order 2, moment, forward, amplitude, N·m"_s);
-    EXPECT_EQ(resultName(u"elastic-hinge"_s, "/guide/minimum_stiffness_N_m").withUnit(),
+    const auto name = [](const char* scene, const char* pointer) {
+        return StudyModel(test::makePage(scene)->model()).resultName(pointer).withUnit();
+    };
+    EXPECT_EQ(name("balance-shaft", "/metrics/M_ups/range_Nm"), u"Mᵤₚₛ, range, N·m"_s);
+    EXPECT_EQ(name("inertia-moments", "/exact/order_2/moment_Nm/forward/amplitude"),
+              u"Exact, order 2, moment, forward, amplitude, N·m"_s);
+    EXPECT_EQ(name("elastic-hinge", "/guide/minimum_stiffness_N_m"),
               u"Crank guide, Minimum stiffness, N/m"_s);
-    // What no preset has is known from the case that has it.
+    // What only another case has is named from then on.
     const auto shop = test::makePage("workshop");
+    const StudyModel study(shop->model());
+    EXPECT_FALSE(study.resultName("/bobweight_g").text.contains(u' '));
     test::openExample(*shop->model());
-    learnResultNames(u"workshop"_s, shop->model()->inputJson(), {});
-    EXPECT_TRUE(resultName(u"workshop"_s, "/bobweight_g").text.contains(u' '));
+    EXPECT_TRUE(study.resultName("/bobweight_g").text.contains(u' '));
 }
 
 TEST_F(Tolerances, AreStepsOfTheHistoryAndStayInTheCase) {
@@ -535,11 +536,10 @@ TEST_F(TolerancesInOtherUnits, NamesOfResultsAreShownWhole) {
     auto results = tolerances->model()->results();
     std::sort(results.begin(), results.end(), [&](const auto& one, const auto& other) {
         const StudyModel& study = *tolerances->model();
-        return study.resultName(one.pointer).text.size() >
-               study.resultName(other.pointer).text.size();
+        return study.resultName(one).text.size() > study.resultName(other).text.size();
     });
     for (std::size_t i = 0; i < 3; ++i) {
-        tolerances->model()->watch(results[i].pointer);
+        tolerances->model()->watch(results[i]);
     }
     waitForAnswer();
     for (const int width : {1400, 1000}) {
@@ -825,26 +825,6 @@ TEST_F(Tolerances, OfWhatIsLeftToItsDefaultAreInTheFile) {
     EXPECT_NO_THROW(studies::problem_of(file, scene().context()));
     scene().loadFile(file, scene().context(), nullptr);
     EXPECT_EQ(study().vary.size(), 1U);
-}
-
-/// So that the window need not solve it once more.
-TEST(ResultNames, OfADefaultCaseAreThoseOfThePresets) {
-    for (const std::string& scene : test::sceneNamesWithCases()) {
-        const auto page = test::makePage(scene);
-        const std::function<void(const Json&, const std::string&)> look =
-            [&](const Json& json, const std::string& pointer) {
-                if (json.is_number()) {
-                    EXPECT_TRUE(isNamed(QString::fromStdString(scene), pointer))
-                        << scene << ' ' << pointer;
-                }
-                if (json.is_object()) {
-                    for (const auto& [key, child] : json.items()) {
-                        look(child, pointer + (Json::json_pointer() / key).to_string());
-                    }
-                }
-            };
-        look(page->model()->resultJson(), {});
-    }
 }
 
 TEST(ToleranceInputs, AreNoCountsAndNoNames) {

@@ -3,8 +3,6 @@
 #include <QString>
 #include <string>
 
-#include "case-file/case_context.h"
-#include "case-file/json_fwd.h"
 #include "text/shown_units.h"
 
 namespace ravnoves {
@@ -22,13 +20,7 @@ struct ResultName {
     QString ownTitle() const { return titleWithUnit(text, unit); }
 };
 
-/// As the scene's result describes it: of its presets, and of the inputs that were learned.
-/// @param pointer  below "result", for example "/metrics/M_ups/range_Nm"
-ResultName resultName(const QString& scene, const std::string& pointer);
-
-/// Whether the presets' results or those that were learned have it.
-bool isNamed(const QString& scene, const std::string& pointer);
-/// What this input's result has is known by name from now on.
-void learnResultNames(const QString& scene, const Json& input, const CaseContext& context);
+/// Of what no description names.
+ResultName nameByKeys(const std::string& pointer);
 
 }  // namespace ravnoves

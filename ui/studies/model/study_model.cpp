@@ -10,10 +10,12 @@
 #include "model/background_job.h"
 #include "model/input_differences.h"
 #include "model/scene_model.h"
+#include "scenes/scenes.h"
 #include "studies/model/result_words.h"
 #include "studies/study_run.h"
 #include "text/capital.h"
 #include "text/message_text.h"
+#include "text/number_text.h"
 
 namespace ravnoves {
 
@@ -50,23 +52,12 @@ QString whyText(const Message& why, const QString& scene) {
 
 /// An input that no form names.
 StudyModel::Input unnamedInput(const std::string& pointer, double value) {
-    const ResultName name = resultName({}, pointer);
+    const ResultName name = nameByKeys(pointer);
     return {.pointer = pointer,
             .name = capitalised(name.text),
             .unit = name.unit,
             .nominal = value,
             .shown = name.shown()};
-}
-
-void collectNumbers(const Json& json, const std::string& pointer,
-                    std::vector<StudyModel::Value>& found) {
-    if (json.is_number()) {
-        found.push_back({pointer, json.get<double>()});
-    } else if (json.is_object()) {
-        for (const auto& [key, child] : json.items()) {
-            collectNumbers(child, pointer + (Json::json_pointer() / key).to_string(), found);
-        }
-    }
 }
 
 }  // namespace
@@ -169,17 +160,30 @@ void StudyModel::readStudy() {
     }
 }
 
-std::vector<StudyModel::Value> StudyModel::results() const {
-    std::vector<Value> found;
-    collectNumbers(scene_->resultJson(), {}, found);
-    const QString scene = scene_->sceneName();
-    const bool areNamed = std::all_of(found.begin(), found.end(), [&](const Value& value) {
-        return isNamed(scene, value.pointer);
-    });
-    if (!areNamed) {
-        learnResultNames(scene, scene_->inputJson(), scene_->context());  // solves it
+std::vector<std::string> StudyModel::results() const {
+    std::vector<std::string> found;
+    namedOf_ = scene_->solutions();
+    try {
+        for (const ResultEntry& entry : scene_solver(scene_->sceneName().toStdString())
+                                            .results(scene_->inputJson(), scene_->context())) {
+            names_.insert_or_assign(entry.pointer,
+                                    ResultName{messageText(entry.name), unitText(entry.unit.name)});
+            if (entry.si) {
+                found.push_back(entry.pointer);
+            }
+        }
+    } catch (const InputError&) {
+        // A case that is rejected has no results.
     }
     return found;
+}
+
+ResultName StudyModel::resultName(const std::string& pointer) const {
+    if (!names_.contains(pointer) && namedOf_ != scene_->solutions()) {
+        results();
+    }
+    const auto known = names_.find(pointer);
+    return known != names_.end() ? known->second : nameByKeys(pointer);
 }
 
 QString StudyModel::inputName(const std::string& pointer) const {

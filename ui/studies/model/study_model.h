@@ -4,6 +4,7 @@
 #include <QString>
 #include <QStringList>
 #include <QTimer>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -35,11 +36,6 @@ class StudyModel : public QObject {
         ShownUnit shown = {};  ///< that of its field
         bool isGone = false;   ///< the case has it no more: the study runs without it
     };
-    /// A number of the result.
-    struct Value {
-        std::string pointer;  ///< below "result"
-        double value = 0.0;
-    };
     enum class Preset { Weighed, Machined, Typical, OnePercent };
 
     explicit StudyModel(SceneModel* scene, QObject* parent = nullptr);
@@ -53,10 +49,10 @@ class StudyModel : public QObject {
     BackgroundJob* job() const { return job_; }
 
     const std::vector<Input>& inputs() const { return inputs_; }
-    std::vector<Value> results() const;
-    ResultName resultName(const std::string& pointer) const {
-        return ravnoves::resultName(scene_->sceneName(), pointer);
-    }
+    /// Pointers below "result" of the numbers that the case has now; solves it.
+    std::vector<std::string> results() const;
+    /// As the scene describes it, or by its keys where no case so far had it.
+    ResultName resultName(const std::string& pointer) const;
     QString inputName(const std::string& pointer) const;
     /// The title of an axis of it in the unit that is shown.
     ShownTitle inputTitle(const std::string& pointer) const;
@@ -143,6 +139,8 @@ class StudyModel : public QObject {
     QString goneMethod_;
     bool isRefused_ = false;  ///< the case's study cannot be read, and stays until it is cleared
     int solutions_ = -1;      ///< of the scene, at the last look
+    mutable std::map<std::string, ResultName> names_;  ///< of results
+    mutable int namedOf_ = -1;                         ///< solutions_ of the last ones
     bool stale_ = false;
     bool behind_ = false;  ///< the input has moved since it was taken over
     bool watched_ = false;
