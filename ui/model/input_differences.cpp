@@ -8,6 +8,7 @@
 #include <map>
 
 #include "case-file/json.h"
+#include "case-file/object_reader.h"
 #include "model/scene_model.h"
 #include "text/field_names.h"
 #include "text/key_words.h"
@@ -26,12 +27,7 @@ void collectLeaves(const Json& value, const std::string& pointer, Leaves& leaves
                    std::size_t longest = std::numeric_limits<std::size_t>::max()) {
     if (value.is_object()) {
         for (const auto& [key, child] : value.items()) {
-            std::string segment = key;
-            for (std::size_t at = 0; (at = segment.find_first_of("~/", at)) != std::string::npos;
-                 at += 2) {
-                segment.replace(at, 1, segment[at] == '~' ? "~0" : "~1");
-            }
-            collectLeaves(child, pointer + '/' + segment, leaves, longest);
+            collectLeaves(child, pointer + '/' + escape_segment(key), leaves, longest);
         }
     } else if (value.is_array()) {
         if (value.size() > longest && !value.front().is_structured()) {
@@ -82,14 +78,8 @@ QString shownValue(const Json* value, const FieldEntry* entry, double factor, in
                                   : QCoreApplication::translate("ravnoves::SceneModel", "no");
     }
     const std::string text = value->is_string() ? value->get<std::string>() : value->dump();
-    if (entry != nullptr) {
-        for (const Word& word : entry->field.words) {
-            if (word.word == text && !word.label.empty()) {
-                return shownText(word.label).remove(QLatin1Char('&'));
-            }
-        }
-    }
-    return caseText(text);
+    const QString choice = entry != nullptr ? choiceText(entry->field, text) : QString();
+    return choice.isEmpty() ? caseText(text) : choice;
 }
 
 }  // namespace

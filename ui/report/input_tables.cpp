@@ -6,8 +6,10 @@
 #include <map>
 
 #include "case-file/json.h"
+#include "case-file/object_reader.h"
 #include "model/scene_model.h"
 #include "text/capital.h"
+#include "text/field_names.h"
 #include "text/key_words.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -53,12 +55,8 @@ bool isRow(const Json& value) {
 
 class Inputs {
   public:
-    explicit Inputs(const SceneModel& model) : replaced_(model.replacedInputs()) {
-        for (const auto& entries : {model.describedFields(), model.fields()}) {
-            for (const FieldEntry& entry : entries) {
-                entries_.insert_or_assign(entry.pointer, entry);
-            }
-        }
+    explicit Inputs(const SceneModel& model)
+        : names_({model.describedFields(), model.fields()}), replaced_(model.replacedInputs()) {
         main_.headings = {ReportWords::tr("Input"), ReportWords::tr("Value"),
                           ReportWords::tr("Unit"), ReportWords::tr("Meaning")};
         main_.numbers = {false, true, false, false};
@@ -69,49 +67,12 @@ class Inputs {
     std::vector<Table> take() { return std::move(lists_); }
 
   private:
-    /// The field at a pointer; of a list's element that of its first.
-    const FieldEntry* entryAt(const std::string& pointer) const {
-        const auto found = entries_.find(pointer);
-        if (found != entries_.end()) {
-            return &found->second;
-        }
-        std::string first;
-        std::size_t at = 0;
-        while (at < pointer.size()) {
-            const std::size_t next = std::min(pointer.find('/', at + 1), pointer.size());
-            const std::string step = pointer.substr(at + 1, next - at - 1);
-            const bool isNumber =
-                !step.empty() && step.find_first_not_of("0123456789") == std::string::npos;
-            first += "/" + (isNumber ? "0" : step);
-            at = next;
-        }
-        const auto general = entries_.find(first);
-        return general == entries_.end() ? nullptr : &general->second;
-    }
-
-    QString nameOf(const std::string& pointer, const std::string& key) const {
-        const FieldEntry* entry = entryAt(pointer);
-        if (entry != nullptr && !entry->field.label.empty()) {
-            return capitalised(fieldName(entry->field));
-        }
-        // The form names the field that may be given in its place.
-        const std::string parent = pointer.substr(0, pointer.rfind('/') + 1);
-        for (const std::string& other : entry != nullptr ? entry->alternatives : noKeys()) {
-            const FieldEntry* named = entryAt(parent + other);
-            if (named != nullptr && !named->field.label.empty()) {
-                return capitalised(fieldName(named->field));
-            }
-        }
-        return capitalised(keyInWords(key));
-    }
-
-    static const std::vector<std::string>& noKeys() {
-        static const std::vector<std::string> none;
-        return none;
+    QString nameOf(const std::string& pointer) const {
+        return capitalised(names_.ownName(pointer));
     }
 
     QString meaningOf(const std::string& pointer) const {
-        const FieldEntry* entry = entryAt(pointer);
+        const FieldEntry* entry = names_.entryAt(pointer);
         if (std::find(replaced_.begin(), replaced_.end(), pointer) != replaced_.end()) {
             return ReportWords::tr("Not used: the weighed masses replace it");
         }
@@ -120,8 +81,8 @@ class Inputs {
     }
 
     ShownUnit unitOf(const std::string& pointer) const {
-        const FieldEntry* entry = entryAt(pointer);
-        return entry == nullptr ? ShownUnit{} : shownUnit(entry->field);
+        const FieldEntry* entry = names_.entryAt(pointer);
+        return entry == nullptr ? ShownUnit{} : names_.shown(*entry);
     }
 
     QString valueText(const std::string& pointer, const Json& value) const {
@@ -135,12 +96,10 @@ class Inputs {
             return listText(value, unitOf(pointer));
         }
         const std::string word = value.is_string() ? value.get<std::string>() : value.dump();
-        if (const FieldEntry* entry = entryAt(pointer)) {
-            for (const Word& each : entry->field.words) {
-                if (each.word == word && !each.label.empty()) {
-                    return shownText(each.label).remove(QLatin1Char('&'));
-                }
-            }
+        const FieldEntry* entry = names_.entryAt(pointer);
+        const QString choice = entry != nullptr ? choiceText(entry->field, word) : QString();
+        if (!choice.isEmpty()) {
+            return choice;
         }
         return word == "solve" ? keyInWords(word) : caseText(word);
     }
@@ -169,21 +128,21 @@ class Inputs {
 
     void object(const Json& json, const std::string& pointer) {
         for (const auto& [key, value] : json.items()) {
-            const std::string at = pointer + "/" + key;
+            const std::string at = pointer + "/" + escape_segment(key);
             const bool isNested = value.is_object() || (value.is_array() && isRow(value));
             if (!isNested && !value.is_null()) {
                 main_.rows << QStringList{
-                    nameOf(at, key).toHtmlEscaped(), valueText(at, value).toHtmlEscaped(),
+                    nameOf(at).toHtmlEscaped(), valueText(at, value).toHtmlEscaped(),
                     unitOf(at).name.toHtmlEscaped(), meaningOf(at).toHtmlEscaped()};
             }
         }
         for (const auto& [key, value] : json.items()) {
-            const std::string at = pointer + "/" + key;
+            const std::string at = pointer + "/" + escape_segment(key);
             if (value.is_object() && !value.empty()) {
-                main_.rows << QStringList{nameOf(at, key).toHtmlEscaped()};
+                main_.rows << QStringList{nameOf(at).toHtmlEscaped()};
                 object(value, at);
             } else if (value.is_array() && !value.empty() && isRow(value)) {
-                list(value, at, key);
+                list(value, at);
             }
         }
         numberLists(json, pointer);
@@ -209,7 +168,7 @@ class Inputs {
             Table table;
             QStringList names;
             for (const std::string& key : keys) {
-                names << nameOf(pointer + "/" + key, key);
+                names << nameOf(pointer + "/" + key);
             }
             table.caption = names.join(QStringLiteral("; "));
             for (std::size_t part = 0; part < parts; ++part) {
@@ -219,7 +178,7 @@ class Inputs {
                 }
                 for (const std::string& key : keys) {
                     const QString unit = unitOf(pointer + "/" + key).name;
-                    const QString name = nameOf(pointer + "/" + key, key);
+                    const QString name = nameOf(pointer + "/" + key);
                     table.headings << titleWithUnit(name, unit).toHtmlEscaped();
                     table.numbers << true;
                 }
@@ -246,7 +205,7 @@ class Inputs {
     void flatten(const Json& json, std::vector<std::string>& keys,
                  const std::string& prefix) const {
         for (const auto& [key, value] : json.items()) {
-            const std::string path = prefix + "/" + key;
+            const std::string path = prefix + "/" + escape_segment(key);
             if (value.is_object()) {
                 flatten(value, keys, path);
             } else if (std::find(keys.begin(), keys.end(), path) == keys.end()) {
@@ -268,7 +227,7 @@ class Inputs {
     void addColumns(const std::vector<std::string>& paths, const std::string& row, Table& table) {
         for (const std::string& path : paths) {
             const std::string at = row + path;
-            const QString name = nameOf(at, path.substr(path.rfind('/') + 1));
+            const QString name = nameOf(at);
             const QString unit = unitOf(at).name;
             table.headings << titleWithUnit(name, unit).toHtmlEscaped();
             table.numbers << true;
@@ -289,7 +248,7 @@ class Inputs {
     /// One line a row; where the rows hold a list of objects themselves, one for each object of it,
     /// and what the row has beside in the first of its lines. Each further such list is a table of
     /// its own.
-    void list(const Json& rows, const std::string& pointer, const std::string& key) {
+    void list(const Json& rows, const std::string& pointer) {
         std::vector<std::string> paths = pathsOf(rows);
         const auto isList = [&](const std::string& path) {
             const Json::json_pointer at(path);
@@ -302,12 +261,11 @@ class Inputs {
             std::stable_partition(paths.begin(), paths.end(), std::not_fn(isList));
         const std::vector<std::string> within(firstList, paths.end());
         paths.erase(firstList, paths.end());
-        const QString caption = nameOf(pointer, key);
+        const QString caption = nameOf(pointer);
         lists_.push_back(
             rowTable(rows, pointer, caption, paths, within.empty() ? std::string() : within[0]));
         for (std::size_t i = 1; i < within.size(); ++i) {
-            const QString name =
-                nameOf(pointer + "/0" + within[i], within[i].substr(within[i].rfind('/') + 1));
+            const QString name = nameOf(pointer + "/0" + within[i]);
             lists_.push_back(
                 rowTable(rows, pointer, caption + QStringLiteral(": ") + name, {}, within[i]));
         }
@@ -357,7 +315,7 @@ class Inputs {
         return table;
     }
 
-    std::map<std::string, FieldEntry> entries_;
+    FieldNames names_;
     std::vector<std::string> replaced_;
     Table main_;
     std::vector<Table> lists_;

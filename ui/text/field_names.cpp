@@ -29,8 +29,18 @@ std::vector<std::string> segmentsOf(const std::string& pointer) {
     return all;
 }
 
+/// A segment of a pointer as the key that it stands for.
+std::string unescaped(std::string segment) {
+    for (const auto& [code, sign] : {std::pair("~1", "/"), std::pair("~0", "~")}) {
+        for (std::size_t at = 0; (at = segment.find(code, at)) != std::string::npos; ++at) {
+            segment.replace(at, 2, sign);
+        }
+    }
+    return segment;
+}
+
 std::string lastKey(const std::string& pointer) {
-    return pointer.substr(pointer.rfind('/') + 1);
+    return unescaped(pointer.substr(pointer.rfind('/') + 1));
 }
 
 /// Every element of a list as its first.
@@ -135,11 +145,10 @@ const FieldEntry* FieldNames::entryAt(const std::string& pointer) const {
     return found == fields_.end() ? nullptr : &found->second;
 }
 
-/// By the label where it has one, else by the key.
 QString FieldNames::ownName(const std::string& pointer) const {
     const FieldEntry* entry = entryAt(pointer);
-    return entry != nullptr && !entry->field.label.empty() ? fieldName(entry->field)
-                                                           : keyInWords(lastKey(pointer));
+    const FieldEntry* named = entry != nullptr ? labelled(*entry) : nullptr;
+    return named != nullptr ? fieldName(named->field) : keyInWords(lastKey(pointer));
 }
 
 /// @param keys  below "input"
@@ -201,10 +210,7 @@ QString FieldNames::place(const Message& where) const {
         parts << insideInput(keys);
     } else {
         for (std::string& key : keys) {
-            // A study names its places by their pointers.
-            for (std::size_t at = 0; (at = key.find("~1", at)) != std::string::npos;) {
-                key.replace(at, 2, "/");
-            }
+            key = unescaped(key);  // a study names its places by their pointers
             parts << (key.starts_with('/') ? name(key)
                       : isPlace(key)       ? rowText(key)
                                            : keyInWords(key));
@@ -232,10 +238,8 @@ QString FieldNames::named(const std::string& word, const std::string& where) con
     if (where.starts_with(root)) {
         const std::string pointer = where.substr(root.size());
         if (const FieldEntry* entry = entryAt(pointer); entry != nullptr && quoted) {
-            for (const Word& each : entry->field.words) {
-                if (each.word == key && !each.label.empty()) {
-                    return inQuotes(shownText(each.label).remove(QLatin1Char('&')));
-                }
+            if (const QString choice = choiceText(entry->field, key); !choice.isEmpty()) {
+                return inQuotes(choice);
             }
         }
         // A key beside the place or in it.

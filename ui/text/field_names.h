@@ -24,6 +24,10 @@ class FieldNames {
     const FieldEntry* find(const std::string& pointer) const;
     /// The same, and a leaf without a label of its own is itself: for its unit and its words.
     const FieldEntry* described(const std::string& pointer) const;
+    /// The description of a place itself; null where there is none.
+    const FieldEntry* entryAt(const std::string& pointer) const;
+    /// Its label, or that of the field that may be given in its place, else its key as text.
+    QString ownName(const std::string& pointer) const;
     /// How the form shows a number of an entry: where another field names it, in the unit of that.
     ShownUnit shown(const FieldEntry& entry) const;
     /// "Crank radius r", "Reciprocating masses, piston"; of a list's element with its place,
@@ -38,8 +42,6 @@ class FieldNames {
 
   private:
     const FieldEntry* labelled(const FieldEntry& entry) const;
-    const FieldEntry* entryAt(const std::string& pointer) const;
-    QString ownName(const std::string& pointer) const;
     QString named(const std::string& word, const std::string& where) const;
     QString insideInput(const std::vector<std::string>& keys) const;
 

@@ -86,6 +86,15 @@ QString fieldName(const Field& field) {
     return shownText(field.label).remove(QLatin1Char('&'));
 }
 
+QString choiceText(const Field& field, std::string_view word) {
+    for (const Word& each : field.words) {
+        if (each.word == word) {
+            return shownText(each.label).remove(QLatin1Char('&'));
+        }
+    }
+    return {};
+}
+
 QString fieldHint(const Field& field) {
     QStringList sentences{shownText(field.hint)};
     if (!field.if_empty.empty()) {

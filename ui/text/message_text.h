@@ -3,6 +3,7 @@
 #include <QString>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "case-file/field.h"
 #include "case-file/message.h"
@@ -27,6 +28,8 @@ QString messageText(const Message& message, const MessageWords& words = {});
 QString presetTitle(const Message& title);
 /// A field's label without the & of its mnemonic: the name of its undo step.
 QString fieldName(const Field& field);
+/// The label of one of a choice's words; empty where it has none.
+QString choiceText(const Field& field, std::string_view word);
 /// What a field means and what it represents while it is empty: its tooltip.
 QString fieldHint(const Field& field);
 
