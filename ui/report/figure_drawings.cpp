@@ -16,10 +16,9 @@ using namespace report;
 
 namespace {
 
-constexpr int figureWidth = 660;   ///< pixels, of a plot
-constexpr int narrowWidth = 480;   ///< of one that is high
-constexpr int pictureWidth = 430;  ///< of a picture that is not seen
-constexpr QSize mostOfSeen(660, 270);
+constexpr int figureWidth = 660;  ///< pixels, of a plot
+constexpr int narrowWidth = 480;  ///< of one that is high
+constexpr QSize mostOfPicture(660, 270);
 
 /// A cell's text as a fragment of HTML.
 QString cellHtml(const QString& text) {
@@ -70,27 +69,19 @@ Drawing drawingOf(std::shared_ptr<PlotView> plot) {
             plot->accessibleDescription().isEmpty() ? plot->title() : plot->accessibleDescription(),
             size,
             [plot, size](QPainter& painter) {
-                drawAt(plot.get(), size,
-                       [&] { plot->renderTo(painter, QRectF(QPointF(), QSizeF(size))); });
+                plot->renderTo(painter, QRectF(QPointF(), QSizeF(size)));
             }};
 }
 
 Drawing drawingOf(QWidget* picture) {
-    // What is seen keeps its size, or its layout takes the other one back.
-    const bool isSeen = picture->isVisible();
-    if (QPicture nothing; !isSeen) {
+    if (QPicture nothing; !picture->isVisible()) {
         picture->render(&nothing);  // now it is laid out
     }
-    const double shape = static_cast<double>(picture->height()) / std::max(picture->width(), 1);
-    constexpr double wide = 0.6;
-    const int width = shape < wide ? figureWidth : pictureWidth;
-    const QSize size = isSeen ? picture->size().scaled(mostOfSeen, Qt::KeepAspectRatio)
-                              : QSize(width, std::clamp(static_cast<int>(width * shape), 160, 430));
+    const QSize size = picture->size().scaled(mostOfPicture, Qt::KeepAspectRatio);
     return {picture->accessibleName(), picture->accessibleDescription(), size,
-            [picture = QPointer(picture), size, isSeen](QPainter& painter) {
+            [picture = QPointer(picture), size](QPainter& painter) {
                 if (picture) {
-                    drawAt(picture, isSeen ? picture->size() : size,
-                           [&] { drawFigure(picture, painter, QRectF(QPointF(), QSizeF(size))); });
+                    drawFigure(picture, painter, QRectF(QPointF(), QSizeF(size)));
                 }
             }};
 }
