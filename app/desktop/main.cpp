@@ -215,8 +215,7 @@ int main(int argc, char** argv) {
     const QString scene = parser.value(sceneOption);
     const QString start = u"start"_s;
     const QStringList paths = parser.values(caseOption) + parser.positionalArguments();
-    if (scene == start || (scene.isEmpty() && paths.isEmpty() && !screenshot &&
-                           window.documents().paths().isEmpty())) {
+    if (scene == start || (scene.isEmpty() && paths.isEmpty() && !screenshot)) {
         window.showStart();
     } else if (!scene.isEmpty() && !window.showScene(scene)) {
         QStringList names{start};

@@ -13206,22 +13206,6 @@ but no position is feasible</source>
         <translation>&amp;Полный экран</translation>
     </message>
     <message>
-        <source>&amp;Theme</source>
-        <translation>&amp;Тема</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>С&amp;ветлая</translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation>&amp;Тёмная</translation>
-    </message>
-    <message>
-        <source>L&amp;anguage</source>
-        <translation>&amp;Язык</translation>
-    </message>
-    <message>
         <source>&amp;Help</source>
         <translation>&amp;Справка</translation>
     </message>
@@ -13290,10 +13274,6 @@ but no position is feasible</source>
         <translation>&amp;Закрыть задачу</translation>
     </message>
     <message>
-        <source>Open the sa&amp;me cases at the next start</source>
-        <translation>Открывать те же задачи при след&amp;ующем запуске</translation>
-    </message>
-    <message>
         <source>Title and &amp;notes…</source>
         <translation>Название и &amp;заметки…</translation>
     </message>
@@ -13312,10 +13292,6 @@ but no position is feasible</source>
     <message>
         <source>New case</source>
         <translation>Новая задача</translation>
-    </message>
-    <message>
-        <source>Not opened again: %1</source>
-        <translation>Не открыты снова: %1</translation>
     </message>
     <message>
         <source>Report</source>
@@ -13338,10 +13314,6 @@ but no position is feasible</source>
         <translation>Вес&amp;ы…</translation>
     </message>
     <message>
-        <source>Tolerance &amp;bands</source>
-        <translation>Полосы &amp;допусков</translation>
-    </message>
-    <message>
         <source>Writing the report…</source>
         <translation>Пишется отчёт…</translation>
     </message>
@@ -13352,10 +13324,6 @@ but no position is feasible</source>
     <message>
         <source>Cancelled: the report was not written.</source>
         <translation>Отменено: отчёт не записан.</translation>
-    </message>
-    <message>
-        <source>New case, empty or &amp;from…</source>
-        <translation>Новая задача, пустая или &amp;из…</translation>
     </message>
     <message>
         <source>&amp;What’s this?</source>
@@ -13376,14 +13344,6 @@ but no position is feasible</source>
     <message>
         <source>New case with the first engine (%1)</source>
         <translation>Новая задача с первым двигателем (%1)</translation>
-    </message>
-    <message>
-        <source>Bands about the curves and ± beside the numbers, if the case has tolerances</source>
-        <translation>Полосы вокруг кривых и ± у чисел, если у задачи есть допуски</translation>
-    </message>
-    <message>
-        <source>&amp;System default</source>
-        <translation>Как в &amp;системе</translation>
     </message>
     <message>
         <source>&amp;Variants: one design compared with another</source>
@@ -13412,6 +13372,10 @@ but no position is feasible</source>
     <message>
         <source>Copied from %1: %2.</source>
         <translation>Скопировано из %1: %2.</translation>
+    </message>
+    <message>
+        <source>New case &amp;from</source>
+        <translation>Новая задача &amp;из</translation>
     </message>
 </context>
 <context>
@@ -13766,25 +13730,6 @@ but no position is feasible</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::NewCaseDialog</name>
-    <message>
-        <source>New case</source>
-        <translation>Новая задача</translation>
-    </message>
-    <message>
-        <source>&amp;Create</source>
-        <translation>Со&amp;здать</translation>
-    </message>
-    <message>
-        <source>&amp;Module</source>
-        <translation>&amp;Модуль</translation>
-    </message>
-    <message>
-        <source>&amp;Start from</source>
-        <translation>&amp;Начать с</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::NewCases</name>
     <message>
         <source>How much can a balance shaft help?</source>
@@ -14134,10 +14079,6 @@ but no position is feasible</source>
     <message>
         <source>%1 cannot be written.</source>
         <translation>Не удалось записать %1.</translation>
-    </message>
-    <message>
-        <source>Width in pixels; %1 print with 300 dots to the inch:</source>
-        <translation>Ширина в пикселах; %1 печатаются с 300 точками на дюйм:</translation>
     </message>
     <message>
         <source>Written: %1</source>
@@ -16113,10 +16054,6 @@ but no position is feasible</source>
         <translation>Файлы</translation>
     </message>
     <message>
-        <source>New case…</source>
-        <translation>Новая задача…</translation>
-    </message>
-    <message>
         <source>Open a case…</source>
         <translation>Открыть задачу…</translation>
     </message>
@@ -17898,10 +17835,6 @@ but no position is feasible</source>
     <message>
         <source>The linear answer fails for %1: distance of the samples %2 (RMS), standard deviation %3.</source>
         <translation>Линейный ответ для %1 неверен: отклонение проб %2 (СКЗ), стандартное отклонение %3.</translation>
-    </message>
-    <message>
-        <source>The linear answer fails for %1: mean %2, standard deviation %3; samples %4 and %5.</source>
-        <translation>Линейный ответ для %1 неверен: среднее %2, стандартное отклонение %3; по пробам %4 и %5.</translation>
     </message>
     <message>
         <source>%1 of %2 trial samples cannot be solved; the linear answer does not show that.</source>

@@ -29,14 +29,14 @@ bool FigureMenu::isEmpty() const {
     return data_ && data_(CsvFormat(QLocale::c())).count(QLatin1Char('\n')) < 2;  // headings alone
 }
 
-QString FigureMenu::write(const QString& path, const QString& title, int pixels) const {
+QString FigureMenu::write(const QString& path, const QString& title) const {
     if (data_ && path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
         return writeFile(path, [this] { return CsvFormat::file(data_(CsvFormat())); });
     }
     const auto draw = [this](QPainter& painter, double scale) {
         draw_(painter, QRectF(QPointF(), QSizeF(figure_->size()) * scale));
     };
-    return writePicture(path, figure_->size(), title, draw, pixels);
+    return writePicture(path, figure_->size(), title, draw);
 }
 
 void FigureMenu::copyPicture() const {
@@ -63,12 +63,10 @@ void FigureMenu::open(const QPoint& at) {
     }
     menu.addAction(tr("Copy picture"), this, &FigureMenu::copyPicture);
     menu.addAction(data_ ? tr("Save picture or data…") : tr("Save picture…"), this, [this] {
-        savePictureWithDialog(figure_, data_ ? tr("Save picture or data") : tr("Save picture"),
-                              file_ + QStringLiteral(".png"), figure_->size(),
-                              data_ ? QList{csvFormat()} : QList<FileFormat>(),
-                              [this](const QString& path, int pixels) {
-                                  return write(path, figure_->accessibleName(), pixels);
-                              });
+        savePictureWithDialog(
+            figure_, data_ ? tr("Save picture or data") : tr("Save picture"),
+            file_ + QStringLiteral(".png"), data_ ? QList{csvFormat()} : QList<FileFormat>(),
+            [this](const QString& path) { return write(path, figure_->accessibleName()); });
     });
     menu.exec(at);
 }

@@ -36,9 +36,8 @@ class FigureMenu : public QObject {
     bool isEmpty() const;
 
     /// Writes a PNG, SVG or PDF, or the data as CSV for spreadsheets, by the file's ending.
-    /// @param pixels  width of a PNG; 0: 300 to the inch that is 96 on screen
     /// @return an empty string, or what went wrong
-    QString write(const QString& path, const QString& title, int pixels = 0) const;
+    QString write(const QString& path, const QString& title) const;
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -4,7 +4,6 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QImage>
-#include <QInputDialog>
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QPageSize>
@@ -13,7 +12,6 @@
 #include <QPdfWriter>
 #include <QStatusBar>
 #include <QWidget>
-#include <algorithm>
 #include <cmath>
 
 #include "numerics/units.h"
@@ -61,9 +59,9 @@ bool drawPdf(QIODevice& out, const QSize& size, const QString& title, const Draw
     return drawOn(writer, draw);
 }
 
-bool drawPng(QIODevice& out, const QSize& size, const DrawPicture& draw, int pixels) {
-    const double scale = static_cast<double>(pixels) / size.width();
-    QImage image(pixels, static_cast<int>(std::lround(size.height() * scale)),
+bool drawPng(QIODevice& out, const QSize& size, const DrawPicture& draw) {
+    constexpr double scale = printDots / screenDots;
+    QImage image(printedWidth(size), static_cast<int>(std::lround(size.height() * scale)),
                  QImage::Format_RGB32);
     const int dotsPerMetre = static_cast<int>(std::lround(scale * screenDots / units::inch.to_si));
     image.setDotsPerMeterX(dotsPerMetre);
@@ -82,7 +80,7 @@ int printedWidth(const QSize& size) {
 }
 
 QString writePicture(const QString& path, const QSize& size, const QString& title,
-                     const DrawPicture& draw, int pixels) {
+                     const DrawPicture& draw) {
     QBuffer whole;  // a file is only begun with a picture that is drawn
     whole.open(QIODevice::WriteOnly);
     bool isDrawn = false;
@@ -91,7 +89,7 @@ QString writePicture(const QString& path, const QSize& size, const QString& titl
     } else if (endsIn(path, ".pdf")) {
         isDrawn = drawPdf(whole, size, title, draw);
     } else if (endsIn(path, ".png")) {
-        isDrawn = drawPng(whole, size, draw, pixels > 0 ? pixels : printedWidth(size));
+        isDrawn = drawPng(whole, size, draw);
     } else {
         return say(QT_TRANSLATE_NOOP("ravnoves::PictureFile",
                                      "%1: a picture is written as .png, .svg or .pdf."))
@@ -103,28 +101,13 @@ QString writePicture(const QString& path, const QSize& size, const QString& titl
 }
 
 void savePictureWithDialog(QWidget* parent, const QString& title, const QString& name,
-                           const QSize& size, const QList<FileFormat>& others,
-                           const std::function<QString(const QString&, int)>& write) {
+                           const QList<FileFormat>& others,
+                           const std::function<QString(const QString&)>& write) {
     const QString path = askSavePath(parent, title, name, pictureFormats() + others);
     if (path.isEmpty()) {
         return;
     }
-    int pixels = 0;
-    if (endsIn(path, ".png")) {
-        constexpr int least = 100;
-        constexpr int most = 12000;
-        bool isGiven = false;
-        pixels = QInputDialog::getInt(
-            parent, title,
-            say(QT_TRANSLATE_NOOP("ravnoves::PictureFile",
-                                  "Width in pixels; %1 print with 300 dots to the inch:"))
-                .arg(printedWidth(size)),
-            std::min(printedWidth(size), most), least, most, 1, &isGiven);
-        if (!isGiven) {
-            return;
-        }
-    }
-    const QString trouble = write(path, pixels);
+    const QString trouble = write(path);
     if (!trouble.isEmpty()) {
         QMessageBox::warning(parent, title, trouble);
         return;

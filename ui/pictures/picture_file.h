@@ -16,20 +16,19 @@ namespace ravnoves {
 using DrawPicture = std::function<void(QPainter& painter, double scale)>;
 
 /// Writes what `draw` draws as PNG, SVG or PDF, by the file's ending; another one is rejected.
-/// @param pixels  width of a PNG; 0: as printedWidth()
 /// @return an empty string, or what went wrong
 QString writePicture(const QString& path, const QSize& size, const QString& title,
-                     const DrawPicture& draw, int pixels = 0);
+                     const DrawPicture& draw);
 
 /// Width in pixels of a PNG that prints, with 300 dots to the inch, as large as a screen with 96
 /// shows it.
 int printedWidth(const QSize& size);
 
-/// Asks where to save, and for a PNG how wide it is to be; `write` writes there.
+/// Asks where to save; `write` writes there.
 /// @param others  formats beside those of pictures
 void savePictureWithDialog(QWidget* parent, const QString& title, const QString& name,
-                           const QSize& size, const QList<FileFormat>& others,
-                           const std::function<QString(const QString& path, int pixels)>& write);
+                           const QList<FileFormat>& others,
+                           const std::function<QString(const QString& path)>& write);
 
 /// True on a device that takes lines and text rather than pixels.
 bool takesLines(const QPainter& painter);

@@ -473,22 +473,6 @@ bool Documents::restore(const RecoveredCase& recovered) {
     return recovery_ == nullptr || recovery_->keep(current_->document);  // or the other copy stays
 }
 
-QStringList Documents::paths() const {
-    QStringList paths;
-    for (int tab = 0; tab < tabs_->count(); ++tab) {
-        if (const OpenDocument* document = ofTab(tab)) {
-            paths << document->document->path();
-        }
-        for (const Later& each : later_) {
-            if (each.id == tabs_->idOf(tab)) {
-                paths << each.path;
-            }
-        }
-    }
-    paths.removeAll(QString());
-    return paths;
-}
-
 void Documents::showNotices() {
     if (current_ != nullptr) {
         notices_->showFor(current_->document, current_->page);

@@ -95,8 +95,6 @@ class Documents : public QWidget {
     /// that the case names and that cannot be read, and says what else is wrong.
     /// @return false where the copy is still needed
     bool restore(const RecoveredCase& recovered);
-    /// The files that are open, in the order of the tabs.
-    QStringList paths() const;
 
     /// Makes every page again over its model, in another language or with other units.
     void renewPages();

@@ -32,7 +32,6 @@
 #include "report/report_dialog.h"
 #include "shell/documents.h"
 #include "shell/help_window.h"
-#include "shell/new_case_dialog.h"
 #include "shell/new_cases.h"
 #include "shell/page_drawing.h"
 #include "shell/recovery_dialog.h"
@@ -50,13 +49,6 @@
 namespace ravnoves {
 
 using namespace std::chrono_literals;
-
-namespace {
-
-const QString filesKey = QStringLiteral("session/files");
-const QString currentKey = QStringLiteral("session/current");  ///< a file, or a scene
-
-}  // namespace
 
 MainWindow::MainWindow(First first) {
     setWindowIcon(themedIcon(QStringLiteral("ravnoves")));
@@ -203,7 +195,6 @@ void MainWindow::showStart() {
         connect(start_, &StartPage::openRequested, this,
                 [this](const QString& path) { openOrSayWhy({path}); });
         connect(start_, &StartPage::openDialogRequested, this, &MainWindow::openWithDialog);
-        connect(start_, &StartPage::newDialogRequested, this, &MainWindow::beginWithDialog);
         connect(start_, &StartPage::journalRequested, this, &MainWindow::showJournal);
         connect(start_, &StartPage::jobRequested, this, &MainWindow::openJob);
     }
@@ -283,12 +274,6 @@ void MainWindow::beginOrSayWhy(const CaseFile& file) {
     }
 }
 
-void MainWindow::beginWithDialog() {
-    if (const auto file = NewCaseDialog::ask(currentScene(), this)) {
-        beginOrSayWhy(*file);
-    }
-}
-
 QString MainWindow::saveCase(const QString& path) {
     return documents_->current().document->saveTo(path);
 }
@@ -297,57 +282,6 @@ void MainWindow::beginSession() {
     recovery_ = new Recovery(Recovery::defaultFolder(), this);
     connect(recovery_, &Recovery::failed, this, [this](const QString& why) { say(why, 10s); });
     documents_->keepIn(recovery_);
-    const QSettings settings;
-    if (settings.value(restoreKey, false).toBool()) {
-        QStringList missing;
-        QStringList files = settings.value(filesKey).toStringList();
-        files.removeIf([&](const QString& path) {
-            const bool isMissing = !QFileInfo(path).isFile();
-            if (isMissing) {
-                missing << path;
-            }
-            return isMissing;
-        });
-        documents_->openLater(files);
-        // The one that was in front, or any that can be read.
-        const QString current = settings.value(currentKey).toString();
-        if (files.removeAll(current) > 0) {
-            files.prepend(current);
-        }
-        if (!showScene(current)) {
-            while (!files.isEmpty() && !openCase(files.constFirst()).isEmpty()) {
-                missing << files.takeFirst();
-            }
-        }
-        if (!missing.isEmpty()) {
-            // What the status bar says of a window that is not shown yet lies over the hint.
-            QMetaObject::invokeMethod(
-                this,
-                [this, missing] {
-                    say(tr("Not opened again: %1").arg(missing.join(QStringLiteral(", "))), 10s);
-                },
-                Qt::QueuedConnection);
-        }
-    }
-    connect(documents_, &Documents::changed, this, &MainWindow::rememberSession);
-}
-
-void MainWindow::rememberSession() {
-    QSettings settings;
-    if (recovery_ == nullptr || !settings.value(restoreKey, false).toBool()) {
-        return;  // nobody reads it
-    }
-    const auto keep = [&](const QString& key, const QVariant& value) {
-        if (settings.value(key) != value) {  // every write goes to the disk
-            settings.setValue(key, value);
-        }
-    };
-    keep(filesKey, documents_->paths());
-    if (!documents_->hasCurrent()) {
-        return;
-    }
-    const QString path = documents_->current().document->path();
-    keep(currentKey, path.isEmpty() ? currentScene() : path);
 }
 
 void MainWindow::offerRecovered() {
@@ -543,10 +477,9 @@ void MainWindow::exportPicture() {
         }
     };
     savePictureWithDialog(this, tr("Save page as picture"), currentScene() + QStringLiteral(".png"),
-                          page->size(), {}, [&](const QString& path, int pixels) {
+                          {}, [&](const QString& path) {
                               return writePicture(path, page->size(),
-                                                  documents_->current().document->name(), draw,
-                                                  pixels);
+                                                  documents_->current().document->name(), draw);
                           });
 }
 
@@ -637,7 +570,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
-    rememberSession();
     if (recovery_ != nullptr) {
         recovery_->releaseAll();
     }

@@ -62,8 +62,7 @@ class MainWindow : public QMainWindow {
     /// Writes a report of the current page's case, PDF or HTML by the suffix. The same return.
     QString writeReport(const QString& path, const Patience& patience = Patience());
 
-    /// Keeps what is not saved for the case of a crash, and what is open for the next start; opens
-    /// what was open at the last, if the user likes.
+    /// Keeps what is not saved for the case of a crash.
     void beginSession();
     /// Offers what a crash has left, where there is any.
     void offerRecovered();
@@ -82,19 +81,14 @@ class MainWindow : public QMainWindow {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
-    /// Whether the next start opens the files of the last.
-    static constexpr QLatin1String restoreKey{"session/restore"};
-
     void buildNavigation();
     void buildMenus();
     /// Makes menus, navigation and pages again, in the present language, units and size of text.
     void renew();
     void showCurrent();
-    void rememberSession();
     /// Brings the documents back in front of the start page.
     void leaveStart();
     void beginOrSayWhy(const CaseFile& file);
-    void beginWithDialog();
     void fillNewMenu();
     void fillExamples();
     void openWithDialog();
@@ -136,8 +130,7 @@ class MainWindow : public QMainWindow {
     QMenu* recentMenu_ = nullptr;
     QMenu* engineMenu_ = nullptr;
     QMenu* examplesMenu_ = nullptr;
-    QMenu* newMenu_ = nullptr;  ///< of the New button
-    QAction* newFrom_ = nullptr;
+    QMenu* newMenu_ = nullptr;  ///< of the New button, too
     QMenu* sceneMenu_ = nullptr;
     QToolBar* toolBar_ = nullptr;
     VariantMenu* variants_ = nullptr;

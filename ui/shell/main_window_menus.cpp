@@ -8,7 +8,6 @@
 #include <QMessageBox>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QSettings>
 #include <QStackedWidget>
 #include <QToolBar>
 #include <QToolButton>
@@ -29,11 +28,8 @@
 #include "shell/settings_dialog.h"
 #include "shell/variant_menu.h"
 #include "shop/scale_button.h"
-#include "studies/tolerance_switch.h"
-#include "text/language.h"
 #include "text/message_text.h"
 #include "text/plain_title.h"
-#include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/layouts.h"
@@ -191,8 +187,8 @@ void MainWindow::buildMenus() {
     fresh->setToolTip(tr("New case with the first engine (%1)")
                           .arg(fresh->shortcut().toString(QKeySequence::NativeText)));
     fresh->setStatusTip(fresh->toolTip());
-    newFrom_ = add(file, {}, tr("New case, empty or &from…"),
-                   QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), [this] { beginWithDialog(); });
+    newMenu_ = file->addMenu(tr("New case &from"));
+    connect(newMenu_, &QMenu::aboutToShow, this, &MainWindow::fillNewMenu);
     QAction* open = add(file, QStringLiteral("open"), tr("&Open case…"), QKeySequence::Open,
                         [this] { openWithDialog(); });
     recentMenu_ = file->addMenu(tr("Open &recent"));
@@ -213,13 +209,6 @@ void MainWindow::buildMenus() {
     QAction* close = add(file, {}, tr("&Close case"), QKeySequence(Qt::CTRL | Qt::Key_W),
                          [this] { documents_->closeCurrent(); });
     file->addSeparator();
-    QAction* restores = add(file, {}, tr("Open the sa&me cases at the next start"), {}, [] {});
-    restores->setCheckable(true);
-    restores->setChecked(QSettings().value(restoreKey, false).toBool());
-    connect(restores, &QAction::toggled, this, [this](bool on) {
-        QSettings().setValue(restoreKey, on);
-        rememberSession();
-    });
     add(file, {}, tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { this->close(); });
 
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -278,45 +267,8 @@ void MainWindow::buildMenus() {
     QAction* reset =
         add(view, QStringLiteral("reset-zoom"), tr("Reset &zoom of all plots"),
             QKeySequence(Qt::CTRL | Qt::Key_0), [this] { currentPage()->resetZoom(); });
-    QAction* bands = add(view, {}, tr("Tolerance &bands"), {}, [] {});
-    bands->setCheckable(true);
-    bands->setChecked(ToleranceSwitch::instance().isOn());
-    bands->setStatusTip(
-        tr("Bands about the curves and ± beside the numbers, if the case has tolerances"));
-    connect(bands, &QAction::toggled, &ToleranceSwitch::instance(), &ToleranceSwitch::setOn);
-    connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, bands, &QAction::setChecked);
     add(view, {}, tr("&Full screen"), QKeySequence(Qt::Key_F11),
         [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
-    view->addSeparator();
-    QMenu* themes = view->addMenu(themedIcon(QStringLiteral("theme")), tr("&Theme"));
-    auto* themeGroup = new QActionGroup(this);
-    const std::vector<std::pair<Theme::Mode, QString>> modes{
-        {Theme::Mode::System, tr("&System default")},
-        {Theme::Mode::Light, tr("&Light")},
-        {Theme::Mode::Dark, tr("&Dark")}};
-    for (const auto& [mode, text] : modes) {
-        QAction* action = themes->addAction(text, this, [mode = mode] {
-            Theme::instance().setMode(mode);
-            QSettings().setValue(QStringLiteral("view/theme"), static_cast<int>(mode));
-        });
-        action->setCheckable(true);
-        themeGroup->addAction(action);
-        const auto check = [action, mode = mode] {
-            action->setChecked(Theme::instance().mode() == mode);
-        };
-        check();
-        connect(&Theme::instance(), &Theme::changed, action, check);
-    }
-    QMenu* languages = view->addMenu(tr("L&anguage"));
-    auto* languageGroup = new QActionGroup(this);
-    for (const Language& language : availableLanguages()) {
-        QAction* action = languages->addAction(language.ownName, this, [language] {
-            Preferences::instance().setLanguage(language.code);
-        });
-        action->setCheckable(true);
-        action->setChecked(language.code == currentLanguage());
-        languageGroup->addAction(action);
-    }
 
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     add(help, QStringLiteral("help"), tr("&About this page: formulas and sources"),
@@ -340,8 +292,6 @@ void MainWindow::buildMenus() {
     toolBar_->setMovable(false);
     toolBar_->setIconSize(QSize(Theme::withText(20), Theme::withText(20)));
     toolBar_->addActions({fresh, open, save_});
-    newMenu_ = new QMenu(toolBar_);
-    connect(newMenu_, &QMenu::aboutToShow, this, &MainWindow::fillNewMenu);
     auto* newButton = qobject_cast<QToolButton*>(toolBar_->widgetForAction(fresh));
     newButton->setMenu(newMenu_);
     newButton->setPopupMode(QToolButton::MenuButtonPopup);
@@ -363,12 +313,11 @@ void MainWindow::buildMenus() {
 void MainWindow::fillNewMenu() {
     newMenu_->clear();
     for (const NewCase& each : newCases()) {
-        if (each.scene == currentScene()) {
-            newMenu_->addAction(listed(each), this, [this, each] { beginOrSayWhy(each.make()); });
+        if (isAtStart() || each.scene == currentScene()) {
+            newMenu_->addAction(themedIcon(QStringLiteral("scene-") + each.scene), listed(each),
+                                this, [this, each] { beginOrSayWhy(each.make()); });
         }
     }
-    newMenu_->addSeparator();
-    newMenu_->addAction(newFrom_);
 }
 
 void MainWindow::fillExamples() {

@@ -311,8 +311,6 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     };
     line(jobs_, QStringLiteral("journal"), tr("Journal…"), QStringLiteral("start-journal"),
          [this] { Q_EMIT journalRequested(); });
-    line(recent_, QStringLiteral("new"), tr("New case…"), QStringLiteral("start-new"),
-         [this] { Q_EMIT newDialogRequested(); });
     line(recent_, QStringLiteral("open"), tr("Open a case…"), QStringLiteral("start-open"),
          [this] { Q_EMIT openDialogRequested(); });
     recent_->addStretch();
@@ -336,7 +334,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
 }
 
 void StartPage::showRecent() {
-    constexpr int fixed = 4;  // heading, its gap, New, Open
+    constexpr int fixed = 3;  // heading, its gap, Open
     while (recent_->count() > fixed) {
         const std::unique_ptr<QLayoutItem> item(recent_->takeAt(fixed));
         delete item->widget();

@@ -32,9 +32,8 @@ class StartPage : public QWidget {
     /// A case that has no file yet.
     void newRequested(const CaseFile& file);
     void openRequested(const QString& path);
-    /// The user wants to be asked for a file, or for what a new case begins with.
+    /// The user wants to be asked for a file.
     void openDialogRequested();
-    void newDialogRequested();
     /// The journal of the workshop, by F3 as on its pages.
     void journalRequested();
     /// A job of that journal.

@@ -6,7 +6,6 @@
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QFile>
-#include <QInputDialog>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMimeData>
@@ -46,8 +45,8 @@ class PlotExportTest : public ::testing::Test {
         test::showAt(plot, {600, 360});
     }
     QString file(const char* name) const { return folder.filePath(QString::fromUtf8(name)); }
-    QString write(const QString& path, int pixels = 0) {
-        return plot.findChild<FigureMenu*>()->write(path, plot.title(), pixels);
+    QString write(const QString& path) {
+        return plot.findChild<FigureMenu*>()->write(path, plot.title());
     }
     QImage drawn() {
         QImage image(plot.size(), QImage::Format_RGB32);
@@ -80,8 +79,8 @@ class PlotExportTest : public ::testing::Test {
         const FileChoosers before = fileChoosers();
         fileChoosers().save = [&](QWidget*, const QString&, const QString&, const QString&,
                                   QString*) { return path; };
-        savePictureWithDialog(of, {}, {}, of->size(), {}, [of](const QString& to, int pixels) {
-            return of->findChild<FigureMenu*>()->write(to, of->title(), pixels);
+        savePictureWithDialog(of, {}, {}, {}, [of](const QString& to) {
+            return of->findChild<FigureMenu*>()->write(to, of->title());
         });
         fileChoosers() = before;
     }
@@ -159,14 +158,12 @@ TEST_F(PlotExportTest, ThePdfHoldsTextAndLinesRatherThanPixels) {
     }
 }
 
-TEST_F(PlotExportTest, APngHasThreeHundredDotsToTheInchOrThePixelsChosen) {
+TEST_F(PlotExportTest, APngHasThreeHundredDotsToTheInch) {
     ASSERT_EQ(write(file("a.png")), QString());
     const QImage printed(file("a.png"));
     EXPECT_EQ(printed.width(), 1875);
     EXPECT_EQ(printed.height(), 1125);
     EXPECT_NEAR(printed.dotsPerMeterX() * 0.0254, 300.0, 0.1);
-    ASSERT_EQ(write(file("b.png"), 1000), QString());
-    EXPECT_EQ(QImage(file("b.png")).size(), QSize(1000, 600));
 }
 
 TEST_F(PlotExportTest, NothingOfTheMouseIsInAnyPicture) {
@@ -225,22 +222,16 @@ TEST_F(PlotExportTest, PictureAndDataAreCopiedFromTheMenu) {
     EXPECT_EQ(QApplication::clipboard()->image().size(), plot.size() * 2);
 }
 
-TEST_F(PlotExportTest, TheMenuSavesWithTheWidthThatIsAsked) {
+TEST_F(PlotExportTest, TheMenuSavesForPrint) {
     const FileChoosers before = fileChoosers();
     QString filters;
     fileChoosers().save = [&](QWidget*, const QString&, const QString&, const QString& offered,
                               QString*) {
         filters = offered;
-        // After it the width is asked for.
-        test::whenModal<QInputDialog>(&plot, [](QInputDialog* ask) {
-            EXPECT_EQ(ask->intValue(), 1875);
-            ask->setIntValue(300);
-            QTest::keyClick(ask, Qt::Key_Return);
-        });
         return file("Вариант");
     };
     chooseInMenu("Save picture or data…");
-    EXPECT_EQ(QImage(file("Вариант.png")).width(), 300);
+    EXPECT_EQ(QImage(file("Вариант.png")).width(), 1875);
     for (const char* suffix : {"*.png", "*.svg", "*.pdf", "*.csv"}) {
         EXPECT_TRUE(filters.contains(QString::fromUtf8(suffix))) << filters.toStdString();
     }

@@ -6,7 +6,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFile>
-#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>

@@ -5,7 +5,6 @@
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QDir>
-#include <QListWidget>
 #include <QMenu>
 #include <QSlider>
 #include <QTemporaryDir>
@@ -23,7 +22,6 @@
 #include "scene_tests.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
-#include "shell/new_case_dialog.h"
 #include "shell/new_cases.h"
 #include "shell/scene_list.h"
 #include "text/language.h"
@@ -212,37 +210,6 @@ TEST(NewCases, AreTakenByTheirScenes) {
         EXPECT_EQ(empty, hasCases ? 1 : 0) << info.name.toStdString();
         EXPECT_EQ(presets > 0, hasCases) << info.name.toStdString();
     }
-}
-
-TEST(NewCaseDialogTest, OffersWhatTheSceneHas) {
-    NewCaseDialog dialog(u"workshop"_s);
-    test::showAt(dialog, dialog.size());
-    auto* scenes = test::named<QListWidget>(dialog, "new-scenes");
-    auto* beginnings = test::named<QListWidget>(dialog, "new-beginnings");
-    EXPECT_EQ(scenes->count(), std::ssize(test::sceneNamesWithCases()));
-    EXPECT_EQ(scenes->currentItem()->data(Qt::UserRole), u"workshop"_s);
-    EXPECT_EQ(dialog.chosen().scene, "workshop");
-    EXPECT_TRUE(dialog.chosen().title.empty());
-    const int ofWorkshop = beginnings->count();
-    QTest::keyClick(scenes, Qt::Key_Up);
-    EXPECT_NE(beginnings->count(), ofWorkshop);
-    EXPECT_EQ(dialog.chosen().scene, "elastic-hinge");
-    QTest::keyClick(beginnings, Qt::Key_Down);
-    EXPECT_EQ(dialog.chosen().title, "Zotov and Sviridov 2021");
-    EXPECT_EQ(dialog.result(), QDialog::Rejected);
-    QTest::keyClick(beginnings, Qt::Key_Return);
-    EXPECT_EQ(dialog.result(), QDialog::Accepted);
-}
-
-TEST(NewCaseDialogTest, ADoubleClickCreates) {
-    NewCaseDialog dialog(u"inertia-moments"_s);
-    test::showAt(dialog, dialog.size());
-    auto* beginnings = test::named<QListWidget>(dialog, "new-beginnings");
-    const QPoint at = beginnings->visualItemRect(beginnings->item(1)).center();
-    QTest::mouseClick(beginnings->viewport(), Qt::LeftButton, {}, at);
-    QTest::mouseDClick(beginnings->viewport(), Qt::LeftButton, {}, at);
-    EXPECT_EQ(dialog.result(), QDialog::Accepted);
-    EXPECT_EQ(dialog.chosen().title, "Volkswagen VR5");
 }
 
 class StartInTheWindow : public ::testing::Test {
@@ -447,17 +414,6 @@ TEST_F(StartInTheWindow, TheNewButtonOffersBeginnings) {
     EXPECT_EQ(window.currentScene(), u"inertia-moments"_s);
     EXPECT_EQ(input.at("cylinders").size(), 1U) << "the empty engine";
     EXPECT_TRUE(window.currentPage()->model()->title().isEmpty());
-}
-
-TEST_F(StartInTheWindow, TheDialogBeginsACase) {
-    test::whenModal<NewCaseDialog>(&window, [](NewCaseDialog* dialog) {
-        auto* beginnings = test::named<QListWidget>(*dialog, "new-beginnings");
-        QTest::keyClick(beginnings, Qt::Key_Down);
-        QTest::keyClick(beginnings, Qt::Key_Return);
-    });
-    QTest::mouseClick(test::named<QAbstractButton>(window, "start-new"), Qt::LeftButton);
-    EXPECT_FALSE(window.isAtStart());
-    EXPECT_EQ(window.currentPage()->model()->title(), u"TMZ-650D"_s);
 }
 
 }  // namespace
