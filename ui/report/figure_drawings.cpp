@@ -4,6 +4,7 @@
 #include <QPicture>
 #include <QPointer>
 #include <QResizeEvent>
+#include <QStackedWidget>
 #include <algorithm>
 
 #include "pictures/figure.h"
@@ -45,6 +46,22 @@ void drawAt(QWidget* widget, const QSize& size, Draw&& draw) {
     resize(own);
 }
 
+/// A picture that is not seen has its place only now; a page behind another one has no size.
+void layOut(QWidget* picture) {
+    QPicture nothing;
+    picture->render(&nothing);
+    QWidgetList pages;
+    for (QWidget* each = picture; each->parentWidget() != nullptr; each = each->parentWidget()) {
+        if (qobject_cast<QStackedWidget*>(each->parentWidget()) != nullptr) {
+            pages.prepend(each);
+        }
+    }
+    for (QWidget* page : pages) {
+        page->resize(page->parentWidget()->size());
+        picture->render(&nothing);
+    }
+}
+
 }  // namespace
 
 Drawing drawingOf(PlotView* plot) {
@@ -74,8 +91,8 @@ Drawing drawingOf(std::shared_ptr<PlotView> plot) {
 }
 
 Drawing drawingOf(QWidget* picture) {
-    if (QPicture nothing; !picture->isVisible()) {
-        picture->render(&nothing);  // now it is laid out
+    if (!picture->isVisible()) {
+        layOut(picture);
     }
     const QSize size = picture->size().scaled(mostOfPicture, Qt::KeepAspectRatio);
     return {picture->accessibleName(), picture->accessibleDescription(), size,
