@@ -60,6 +60,16 @@ StudyModel::Input unnamedInput(const std::string& pointer, double value) {
             .shown = name.shown()};
 }
 
+void collectNumbers(const Json& json, const std::string& pointer, std::vector<std::string>& found) {
+    if (json.is_number()) {
+        found.push_back(pointer);
+    } else if (json.is_object()) {
+        for (const auto& [key, child] : json.items()) {
+            collectNumbers(child, pointer + (Json::json_pointer() / key).to_string(), found);
+        }
+    }
+}
+
 }  // namespace
 
 StudyModel::StudyModel(SceneModel* scene, QObject* parent)
@@ -162,25 +172,22 @@ void StudyModel::readStudy() {
 
 std::vector<std::string> StudyModel::results() const {
     std::vector<std::string> found;
-    namedOf_ = scene_->solutions();
-    try {
-        for (const ResultEntry& entry : scene_solver(scene_->sceneName().toStdString())
-                                            .results(scene_->inputJson(), scene_->context())) {
-            names_.insert_or_assign(entry.pointer,
-                                    ResultName{messageText(entry.name), unitText(entry.unit.name)});
-            if (entry.si) {
-                found.push_back(entry.pointer);
-            }
-        }
-    } catch (const InputError&) {
-        // A case that is rejected has no results.
-    }
+    collectNumbers(scene_->resultJson(), {}, found);
     return found;
 }
 
 ResultName StudyModel::resultName(const std::string& pointer) const {
-    if (!names_.contains(pointer) && namedOf_ != scene_->solutions()) {
-        results();
+    if (!names_.contains(pointer) &&
+        std::exchange(namedOf_, scene_->solutions()) != scene_->solutions()) {
+        try {
+            for (const ResultEntry& entry : scene_solver(scene_->sceneName().toStdString())
+                                                .results(scene_->inputJson(), scene_->context())) {
+                names_.insert_or_assign(
+                    entry.pointer, ResultName{messageText(entry.name), unitText(entry.unit.name)});
+            }
+        } catch (const InputError&) {
+            // A case that is rejected has no results.
+        }
     }
     const auto known = names_.find(pointer);
     return known != names_.end() ? known->second : nameByKeys(pointer);

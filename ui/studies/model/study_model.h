@@ -49,7 +49,7 @@ class StudyModel : public QObject {
     BackgroundJob* job() const { return job_; }
 
     const std::vector<Input>& inputs() const { return inputs_; }
-    /// Pointers below "result" of the numbers that the case has now; solves it.
+    /// Pointers below "result" of the single numbers that the case has now; solves it.
     std::vector<std::string> results() const;
     /// As the scene describes it, or by its keys where no case so far had it.
     ResultName resultName(const std::string& pointer) const;
@@ -140,7 +140,7 @@ class StudyModel : public QObject {
     bool isRefused_ = false;  ///< the case's study cannot be read, and stays until it is cleared
     int solutions_ = -1;      ///< of the scene, at the last look
     mutable std::map<std::string, ResultName> names_;  ///< of results
-    mutable int namedOf_ = -1;                         ///< solutions_ of the last ones
+    mutable int namedOf_ = -1;                         ///< solutions_ when they were looked up
     bool stale_ = false;
     bool behind_ = false;  ///< the input has moved since it was taken over
     bool watched_ = false;
