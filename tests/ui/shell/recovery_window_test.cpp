@@ -11,7 +11,6 @@
 #include <QPlainTextEdit>
 #include <QProcess>
 #include <QPushButton>
-#include <QSettings>
 #include <QTabBar>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -43,7 +42,6 @@ class NothingIsLost : public ::testing::Test {
   protected:
     NothingIsLost() {
         QDir(Recovery::defaultFolder()).removeRecursively();
-        QSettings().remove(u"session"_s);
         for (const char* name : {"tmz-650d", "vr5-volkswagen"}) {
             QFile::copy(u":/examples/%1.case.json"_s.arg(QLatin1String(name)), file(name));
             QFile(file(name)).setPermissions(QFile::ReadOwner | QFile::WriteOwner);
@@ -413,37 +411,6 @@ TEST_F(NothingIsLost, AReadOnlyFileStays) {
     EXPECT_TRUE(asked.contains(u"read-only"_s)) << asked.toStdString();
     EXPECT_TRUE(window->isWindowModified());
     EXPECT_NE(CaseDocument::read(file("tmz-650d")).input.value("shaft_angle_deg", 0.0), 77);
-}
-
-// --------------------------------------------------------------------------------- the session
-
-TEST_F(NothingIsLost, TheOpenCasesComeBackIfTheUserLikes) {
-    const auto quit = [this] {
-        window->close();
-        window.reset();
-        start();
-    };
-    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
-    ASSERT_EQ(window->openCase(file("vr5-volkswagen")), QString());
-    quit();
-    EXPECT_EQ(tabs().size(), 1) << "not unless asked for";
-    for (QAction* action : window->findChildren<QAction*>()) {
-        if (action->isCheckable() && action->text().contains(u"next"_s)) {
-            action->trigger();
-        }
-    }
-    ASSERT_EQ(window->openCase(file("vr5-volkswagen")), QString());
-    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
-    quit();
-    EXPECT_EQ(tabs(), (QStringList{u"vr5-volkswagen"_s, u"tmz-650d"_s}));
-    EXPECT_TRUE(window->windowTitle().contains(u"tmz-650d"_s));
-    QTest::keyClick(window.get(), Qt::Key_Tab, Qt::ControlModifier);
-    ASSERT_TRUE(QFile::remove(file("tmz-650d")));
-    press(u"Don’t save"_s);  // it is the last copy
-    quit();
-    EXPECT_EQ(tabs(), QStringList{u"vr5-volkswagen"_s});
-    window->close();
-    QSettings().remove(u"session"_s);
 }
 
 }  // namespace
