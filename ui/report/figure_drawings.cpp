@@ -48,17 +48,20 @@ void drawAt(QWidget* widget, const QSize& size, Draw&& draw) {
 
 /// A picture that is not seen has its place only now; a page behind another one has no size.
 void layOut(QWidget* picture) {
-    QPicture nothing;
-    picture->render(&nothing);
     QWidgetList pages;
     for (QWidget* each = picture; each->parentWidget() != nullptr; each = each->parentWidget()) {
         if (qobject_cast<QStackedWidget*>(each->parentWidget()) != nullptr) {
             pages.prepend(each);
         }
     }
-    for (QWidget* page : pages) {
-        page->resize(page->parentWidget()->size());
+    constexpr int rounds = 4;  // what scrolls, or is as high as its width asks for, follows later
+    for (int round = 0; round < rounds; ++round) {
+        for (QWidget* page : pages) {
+            page->resize(page->parentWidget()->size());
+        }
+        QPicture nothing;
         picture->render(&nothing);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     }
 }
 
@@ -98,7 +101,11 @@ Drawing drawingOf(QWidget* picture) {
     return {picture->accessibleName(), picture->accessibleDescription(), size,
             [picture = QPointer(picture), size](QPainter& painter) {
                 if (picture) {
-                    drawFigure(picture, painter, QRectF(QPointF(), QSizeF(size)));
+                    // Further pictures may have moved it since.
+                    QRectF room(QPointF(),
+                                QSizeF(picture->size()).scaled(size, Qt::KeepAspectRatio));
+                    room.moveCenter(QRectF(QPointF(), size).center());
+                    drawFigure(picture, painter, room);
                 }
             }};
 }
