@@ -14323,10 +14323,6 @@ but no position is feasible</source>
         <translation>«%1» — не метрическая резьба с шагом; пример: %2.</translation>
     </message>
     <message>
-        <source>Enter a name for the engine.</source>
-        <translation>Введите название двигателя.</translation>
-    </message>
-    <message>
         <source>An engine “%1” exists. Replace its values?</source>
         <translation>Двигатель «%1» уже есть. Заменить его данные?</translation>
     </message>

@@ -156,15 +156,6 @@ QString PlugsSheet::presentName() const {
                : QString();
 }
 
-/// Asks for a name; empty where the user does not want to go on.
-QString PlugsSheet::askName(const QString& title, const QString& suggestion) {
-    const auto name = ravnoves::askName(this, title, tr("Name of the engine:"), suggestion);
-    if (name && name->trimmed().isEmpty()) {
-        QMessageBox::warning(this, title, tr("Enter a name for the engine."));
-    }
-    return name.value_or(QString()).trimmed();
-}
-
 void PlugsSheet::report(const QString& title, const QString& trouble, const QString& done) {
     if (trouble.isEmpty()) {
         Q_EMIT status(done);
@@ -175,25 +166,21 @@ void PlugsSheet::report(const QString& title, const QString& trouble, const QStr
 
 void PlugsSheet::saveEngine() {
     const QString title = tr("Keep as own engine");
-    const QString name = askName(title, presentName());
-    if (name.isEmpty()) {
+    const auto name = askName(this, title, tr("Name of the engine:"), presentName());
+    if (!name || (model_->hasOwnEngine(*name) &&
+                  QMessageBox::question(
+                      this, title, tr("An engine “%1” exists. Replace its values?").arg(*name),
+                      QMessageBox::Yes | QMessageBox::No, QMessageBox::No) != QMessageBox::Yes)) {
         return;
     }
-    if (model_->hasOwnEngine(name) &&
-        QMessageBox::question(
-            this, title, tr("An engine “%1” exists. Replace its values?").arg(name),
-            QMessageBox::Yes | QMessageBox::No, QMessageBox::No) != QMessageBox::Yes) {
-        return;
-    }
-    report(title, model_->saveEngineAs(name), tr("Engine %1 kept.").arg(name));
+    report(title, model_->saveEngineAs(*name), tr("Engine %1 kept.").arg(*name));
 }
 
 void PlugsSheet::renameEngine() {
     const QString title = tr("Rename own engine");
-    const QString name = askName(title, presentName());
-    if (!name.isEmpty()) {
-        report(title, model_->renameEngine(presentName(), name),
-               tr("Engine renamed: %1.").arg(name));
+    if (const auto name = askName(this, title, tr("Name of the engine:"), presentName())) {
+        report(title, model_->renameEngine(presentName(), *name),
+               tr("Engine renamed: %1.").arg(*name));
     }
 }
 

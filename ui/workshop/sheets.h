@@ -93,7 +93,6 @@ class PlugsSheet : public WorkshopSheet {
     void addOwnEngineButtons();
     /// Name of the present engine where it is one of the user's own.
     QString presentName() const;
-    QString askName(const QString& title, const QString& suggestion);
     void report(const QString& title, const QString& trouble, const QString& done);
     void saveEngine();
     void renameEngine();

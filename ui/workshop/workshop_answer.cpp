@@ -51,41 +51,27 @@ WorkshopAnswer::WorkshopAnswer(WorkshopModel* model, QWidget* parent)
     column->addWidget(buildDetails());
     column->addStretch();
     connect(model_, &SceneModel::changed, this, &WorkshopAnswer::showAnswer);
-    showAnswer();
+    setRefused({});
 }
 
-QLabel* WorkshopAnswer::say(QVBoxLayout* column, const char* name, int pixelSize,
-                            std::function<QString()> text, Ink ink, bool isBold) {
-    auto* label = copyableLabel(name, pixelSize, column->parentWidget(), isBold);
+QLabel* WorkshopAnswer::say(QVBoxLayout* column, const char* id, int pixelSize, Ink ink,
+                            bool isBold) {
+    QLabel* label = copyableLabel(id, pixelSize, column->parentWidget(), isBold);
     colourText(label, ink);
     column->addWidget(label);
-    said_.push_back({label, std::move(text)});
-    return label;
+    return said_[id] = label;
 }
 
 QWidget* WorkshopAnswer::buildHead() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
-    headline_ = say(column, "headline", Theme::displaySize, [this] { return model_->headline(); });
-    say(
-        column, "refused", Theme::baseSize, [this] { return refused_; }, &Theme::warning, true);
-    say(column, "hang", Theme::titleSize, [this] { return model_->hangText(); });
-    say(column, "factor", Theme::baseSize, [this] {
-        const bool isKnown = model_->solution().bob_weight && !model_->hasPlugs();
-        return isKnown ? model_->factorText() : QString();
-    });
-    say(column, "limits", Theme::baseSize, [this] {
-        QStringList limits =
-            QStringList{model_->limitText(), weighingNote(*model_)} + model_->remarks();
-        limits.removeAll(QString());
-        return limits.join(QLatin1Char('\n'));
-    });
-    say(
-        column, "troubles", Theme::baseSize,
-        [this] { return model_->troubles().join(QLatin1Char('\n')); }, &Theme::warning, true);
-    say(
-        column, "doubtful", Theme::smallSize, [this] { return model_->doubtfulText(); },
-        &Theme::mutedText);
+    say(column, "headline", Theme::displaySize);
+    say(column, "refused", Theme::baseSize, &Theme::warning, true);
+    say(column, "hang", Theme::titleSize);
+    say(column, "factor", Theme::baseSize);
+    say(column, "limits", Theme::baseSize);
+    say(column, "troubles", Theme::baseSize, &Theme::warning, true);
+    say(column, "doubtful", Theme::smallSize, &Theme::mutedText);
     return panel;
 }
 
@@ -93,9 +79,9 @@ QWidget* WorkshopAnswer::buildPlugs() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     column->addWidget(headingLabel(tr("Plugs"), panel));
-    advice_ = say(column, "advice", Theme::titleSize, [this] { return model_->adviceText(); });
-    say(column, "boring", Theme::baseSize, [this] { return model_->boringText(); });
-    say(column, "excess", Theme::baseSize, [this] { return model_->excessText(); });
+    say(column, "advice", Theme::titleSize);
+    say(column, "boring", Theme::baseSize);
+    say(column, "excess", Theme::baseSize);
     options_ = new PartTable(model_, "options", tr("The options"), panel);
     options_->hideWhereEmpty();
     options_->setFont(Theme::font(Theme::smallSize));
@@ -121,9 +107,7 @@ QWidget* WorkshopAnswer::buildLines() {
     auto* lines = new PartTable(model_, "lines", tr("Bob weight, line by line"), panel);
     lines->hideWhereEmpty();
     column->addWidget(lines);
-    say(
-        column, "check", Theme::smallSize, [this] { return model_->checkText(); },
-        &Theme::mutedText);
+    say(column, "check", Theme::smallSize, &Theme::mutedText);
     column->addStretch();
     row->add(panel, 4);
     auto* beside = new QWidget(row);
@@ -187,12 +171,8 @@ QWidget* WorkshopAnswer::buildCorrection() {
     };
     table("holes", tr("Holes and slugs"));
     planes_ = table("planes", tr("The correction planes"));
-    say(
-        column, "as_read_note", Theme::smallSize, [this] { return model_->asReadNote(); },
-        &Theme::mutedText);
-    say(
-        column, "hole_note", Theme::smallSize, [this] { return model_->holeNote(); },
-        &Theme::mutedText);
+    say(column, "as_read_note", Theme::smallSize, &Theme::mutedText);
+    say(column, "hole_note", Theme::smallSize, &Theme::mutedText);
     runs_ = table("runs", tr("Runs of the machine"));
     drilledHeading_ = headingLabel(tr("Already drilled"), panel);
     column->addWidget(drilledHeading_);
@@ -204,31 +184,33 @@ QWidget* WorkshopAnswer::buildCorrection() {
 }
 
 void WorkshopAnswer::setRefused(const QStringList& refused) {
-    refused_ = refusedNote(Words(), refused);
+    sayOrHide(said_["refused"], refusedNote(Words(), refused));
     showAnswer();
 }
 
 void WorkshopAnswer::showAnswer() {
-    for (const auto& [label, text] : said_) {
-        sayOrHide(label, text());
+    for (const AnswerLine& line : answerLines(*model_)) {
+        sayOrHide(said_.at(line.id), line.texts.join(QLatin1Char('\n')));
     }
     const bool known = model_->solution().bob_weight.has_value();
     const bool isStopped = model_->withheld().bob_weight;
-    const bool isStale = !refused_.isEmpty();
+    const bool isStale = !said_.at("refused")->text().isEmpty();
     // What is still missing is no sentence for the display size.
-    headline_->setFont(
+    QLabel* headline = said_.at("headline");
+    headline->setFont(
         Theme::font(known || isStopped ? Theme::displaySize : Theme::titleSize, !isStale));
-    colourText(headline_, isStopped ? &Theme::error
-                          : !known  ? &Theme::mutedText
-                          : isStale ? &Theme::warning
-                                    : &Theme::text);
+    colourText(headline, isStopped ? &Theme::error
+                         : !known  ? &Theme::mutedText
+                         : isStale ? &Theme::warning
+                                   : &Theme::text);
     const v8_plugs::Result* plugs = model_->plugs();
     const bool works = plugs != nullptr && v8_text::works(*plugs);
-    advice_->setFont(Theme::font(Theme::titleSize, works && !isStale));
-    colourText(advice_, plugs == nullptr || !plugs->advice ? &Theme::mutedText
-                        : isStale                          ? &Theme::warning
-                        : works                            ? &Theme::text
-                                                           : &Theme::error);
+    QLabel* advice = said_.at("advice");
+    advice->setFont(Theme::font(Theme::titleSize, works && !isStale));
+    colourText(advice, plugs == nullptr || !plugs->advice ? &Theme::mutedText
+                       : isStale                          ? &Theme::warning
+                       : works                            ? &Theme::text
+                                                          : &Theme::error);
     plugs_->setVisible(plugs != nullptr && !isStopped);
     lines_->setVisible(known);
     force_->setVisible(!model_->hasPlugs());

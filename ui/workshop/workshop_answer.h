@@ -1,9 +1,8 @@
 #pragma once
 
 #include <QWidget>
-#include <functional>
-#include <utility>
-#include <vector>
+#include <map>
+#include <string_view>
 
 #include "widgets/form_section.h"
 
@@ -29,8 +28,9 @@ class WorkshopAnswer : public QWidget {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
-    QLabel* say(QVBoxLayout* column, const char* name, int pixelSize, std::function<QString()> text,
-                Ink ink = &Theme::text, bool isBold = false);
+    /// A line of answerLines().
+    QLabel* say(QVBoxLayout* column, const char* id, int pixelSize, Ink ink = &Theme::text,
+                bool isBold = false);
     QWidget* buildHead();
     QWidget* buildPlugs();
     QWidget* buildCorrection();
@@ -39,12 +39,8 @@ class WorkshopAnswer : public QWidget {
     void showAnswer();
 
     WorkshopModel* model_;
-    QString refused_;
-    /// The sentences that follow the model, with what makes them.
-    std::vector<std::pair<QLabel*, std::function<QString()>>> said_;
-    QLabel* headline_ = nullptr;
+    std::map<std::string_view, QLabel*> said_;
     QWidget* plugs_ = nullptr;
-    QLabel* advice_ = nullptr;
     PartTable* options_ = nullptr;
     QWidget* pictures_ = nullptr;
     PartTable* runs_ = nullptr;

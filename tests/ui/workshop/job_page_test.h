@@ -43,6 +43,11 @@ inline Json repairJob() {
     return plugsJob("v8-4.25-repair.case.json");
 }
 
+/// An example of bob weights alone, whose planes are read and planned.
+inline Json bobWeightsJob() {
+    return Json::parse(read_text_file(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json")).at("input");
+}
+
 /// The text of a PDF, its spaces single.
 inline QString textOfPdf(const QString& file) {
     QProcess reader;

@@ -386,10 +386,10 @@ TEST_F(JobPageTest, WeighedPartsGoBeforeTypedOnes) {
     EXPECT_EQ(test::textsOf(model->takeOffResults().rows),
               (QVector<QStringList>{{u"Piston"_s, u"·"_s, u"2.00"_s}}));
     // Swapped rods: nobody is told to grind them to each other.
-    type("mass_rod_big_end_1", u"160"_s);
-    type("mass_rod_big_end_2", u"162"_s);
-    type("mass_rod_small_end_1", u"230"_s);
-    type("mass_rod_small_end_2", u"231"_s);
+    fill({{"mass_rod_big_end_1", "160"},
+          {"mass_rod_big_end_2", "162"},
+          {"mass_rod_small_end_1", "230"},
+          {"mass_rod_small_end_2", "231"}});
     EXPECT_TRUE(label("verdict").contains(u"the big end weighs less than the small end"_s))
         << qPrintable(label("verdict"));
     EXPECT_EQ(model->takeOffResults().rows.size(), 1) << "the pistons'";
@@ -470,9 +470,9 @@ TEST_F(JobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
     choose("goal", Qt::Key_Down);
     EXPECT_EQ(rowsOf("Effect of the matching"), 3);
     EXPECT_TRUE(label("weigh_in_summary").contains(u"0°; 90°; 270°; 180°"_s));
-    type("cylinder_spacing_mm", u"112"_s);
-    type("matching_crank_radius", u"44"_s);
-    type("service_speed_rpm", u"6000"_s);
+    fill({{"cylinder_spacing_mm", "112"},
+          {"matching_crank_radius", "44"},
+          {"service_speed_rpm", "6000"}});
     EXPECT_EQ(rowsOf("Effect of the matching"), 6);
     type("crankpin_angles_deg", u"0; 180; 180"_s);
     EXPECT_EQ(placing().goal, shop::MatchingGoal::least_spread);
@@ -541,9 +541,7 @@ TEST_F(JobPageTest, NoQuantityOfAPlacingIsCutOff) {
         const auto back = qScopeGuard([] { installLanguage(u"en"_s); });
         WorkshopPage narrow(QString(), nullptr);
         test::showAt(narrow, {1180, 710});
-        narrow.model()->loadInput(
-            Json::parse(read_text_file(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json")).at("input"),
-            {});
+        narrow.model()->loadInput(bobWeightsJob(), {});
         narrow.sheets()->setCurrentIndex(2);
         narrow.viewModel()->editWeights(u"Weights"_s, [](WeighIn& sheet) {
             // No weight is far from the others: by doubted ones nothing is placed.
@@ -641,10 +639,10 @@ TEST_F(JobPageTest, ReadingsHoldForTheirBobWeightAlone) {
     save();
     EXPECT_TRUE(asked->contains(u"another bob weight"_s)) << qPrintable(*asked);
     EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
-    type("piston", u"583.9"_s);
-    type("cylinders", u"2"_s);
-    type("mass_piston_1", u"590"_s);
-    type("mass_piston_2", u"592"_s);
+    fill({{"piston", "583.9"},
+          {"cylinders", "2"},
+          {"mass_piston_1", "590"},
+          {"mass_piston_2", "592"}});
     EXPECT_EQ(verdict(), u"STOP"_s);
     // A technician who knows better says so; or the machine reads anew.
     show(MachineTab);
@@ -856,8 +854,7 @@ TEST_F(JobPageTest, AJobWithPlanesIsUnfinishedUntilItIsRead) {
 }
 
 TEST_F(JobPageTest, TheMachineBeginsAtTheNextReading) {
-    const Json example = Json::parse(read_text_file(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json"));
-    model->loadInput(example.at("input"), {});
+    model->loadInput(bobWeightsJob(), {});
     ASSERT_TRUE(model->isPlanned());
     show(MachineTab);
     EXPECT_EQ(page.focusWidget(), find<QWidget>("run_1_unbalance_1"));
@@ -945,8 +942,7 @@ TEST_F(JobPageTest, WhatContradictsItselfHasNoAnswerOnPageCardAndJournal) {
 }
 
 TEST_F(JobPageTest, ReadingsAreNotComparedWithAWeightThatIsNotKnown) {
-    const Json example = Json::parse(read_text_file(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json"));
-    model->loadInput(example.at("input"), {});
+    model->loadInput(bobWeightsJob(), {});
     type("reciprocating_percent", u"10"_s);
     EXPECT_TRUE(label("verdict").contains(u"another bob weight"_s)) << qPrintable(label("verdict"));
     type("overbalance_percent", u"-20"_s);
@@ -1024,9 +1020,7 @@ TEST_F(JobPageTest, WhatMayBeWrongIsSaid) {
 
 TEST_F(JobPageTest, WhatIsTypedAgainstTheScaleCanBePutRight) {
     typeShopCard();
-    type("cylinders", u"2"_s);
-    type("mass_piston_1", u"483.9"_s);
-    type("mass_piston_2", u"483.9"_s);
+    fill({{"cylinders", "2"}, {"mass_piston_1", "483.9"}, {"mass_piston_2", "483.9"}});
     EXPECT_EQ(label("verdict"),
               u"STOP. Piston: 583.90 g entered, but 483.90 g weighed. Correct the wrong value."_s);
     ASSERT_TRUE(field("piston")->isEnabled());
@@ -1096,9 +1090,7 @@ TEST_F(JobPageTest, WhatIsZeroNeedsNoAngle) {
     EXPECT_EQ(result.runs.size(), 1U);
     // And has none, in the form and on the card.
     EXPECT_EQ(field("angle_1")->placeholderText(), u"–"_s);
-    type("run_1_unbalance_1", u"0"_s);
-    type("run_1_unbalance_2", u"5"_s);
-    type("run_1_angle_2", u"10"_s);
+    fill({{"run_1_unbalance_1", "0"}, {"run_1_unbalance_2", "5"}, {"run_1_angle_2", "10"}});
     EXPECT_TRUE(card().contains(u"Run 1\n0.0\n–\n5.0\n10.0"_s)) << qPrintable(card());
     EXPECT_TRUE(card().contains(u"Measured\n0.0 g·mm\n5.0 g·mm\nHeavy spot\n–\n10.0°\n"_s))
         << qPrintable(card());
@@ -1177,9 +1169,7 @@ TEST_F(JobPageTest, RunsFollowOneAnother) {
     EXPECT_FALSE(model->solution().correction) << "its readings are not all there";
     EXPECT_TRUE(label("troubles").contains(u"Sheet 5, Run 1, Front plane: enter Heavy spot"_s))
         << qPrintable(label("troubles"));
-    type("run_1_angle_1", u"80"_s);
-    type("run_1_unbalance_2", u"120"_s);
-    type("run_1_angle_2", u"200"_s);
+    fill({{"run_1_angle_1", "80"}, {"run_1_unbalance_2", "120"}, {"run_1_angle_2", "200"}});
     EXPECT_EQ(model->input().correction->earlier_runs.size(), 1u);
     EXPECT_NEAR(*model->input().correction->readings[0].unbalance, 350e-6, 1e-12);
     ASSERT_TRUE(model->solution().correction);
@@ -1246,9 +1236,7 @@ TEST_F(JobPageTest, WhatIsDrilledStaysInSight) {
     ASSERT_EQ(planned.size(), 2);
     type("run_1_unbalance_1", u"900"_s);
     EXPECT_EQ(shown(), planned) << "also while the next run is being typed";
-    type("run_1_angle_1", u"73"_s);
-    type("run_1_unbalance_2", u"100"_s);
-    type("run_1_angle_2", u"210"_s);
+    fill({{"run_1_angle_1", "73"}, {"run_1_unbalance_2", "100"}, {"run_1_angle_2", "210"}});
     EXPECT_EQ(shown(), planned);
     EXPECT_EQ(rowsOf("Already drilled"), 2);
     const QString depth = model->drilledResults().rows.at(0).at(2).text;
@@ -1551,8 +1539,7 @@ TEST_F(JobPageTest, AFinishedPassIsNotLostToAStopWithoutAWord) {
 
 TEST_F(JobPageTest, ThePlotOfTheForceHoldsBothEllipses) {
     EXPECT_FALSE(partPlot(page, "force")->isVisible());
-    const Json example = Json::parse(read_text_file(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json"));
-    model->loadInput(example.at("input"), {});
+    model->loadInput(bobWeightsJob(), {});
     PartPlot* plot = partPlot(page, "force");
     EXPECT_TRUE(plot->isVisible());
     plot->grab();  // its axes follow where it is painted

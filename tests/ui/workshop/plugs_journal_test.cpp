@@ -49,11 +49,11 @@ TEST_F(PlugsPageTest, EscapeReturnsToWhatIsSaved) {
 }
 
 TEST_F(PlugsPageTest, JournalListsWhatTheMachineSaidAndFindsTheCrankshaft) {
-    type("engine_number", u"53-11"_s);
-    type("crankshaft_number", u"KV-77"_s);
-    type("rod_big_end", u"1"_s);
-    type("unbalance_1", u"3.14159"_s);
-    type("unbalance_2", u"6"_s);
+    fill({{"engine_number", "53-11"},
+          {"crankshaft_number", "KV-77"},
+          {"rod_big_end", "1"},
+          {"unbalance_1", "3.14159"},
+          {"unbalance_2", "6"}});
     limitTo(5.0);
     save();
     QStringList cells;

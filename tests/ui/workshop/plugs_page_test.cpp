@@ -56,9 +56,7 @@ TEST_F(PlugsPageTest, AnswerIsThatOfTheShiftWhereItMatters) {
 }
 
 TEST_F(PlugsPageTest, AnswerFollowsTyping) {
-    type("rod_big_end", u"0,5"_s);
-    type("repair_piston_and_rings", u"2"_s);
-    type("repair_bearing", u"1.1"_s);
+    fill({{"rod_big_end", "0,5"}, {"repair_piston_and_rings", "2"}, {"repair_bearing", "1.1"}});
     EXPECT_EQ(label("advice"), u"Machine all 8 steel plugs by 1.83 g each."_s);
     EXPECT_TRUE(label("headline").startsWith(u"Missing for the bob weight: "_s));
     typeGear();
@@ -153,9 +151,7 @@ TEST_F(PlugsPageTest, SaysWhereThePlugsAreWhileTheBobWeightsHang) {
     for (const char* name : {"reciprocating_mass_g", "rotating_mass_g", "oil_mass_g"}) {
         type(name, u"700"_s);
     }
-    type("oil_coefficient", u"1"_s);
-    type("steel_plug_mass_g", u"25"_s);
-    type("rod_big_end", u"0.5"_s);
+    fill({{"oil_coefficient", "1"}, {"steel_plug_mass_g", "25"}, {"rod_big_end", "0.5"}});
     ASSERT_TRUE(model->plugs()->before) << qPrintable(label("headline"));
     const BobWeight& after =
         model->plugs()->bob_weights[index(model->plugs()->advice->option->id)]->after;

@@ -194,28 +194,21 @@ Figure shift(const WorkshopModel& model) {
     return figure;
 }
 
-Notes notes(const WorkshopModel& model) {
-    const bob_weights::Result& solution = model.solution();
+Notes linesOf(const WorkshopModel& model, std::string_view part) {
     Notes notes;
-    notes.say(model.withheld().bob_weight ? Severity::error : Severity::note, model.headline());
-    notes.say(Severity::note, model.hangText());
-    notes.say(Severity::error, model.doubtfulText());
-    notes.say(Severity::note, QStringList{model.adviceText(), model.boringText(),
-                                          model.excessText(), model.checkText()});
-    if (solution.bob_weight && !model.hasPlugs()) {
-        notes.say(Severity::note, model.factorText());
+    for (const AnswerLine& line : answerLines(model)) {
+        if (line.part == part) {
+            notes.say(line.severity, line.texts);
+        }
     }
-    notes.say(Severity::note, QStringList{model.limitText(), weighingNote(model)});
-    notes.say(Severity::warning, model.troubles());
-    notes.say(Severity::note, model.remarks());
     return notes;
 }
-
+Notes notes(const WorkshopModel& model) {
+    return linesOf(model, "notes");
+}
 /// Of readings, holes, and what was drilled before.
 Notes holeNotes(const WorkshopModel& model) {
-    Notes notes;
-    notes.say(Severity::note, QStringList{model.asReadNote(), model.holeNote()});
-    return notes;
+    return linesOf(model, "hole-notes");
 }
 
 /// What is to be done with the parts.
@@ -257,6 +250,9 @@ constexpr std::array makers{
 
 }  // namespace
 
+namespace {
+
+/// What the last digit of the scale leaves uncertain; empty where that is not known.
 QString weighingNote(const WorkshopModel& model) {
     const double resolution = ScaleSettings::load().resolution;
     if (!model.solution().bob_weight || resolution <= 0.0) {
@@ -300,6 +296,32 @@ QString weighingNote(const WorkshopModel& model) {
         }
     }
     return said.join(QLatin1Char(' '));
+}
+
+}  // namespace
+
+std::vector<AnswerLine> answerLines(const WorkshopModel& model) {
+    const bool hasFactor = model.solution().bob_weight && !model.hasPlugs();
+    std::vector<AnswerLine> lines{
+        {"headline",
+         model.withheld().bob_weight ? Severity::error : Severity::note,
+         {model.headline()}},
+        {"hang", Severity::note, {model.hangText()}},
+        {"factor", Severity::note, {hasFactor ? model.factorText() : QString()}},
+        {"limits", Severity::note,
+         QStringList{model.limitText(), weighingNote(model)} + model.remarks()},
+        {"troubles", Severity::warning, model.troubles()},
+        {"doubtful", Severity::error, {model.doubtfulText()}},
+        {"advice", Severity::note, {model.adviceText()}},
+        {"boring", Severity::note, {model.boringText()}},
+        {"excess", Severity::note, {model.excessText()}},
+        {"check", Severity::note, {model.checkText()}},
+        {"as_read_note", Severity::note, {model.asReadNote()}, "hole-notes"},
+        {"hole_note", Severity::note, {model.holeNote()}, "hole-notes"}};
+    for (AnswerLine& line : lines) {
+        line.texts.removeAll(QString());
+    }
+    return lines;
 }
 
 std::span<const PagePart> workshopParts() {

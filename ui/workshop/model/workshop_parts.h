@@ -1,8 +1,10 @@
 #pragma once
 
 #include <QCoreApplication>
+#include <QStringList>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "model/part.h"
 
@@ -24,7 +26,14 @@ struct ShiftPlot {
 /// What the page shows in plots and tables.
 std::span<const PagePart> workshopParts();
 Content workshopPart(const WorkshopModel& model, std::string_view id);
-/// What the last digit of the scale leaves uncertain; empty where that is not known.
-QString weighingNote(const WorkshopModel& model);
+
+/// What is said of the answer, a sentence or more: a line of the page, and of the part's notes.
+struct AnswerLine {
+    std::string_view id;
+    Severity severity;
+    QStringList texts;
+    std::string_view part = "notes";
+};
+std::vector<AnswerLine> answerLines(const WorkshopModel& model);
 
 }  // namespace ravnoves
