@@ -139,6 +139,9 @@ void visit_record(FieldVisitor& visitor, const Field& drilled, DrillingRecord& r
         visitor.list(field::drilled_by, record.drilled_by,
                      [&](EarlierReading& reading) { visit_reading(visitor, reading, format); });
     }
+    if (format == Format::workshop) {
+        visitor.flag(field::counted_otherwise, record.counted_otherwise, false);
+    }
 }
 
 void visit_run(FieldVisitor& visitor, EarlierRun& run, Format format) {

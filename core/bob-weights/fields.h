@@ -266,6 +266,11 @@ inline constexpr Field drilled_by{
     .key = "drilled_by",
     .hint = CORE_TEXT("bob-weights",
                       "Readings from which the holes were planned, if they were corrected since.")};
+inline constexpr Field counted_otherwise{
+    .key = "drilled_counting_otherwise",
+    .hint =
+        CORE_TEXT("bob-weights",
+                  "True if the machine counted degrees in the other direction during drilling.")};
 inline constexpr Field drilled_plane{.key = "plane",
                                      .label = CORE_TEXT("bob-weights", "Plane"),
                                      .hint = CORE_TEXT("bob-weights", "Plane of the hole."),

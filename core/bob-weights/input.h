@@ -142,11 +142,11 @@ enum class SlugDirection {
 
 /// A hole that was planned after a run, or a slug.
 struct DrilledHole {
-    PlaneName plane = PlaneName::front;
-    double diameter = 0.0;    ///< m
-    double depth = 0.0;       ///< of the full diameter, m
-    double from_depth = 0.0;  ///< of the hole that was deepened, m
-    double angle = 0.0;       ///< of the metal, rad
+    PlaneName plane = PlaneName::front;  ///< in which it is, whatever was planned
+    double diameter = 0.0;               ///< m
+    double depth = 0.0;                  ///< of the full diameter, m
+    double from_depth = 0.0;             ///< of the hole that was deepened, m
+    double angle = 0.0;                  ///< of the metal, rad
     /// Taken off, kg; negative: a slug, less what its hole took off; empty: by the sizes.
     std::optional<double> mass;
     std::optional<double> slug;  ///< the slug's own mass, kg
@@ -167,6 +167,8 @@ struct DrillingRecord {
     std::optional<std::vector<DrilledHole>> drilled;
     /// What it was planned from, where the readings have been put right since.
     std::vector<EarlierReading> drilled_by;
+    /// The machine's degrees counted the other way then; of workshop jobs.
+    bool counted_otherwise = false;
 
     friend bool operator==(const DrillingRecord&, const DrillingRecord&) = default;
 };

@@ -42,9 +42,10 @@ struct Metal {
 
 /// What was drilled after one run, where the next says that it did something else than it was to.
 struct OtherEffect {
-    double expected;        ///< unbalance that it was to leave, kg·m
-    double expected_angle;  ///< rad, 0…2π
-    bool is_opposite;       ///< it acted the other way: the unbalance grew
+    double expected;         ///< unbalance that it was to leave, kg·m
+    double expected_angle;   ///< rad, 0…2π
+    bool is_opposite;        ///< it acted the other way: the unbalance grew
+    bool is_in_other_plane;  ///< each plane changed as the other one was to
 };
 
 /// A run of the machine: its readings taken to the correction planes.

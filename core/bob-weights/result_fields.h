@@ -70,6 +70,9 @@ inline constexpr ResultField expected{.key = "expected",
 inline constexpr ResultField acted_opposite{
     .key = "drilling_acted_opposite",
     .label = CORE_TEXT("bob-weights", "Drilling acted the opposite way")};
+inline constexpr ResultField acted_in_other_plane{
+    .key = "drilling_acted_in_other_plane",
+    .label = CORE_TEXT("bob-weights", "Drilling acted in the other plane")};
 inline constexpr ResultField drilled_holes{.key = "drilled_holes",
                                            .label = CORE_TEXT("bob-weights", "Drilled hole")};
 inline constexpr ResultField drilled_slugs{.key = "drilled_slugs",

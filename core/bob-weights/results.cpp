@@ -174,6 +174,7 @@ class JobVisit {
                     visitor_.number(key::unbalance, other->expected);
                     visitor_.number(key::angle, other->expected_angle);
                     visitor_.flag(key::acted_opposite, other->is_opposite);
+                    visitor_.flag(key::acted_in_other_plane, other->is_in_other_plane);
                 });
             }
             if (!is_newest) {

@@ -177,27 +177,43 @@ std::optional<std::array<Vector, 2>> vectors_of(const auto& readings) {
     return read;
 }
 
+Vector vector_of(const RunResult::InPlane& read) {
+    return std::polar(read.unbalance, read.angle);
+}
+
 /// Whether the run after says that what was drilled did something else than it was to: by more than
 /// half of that and by more than the limit, beyond which it is still.
-std::optional<OtherEffect> other_effect(const RunResult& before, const RunResult& after,
-                                        std::size_t plane,
-                                        const std::optional<double>& permissible) {
-    const Vector meant = effect_of(before.drilled[plane]);
-    if (!before.planes || !after.planes || !before.holds() || !after.holds() || meant == 0.0) {
-        return std::nullopt;
+std::array<std::optional<OtherEffect>, 2> other_effects(
+    const RunResult& before, const RunResult& after,
+    const std::optional<std::array<double, 2>>& permissible) {
+    std::array<std::optional<OtherEffect>, 2> found;
+    if (!before.planes || !after.planes || !before.holds() || !after.holds()) {
+        return found;
     }
-    const auto vector = [plane](const RunResult& run) {
-        return std::polar((*run.planes)[plane].unbalance, (*run.planes)[plane].angle);
-    };
-    const Vector expected = vector(before) + meant;
-    const double off = std::abs(vector(after) - expected);
-    if (off <= std::max(0.5 * std::abs(meant), permissible.value_or(0.0)) ||
-        std::abs(vector(after)) <= permissible.value_or(0.0)) {
-        return std::nullopt;
+    const std::array<Vector, 2> meant{effect_of(before.drilled[0]), effect_of(before.drilled[1])};
+    const double most = std::max(std::abs(meant[0]), std::abs(meant[1]));
+    bool is_in_other_plane = true;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Vector was = vector_of((*before.planes)[i]);
+        const Vector is = vector_of((*after.planes)[i]);
+        const double limit = permissible ? (*permissible)[i] : 0.0;
+        is_in_other_plane =
+            is_in_other_plane && std::abs(is - was - meant[1 - i]) <= std::max(0.5 * most, limit);
+        const Vector expected = was + meant[i];
+        if (meant[i] == 0.0 || std::abs(is) <= limit ||
+            std::abs(is - expected) <= std::max(0.5 * std::abs(meant[i]), limit)) {
+            continue;
+        }
+        const double along = std::real((is - was) / meant[i]);
+        found[i] = {std::abs(expected), turn_of(std::arg(expected)),
+                    along < -0.5 && std::abs(is) > std::abs(was), false};
     }
-    const double along = std::real((vector(after) - vector(before)) / meant);
-    const bool has_grown = std::abs(vector(after)) > std::abs(vector(before));
-    return OtherEffect{std::abs(expected), turn_of(std::arg(expected)), along < -0.5 && has_grown};
+    for (auto& each : found) {
+        if (each) {
+            each->is_in_other_plane = is_in_other_plane && !each->is_opposite;
+        }
+    }
+    return found;
 }
 
 void solve_correction(const Input& input, Format format, Result& result) {
@@ -239,16 +255,15 @@ void solve_correction(const Input& input, Format format, Result& result) {
                 run.read_on = shop::other_shaft(reading.shaft, input.job);
             }
         }
-        for (std::size_t i = 0; i < 2 && !result.runs.empty(); ++i) {
-            run.other_effect[i] = other_effect(result.runs.back(), run, i, limit(i));
+        if (!result.runs.empty()) {
+            run.other_effect = other_effects(result.runs.back(), run, result.permissible);
         }
         result.runs.push_back(std::move(run));
     };
     std::array<Metal, 2> before;
     const auto in_plane = [&](const RunResult& run, std::size_t i) {
-        const RunResult::InPlane& read = (*run.planes)[i];
-        return plan_plane(std::polar(read.unbalance, read.angle), correction.planes[i], correction,
-                          limit(i), before[i], format);
+        return plan_plane(vector_of((*run.planes)[i]), correction.planes[i], correction, limit(i),
+                          before[i], format);
     };
     for (std::size_t at = 0; at < correction.earlier_runs.size(); ++at) {
         const EarlierRun& earlier = correction.earlier_runs[at];
@@ -473,8 +488,7 @@ std::optional<Remaining> what_if(const Input& input, const Result& result, Plane
         }
     }
     const double taken = cut.removed(diameter, depth).unbalance;
-    const RunResult::InPlane& read = (*newest->planes)[i];
-    const Vector left = std::polar(read.unbalance, read.angle) - std::polar(taken, angle);
+    const Vector left = vector_of((*newest->planes)[i]) - std::polar(taken, angle);
     return Remaining{
         std::abs(left), turn_of(std::arg(left)),
         shop::is_within(std::abs(left), result.permissible ? std::optional((*result.permissible)[i])

@@ -362,6 +362,26 @@ Messages drilled_at_light_spot(const DoubtCase& job) {
     return list;
 }
 
+/// Angles of the holes are in the machine's sense of counting, which has been changed since. What
+/// was measured is where it was found.
+Messages drilled_counting_otherwise(const DoubtCase& job) {
+    const auto is_as_counted = [](const bob_weights::DrilledHole& hole) {
+        return hole.state == bob_weights::HoleState::as_planned ||
+               hole.state == bob_weights::HoleState::wrong_side;
+    };
+    for (std::size_t at = 0; at + 1 < job.shaft.runs.size(); ++at) {
+        const bob_weights::EarlierRun& earlier = job.input.correction->earlier_runs[at];
+        if (earlier.counted_otherwise && job.shaft.runs[at].is_drilled() &&
+            std::any_of(earlier.drilled->begin(), earlier.drilled->end(), is_as_counted)) {
+            return {{CORE_TEXT("workshop",
+                               "The holes were drilled while the machine counted degrees in the "
+                               "other direction. Check the direction, or enter the angles as "
+                               "measured.")}};
+        }
+    }
+    return {};
+}
+
 Messages drilled_otherwise(const DoubtCase& job) {
     Messages list;
     for (std::size_t i = 0; job.shaft.newest() != nullptr && i < 2; ++i) {
@@ -369,7 +389,11 @@ Messages drilled_otherwise(const DoubtCase& job) {
         if (other) {
             const auto& now = (*job.shaft.newest()->planes)[i];
             list.emplace_back(
-                other->is_opposite
+                other->is_in_other_plane
+                    ? CORE_TEXT("workshop",
+                                "%1: residual %2 after drilling instead of %3, as if the holes "
+                                "were in the other plane. Enter the actual plane of each hole.")
+                : other->is_opposite
                     ? CORE_TEXT(
                           "workshop",
                           "%1: drilling increased the unbalance to %2 instead of %3. Mark holes on "
@@ -587,6 +611,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"service-speed", error, judged, "", service_speed},
         {"bearings", error, judged, "", bearings},
         {"drilled-at-light-spot", error, judged, "", drilled_at_light_spot},
+        {"drilled-counting-otherwise", error, judged, drilled_act, drilled_counting_otherwise},
         {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise},
         {"plane-radius", error, judged, "", plane_radius},
         {"paper-plug", warning, nothing, "", plug_doubt<false>},

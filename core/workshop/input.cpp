@@ -177,6 +177,18 @@ Input with_heavy_spots(Input input) {
     return input;
 }
 
+void note_counts_changed(Correction& correction) {
+    const auto note = [](bob_weights::DrillingRecord& record) {
+        if (record.drilled && !record.drilled->empty()) {
+            record.counted_otherwise = !record.counted_otherwise;
+        }
+    };
+    note(correction.record);
+    for (auto& run : correction.earlier_runs) {
+        note(run);
+    }
+}
+
 bool is_planned(const Correction& correction) {
     const auto& readings = correction.readings;
     return readings.size() == 2 && bob_weights::is_read(readings[0]) &&

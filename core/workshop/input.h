@@ -50,6 +50,9 @@ std::optional<v8_plugs::Input> whole_plugs(const Input& input);
 /// The same job with the readings as heavy spots, whatever the machine shows.
 Input with_heavy_spots(Input input);
 
+/// Notes of the holes that are there that the machine counts the other way now.
+void note_counts_changed(bob_weights::Correction& correction);
+
 /// Whether the newest readings and their planes are to be made a plan of holes; else they have a
 /// verdict alone.
 bool is_planned(const bob_weights::Correction& correction);

@@ -139,6 +139,14 @@ inline const std::map<std::string_view, std::function<Json()>>& doubted() {
              input["machine"]["shows"] = "light";
              return input;
          }},
+        {"drilled-counting-otherwise",
+         [] {
+             Json input = card();
+             input["correction"]["earlier_runs"] = parse_json(R"([{
+                 "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 9, "angle_deg": 40}],
+                 "drilled_counting_otherwise": true}])");
+             return input;
+         }},
         {"drilled-otherwise",
          [] {
              Json input = card();

@@ -4,6 +4,7 @@
 
 #include "doubted_jobs.h"
 #include "workshop/doubts.h"
+#include "workshop/solver.h"
 
 namespace ravnoves::workshop {
 namespace {
@@ -131,6 +132,56 @@ TEST(Doubts, OfAPistonLeaveNoPlugToBore) {
     const Json& doubtful = result.at("doubtful").at("plugs");
     EXPECT_TRUE(doubtful.at("state").is_string());
     EXPECT_EQ(doubtful.at("options").size(), sound.at("options").size());
+}
+
+TEST(Doubts, OfTheDirectionOfDegreesFollowTheMachine) {
+    Json json = test::doubted().at("drilled-counting-otherwise")();
+    json["correction"]["earlier_runs"][0].erase("drilled_counting_otherwise");
+    json["correction"]["earlier_runs"].push_back({{"drilled", Json::array()}});
+    Input input = read_input(json);
+    const auto is_doubted = [&](const Input& job) { return !solve(job).doubts.empty(); };
+    EXPECT_FALSE(is_doubted(input));
+    note_counts_changed(*input.correction);
+    EXPECT_TRUE(is_doubted(input));
+    EXPECT_TRUE(input.correction->earlier_runs[0].counted_otherwise);
+    EXPECT_FALSE(input.correction->earlier_runs[1].counted_otherwise) << "nothing was drilled";
+    // What was measured is where it was found, and the old direction is the one of the holes.
+    Input measured = input;
+    measured.correction->earlier_runs[0].drilled->at(0).state = bob_weights::HoleState::measured;
+    EXPECT_FALSE(is_doubted(measured));
+    note_counts_changed(*input.correction);
+    EXPECT_FALSE(is_doubted(input));
+    EXPECT_EQ(input, read_input(json));
+}
+
+TEST(Doubts, OfADrillingFindHolesInTheOtherPlane) {
+    // Front 1250 at 40°: the hole takes off about 1100; it was drilled in the rear plane.
+    Json input = card();
+    Json& correction = input["correction"];
+    correction["earlier_runs"] = parse_json(R"([{
+        "readings": [{"unbalance_g_mm": 1250, "angle_deg": 40}, {"unbalance_g_mm": 0}],
+        "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 9, "angle_deg": 40}]}])");
+    correction["readings"] = parse_json(R"([{"unbalance_g_mm": 1250, "angle_deg": 40},
+                                            {"unbalance_g_mm": 1100, "angle_deg": 220}])");
+    const auto expected = [&] {
+        return solved(input)
+            .at("correction")
+            .at("runs")[1]
+            .at("planes")[0]
+            .value("expected", Json());
+    };
+    EXPECT_TRUE(expected().at("drilling_acted_in_other_plane").get<bool>());
+    EXPECT_NE(solved(input).at("verdict").at("text").get<std::string>().find("other plane"),
+              std::string::npos);
+    // The record says where the hole is, and all is as expected.
+    Json& hole = correction["earlier_runs"][0]["drilled"][0];
+    hole.update({{"plane", "rear"}, {"state", "measured"}});
+    EXPECT_TRUE(expected().is_null());
+    EXPECT_TRUE(solved(input).at("doubts").empty()) << solved(input).at("doubts").dump(1);
+    // A hole that is in neither plane is in no other one.
+    hole["plane"] = "front";
+    correction["readings"][1]["unbalance_g_mm"] = 0;
+    EXPECT_FALSE(expected().at("drilling_acted_in_other_plane").get<bool>());
 }
 
 TEST(Doubts, NameThePlanesAsTheMachineDoes) {

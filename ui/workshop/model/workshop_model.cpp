@@ -279,6 +279,9 @@ QString WorkshopModel::edit(const QString& name, const std::function<void(Job&)>
     if (next.job != input().job) {
         noteShaft(next, beforeEditing_);
     }
+    if (next.correction && next.machine.counts != input().machine.counts) {
+        workshop::note_counts_changed(*next.correction);
+    }
     return CaseModel::edit(
         name, [&](Job& input) { input = std::move(next); }, title);
 }
