@@ -92,8 +92,4 @@ std::optional<std::vector<DrilledHole>> planned_holes(const Result& result) {
                                                : std::nullopt;
 }
 
-std::optional<std::vector<DrilledHole>> drilled_holes(const RunResult& run) {
-    return run.is_drilled() ? std::optional(record_of(run.drilled)) : std::nullopt;
-}
-
 }  // namespace ravnoves::bob_weights

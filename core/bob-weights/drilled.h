@@ -20,8 +20,5 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
 /// readings do not hold.
 /// @return empty while there is no plan
 std::optional<std::vector<DrilledHole>> planned_holes(const Result& result);
-/// The same of an earlier run.
-/// @return empty where it is not known of any hole
-std::optional<std::vector<DrilledHole>> drilled_holes(const RunResult& run);
 
 }  // namespace ravnoves::bob_weights

@@ -87,73 +87,49 @@ void visit_fields(FieldVisitor& visitor, Plane& plane) {
 namespace {
 
 /// Unbalance and angle of a Reading or an EarlierReading.
-/// @param required  a plane that was not read is none
-void visit_reading(FieldVisitor& visitor, auto& reading, Format format, bool required = true) {
-    if (required) {
-        visitor.required(field::unbalance, reading.unbalance);
-    } else {
-        visitor.number(field::unbalance, reading.unbalance);
-    }
-    // Nothing has no direction: a reading of 0 needs no angle; in a job none does.
-    if (format == Format::workshop || (reading.unbalance && !has_direction(*reading.unbalance))) {
-        visitor.number(field::angle, reading.angle);
-    } else {
-        visitor.required(field::angle, reading.angle);
-    }
+void visit_reading(FieldVisitor& visitor, auto& reading) {
+    visitor.number(field::unbalance, reading.unbalance);
+    visitor.number(field::angle, reading.angle);
     visitor.number(field::bob_weight_then, reading.bob_weight);
     visitor.object_with_defaults(shop::field::read_shaft, reading.shaft);
 }
 
-void visit_hole(FieldVisitor& visitor, DrilledHole& hole, Format format) {
+void visit_hole(FieldVisitor& visitor, DrilledHole& hole) {
     visitor.choice(field::drilled_plane, hole.plane);
     visitor.number(field::drilled_diameter, hole.diameter);
     visitor.number(field::drilled_depth, hole.depth);
-    if (format == Format::workshop) {
-        visitor.number(field::drilled_from_depth, hole.from_depth, 0.0);
-    }
+    visitor.number(field::drilled_from_depth, hole.from_depth, 0.0);
     visitor.number(field::drilled_angle, hole.angle);
-    if (format == Format::workshop) {
-        visitor.number(field::drilled_mass, hole.mass);
-    } else {
-        visitor.required(field::drilled_mass, hole.mass);
-    }
+    visitor.number(field::drilled_mass, hole.mass);
     visitor.number(field::drilled_slug, hole.slug);
-    if (format == Format::workshop) {
-        visitor.choice(field::drilled_direction, hole.direction, SlugDirection::radial);
-        visitor.choice(field::drilled_state, hole.state, HoleState::as_planned);
-    }
+    visitor.choice(field::drilled_direction, hole.direction, SlugDirection::radial);
+    visitor.choice(field::drilled_state, hole.state, HoleState::as_planned);
 }
 
 /// @param drilled  describes the list of holes
-void visit_record(FieldVisitor& visitor, const Field& drilled, DrillingRecord& record,
-                  Format format) {
+void visit_record(FieldVisitor& visitor, const Field& drilled, DrillingRecord& record) {
     if (visitor.has(drilled.key, record.drilled.has_value())) {
         if (!record.drilled && (visitor.is_reading() || visitor.creates_objects())) {
             record.drilled.emplace();
         }
         std::vector<DrilledHole> absent;
         visitor.list(drilled, record.drilled ? *record.drilled : absent,
-                     [&](DrilledHole& hole) { visit_hole(visitor, hole, format); });
+                     [&](DrilledHole& hole) { visit_hole(visitor, hole); });
     }
     if (visitor.has(field::drilled_by.key, !record.drilled_by.empty())) {
         visitor.list(field::drilled_by, record.drilled_by,
-                     [&](EarlierReading& reading) { visit_reading(visitor, reading, format); });
+                     [&](EarlierReading& reading) { visit_reading(visitor, reading); });
     }
-    if (format == Format::workshop) {
-        visitor.flag(field::counted_otherwise, record.counted_otherwise, false);
-    }
+    visitor.flag(field::counted_otherwise, record.counted_otherwise, false);
 }
 
-void visit_run(FieldVisitor& visitor, EarlierRun& run, Format format) {
-    // Holes that were there before a job have no readings.
-    if (format == Format::bob_weights ||
-        visitor.has(field::run_readings.key, !run.readings.empty())) {
-        visitor.list(field::run_readings, run.readings,
-                     [&](EarlierReading& reading) { visit_reading(visitor, reading, format); });
+/// A list that may be left out.
+void visit_list(FieldVisitor& visitor, const Field& field, auto& list, const auto& visit) {
+    if (visitor.has(field.key, !list.empty())) {
+        visitor.list(field, list, visit);
     } else if (visitor.is_reading()) {
-        run.readings.clear();
+        list.clear();
     }
-    visit_record(visitor, field::drilled, run, format);
 }
 
 void visit_drill(FieldVisitor& visitor, Drill& drill) {
@@ -170,49 +146,32 @@ void visit_drill(FieldVisitor& visitor, Drill& drill) {
     visitor.number(field::maximum_angle, drill.maximum_angle, usual.maximum_angle);
 }
 
-}  // namespace
-
-void visit_correction(FieldVisitor& visitor, Correction& correction, Format format) {
-    const bool is_job = format == Format::workshop;
-    // Of what a job may lack.
-    const auto is_there = [&](const Field& field, bool there) {
-        return !is_job || visitor.has(field.key, there);
-    };
-    if (is_there(field::planes, !correction.planes.empty())) {
-        visitor.list(field::planes, correction.planes);
-    } else if (visitor.is_reading()) {
-        correction.planes.clear();
-    }
-    if (is_there(field::readings, !correction.readings.empty())) {
-        visitor.list(field::readings, correction.readings, [&](Reading& reading) {
-            visitor.number(field::reading_position, reading.position);
-            visit_reading(visitor, reading, format, !is_job);
-        });
-    } else if (visitor.is_reading()) {
-        correction.readings.clear();
-    }
-    visit_record(visitor, field::drilled_after_newest, correction.record, format);
-    if (visitor.has(field::earlier_runs.key, !correction.earlier_runs.empty())) {
-        visitor.list(field::earlier_runs, correction.earlier_runs,
-                     [&](EarlierRun& run) { visit_run(visitor, run, format); });
-    }
-    if (is_job) {
-        visitor.number(field::smallest_depth, correction.smallest_depth,
-                       Correction().smallest_depth);
-        visitor.choice(field::aim, correction.aim, Aim::zero);
-    }
-    visitor.object_of(field::drill, !is_job, !is_job || !(correction.drill == Drill{}),
+void visit_correction(FieldVisitor& visitor, Correction& correction) {
+    visit_list(visitor, field::planes, correction.planes,
+               [&](Plane& plane) { visit_fields(visitor, plane); });
+    visit_list(visitor, field::readings, correction.readings, [&](Reading& reading) {
+        visitor.number(field::reading_position, reading.position);
+        visit_reading(visitor, reading);
+    });
+    visit_record(visitor, field::drilled_after_newest, correction.record);
+    visit_list(visitor, field::earlier_runs, correction.earlier_runs, [&](EarlierRun& run) {
+        // Holes that were there before have no readings.
+        visit_list(visitor, field::run_readings, run.readings,
+                   [&](EarlierReading& reading) { visit_reading(visitor, reading); });
+        visit_record(visitor, field::drilled, run);
+    });
+    visitor.number(field::smallest_depth, correction.smallest_depth, Correction().smallest_depth);
+    visitor.choice(field::aim, correction.aim, Aim::zero);
+    visitor.object_of(field::drill, false, !(correction.drill == Drill{}),
                       [&] { visit_drill(visitor, correction.drill); });
     visitor.object(field::slug, correction.slug, [&](Slug& slug) {
         visitor.required(field::slug_diameter, slug.diameter);
         visitor.required(field::slug_density, slug.density);
-        if (is_job) {
-            visitor.choice(field::slug_direction, slug.direction, SlugDirection::axial);
-        }
+        visitor.choice(field::slug_direction, slug.direction, SlugDirection::axial);
     });
 }
 
-void visit_tolerance(FieldVisitor& visitor, Tolerance& tolerance, Format format) {
+void visit_tolerance(FieldVisitor& visitor, Tolerance& tolerance) {
     const int given =
         visitor.one_of({field::grade.key, field::plane_tolerance.key}, tolerance.by_grade ? 0 : 1);
     if (visitor.is_reading()) {
@@ -230,13 +189,16 @@ void visit_tolerance(FieldVisitor& visitor, Tolerance& tolerance, Format format)
         visitor.number(field::centre_of_mass, tolerance.centre_of_mass);
         visitor.number(field::front_bearing, tolerance.front_bearing);
         visitor.number(field::rear_bearing, tolerance.rear_bearing);
-        if (format == Format::workshop) {
-            visitor.number(field::front_share, tolerance.front_share, 0.5);
-        }
+        visitor.number(field::front_share, tolerance.front_share, 0.5);
     }
 }
 
-void visit_weigh_in(FieldVisitor& visitor, Input& input) {
+}  // namespace
+
+void visit_fields(FieldVisitor& visitor, Input& input) {
+    visitor.object(field::engine, input.engine);
+    visitor.object_with_defaults(field::factor, input.factor);
+    visitor.object_with_defaults(field::parts, input.parts);
     visitor.object(field::weigh_in, input.weigh_in, [&](WeighIn& sheet) {
         if (visitor.is_reading() || visitor.creates_objects()) {
             for (auto& column : sheet.columns) {
@@ -245,20 +207,11 @@ void visit_weigh_in(FieldVisitor& visitor, Input& input) {
         }
         shop::visit_sheet(visitor, sheet, field::numbering, field::part_mass, false, true);
     });
-}
-
-void visit_fields(FieldVisitor& visitor, Input& input) {
-    visitor.object(field::engine, input.engine);
-    visitor.object_with_defaults(field::factor, input.factor);
-    visitor.object_with_defaults(field::parts, input.parts);
-    visit_weigh_in(visitor, input);
     visitor.choice(field::balance, input.balance, Balance::internal);
-    visitor.object(field::correction, input.correction, [&](Correction& correction) {
-        visit_correction(visitor, correction, Format::bob_weights);
-    });
-    visitor.object(field::tolerance, input.tolerance, [&](Tolerance& tolerance) {
-        visit_tolerance(visitor, tolerance, Format::bob_weights);
-    });
+    visitor.object(field::correction, input.correction,
+                   [&](Correction& correction) { visit_correction(visitor, correction); });
+    visitor.object(field::tolerance, input.tolerance,
+                   [&](Tolerance& tolerance) { visit_tolerance(visitor, tolerance); });
     visitor.object_with_defaults(field::job, input.job);
 }
 

@@ -1,7 +1,5 @@
 #include "bob-weights/formulas.h"
 
-#include <array>
-
 #include "bob-weights/factor_theory.h"
 #include "shop/balance_grade.h"
 
@@ -70,19 +68,6 @@ std::vector<Formula> formulas(const Input& input) {
         list.push_back(shop::permissible_unbalance_formula());
     }
     return list;
-}
-
-std::span<const Text> left_out() {
-    static constexpr std::array texts{
-        CORE_TEXT("bob-weights", "The crankshaft is rigid."),
-        CORE_TEXT("bob-weights",
-                  "The factor uses the first order only; bob weights cannot affect higher orders."),
-        CORE_TEXT("bob-weights",
-                  "Couples along the crankshaft are not part of the factor: see inertia moments."),
-        CORE_TEXT("bob-weights", "The rim of a counterweight is taken as flat at a hole."),
-        CORE_TEXT("bob-weights", "All bob weights are equal, from the means of the weighed parts."),
-    };
-    return texts;
 }
 
 }  // namespace ravnoves::bob_weights

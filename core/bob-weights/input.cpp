@@ -5,7 +5,6 @@
 #include "bob-weights/factor_theory.h"
 #include "bob-weights/fields.h"
 #include "bob-weights/matching.h"
-#include "case-file/field_writer.h"
 #include "case-file/input_error.h"
 #include "shop/sentences.h"
 
@@ -121,14 +120,13 @@ void check_drilled(const std::optional<std::vector<DrilledHole>>& drilled, const
 
 }  // namespace
 
-void check_runs(const Correction& correction, Format format) {
+void check_runs(const Correction& correction) {
     const std::string place = correction_place;
     if (correction.earlier_runs.size() >= most_runs) {
         throw InputError(place + std::string(field::earlier_runs.key),
                          {CORE_TEXT("bob-weights", "must be a list of at most %1"), most_runs - 1},
                          Number{static_cast<double>(correction.earlier_runs.size())});
     }
-    const bool is_job = format == Format::workshop;
     check_drilled(correction.record.drilled, place);
     for (std::size_t run = 0; run < correction.earlier_runs.size(); ++run) {
         const EarlierRun& earlier = correction.earlier_runs[run];
@@ -137,14 +135,13 @@ void check_runs(const Correction& correction, Format format) {
             place + std::string(field::earlier_runs.key) + "/" + std::to_string(run) + "/";
         const std::string at = of_run + std::string(field::readings.key);
         check_drilled(earlier.drilled, of_run);
-        if (is_job && readings.empty()) {
+        if (readings.empty()) {
             continue;
         }
         check_two(readings.size(), at);
         for (std::size_t i = 0; i < 2; ++i) {
-            if (is_job ? !readings[i].unbalance : !is_read(readings[i])) {
-                missing(at + "/" + std::to_string(i) + "/" +
-                        std::string((readings[i].unbalance ? field::angle : field::unbalance).key));
+            if (!readings[i].unbalance) {
+                missing(at + "/" + std::to_string(i) + "/" + std::string(field::unbalance.key));
             }
         }
     }
@@ -307,20 +304,6 @@ void check_parts(const Input& input) {
         if (needed && !mass_of(input, each)) {
             missing("/input/parts_g/" + std::string(each.field.key));
         }
-    }
-}
-
-void check_input(const Input& input) {
-    check_fields(input);
-    check_bob_weight(input);
-    check_weigh_in(input, false);
-    check_parts(input);
-    if (input.correction) {
-        check_correction(*input.correction);
-        check_runs(*input.correction, Format::bob_weights);
-    }
-    if (input.tolerance) {
-        check_tolerance(*input.tolerance);
     }
 }
 

@@ -162,12 +162,11 @@ struct DrilledHole {
 
 /// What was drilled after a run.
 struct DrillingRecord {
-    /// What was planned when the next run began; empty: what the readings ask for, by the planes
-    /// and drills of the case.
+    /// What was planned when the next run began; empty: nothing that is known of.
     std::optional<std::vector<DrilledHole>> drilled;
     /// What it was planned from, where the readings have been put right since.
     std::vector<EarlierReading> drilled_by;
-    /// The machine's degrees counted the other way then; of workshop jobs.
+    /// The machine's degrees counted the other way then.
     bool counted_otherwise = false;
 
     friend bool operator==(const DrillingRecord&, const DrillingRecord&) = default;
@@ -196,9 +195,9 @@ struct Drill {
 
 /// Heavy metal that is pressed into the counterweight.
 struct Slug {
-    std::optional<double> diameter;                  ///< m
-    std::optional<double> density;                   ///< kg/m³
-    SlugDirection direction = SlugDirection::axial;  ///< of workshop jobs
+    std::optional<double> diameter;  ///< m
+    std::optional<double> density;   ///< kg/m³
+    SlugDirection direction = SlugDirection::axial;
 
     friend bool operator==(const Slug&, const Slug&) = default;
 };
@@ -217,9 +216,9 @@ struct Correction {
     std::vector<EarlierRun> earlier_runs;  ///< from the first, before drilling
     Drill drill;
     std::optional<Slug> slug;
-    // Of workshop jobs.
     double smallest_depth = 1.5e-3;  ///< of a new hole, m
     Aim aim = Aim::zero;
+    bool deepens = true;  ///< holes that are there; never in cases of bob-weights
 
     friend bool operator==(const Correction&, const Correction&) = default;
 };
@@ -243,7 +242,7 @@ struct Tolerance {
     std::optional<double> centre_of_mass;  ///< along the crankshaft, m
     std::optional<double> front_bearing;   ///< m
     std::optional<double> rear_bearing;    ///< m
-    double front_share = 0.5;  ///< of the front plane where no places say it; of workshop jobs
+    double front_share = 0.5;              ///< of the front plane where no places say it
 
     friend bool operator==(const Tolerance&, const Tolerance&) = default;
 };
@@ -265,18 +264,11 @@ struct Input {
     friend bool operator==(const Input&, const Input&) = default;
 };
 
-/// Whose case file it is: a workshop's job has more keys and needs less.
-enum class Format { bob_weights, workshop };
-
 void visit_fields(FieldVisitor& visitor, Engine& engine);
 void visit_fields(FieldVisitor& visitor, Factor& factor);
 void visit_fields(FieldVisitor& visitor, Parts& parts);
 void visit_fields(FieldVisitor& visitor, Plane& plane);
 void visit_fields(FieldVisitor& visitor, Input& input);
-/// The same in the parts that a job visits, too.
-void visit_weigh_in(FieldVisitor& visitor, Input& input);
-void visit_correction(FieldVisitor& visitor, Correction& correction, Format format);
-void visit_tolerance(FieldVisitor& visitor, Tolerance& tolerance, Format format);
 
 /// Gives the weigh-in sheet as many rows as the engine has cylinders: where their number changes
 /// the sheet keeps what was weighed but for the numbers of its sets, and what is written and solved
@@ -311,16 +303,12 @@ BearingPlaces places_of_bearings(const Input& input);
 /// Checks what joins the fields of engine and factor.
 /// @throws InputError
 void check_bob_weight(const Input& input);
-/// Parts, weigh-in, correction and tolerance one by one, as check_input() does.
+/// Parts, weigh-in, a correction that is planned, runs and tolerance.
 /// @throws InputError
 void check_parts(const Input& input);
 void check_weigh_in(const Input& input, bool nominal_needed);
 void check_correction(const Correction& correction);
-void check_runs(const Correction& correction, Format format);
+void check_runs(const Correction& correction);
 void check_tolerance(const Tolerance& tolerance);
-
-/// Checks the ranges, that nothing which a result needs is missing, and the rules that join fields.
-/// @throws InputError
-void check_input(const Input& input);
 
 }  // namespace ravnoves::bob_weights

@@ -105,7 +105,7 @@ class PlanePlanner {
   public:
     /// @param before  what was drilled there and pressed in after earlier runs
     PlanePlanner(const Plane& plane, const Correction& correction,
-                 const std::optional<double>& permissible, const Metal& before, Format format)
+                 const std::optional<double>& permissible, const Metal& before)
         : correction_(correction),
           tolerance_(permissible.value_or(-1.0)),
           enough_(correction.aim == Aim::zero ? -1.0 : tolerance_),
@@ -113,8 +113,7 @@ class PlanePlanner {
           into_(cut_),
           limits_{*correction.drill.maximum_depth, correction.drill.depth_step,
                   correction.drill.minimum_wall,   correction.drill.maximum_holes,
-                  correction.drill.maximum_angle,  std::nullopt},
-          deepens_(format == Format::workshop) {
+                  correction.drill.maximum_angle,  std::nullopt} {
         const auto& slug = correction.slug;
         has_slugs_ = slug && slug->diameter && slug->density;
         if (has_slugs_) {
@@ -154,7 +153,7 @@ class PlanePlanner {
         // deepened where it is more than a tenth.
         const bool to_zero = correction_.aim == Aim::zero;
         const DeepeningPlan deeper =
-            deepens_
+            correction_.deepens
                 ? plan_deepening(unbalance, there_, cut_, limits_,
                                  to_zero ? 0.1 * tolerance_ : tolerance_,
                                  has_limit() ? tolerance_ : std::numeric_limits<double>::infinity())
@@ -325,7 +324,6 @@ class PlanePlanner {
     Cut cut_;
     Cut into_;  ///< of slugs
     HoleLimits limits_;
-    bool deepens_;
     bool has_slugs_ = false;
     std::vector<double> diameters_;
     std::vector<Hole> there_;  ///< that can be deepened
@@ -350,13 +348,12 @@ bool are_one_hole(const Hole& a, const Hole& b, double radius) {
 }
 
 PlaneResult plan_plane(Vector unbalance, const Plane& plane, const Correction& correction,
-                       const std::optional<double>& permissible, const Metal& before,
-                       Format format) {
+                       const std::optional<double>& permissible, const Metal& before) {
     PlaneResult result{};
     result.unbalance = std::abs(unbalance);
     result.angle = turn_of(std::arg(unbalance));
     result.grams_at_radius = result.unbalance / *plane.radius;
-    const PlanePlanner planner(plane, correction, permissible, before, format);
+    const PlanePlanner planner(plane, correction, permissible, before);
     Planned planned = planner.plan(unbalance);
     const Vector left = unbalance + effect_of(planned.metal);
     result.beyond_sector = planner.beyond_sector(planned.metal);

@@ -19,6 +19,6 @@ bool are_one_hole(const Hole& a, const Hole& b, double radius);
 /// @param before  what was drilled there and pressed in after earlier runs
 PlaneResult plan_plane(std::complex<double> unbalance, const Plane& plane,
                        const Correction& correction, const std::optional<double>& permissible,
-                       const Metal& before, Format format);
+                       const Metal& before);
 
 }  // namespace ravnoves::bob_weights

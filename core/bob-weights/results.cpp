@@ -31,8 +31,8 @@ std::vector<Message> keys_of(const auto& parts, const auto& part_of) {
 /// Visits the values of one result.
 class JobVisit {
   public:
-    JobVisit(ResultVisitor& visitor, const Input& input, const Result& result, Format format)
-        : visitor_(visitor), input_(input), result_(result), is_job_(format == Format::workshop) {}
+    JobVisit(ResultVisitor& visitor, const Input& input, const Result& result)
+        : visitor_(visitor), input_(input), result_(result) {}
 
     void visit_all() {
         RAVNOVES_DEMAND(result_.reciprocating && result_.rotating,
@@ -59,7 +59,7 @@ class JobVisit {
         if (result_.permissible_whole) {
             visitor_.number(key::permissible_rotor, result_.permissible_whole);
         }
-        if (result_.newest() != nullptr && (result_.correction || is_job_)) {
+        if (result_.newest() != nullptr) {
             visitor_.object(key::correction, [&] { visit_correction(); });
         }
     }
@@ -71,13 +71,7 @@ class JobVisit {
             visitor_.nothing(shop::result_field::lines);
             return;
         }
-        std::vector<Line> lines = result_.lines;
-        if (!is_job_) {
-            // That format begins with the rings.
-            std::stable_partition(lines.begin(), lines.end(), [](const Line& line) {
-                return line.part->column == shop::Part::rings;
-            });
-        }
+        const std::vector<Line>& lines = result_.lines;
         shop::visit_lines(visitor_, lines.size(), [&](std::size_t i) {
             return shop::CardLine{lines[i].name().word, lines[i].factor, lines[i].mass};
         });
@@ -103,9 +97,6 @@ class JobVisit {
             if (hole.slug > 0.0) {
                 visitor_.number(key::slug_mass, hole.slug);
             }
-        }
-        if (!is_job_) {
-            return;
         }
         if (added) {
             const auto speed = service_speed(input_);
@@ -227,34 +218,21 @@ class JobVisit {
     ResultVisitor& visitor_;
     const Input& input_;
     const Result& result_;
-    bool is_job_;
 };
 
 }  // namespace
 
-void visit_results(ResultVisitor& visitor, const Input& input, const Result& result) {
-    if (visitor.wants(ravnoves::result_field::verdict.key)) {
-        visit_verdict(visitor, verdict(input, result));
-    }
-    JobVisit(visitor, input, result, Format::bob_weights).visit_all();
-}
-
-void visit_results(ResultVisitor& visitor, const Input& input) {
-    visit_results(visitor, input, solve(input, visitor.wants(shop::result_field::weigh_in.key)));
-}
-
 void visit_job(ResultVisitor& visitor, const Input& input, const Result& result) {
-    JobVisit(visitor, input, result, Format::workshop).visit_all();
+    JobVisit(visitor, input, result).visit_all();
 }
 
 void visit_bob_weight(ResultVisitor& visitor, const Input& input, const Result& result) {
-    JobVisit(visitor, input, result, Format::workshop).visit_bob_weight();
+    JobVisit(visitor, input, result).visit_bob_weight();
 }
 
 void visit_planes(ResultVisitor& visitor, const Input& input, const Result& result) {
     if (result.newest() != nullptr) {
-        visitor.object(key::correction,
-                       [&] { JobVisit(visitor, input, result, Format::workshop).visit_planes(); });
+        visitor.object(key::correction, [&] { JobVisit(visitor, input, result).visit_planes(); });
     }
 }
 

@@ -10,13 +10,9 @@
 
 namespace ravnoves::bob_weights {
 
-/// The values of a solved input, in the order of the contract.
+/// The values of a solved job but for its verdict, in the order of the contract; what is not known,
+/// or withheld, is null.
 /// @param result  solve(input) of an input that holds all that a result needs
-void visit_results(ResultVisitor& visitor, const Input& input, const Result& result);
-/// The same, which solves the input first.
-void visit_results(ResultVisitor& visitor, const Input& input);
-
-/// The same of a workshop's job, without its verdict; what is not known, or withheld, is null.
 void visit_job(ResultVisitor& visitor, const Input& input, const Result& result);
 /// Of it the bob weight with its lines, or the planes alone.
 void visit_bob_weight(ResultVisitor& visitor, const Input& input, const Result& result);

@@ -216,7 +216,7 @@ std::array<std::optional<OtherEffect>, 2> other_effects(
     return found;
 }
 
-void solve_correction(const Input& input, Format format, Result& result) {
+void solve_correction(const Input& input, Result& result) {
     if (!input.correction) {
         return;
     }
@@ -228,7 +228,7 @@ void solve_correction(const Input& input, Format format, Result& result) {
     const auto add_run = [&](const auto& readings) {
         RunResult run;
         const auto read = vectors_of(readings);
-        const bool stand_alone = format == Format::workshop && reads_in_planes(correction);
+        const bool stand_alone = reads_in_planes(correction);
         for (std::size_t i = 0; stand_alone && i < readings.size() && i < 2; ++i) {
             if (const auto& unbalance = readings[i].unbalance) {
                 run.alone[i] = {*unbalance, shop::is_within(*unbalance, limit(i))};
@@ -263,7 +263,7 @@ void solve_correction(const Input& input, Format format, Result& result) {
     std::array<Metal, 2> before;
     const auto in_plane = [&](const RunResult& run, std::size_t i) {
         return plan_plane(vector_of((*run.planes)[i]), correction.planes[i], correction, limit(i),
-                          before[i], format);
+                          before[i]);
     };
     for (std::size_t at = 0; at < correction.earlier_runs.size(); ++at) {
         const EarlierRun& earlier = correction.earlier_runs[at];
@@ -273,12 +273,6 @@ void solve_correction(const Input& input, Format format, Result& result) {
         // those alone that were drilled before it changed.
         if (earlier.drilled && !run.read_on && correction.planes.size() == 2) {
             run.drilled = recorded(*earlier.drilled, correction, at, before);
-        } else if (format == Format::bob_weights && !earlier.drilled && run.planes && run.holds() &&
-                   can_drill(correction)) {
-            for (std::size_t i = 0; i < 2; ++i) {
-                PlaneResult planned = in_plane(run, i);
-                run.drilled[i] = {std::move(planned.holes), std::move(planned.slugs)};
-            }
         }
         for (std::size_t i = 0; i < 2; ++i) {
             const auto join = [](std::vector<Hole>& all, const std::vector<Hole>& more) {
@@ -415,27 +409,23 @@ std::optional<std::array<double, 2>> plane_limits(
     return std::array{*whole * share[0] * scale, *whole * share[1] * scale};
 }
 
-namespace {
-
-/// @param known     the bob weight, where it does not follow from the masses of the parts
-/// @param by_parts  false: without that it is not known at all
-Result solve(const Input& input, Format format, const std::optional<KnownWeight>& known,
-             bool by_parts, bool places_parts) {
+Result solve(const Input& given, bool places_parts, const OtherWeight& other) {
+    const Input input = fitted(given);
     Result result;
     result.theory_factor = theory_factor(input.engine);
     result.factor = input.factor.reciprocating.value_or(result.theory_factor);
     const double factor = result.factor + input.factor.overbalance;
-    if (known) {
+    if (!other) {
+        solve_bob_weight(input, factor, result);
+        solve_weigh_in(input, factor, places_parts, result);
+    } else if (const KnownWeight* known = *other) {
         result.lines = known->lines;
         result.reciprocating = known->reciprocating;
         result.rotating = known->rotating;
         result.bob_weight = known->sum;
         result.first_order = first_order(input.engine, factor, known->reciprocating);
         result.first_order_bare = first_order(input.engine, 0.0, known->reciprocating);
-    } else if (by_parts) {
-        solve_bob_weight(input, factor, result);
     }
-    solve_weigh_in(input, factor, places_parts && by_parts, result);
     look_for_kilograms(input, result);
     if (input.tolerance) {
         std::optional<std::array<double, 2>> positions;
@@ -449,24 +439,9 @@ Result solve(const Input& input, Format format, const std::optional<KnownWeight>
         }
         result.permissible = plane_limits(*input.tolerance, positions);
     }
-    solve_correction(input, format, result);
+    solve_correction(input, result);
     leave_out_contradictory(input, result);
     return result;
-}
-
-}  // namespace
-
-Result solve(const Input& given, bool places_parts) {
-    Input input = fitted(given);
-    if (input.correction) {
-        // The format knows of no other way.
-        input.correction->aim = Aim::tolerance;
-        input.correction->smallest_depth = 0.0;
-        if (input.correction->slug) {
-            input.correction->slug->direction = SlugDirection::radial;
-        }
-    }
-    return solve(input, Format::bob_weights, std::nullopt, true, places_parts);
 }
 
 std::optional<Remaining> what_if(const Input& input, const Result& result, PlaneName plane,
@@ -494,14 +469,6 @@ std::optional<Remaining> what_if(const Input& input, const Result& result, Plane
         shop::is_within(std::abs(left), result.permissible ? std::optional((*result.permissible)[i])
                                                            : std::nullopt),
         touches};
-}
-
-Result solve_job(const Input& given, bool places_parts) {
-    return solve(fitted(given), Format::workshop, std::nullopt, true, places_parts);
-}
-
-Result solve_job_with_weight(const Input& given, const std::optional<KnownWeight>& known) {
-    return solve(fitted(given), Format::workshop, known, false, false);
 }
 
 }  // namespace ravnoves::bob_weights

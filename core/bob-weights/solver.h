@@ -6,16 +6,12 @@
 
 namespace ravnoves::bob_weights {
 
-/// Computes whatever the input allows, also where check_input() does not let it pass.
-/// @param places_parts  false: without the placing of the parts, which takes longest
-Result solve(const Input& given, bool places_parts = true);
+/// A bob weight that does not follow from the masses of the parts; null while it is not known.
+using OtherWeight = std::optional<const KnownWeight*>;
 
-/// The same of a workshop's job: holes that are there are deepened first, aim, smallest depth and
-/// direction of slugs are those of the input, and nothing is drilled that no record tells of.
-Result solve_job(const Input& given, bool places_parts = true);
-/// The same where the bob weight does not follow from the masses of the parts.
-/// @param known  nothing while it is not known
-Result solve_job_with_weight(const Input& given, const std::optional<KnownWeight>& known);
+/// Computes whatever the input allows, also where a check does not let it pass.
+/// @param places_parts  false: without the placing of the parts, which takes longest
+Result solve(const Input& given, bool places_parts = true, const OtherWeight& other = {});
 
 /// Whether the machine reads in the planes, as far as it is known where both are.
 bool reads_in_planes(const Correction& correction);

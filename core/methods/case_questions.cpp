@@ -5,15 +5,13 @@
 
 #include "balance-shaft/method_choices.h"
 #include "balance-shaft/scene.h"
-#include "bob-weights/scene.h"
 #include "case-file/field_reader.h"
 #include "elastic-hinge/method_choices.h"
 #include "elastic-hinge/scene.h"
 #include "inertia-moments/method_choices.h"
 #include "inertia-moments/scene.h"
 #include "numerics/demand.h"
-#include "v8-plugs/scene.h"
-#include "workshop/scene.h"
+#include "workshop/older_formats.h"
 
 namespace ravnoves::methods {
 
@@ -51,8 +49,8 @@ const CaseQuestions& questions_of(std::string_view scene) {
         CaseQuestions{"elastic-hinge", elastic_hinge::leading_results,
                       fields_of<elastic_hinge::Input>, elastic_hinge::method_choices},
         CaseQuestions{"workshop", workshop_results, fields_of<workshop::Input>},
-        CaseQuestions{"v8-plugs", plugs_results, fields_of<v8_plugs::Input>},
-        CaseQuestions{"bob-weights", bob_weights_results, fields_of<bob_weights::Input>},
+        CaseQuestions{"v8-plugs", plugs_results, fields_of<workshop::PlugsCase>},
+        CaseQuestions{"bob-weights", bob_weights_results, fields_of<workshop::BobWeightsCase>},
         CaseQuestions{"inertia-moments", inertia_moments::leading_results,
                       fields_of<inertia_moments::Input>, Pointers(), "/exact", "/two_term"},
     };

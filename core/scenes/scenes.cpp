@@ -14,13 +14,10 @@
 #include "balance-shaft/presets.h"
 #include "balance-shaft/results.h"
 #include "balance-shaft/scene.h"
-#include "bob-weights/formulas.h"
-#include "bob-weights/presets.h"
-#include "bob-weights/results.h"
-#include "bob-weights/scene.h"
 #include "case-file/field_reader.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "case-file/result_json.h"
 #include "elastic-hinge/formulas.h"
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/results.h"
@@ -31,11 +28,8 @@
 #include "inertia-moments/scene.h"
 #include "numerics/demand.h"
 #include "scenes/typed_response.h"
-#include "v8-plugs/formulas.h"
-#include "v8-plugs/presets.h"
-#include "v8-plugs/results.h"
-#include "v8-plugs/scene.h"
 #include "workshop/formulas.h"
+#include "workshop/older_formats.h"
 #include "workshop/presets.h"
 #include "workshop/results.h"
 #include "workshop/scene.h"
@@ -167,6 +161,18 @@ SceneSolver scene(std::string_view name, Text title = {}, Text summary = {}) {
             .results = results_of<read>};
 }
 
+template <auto read>
+Json solve_older(const Json& input, const CaseContext& /*context*/, const Wanted& wanted) {
+    return result_json(wanted, read(input, Completeness::required));
+}
+
+/// Of a format that the workshop reads: nobody begins in it.
+template <typename Input, auto read, auto check>
+SceneSolver older_scene(std::string_view name) {
+    constexpr auto no_presets = [] { return std::vector<Preset<Input>>(); };
+    return scene<Input, solve_older<read>, workshop::left_out, no_presets, read, check>(name);
+}
+
 SceneSolver balance_shaft_scene() {
     using namespace balance_shaft;
     SceneSolver made =
@@ -193,11 +199,10 @@ std::span<const SceneSolver> scene_solvers() {
             "workshop", CORE_TEXT("scenes", "Workshop"),
             CORE_TEXT("scenes",
                       "From the scale to the drilled crankshaft, plugs of a V-8 included")),
-        scene<v8_plugs::Input, v8_plugs::solve_scene, v8_plugs::left_out, v8_plugs::presets,
-              v8_plugs::read_input, v8_plugs::check_input>("v8-plugs"),
-        scene<bob_weights::Input, bob_weights::solve_scene, bob_weights::left_out,
-              bob_weights::presets, bob_weights::read_input, bob_weights::check_input>(
-            "bob-weights"),
+        older_scene<workshop::PlugsCase, workshop::read_plugs_case, workshop::check_plugs_case>(
+            "v8-plugs"),
+        older_scene<workshop::BobWeightsCase, workshop::read_bob_weights_case,
+                    workshop::check_bob_weights_case>("bob-weights"),
         scene<inertia_moments::Input, inertia_moments::solve_scene, inertia_moments::left_out,
               inertia_moments::presets, inertia_moments::read_input, inertia_moments::check_input>(
             "inertia-moments", CORE_TEXT("scenes", "Inertia moments"),

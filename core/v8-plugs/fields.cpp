@@ -176,24 +176,7 @@ void visit_fields(FieldVisitor& visitor, PlugSheet& sheet) {
     visitor.number(field::aluminium_density, sheet.aluminium_density, aluminium_density);
 }
 
-void visit_fields(FieldVisitor& visitor, BalancingSheet& sheet) {
-    visitor.required(field::grade, sheet.grade);
-    visitor.required(field::rotor_mass, sheet.rotor_mass);
-    visitor.required(field::service_speed, sheet.service_speed);
-    auto& [front, rear] = sheet.readings;
-    visitor.number(field::front_reading, front.unbalance);
-    visitor.number(field::rear_reading, rear.unbalance);
-    visitor.number(field::front_bob_weight, front.bob_weight);
-    visitor.number(field::rear_bob_weight, rear.bob_weight);
-    visitor.object_with_defaults(field::front_shaft, front.shaft);
-    visitor.object_with_defaults(field::rear_shaft, rear.shaft);
-    visitor.number(field::front_share, sheet.front_share, 0.5);
-}
-
-namespace {
-
-/// @param sheet  visits the weigh-in, which is in the middle, and says whether there is one
-void visit_method(FieldVisitor& visitor, Input& input, const auto& sheet) {
+void visit_plugs(FieldVisitor& visitor, Input& input, bool weighed) {
     if (!visitor.is_reading()) {
         // Forms and checks see the engine's values, wherever they come from. The file may have its
         // name instead: what follows is written over them.
@@ -217,33 +200,18 @@ void visit_method(FieldVisitor& visitor, Input& input, const auto& sheet) {
     }
     visitor.object_of(field::mass_changes, false, typed,
                       [&] { visit_fields(visitor, input.typed_changes); });
-    sheet(typed);
+    if (visitor.is_reading() || weighed) {
+        visitor.choice(field::changes_source, input.changes_from_weigh_in, weighed && !typed,
+                       FieldVisitor::Written::always);
+    }
     visitor.number(field::tolerance, input.tolerance, default_tolerance,
                    FieldVisitor::Written::always);
     visitor.object(field::plug, input.plug);
 }
 
-void visit_source(FieldVisitor& visitor, Input& input, bool weighed, bool typed) {
-    if (visitor.is_reading() || weighed) {
-        visitor.choice(field::changes_source, input.changes_from_weigh_in, weighed && !typed,
-                       FieldVisitor::Written::always);
-    }
-}
-
-}  // namespace
-
 void visit_fields(FieldVisitor& visitor, Input& input) {
-    visit_method(visitor, input, [&](bool typed) {
-        const bool weighed = visitor.has(field::weigh_in.key, input.weigh_in.has_value());
-        visit_source(visitor, input, weighed, typed);
-        visitor.object(field::weigh_in, input.weigh_in);
-    });
-    visitor.object(field::balancing, input.balancing);
-    visitor.object_with_defaults(field::job, input.job);
-}
-
-void visit_plugs(FieldVisitor& visitor, Input& input, bool weighed) {
-    visit_method(visitor, input, [&](bool typed) { visit_source(visitor, input, weighed, typed); });
+    visit_plugs(visitor, input, visitor.has(field::weigh_in.key, input.weigh_in.has_value()));
+    visitor.object(field::weigh_in, input.weigh_in);
 }
 
 }  // namespace ravnoves::v8_plugs

@@ -3,8 +3,6 @@
 #include <array>
 
 #include "case-file/field.h"
-#include "shop/balance_grade.h"
-#include "shop/job_header.h"
 #include "shop/weigh_in.h"
 #include "v8-plugs/plug_geometry.h"
 
@@ -127,57 +125,6 @@ inline constexpr Field aluminium_density{
     .range = Range::between(1000, 25000),
     .label = CORE_TEXT("V8", "&Aluminium"),
     .hint = CORE_TEXT("V8", "Wrought alloys 2640 to 2850 kg/m³.")};
-
-// ------------------------------------------------------------------------------- machine
-inline constexpr Field balancing{
-    .key = "balancing", .hint = CORE_TEXT("V8", "Limits and readings of the balancing machine.")};
-using shop::field::grade;
-using shop::field::rotor_mass;
-using shop::field::service_speed;
-inline constexpr Field front_share{
-    .key = "front_share",
-    .range = Range::between(0.3, 0.7),
-    .label = CORE_TEXT("V8", "&Share of the front plane"),
-    .hint = CORE_TEXT("V8",
-                      "Half if the centre of mass is midway between the planes; the standard "
-                      "allows 0.3 to 0.7.")};
-inline constexpr Field front_reading{
-    .key = "front_reading_g_mm",
-    .unit = units::gram_mm,
-    .range = Range::between(0, 1e9),
-    .label = CORE_TEXT("V8", "&Front plane (pulley)"),
-    .hint = CORE_TEXT("V8", "Residual unbalance after correction.")};
-inline constexpr Field rear_reading{
-    .key = "rear_reading_g_mm",
-    .unit = units::gram_mm,
-    .range = Range::between(0, 1e9),
-    .label = CORE_TEXT("V8", "&Rear plane (flywheel)"),
-    .hint = CORE_TEXT("V8", "Residual unbalance after correction.")};
-
-using shop::field::bob_weight_then;
-inline constexpr Field front_bob_weight{
-    .key = "front_bobweight_g",
-    .unit = bob_weight_then.unit,
-    .range = bob_weight_then.range,
-    .label = CORE_TEXT("V8", "Bob weight of the reading, front"),
-    .hint = bob_weight_then.hint};
-inline constexpr Field rear_bob_weight{.key = "rear_bobweight_g",
-                                       .unit = bob_weight_then.unit,
-                                       .range = bob_weight_then.range,
-                                       .label = CORE_TEXT("V8", "Bob weight of the reading, rear"),
-                                       .hint = bob_weight_then.hint};
-
-inline constexpr Field front_shaft{.key = "front_read_of", .hint = shop::field::read_shaft.hint};
-inline constexpr Field rear_shaft{.key = "rear_read_of", .hint = shop::field::read_shaft.hint};
-
-// ------------------------------------------------------------------------- head of the card
-using shop::field::crankshaft_number;
-using shop::field::customer;
-using shop::field::date;
-using shop::field::engine_number;
-using shop::field::job;
-using shop::field::notes;
-using shop::field::technician;
 
 }  // namespace field
 }  // namespace ravnoves::v8_plugs

@@ -1,9 +1,5 @@
 #include "v8-plugs/formulas.h"
 
-#include <array>
-
-#include "shop/balance_grade.h"
-
 namespace ravnoves::v8_plugs {
 
 namespace {
@@ -88,19 +84,7 @@ std::vector<Formula> formulas(const Input& input) {
          "",
          CORE_TEXT("v8-plugs",
                    "d distance of the bored metal from the centre of mass of the plug")});
-    if (input.balancing && input.balancing->grade) {
-        list.push_back(shop::permissible_unbalance_formula());
-    }
     return list;
-}
-
-std::span<const Text> left_out() {
-    static constexpr std::array texts{
-        CORE_TEXT("v8-plugs", "All four crankpins use the means of the weighed parts."),
-        CORE_TEXT("v8-plugs", "The crankshaft is rigid."),
-        CORE_TEXT("v8-plugs", "Not included: drilling in the webs, flywheel and damper."),
-    };
-    return texts;
 }
 
 }  // namespace ravnoves::v8_plugs

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "bibliography/formula.h"
@@ -10,8 +9,5 @@ namespace ravnoves::v8_plugs {
 
 /// The formulas that the result of this input rests on, in the order of the computation.
 std::vector<Formula> formulas(const Input& input);
-
-/// What the model leaves out, a sentence each.
-std::span<const Text> left_out();
 
 }  // namespace ravnoves::v8_plugs

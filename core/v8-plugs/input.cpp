@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "case-file/field_writer.h"
 #include "case-file/input_error.h"
 #include "v8-plugs/fields.h"
 
@@ -34,8 +33,8 @@ constexpr std::array<MassChangeField, 4> change_fields{{
      &MassChanges::repair_bearing, true},
 }};
 
-void check_engine(const Input& input) {
-    const std::string place = input.preset.empty() ? "/input/engine/" : "/input/engine_overrides/";
+void check_engine(const Input& input, const std::string& at) {
+    const std::string place = at + (input.preset.empty() ? "engine/" : "engine_overrides/");
     const auto missing = missing_fields(input.engine, true);
     if (!missing.empty()) {
         throw InputError(
@@ -55,17 +54,16 @@ void check_engine(const Input& input) {
     }
 }
 
-void check_plug(const PlugSheet& sheet) {
+void check_plug(const PlugSheet& sheet, const std::string& place) {
     if (sheet.bore_diameter.has_value() != sheet.bore_depth.has_value()) {
         throw InputError(
-            "/input/plug/" +
+            place + "/" +
                 std::string((sheet.bore_diameter ? field::bore_depth : field::bore_diameter).key),
             CORE_TEXT("V8", "is required where the bore's other size is given"));
     }
     if (const auto geometry = sheet.geometry()) {
         if (const auto fault = geometry_fault(*geometry)) {
-            throw InputError("/input/plug",
-                             {CORE_TEXT("V8", "must be a plug that can exist: %1"), *fault});
+            throw InputError(place, {CORE_TEXT("V8", "must be a plug that can exist: %1"), *fault});
         }
     }
 }
@@ -93,13 +91,6 @@ std::optional<BoreLimits> PlugSheet::limits() const {
         return std::nullopt;
     }
     return BoreLimits{*cutter_diameter, minimum_wall.value_or(0.0), minimum_bottom.value_or(0.0)};
-}
-
-std::optional<double> BalancingSheet::permissible() const {
-    if (!grade || !rotor_mass || !service_speed) {
-        return std::nullopt;
-    }
-    return shop::permissible_unbalance(*rotor_mass, *grade, *service_speed);
 }
 
 MassChanges Input::changes() const {
@@ -171,10 +162,10 @@ std::vector<Message> not_counted(const Input& input) {
 }
 
 /// What no form lets happen, half filled or not.
-void check_choices(const Input& input) {
+void check_choices(const Input& input, const std::string& place) {
     if (input.crankshaft == Crankshaft::new_plugs && !input.engine.has_new_plug) {
         throw InputError(
-            "/input/crankshaft",
+            place + std::string(field::crankshaft.key),
             CORE_TEXT("V8", "must be \"standard\" where the engine has no plug of the new design"),
             "\"new-plugs\"");
     }
@@ -185,16 +176,11 @@ void check_choices(const Input& input) {
     }
 }
 
-void check_input(const Input& input) {
-    check_fields(input);
-    check_choices(input);
-    check_engine(input);
-    if (input.weigh_in) {
-        shop::check_weighed(*input.weigh_in, true);
-        shop::check_matching(input.weigh_in->matching, crankpin_count);
-    }
+void check_method(const Input& input, const std::string& place) {
+    check_choices(input, place);
+    check_engine(input, place);
     if (input.plug) {
-        check_plug(*input.plug);
+        check_plug(*input.plug, place + std::string(field::plug.key));
     }
 }
 

@@ -9,7 +9,6 @@
 
 #include "case-file/field.h"
 #include "numerics/constants.h"
-#include "shop/job_header.h"
 #include "v8-plugs/compensation.h"
 #include "v8-plugs/engine.h"
 #include "v8-plugs/plug_geometry.h"
@@ -54,30 +53,7 @@ struct PlugSheet {
     friend bool operator==(const PlugSheet&, const PlugSheet&) = default;
 };
 
-/// The machine's part of the sheet as far as it is known.
-struct BalancingSheet {
-    std::optional<double> grade;          ///< m/s
-    std::optional<double> rotor_mass;     ///< kg
-    std::optional<double> service_speed;  ///< rad/s
-    double front_share = 0.5;
-    struct Reading {
-        std::optional<double> unbalance;   ///< kg·m
-        std::optional<double> bob_weight;  ///< that hung on the crankpins then, kg
-        shop::ReadShaft shaft;
-
-        friend bool operator==(const Reading&, const Reading&) = default;
-    };
-    std::array<Reading, 2> readings;  ///< front and rear
-
-    /// U_per of the whole rotor, kg·m; nothing while grade, mass or speed are missing.
-    std::optional<double> permissible() const;
-
-    friend bool operator==(const BalancingSheet&, const BalancingSheet&) = default;
-};
-
-using shop::JobHeader;
-
-/// The input of the scene.
+/// What the method takes.
 struct Input {
     std::string preset;  ///< name of the preset that the engine was made from; empty: custom
     Engine engine;
@@ -89,8 +65,6 @@ struct Input {
     std::optional<WeighIn> weigh_in;
     double tolerance = default_tolerance;  ///< kg·m
     std::optional<PlugSheet> plug;
-    std::optional<BalancingSheet> balancing;
-    JobHeader job;
 
     /// Typed, or from the weigh-in sheet as far as it has been weighed; 0 where they are not known.
     /// In manufacture repair parts that are typed do not count; weighed ones do.
@@ -109,21 +83,21 @@ struct Input {
 void visit_fields(FieldVisitor& visitor, MassChanges& changes);
 void visit_fields(FieldVisitor& visitor, WeighIn& sheet);
 void visit_fields(FieldVisitor& visitor, PlugSheet& sheet);
-void visit_fields(FieldVisitor& visitor, BalancingSheet& sheet);
 void visit_fields(FieldVisitor& visitor, Input& input);
-/// The plugs of a workshop's job: without weigh-in, readings and head of the card.
-/// @param weighed  the job has a weigh-in
+/// The same without the weigh-in.
+/// @param weighed  there is one
 void visit_plugs(FieldVisitor& visitor, Input& input, bool weighed);
 
 /// What is typed or weighed and does not count, and what is typed and counts beside weights; a
 /// sentence for each.
 std::vector<Message> not_counted(const Input& input);
 
-/// Checks the ranges, that nothing which a result needs is missing, and the rules that join fields.
+/// Checks that nothing which a result needs is missing, and the rules that join fields.
+/// @param place  of the method's fields, "/input/" or the object in it
 /// @throws InputError
-void check_input(const Input& input);
+void check_method(const Input& input, const std::string& place);
 /// The same for a form that is half filled: what no form lets happen.
 /// @throws InputError
-void check_choices(const Input& input);
+void check_choices(const Input& input, const std::string& place);
 
 }  // namespace ravnoves::v8_plugs

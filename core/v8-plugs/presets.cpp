@@ -103,19 +103,4 @@ bool is_printed(const Input& input, std::optional<double> Engine::*plug_mass) {
            !input.plug->bore_depth;
 }
 
-std::vector<Preset<Input>> presets() {
-    std::vector<Preset<Input>> list;
-    for (const Engine& engine : engine_presets()) {
-        Input input;
-        input.preset = engine.name;
-        input.engine = engine;
-        if (const PlugSheet printed = printed_plug(engine.name); printed != PlugSheet{}) {
-            input.plug = printed;
-        }
-        const double litres = std::stod(engine.name);
-        list.push_back({{CORE_TEXT("V8", "V-8 of %1 litres"), litres}, std::move(input)});
-    }
-    return list;
-}
-
 }  // namespace ravnoves::v8_plugs

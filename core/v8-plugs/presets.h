@@ -2,9 +2,7 @@
 
 #include <span>
 #include <string_view>
-#include <vector>
 
-#include "case-file/preset.h"
 #include "v8-plugs/engine.h"
 #include "v8-plugs/input.h"
 
@@ -25,8 +23,5 @@ PlugSheet printed_plug(std::string_view preset);
 /// True where both the mass and the plug's sizes are those that the paper prints: they do not fit
 /// each other (see PlugMass), and neither was typed or weighed.
 bool is_printed(const Input& input, std::optional<double> Engine::*plug_mass);
-
-/// The engines with their plugs.
-std::vector<Preset<Input>> presets();
 
 }  // namespace ravnoves::v8_plugs

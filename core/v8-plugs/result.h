@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "shop/job_header.h"
+#include "shop/matching.h"
 #include "v8-plugs/compensation.h"
 #include "v8-plugs/plug_geometry.h"
 #include "v8-plugs/shift.h"
@@ -27,13 +27,6 @@ struct PlugMass {
 struct OptionBobWeight {
     BobWeight after;
     BobWeight nominal;  ///< of the crankshaft that the option is for
-};
-
-/// One correction plane.
-struct PlaneVerdict {
-    double permissible;             ///< kg·m
-    std::optional<double> reading;  ///< kg·m
-    std::optional<bool> passes;     ///< nothing while there is no reading
 };
 
 /// Everything the page, the job card and the result file show. Parts that need values which are
@@ -64,18 +57,6 @@ struct Result {
     /// Where an option machines its plugs.
     std::array<std::optional<ShiftEffect>, all_options.size()> shift;
 
-    /// U_per of the whole rotor by [iso-21940-11], where its data are given, kg·m.
-    std::optional<double> permissible;
-    /// The machine's readings, front and rear, against their shares of it, else the tolerance.
-    std::array<PlaneVerdict, 2> planes{};
-
-    /// The bob weight that a reading was taken with where it is not the one to be hung now, kg.
-    std::optional<double> read_with;
-    /// The crankshaft that a reading is of where it is another than the card's.
-    std::optional<shop::OtherShaft> read_on;
-    /// False where readings are of another bob weight or crankshaft.
-    bool holds() const { return !read_with && !read_on; }
-
     /// What is to be hung on a crankpin, the plugs out of the shaft; where nothing is to be done,
     /// what it is before; null while that is not known.
     const BobWeight* hung_weight() const {
@@ -87,15 +68,6 @@ struct Result {
         const BobWeight* weight = hung_weight();
         return weight != nullptr ? std::optional(weight->sum()) : std::nullopt;
     }
-    /// What the machine says of the crankshaft; nothing while a plane that could fail was not read.
-    std::optional<bool> passes() const {
-        const auto& [front, rear] = planes;
-        if (front.passes == false || rear.passes == false) {
-            return false;
-        }
-        return front.passes && rear.passes ? std::optional(true) : std::nullopt;
-    }
-
     bool plug_can_exist = true;  ///< false where the sizes of the plug sheet leave no plug
     /// False where the plug of the sheet cannot exist, or its cutter cannot bore what the option
     /// takes off.

@@ -25,8 +25,6 @@ inline constexpr ResultField recommended{.key = "recommended"};
 inline constexpr ResultField state{.key = "state"};
 inline constexpr ResultField warning{.key = "warning"};
 inline constexpr ResultField plug{.key = "plug", .label = CORE_TEXT("v8-plugs", "Plug")};
-inline constexpr ResultField balancing{.key = "balancing",
-                                       .label = CORE_TEXT("v8-plugs", "Balancing machine")};
 
 // ------------------------------------------------------------------------------- an option
 inline constexpr ResultField constant{"constant_g", units::gram, 3,
@@ -87,7 +85,7 @@ inline constexpr ResultField nominal{.key = "nominal", .label = CORE_TEXT("v8-pl
 inline constexpr ResultField before{.key = "before", .label = CORE_TEXT("v8-plugs", "Before")};
 inline constexpr ResultField sum{"sum_g", units::gram, 1, CORE_TEXT("v8-plugs", "Sum")};
 
-// --------------------------------------------------------------------- crankpins, plug, machine
+// --------------------------------------------------------------------- crankpins, plug
 inline constexpr ResultField crankpins{.key = "crankpins",
                                        .label = CORE_TEXT("v8-plugs", "Crankpins")};
 inline constexpr ResultField deviation{"deviation_g_mm", units::gram_mm, 1};
@@ -99,13 +97,5 @@ inline constexpr ResultField geometry_mass{"geometry_mass_g", units::gram, 2,
 inline constexpr ResultField entered_mass{"entered_mass_g", units::gram, 3,
                                           CORE_TEXT("v8-plugs", "Mass as entered")};
 inline constexpr ResultField fits{.key = "fits", .label = CORE_TEXT("v8-plugs", "Masses agree")};
-inline constexpr ResultField limit{.key = "limit"};
-inline constexpr ResultField front{.key = "front", .label = CORE_TEXT("v8-plugs", "Front plane")};
-inline constexpr ResultField rear{.key = "rear", .label = CORE_TEXT("v8-plugs", "Rear plane")};
-inline constexpr ResultField permissible{"permissible_g_mm", units::gram_mm, 1,
-                                         CORE_TEXT("v8-plugs", "Permissible")};
-inline constexpr ResultField reading{"reading_g_mm", units::gram_mm, 1,
-                                     CORE_TEXT("v8-plugs", "Reading")};
-inline constexpr ResultField passes{.key = "passes", .label = CORE_TEXT("v8-plugs", "Passes")};
 
 }  // namespace ravnoves::v8_plugs::result_field

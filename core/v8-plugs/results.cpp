@@ -135,12 +135,11 @@ void visit_crankpins(ResultVisitor& visitor, const std::array<double, crankpin_c
 }
 
 void visit_weigh_in(ResultVisitor& visitor, const Input& input, const Result& result,
-                    double crank_radius) {
+                    double crank_radius, const std::optional<double>& speed) {
     shop::visit_columns(visitor, *input.weigh_in);
     if (result.assignment) {
         visit_crankpins(visitor, *result.crankpin_excess, crank_radius);
         visitor.object(shop::result_field::assignment, [&] {
-            const auto& speed = input.balancing ? input.balancing->service_speed : std::nullopt;
             shop::visit_matched(visitor, *result.assignment, crank_radius, speed);
             visit_crankpins(visitor, *result.assigned_excess, crank_radius);
         });
@@ -156,33 +155,6 @@ void visit_plug_mass(ResultVisitor& visitor, const ResultField& field,
             visitor.flag(key::fits, mass->fits);
         });
     }
-}
-
-void visit_plane(ResultVisitor& visitor, const ResultField& field, const PlaneVerdict& plane) {
-    visitor.object(field, [&] {
-        visitor.number(key::permissible, plane.permissible);
-        if (plane.reading) {
-            visitor.number(key::reading, plane.reading);
-            visitor.flag(key::passes, plane.passes);
-        }
-    });
-}
-
-void visit_machine(ResultVisitor& visitor, const Result& result) {
-    const auto& front = result.planes[0];
-    const auto& rear = result.planes[1];
-    if (!result.permissible && !front.reading && !rear.reading) {
-        return;
-    }
-    visitor.object(key::balancing, [&] {
-        visitor.word(key::limit, result.permissible ? "iso-21940-11" : "tolerance");
-        visit_plane(visitor, key::front, front);
-        visit_plane(visitor, key::rear, rear);
-        shop::visit_other(visitor, result.read_with, result.read_on);
-        if (result.permissible) {
-            visitor.number(key::permissible, result.permissible);
-        }
-    });
 }
 
 /// What is to be done, with the bore where there is one.
@@ -223,14 +195,8 @@ void visit_advice(ResultVisitor& visitor, const Input& input, const Result& resu
 
 }  // namespace
 
-void visit_results(ResultVisitor& visitor, const Input& input, const Result& result) {
-    if (visitor.wants(ravnoves::result_field::verdict.key)) {
-        visit_verdict(visitor, verdict(input, result));
-    }
-    visit_plugs(visitor, input, result);
-}
-
-void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result) {
+void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result,
+                 const std::optional<double>& speed) {
     RAVNOVES_DEMAND(result.plugs && result.unbalanced_mass,
                     "what is written is the result of a whole input");
     const PlugSet& plugs = *result.plugs;
@@ -272,7 +238,7 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
     }
     if (input.weigh_in) {
         visitor.object(shop::result_field::weigh_in,
-                       [&] { visit_weigh_in(visitor, input, result, plugs.crank_radius); });
+                       [&] { visit_weigh_in(visitor, input, result, plugs.crank_radius, speed); });
     }
     if (result.steel_plug) {
         visitor.object(key::plug, [&] {
@@ -280,33 +246,11 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
             visit_plug_mass(visitor, key::aluminium, result.aluminium_plug);
         });
     }
-    visit_machine(visitor, result);
-}
-
-void visit_results(ResultVisitor& visitor, const Input& input) {
-    visit_results(visitor, input,
-                  solve(input, true, visitor.wants(shop::result_field::weigh_in.key)));
 }
 
 Verdict verdict_of_plugs(const Input& input, const Result& result) {
     const bool works = !recommended_word(*result.advice).empty();
     return {works ? Severity::good : Severity::error, advice_text(input, result)};
-}
-
-Verdict verdict(const Input& input, const Result& result) {
-    Verdict verdict = verdict_of_plugs(input, result);
-    if (const ShiftEffect* shift = result.shift_that_matters()) {
-        verdict.warn(describe(*shift, input.tolerance));
-    }
-    verdict.warn(plug_doubt(input, result));
-    if (result.holds()) {
-        shop::add_machine_verdict(
-            verdict, {result.planes[0].reading, result.planes[1].reading},
-            std::array{result.planes[0].permissible, result.planes[1].permissible});
-    } else {
-        verdict.warn(shop::other_readings(result.read_with, result.read_on, result.hung()));
-    }
-    return verdict;
 }
 
 Message plug_doubt(const Input& input, const Result& result) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "case-file/result_visitor.h"
 #include "case-file/verdict.h"
 #include "v8-plugs/input.h"
@@ -7,18 +9,13 @@
 
 namespace ravnoves::v8_plugs {
 
-/// The values of a solved input, in the order of the contract.
+/// The values of a solved input, in the order of the contract; without advice, what is to be done
+/// with the plugs is null.
 /// @param result  solve(input) of an input that holds all that a result needs
-void visit_results(ResultVisitor& visitor, const Input& input, const Result& result);
-/// The same, which solves the input first.
-void visit_results(ResultVisitor& visitor, const Input& input);
+/// @param speed   in service, rad/s
+void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result,
+                 const std::optional<double>& speed);
 
-/// The same of a workshop's job, without its verdict; without advice, what is to be done with the
-/// plugs is null.
-void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result);
-
-/// Whether the plugs can compensate, and what the machine reads.
-Verdict verdict(const Input& input, const Result& result);
 /// Whether the plugs can compensate, without machine and warnings.
 Verdict verdict_of_plugs(const Input& input, const Result& result);
 

@@ -1,9 +1,5 @@
 #include "v8-plugs/solver.h"
 
-#include <algorithm>
-
-#include "shop/balance_grade.h"
-
 namespace ravnoves::v8_plugs {
 
 namespace {
@@ -158,25 +154,6 @@ Result solve(const Input& input, bool changes_known, bool places_parts) {
         solve_weigh_in(input, result);
     }
     solve_shifts(input, result);
-    const BalancingSheet machine = input.balancing.value_or(BalancingSheet{});
-    result.permissible = machine.permissible();
-    for (std::size_t i = 0; i < 2; ++i) {
-        const double share = i == 0 ? machine.front_share : 1.0 - machine.front_share;
-        const auto& [unbalance, bob_weight, shaft] = machine.readings[i];
-        PlaneVerdict& plane = result.planes[i];
-        plane.permissible = result.permissible ? share * *result.permissible : input.tolerance;
-        plane.reading = unbalance;
-        if (!unbalance) {
-            continue;
-        }
-        plane.passes = shop::is_within(*unbalance, plane.permissible);
-        if (!result.read_with && shop::is_other_bob_weight(bob_weight, result.hung())) {
-            result.read_with = bob_weight;
-        }
-        if (!result.read_on) {
-            result.read_on = shop::other_shaft(shaft, input.job);
-        }
-    }
     return result;
 }
 

@@ -1,5 +1,7 @@
 #include "workshop/formulas.h"
 
+#include <array>
+
 #include "bob-weights/formulas.h"
 #include "v8-plugs/formulas.h"
 
@@ -15,12 +17,16 @@ std::vector<Formula> formulas(const Input& input) {
 }
 
 std::span<const Text> left_out() {
-    static const std::vector<Text> texts = [] {
-        std::vector<Text> all(bob_weights::left_out().begin(), bob_weights::left_out().end());
-        const auto plugs = v8_plugs::left_out();
-        all.insert(all.end(), plugs.begin(), plugs.end());
-        return all;
-    }();
+    static constexpr std::array texts{
+        CORE_TEXT("bob-weights", "The crankshaft is rigid."),
+        CORE_TEXT("bob-weights",
+                  "The factor uses the first order only; bob weights cannot affect higher orders."),
+        CORE_TEXT("bob-weights",
+                  "Couples along the crankshaft are not part of the factor: see inertia moments."),
+        CORE_TEXT("bob-weights", "The rim of a counterweight is taken as flat at a hole."),
+        CORE_TEXT("bob-weights", "All bob weights are equal, from the means of the weighed parts."),
+        CORE_TEXT("v8-plugs", "Not included: drilling in the webs, flywheel and damper."),
+    };
     return texts;
 }
 

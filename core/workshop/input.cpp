@@ -21,7 +21,6 @@ namespace {
 
 using bob_weights::Correction;
 using bob_weights::EngineType;
-using bob_weights::Format;
 using v8_plugs::cylinder_count;
 
 /// Two names.
@@ -59,15 +58,7 @@ void check_plugs(const Input& input) {
     if (!(input.factor == bob_weights::Factor{})) {
         refuse(bob_weights::field::factor);
     }
-    try {
-        v8_plugs::check_input(whole_plugs(input).value());
-    } catch (const InputError& error) {
-        constexpr std::string_view root = "/input/";
-        const std::string where = error.where();
-        const bool is_of_job = where.starts_with("/input/weigh_in") || !where.starts_with(root);
-        throw InputError(is_of_job ? where : "/input/plugs/" + where.substr(root.size()),
-                         error.allowed_message(), error.found_message());
-    }
+    v8_plugs::check_method(*whole_plugs(input), "/input/plugs/");
 }
 
 void check_job_correction(const Correction& correction) {
@@ -90,7 +81,7 @@ void check_job_correction(const Correction& correction) {
         throw InputError(place + std::string(bob_weights::field::planes.key),
                          CORE_TEXT("core", "is required and missing"));
     }
-    bob_weights::check_runs(correction, Format::workshop);
+    bob_weights::check_runs(correction);
 }
 
 }  // namespace
@@ -104,23 +95,11 @@ void visit_fields(FieldVisitor& visitor, Machine& machine) {
 }
 
 void visit_fields(FieldVisitor& visitor, Input& input) {
-    visitor.object(bob_weights::field::engine, input.engine);
-    visitor.object_with_defaults(bob_weights::field::factor, input.factor);
-    visitor.object_with_defaults(bob_weights::field::parts, input.parts);
-    bob_weights::visit_weigh_in(visitor, input);
-    visitor.choice(bob_weights::field::balance, input.balance, bob_weights::Balance::internal);
+    bob_weights::visit_fields(visitor, input);
     const bool weighed = visitor.has(bob_weights::field::weigh_in.key, input.weigh_in.has_value());
     visitor.object(field::plugs, input.plugs,
                    [&](v8_plugs::Input& plugs) { v8_plugs::visit_plugs(visitor, plugs, weighed); });
     visitor.object_with_defaults(field::machine, input.machine);
-    visitor.object(bob_weights::field::correction, input.correction, [&](Correction& correction) {
-        bob_weights::visit_correction(visitor, correction, Format::workshop);
-    });
-    visitor.object(bob_weights::field::tolerance, input.tolerance,
-                   [&](bob_weights::Tolerance& tolerance) {
-                       bob_weights::visit_tolerance(visitor, tolerance, Format::workshop);
-                   });
-    visitor.object_with_defaults(bob_weights::field::job, input.job);
 }
 
 bool may_have_plugs(const bob_weights::Engine& engine) {
@@ -137,24 +116,6 @@ std::optional<v8_plugs::Input> whole_plugs(const Input& input) {
     v8_plugs::Input whole = *input.plugs;
     if (input.weigh_in) {
         whole.weigh_in = v8_plugs::WeighIn(*bob_weights::fitted(input).weigh_in);
-    }
-    whole.job = input.job;
-    const auto& tolerance = input.tolerance;
-    if (tolerance && tolerance->by_grade && !tolerance->centre_of_mass &&
-        !tolerance->front_bearing) {
-        v8_plugs::BalancingSheet& sheet = whole.balancing.emplace();
-        sheet.grade = tolerance->grade;
-        sheet.rotor_mass = tolerance->rotor_mass;
-        sheet.service_speed = tolerance->service_speed;
-        sheet.front_share = tolerance->front_share;
-        // What is read elsewhere has no verdict before it is taken to the planes.
-        if (input.correction && input.correction->readings.size() == 2 &&
-            bob_weights::reads_in_planes(*input.correction)) {
-            for (std::size_t i = 0; i < 2; ++i) {
-                const auto& reading = input.correction->readings[i];
-                sheet.readings[i] = {reading.unbalance, reading.bob_weight, reading.shaft};
-            }
-        }
     }
     return whole;
 }
@@ -198,6 +159,10 @@ bool is_planned(const Correction& correction) {
 
 void check_input(const Input& input) {
     check_fields(input);
+    check_rules(input);
+}
+
+void check_rules(const Input& input) {
     bob_weights::check_bob_weight(input);
     bob_weights::check_weigh_in(input, input.plugs.has_value());
     if (input.plugs) {

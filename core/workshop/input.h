@@ -12,7 +12,7 @@ class FieldVisitor;
 }
 
 /// One job of the shop: the parts on the scale, the plugs of a V-8 that has them, the bob weights,
-/// the readings of the machine and the holes. It is solved by the scenes bob-weights and v8-plugs.
+/// the readings of the machine and the holes.
 namespace ravnoves::workshop {
 
 /// The balancing machine, as it is set up. Angles of readings are those that it shows; angles of
@@ -30,8 +30,7 @@ struct Machine {
 };
 
 struct Input : bob_weights::Input {
-    /// Of a V-8 at 90° with plugs in its sludge traps: what the scene v8-plugs takes, but for the
-    /// weigh-in, the readings and the head of the card, which the job has.
+    /// Of a V-8 at 90° with plugs in its sludge traps, but for the weigh-in, which the job has.
     std::optional<v8_plugs::Input> plugs;
     Machine machine;
 
@@ -44,8 +43,7 @@ void visit_fields(FieldVisitor& visitor, Input& input);
 /// Whether such an engine may have plugs: a V of 8 cylinders at 90°, two rods on a pin, no split.
 bool may_have_plugs(const bob_weights::Engine& engine);
 
-/// The plugs with weigh-in, head and, where a grade says what may remain, limits and readings of
-/// the job; nothing without plugs.
+/// The plugs with the weigh-in of the job; nothing without plugs.
 std::optional<v8_plugs::Input> whole_plugs(const Input& input);
 /// The same job with the readings as heavy spots, whatever the machine shows.
 Input with_heavy_spots(Input input);
@@ -60,5 +58,7 @@ bool is_planned(const bob_weights::Correction& correction);
 /// Checks the ranges, that nothing which a result needs is missing, and the rules that join fields.
 /// @throws InputError
 void check_input(const Input& input);
+/// The same but for the ranges.
+void check_rules(const Input& input);
 
 }  // namespace ravnoves::workshop

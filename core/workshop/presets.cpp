@@ -1,18 +1,50 @@
 #include "workshop/presets.h"
 
-#include "bob-weights/presets.h"
+#include <string>
+#include <utility>
+
 #include "v8-plugs/presets.h"
-#include "workshop/scene.h"
 
 namespace ravnoves::workshop {
 
 std::vector<Preset<Input>> presets() {
     std::vector<Preset<Input>> list;
-    for (auto& [title, input] : v8_plugs::presets()) {
-        list.push_back({title, as_job(input)});
+    for (const v8_plugs::Engine& engine : v8_plugs::engine_presets()) {
+        Input input;
+        input.engine.bank_angle = 90.0 * degree;
+        v8_plugs::Input& plugs = input.plugs.emplace();
+        plugs.preset = engine.name;
+        plugs.engine = engine;
+        if (const auto printed = v8_plugs::printed_plug(engine.name);
+            printed != v8_plugs::PlugSheet{}) {
+            plugs.plug = printed;
+        }
+        const double litres = std::stod(engine.name);
+        list.push_back({{CORE_TEXT("V8", "V-8 of %1 litres"), litres}, std::move(input)});
     }
-    for (auto& [title, input] : bob_weights::presets()) {
-        list.push_back({title, as_job(input)});
+    static constexpr std::pair<Text, bob_weights::Engine> engines[] = {
+        {CORE_TEXT("bob-weights", "V-6, 90°, even firing (crankpins split by 30°)"),
+         {bob_weights::EngineType::v, 6, 90 * degree, 2, 30 * degree}},
+        {CORE_TEXT("bob-weights", "V-6, 60°, even firing (crankpins split by 60°)"),
+         {bob_weights::EngineType::v, 6, 60 * degree, 2, 60 * degree}},
+        {CORE_TEXT("bob-weights", "V-6, 90°, odd firing"),
+         {bob_weights::EngineType::v, 6, 90 * degree, 2, 0.0}},
+        {CORE_TEXT("bob-weights", "V-10, 72°"),
+         {bob_weights::EngineType::v, 10, 72 * degree, 2, 0.0}},
+        {CORE_TEXT("bob-weights", "V-12, 60°"),
+         {bob_weights::EngineType::v, 12, 60 * degree, 2, 0.0}},
+        {CORE_TEXT("bob-weights", "V-twin, 45°"),
+         {bob_weights::EngineType::v, 2, 45 * degree, 2, 0.0}},
+        {CORE_TEXT("bob-weights", "Flat twin, a crankpin for each rod"),
+         {bob_weights::EngineType::boxer, 2, std::nullopt, 1, 0.0}},
+        {CORE_TEXT("bob-weights", "Four in line"),
+         {bob_weights::EngineType::in_line, 4, std::nullopt, 1, 0.0}},
+        {CORE_TEXT("bob-weights", "One cylinder"),
+         {bob_weights::EngineType::in_line, 1, std::nullopt, 1, 0.0}}};
+    for (const auto& [name, engine] : engines) {
+        Input input;
+        input.engine = engine;
+        list.push_back({name, std::move(input)});
     }
     return list;
 }

@@ -7,7 +7,7 @@
 
 namespace ravnoves::workshop {
 
-/// The engines of the scenes v8-plugs and bob-weights as jobs.
+/// The engines of [nazarov] with their plugs, and others, whose masses are to be weighed.
 std::vector<Preset<Input>> presets();
 
 }  // namespace ravnoves::workshop

@@ -15,6 +15,15 @@ namespace {
 
 namespace key {
 constexpr ResultField plugs{.key = "plugs", .label = CORE_TEXT("workshop", "Plugs")};
+constexpr ResultField balancing{.key = "balancing",
+                                .label = CORE_TEXT("v8-plugs", "Balancing machine")};
+constexpr ResultField limit{.key = "limit"};
+constexpr ResultField planes[] = {{.key = "front", .label = CORE_TEXT("v8-plugs", "Front plane")},
+                                  {.key = "rear", .label = CORE_TEXT("v8-plugs", "Rear plane")}};
+constexpr ResultField permissible{"permissible_g_mm", units::gram_mm, 1,
+                                  CORE_TEXT("v8-plugs", "Permissible")};
+constexpr ResultField reading{"reading_g_mm", units::gram_mm, 1, CORE_TEXT("v8-plugs", "Reading")};
+constexpr ResultField passes{.key = "passes", .label = CORE_TEXT("v8-plugs", "Passes")};
 constexpr ResultField doubts{.key = "doubts", .label = CORE_TEXT("workshop", "Doubts")};
 constexpr ResultField kind{.key = "kind"};
 constexpr ResultField blocks{.key = "blocks"};
@@ -48,7 +57,37 @@ Verdict undoubted(const Input& input, const Result& result) {
     return verdict;
 }
 
+/// Limits and readings in the planes, where a grade is shared between them.
+void visit_balancing(ResultVisitor& visitor, const Input& input, const bob_weights::Result& shaft) {
+    const auto& tolerance = input.tolerance;
+    if (!shaft.permissible_whole || tolerance->centre_of_mass || tolerance->front_bearing) {
+        return;
+    }
+    visitor.object(key::balancing, [&] {
+        visitor.word(key::limit, "iso-21940-11");
+        const bob_weights::RunResult* newest = shaft.newest();
+        for (std::size_t i = 0; i < 2; ++i) {
+            visitor.object(key::planes[i], [&] {
+                visitor.number(key::permissible, (*shaft.permissible)[i]);
+                if (newest != nullptr && newest->alone[i]) {
+                    visitor.number(key::reading, newest->alone[i]->unbalance);
+                    visitor.flag(key::passes, newest->alone[i]->within_tolerance);
+                }
+            });
+        }
+        if (newest != nullptr && (newest->alone[0] || newest->alone[1])) {
+            shop::visit_other(visitor, newest->read_with, newest->read_on);
+        }
+        visitor.number(key::permissible, shaft.permissible_whole);
+    });
+}
+
 }  // namespace
+
+void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result) {
+    v8_plugs::visit_plugs(visitor, *whole_plugs(input), *result.plugs, service_speed(input));
+    visit_balancing(visitor, input, result.shaft);
+}
 
 Verdict verdict(const Input& input, const Result& result) {
     const auto blocking = std::find_if(result.doubts.begin(), result.doubts.end(),
@@ -85,16 +124,14 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
         visitor.text(ravnoves::result_field::text, result.doubts[i].text);
         visitor.texts(key::blocks, words_of(rule.blocks));
     });
-    const auto plugs_input = whole_plugs(input);
-    const auto visit_plugs = [&](const Result& shown) {
+    const auto visit_object = [&](const Result& shown) {
         if (shown.plugs) {
-            visitor.object(key::plugs,
-                           [&] { v8_plugs::visit_plugs(visitor, *plugs_input, *shown.plugs); });
+            visitor.object(key::plugs, [&] { visit_plugs(visitor, input, shown); });
         }
     };
     const Result shown = allowed(result);
     visit_job(visitor, input, shown.shaft);
-    visit_plugs(shown);
+    visit_object(shown);
     visitor.object_or_null(key::doubtful, withheld.any(), [&] {
         visit_verdict(visitor, undoubted(input, result));
         if (withheld.bob_weight) {
@@ -102,7 +139,7 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
         }
         visit_planes(visitor, input, result.shaft);
         if (withheld.bob_weight) {
-            visit_plugs(result);
+            visit_object(result);
         }
     });
 }

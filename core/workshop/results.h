@@ -14,6 +14,9 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
 /// The same, which solves the input first.
 void visit_results(ResultVisitor& visitor, const Input& input);
 
+/// The contents of "plugs".
+void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result);
+
 /// Of the job, also of a sheet half filled: STOP where a doubt blocks something, else pass or fail,
 /// else what to hang.
 Verdict verdict(const Input& input, const Result& result);

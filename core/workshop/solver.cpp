@@ -58,8 +58,11 @@ Result solve(const Input& given, bool changes_known, bool places_parts) {
         result.plugs = v8_plugs::solve(*plugs, changes_known, places_parts);
         known = weight_of(*plugs, *result.plugs);
     }
-    result.shaft = plugs ? bob_weights::solve_job_with_weight(input, known)
-                         : bob_weights::solve_job(input, places_parts);
+    bob_weights::OtherWeight other;
+    if (plugs) {
+        other = known ? &*known : nullptr;
+    }
+    result.shaft = bob_weights::solve(input, places_parts, other);
     if (result.plugs && result.plugs->assignment) {
         result.shaft.placing = result.plugs->assignment;
     }
@@ -70,6 +73,21 @@ Result solve(const Input& given, bool changes_known, bool places_parts) {
     result.doubts = find_doubts(
         {input, result.shaft, plugs ? &*plugs : nullptr, plugs ? &*result.plugs : nullptr});
     return result;
+}
+
+Input before_run(const Input& input, std::size_t runs) {
+    Input then = input;
+    bob_weights::Correction& correction = *then.correction;
+    const auto read = correction.earlier_runs.at(runs - 1).readings;
+    correction.readings.resize(read.size());
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        const auto& [unbalance, angle, bob_weight, shaft] = read[i];
+        correction.readings[i] = {correction.readings[i].position, unbalance, angle, bob_weight,
+                                  shaft};
+    }
+    correction.earlier_runs.resize(runs - 1);
+    correction.record = {};
+    return then;
 }
 
 Withheld Result::withheld() const {
@@ -120,11 +138,6 @@ Result allowed(Result result) {
         for (std::size_t i = 0; shaft.correction && i < 2; ++i) {
             (*shaft.correction)[i].measured_within.reset();
             (*shaft.correction)[i].within_tolerance.reset();
-        }
-        if (result.plugs) {
-            for (v8_plugs::PlaneVerdict& plane : result.plugs->planes) {
-                plane.passes.reset();
-            }
         }
     }
     return result;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+
+#include "bob-weights/drilled.h"
 #include "workshop/input.h"
 #include "workshop/result.h"
 
@@ -10,6 +13,20 @@ namespace ravnoves::workshop {
 ///                       those that it does not give as 0
 /// @param places_parts   false: without the placing of the parts, which takes longest
 Result solve(const Input& input, bool changes_known = true, bool places_parts = true);
+
+/// The job as it was while so many runs had been read: the last of them is the newest.
+Input before_run(const Input& input, std::size_t runs);
+
+/// What the readings asked for becomes the record of each run, from one on, that has none.
+/// @param solve_then  to the result of the shaft
+void record_plans(Input& input, std::size_t first_run, const auto& solve_then) {
+    auto& runs = input.correction->earlier_runs;
+    for (std::size_t run = first_run; run < runs.size(); ++run) {
+        if (!runs[run].drilled) {
+            runs[run].drilled = planned_holes(solve_then(before_run(input, run + 1)));
+        }
+    }
+}
 
 /// What of a result may be shown as an answer: without all that its doubts block, and without a
 /// verdict where they block anything. Page, card and journal have nothing else.

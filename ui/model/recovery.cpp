@@ -15,7 +15,7 @@
 #include "scenes/scenes.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
-#include "workshop/scene.h"
+#include "workshop/older_formats.h"
 
 namespace ravnoves {
 

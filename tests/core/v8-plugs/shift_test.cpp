@@ -4,11 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "case-file/json.h"
 #include "support.h"
 #include "v8-plugs/presets.h"
-#include "v8-plugs/scene.h"
-#include "v8-plugs/solver.h"
 
 namespace ravnoves::v8_plugs {
 namespace {
@@ -111,45 +108,6 @@ TEST(Shift, PlugsThatAreNotMachinedHaveNone) {
     const Option as_it_is = option_of(plugs, 6.869 * gram, OptionId::steel_to_aluminium);
     EXPECT_FALSE(as_it_is.machined());
     EXPECT_FALSE(shift_effect(as_it_is, tolerance, std::nullopt));
-}
-
-Json six_litres(double repair_piston_g) {
-    return {{"engine", "6 l"},
-            {"engine_overrides",
-             {{"oil_mass_g", 20},
-              {"oil_coefficient", 1},
-              {"reciprocating_mass_g", 1000},
-              {"rotating_mass_g", 650}}},
-            {"process", "repair"},
-            {"mass_changes_g", {{"repair_piston_and_rings", repair_piston_g}}}};
-}
-
-TEST(Shift, MakesTheAnswerAmber) {
-    Json json = six_litres(3.0);
-    Json result = solve_scene(json, {});
-    EXPECT_EQ(result.at("recommended"), "steel-machined");
-    EXPECT_EQ(result.at("state"), "warning");
-    EXPECT_NE(result.at("warning").get<std::string>().find("1.10 g to 1.12 g"), std::string::npos);
-    const Json& effect = result.at("options").at("steel-machined").at("shift_effect");
-    EXPECT_TRUE(effect.at("beyond_tolerance").get<bool>());
-    EXPECT_EQ(effect.at("from"), "range");
-    // With the plug's sizes and a cutter the depth is given.
-    json["plug"] = {{"thread", "M30x1.5"}, {"height_mm", 11}, {"cutter_diameter_mm", 10}};
-    result = solve_scene(json, {});
-    const Json& bored = result.at("options").at("steel-machined");
-    EXPECT_EQ(bored.at("shift_effect").at("from"), "bore");
-    EXPECT_EQ(result.at("state"), "warning");
-    EXPECT_LT(bored.at("shift_effect").at("corrected_depth_mm").get<double>(),
-              bored.at("boring").at("depth_mm").get<double>());
-    EXPECT_NE(result.at("warning").get<std::string>().find(" from the face, "), std::string::npos);
-    // A tolerance that covers it.
-    json["tolerance_g_mm"] = 50;
-    result = solve_scene(json, {});
-    EXPECT_EQ(result.at("state"), "works");
-    EXPECT_FALSE(result.contains("warning"));
-    json["tolerance_g_mm"] = 5;
-    json["mass_changes_g"]["repair_piston_and_rings"] = 100.0;
-    EXPECT_EQ(solve_scene(json, {}).at("state"), "fails");
 }
 
 }  // namespace

@@ -134,8 +134,8 @@ inline const std::map<std::string_view, std::function<Json()>>& doubted() {
                               {"unbalance_g_mm": 0}],
                  "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 9, "angle_deg": 40}]
                  }])");
-             input["correction"]["readings"] = parse_json(
-                 R"([{"unbalance_g_mm": 150, "angle_deg": 40}, {"unbalance_g_mm": 0}])");
+             input["correction"]["readings"] =
+                 parse_json(R"([{"unbalance_g_mm": 150, "angle_deg": 40}, {"unbalance_g_mm": 0}])");
              input["machine"]["shows"] = "light";
              return input;
          }},

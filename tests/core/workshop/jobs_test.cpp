@@ -1,10 +1,6 @@
 // Jobs give the numbers of the scenes that they join.
 
-#include <random>
-
-#include "bob-weights/scene.h"
 #include "support.h"
-#include "v8-plugs/scene.h"
 #include "workshop/results.h"
 #include "workshop/solver.h"
 
@@ -17,199 +13,20 @@ using test::error_of;
 using test::plugs_card;
 using test::solved;
 
-/// Random jobs, the same in every run.
-class Shop {
-  public:
-    double between(double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(generator_);
-    }
-    bool maybe() { return between(0, 1) < 0.5; }
-
-    /// Masses of a column that scatter a little.
-    Json masses(double usual, int count) {
-        Json list = Json::array();
-        for (int i = 0; i < count; ++i) {
-            list.push_back(usual * between(0.998, 1.002));
-        }
-        return list;
-    }
-
-    /// Placing the parts takes long: of few jobs it is left free.
-    Json stay() {
-        return between(0, 1) < 0.97 ? Json({{"pistons", "stay"}, {"rods", "stay"}})
-                                    : Json({{"pistons", "within-bank"}, {"rods", "stay"}});
-    }
-
-    Json plugs() {
-        const double radius = between(35, 70);
-        const double steel = between(10, 60);
-        Json input{{"engine",
-                    {{"crank_radius_mm", radius},
-                     {"plug_radius_mm", radius * between(1, 1.4)},
-                     {"new_plug_radius_mm", radius * between(1, 1.5)},
-                     {"steel_plug_mass_g", steel},
-                     {"aluminium_plug_mass_g", steel * between(0.3, 0.5)},
-                     {"new_steel_plug_mass_g", steel * between(1, 1.3)},
-                     {"new_aluminium_plug_mass_g", steel * 0.5},
-                     {"max_steel_reduction_g", steel * between(0.1, 0.6)},
-                     {"max_aluminium_reduction_g", steel * 0.1},
-                     {"rod_coefficient", between(0.2, 0.6)},
-                     {"oil_mass_g", between(5, 40)},
-                     {"oil_coefficient", between(0.8, 1.2)},
-                     {"reciprocating_mass_g", between(800, 1500)},
-                     {"rotating_mass_g", between(500, 900)}}},
-                   {"process", maybe() ? "repair" : "manufacture"},
-                   {"crankshaft", maybe() ? "standard" : "new-plugs"},
-                   {"tolerance_g_mm", between(1, 50)}};
-        if (maybe()) {
-            input["mass_changes_g"] = {{"piston", between(-2, 4)},
-                                       {"rod_big_end", between(-1, 2)},
-                                       {"repair_piston_and_rings", between(-1, 5)},
-                                       {"repair_bearing", between(0, 2)}};
-        }
-        if (maybe()) {
-            Json& sheet = input["weigh_in"];
-            sheet["cylinder_numbering"] = maybe() ? "bank-by-bank" : "alternating";
-            sheet["matching"] = stay();
-            const std::pair<const char*, double> parts[] = {{"piston", between(500, 800)},
-                                                            {"rod_small_end", between(150, 300)},
-                                                            {"rod_big_end", between(400, 800)},
-                                                            {"shells", between(30, 80)}};
-            for (const auto& [part, usual] : parts) {
-                if (maybe()) {
-                    sheet[part] = {{"nominal_g", usual + between(-1, 1)},
-                                   {"mass_g", masses(usual, 8)}};
-                }
-            }
-        }
-        if (maybe()) {
-            input["balancing"] = {{"grade_mm_s", between(2, 40)},
-                                  {"rotor_mass_kg", between(25, 60)},
-                                  {"service_speed_rpm", between(2000, 6000)},
-                                  {"front_share", between(0.3, 0.7)}};
-            if (maybe()) {
-                input["balancing"]["front_reading_g_mm"] = between(0, 2000);
-            }
-            if (maybe()) {
-                input["balancing"]["rear_reading_g_mm"] = between(0, 2000);
-            }
-        }
-        return input;
-    }
-
-    Json bob_weights() {
-        Json input = card();
-        const char* types[] = {"v", "inline", "boxer"};
-        const int type = static_cast<int>(between(0, 3));
-        const int cylinders = 2 * static_cast<int>(between(1, 5));
-        input["engine"] = {{"type", types[type]},
-                           {"cylinders", cylinders},
-                           {"bank_angle_deg", between(30, 120)},
-                           {"rods_per_pin", type == 1 ? 1
-                                            : maybe() ? 2
-                                                      : 1}};
-        if (type == 0 && maybe()) {
-            input["engine"]["pin_split_deg"] = between(-40, 40);
-        }
-        input["factor"] = {{"reciprocating_percent", between(35, 60)},
-                           {"overbalance_percent", between(-5, 5)}};
-        if (maybe()) {
-            input["weigh_in"]["matching"] = stay();
-            input["weigh_in"]["piston"]["mass_g"] = masses(584, cylinders);
-            input["weigh_in"]["rod_big_end"]["mass_g"] = masses(430, cylinders);
-        }
-        Json& correction = input["correction"];
-        for (Json& reading : correction["readings"]) {
-            reading = {{"unbalance_g_mm", between(0, 4000)},
-                       {"angle_deg", between(-180, 180)},
-                       {"position_mm", reading == correction["readings"][0] ? between(0, 100)
-                                                                            : between(400, 600)}};
-        }
-        if (maybe()) {
-            correction["slug"] = {{"diameter_mm", between(10, 25)}, {"density_kg_m3", 18'000}};
-        }
-        if (maybe()) {
-            input["tolerance"] = {{"g_mm", between(5, 200)}};
-        } else if (maybe()) {
-            input["tolerance"]["front_bearing_mm"] = between(0, 50);
-            input["tolerance"]["rear_bearing_mm"] = between(500, 600);
-        }
-        return input;
-    }
-
-  private:
-    std::mt19937 generator_{7};
-};
-
-/// The case as a job, as it would be saved.
-Json job_of(std::string_view scene, const Json& input) {
-    return write_input(read_as_job(scene, input).value());
-}
-
-TEST(Job, GivesTheNumbersOfV8Plugs) {
-    Shop shop;
-    for (int i = 0; i < 300; ++i) {
-        const Json input = shop.plugs();
-        Json was = v8_plugs::solve_scene(input, {});
-        was.erase("verdict");
-        const Json job = job_of("v8-plugs", input);
-        const Json is = solved(job);
-        ASSERT_TRUE(is.at("doubtful").is_null()) << is.at("doubts").dump();
-        ASSERT_EQ(difference(was, is.at("plugs")), "") << job.dump();
-        // What is hung is what the option asks for, and its lines add up to it.
-        double sum = 0.0;
-        for (const Json& line : is.at("lines")) {
-            sum += line.at("product_g").get<double>();
-        }
-        EXPECT_NEAR(is.at("bobweight_g").get<double>(), sum, 1e-9 * sum);
-        const Json& recommended = was.at("recommended");
-        if (recommended.is_string() && recommended != "none-needed") {
-            EXPECT_EQ(was.at("options").at(recommended.get<std::string>()).at("bobweight_g"),
-                      is.at("bobweight_g"));
-        }
-        EXPECT_EQ(is.at("bobweights"), 4);
-        if (was.contains("balancing")) {
-            EXPECT_EQ(difference(Json{was.at("balancing").at("front").at("permissible_g_mm"),
-                                      was.at("balancing").at("rear").at("permissible_g_mm")},
-                                 is.at("permissible_g_mm")),
-                      "");
-            if (was.at("balancing").at("front").contains("passes")) {
-                EXPECT_EQ(was.at("balancing").at("front").at("passes"),
-                          is.at("correction").at("planes")[0].at("within_tolerance_as_measured"));
-            }
-        }
-    }
-}
-
-TEST(Job, GivesTheNumbersOfBobWeights) {
-    Shop shop;
-    for (int i = 0; i < 300; ++i) {
-        const Json input = shop.bob_weights();
-        Json was = bob_weights::solve_scene(input, {});
-        was.erase("verdict");
-        was.erase("lines");  // in the order of that format
-        const Json job = job_of("bob-weights", input);
-        const Json is = solved(job);
-        ASSERT_EQ(difference(was, is), "") << job.dump();
-        EXPECT_EQ(is.at("lines")[0].at("part"), "piston");
-        EXPECT_FALSE(is.contains("plugs"));
-    }
-}
-
 TEST(Job, KeepsTheHolesThatTheOldFormatPlannedOfItself) {
     Json input = card();
     Json& readings = input["correction"]["readings"];
     readings = parse_json(R"([
         {"unbalance_g_mm": 4000, "angle_deg": 30}, {"unbalance_g_mm": 3000, "angle_deg": 200}])");
-    const Json planned = bob_weights::solve_scene(input, {}).at("correction").at("planes");
+    const Json planned = test::solved_bob_weights_case(input).at("correction").at("planes");
     // The drilling did what it was to.
     input["correction"]["earlier_runs"] = {{{"readings", readings}}};
     for (std::size_t i = 0; i < 2; ++i) {
         readings[i] = {{"unbalance_g_mm", planned[i].at("remaining_g_mm")},
                        {"angle_deg", planned[i].at("remaining_angle_deg")}};
     }
-    const Json was = bob_weights::solve_scene(input, {}).at("correction");
-    const Json job = job_of("bob-weights", input);
+    const Json was = test::solved_bob_weights_case(input).at("correction");
+    const Json job = write_input(read_as_job("bob-weights", input).value());
     const Json is = solved(job).at("correction");
     EXPECT_EQ(job.at("correction").at("earlier_runs")[0].at("drilled").size(),
               was.at("runs")[0].at("planes")[0].at("drilled_holes").size() +

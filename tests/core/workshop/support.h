@@ -9,6 +9,8 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "case-file/result_json.h"
+#include "workshop/older_formats.h"
 #include "workshop/scene.h"
 
 namespace ravnoves::workshop::test {
@@ -17,7 +19,15 @@ inline Json solved(const Json& input) {
     return solve_scene(input, {});
 }
 
-inline std::string error_of(const Json& input) {
+inline Json solved_plugs_case(const Json& input) {
+    return result_json({}, read_plugs_case(input));
+}
+inline Json solved_bob_weights_case(const Json& input) {
+    return result_json({}, read_bob_weights_case(input));
+}
+
+/// What a reader, or one that solves what it has read, refuses.
+inline std::string error_of(const Json& input, Json (*solved)(const Json&) = test::solved) {
     try {
         solved(input);
     } catch (const InputError& error) {

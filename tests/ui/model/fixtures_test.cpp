@@ -25,7 +25,7 @@
 #include "shop/model/scale_settings.h"
 #include "text/preferences.h"
 #include "workshop/model/workshop_model.h"
-#include "workshop/scene.h"
+#include "workshop/older_formats.h"
 
 namespace ravnoves {
 namespace {

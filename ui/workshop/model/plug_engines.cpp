@@ -5,13 +5,14 @@
 #include <utility>
 
 #include "case-file/case_file.h"
+#include "case-file/field_reader.h"
+#include "case-file/field_writer.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "shop/model/verdict.h"
 #include "text/error_text.h"
 #include "v8-plugs/fields.h"
 #include "v8-plugs/presets.h"
-#include "v8-plugs/scene.h"
 #include "workshop/model/workshop_model.h"
 #include "workshop/plugs/model/v8_text.h"
 
@@ -87,7 +88,7 @@ OwnEngine readOwnEngine(const JournalEngine& own) {
         kept = Json{{"engine", std::move(kept)}};
     }
     kept["process"] = "repair";
-    const v8_plugs::Input input = v8_plugs::read_input(kept, Completeness::as_is);
+    const v8_plugs::Input input = read_fields<v8_plugs::Input>(kept, Completeness::as_is);
     OwnEngine engine{input.engine, ownedSheets(input, input.weigh_in)};
     engine.engine.name = own.name.toStdString();
     return engine;
@@ -104,7 +105,7 @@ Json valuesOf(const v8_plugs::Input& input) {
     v8_plugs::Input alone;
     alone.engine = input.engine;
     alone.engine.name.clear();
-    return v8_plugs::write_input(alone).at("engine");
+    return write_fields(alone).at("engine");
 }
 
 }  // namespace
@@ -383,7 +384,7 @@ QString WorkshopModel::saveEngineAs(const QString& name) {
         own.weigh_in = sheets.parts;
     }
     Json kept = Json::object();
-    const Json written = v8_plugs::write_input(own);
+    const Json written = write_fields(own);
     for (const char* key : {"engine", "plug", "weigh_in"}) {
         if (written.contains(key)) {
             kept[key] = written.at(key);

@@ -528,22 +528,11 @@ void WorkshopModel::confirmReadings() {
             hold(correction.readings);
         }
         // What was drilled by them is kept as if they had held when the next run began.
-        for (std::size_t run = firstRun(); run < correction.earlier_runs.size(); ++run) {
-            EarlierRun& earlier = correction.earlier_runs[run];
-            if (earlier.drilled) {
-                continue;
-            }
-            Job then = input();
-            then.correction = correction;
-            then.correction->record = {};
-            then.correction->earlier_runs.resize(run);
-            for (std::size_t i = 0; i < earlier.readings.size(); ++i) {
-                const EarlierReading& read = earlier.readings[i];
-                then.correction->readings[i] = {correction.readings[i].position, read.unbalance,
-                                                read.angle, read.bob_weight, read.shaft};
-            }
-            earlier.drilled = planned_holes(workshop::allowed(workshop::solve(then)).shaft);
-        }
+        Job then = input();
+        then.correction = std::move(correction);
+        record_plans(then, firstRun(),
+                     [](const Job& job) { return workshop::allowed(workshop::solve(job)).shaft; });
+        correction = *std::move(then.correction);
     });
 }
 

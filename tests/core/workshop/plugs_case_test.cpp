@@ -1,9 +1,10 @@
-// The scene as case files see it: the contract's examples, reading and writing, bad input.
+// Cases of v8-plugs: the contract's examples, reading and writing, bad input.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
@@ -11,16 +12,18 @@
 #include "scenes/scenes.h"
 #include "support.h"
 #include "v8-plugs/presets.h"
-#include "v8-plugs/scene.h"
-#include "v8-plugs/solver.h"
+#include "workshop/solver.h"
 
 namespace ravnoves::v8_plugs {
 namespace {
 
-using test::gram;
-using test::gram_millimetre;
-using test::millimetre;
-using test::Workshop;
+using workshop::PlugsCase;
+using workshop::read_plugs_case;
+using workshop::write_input;
+using workshop::test::difference;
+
+constexpr double gram = 1e-3;
+constexpr double millimetre = 1e-3;
 
 Json example() {
     return parse_json(R"({
@@ -56,7 +59,13 @@ Json full_example() {
     return input;
 }
 
-Json solved(const Json& input);
+Json solved(const Json& input) {
+    return workshop::test::solved_plugs_case(input);
+}
+
+std::string error_of(const Json& input) {
+    return workshop::test::error_of(input, solved);
+}
 
 TEST(Weights, ActWhateverTheProcess) {
     Json input = example();
@@ -106,19 +115,6 @@ TEST(ShiftEffect, IsCorrectedInTheOrderOfItsShiftsAndSaysWhatIsBeyond) {
     const Json far = solved(input).at("options").at("new-steel-machined").at("shift_effect");
     EXPECT_GT(far.at("residual_unbalance_g_mm"), 100.0);
     EXPECT_TRUE(far.at("beyond_tolerance").get<bool>());
-}
-
-Json solved(const Json& input) {
-    return solve_scene(input, {});
-}
-
-std::string error_of(const Json& input) {
-    try {
-        solved(input);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
 }
 
 TEST(Example, Repair) {
@@ -209,25 +205,60 @@ TEST(Result, ABoreDeeperThanThePlugIsNotRecommended) {
     EXPECT_NE(error_of(input).find("no bottom remains"), std::string::npos) << error_of(input);
 }
 
-TEST(Result, ReadingsWithoutIsoAreJudgedByTheTolerance) {
+TEST(Result, HasTheMachineWhereItsLimitsAreGiven) {
     Json input = full_example();
-    input["balancing"] = parse_json(R"({"grade_mm_s": 16, "rotor_mass_kg": 30,
-        "service_speed_rpm": 3200})");
-    EXPECT_EQ(solved(input).at("balancing").at("limit"), "iso-21940-11");
+    for (const char* key : {"front_reading_g_mm", "rear_reading_g_mm"}) {
+        input["balancing"].erase(key);
+    }
+    const Json balancing = solved(input).at("balancing");
+    EXPECT_EQ(balancing.at("limit"), "iso-21940-11");
+    EXPECT_FALSE(balancing.at("front").contains("passes"));
+    EXPECT_FALSE(read_plugs_case(input).correction);
     input.erase("balancing");
     EXPECT_FALSE(solved(input).contains("balancing"));
-    input["tolerance_g_mm"] = 5;
-    input["balancing"]["front_reading_g_mm"] = 4.9;
-    input["balancing"]["rear_reading_g_mm"] = 5.1;
-    const Input half = read_input(input, Completeness::as_is);
-    EXPECT_EQ(solve(half).planes[0].passes, true);
-    EXPECT_EQ(solve(half).planes[1].passes, false);
+}
+
+TEST(Result, IsThatOfTheJob) {
+    Json weighed = full_example();
+    weighed["plug"]["height_mm"] = 10;
+    weighed["balancing"].update({{"front_share", 0.4},
+                                 {"front_bobweight_g", 1},
+                                 {"rear_read_of", {{"engine_number", "1"}}}});
+    for (const Json& input : {example(), full_example(), weighed}) {
+        Json was = solved(input);
+        was.erase("verdict");
+        const auto job = workshop::read_as_job("v8-plugs", input);
+        Json is = workshop::test::solved(workshop::write_input(job.value()));
+        const Json& plugs = is.at("doubtful").is_null()
+                                ? is.at("plugs")
+                                : is.at("doubtful").value("plugs", is.at("plugs"));
+        for (const char* key : {"front", "rear"}) {
+            for (Json* each : {&was, &is["plugs"]}) {
+                if (each->contains("balancing")) {
+                    (*each)["balancing"][key].erase("passes");
+                }
+            }
+        }
+        EXPECT_EQ(difference(was, plugs), "") << input.dump();
+        EXPECT_EQ(is.at("bobweights"), 4);
+        const Json& shown = is.at("doubtful").is_null() ? is : is.at("doubtful");
+        if (shown.contains("lines")) {
+            double sum = 0.0;
+            for (const Json& line : shown.at("lines")) {
+                sum += line.at("product_g").get<double>();
+            }
+            EXPECT_NEAR(shown.at("bobweight_g").get<double>(), sum, 1e-9 * sum);
+            EXPECT_EQ(
+                was.at("options").at(was.at("recommended").get<std::string>()).at("bobweight_g"),
+                shown.at("bobweight_g"));
+        }
+    }
 }
 
 TEST(Result, SetsKeepTheNumbersTheyWereWeighedUnder) {
     Json input = full_example();
     input["weigh_in"]["piston_sets"] = {3, 1, 2, 4, 5, 6, 7, 8};
-    const Input read = read_input(input);
+    const PlugsCase read = read_plugs_case(input);
     EXPECT_EQ(read.weigh_in->piston_sets[0], 3);
     EXPECT_EQ(write_input(read).at("weigh_in").at("piston_sets"), input["weigh_in"]["piston_sets"]);
     EXPECT_FALSE(write_input(read).at("weigh_in").contains("rod_sets"));
@@ -235,9 +266,9 @@ TEST(Result, SetsKeepTheNumbersTheyWereWeighedUnder) {
     EXPECT_EQ(sheet.at("piston").at("part_numbers"), input["weigh_in"]["piston_sets"]);
     EXPECT_EQ(sheet.at("rod_big_end").at("part_numbers"), (Json{1, 2, 3, 4, 5, 6, 7, 8}));
     input["weigh_in"]["piston_sets"] = {3, 3, 2, 4, 5, 6, 7, 8};
-    EXPECT_THROW(read_input(input), InputError);
+    EXPECT_THROW(read_plugs_case(input), InputError);
     // Moving the parts moves their numbers, from wherever they are.
-    WeighIn moved = *read.weigh_in;
+    shop::WeighIn moved = *read.weigh_in;
     move_sets(moved, {1, 0, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 7, 6});
     EXPECT_EQ(moved.piston_sets, (SetNumbers{1, 3, 2, 4, 5, 6, 7, 8}));
     EXPECT_EQ(moved.rod_sets, (SetNumbers{1, 2, 3, 4, 5, 6, 8, 7}));
@@ -291,52 +322,54 @@ TEST(Result, NullMeansThatThereIsNoSuchPlug) {
 
 TEST(RoundTrip, WrittenInputReadsBackTheSame) {
     for (const Json& input : {example(), full_example()}) {
-        const Input read = read_input(input);
+        const PlugsCase read = read_plugs_case(input);
         const Json written = write_input(read);
-        EXPECT_EQ(read_input(written), read) << written.dump(2);
-        EXPECT_EQ(write_input(read_input(written)), written);
+        EXPECT_EQ(read_plugs_case(written), read) << written.dump(2);
+        EXPECT_EQ(write_input(read_plugs_case(written)), written);
     }
     // The numbers that were typed are the numbers that are written.
-    const Json written = write_input(read_input(example()));
+    const Json written = write_input(read_plugs_case(example()));
     EXPECT_EQ(written.at("engine"), example().at("engine"));
     EXPECT_EQ(written.at("mass_changes_g").at("repair_bearing"), 1.1);
 }
 
 TEST(RoundTrip, HalfFilledFormsKeepWhatIsThere) {
-    Input input;
-    input.preset = "8.32 l";
-    input.engine = *find_preset("8.32 l");
-    input.engine.oil_mass = 20.5 * gram;
-    input.weigh_in.emplace();
+    PlugsCase input;
+    Input& plugs = *input.plugs;
+    plugs.preset = "8.32 l";
+    plugs.engine = *find_preset("8.32 l");
+    plugs.engine.oil_mass = 20.5 * gram;
+    input.weigh_in = WeighIn();
     (*input.weigh_in)[Part::pin].mass[3] = 151.25 * gram;
-    input.plug.emplace();
-    input.plug->height = 12 * millimetre;
-    input.balancing.emplace();
-    input.balancing->rotor_mass = 31.0;
+    plugs.plug.emplace();
+    plugs.plug->height = 12 * millimetre;
+    input.tolerance.emplace().rotor_mass = 31.0;
     const Json written = write_input(input);
     EXPECT_EQ(written.at("engine"), "8.32 l");
-    EXPECT_EQ(read_input(written, Completeness::as_is), input);
-    EXPECT_THROW(read_input(written), InputError);
+    EXPECT_EQ(read_plugs_case(written, Completeness::as_is), input);
+    EXPECT_THROW(read_plugs_case(written), InputError);
     // So is a sheet on which two values do not go together yet.
-    input.plug->thread = Thread{22 * millimetre, 1.5 * millimetre};
-    input.plug->bore_diameter = 30 * millimetre;
-    input.plug->bore_depth = 5 * millimetre;
-    input.engine.steel_plug_mass = 3 * gram;
-    input.engine.max_steel_reduction = 4 * gram;
-    EXPECT_EQ(read_input(write_input(input), Completeness::as_is), input);
+    plugs.plug->thread = Thread{22 * millimetre, 1.5 * millimetre};
+    plugs.plug->bore_diameter = 30 * millimetre;
+    plugs.plug->bore_depth = 5 * millimetre;
+    plugs.engine.steel_plug_mass = 3 * gram;
+    plugs.engine.max_steel_reduction = 4 * gram;
+    EXPECT_EQ(read_plugs_case(write_input(input), Completeness::as_is), input);
     // A preset value that was emptied cannot be an override: the engine is written out.
-    input.engine.crank_radius.reset();
-    EXPECT_FALSE(read_input(write_input(input), Completeness::as_is).engine.crank_radius);
-    const Result partial = solve(input);
+    plugs.engine.crank_radius.reset();
+    EXPECT_FALSE(
+        read_plugs_case(write_input(input), Completeness::as_is).plugs->engine.crank_radius);
+    const Result partial = workshop::solve(input).plugs.value();
     EXPECT_FALSE(partial.steel_plug);
     EXPECT_FALSE(partial.advice);
     EXPECT_FALSE(partial.nominal);
 }
 
 TEST(RoundTrip, EveryTypedDecimalComesBack) {
-    Workshop workshop(8);
+    std::mt19937 random(8);
     for (int round = 0; round < 20000; ++round) {
-        const double typed = std::round(workshop.between(0, 1e4) * 1e4) / 1e4;
+        const double typed =
+            std::round(std::uniform_real_distribution<double>(0, 1e4)(random) * 1e4) / 1e4;
         const Field& mass = engine_field("steel_plug_mass_g").field;
         ASSERT_EQ(from_si(mass, typed * mass.unit), typed);
     }
@@ -438,14 +471,17 @@ TEST(BadInput, NamesTheField) {
 }
 
 TEST(BadInput, RandomInputsInRangeAlwaysGiveFiniteResults) {
-    Workshop workshop(9);
+    std::mt19937 random(9);
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
     for (int round = 0; round < 300; ++round) {
         Json input = example();
         for (const EngineField& field : engine_fields()) {
             const double low = field.field.range.min;
             const double high = field.field.range.max;
             // from the very ends of the range as often as from within
-            const double pick = workshop.between(-1, 2);
+            const double pick = between(-1, 2);
             double value = pick < 0 ? low : pick > 1 ? high : low + pick * (high - low);
             if (!field.field.range.contains(value)) {
                 value = std::nextafter(low, high);
@@ -462,22 +498,43 @@ TEST(BadInput, RandomInputsInRangeAlwaysGiveFiniteResults) {
     }
 }
 
-TEST(Iso21940, SharesAndScales) {
-    Input input;
-    BalancingSheet& sheet = input.balancing.emplace();
-    sheet.grade = 6.3e-3;
-    sheet.rotor_mass = 25;
-    sheet.service_speed = 4000 * 3.14159265358979 / 30;
-    sheet.front_share = 0.4;
-    const Result result = solve(input);
-    EXPECT_NEAR(result.permissible.value() / gram_millimetre,
-                1000 * 25 * 6.3 / (4000 * 3.14159265358979 / 30), 1e-9);
-    const auto& [front, rear] = result.planes;
-    EXPECT_NEAR(front.permissible + rear.permissible, *result.permissible, 1e-18);
-    EXPECT_NEAR(front.permissible / *result.permissible, 0.4, 1e-12);
-    EXPECT_FALSE(front.passes.has_value());
-    sheet.readings[0].unbalance = front.permissible;
-    EXPECT_TRUE(solve(input).planes[0].passes.value());
+Json six_litres(double repair_piston_g) {
+    return {{"engine", "6 l"},
+            {"engine_overrides",
+             {{"oil_mass_g", 20},
+              {"oil_coefficient", 1},
+              {"reciprocating_mass_g", 1000},
+              {"rotating_mass_g", 650}}},
+            {"process", "repair"},
+            {"mass_changes_g", {{"repair_piston_and_rings", repair_piston_g}}}};
+}
+
+TEST(Shift, MakesTheAnswerAmber) {
+    Json json = six_litres(3.0);
+    Json result = solved(json);
+    EXPECT_EQ(result.at("recommended"), "steel-machined");
+    EXPECT_EQ(result.at("state"), "warning");
+    EXPECT_NE(result.at("warning").get<std::string>().find("1.10 g to 1.12 g"), std::string::npos);
+    const Json& effect = result.at("options").at("steel-machined").at("shift_effect");
+    EXPECT_TRUE(effect.at("beyond_tolerance").get<bool>());
+    EXPECT_EQ(effect.at("from"), "range");
+    // With the plug's sizes and a cutter the depth is given.
+    json["plug"] = {{"thread", "M30x1.5"}, {"height_mm", 11}, {"cutter_diameter_mm", 10}};
+    result = solved(json);
+    const Json& bored = result.at("options").at("steel-machined");
+    EXPECT_EQ(bored.at("shift_effect").at("from"), "bore");
+    EXPECT_EQ(result.at("state"), "warning");
+    EXPECT_LT(bored.at("shift_effect").at("corrected_depth_mm").get<double>(),
+              bored.at("boring").at("depth_mm").get<double>());
+    EXPECT_NE(result.at("warning").get<std::string>().find(" from the face, "), std::string::npos);
+    // A tolerance that covers it.
+    json["tolerance_g_mm"] = 50;
+    result = solved(json);
+    EXPECT_EQ(result.at("state"), "works");
+    EXPECT_FALSE(result.contains("warning"));
+    json["tolerance_g_mm"] = 5;
+    json["mass_changes_g"]["repair_piston_and_rings"] = 100.0;
+    EXPECT_EQ(solved(json).at("state"), "fails");
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
-// The scene as case files see it: the shop card, the result's keys, bad input, limits of planes.
+// Cases of bob-weights: the shop card, the result's keys, bad input, limits of planes.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <complex>
 
-#include "bob-weights/scene.h"
 #include "bob-weights/solver.h"
 #include "bob-weights/weighing.h"
 #include "case-file/case_file.h"
@@ -13,9 +12,18 @@
 #include "case-file/json.h"
 #include "example_check.h"
 #include "shop/balance_grade.h"
+#include "support.h"
 
 namespace ravnoves::bob_weights {
 namespace {
+
+using workshop::BobWeightsCase;
+using workshop::write_input;
+using workshop::test::difference;
+
+BobWeightsCase read_input(const Json& input, Completeness completeness = Completeness::required) {
+    return workshop::read_bob_weights_case(input, completeness);
+}
 
 Json shop_card() {
     return parse_json(R"({
@@ -35,7 +43,7 @@ Json with_correction() {
 }
 
 Json solved(const Json& input) {
-    return solve_scene(input, {});
+    return workshop::test::solved_bob_weights_case(input);
 }
 
 Json front_of(const Json& input) {
@@ -43,12 +51,7 @@ Json front_of(const Json& input) {
 }
 
 std::string error_of(const Json& input) {
-    try {
-        solved(input);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+    return workshop::test::error_of(input, solved);
 }
 
 TEST(Example, ShopCard) {
@@ -89,7 +92,7 @@ TEST(Weights, ThatDoNotCountOrReplaceWhatIsTypedAreSaid) {
     ASSERT_EQ(said.size(), 1U) << said;
     EXPECT_EQ(said[0], "Piston: the weighed masses replace the typed 583.90 g.");
     // Of a sheet that is half filled.
-    Input input = read_input(card);
+    BobWeightsCase input = read_input(card);
     input.weigh_in->columns[1].mass[2] = 0.17;
     EXPECT_EQ(not_counted(input).at(1).english(),
               "Pin: 1 of 8 weighed; the typed mass is used until all are weighed.");
@@ -174,7 +177,7 @@ TEST(BobWeight, OfWeighedPartsTakesTheirMeans) {
     input["parts_g"].erase("big_end");
     EXPECT_EQ(solved(input).at("bobweight_g"), result.at("bobweight_g"));
     // An engine of more cylinders keeps what was weighed, and what counts follows it.
-    Input larger = read_input(input);
+    BobWeightsCase larger = read_input(input);
     larger.engine.cylinders = 6;
     EXPECT_FALSE(solve(larger).bob_weight);
     EXPECT_EQ(write_input(larger).at("weigh_in").at("piston").at("mass_g").size(), 6u);
@@ -221,7 +224,7 @@ TEST(Matching, OfABoxerKnowsThatOppositePistonsCancel) {
     EXPECT_NEAR(before.at("couple_g_mm2").get<double>(), 2 * 45 * 40, 1e-7);
     // The numbers of the sets are read and written.
     input["weigh_in"]["rod_sets"] = {2, 1, 3, 4};
-    const Input read = read_input(input);
+    const BobWeightsCase read = read_input(input);
     EXPECT_EQ(read_input(write_input(read)), read);
     EXPECT_EQ(write_input(read).at("weigh_in").at("matching").size(), 4u);
 }
@@ -434,6 +437,10 @@ TEST(Tolerance, IsSharedByTheDistances) {
     const std::array<double, 2> planes{0.1, 0.5};
     const auto limits = [&] { return plane_limits(tolerance, planes).value(); };
     EXPECT_NEAR(limits()[0], 0.5 * whole, 1e-15);
+    tolerance.front_share = 0.4;
+    EXPECT_NEAR(limits()[0], 0.4 * whole, 1e-15);
+    EXPECT_NEAR(limits()[1], 0.6 * whole, 1e-15);
+    tolerance.front_share = 0.5;
     tolerance.centre_of_mass = 0.2;  // 3/4 of it towards the first plane; the standard stops at 0.7
     EXPECT_NEAR(limits()[0], 0.7 * whole, 1e-15);
     tolerance.centre_of_mass = 0.28;
@@ -497,13 +504,16 @@ TEST(BadInput, IsNamed) {
 }
 
 TEST(HalfFilled, FormsKeepWhatIsThere) {
-    Input input;
+    BobWeightsCase input;
     input.engine.cylinders = 6;
     input.weigh_in.emplace();
     fit_weigh_in(input);
     (*input.weigh_in)[shop::Part::pin].mass[3] = 0.15125;
-    input.correction.emplace();
-    input.correction->planes[1].radius = 0.08;
+    Correction& correction = input.correction.emplace();
+    correction.planes[1].radius = 0.08;
+    correction.aim = Aim::tolerance;
+    correction.smallest_depth = 0.0;
+    correction.deepens = false;
     input.tolerance.emplace();
     input.tolerance->grade = 0.016;
     const Json written = write_input(input);
@@ -557,8 +567,9 @@ TEST(Correction, RunsHaveVerdictsAndTheNewestIsCorrected) {
     }
     EXPECT_TRUE(after.at("runs")[1].at("within_tolerance").get<bool>());
     EXPECT_TRUE(after.at("planes")[0].at("holes").empty());
-    EXPECT_EQ(write_input(read_input(input)).at("correction").at("earlier_runs"),
-              correction["earlier_runs"]);
+    const Json written = write_input(read_input(input)).at("correction").at("earlier_runs");
+    EXPECT_EQ(written[0].at("readings"), correction["earlier_runs"][0]["readings"]);
+    EXPECT_FALSE(written[0].at("drilled").empty()) << "what the readings asked for";
     correction["earlier_runs"][0]["readings"][1].erase("angle_deg");
     EXPECT_NE(error_of(input).find("/input/correction/earlier_runs/0/readings/1/angle_deg"),
               std::string::npos)
@@ -629,7 +640,7 @@ TEST(Correction, EarlierHolesStayAndLaterOnesKeepClearOfThem) {
     };
     Json after = solved(input).at("correction");
     for (std::size_t plane = 0; plane < 2; ++plane) {
-        EXPECT_EQ(drilled(0, plane), first[plane].at("holes"));
+        EXPECT_EQ(difference(first[plane].at("holes"), drilled(0, plane)), "");
         EXPECT_FALSE(after.at("runs")[1].at("planes")[plane].contains("drilled_holes"));
     }
     const Cut rim{85e-3, 7850, 118 * degree};
@@ -654,7 +665,9 @@ TEST(Correction, EarlierHolesStayAndLaterOnesKeepClearOfThem) {
         for (const Json& hole : first[static_cast<std::size_t>(plane)].at("holes")) {
             Json line{{"plane", plane == PlaneName::front ? "front" : "rear"}};
             line.update(hole);
-            line.erase("removed_g_mm");
+            for (const char* key : {"removed_g_mm", "deepens", "from_depth_mm"}) {
+                line.erase(key);
+            }
             run["drilled"].push_back(std::move(line));
         }
     }
@@ -672,7 +685,7 @@ TEST(Correction, EarlierHolesStayAndLaterOnesKeepClearOfThem) {
 
     // A third run keeps clear of both; one that passed has drilled nothing.
     correction["earlier_runs"].push_back({{"readings", correction["readings"]}});
-    EXPECT_EQ(drilled(1, 0), front.at("holes"));
+    EXPECT_EQ(difference(front.at("holes"), drilled(1, 0)), "");
     EXPECT_TRUE(drilled(1, 1).empty());
     const Json third = front_of(input);
     ASSERT_FALSE(third.at("holes").empty());
@@ -708,7 +721,8 @@ TEST(Correction, EarlierSlugsAreTakenToo) {
     correction["earlier_runs"] = Json::array({{{"readings", correction["readings"]}}});
     correction["readings"][0] = {{"unbalance_g_mm", 500}, {"angle_deg", 220}};
     const Json after = solved(input).at("correction");
-    EXPECT_EQ(after.at("runs")[0].at("planes")[0].at("drilled_slugs"), first.at("slugs"));
+    EXPECT_EQ(
+        difference(first.at("slugs"), after.at("runs")[0].at("planes")[0].at("drilled_slugs")), "");
     for (const Json& hole : after.at("planes")[0].at("holes")) {
         for (const Json& slug : first.at("slugs")) {
             EXPECT_GT(
@@ -717,11 +731,11 @@ TEST(Correction, EarlierSlugsAreTakenToo) {
         }
     }
     // The record has the slug's own mass, too: what it adds follows from both.
-    Input before = read_input(input);
+    BobWeightsCase before = read_input(input);
     before.correction->earlier_runs.clear();
     before.correction->readings[0].unbalance = 20'000e-6;
     before.correction->readings[0].angle = 40 * degree;
-    Input later = read_input(input);
+    BobWeightsCase later = read_input(input);
     later.correction->earlier_runs[0].drilled = planned_holes(solve(before));
     const Json kept = solved(write_input(later))
                           .at("correction")
