@@ -356,6 +356,17 @@ std::optional<bool> Result::passes_after() const {
                : std::nullopt;
 }
 
+double rounding_squares(const Input& input, const Result& result) {
+    double sum = 0.0;
+    for (const Line& line : result.lines) {
+        if (line.part->kind != PartKind::crankpin && line.mass != 0.0) {
+            sum += line.factor * line.factor /
+                   (is_weighed(input, *line.part) ? input.engine.cylinders : 1);
+        }
+    }
+    return sum;
+}
+
 std::vector<const Field*> missing_for_bob_weight(const Input& input) {
     std::vector<const Field*> missing;
     if (input.engine.type == EngineType::v && !input.engine.bank_angle) {

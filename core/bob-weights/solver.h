@@ -27,6 +27,9 @@ struct Remaining {
 std::optional<Remaining> what_if(const Input& input, const Result& result, PlaneName plane,
                                  double diameter, double depth, double angle);
 
+/// Σ c²/n of shop::Weighing, of the lines of the bob weight.
+double rounding_squares(const Input& input, const Result& result);
+
 /// The limits of the two planes.
 ///
 /// By grade U_per = m G / ω is shared as the centre of mass lies between the planes, each share

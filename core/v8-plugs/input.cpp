@@ -105,6 +105,19 @@ bool Input::takes_typed(double MassChanges::*change) const {
     return !changes_from_weigh_in || !weigh_in || !is_weighed(*weigh_in, process, change);
 }
 
+double rounding_squares(const Input& input) {
+    double sum = 0.0;
+    for (const Part part : all_parts) {
+        if (input.changes_from_weigh_in && input.weigh_in &&
+            (*input.weigh_in)[part].is_complete()) {
+            // Two of them are on a crankpin.
+            const double counts = 2.0 * excess_factor(part, input.engine.rod_coefficient.value());
+            sum += counts * counts / cylinder_count;
+        }
+    }
+    return sum;
+}
+
 std::vector<Message> not_counted(const Input& input) {
     std::vector<Message> list;
     const bool weighs = input.changes_from_weigh_in && input.weigh_in;

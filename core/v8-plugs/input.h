@@ -88,6 +88,9 @@ void visit_fields(FieldVisitor& visitor, Input& input);
 /// @param weighed  there is one
 void visit_plugs(FieldVisitor& visitor, Input& input, bool weighed);
 
+/// Σ c²/n of shop::Weighing, by the means of the columns that count.
+double rounding_squares(const Input& input);
+
 /// What is typed or weighed and does not count, and what is typed and counts beside weights; a
 /// sentence for each.
 std::vector<Message> not_counted(const Input& input);

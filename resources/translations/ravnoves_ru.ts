@@ -1791,10 +1791,6 @@
         <translation>Минимум между полостью и внутренним торцом.</translation>
     </message>
     <message>
-        <source>Half if the centre of mass is midway between the planes; the standard allows 0.3 to 0.7.</source>
-        <translation>Половина, если центр масс посередине между плоскостями; стандарт допускает 0,3–0,7.</translation>
-    </message>
-    <message>
         <source>Bob weight of the reading, front</source>
         <translation>Груз при показании, спереди</translation>
     </message>
@@ -4950,6 +4946,14 @@
     <message>
         <source>Four in line</source>
         <translation>Рядный четырёхцилиндровый</translation>
+    </message>
+    <message>
+        <source>True if the machine counted degrees in the other direction during drilling.</source>
+        <translation>True, если при сверлении станок отсчитывал градусы в другую сторону.</translation>
+    </message>
+    <message>
+        <source>Drilling acted in the other plane</source>
+        <translation>Сверление подействовало в другой плоскости</translation>
     </message>
 </context>
 <context>
@@ -17904,10 +17908,6 @@ but no position is feasible</source>
         <translation>Cᵢ — его постоянная часть, Δmᵢ — облегчение каждой заглушки, до предела по стенке</translation>
     </message>
     <message>
-        <source>The crankshaft is rigid.</source>
-        <translation>Коленчатый вал жёсткий.</translation>
-    </message>
-    <message>
         <source>the engine has no such plug</source>
         <translation>в этом двигателе нет такой заглушки</translation>
     </message>
@@ -18146,10 +18146,6 @@ but no position is feasible</source>
     <message>
         <source>d distance of the bored metal from the centre of mass of the plug</source>
         <translation>d — расстояние снятого металла от центра масс заглушки</translation>
-    </message>
-    <message>
-        <source>All four crankpins use the means of the weighed parts.</source>
-        <translation>Для всех четырёх шеек берутся средние взвешенных деталей.</translation>
     </message>
     <message>
         <source>Not included: drilling in the webs, flywheel and damper.</source>
@@ -18569,6 +18565,14 @@ but no position is feasible</source>
     <message>
         <source>%1: cylinders %2 differ from the others (%3, others %4). Weigh them again or match the parts.</source>
         <translation>%1: цилиндры %2 отличаются от остальных (%3, остальные %4). Взвесьте их снова или подберите детали.</translation>
+    </message>
+    <message>
+        <source>The holes were drilled while the machine counted degrees in the other direction. Check the direction, or enter the angles as measured.</source>
+        <translation>Отверстия просверлены, когда станок отсчитывал градусы в другую сторону. Проверьте направление отсчёта или введите измеренные углы.</translation>
+    </message>
+    <message>
+        <source>%1: residual %2 after drilling instead of %3, as if the holes were in the other plane. Enter the actual plane of each hole.</source>
+        <translation>%1: после сверления остаток %2 вместо %3, как если бы отверстия были в другой плоскости. Укажите плоскость, в которой находится каждое отверстие.</translation>
     </message>
 </context>
 </TS>

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 
 #include "bob-weights/factor_theory.h"
+#include "numerics/constants.h"
 
 namespace ravnoves::bob_weights {
 namespace {
@@ -55,6 +57,28 @@ TEST(Factor, FiftyPercentMakesTheLargestForceSmallest) {
         for (double factor = 0.0; factor <= 1.0; factor += 0.01) {
             EXPECT_GE(first_order(engine, factor, 1.0).greatest(), best - 1e-15);
         }
+    }
+}
+
+// What both cylinders of a throw push, each along its axis by the cosine of its crankpin's angle to
+// it, less a mass on each crankpin; its size over a turn is a test of the scenes.
+TEST(ForcePath, PointsWhereThePistonsPush) {
+    using namespace std::complex_literals;
+    constexpr double mass = 0.8;
+    constexpr double factor = 0.42;
+    const Engine engine = v(75, 18);
+    const ForcePath path = force_path(first_order(engine, factor, mass));
+    const auto last = static_cast<double>(path.across.size() - 1);
+    for (std::size_t i = 0; i < path.across.size(); ++i) {
+        std::complex<double> sum;
+        for (const double side : {1.0, -1.0}) {
+            const double axis = 0.5 * side * *engine.bank_angle;
+            const double pin =
+                two_pi * static_cast<double>(i) / last - 0.5 * side * engine.pin_split;
+            sum += std::cos(pin - axis) * std::exp(1i * axis) - factor * std::exp(1i * pin);
+        }
+        EXPECT_NEAR(path.upright[i], mass * sum.real(), 1e-12);
+        EXPECT_NEAR(path.across[i], mass * sum.imag(), 1e-12);
     }
 }
 

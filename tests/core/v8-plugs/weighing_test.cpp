@@ -1,4 +1,4 @@
-#include "v8-plugs/weighing.h"
+#include "shop/weighing.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,6 @@ using test::gram;
 Input job(Process process) {
     Input input;
     input.process = process;
-    input.engine.crank_radius = 60e-3;
     input.engine.rod_coefficient = 0.4;
     input.tolerance = 40 * units::gram_mm;
     input.changes_from_weigh_in = true;
@@ -26,20 +25,20 @@ Input job(Process process) {
     return input;
 }
 
+shop::Weighing weighing(const Input& input, double resolution) {
+    return shop::weighing(resolution, rounding_squares(input), input.tolerance);
+}
+
 TEST(Weighing, OfEveryPartIsTheSquareRootOfItsSquares) {
     const double d = 0.1 * gram;
     // Repair: piston, pin, rings and small end count once, the big end 2 + k, a shell twice.
     const double squares = 4.0 + 2.4 * 2.4 + 4.0;
     const auto found = weighing(job(Process::repair), d);
-    ASSERT_TRUE(found);
-    EXPECT_NEAR(found->bob_weight, 2.0 * d * std::sqrt((1.0 + squares / 8.0) / 12.0), 1e-15);
-    EXPECT_NEAR(found->unbalance, found->bob_weight * 60e-3, 1e-17);
+    EXPECT_NEAR(found.bob_weight, 2.0 * d * std::sqrt((1.0 + squares / 8.0) / 12.0), 1e-15);
 
     Input nothing = job(Process::repair);
     nothing.weigh_in.reset();
-    EXPECT_NEAR(weighing(nothing, d)->bob_weight, 2.0 * d / std::sqrt(12.0), 1e-18);
-    nothing.engine.crank_radius.reset();
-    EXPECT_FALSE(weighing(nothing, d));
+    EXPECT_NEAR(weighing(nothing, d).bob_weight, 2.0 * d / std::sqrt(12.0), 1e-18);
 }
 
 // The readings themselves, rounded as a scale does it.
@@ -68,7 +67,7 @@ TEST(Weighing, IsWhatRoundedReadingsScatterBy) {
             const double hung = d * std::round(bob_weight / d) - bob_weight;
             squares += std::pow(excess(read) - excess(exact) + hung, 2);
         }
-        const double u = 0.5 * weighing(input, d)->bob_weight;
+        const double u = 0.5 * weighing(input, d).bob_weight;
         // A variance of n samples is known to √(2/n) of itself.
         EXPECT_NEAR(squares / runs / (u * u), 1.0, 3.0 * std::sqrt(2.0 / runs));
     }
@@ -78,12 +77,12 @@ TEST(Weighing, NamesTheCoarsestScaleThatIsEnough) {
     test::Workshop random(11);
     for (int i = 0; i < 200; ++i) {
         Input input = job(random.process());
-        input.engine.crank_radius = random.between(30, 100) * 1e-3;
+        const double radius = random.between(30, 100) * 1e-3;
         input.tolerance = random.between(1, 2000) * units::gram_mm;
-        const double d = weighing(input, gram)->coarsest;
-        EXPECT_TRUE(weighing(input, d)->enough);
-        EXPECT_LE(weighing(input, d)->unbalance, input.tolerance / 3.0 * (1.0 + 1e-9));
-        EXPECT_FALSE(weighing(input, 2.5 * d)->enough);
+        const double d = weighing(input, gram).coarsest(radius);
+        EXPECT_TRUE(weighing(input, d).is_enough(radius));
+        EXPECT_LE(weighing(input, d).bob_weight * radius, input.tolerance / 3.0 * (1.0 + 1e-9));
+        EXPECT_FALSE(weighing(input, 2.5 * d).is_enough(radius));
         const double digits = std::log10(d / gram);
         const double lead = std::pow(10.0, digits - std::floor(digits + 1e-9));
         EXPECT_TRUE(std::abs(lead - 1.0) < 1e-6 || std::abs(lead - 2.0) < 1e-6 ||
@@ -96,9 +95,8 @@ TEST(Weighing, NamesTheCoarsestScaleThatIsEnough) {
 TEST(Weighing, NamesAStepThatIsJustEnough) {
     for (const double grams : {0.02, 0.05, 0.1, 0.2, 0.5, 2.0, 5.0}) {
         Input input = job(Process::repair);
-        const Weighing found = *weighing(input, grams * gram);
-        input.tolerance = 3.0 * found.unbalance;
-        EXPECT_NEAR(weighing(input, gram)->coarsest / gram, grams, 1e-9 * grams);
+        input.tolerance = 3.0 * weighing(input, grams * gram).bob_weight * 60e-3;
+        EXPECT_NEAR(weighing(input, gram).coarsest(60e-3) / gram, grams, 1e-9 * grams);
     }
 }
 

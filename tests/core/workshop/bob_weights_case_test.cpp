@@ -6,12 +6,12 @@
 #include <complex>
 
 #include "bob-weights/solver.h"
-#include "bob-weights/weighing.h"
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "example_check.h"
 #include "shop/balance_grade.h"
+#include "shop/weighing.h"
 #include "support.h"
 
 namespace ravnoves::bob_weights {
@@ -102,17 +102,14 @@ TEST(Weighing, AddsTheRoundingOfEachPartBySquares) {
     // Five parts count once (twice 50 %), two twice, and the bob weight is weighed itself.
     constexpr double d = 1e-4;
     Json card = with_correction();
-    card["tolerance"] = {{"g_mm", 30}};
     const Input input = read_input(card);
-    const auto found = weighing(input, solve(input), d);
-    ASSERT_TRUE(found && found->largest_radius);
-    EXPECT_NEAR(found->bob_weight, 2.0 * d * std::sqrt((1.0 + 5.0 + 2.0 * 4.0) / 12.0), 1e-15);
-    EXPECT_NEAR(found->bob_weight * *found->largest_radius, 30e-6 / 3.0, 1e-15);
+    const auto found = shop::weighing(d, rounding_squares(input, solve(input)), 30e-6);
+    EXPECT_NEAR(found.bob_weight, 2.0 * d * std::sqrt((1.0 + 5.0 + 2.0 * 4.0) / 12.0), 1e-15);
+    EXPECT_NEAR(found.bob_weight * *found.largest_radius, 30e-6 / 3.0, 1e-15);
     // Of eight weighed pistons the mean counts.
     card["weigh_in"]["piston"]["mass_g"] = Json::array({584, 583, 584, 583, 584, 583, 584, 583});
     const Input sheet = read_input(card);
-    EXPECT_NEAR(weighing(sheet, solve(sheet), d)->bob_weight,
-                2.0 * d * std::sqrt((1.0 + 4.0 + 1.0 / 8.0 + 8.0) / 12.0), 1e-15);
+    EXPECT_NEAR(rounding_squares(sheet, solve(sheet)), 4.0 + 1.0 / 8.0 + 8.0, 1e-12);
 }
 
 TEST(BobWeight, FollowsFactorAndOverbalance) {
@@ -227,28 +224,6 @@ TEST(Matching, OfABoxerKnowsThatOppositePistonsCancel) {
     const BobWeightsCase read = read_input(input);
     EXPECT_EQ(read_input(write_input(read)), read);
     EXPECT_EQ(write_input(read).at("weigh_in").at("matching").size(), 4u);
-}
-
-TEST(Matching, RefusesRulesThatCannotBe) {
-    const auto wrong = [](const char* key, const Json& value) {
-        Json input = shop_card();
-        input["weigh_in"] = {{"piston", {{"mass_g", {1, 2, 3, 4, 5, 6, 7, 8}}}}};
-        input["weigh_in"]["matching"][key] = value;
-        return error_of(input);
-    };
-    EXPECT_EQ(wrong("goal", "best"),
-              "/input/weigh_in/matching/goal: must be one of \"least-spread\", \"fewest-moves\", "
-              "\"least-shaking\", got \"best\"");
-    EXPECT_EQ(wrong("shells", "anywhere"),
-              "/input/weigh_in/matching/shells: must be one of \"with-set\", \"stay\", got "
-              "\"anywhere\"");
-    EXPECT_EQ(wrong("crankpin_angles_deg", {0, 90}),
-              "/input/weigh_in/matching/crankpin_angles_deg: must be a list of 4 angles, got 2");
-    EXPECT_EQ(wrong("bank_offset_mm", 20),
-              "/input/weigh_in/matching/cylinder_spacing_mm: is required with the bank offset");
-    EXPECT_EQ(wrong("permitted_spread_g", -1),
-              "/input/weigh_in/matching/permitted_spread_g: must be from 0 to 100000, got -1");
-    EXPECT_EQ(wrong("stay", true), "/input/weigh_in/matching/stay: is not a known key");
 }
 
 /// What holes and slugs leave, added up from the result alone.
@@ -470,31 +445,55 @@ TEST(Tolerance, IsSharedByTheDistances) {
 }
 
 TEST(BadInput, IsNamed) {
-    const auto wrong = [](const char* pointer, const Json& value) {
+    struct Row {
+        const char* pointer;
+        Json value;
+        const char* error;  // after the place
+    };
+    const Row rows[] = {
+        {"/engine/cylinders", 7, "must be even if two rods share a bob weight, got 7"},
+        {"/engine/type", "w", "must be one of \"v\", \"inline\", \"boxer\", got \"w\""},
+        {"/engine/rods_per_pin", 3, "must be 1 or 2, got 3"},
+        {"/parts_g/piston", -1, "must be from 0 to 1000000, got -1"},
+        {"/correction/planes/1/position_mm", 60, "must differ from the first, got 60"},
+        {"/correction/drill/diameters_mm", Json::array(), "is required and missing"},
+        {"/correction/slug/density_kg_m3", 7000,
+         "must be greater than the crankshaft's 7850, got 7000"},
+        {"/tolerance/rotor_mass_kg", 30, "is not a known key"},
+        {"/machine", Json::object(), "is not a known key"},
+        {"/weigh_in/matching/goal", "best",
+         "must be one of \"least-spread\", \"fewest-moves\", \"least-shaking\", got \"best\""},
+        {"/weigh_in/matching/shells", "anywhere",
+         "must be one of \"with-set\", \"stay\", got \"anywhere\""},
+        {"/weigh_in/matching/crankpin_angles_deg", {0, 90}, "must be a list of 4 angles, got 2"},
+        {"/weigh_in/matching/permitted_spread_g", -1, "must be from 0 to 100000, got -1"},
+        {"/weigh_in/matching/stay", true, "is not a known key"}};
+    const auto input_of = [] {
         Json input = with_correction();
         input["correction"]["slug"] = {{"diameter_mm", 25}, {"density_kg_m3", 18'000}};
-        input[Json::json_pointer(pointer)] = value;
-        return error_of(input);
+        input["tolerance"] = {{"g_mm", 2}};
+        return input;
     };
-    EXPECT_EQ(wrong("/engine/cylinders", 7),
-              "/input/engine/cylinders: must be even if two rods share a bob weight, got 7");
-    EXPECT_EQ(wrong("/engine/type", "w"),
-              "/input/engine/type: must be one of \"v\", \"inline\", \"boxer\", got \"w\"");
-    EXPECT_EQ(wrong("/engine/type", "inline"),
+    for (const auto& [pointer, value, error] : rows) {
+        Json input = input_of();
+        if (std::string_view(pointer).starts_with("/weigh_in")) {
+            input["weigh_in"] = {{"piston", {{"mass_g", {1, 2, 3, 4, 5, 6, 7, 8}}}}};
+        }
+        input[Json::json_pointer(pointer)] = value;
+        EXPECT_EQ(error_of(input), std::string("/input") + pointer + ": " + error);
+    }
+    Json other = input_of();
+    other["engine"]["type"] = "inline";
+    EXPECT_EQ(error_of(other),
               "/input/engine/rods_per_pin: must be 1 for cylinders in line, got 2");
-    EXPECT_EQ(wrong("/parts_g/piston", -1),
-              "/input/parts_g/piston: must be from 0 to 1000000, got -1");
-    EXPECT_EQ(wrong("/correction/planes/1/position_mm", 60),
-              "/input/correction/planes/1/position_mm: must differ from the first, got 60");
-    EXPECT_EQ(wrong("/correction/planes/2", {{"position_mm", 1}, {"radius_mm", 2}}),
-              "/input/correction/planes: must be a list of two, got 3");
-    EXPECT_EQ(wrong("/correction/drill/diameters_mm", Json::array()),
-              "/input/correction/drill/diameters_mm: is required and missing");
-    EXPECT_EQ(wrong("/correction/slug/density_kg_m3", 7000),
-              "/input/correction/slug/density_kg_m3: must be greater than the crankshaft's 7850, "
-              "got 7000");
-    EXPECT_EQ(wrong("/tolerance", {{"rotor_mass_kg", 30}, {"g_mm", 2}}),
-              "/input/tolerance/rotor_mass_kg: is not a known key");
+    other = input_of();
+    other["weigh_in"] = {{"piston", {{"mass_g", {1, 2, 3, 4, 5, 6, 7, 8}}}},
+                         {"matching", {{"bank_offset_mm", 20}}}};
+    EXPECT_EQ(error_of(other),
+              "/input/weigh_in/matching/cylinder_spacing_mm: is required with the bank offset");
+    other = input_of();
+    other["correction"]["planes"].push_back({{"position_mm", 1}, {"radius_mm", 2}});
+    EXPECT_EQ(error_of(other), "/input/correction/planes: must be a list of two, got 3");
     Json input = shop_card();
     input["engine"].erase("bank_angle_deg");
     EXPECT_EQ(error_of(input), "/input/engine/bank_angle_deg: is required and missing");

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "support.h"
 
@@ -21,216 +22,123 @@ inline Json weighed_card() {
     return input;
 }
 
+/// A job nobody doubts, with what makes it doubtful: values at their pointers, null for none.
+struct DoubtedJob {
+    Json (*base)();
+    std::vector<std::pair<const char*, Json>> changes;
+
+    Json operator()() const {
+        Json input = base();
+        for (const auto& [pointer, value] : changes) {
+            const Json::json_pointer at(pointer);
+            if (value.is_null()) {
+                input[at.parent_pointer()].erase(at.back());
+            } else {
+                input[at] = value;
+            }
+        }
+        return input;
+    }
+};
+
 /// One job for each doubt.
-inline const std::map<std::string_view, std::function<Json()>>& doubted() {
-    static const std::map<std::string_view, std::function<Json()>> jobs{
+inline const std::map<std::string_view, DoubtedJob>& doubted() {
+    const auto weighed = [](const Json& masses) { return Json{{"mass_g", masses}}; };
+    const auto of_nominal = [](double nominal, const Json& masses) {
+        return Json{{"nominal_g", nominal}, {"mass_g", masses}};
+    };
+    const auto hole = [](double angle_deg) {
+        return Json{
+            {"plane", "front"}, {"diameter_mm", 16}, {"depth_mm", 9}, {"angle_deg", angle_deg}};
+    };
+    const auto read = [](double unbalance_g_mm, double angle_deg) {
+        return Json{{"unbalance_g_mm", unbalance_g_mm}, {"angle_deg", angle_deg}};
+    };
+    const Json nothing{{"unbalance_g_mm", 0}};
+    const auto run = [&](const Json& rear) {
+        return Json::array({{{"readings", {read(1250, 40), rear}}, {"drilled", {hole(40)}}}});
+    };
+    static const std::map<std::string_view, DoubtedJob> jobs{
         {"swapped-ends",
-         [] {
-             Json input = weighed_card();
-             std::swap(input["weigh_in"]["rod_small_end"], input["weigh_in"]["rod_big_end"]);
-             input["parts_g"].erase("small_end");
-             input["parts_g"].erase("big_end");
-             return input;
-         }},
-        {"kilograms",
-         [] {
-             Json input = card();
-             input["parts_g"]["pin"] = 0.1736;
-             return input;
-         }},
+         {weighed_card,
+          {{"/weigh_in/rod_small_end", weighed(eight(429.8))},
+           {"/weigh_in/rod_big_end", weighed(eight(162.4))},
+           {"/parts_g/small_end", nullptr},
+           {"/parts_g/big_end", nullptr}}}},
+        {"kilograms", {card, {{"/parts_g/pin", 0.1736}}}},
+        // 30 g off among seven within 6 g: five per cent.
         {"odd-mass",
-         [] {
-             // 30 g off among seven within 6 g: five per cent.
-             Json input = weighed_card();
-             input["weigh_in"]["piston"]["mass_g"] = {583, 586, 581, 585, 613, 584, 582, 587};
-             return input;
-         }},
-        {"unlike-halves",
-         [] {
-             Json input = card();
-             input["parts_g"]["piston"] = 5839;
-             return input;
-         }},
-        {"typed-against-weighed",
-         [] {
-             Json input = weighed_card();
-             input["weigh_in"]["rod_big_end"]["mass_g"] = eight(170);
-             return input;
-         }},
-        {"nominal-against-weighed",
-         [] {
-             Json input = weighed_card();
-             input["weigh_in"]["piston"]["nominal_g"] = 383.9;
-             return input;
-         }},
-        {"share-of-one",
-         [] {
-             Json input = card();
-             input["factor"]["reciprocating_percent"] = 0.5;
-             return input;
-         }},
-        {"plug-mass",
-         [] {
-             Json input = plugs_card();
-             input["plugs"]["engine"]["steel_plug_mass_g"] = 12;
-             return input;
-         }},
+         {weighed_card, {{"/weigh_in/piston/mass_g", {583, 586, 581, 585, 613, 584, 582, 587}}}}},
+        {"unlike-halves", {card, {{"/parts_g/piston", 5839}}}},
+        {"typed-against-weighed", {weighed_card, {{"/weigh_in/rod_big_end/mass_g", eight(170)}}}},
+        {"nominal-against-weighed", {weighed_card, {{"/weigh_in/piston/nominal_g", 383.9}}}},
+        {"share-of-one", {card, {{"/factor/reciprocating_percent", 0.5}}}},
+        {"plug-mass", {plugs_card, {{"/plugs/engine/steel_plug_mass_g", 12}}}},
         {"paper-plug",
-         [] {
-             Json input = plugs_card();
-             input["plugs"]["engine"] = "4.25 l";
-             input["plugs"]["engine_overrides"] = {{"oil_mass_g", 20},
-                                                   {"oil_coefficient", 1},
-                                                   {"reciprocating_mass_g", 1000},
-                                                   {"rotating_mass_g", 650}};
-             input["plugs"]["plug"] = {{"thread", "M22x1.5"}, {"height_mm", 14}};
-             return input;
-         }},
+         {plugs_card,
+          {{"/plugs/engine", "4.25 l"},
+           {"/plugs/engine_overrides",
+            {{"oil_mass_g", 20},
+             {"oil_coefficient", 1},
+             {"reciprocating_mass_g", 1000},
+             {"rotating_mass_g", 650}}},
+           {"/plugs/plug", {{"thread", "M22x1.5"}, {"height_mm", 14}}}}}},
         {"other-crankshaft",
-         [] {
-             Json input = card();
-             input["job"]["crankshaft_number"] = "2";
-             input["correction"]["readings"][0]["read_of"]["crankshaft_number"] = "1";
-             return input;
-         }},
-        {"other-bob-weight",
-         [] {
-             Json input = card();
-             input["correction"]["readings"][0]["bobweight_g"] = 1500;
-             return input;
-         }},
+         {card,
+          {{"/job/crankshaft_number", "2"},
+           {"/correction/readings/0/read_of", {{"crankshaft_number", "1"}}}}}},
+        {"other-bob-weight", {card, {{"/correction/readings/0/bobweight_g", 1500}}}},
         {"beside-planes",
-         [] {
-             Json input = card();
-             input["correction"]["readings"] = parse_json(
-                 R"([{"unbalance_g_mm": 300, "position_mm": -1000}, {"unbalance_g_mm": 400}])");
-             return input;
-         }},
-        {"rotor-mass",
-         [] {
-             Json input = card();
-             input["tolerance"]["rotor_mass_kg"] = 24'000;
-             return input;
-         }},
-        {"service-speed",
-         [] {
-             Json input = card();
-             input["tolerance"]["service_speed_rpm"] = 5.5;
-             return input;
-         }},
+         {card,
+          {{"/correction/readings/0", {{"unbalance_g_mm", 300}, {"position_mm", -1000}}},
+           {"/correction/readings/1", {{"unbalance_g_mm", 400}}}}}},
+        {"rotor-mass", {card, {{"/tolerance/rotor_mass_kg", 24'000}}}},
+        {"service-speed", {card, {{"/tolerance/service_speed_rpm", 5.5}}}},
         {"bearings",
-         [] {
-             Json input = card();
-             input["tolerance"]["front_bearing_mm"] = 520;
-             input["tolerance"]["rear_bearing_mm"] = 20;
-             return input;
-         }},
+         {card, {{"/tolerance/front_bearing_mm", 520}, {"/tolerance/rear_bearing_mm", 20}}}},
+        // It was drilled and passes; then the machine is said to show the light spot.
         {"drilled-at-light-spot",
-         [] {
-             // It was drilled and passes; then the machine is said to show the light spot.
-             Json input = card();
-             input["correction"]["earlier_runs"] = parse_json(R"([{
-                 "readings": [{"unbalance_g_mm": 1250, "angle_deg": 40},
-                              {"unbalance_g_mm": 0}],
-                 "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 9, "angle_deg": 40}]
-                 }])");
-             input["correction"]["readings"] =
-                 parse_json(R"([{"unbalance_g_mm": 150, "angle_deg": 40}, {"unbalance_g_mm": 0}])");
-             input["machine"]["shows"] = "light";
-             return input;
-         }},
+         {card,
+          {{"/correction/earlier_runs", run(nothing)},
+           {"/correction/readings", {read(150, 40), nothing}},
+           {"/machine/shows", "light"}}}},
         {"drilled-counting-otherwise",
-         [] {
-             Json input = card();
-             input["correction"]["earlier_runs"] = parse_json(R"([{
-                 "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 9, "angle_deg": 40}],
-                 "drilled_counting_otherwise": true}])");
-             return input;
-         }},
-        {"drilled-otherwise",
-         [] {
-             Json input = card();
-             input["correction"]["earlier_runs"] = parse_json(R"([{
-                 "readings": [{"unbalance_g_mm": 1250, "angle_deg": 40},
-                              {"unbalance_g_mm": 1200, "angle_deg": 290}],
-                 "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 9, "angle_deg": 40}]
-                 }])");
-             return input;
-         }},
-        {"plane-radius",
-         [] {
-             Json input = plugs_card();
-             input["correction"]["planes"][1]["radius_mm"] = 156;
-             return input;
-         }},
-        {"unlike-radii",
-         [] {
-             Json input = card();
-             input["correction"]["planes"][1]["radius_mm"] = 170;
-             return input;
-         }},
+         {card,
+          {{"/correction/earlier_runs",
+            Json::array({{{"drilled", {hole(40)}}, {"drilled_counting_otherwise", true}}})}}}},
+        {"drilled-otherwise", {card, {{"/correction/earlier_runs", run(read(1200, 290))}}}},
+        {"plane-radius", {plugs_card, {{"/correction/planes/1/radius_mm", 156}}}},
+        {"unlike-radii", {card, {{"/correction/planes/1/radius_mm", 170}}}},
         {"plane-order",
-         [] {
-             Json input = card();
-             input["correction"]["planes"][0]["position_mm"] = 480;
-             input["correction"]["planes"][1]["position_mm"] = 60;
-             return input;
-         }},
+         {card,
+          {{"/correction/planes/0/position_mm", 480}, {"/correction/planes/1/position_mm", 60}}}},
         {"gear-against-parts",
-         [] {
-             Json input = plugs_card();
-             for (const char* part : {"piston", "pin", "rings", "rod_small_end"}) {
-                 input["weigh_in"][part] = {{"nominal_g", 251}, {"mass_g", eight(251)}};
-             }
-             return input;
-         }},
-        {"plug-shift",
-         [] {
-             // The shift of a heavy plug is worth more than a narrow limit.
-             Json input = plugs_card();
-             input["plugs"]["plug"].erase("bore_diameter_mm");
-             input["plugs"].erase("plug");
-             input["plugs"]["tolerance_g_mm"] = 1;
-             return input;
-         }},
+         {plugs_card,
+          {{"/weigh_in/piston", of_nominal(251, eight(251))},
+           {"/weigh_in/pin", of_nominal(251, eight(251))},
+           {"/weigh_in/rings", of_nominal(251, eight(251))},
+           {"/weigh_in/rod_small_end", of_nominal(251, eight(251))}}}},
+        // The shift of a heavy plug is worth more than a narrow limit.
+        {"plug-shift", {plugs_card, {{"/plugs/plug", nullptr}, {"/plugs/tolerance_g_mm", 1}}}},
         {"unequal-crankpins",
-         [] {
-             Json input = plugs_card();
-             input["plugs"].erase("mass_changes_g");
-             input["plugs"]["mass_changes_from"] = "weigh-in";
-             input["plugs"]["tolerance_g_mm"] = 5;
-             input["weigh_in"]["piston"] = {{"nominal_g", 560},
-                                            {"mass_g", {560, 561, 562, 563, 560, 561, 562, 563}}};
-             return input;
-         }},
+         {plugs_card,
+          {{"/plugs/mass_changes_g", nullptr},
+           {"/plugs/mass_changes_from", "weigh-in"},
+           {"/plugs/tolerance_g_mm", 5},
+           {"/weigh_in/piston", of_nominal(560, {560, 561, 562, 563, 560, 561, 562, 563})}}}},
         {"spread",
-         [] {
-             Json input = weighed_card();
-             input["weigh_in"]["piston"] = {{"permitted_spread_g", 2},
-                                            {"mass_g", {580, 582, 584, 586, 581, 583, 585, 587}}};
-             return input;
-         }},
-        {"amplification",
-         [] {
-             Json input = card();
-             input["correction"]["readings"][0]["position_mm"] = -500;
-             return input;
-         }},
+         {weighed_card,
+          {{"/weigh_in/piston/permitted_spread_g", 2},
+           {"/weigh_in/piston/mass_g", {580, 582, 584, 586, 581, 583, 585, 587}}}}},
+        {"amplification", {card, {{"/correction/readings/0/position_mm", -500}}}},
         {"beyond-sector",
-         [] {
-             Json input = card();
-             input["correction"]["readings"][0] = {{"unbalance_g_mm", 900}, {"angle_deg", 40}};
-             input["correction"]["planes"][0]["from_deg"] = 40;
-             input["correction"]["planes"][0]["to_deg"] = 120;
-             return input;
-         }},
+         {card,
+          {{"/correction/readings/0", read(900, 40)},
+           {"/correction/planes/0/from_deg", 40},
+           {"/correction/planes/0/to_deg", 120}}}},
         {"all-round",
-         [] {
-             Json input = card();
-             input["correction"]["planes"][0].erase("from_deg");
-             input["correction"]["planes"][0].erase("to_deg");
-             return input;
-         }},
+         {card,
+          {{"/correction/planes/0/from_deg", nullptr}, {"/correction/planes/0/to_deg", nullptr}}}},
     };
     return jobs;
 }

@@ -1,9 +1,7 @@
 // core's messages in Russian: every bad case that the examples can be turned into.
 
 #include "text/error_text.h"
-#include "bob-weights/input.h"
 #include "case-file/field_index.h"
-#include "v8-plugs/input.h"
 
 #include <gtest/gtest.h>
 
@@ -28,6 +26,7 @@
 #include "text/field_names.h"
 #include "text/language.h"
 #include "text/number_text.h"
+#include "workshop/older_formats.h"
 
 namespace ravnoves {
 namespace {
@@ -103,9 +102,9 @@ const FieldNames& namesOf(const std::string& scene) {
     static std::map<std::string, FieldNames> all;
     const auto [place, isNew] = all.try_emplace(scene);
     if (isNew && scene == "v8-plugs") {
-        place->second = FieldNames({describe_fields<v8_plugs::Input>()});
+        place->second = FieldNames({describe_fields<workshop::PlugsCase>()});
     } else if (isNew && scene == "bob-weights") {
-        place->second = FieldNames({describe_fields<bob_weights::Input>()});
+        place->second = FieldNames({describe_fields<workshop::BobWeightsCase>()});
     } else if (const auto page = isNew ? test::makePage(scene) : nullptr) {
         place->second = FieldNames({page->model()->describedFields()});
     }

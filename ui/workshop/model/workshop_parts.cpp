@@ -4,11 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "bob-weights/weighing.h"
 #include "shop/model/scale_settings.h"
+#include "shop/weighing.h"
 #include "text/number_text.h"
 #include "v8-plugs/compensation.h"
-#include "v8-plugs/weighing.h"
 #include "workshop/model/workshop_model.h"
 #include "workshop/plugs/model/v8_text.h"
 
@@ -263,36 +262,40 @@ QString weighingNote(const WorkshopModel& model) {
     const auto weight = [&](double mass) { return words.number(mass, units::gram, 2); };
     QStringList said;
     if (model.hasPlugs()) {
-        if (const auto found = v8_plugs::weighing(*model.plugsInput(), resolution)) {
-            said << words
-                        .translate("V8",
-                                   "Weighed to %1, the bob weight is accurate to ±%2 and the "
-                                   "unbalance of a crankpin to ±%3 (95 %).")
-                        .arg(digit(resolution), weight(found->bob_weight),
-                             words.number(found->unbalance, units::gram_mm, 1));
-            const QString tolerance =
-                words.number(model.plugsInput()->tolerance, units::gram_mm, 0);
-            said << (found->enough
-                         ? words.translate("V8", "This is enough for the tolerance of %1.")
-                               .arg(tolerance)
-                         : words
-                               .translate("V8",
-                                          "This is too coarse for the tolerance of %1: use a scale "
-                                          "with a last digit of %2.")
-                               .arg(tolerance, digit(found->coarsest)));
-        }
-    } else if (const auto found =
-                   bob_weights::weighing(model.input(), model.solution(), resolution)) {
+        const v8_plugs::Input& plugs = *model.plugsInput();
+        const double radius = plugs.engine.crank_radius.value();
+        const auto found = shop::weighing(resolution, rounding_squares(plugs), plugs.tolerance);
+        said << words
+                    .translate("V8",
+                               "Weighed to %1, the bob weight is accurate to ±%2 and the "
+                               "unbalance of a crankpin to ±%3 (95 %).")
+                    .arg(digit(resolution), weight(found.bob_weight),
+                         words.number(found.bob_weight * radius, units::gram_mm, 1));
+        const QString tolerance = words.number(plugs.tolerance, units::gram_mm, 0);
+        said << (found.is_enough(radius)
+                     ? words.translate("V8", "This is enough for the tolerance of %1.")
+                           .arg(tolerance)
+                     : words
+                           .translate("V8",
+                                      "This is too coarse for the tolerance of %1: use a scale "
+                                      "with a last digit of %2.")
+                           .arg(tolerance, digit(found.coarsest(radius))));
+    } else {
+        const bob_weights::Result& result = model.solution();
+        const auto limit = result.permissible ? std::optional(std::ranges::min(*result.permissible))
+                                              : std::nullopt;
+        const auto found =
+            shop::weighing(resolution, rounding_squares(model.input(), result), limit);
         said << words
                     .translate("BobWeights",
                                "Weighed to %1, a bob weight is accurate to ±%2 (95 %).")
-                    .arg(digit(resolution), weight(found->bob_weight));
-        if (found->largest_radius) {
+                    .arg(digit(resolution), weight(found.bob_weight));
+        if (found.largest_radius) {
             said << words
                         .translate("BobWeights",
                                    "This is enough for the permissible residual at a crank radius "
                                    "up to %1.")
-                        .arg(words.number(*found->largest_radius, units::mm, 0));
+                        .arg(words.number(*found.largest_radius, units::mm, 0));
         }
     }
     return said.join(QLatin1Char(' '));
