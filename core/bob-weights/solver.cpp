@@ -359,7 +359,7 @@ std::optional<bool> Result::passes_after() const {
 double rounding_squares(const Input& input, const Result& result) {
     double sum = 0.0;
     for (const Line& line : result.lines) {
-        if (line.part->kind != PartKind::crankpin && line.mass != 0.0) {
+        if (line.kind != PartKind::crankpin && line.mass != 0.0) {
             sum += line.factor * line.factor /
                    (is_weighed(input, *line.part) ? input.engine.cylinders : 1);
         }

@@ -27,7 +27,7 @@
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
 #include "workshop/model/workshop_model.h"
-#include "workshop/scene.h"
+#include "workshop/older_formats.h"
 #include "workshop/workshop_card.h"
 #include "workshop/workshop_page.h"
 #include "workshop/workshop_sheet.h"

@@ -9,7 +9,6 @@
 #include "job_page_test.h"
 #include "model/case_document.h"
 #include "scenes/scenes.h"
-#include "v8-plugs/scene.h"
 
 namespace ravnoves {
 namespace {
