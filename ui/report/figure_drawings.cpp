@@ -97,7 +97,9 @@ Drawing drawingOf(QWidget* picture) {
     if (!picture->isVisible()) {
         layOut(picture);
     }
-    const QSize size = picture->size().scaled(mostOfPicture, Qt::KeepAspectRatio);
+    constexpr double larger = 1.4;  // its letters are those of a window
+    const QSize size = picture->size().scaled(mostOfPicture.boundedTo(larger * picture->size()),
+                                              Qt::KeepAspectRatio);
     return {picture->accessibleName(), picture->accessibleDescription(), size,
             [picture = QPointer(picture), size](QPainter& painter) {
                 if (picture) {
