@@ -82,7 +82,7 @@ std::vector<BarNumber> SpeedMapPlot::barNumbers() const {
         return numbers;
     }
     const auto [first, last] = barEnds();
-    const auto add = [&](double part, double value) {
+    const auto add = [&, first = first, last = last](double part, double value) {
         numbers.push_back(
             {(part - first) / (last - first), fixedNumber(value, 2, QLocale()), part == 0.0});
     };

@@ -114,11 +114,11 @@ std::vector<NewCase> newCases() {
                  {},
                  [path] { return readInside(path); }});
         }
-        for (const auto& [title, input] : solver.presets()) {
-            list.push_back(
-                {NewCase::Kind::Preset, scene, presetTitle(title), {}, [scene, title, input] {
-                     return CaseFile{scene.toStdString(), presetTitle(title).toStdString(), input};
-                 }});
+        for (const auto& [name, input] : solver.presets()) {
+            const QString title = presetTitle(name);
+            list.push_back({NewCase::Kind::Preset, scene, title, {}, [scene, title, input = input] {
+                                return CaseFile{scene.toStdString(), title.toStdString(), input};
+                            }});
         }
         std::copy_if(examples.begin(), examples.end(), std::back_inserter(list),
                      [&](const NewCase& each) { return each.scene == scene; });

@@ -381,7 +381,7 @@ TEST_F(ElasticHingePageTest, TablesAndPointsOfEnlargedGuidesHaveTheirTruePlaces)
     // A copy: the edit below makes another guide.
     const std::vector<double> radius = model->shownGuide().radius_compressed;
     const double largest = *std::max_element(radius.begin(), radius.end()) / units::mm;
-    const CsvFormat format(QLocale(QLocale::Russian));  // no comma between columns
+    const CsvFormat format{QLocale(QLocale::Russian)};  // no comma between columns
     const QStringList lines = plot->csv(format).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     const QStringList names = lines[0].split(QStringLiteral(";"));
     const auto column = std::find_if(names.begin(), names.end(), [](const QString& name) {
