@@ -1,10 +1,11 @@
 #include "elastic-hinge/guide.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
-#include "numerics/greatest_near.h"
+#include "numerics/greatest.h"
 
 namespace ravnoves::elastic_hinge {
 
@@ -47,93 +48,74 @@ double profile_radius(const GuidePoint& point, Branch branch, double roller) {
                         : point.radius;
 }
 
-struct BranchScan {
-    BranchSummary summary;
-    double sharpest = 0.0;     ///< greatest curvature against the roller, 1/m
-    double sharpest_at = 0.0;  ///< crank angle, rad
-    double most_bent_at = 0.0;
+/// What a branch of a guide comes to over the turn.
+class BranchScan {
+  public:
+    BranchScan(const GuideShape& shape, Branch branch, double roller)
+        : shape_(shape),
+          branch_(branch),
+          roller_(roller),
+          side_(branch == Branch::compressed ? 1.0 : -1.0) {}
 
-    void take(const GuidePoint& point, double phi, Branch branch, double roller) {
-        const double side = branch == Branch::compressed ? 1.0 : -1.0;
-        const double cosine = pressure_cosine(point);
-        if (!std::isfinite(cosine) || !std::isfinite(point.slope)) {
+    void take(const GuidePoint& point, double phi) {
+        if (!std::isfinite(pressure_cosine(point)) || !std::isfinite(point.slope)) {
             return;
         }
-        if (cosine < least_cosine) {
-            least_cosine = cosine;
-            steepest_at = phi;
-        }
-        const double bend = point.curvature();
-        if (std::isfinite(bend)) {
-            if (std::abs(bend) > most_bent) {
-                most_bent = std::abs(bend);
-                most_bent_at = phi;
-            }
-            const double against = -side * bend;
-            if (against > sharpest) {
-                sharpest = against;
-                sharpest_at = phi;
-            }
-        }
-        const double profile = profile_radius(point, branch, roller);
-        if (profile < summary.profile_min_radius) {
-            summary.profile_min_radius = profile;
-            lowest_at = phi;
-        }
-        if (profile > summary.profile_max_radius) {
-            summary.profile_max_radius = profile;
-            highest_at = phi;
+        for (int each = 0; each < measures; ++each) {
+            at(each).take(measure(each, point), phi);
         }
     }
 
+    /// @param least, greatest  radius of the path, m
     /// @param step  of the grid, rad
-    BranchSummary finish(const GuideShape& shape, Branch branch, double step, double roller) {
-        if (most_bent > 0.0) {
-            const auto bend = [&](double phi) {
-                return std::abs(shape.at(branch, phi).curvature());
-            };
-            most_bent = std::max(most_bent, greatest_near(bend, most_bent_at, step).second);
+    BranchSummary finish(double least, double greatest, double step) {
+        for (int each = 0; each < measures; ++each) {
+            at(each).sharpen([&](double phi) { return measure(each, shape_.at(branch_, phi)); },
+                             step);
         }
-        if (sharpest > 0.0) {
-            sharpest = std::max(sharpest, sharpest_bend(shape, branch, sharpest_at, step));
-        }
-        const auto point = [&](double phi) { return shape.at(branch, phi); };
-        if (least_cosine < 1.0) {
-            const auto cosine = [&](double phi) { return -pressure_cosine(point(phi)); };
-            least_cosine = std::min(least_cosine, -greatest_near(cosine, steepest_at, step).second);
-        }
-        const auto profile = [&](double phi) { return profile_radius(point(phi), branch, roller); };
-        const auto inwards = [&](double phi) { return -profile(phi); };
-        if (roller > 0.0) {
-            summary.profile_min_radius = std::min(summary.profile_min_radius,
-                                                  -greatest_near(inwards, lowest_at, step).second);
-            summary.profile_max_radius = std::max(summary.profile_max_radius,
-                                                  greatest_near(profile, highest_at, step).second);
-        } else {
-            summary.profile_min_radius = summary.min_radius;
-            summary.profile_max_radius = summary.max_radius;
-        }
-        summary.smallest_curvature_radius = most_bent > 0.0 ? 1.0 / most_bent : summary.max_radius;
-        if (sharpest > 0.0 && std::isfinite(1.0 / sharpest)) {
+        BranchSummary summary;
+        summary.exists = true;
+        summary.min_radius = least;
+        summary.max_radius = greatest;
+        summary.profile_min_radius = roller_ > 0.0 ? -at(lowest).value : least;
+        summary.profile_max_radius = roller_ > 0.0 ? at(highest).value : greatest;
+        const double most_bent = at(bent).value;
+        summary.smallest_curvature_radius = most_bent > 0.0 ? 1.0 / most_bent : greatest;
+        if (const double sharpest = at(against_roller).value;
+            sharpest > 0.0 && std::isfinite(1.0 / sharpest)) {
             summary.largest_roller_radius = 1.0 / sharpest;
-            summary.undercut = roller > *summary.largest_roller_radius;
+            summary.undercut = roller_ > *summary.largest_roller_radius;
         }
-        summary.max_pressure_angle = std::acos(std::min(least_cosine, 1.0));
+        summary.max_pressure_angle = std::acos(std::min(-at(steepest).value, 1.0));
         return summary;
     }
 
-    double most_bent = 0.0;
-    double least_cosine = 1.0;
-    double steepest_at = 0.0;
-    double lowest_at = 0.0;
-    double highest_at = 0.0;
-};
+  private:
+    enum Measure { steepest, bent, against_roller, lowest, highest, measures };
 
-BranchScan start_scan() {
-    BranchScan scan;
-    scan.summary.profile_min_radius = std::numeric_limits<double>::max();
-    return scan;
-}
+    double measure(int which, const GuidePoint& point) const {
+        switch (which) {
+            case steepest:
+                return -pressure_cosine(point);
+            case bent:
+                return std::abs(point.curvature());
+            case against_roller:
+                return -side_ * point.curvature();
+            case lowest:
+                return -profile_radius(point, branch_, roller_);
+            default:
+                return profile_radius(point, branch_, roller_);
+        }
+    }
+    Greatest& at(int which) { return greatest_.at(static_cast<std::size_t>(which)); }
+
+    const GuideShape& shape_;
+    Branch branch_;
+    double roller_;
+    double side_;
+    std::array<Greatest, measures> greatest_{
+        {{-1.0}, {}, {}, {-std::numeric_limits<double>::max()}, {}}};
+};
 
 }  // namespace
 
@@ -144,13 +126,6 @@ double Spring::preload() const {
 double GuidePoint::curvature() const {
     const double square = radius * radius + slope * slope;
     return (square + slope * slope - radius * second) / (square * std::sqrt(square));
-}
-
-double sharpest_bend(const GuideShape& shape, Branch branch, double near, double step) {
-    const double side = branch == Branch::compressed ? -1.0 : 1.0;
-    return greatest_near([&](double phi) { return side * shape.at(branch, phi).curvature(); }, near,
-                         step)
-        .second;
 }
 
 PlanePoint offset_point(const GuidePoint& point, double distance) {
@@ -239,19 +214,12 @@ double largest_moment(const Design& design, Hinge hinge, const std::vector<Deman
     const auto hinge_moment = [](const Demand& demand) {
         return std::abs(demand.moment * demand.dpolar);
     };
-    double largest = 0.0;
-    double largest_at = 0.0;
+    Greatest largest;
     for (std::size_t i = 0; i < demands.size(); ++i) {
-        if (const double moment = hinge_moment(demands[i]); moment > largest) {
-            largest = moment;
-            largest_at = step * static_cast<double>(i);
-        }
+        largest.take(hinge_moment(demands[i]), step * static_cast<double>(i));
     }
-    if (largest > 0.0) {
-        const auto moment_at = [&](double phi) { return hinge_moment(design.demand(hinge, phi)); };
-        largest = std::max(largest, greatest_near(moment_at, largest_at, step).second);
-    }
-    return largest;
+    largest.sharpen([&](double phi) { return hinge_moment(design.demand(hinge, phi)); }, step);
+    return largest.value;
 }
 
 /// Why there is no guide where the preload is too small.
@@ -334,8 +302,8 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     guide.polar_angle.resize(n);
     guide.radius_compressed.resize(n);
     guide.radius_stretched.resize(n);
-    BranchScan compressed = start_scan();
-    BranchScan stretched = start_scan();
+    BranchScan compressed(*shape, Branch::compressed, input.roller_radius);
+    BranchScan stretched(*shape, Branch::stretched, input.roller_radius);
     const bool fits = half_length > highest;  // a compressed spring keeps a length
     const double waves = input.profile_error_waves;
     // ρ′² + (n d)², what waves on the profile work by.
@@ -344,8 +312,7 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
         const double wave = waves * std::abs(outer.radius - half_length);
         return slope * slope + wave * wave;
     };
-    double steepest_error = 0.0;
-    double steepest_error_at = 0.0;
+    Greatest steepest_error;
     bool missing = false;
     for (std::size_t i = 0; i < n; ++i) {
         const Demand& demand = demands[i];
@@ -363,13 +330,10 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
         }
         if (exists) {
             if (fits) {
-                compressed.take(inner, phi, Branch::compressed, input.roller_radius);
+                compressed.take(inner, phi);
             }
-            stretched.take(outer, phi, Branch::stretched, input.roller_radius);
-            if (const double effect = wave_effect(outer); effect > steepest_error) {
-                steepest_error = effect;
-                steepest_error_at = phi;
-            }
+            stretched.take(outer, phi);
+            steepest_error.take(wave_effect(outer), phi);
         }
     }
 
@@ -382,29 +346,19 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
         return guide;
     }
 
-    if (steepest_error > 0.0) {
-        const auto effect_at = [&](double phi) {
-            return wave_effect(shape->at(Branch::stretched, phi));
-        };
-        steepest_error =
-            std::max(steepest_error, greatest_near(effect_at, steepest_error_at, step).second);
-    }
+    steepest_error.sharpen(
+        [&](double phi) { return wave_effect(shape->at(Branch::stretched, phi)); }, step);
     guide.relief = highest + lowest > 0.0 ? (greatest - least) / (highest + lowest) : 0.0;
     guide.spring_travel = 2.0 * guide.relief;
     guide.largest_spring_force = 2.0 * spring->stiffness * highest;
     guide.smallest_spring_force = 2.0 * spring->stiffness * lowest;
-    stretched.summary.min_radius = half_length + lowest;
-    stretched.summary.max_radius = half_length + highest;
-    guide.stretched = stretched.finish(*shape, Branch::stretched, step, input.roller_radius);
-    guide.stretched.exists = true;
+    guide.stretched = stretched.finish(half_length + lowest, half_length + highest, step);
     if (fits) {
-        compressed.summary.min_radius = half_length - highest;
-        compressed.summary.max_radius = half_length - lowest;
-        guide.compressed = compressed.finish(*shape, Branch::compressed, step, input.roller_radius);
-        guide.compressed.exists = true;
+        guide.compressed = compressed.finish(half_length - highest, half_length - lowest, step);
     }
 
-    guide.error = profile_error(input, *spring, guide.largest_moment, highest, steepest_error);
+    guide.error =
+        profile_error(input, *spring, guide.largest_moment, highest, steepest_error.value);
 
     if (guide.branch == Branch::compressed && !fits) {
         guide.problem = GuideProblem::radius_not_positive;

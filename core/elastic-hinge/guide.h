@@ -83,10 +83,6 @@ class GuideShape {
     double rounding_;  ///< of preload² − what was given out, m²
 };
 
-/// The path's greatest curvature against a roller on the profile's side, 1/m, near the crank angle
-/// where a grid of that step (rad) has found it: a roller of more than the inverse of it undercuts.
-double sharpest_bend(const GuideShape& shape, Branch branch, double near, double step);
-
 /// Why there is no guide.
 enum class GuideProblem {
     none,

@@ -6,6 +6,7 @@
 #include "case-file/decimal.h"
 #include "case-file/field_writer.h"
 #include "case-file/input_error.h"
+#include "numerics/greatest.h"
 
 namespace ravnoves::elastic_hinge {
 
@@ -17,21 +18,15 @@ Number millimetres(double length) {
 
 /// The largest roller that follows the path, m; empty where any does.
 std::optional<double> largest_roller(const GuideShape& shape, Branch branch) {
+    const double side = branch == Branch::compressed ? -1.0 : 1.0;
+    const auto against = [&](double phi) { return side * shape.at(branch, phi).curvature(); };
     const auto grid = angle_grid(721);
-    double sharpest = 0.0;
-    double place = 0.0;
+    Greatest sharpest;
     for (const double phi : grid->angle) {
-        const double bend = shape.at(branch, phi).curvature();
-        const double against = branch == Branch::compressed ? -bend : bend;
-        if (against > sharpest && std::isfinite(against)) {
-            sharpest = against;
-            place = phi;
-        }
+        sharpest.take(against(phi), phi);
     }
-    if (sharpest > 0.0) {
-        sharpest = std::max(sharpest, sharpest_bend(shape, branch, place, grid->angle[1]));
-    }
-    return sharpest > 0.0 ? std::optional(1.0 / sharpest) : std::nullopt;
+    sharpest.sharpen(against, grid->angle[1]);
+    return sharpest.found ? std::optional(1.0 / sharpest.value) : std::nullopt;
 }
 
 /// The least d_min whose preload √(d_min² + G) is more than the least one, √G, by the margin that

@@ -8,7 +8,7 @@
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/unusual_engine.h"
-#include "numerics/greatest_near.h"
+#include "numerics/greatest.h"
 
 namespace ravnoves::elastic_hinge {
 
@@ -18,16 +18,12 @@ namespace {
 template <typename Function>
 double largest(const std::vector<double>& samples, const std::vector<double>& angles,
                const Function& curve) {
-    std::size_t at = 0;
-    for (std::size_t i = 1; i < samples.size(); ++i) {
-        at = std::abs(samples[i]) > std::abs(samples[at]) ? i : at;
+    Greatest found;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        found.take(std::abs(samples[i]), angles[i]);
     }
-    if (samples.empty() || samples[at] == 0.0) {
-        return 0.0;
-    }
-    const auto size = [&](double phi) { return std::abs(curve(phi)); };
-    return std::max(std::abs(samples[at]),
-                    greatest_near(size, angles[at], angles[1] - angles[0]).second);
+    found.sharpen([&](double phi) { return std::abs(curve(phi)); }, angles[1] - angles[0]);
+    return found.value;
 }
 
 /// Not finite anywhere: the sum of finite numbers in range is finite, of others it is not.
@@ -139,19 +135,16 @@ void compare_kinematics(const Input& input, const Design& design,
     const bool exact = design.has_exact_kinematics();
     const double square = input.angular_speed * input.angular_speed;
     const std::size_t n = grid.size();
-    double moment_error = 0.0;
-    double moment_error_angle = 0.0;
+    Greatest cosine_error;
+    Greatest moment_error;
     result.other_rod_hinge_moment.resize(exact ? n : 0);
     for (std::size_t i = 0; 2 * i < n; ++i) {
         const double s = grid.sin_phi[i];
         const double c = grid.cos_phi[i];
         const auto series = rod_angle_series(mechanism.lambda, s, c);
-        const double difference =
-            std::abs(series.cos_psi - (exact ? states[i].exact.cos_psi : std::abs(c)));
-        if (difference > result.series_error) {
-            result.series_error = difference;
-            result.series_error_angle = grid.angle[i];
-        }
+        cosine_error.take(
+            std::abs(series.cos_psi - (exact ? states[i].exact.cos_psi : std::abs(c))),
+            grid.angle[i]);
         if (exact) {
             const auto other =
                 rod_hinge_moment(mechanism, design.static_moment(), s, c,
@@ -159,29 +152,26 @@ void compare_kinematics(const Input& input, const Design& design,
             result.other_rod_hinge_moment[i] = other.weight + square * other.inertia;
             result.other_rod_hinge_moment[n - 1 - i] = other.weight - square * other.inertia;
             // At φ or at −φ, whichever is worse.
-            const double error = std::abs(other.weight - states[i].moment.weight) +
-                                 square * std::abs(other.inertia - states[i].moment.inertia);
-            if (error > moment_error) {
-                moment_error = error;
-                moment_error_angle = grid.angle[i];
-            }
+            moment_error.take(std::abs(other.weight - states[i].moment.weight) +
+                                  square * std::abs(other.inertia - states[i].moment.inertia),
+                              grid.angle[i]);
         }
     }
+    result.series_error = cosine_error.value;
+    result.series_error_angle = cosine_error.place;
     if (!exact) {
         return;
     }
-    const auto cosine_error = [&](double phi) {
+    const double step = grid.angle[1] - grid.angle[0];
+    const auto error_of_cosine = [&](double phi) {
         const double s = std::sin(phi);
         const double c = std::cos(phi);
         return std::abs(rod_angle_series(mechanism.lambda, s, c).cos_psi -
                         rod_angle_exact(mechanism.lambda, s, c).cos_psi);
     };
-    const double step = grid.angle[1] - grid.angle[0];
-    if (const auto [place, error] = greatest_near(cosine_error, result.series_error_angle, step);
-        error > result.series_error) {
-        result.series_error = error;
-        result.series_error_angle = place;
-    }
+    cosine_error.sharpen(error_of_cosine, step);
+    result.series_error = cosine_error.value;
+    result.series_error_angle = cosine_error.place;
     const auto error_of_moment = [&](double phi) {
         const double s = std::sin(phi);
         const double c = std::cos(phi);
@@ -191,8 +181,8 @@ void compare_kinematics(const Input& input, const Design& design,
                                             rod_angle_series(mechanism.lambda, s, c));
         return std::abs(other.weight - one.weight) + square * std::abs(other.inertia - one.inertia);
     };
-    result.series_moment_error =
-        std::max(moment_error, greatest_near(error_of_moment, moment_error_angle, step).second);
+    moment_error.sharpen(error_of_moment, step);
+    result.series_moment_error = moment_error.value;
 }
 
 void find_largest_side_forces(const Input& input, const Design& design, const AngleGrid& grid,
