@@ -1,7 +1,6 @@
 #include "balance-shaft/speed_view.h"
 
 #include <QComboBox>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -14,6 +13,7 @@
 #include "theme/theme.h"
 #include "widgets/field_slider.h"
 #include "widgets/form.h"
+#include "widgets/job_progress.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
@@ -104,20 +104,11 @@ QWidget* SpeedView::buildProgress() {
     auto* row = new QHBoxLayout(running);
     row->setContentsMargins(Theme::margin, 0, Theme::margin, Theme::gap);
     row->setSpacing(Theme::space);
-    auto* progress = new QProgressBar(running);
-    progress->setRange(0, 100);
-    progress->setTextVisible(false);
-    auto* cancel = new QPushButton(tr("Cancel"), running);
+    auto* progress = new JobProgress(study_->job(), tr("Progress"), running);
     row->addWidget(progress, 1);
-    row->addWidget(cancel);
-    QSizePolicy keepsItsPlace = running->sizePolicy();
-    keepsItsPlace.setRetainSizeWhenHidden(true);
-    running->setSizePolicy(keepsItsPlace);
-    running->setVisible(study_->job()->isRunning());
+    QPushButton* cancel = progress->cancelButton(tr("Cancel"), {});
     connect(cancel, &QPushButton::clicked, study_, &SpeedStudyModel::cancel);
-    connect(study_->job(), &BackgroundJob::progress, progress,
-            [progress](double part) { progress->setValue(static_cast<int>(100.0 * part)); });
-    connect(study_->job(), &BackgroundJob::runningChanged, running, &QWidget::setVisible);
+    row->addWidget(cancel);
     return running;
 }
 

@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "elastic-hinge/model/hinge_parts.h"
 #include "page/part_views.h"
 #include "theme/theme.h"
+#include "widgets/job_progress.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
@@ -141,33 +141,14 @@ void HingeTabs::addMotion() {
 }
 
 void HingeTabs::addProgress(QHBoxLayout* bar) {
-    auto* progress = new QProgressBar(bar->parentWidget());
-    progress->setRange(0, 1000);
-    progress->setTextVisible(false);
+    auto* progress = new JobProgress(model_->runner(), HingePlots::tr("Progress of the motion"),
+                                     bar->parentWidget());
     progress->setFixedWidth(Theme::withText(110));
-    progress->setAccessibleName(HingePlots::tr("Progress of the motion"));
-    auto* cancel = new QPushButton(HingePlots::tr("Cancel"), bar->parentWidget());
+    bar->addWidget(progress);
+    QPushButton* cancel = progress->cancelButton(HingePlots::tr("Cancel"),
+                                                 HingePlots::tr("Stop computing the motion"));
     cancel->setObjectName(QStringLiteral("cancel_motion"));
-    cancel->setToolTip(HingePlots::tr("Stop computing the motion"));
-    // Their place stays, so that nothing jumps when a run starts.
-    for (QWidget* widget : std::initializer_list<QWidget*>{progress, cancel}) {
-        QSizePolicy policy = widget->sizePolicy();
-        policy.setRetainSizeWhenHidden(true);
-        widget->setSizePolicy(policy);
-        bar->addWidget(widget);
-    }
-    MotionRunner* runner = model_->runner();
-    const auto showRunning = [progress, cancel](bool running) {
-        progress->setVisible(running);
-        cancel->setVisible(running);
-        progress->setValue(0);
-    };
-    showRunning(runner->isRunning());
-    connect(runner, &MotionRunner::runningChanged, progress, showRunning);
-    connect(runner, &MotionRunner::progress, progress, [progress](double part) {
-        progress->setValue(static_cast<int>(std::lround(1000 * part)));
-    });
-    connect(cancel, &QPushButton::clicked, runner, &MotionRunner::cancel);
+    bar->addWidget(cancel);
 }
 
 void HingeTabs::showView() {

@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -18,6 +17,7 @@
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
+#include "widgets/job_progress.h"
 #include "widgets/layouts.h"
 
 namespace ravnoves {
@@ -60,11 +60,8 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
     connect(reach_, &QComboBox::activated, this, &SweepView::choose);
     connect(result_, &QComboBox::activated, this, &SweepView::choose);
     column->addLayout(choices);
-    progress_ = new QProgressBar(this);
-    progress_->setAccessibleName(tr("Progress"));
-    progress_->setMaximumHeight(Theme::withText(6));
-    progress_->setTextVisible(false);
-    progress_->hide();
+    auto* progress = new JobProgress(model_->job(), tr("Progress"), this);
+    progress->setMaximumHeight(Theme::withText(6));
     plot_ = new PlotView({}, this);
     plot_->addCurve({.name = tr("mean"), .role = Role::Value, .width = 2.0, .gaps = true});
     plot_->addCurve({.name = tr("feasible"),
@@ -76,26 +73,18 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
     words_ = captionLabel({}, this);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     below->addWidget(words_, 1);
-    below->addWidget(progress_);
+    below->addWidget(progress);
     take_ = new QPushButton(this);
     take_->setObjectName(QStringLiteral("take_best"));
     take_->setAutoDefault(false);
     connect(take_, &QPushButton::clicked, model_, &SweepModel::takeBest);
     below->addWidget(take_);
     column->addLayout(below);
-    for (QWidget* each : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(take_)}) {
-        QSizePolicy keeps = each->sizePolicy();
-        keeps.setRetainSizeWhenHidden(true);
-        each->setSizePolicy(keeps);
-    }
+    QSizePolicy keeps = take_->sizePolicy();
+    keeps.setRetainSizeWhenHidden(true);
+    take_->setSizePolicy(keeps);
     connect(study_, &StudyModel::changed, this, &SweepView::fillChoices);
     connect(model_, &SweepModel::changed, this, &SweepView::showSweep);
-    connect(model_->job(), &BackgroundJob::progress, this,
-            [this](double part) { progress_->setValue(static_cast<int>(100.0 * part)); });
-    connect(model_->job(), &BackgroundJob::runningChanged, this, [this](bool running) {
-        progress_->setVisible(running);
-        progress_->setValue(0);
-    });
     fillChoices();
     showSweep();
 }

@@ -4,7 +4,6 @@
 
 class QComboBox;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 
 namespace ravnoves {
@@ -40,7 +39,6 @@ class SweepView : public QWidget {
     QComboBox* input_;
     QComboBox* result_;
     QComboBox* reach_;
-    QProgressBar* progress_;
     QLabel* words_;
     QPushButton* take_;
     PlotView* plot_;

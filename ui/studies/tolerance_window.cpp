@@ -8,7 +8,6 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
@@ -39,6 +38,7 @@
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
+#include "widgets/job_progress.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/pick_box.h"
@@ -116,12 +116,6 @@ ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     rest_.setInterval(restMs);
     connect(&rest_, &QTimer::timeout, this, &ToleranceWindow::fillWatchable);
     connect(model_->scene(), &SceneModel::changed, &rest_, qOverload<>(&QTimer::start));
-    connect(model_->job(), &BackgroundJob::progress, this,
-            [this](double part) { progress_->setValue(static_cast<int>(100.0 * part)); });
-    connect(model_->job(), &BackgroundJob::runningChanged, this, [this](bool running) {
-        progress_->setVisible(running);
-        progress_->setValue(0);
-    });
     addKeys();
     connect(page, &QObject::destroyed, this, &QWidget::close);
     fillWatchable();
@@ -310,17 +304,12 @@ QWidget* ToleranceWindow::makeAnswers() {
     bands->setChecked(ToleranceSwitch::instance().isOn());
     connect(bands, &QCheckBox::toggled, &ToleranceSwitch::instance(), &ToleranceSwitch::setOn);
     connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, bands, &QCheckBox::setChecked);
-    progress_ = new QProgressBar(holder);
-    progress_->setAccessibleName(tr("Progress"));
+    auto* progress = new JobProgress(model_->job(), tr("Progress"), holder);
     constexpr int leastProgress = 60;  // beside long words
-    progress_->setMinimumWidth(Theme::withText(leastProgress));
-    QSizePolicy keeps = progress_->sizePolicy();
-    keeps.setRetainSizeWhenHidden(true);
-    progress_->setSizePolicy(keeps);
-    progress_->hide();
+    progress->setMinimumWidth(Theme::withText(leastProgress));
     auto* below = new QHBoxLayout;
     below->addWidget(bands, 1);
-    below->addWidget(progress_);
+    below->addWidget(progress);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, holder);
     buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);  // Enter is of the tables
     connect(buttons, &QDialogButtonBox::rejected, this, &QWidget::close);

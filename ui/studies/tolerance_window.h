@@ -7,7 +7,6 @@
 
 class QComboBox;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 class QStackedWidget;
 class QTableView;
@@ -74,7 +73,6 @@ class ToleranceWindow : public QDialog {
     PickBox* watchable_ = nullptr;
     QComboBox* method_ = nullptr;
     QComboBox* samples_ = nullptr;
-    QProgressBar* progress_ = nullptr;
     QStackedWidget* answers_ = nullptr;
     QLabel* next_ = nullptr;
     QPushButton* use_ = nullptr;
