@@ -281,16 +281,16 @@ Kernel guide_kernel() {
     const double margin = paper.spring().preload() / least_preload - 1.0;
     definition.sweeps = {
         {{"preload", CORE_TEXT("methods", "preload above the minimum, relative"), units::none,
-          1e-12, 1e2, Spacing::logarithmic, 0.0, 1e-12, 1e2, margin},
+          1e-12, 1e2, Spacing::logarithmic, 1e-12, 1e2, margin},
          paper_with([least_preload](elastic_hinge::Input& input, double excess) {
              input.spring->guide_radius_at_zero =
                  input.spring->free_length / 2.0 - least_preload * (1.0 + excess);
          })},
         {{"stiffness", CORE_TEXT("methods", "stiffness c of the spring"), units::N_per_m, 1e4, 1e12,
-          Spacing::logarithmic, 0.0, 1e5, 1e10, paper.input.spring->stiffness},
+          Spacing::logarithmic, 1e5, 1e10, paper.input.spring->stiffness},
          paper_with([](elastic_hinge::Input& input, double c) { input.spring->stiffness = c; })},
         {{"stiffness-preloaded", CORE_TEXT("methods", "stiffness c, preload 1.1 times the minimum"),
-          units::N_per_m, 1e7, 1e15, Spacing::logarithmic, 0.0, 1e7, 1e15,
+          units::N_per_m, 1e7, 1e15, Spacing::logarithmic, 1e7, 1e15,
           paper.input.spring->stiffness},
          paper_with([paper_least = least_preload](elastic_hinge::Input& input, double c) {
              constexpr double reserve = 1.1;
@@ -300,12 +300,12 @@ Kernel guide_kernel() {
              spring.stiffness = c;
          })},
         {{"speed", CORE_TEXT("methods", "crank speed ω"), units::rad_per_s, 1.0, 1e4,
-          Spacing::logarithmic, 0.0, 1.0, 1e3, paper.input.angular_speed},
+          Spacing::logarithmic, 1.0, 1e3, paper.input.angular_speed},
          paper_with(
              [](elastic_hinge::Input& input, double speed) { input.angular_speed = speed; })},
-        {{"lambda", CORE_TEXT("methods", "crank ratio λ"), units::none, 0.01, 1.0,
-          Spacing::towards_end, 1e-6, 0.01, 1.0 - 1e-6, paper.input.lambda},
-         paper_with([](elastic_hinge::Input& input, double lambda) { input.lambda = lambda; })},
+        {{"locking", CORE_TEXT("methods", "distance from locking, 1 − λ"), units::none, 1e-6, 0.99,
+          Spacing::logarithmic, 1e-6, 0.99, 1.0 - paper.input.lambda},
+         paper_with([](elastic_hinge::Input& input, double gap) { input.lambda = 1.0 - gap; })},
     };
     definition.reference = reference;
     definition.refusal = [](const GuideCase& guide) -> Message {

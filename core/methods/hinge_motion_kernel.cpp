@@ -12,7 +12,6 @@
 #include "elastic-hinge/motion.h"
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/solver.h"
-#include "methods/cancellation.h"
 #include "methods/definition.h"
 #include "methods/reference_mechanism.h"
 #include "numerics/constants.h"
@@ -145,13 +144,6 @@ Message why_not(const MotionCase& motion) {
                            "at this speed the time of a turn is below the range of numbers");
 }
 
-/// Thousands of turns take seconds.
-void check_now_and_then(long step) {
-    if (step % 1024 == 0) {
-        check_cancelled();
-    }
-}
-
 struct TurnState {
     double angle, speed;  ///< rad, rad/s
 };
@@ -196,7 +188,6 @@ Advance runge_kutta_4(const MotionCase& motion, const Acceleration& f, double pe
         const auto steps = std::max(1L, std::lround(std::ceil(seconds / longest - rounding)));
         const double h = seconds / static_cast<double>(steps);
         for (long i = 0; i < steps; ++i) {
-            check_now_and_then(i);
             const double a = f(x.angle, x.speed);
             const double va = x.speed + h / 2.0 * a;
             const double b = f(x.angle + h / 2.0 * x.speed, va);
@@ -229,7 +220,6 @@ Advance dormand_prince(const MotionCase& motion, const Acceleration& f, double t
             rate = {at[1], f(at[0], at[1])};
         };
         for (long i = 0; stepper.current_time() < end; ++i) {
-            check_now_and_then(i);
             try {
                 stepper.do_step(slope);
             } catch (const odeint::step_adjustment_error&) {
@@ -254,11 +244,7 @@ Motion simulate(const MotionCase& motion, double tolerance) {
     setup.turns = motion.turns + 0.01;  // a little beyond the last time
     setup.crank_torque = motion.crank_torque;
     setup.tolerance = tolerance;
-    return elastic_hinge::simulate(motion.solved->design, motion.solved->crank_guide, setup,
-                                   [](double) {
-                                       check_cancelled();
-                                       return true;
-                                   });
+    return elastic_hinge::simulate(motion.solved->design, motion.solved->crank_guide, setup);
 }
 
 Run energy_series(const MotionCase& motion, double tolerance) {
@@ -386,20 +372,20 @@ Kernel hinge_motion_kernel() {
     constexpr double off_design = 0.8;
     constexpr double paper_lambda = 0.3;
     definition.sweeps = {
-        {{"lambda", CORE_TEXT("methods", "crank ratio λ, 5 turns"), units::none, 0.05, 1.0,
-          Spacing::towards_end, 1e-3, 0.05, 0.95, paper_lambda},
-         [=](double lambda) { return make_motion(lambda, off_design, 5.0); }},
+        {{"locking", CORE_TEXT("methods", "distance from locking, 1 − λ"), units::none, 1e-3, 0.95,
+          Spacing::logarithmic, 0.05, 0.95, 1.0 - paper_lambda},
+         [=](double gap) { return make_motion(1.0 - gap, off_design, 5.0); }},
         {{"start-speed", CORE_TEXT("methods", "start speed, part of the design speed"), units::none,
-          0.05, 20.0, Spacing::logarithmic, 0.0, 0.05, 20.0, off_design},
+          0.05, 20.0, Spacing::logarithmic, 0.05, 20.0, off_design},
          [=](double share) { return make_motion(paper_lambda, share, 5.0); }},
-        {{"turns", CORE_TEXT("methods", "turns"), units::none, 1.0, 1e4, Spacing::logarithmic, 0.0,
-          1.0, 1e3, 5.0},
+        {{"turns", CORE_TEXT("methods", "turns"), units::none, 1.0, 300.0, Spacing::logarithmic,
+          1.0, 300.0, 5.0},
          [=](double turns) { return make_motion(paper_lambda, off_design, turns); }},
     };
     definition.sweeps.back().info.points = 5;
     definition.sweeps.push_back(
         {{"crank-torque", CORE_TEXT("methods", "moment on the crank, 5 turns"), units::N_m, 1e-3,
-          1e2, Spacing::logarithmic, 0.0, 1e-3, 1e2, 0.5},
+          1e2, Spacing::logarithmic, 1e-3, 1e2, 0.5},
          [=](double torque) { return make_motion(paper_lambda, off_design, 5.0, torque); }});
     definition.sweeps.back().info.points = 9;
     definition.reference = reference;

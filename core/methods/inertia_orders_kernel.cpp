@@ -120,7 +120,6 @@ std::vector<Expected> reference(const OrdersCase& problem) {
 Kernel inertia_orders_kernel() {
     constexpr double vr5_lambda = 0.265;
     constexpr double vr5_offset = 12.5 / 45.0;
-    constexpr double limit = 1.0 / vr5_lambda - 1.0;
     Definition<OrdersCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "inertia-orders";
@@ -177,15 +176,17 @@ Kernel inertia_orders_kernel() {
     // Both go beyond what the scene takes.
     constexpr double nearest = 1e-9;
     definition.sweeps = {
-        {{"lambda", CORE_TEXT("methods", "crank ratio λ, K = 0"), units::none, 0.01, 1.0,
-          Spacing::towards_end, nearest, 0.01, 1.0 - 5e-9, vr5_lambda},
-         [](double lambda) {
-             return OrdersCase{{1.0, 1.0 / lambda, 0.0}};
+        {{"locking", CORE_TEXT("methods", "distance from locking, 1 − λ"), units::none, nearest,
+          0.99, Spacing::logarithmic, 5e-9, 0.99, 1.0 - vr5_lambda},
+         [](double gap) {
+             return OrdersCase{{1.0, 1.0 / (1.0 - gap), 0.0}};
          }},
-        {{"offset", CORE_TEXT("methods", "relative offset K at λ = 0.265"), units::none, 0.0, limit,
-          Spacing::towards_end, nearest, 0.0, limit * (1.0 - 8e-9), vr5_offset},
-         [](double offset) {
-             return OrdersCase{{1.0, 1.0 / vr5_lambda, offset}};
+        {{"offset",
+          CORE_TEXT("methods", "distance from locking by the offset, 1 − λ(1 + K), λ = 0.265"),
+          units::none, nearest, 1.0 - vr5_lambda, Spacing::logarithmic, 5e-9, 1.0 - vr5_lambda,
+          1.0 - vr5_lambda * (1.0 + vr5_offset)},
+         [](double gap) {
+             return OrdersCase{{1.0, 1.0 / vr5_lambda, (1.0 - gap) / vr5_lambda - 1.0}};
          }},
     };
     definition.reference = reference;

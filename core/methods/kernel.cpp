@@ -19,56 +19,20 @@ std::size_t index_of(const List& list, std::string_view wanted, const Key& key, 
     return static_cast<std::size_t>(found - list.begin());
 }
 
-// Half of the places are linear up to 0.9 of the span, the rest approach the end by ratios.
-constexpr double linear_part = 0.9;
-
-/// Part of the span at a place 0…1 of a scale that crowds towards its end.
-double approach(double place, double end_gap) {
-    if (place <= 0.5) {
-        return 2.0 * place * linear_part;
-    }
-    return 1.0 - (1.0 - linear_part) * std::pow(end_gap / (1.0 - linear_part), 2.0 * place - 1.0);
-}
-
-/// Its inverse.
-double place_of_approach(double part, double end_gap) {
-    if (part <= linear_part) {
-        return part / (2.0 * linear_part);
-    }
-    const double left = std::max(1.0 - part, end_gap);
-    return 0.5 +
-           0.5 * std::log(left / (1.0 - linear_part)) / std::log(end_gap / (1.0 - linear_part));
-}
-
 }  // namespace
 
 double SweepInfo::at(double place) const {
     place = std::clamp(place, 0.0, 1.0);
-    double part = place;
-    switch (spacing) {
-        case Spacing::linear:
-            break;
-        case Spacing::logarithmic:
-            return place == 0.0 ? from : place == 1.0 ? to : from * std::pow(to / from, place);
-        case Spacing::towards_end:
-            part = approach(place, end_gap);
-            break;
+    if (logarithmic() && place > 0.0 && place < 1.0) {
+        return from * std::pow(to / from, place);
     }
-    return std::lerp(from, to, part);
+    return std::lerp(from, to, place);
 }
 
 double SweepInfo::place(double value) const {
     value = std::clamp(value, from, to);
-    const double part = (value - from) / (to - from);
-    switch (spacing) {
-        case Spacing::linear:
-            break;
-        case Spacing::logarithmic:
-            return std::log(value / from) / std::log(to / from);
-        case Spacing::towards_end:
-            return place_of_approach(part, end_gap);
-    }
-    return part;
+    return logarithmic() ? std::log(value / from) / std::log(to / from)
+                         : (value - from) / (to - from);
 }
 
 std::vector<double> SweepInfo::values(std::size_t n) const {

@@ -41,11 +41,7 @@ struct MethodInfo {
 };
 
 /// How values are spread over a sweep.
-enum class Spacing {
-    linear,
-    logarithmic,
-    towards_end,  ///< linear at first, then the distance from `to` shrinks by equal ratios
-};
+enum class Spacing { linear, logarithmic };
 
 /// A hard parameter: one number that carries a kernel's problems from easy to hard.
 struct SweepInfo {
@@ -55,25 +51,20 @@ struct SweepInfo {
     double from = 0.0;
     double to = 1.0;
     Spacing spacing = Spacing::linear;
-    double end_gap = 1e-4;  ///< towards_end: smallest distance from the end, part of the span
     /// The part of from…to in which the scene answers for its tolerance.
     double scene_from = 0.0;
     double scene_to = 1.0;
     double present = 0.0;     ///< the value of the scene's preset
     std::size_t points = 25;  ///< of a stability curve
 
-    /// The value at a place 0…1 of the sweep, spread by `spacing`: its scale, on which values that
-    /// crowd towards a limit are apart. Places outside 0…1 are its ends.
+    /// The value at a place 0…1 of the sweep, spread by `spacing`. Places outside 0…1 are its ends.
     double at(double place) const;
     /// The place of a value, 0…1; values outside the sweep lie at its ends.
     double place(double value) const;
-    /// n ≥ 2 values from `from` to `to`, spread by `spacing`; ends included (with towards_end the
-    /// last value is `to` less the smallest distance).
+    /// n ≥ 2 values from `from` to `to`, spread by `spacing`; ends included.
     std::vector<double> values(std::size_t n) const;
     /// True where a value can be on a logarithmic axis.
     bool logarithmic() const { return spacing == Spacing::logarithmic; }
-    /// True where the values crowd towards their end, which is a limit.
-    bool crowded() const { return spacing == Spacing::towards_end; }
 };
 
 /// Runs a method on the problem it was prepared for and writes the outputs.

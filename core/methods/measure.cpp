@@ -21,24 +21,11 @@ double seconds_of(const Run& run, std::vector<double>& out, std::size_t repeats)
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Tells a Progress how far a measurement is, and asks it in the midst of long runs too.
-class Reporter {
-  public:
-    explicit Reporter(const Progress& progress)
-        : progress_(progress),
-          scope_(progress ? [this] { return progress_(part_); } : std::function<bool()>()) {}
-    void operator()(double part) {
-        part_ = part;
-        if (progress_ && !progress_(part)) {
-            throw Cancelled{};
-        }
+void tell(const Progress& progress, double part) {
+    if (progress && !progress(part)) {
+        throw Cancelled{};
     }
-
-  private:
-    const Progress& progress_;
-    double part_ = 0.0;
-    CancelScope scope_;
-};
+}
 
 /// The q-quantile of sorted values, between neighbours by proportion.
 double quantile(const std::vector<double>& sorted, double q) {
@@ -108,7 +95,6 @@ std::optional<double> WorkPrecision::order(std::size_t method) const {
 WorkPrecision measure_work(const Kernel& kernel, std::size_t sweep, double value,
                            const MeasureOptions& options, const Progress& progress) {
     WorkPrecision work{&kernel, sweep, value, {}};
-    Reporter report(progress);
     const auto problem = kernel.problem(sweep, value);
     std::size_t total = 0;
     for (const MethodInfo& method : kernel.methods) {
@@ -116,14 +102,14 @@ WorkPrecision measure_work(const Kernel& kernel, std::size_t sweep, double value
     }
     for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
         for (std::size_t setting = 0; setting < kernel.methods[method].settings.size(); ++setting) {
-            report(static_cast<double>(work.points.size()) / static_cast<double>(total));
+            tell(progress, static_cast<double>(work.points.size()) / static_cast<double>(total));
             WorkPoint point{method, setting, {}, evaluate(*problem, method, setting)};
             point.timing = time_run(problem->prepare(method, setting), problem->outputs(),
                                     problem->evaluations(), options);
             work.points.push_back(std::move(point));
         }
     }
-    report(1.0);
+    tell(progress, 1.0);
     return work;
 }
 
@@ -152,7 +138,6 @@ const StabilityCurve* StabilityMap::chosen() const {
 StabilityMap map_stability(const Kernel& kernel, std::size_t sweep, const MeasureOptions& options,
                            const Progress& progress) {
     StabilityMap map{&kernel, sweep, {}, {}};
-    Reporter report(progress);
     const SweepInfo& info = kernel.sweeps.at(sweep);
     map.values = info.values(options.sweep_points > 0 ? options.sweep_points : info.points);
     for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
@@ -161,13 +146,13 @@ StabilityMap map_stability(const Kernel& kernel, std::size_t sweep, const Measur
         map.curves.push_back({method, chosen ? kernel.chosen_setting() : last, {}});
     }
     for (std::size_t i = 0; i < map.values.size(); ++i) {
-        report(static_cast<double>(i) / static_cast<double>(map.values.size()));
+        tell(progress, static_cast<double>(i) / static_cast<double>(map.values.size()));
         const auto problem = kernel.problem(sweep, map.values[i]);
         for (StabilityCurve& curve : map.curves) {
             curve.results.push_back(evaluate(*problem, curve.method, curve.setting));
         }
     }
-    report(1.0);
+    tell(progress, 1.0);
     return map;
 }
 
@@ -188,15 +173,7 @@ Message failing_text(const StabilityMap& map, const StabilityCurve& curve, doubl
         return failing_everywhere();
     }
     const SweepInfo& sweep = map.kernel->sweeps[map.sweep];
-    const auto number = [&](std::size_t i) {
-        // Near an end that values crowd at, as many digits as tell them from it.
-        int digits = 3;
-        const double gap = std::abs(sweep.to - map.values[i]);
-        if (sweep.spacing == Spacing::towards_end && gap > 0.0) {
-            digits += std::max(0, static_cast<int>(std::ceil(-std::log10(gap / sweep.to))) - 1);
-        }
-        return Number{map.values[i], sweep.unit, digits};
-    };
+    const auto number = [&](std::size_t i) { return Number{map.values[i], sweep.unit, 3}; };
     const auto words = [&](const StabilityCurve::Span& span) -> Message {
         if (span.first == span.last) {
             return {CORE_TEXT("methods", "at %1"), number(span.first)};

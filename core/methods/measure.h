@@ -6,13 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "methods/cancellation.h"
 #include "methods/kernel.h"
 
 namespace ravnoves::methods {
 
-/// Called with the part done, 0…1, and now and then in the midst of a long run with the same part;
-/// false cancels (Cancelled is thrown). Empty: never asked.
+/// Thrown out of a measurement that was cancelled.
+struct Cancelled {};
+
+/// Called with the part done, 0…1, between one run and the next; false cancels (Cancelled is
+/// thrown). Empty: never asked.
 using Progress = std::function<bool(double)>;
 
 /// Time of one evaluation, ns, over repeated batches.

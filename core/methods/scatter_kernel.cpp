@@ -206,17 +206,17 @@ Kernel scatter_kernel() {
     constexpr std::size_t points = 13;  // each takes some hundred thousand samples
     definition.sweeps = {
         {{"scatter", CORE_TEXT("methods", "scatter of masses, lengths and speed, an amplitude"),
-          units::none, 1e-4, 0.5, Spacing::logarithmic, 0.0, 1e-4, 0.5, 0.01, points},
+          units::none, 1e-4, 0.5, Spacing::logarithmic, 1e-4, 0.5, 0.01, points},
          [](double size) {
              return ScatterCase{Kind::amplitude, size};
          }},
         {{"jump", CORE_TEXT("methods", "difference of two minima, share of its scatter"),
-          units::none, 0.05, 1.2, Spacing::linear, 0.0, 0.05, 1.2, 0.8, points},
+          units::none, 0.05, 1.2, Spacing::linear, 0.05, 1.2, 0.8, points},
          [](double gap) {
              return ScatterCase{Kind::jump, gap};
          }},
         {{"corner", CORE_TEXT("methods", "where a clearance limits, share of the input's scatter"),
-          units::none, -0.95, 0.9, Spacing::linear, 0.0, -0.95, 0.9, -0.5, points},
+          units::none, -0.95, 0.9, Spacing::linear, -0.95, 0.9, -0.5, points},
          [](double place) {
              return ScatterCase{Kind::corner, place};
          }},

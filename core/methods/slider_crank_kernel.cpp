@@ -146,7 +146,6 @@ std::vector<Expected> reference(const Turn& turn) {
 Kernel slider_crank_kernel() {
     constexpr double vr5_lambda = 0.265;  // of the paper's VR5
     constexpr double vr5_offset = 12.5 / 45.0;
-    constexpr double limit = 1.0 / vr5_lambda - 1.0;
     const std::vector<Setting> precision{{CORE_TEXT("methods", "float"), 0},
                                          {CORE_TEXT("methods", "double"), 1}};
     Definition<Turn> definition;
@@ -189,15 +188,17 @@ Kernel slider_crank_kernel() {
          }},
     };
     definition.sweeps = {
-        {{"lambda", CORE_TEXT("methods", "crank ratio λ, K = 0"), units::none, 0.01, 1.0,
-          Spacing::towards_end, 1e-6, 0.01, 1.0 - 1e-6, vr5_lambda},
-         [](double lambda) {
-             return Turn{{1.0, 1.0 / lambda, 0.0}};
+        {{"locking", CORE_TEXT("methods", "distance from locking, 1 − λ"), units::none, 1e-6, 0.99,
+          Spacing::logarithmic, 1e-6, 0.99, 1.0 - vr5_lambda},
+         [](double gap) {
+             return Turn{{1.0, 1.0 / (1.0 - gap), 0.0}};
          }},
-        {{"offset", CORE_TEXT("methods", "relative offset K at λ = 0.265"), units::none, 0.0, limit,
-          Spacing::towards_end, 1e-6, 0.0, limit * (1.0 - 1e-6), vr5_offset},
-         [](double offset) {
-             return Turn{{1.0, 1.0 / vr5_lambda, offset}};
+        {{"offset",
+          CORE_TEXT("methods", "distance from locking by the offset, 1 − λ(1 + K), λ = 0.265"),
+          units::none, 1e-6, 1.0 - vr5_lambda, Spacing::logarithmic, 1e-6, 1.0 - vr5_lambda,
+          1.0 - vr5_lambda * (1.0 + vr5_offset)},
+         [](double gap) {
+             return Turn{{1.0, 1.0 / vr5_lambda, (1.0 - gap) / vr5_lambda - 1.0}};
          }},
     };
     definition.reference = reference;

@@ -8,13 +8,11 @@
 #include <limits>
 #include <tuple>
 
+#include "case-file/decimal.h"
 #include "methods/model/method_words.h"
-#include "methods/sweep_value_field.h"
 #include "pictures/picture_file.h"
-#include "plot/model/ticks.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
-#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
@@ -35,46 +33,23 @@ constexpr double shadeAlpha = 0.10;
 constexpr int pairWidth = 640;     ///< designed pixels of two charts side by side
 constexpr int foldedHeight = 310;  ///< designed pixels of one above the other, with its legend
 
-/// Labels for a scale that crowds towards a limit: round values, then ever smaller distances from
-/// the limit.
-std::vector<double> crowdedTicks(const SweepInfo& sweep) {
-    const double span = sweep.to - sweep.from;
-    std::vector<double> ticks{sweep.at(0.0)};
-    // Powers of ten of the value itself, so that 1 − λ is one.
-    const int decades = static_cast<int>(std::ceil(-std::log10(0.5 * sweep.end_gap * span)));
-    for (int decade = 0; decade < decades; ++decade) {
-        const double distance = std::pow(10.0, -decade);
-        if (distance < 0.2 * span) {
-            ticks.push_back(sweep.to - distance);
-        }
-    }
-    const double step = niceStep(span, 5);
-    const int first = static_cast<int>(std::ceil(sweep.from / step));
-    const int last = static_cast<int>(std::floor(sweep.to / step));
-    for (int k = first; k <= last && k * step < sweep.to; ++k) {
-        ticks.push_back(k * step);
-    }
-    return ticks;
-}
-
 PlotView::Axis sweepAxis(const SweepInfo& sweep) {
     PlotView::Axis axis;
     axis.title = sweepTitle(sweep);
-    axis.min = sweep.at(0.0);
-    axis.max = sweep.at(1.0);
+    axis.min = sweep.from;
+    axis.max = sweep.to;
     axis.degrees = sweep.unit == units::degree && sweep.spacing == methods::Spacing::linear;
     axis.logarithmic = sweep.logarithmic();
     if (axis.logarithmic && sweep.from >= 1e-3 && sweep.to < 1e4) {
         axis.label = [](double value) { return shownFormNumber(value, QLocale(), 3); };
     }
-    if (sweep.crowded()) {
-        axis.scale = {[sweep](double value) { return sweep.place(value); },
-                      [sweep](double place) { return sweep.at(place); }, crowdedTicks(sweep)};
-        axis.label = [sweep](double shown) {
-            return sweepNumber(sweep, shown / shownUnit(sweep.unit).factor);
-        };
-    }
     return axis;
+}
+
+constexpr double least = 1e-18;  ///< a smaller error is drawn here
+
+double drawn(const Result& result) {
+    return std::max(result.error, least);
 }
 
 /// A half step of the sweep's scale around a run of values, so that a single one has a width.
@@ -101,7 +76,7 @@ MethodPlots::MethodPlots(MethodsModel* model, QWidget* parent) : QWidget(parent)
     row->add(stability_);
     connect(stability_, &PlotView::picked, this, [this](double x) {
         if (model_->shown() != nullptr && &model_->shown()->sweep() == &model_->sweep()) {
-            model_->setValue(roundedForHand(model_->sweep(), x));
+            model_->setValue(rounded_to_digits(x, 3));
         }
     });
     connect(model, &SceneModel::changed, this, &MethodPlots::showMeasurement);
@@ -125,25 +100,13 @@ void MethodPlots::resizeEvent(QResizeEvent* event) {
     }
 }
 
-double MethodPlots::ErrorScale::place(const Result& result) const {
-    if (result.refused()) {
-        return ceiling;
-    }
-    return result.error > least ? result.error : floor;
-}
-
-MethodPlots::ErrorScale MethodPlots::scaleOf(const MethodMeasurement& shown) {
+std::pair<double, double> MethodPlots::decadesOf(const MethodMeasurement& shown) {
     double least = shown.kernel().choice.tolerance;
     double most = least;
-    ErrorScale scale;
     const auto take = [&](const Result& result) {
-        if (result.refused()) {
-            scale.hasRefusal = true;
-        } else if (scale.isPlain(result)) {
-            least = std::min(least, result.error);
-            most = std::max(most, result.error);
-        } else {
-            scale.hasZero = true;
+        if (!result.refused()) {
+            least = std::min(least, drawn(result));
+            most = std::max(most, drawn(result));
         }
     };
     for (const WorkPoint& point : shown.work.points) {
@@ -152,11 +115,8 @@ MethodPlots::ErrorScale MethodPlots::scaleOf(const MethodMeasurement& shown) {
     for (const StabilityCurve& curve : shown.map->curves) {
         std::for_each(curve.results.begin(), curve.results.end(), take);
     }
-    // Whole decades, and one more for each of the rows without a number.
-    const auto decade = [](double exponent) { return std::pow(10.0, exponent); };
-    scale.floor = decade(std::floor(std::log10(least)) - (scale.hasZero ? 1.0 : 0.0));
-    scale.ceiling = decade(std::ceil(std::log10(most)) + (scale.hasRefusal ? 1.0 : 0.0));
-    return scale;
+    return {std::pow(10.0, std::floor(std::log10(least))),
+            std::pow(10.0, std::ceil(std::log10(most)))};
 }
 
 void MethodPlots::setUpCurves(const Kernel& kernel) {
@@ -164,89 +124,61 @@ void MethodPlots::setUpCurves(const Kernel& kernel) {
         return;
     }
     curvesOf_ = &kernel;
-    // Two curves a method: its numbers, and what has none (0, rejections), which follows the former
-    // when it is switched off.
     for (PlotView* plot : {work_, stability_}) {
-        const std::size_t needed = 2 * kernel.methods.size();
-        while (static_cast<std::size_t>(plot->curveCount()) < needed) {
-            const int number = plot->addCurve({});
-            PlotView::CurveStyle rings;
-            rings.inLegend = false;
-            plot->addCurve(rings);
-            connect(plot, &PlotView::curveToggled, this, [plot, number](int curve, bool shown) {
-                if (curve == number) {
-                    plot->setCurveShown(number + 1, shown);
-                }
-            });
+        while (static_cast<std::size_t>(plot->curveCount()) < kernel.methods.size()) {
+            plot->addCurve({});
         }
         for (int curve = 0; curve < plot->curveCount(); ++curve) {
-            const auto method = static_cast<std::size_t>(curve / 2);
-            const bool numbers = curve % 2 == 0;
+            const auto method = static_cast<std::size_t>(curve);
             plot->setCurve(curve, {}, {});
-            plot->setErrorBars(curve, {}, {});
             plot->setPointTexts(curve, {});
             plot->setCurveShown(curve, true);
             PlotView::CurveStyle style;
-            if (method < kernel.methods.size() && numbers) {
+            if (method < kernel.methods.size()) {
                 const MethodInfo& info = kernel.methods[method];
                 style.name = shownText(info.title);
                 style.toolTip = shownText(info.limits);
             }
-            style.role = series(static_cast<int>(method));
+            style.role = series(curve);
             style.width = method == kernel.chosen_method() ? 2.2 : 1.4;
-            style.inLegend = numbers;
             style.gaps = true;
-            style.shape = !numbers        ? PlotView::Shape::Rings
-                          : plot == work_ ? PlotView::Shape::LineAndPoints
-                                          : PlotView::Shape::Line;
+            style.shape = plot == work_ ? PlotView::Shape::LineAndPoints : PlotView::Shape::Line;
             plot->setCurveStyle(curve, style);
         }
     }
 }
 
-std::vector<PlotView::Line> MethodPlots::errorLines(const Kernel& kernel,
-                                                    const ErrorScale& scale) const {
-    std::vector<PlotView::Line> lines;
+PlotView::Line MethodPlots::toleranceLine(const Kernel& kernel) const {
     PlotView::Line tolerance;
     tolerance.at = kernel.choice.tolerance;
     tolerance.role = Role::Present;
     tolerance.text = tr("tolerance, %1").arg(errorNumber(kernel.choice.tolerance));
-    lines.push_back(tolerance);
-    const auto row = [&](double at, const QString& text) {
-        PlotView::Line line;
-        line.at = at;
-        line.role = Role::Limit;
-        line.text = text;
-        lines.push_back(line);
-    };
-    if (scale.hasZero) {
-        row(scale.floor, tr("%1 or less").arg(errorNumber(ErrorScale::least)));
-    }
-    if (scale.hasRefusal) {
-        row(scale.ceiling, tr("rejected"));
-    }
-    return lines;
+    return tolerance;
+}
+
+void MethodPlots::showErrors(PlotView* plot, const QString& title) const {
+    const auto [from, to] = errors_;
+    plot->setYAxis(PlotView::Side::Left, {title, from, to, false, true});
+    plot->setYRange(PlotView::Side::Left, from / 1.6, to * 1.6);
 }
 
 void MethodPlots::showMeasurement() {
     const MethodMeasurement* shown = model_->shown();
     if (shown != nullptr) {
-        scale_ = scaleOf(*shown);
+        errors_ = decadesOf(*shown);
         setUpCurves(shown->kernel());
-        showWork(*shown, scale_);
-        showStability(*shown, scale_);
+        showWork(*shown);
+        showStability(*shown);
         showFailing();
     } else {
         // Nothing yet: the frame of what is to come.
+        errors_ = {least, 1.0};
         setUpCurves(model_->kernel());
-        work_->setXAxis({tr("time of one evaluation"), 1.0, 1e6, false, true, {}, timeText});
-        work_->setYAxis(PlotView::Side::Left, {tr("error"), 1e-17, 1.0, false, true});
+        work_->setXAxis({tr("time of one evaluation"), 1.0, 1e6, false, true, timeText});
+        showErrors(work_, tr("error"));
+        work_->setLines({toleranceLine(model_->kernel())});
         stability_->setXAxis(sweepAxis(model_->sweep()));
-        stability_->setYAxis(PlotView::Side::Left, {tr("error"), 1e-17, 1.0, false, true});
-        for (PlotView* plot : {work_, stability_}) {
-            plot->setYRange(PlotView::Side::Left, 1e-17, 10.0);
-            plot->setLines(errorLines(model_->kernel(), {}));
-        }
+        showErrors(stability_, tr("error"));
     }
     showValue();
 }
@@ -259,95 +191,66 @@ QString MethodPlots::pointText(const MethodMeasurement& shown, const WorkPoint& 
                       tr("%1, half of the runs from %2 to %3")
                           .arg(timeText(point.timing.median), timeText(point.timing.low),
                                timeText(point.timing.high))};
-    if (point.result.refused()) {
-        lines << tr("rejected: %1").arg(methodText(point.result.refusal));
-    } else {
-        lines << tr("error %1").arg(resultText(point.result));
-        lines << (point.result.error <= kernel.choice.tolerance ? tr("within the tolerance")
-                                                                : tr("beyond the tolerance"));
-    }
+    lines << tr("error %1").arg(resultText(point.result));
+    lines << (point.result.error <= kernel.choice.tolerance ? tr("within the tolerance")
+                                                            : tr("beyond the tolerance"));
     return lines.join(QLatin1Char('\n'));
 }
 
-void MethodPlots::showWork(const MethodMeasurement& shown, const ErrorScale& scale) {
+void MethodPlots::showWork(const MethodMeasurement& shown) {
     const Kernel& kernel = shown.kernel();
     work_->setTitle(tr("%1: time and error").arg(shownText(kernel.title)));
     double fastest = std::numeric_limits<double>::infinity();
     double slowest = 0.0;
     for (const WorkPoint& point : shown.work.points) {
-        fastest = std::min(fastest, point.timing.low);
-        slowest = std::max(slowest, point.timing.high);
+        fastest = std::min(fastest, point.timing.median);
+        slowest = std::max(slowest, point.timing.median);
     }
     constexpr double room = 1.7;
-    work_->setXAxis({tr("time: %1").arg(shownText(kernel.evaluation)),
-                     fastest / room,
-                     slowest * room,
-                     false,
-                     true,
-                     {},
-                     timeText});
-    work_->setYAxis(PlotView::Side::Left, {tr("error, %1").arg(shownText(kernel.error_measure)),
-                                           scale.floor, scale.ceiling, false, true});
-    work_->setYRange(PlotView::Side::Left, scale.floor / 1.6, scale.ceiling * 1.6);
-    work_->setLines(errorLines(kernel, scale));
+    work_->setXAxis({tr("time: %1").arg(shownText(kernel.evaluation)), fastest / room,
+                     slowest * room, false, true, timeText});
+    showErrors(work_, tr("error, %1").arg(shownText(kernel.error_measure)));
+    work_->setLines({toleranceLine(kernel)});
     std::vector<PlotView::Mark> marks;
     for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
-        for (const bool numbers : {true, false}) {
-            std::vector<double> x, y, low, high;
-            QStringList texts;
-            for (const WorkPoint& point : shown.work.points) {
-                if (point.method != method || scale.isPlain(point.result) != numbers) {
-                    continue;
-                }
-                x.push_back(point.timing.median);
-                low.push_back(point.timing.low);
-                high.push_back(point.timing.high);
-                y.push_back(scale.place(point.result));
-                texts << pointText(shown, point);
-                if (method == kernel.chosen_method() && point.setting == kernel.chosen_setting()) {
-                    PlotView::Mark ring;
-                    ring.x = x.back();
-                    ring.y = y.back();
-                    ring.role = series(static_cast<int>(method));
-                    ring.text = tr("in use");
-                    ring.ring = true;
-                    marks.push_back(ring);
-                }
+        std::vector<double> x, y;
+        QStringList texts;
+        for (const WorkPoint& point : shown.work.points) {
+            if (point.method != method || point.result.refused()) {
+                continue;
             }
-            const int curve = static_cast<int>(2 * method) + (numbers ? 0 : 1);
-            work_->setCurve(curve, std::move(x), std::move(y));
-            work_->setErrorBars(curve, std::move(low), std::move(high), Qt::Horizontal);
-            work_->setPointTexts(curve, std::move(texts));
+            x.push_back(point.timing.median);
+            y.push_back(drawn(point.result));
+            texts << pointText(shown, point);
+            if (method == kernel.chosen_method() && point.setting == kernel.chosen_setting()) {
+                PlotView::Mark ring;
+                ring.x = x.back();
+                ring.y = y.back();
+                ring.role = series(static_cast<int>(method));
+                ring.text = tr("in use");
+                ring.ring = true;
+                marks.push_back(ring);
+            }
         }
+        work_->setCurve(static_cast<int>(method), std::move(x), std::move(y));
+        work_->setPointTexts(static_cast<int>(method), std::move(texts));
     }
     work_->setMarks(std::move(marks));
 }
 
-void MethodPlots::showStability(const MethodMeasurement& shown, const ErrorScale& scale) {
+void MethodPlots::showStability(const MethodMeasurement& shown) {
     const StabilityMap& map = *shown.map;
     const Kernel& kernel = shown.kernel();
     stability_->setTitle(tr("%1: stability").arg(shownText(kernel.title)));
     stability_->setXAxis(sweepAxis(shown.sweep()));
-    stability_->setYAxis(PlotView::Side::Left,
-                         {QString(), scale.floor, scale.ceiling, false, true});
-    stability_->setYRange(PlotView::Side::Left, scale.floor / 1.6, scale.ceiling * 1.6);
+    showErrors(stability_, {});
     for (const StabilityCurve& curve : map.curves) {
-        std::vector<double> numbers;
-        std::vector<double> otherX;
-        std::vector<double> otherY;
-        for (std::size_t i = 0; i < curve.results.size(); ++i) {
-            const Result& result = curve.results[i];
-            if (scale.isPlain(result)) {
-                numbers.push_back(result.error);
-            } else {
-                numbers.push_back(std::numeric_limits<double>::quiet_NaN());
-                otherX.push_back(map.values[i]);
-                otherY.push_back(scale.place(result));
-            }
+        std::vector<double> errors;
+        for (const Result& result : curve.results) {
+            errors.push_back(result.refused() ? std::numeric_limits<double>::quiet_NaN()
+                                              : drawn(result));
         }
-        const int number = static_cast<int>(2 * curve.method);
-        stability_->setCurve(number, map.values, std::move(numbers));
-        stability_->setCurve(number + 1, std::move(otherX), std::move(otherY));
+        stability_->setCurve(static_cast<int>(curve.method), map.values, std::move(errors));
     }
 }
 
@@ -361,7 +264,7 @@ void MethodPlots::showFailing() {
     std::vector<PlotView::Band> bands;
     PlotView::Band beyond;  // a curve in here fails
     beyond.from = tolerance;
-    beyond.to = scale_.ceiling * 2.0;
+    beyond.to = errors_.second * 2.0;
     beyond.role = Role::Forbidden;
     beyond.strength = 0.5 * shadeAlpha;
     beyond.orientation = Qt::Vertical;
@@ -410,8 +313,7 @@ void MethodPlots::showFailing() {
 void MethodPlots::showValue() {
     const MethodMeasurement* shown = model_->shown();
     const SweepInfo& sweep = shown != nullptr ? shown->sweep() : model_->sweep();
-    std::vector<PlotView::Line> lines =
-        errorLines(shown != nullptr ? shown->kernel() : model_->kernel(), scale_);
+    std::vector lines{toleranceLine(shown != nullptr ? shown->kernel() : model_->kernel())};
     // The chart may still be that of the parameter looked at before.
     const bool same = &sweep == &model_->sweep();
     stability_->setPresentX(same ? std::optional(model_->value()) : std::nullopt);

@@ -12,8 +12,7 @@ namespace ravnoves {
 /// and error along the hard parameter (stability).
 ///
 /// Both follow the newest measurement and pale while a newer one is on the way. An error of 0,
-/// which has no logarithm, and a rejection have rows of their own at the bottom and at the top, so
-/// that no point is lost.
+/// which has no logarithm, is drawn at the bottom; where a method rejects, its curve has a gap.
 class MethodPlots : public QWidget {
     Q_OBJECT
 
@@ -36,36 +35,24 @@ class MethodPlots : public QWidget {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
-    /// Interval of errors with the rows for what has no place on a logarithmic axis.
-    struct ErrorScale {
-        static constexpr double least = 1e-18;  ///< what is less counts as none
-        double floor = least;                   ///< such an error is drawn here
-        double ceiling = 10.0;                  ///< a rejection is drawn here
-        bool hasZero = false;
-        bool hasRefusal = false;
-        double place(const methods::Result& result) const;
-        bool isPlain(const methods::Result& result) const {
-            return !result.refused() && result.error > least;
-        }
-    };
-    static ErrorScale scaleOf(const MethodMeasurement& shown);
-
+    static std::pair<double, double> decadesOf(const MethodMeasurement& shown);
     void setUpCurves(const methods::Kernel& kernel);
     void showMeasurement();
-    void showWork(const MethodMeasurement& shown, const ErrorScale& scale);
-    void showStability(const MethodMeasurement& shown, const ErrorScale& scale);
+    void showWork(const MethodMeasurement& shown);
+    void showStability(const MethodMeasurement& shown);
     void showValue();
     void showFailing();
     void showStale();
-    std::vector<PlotView::Line> errorLines(const methods::Kernel& kernel,
-                                           const ErrorScale& scale) const;
+    /// The tolerance, and the same axis of errors for both.
+    PlotView::Line toleranceLine(const methods::Kernel& kernel) const;
+    void showErrors(PlotView* plot, const QString& title) const;
     QString pointText(const MethodMeasurement& shown, const methods::WorkPoint& point) const;
 
     MethodsModel* model_;
     PlotView* work_;
     PlotView* stability_;
     const methods::Kernel* curvesOf_ = nullptr;  ///< the kernel whose curves are there
-    ErrorScale scale_;
+    std::pair<double, double> errors_;  ///< whole decades with all errors, at first a frame
     bool isFolded_ = false;
 };
 

@@ -2,42 +2,36 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QMessageBox>
-#include <QProgressBar>
 #include <QPushButton>
-#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <QtMath>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 
 #include "methods/method_plots.h"
 #include "methods/model/case_budget_model.h"
 #include "methods/model/method_words.h"
-#include "methods/sweep_value_field.h"
 #include "methods/validation_view.h"
 #include "page/scene_names.h"
 #include "pictures/file_dialogs.h"
 #include "scenes/scenes.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
-#include "text/text_width.h"
 #include "text/write_file.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
+#include "widgets/job_progress.h"
 #include "widgets/layouts.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
+#include "widgets/value_slider.h"
 #include "widgets/verdict_line.h"
 
 namespace ravnoves {
@@ -50,7 +44,7 @@ namespace {
 constexpr int progressHeight = 6;  ///< pixels
 
 /// Columns of the table.
-enum Column { Method, SettingColumn, Time, Error, Order, Fails };
+enum Column { Method, SettingColumn, Time, Error, Order };
 
 QLabel* labelFor(const QString& text, QWidget* buddy, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -65,12 +59,9 @@ ResultRow cells(const Kernel& kernel, const MethodRow& row) {
         title = MethodsPage::tr("%1 (in use)").arg(title);
     }
     const bool first = row.setting == 0;
-    return {title,
-            methodText(method.settings[row.setting].label),
-            nanosecondsText(row.timing.median),
-            resultText(row.result),
-            first && row.order ? QLocale().toString(*row.order, 'f', 1) : QString(),
-            methodText(methods::failing_summary(kernel, row))};
+    return {title, methodText(method.settings[row.setting].label),
+            nanosecondsText(row.timing.median), resultText(row.result),
+            first && row.order ? QLocale().toString(*row.order, 'f', 1) : QString()};
 }
 
 /// As a sentence begins; a symbol (s′, ρ) stays as it is.
@@ -136,9 +127,6 @@ MethodsPage::MethodsPage(QWidget* parent, SceneModel* kept)
     connect(model_, &MethodsModel::valueChanged, this, &MethodsPage::showValue);
     connect(model_, &SceneModel::changed, this, &MethodsPage::showTable);
     connect(model_, &MethodsModel::measurementChanged, this, &MethodsPage::showRunning);
-    connect(model_->measurements(), &MethodMeasurements::progressed, this, [this](double part) {
-        progress_->setValue(static_cast<int>(std::lround(100 * part)));
-    });
     connect(model_, &MethodsModel::failed, this, &ScenePage::status);
     connect(&Theme::instance(), &Theme::changed, this, &MethodsPage::showTable);
     showKernel();
@@ -176,18 +164,12 @@ QWidget* MethodsPage::buildChoice() {
     sweeps_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     connect(sweeps_, &QComboBox::activated, this,
             [this](int index) { model_->setSweep(static_cast<std::size_t>(index)); });
-    value_ = new SweepValueField(panel);
-    value_->field()->setModel(model_);
-    connect(value_, &SweepValueField::valueEdited, model_, &MethodsModel::setValue);
     column->addWidget(labelFor(tr("&Quantity"), kernels_, panel));
     column->addWidget(kernels_);
     column->addWidget(labelFor(tr("&Hard parameter"), sweeps_, panel));
     column->addWidget(sweeps_);
-    column->addWidget(labelFor(tr("&Value measured at"), value_->field(), panel));
-    column->addWidget(value_);
-    auto* trouble = new TroubleLine(panel);
-    trouble->watch(value_->field(), false);
-    column->addWidget(trouble);
+    valuePlace_ = new QVBoxLayout;
+    column->addLayout(valuePlace_);
     column->addSpacing(Theme::gap);
     column->addWidget(buildMeasuring());
     return panel;
@@ -202,25 +184,16 @@ QWidget* MethodsPage::buildMeasuring() {
     again_->setObjectName(QStringLiteral("measure_again"));
     again_->setToolTip(tr("Measure this kernel again, with more repetitions (F5)"));
     connect(again_, &QPushButton::clicked, model_, &MethodsModel::measureAgain);
-    progress_ = new QProgressBar(holder);
-    progress_->setRange(0, 100);
-    progress_->setAccessibleName(tr("Progress of the measurement"));
-    progress_->setTextVisible(false);
-    progress_->setFixedHeight(progressHeight);
-    cancel_ = new QPushButton(tr("&Cancel"), holder);
-    cancel_->setObjectName(QStringLiteral("cancel"));
-    cancel_->setToolTip(tr("Stop measuring and keep the previous results"));
-    connect(cancel_, &QPushButton::clicked, model_, &MethodsModel::cancel);
-    for (QWidget* widget : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)}) {
-        // Their places stay, so that nothing moves when a measurement begins.
-        QSizePolicy policy = widget->sizePolicy();
-        policy.setRetainSizeWhenHidden(true);
-        widget->setSizePolicy(policy);
-    }
+    auto* progress =
+        new JobProgress(model_->measurements(), tr("Progress of the measurement"), holder);
+    progress->setFixedHeight(progressHeight);
+    QPushButton* cancel =
+        progress->cancelButton(tr("&Cancel"), tr("Stop measuring and keep the previous results"));
+    cancel->setObjectName(QStringLiteral("cancel"));
     row->addWidget(again_, 1);
-    row->addWidget(cancel_);
+    row->addWidget(cancel);
     column->addLayout(row);
-    column->addWidget(progress_);
+    column->addWidget(progress);
     return holder;
 }
 
@@ -297,14 +270,10 @@ QWidget* MethodsPage::buildResults() {
     inside->setSpacing(Theme::gap);
     table_ = new ResultTable(tr("Methods as measured"), panel);
     table_->setObjectName(QStringLiteral("methods_table"));
-    table_->setShownRows(6);  // further ones never cost a chart
-    table_->setWordWrap(true);
-    table_->viewport()->installEventFilter(this);
-    connect(table_->horizontalHeader(), &QHeaderView::sectionResized, this,
-            &MethodsPage::fitTableSoon);
-    connect(plots_, &MethodPlots::foldChanged, this, &MethodsPage::fitTableSoon);
-    connect(table_->verticalScrollBar(), &QScrollBar::actionTriggered, this,
-            [this] { followsRow_ = false; });
+    // Further rows never cost a chart; where the page scrolls, the table does not.
+    const auto chooseRows = [this] { table_->setShownRows(plots_->isFolded() ? 0 : 6); };
+    connect(plots_, &MethodPlots::foldChanged, this, chooseRows);
+    chooseRows();
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setColumns(
         {{tr("Method"), tr("Methods for the quantity; the method in use is marked")},
@@ -312,11 +281,12 @@ QWidget* MethodsPage::buildResults() {
          {tr("Time, ns"), tr("Median of repeated runs; the tips of the cells have the quartiles")},
          {tr("Error"), tr("Maximum error against 50 digits, in the kernel's own measure")},
          {tr("Order"),
-          tr("Order of convergence: the error falls as this power of the number of steps")},
-         {tr("Beyond the tolerance"),
-          tr("Intervals of the hard parameter beyond the tolerance or without a value, for the "
-             "finest setting or the one in use")}});
-    table_->stretchColumn(Fails);
+          tr("Order of convergence: the error falls as this power of the number of steps")}});
+    const auto showDetails = [this](bool shown) {
+        table_->setColumnHidden(Time, !shown);
+        table_->setColumnHidden(Order, !shown);
+    };
+    showDetails(false);
     connect(table_, &QTableWidget::currentCellChanged, this, &MethodsPage::chooseRow);
     inside->addWidget(table_, 1);
     auto* below = new QHBoxLayout;
@@ -329,10 +299,8 @@ QWidget* MethodsPage::buildResults() {
     details_->setText(tr("&Details"));
     details_->setCheckable(true);
     details_->setToolTip(tr("Show times, orders of convergence and how both are measured"));
-    connect(details_, &QToolButton::toggled, this, [this] {
-        showWords();
-        fitTableSoon();
-    });
+    connect(details_, &QToolButton::toggled, this, &MethodsPage::showWords);
+    connect(details_, &QToolButton::toggled, table_, showDetails);
     below->addWidget(details_, 0, Qt::AlignTop);
     inside->addLayout(below);
     column->addWidget(panel, 2);
@@ -354,7 +322,26 @@ void MethodsPage::showKernel() {
 void MethodsPage::showSweep() {
     const methods::SweepInfo& sweep = model_->sweep();
     sweeps_->setCurrentIndex(static_cast<int>(model_->sweepIndex()));
-    value_->setSweep(sweep, shownText(sweep.title));
+    delete value_;
+    // A thousandth of the whole, in round numbers.
+    const double span = sweep.to - sweep.from;
+    const int decimals = 2 - static_cast<int>(std::floor(std::log10(span)));
+    value_ = new ValueSlider(
+        tr("&Value measured at"), sweep.from, sweep.to, std::pow(10.0, -decimals), 0.05 * span,
+        sweep.logarithmic() ? -1 : std::max(0, decimals), unitText(sweep.unit.name), this);
+    if (sweep.logarithmic()) {
+        constexpr int stepsPerDecade = 100;
+        constexpr int digits = 3;
+        value_->setLogarithmic(stepsPerDecade, digits);
+    }
+    value_->setHint(shownText(sweep.title));
+    value_->slider()->setObjectName(QStringLiteral("value_slider"));
+    value_->box()->setObjectName(QStringLiteral("value"));
+    value_->setModel(model_);
+    connect(value_, &ValueSlider::valueEdited, model_, &MethodsModel::setValue);
+    valuePlace_->addWidget(value_);
+    setTabOrder(sweeps_, value_->slider());
+    setTabOrder(value_->slider(), value_->box());
     showValue();
 }
 
@@ -407,7 +394,6 @@ void MethodsPage::showTable() {
     }
     const QSignalBlocker quiet(table_);
     table_->setRows(rows);
-    fitTableSoon();
     const Theme& theme = Theme::instance();
     for (int i = 0; i < rows.size(); ++i) {
         const MethodRow& row = report.rows[static_cast<std::size_t>(i)];
@@ -437,72 +423,10 @@ void MethodsPage::showTable() {
         const auto used =
             std::find_if(all.begin(), all.end(), [](const MethodRow& row) { return row.in_use; });
         table_->setCurrentCell(static_cast<int>(used - all.begin()), Method);
-        followsRow_ = true;
     }
+    table_->scrollTo(table_->currentIndex());
     chooseRow();
     showRunning();
-}
-
-bool MethodsPage::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == table_->viewport() && event->type() == QEvent::Resize) {
-        fitTableSoon();
-    }
-    return ScenePage::eventFilter(watched, event);
-}
-
-void MethodsPage::fitTableSoon() {
-    if (!isFitting_) {
-        isFitting_ = true;
-        QMetaObject::invokeMethod(this, &MethodsPage::fitTable, Qt::QueuedConnection);
-    }
-}
-
-void MethodsPage::fitTable() {
-    constexpr int namesWidth = 150;
-    constexpr int failsWidth = 170;
-    constexpr int padding = 14;
-    // Numbers in one line, words in as many as they need.
-    std::array<int, Fails + 1> least{};
-    least[Method] = Theme::withText(namesWidth);
-    least[Fails] = Theme::withText(failsWidth);
-    for (int column = SettingColumn; column < Fails; ++column) {
-        int& width = least[static_cast<std::size_t>(column)];
-        const QString heading = table_->horizontalHeaderItem(column)->text();
-        width = qCeil(textWidth(table_->horizontalHeader()->font(), heading));
-        for (int row = 0; row < table_->rowCount(); ++row) {
-            width = std::max(width,
-                             qCeil(textWidth(table_->font(), table_->item(row, column)->text())));
-        }
-        width += padding;
-    }
-    // The line below says where the chosen method fails, too. With or without a scroll bar, the
-    // same columns are seen.
-    const int room = table_->width() - table_->verticalScrollBar()->sizeHint().width();
-    bool changed = false;
-    for (const int column : {Time, Order, Fails}) {
-        const bool hidden = column == Fails ? std::accumulate(least.begin(), least.end(), 0) > room
-                                            : !details_->isChecked();
-        changed = changed || hidden != table_->isColumnHidden(column);
-        table_->setColumnHidden(column, hidden);
-        least[static_cast<std::size_t>(column)] *= hidden ? 0 : 1;
-    }
-    if (changed) {
-        showTable();  // its columns share the room again
-    }
-    table_->resizeRowsToContents();
-    // Where the page scrolls, the table does not: no bar within a bar.
-    const bool whole = plots_->isFolded();
-    table_->setVerticalScrollBarPolicy(whole ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
-    const bool hasBar = table_->horizontalHeader()->length() > table_->viewport()->width();
-    table_->setMinimumHeight(
-        whole
-            ? table_->horizontalHeader()->sizeHint().height() + table_->verticalHeader()->length() +
-                  2 + (hasBar ? table_->horizontalScrollBar()->sizeHint().height() : 0)
-            : 0);
-    if (followsRow_) {
-        table_->scrollTo(table_->currentIndex());
-    }
-    isFitting_ = false;
 }
 
 void MethodsPage::chooseRow() {
@@ -518,7 +442,6 @@ void MethodsPage::chooseRow() {
     const methods::MethodInfo& method = shown->kernel().methods[chosen];
     QString text =
         tr("%1: %2.").arg(capitalised(shownText(method.title)), shownText(method.limits));
-    // The column is narrow for a kernel of many parameters.
     for (const MethodRow& other : report.rows) {
         if (other.method == chosen && !other.fails.empty()) {
             text += QLatin1Char(' ') +
@@ -530,12 +453,6 @@ void MethodsPage::chooseRow() {
 }
 
 void MethodsPage::showRunning() {
-    const bool running = model_->measurements()->isRunning();
-    if (!running) {
-        progress_->setValue(0);
-    }
-    progress_->setVisible(running);
-    cancel_->setVisible(running);
     // A pale table is an old one.
     table_->setEnabled(!model_->isStale());
 }

@@ -5,18 +5,18 @@
 
 class QComboBox;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 class QTabWidget;
 class QToolButton;
+class QVBoxLayout;
 
 namespace ravnoves {
 
 class CaseBudgetModel;
 class MethodPlots;
 class ResultTable;
-class SweepValueField;
 class ValidationView;
+class ValueSlider;
 class VerdictLine;
 
 /// The page "Methods": how sure the open case is; of each kernel the charts of its methods, their
@@ -47,9 +47,6 @@ class MethodsPage : public ScenePage {
     CaseBudgetModel* budget() const { return budget_; }
     ResultTable* budgetTable() const { return budgetTable_; }
 
-  protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
   private:
     QWidget* buildChoice();
     QWidget* buildMeasuring();
@@ -69,19 +66,15 @@ class MethodsPage : public ScenePage {
     void showVerdict();
     void showRunning();
     void chooseRow();
-    /// Columns for which there is room, rows as high as their words: once, after what changed.
-    void fitTable();
-    void fitTableSoon();
     void exportWithDialog();
 
     MethodsModel* model_;
     bool active_ = false;  ///< the page is in front
     QComboBox* kernels_ = nullptr;
     QComboBox* sweeps_ = nullptr;
-    SweepValueField* value_ = nullptr;
+    ValueSlider* value_ = nullptr;  ///< of the hard parameter that is chosen
+    QVBoxLayout* valuePlace_ = nullptr;
     QPushButton* again_ = nullptr;
-    QPushButton* cancel_ = nullptr;
-    QProgressBar* progress_ = nullptr;
     QLabel* words_ = nullptr;
     QTabWidget* tabs_ = nullptr;
     OpenCases openCases_;
@@ -94,8 +87,6 @@ class MethodsPage : public ScenePage {
     QToolButton* details_ = nullptr;
     MethodPlots* plots_ = nullptr;
     ResultTable* table_ = nullptr;
-    bool followsRow_ = true;  ///< the row chosen stays in sight until a hand scrolls
-    bool isFitting_ = false;
     const methods::Kernel* tableOf_ = nullptr;  ///< the kernel in the table
     QLabel* limits_ = nullptr;
     ValidationView* validation_ = nullptr;

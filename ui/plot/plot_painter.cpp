@@ -184,7 +184,7 @@ void PlotPainter::paintGrid(QPainter& painter) const {
     for (const double tick : data_.x.ticks(area.width(), columnPerTick())) {
         const double x = area.left() + data_.x.fraction(tick) * area.width();
         grid.append({x, area.top(), x, area.bottom()});
-        if (!data_.x.isOwn()) {
+        if (!data_.x.spec.logarithmic) {
             strokes.append({x, area.bottom(), x, area.bottom() + stroke});
         }
     }
@@ -194,7 +194,7 @@ void PlotPainter::paintGrid(QPainter& painter) const {
             if (hasGrid) {
                 grid.append({area.left(), y, area.right(), y});
             }
-            if (!scale.isOwn()) {
+            if (!scale.spec.logarithmic) {
                 strokes.append({from, y, to, y});
             }
         }

@@ -88,7 +88,6 @@ class PlotPainter {
                    const QBrush& brush) const;
     /// What is no line has its spread as bars with caps.
     void paintSpreads(QPainter& painter, const PlotCurve& curve) const;
-    void paintErrorBars(QPainter& painter, const PlotCurve& curve) const;
     void paintLines(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
     /// What is at marks, lines and bands, over all that is drawn, where it covers least.

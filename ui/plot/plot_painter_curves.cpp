@@ -1,4 +1,4 @@
-// Curves, points, bars and spreads of a plot.
+// Curves, points and bars of a plot.
 
 #include <QImage>
 #include <QPainter>
@@ -109,8 +109,7 @@ void PlotPainter::paintCurves(QImage& picture) const {
         }
     }
     if (any([](const PlotCurve& curve) {
-            return curve.shown && (curve.style.shape != Shape::Line || !curve.low.empty() ||
-                                   shrunkTo(curve).has_value());
+            return curve.shown && (curve.style.shape != Shape::Line || shrunkTo(curve).has_value());
         })) {
         QPainter painter(&picture);
         paintPoints(painter);
@@ -144,7 +143,6 @@ void PlotPainter::paintPoints(QPainter& painter) const {
             continue;
         }
         const QColor colour = theme.colour(curve.style.role);
-        paintErrorBars(painter, curve);
         if (curve.style.shape == Shape::Bars) {
             const BarFill fill(curve.style.role);
             paintBars(painter, curve, fill.edge, fill.inside);
@@ -221,27 +219,6 @@ void PlotPainter::paintSpreads(QPainter& painter, const PlotCurve& curve) const 
         painter.drawLine(foot, tip);
         painter.drawLine(foot - cap, foot + cap);
         painter.drawLine(tip - cap, tip + cap);
-    }
-}
-
-void PlotPainter::paintErrorBars(QPainter& painter, const PlotCurve& curve) const {
-    if (curve.low.size() != curve.x.size() || curve.high.size() != curve.x.size()) {
-        return;
-    }
-    painter.setPen(QPen(Theme::instance().colour(curve.style.role), 1.0));
-    const bool upright = curve.bars == Qt::Vertical;
-    const QPointF cap = upright ? QPointF(3, 0) : QPointF(0, 3);
-    for (std::size_t i = 0; i < curve.x.size(); ++i) {
-        const auto end = [&](double value) {
-            return upright ? data_.toPixel(curve.x[i], value, curve.style.side)
-                           : data_.toPixel(value, curve.y[i], curve.style.side);
-        };
-        const QPointF low = end(curve.low[i]);
-        const QPointF high = end(curve.high[i]);
-        painter.drawLine(low, high);
-        for (const QPointF& tip : {low, high}) {
-            painter.drawLine(tip - cap, tip + cap);
-        }
     }
 }
 

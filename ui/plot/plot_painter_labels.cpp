@@ -105,11 +105,6 @@ LabelPlaces PlotPainter::drawnPlaces() const {
                 add(curve.x[i], curve.y[i], curve.x[i], curve.y[i], radius);
             }
         }
-        for (std::size_t i = 0; i < std::min(curve.low.size(), curve.x.size()); ++i) {
-            const bool upright = curve.bars == Qt::Vertical;
-            add(upright ? curve.x[i] : curve.low[i], upright ? curve.low[i] : curve.y[i],
-                upright ? curve.x[i] : curve.high[i], upright ? curve.high[i] : curve.y[i], 1.0);
-        }
     }
     for (const plot::Line& line : data_.lines) {
         places.addLine(strokeOf(line).p1(), strokeOf(line).p2());

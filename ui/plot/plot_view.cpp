@@ -105,11 +105,11 @@ void PlotView::setXAxis(const Axis& axis) {
 
 void PlotView::setYAxis(Side side, const Axis& axis) {
     PlotScale& scale = data_.scale(side);
-    if (scale.isOwn()) {
+    if (axis.logarithmic) {
         data_.makeStale();
     }
     scale.setSpec(axis);
-    if (scale.isOwn()) {
+    if (axis.logarithmic) {
         data_.makeStale();
     }
     if (axis.logarithmic && !(scale.low > 0.0)) {
@@ -193,15 +193,6 @@ void PlotView::setCurve(int number, std::vector<double> x, std::vector<double> y
             chartChanged();
         }
     }
-}
-
-void PlotView::setErrorBars(int number, std::vector<double> low, std::vector<double> high,
-                            Qt::Orientation orientation) {
-    PlotCurve& curve = data_.curve(number);
-    curve.bars = orientation;
-    curve.low = std::move(low);
-    curve.high = std::move(high);
-    curvesChanged();
 }
 
 void PlotView::setSpread(int number, std::vector<double> below, std::vector<double> above) {

@@ -33,7 +33,6 @@ class PlotView : public QWidget {
     using Side = plot::Side;
     using Shape = plot::Shape;
     using CurveStyle = plot::CurveStyle;
-    using Scale = plot::Scale;
     using Axis = plot::Axis;
     using Mark = plot::Mark;
     using Band = plot::Band;
@@ -63,10 +62,6 @@ class PlotView : public QWidget {
     /// Its name in the legend; a curve without a name has no entry there.
     QString curveName(int curve) const { return data_.curve(curve).style.name; }
     int curveCount() const { return static_cast<int>(data_.curves.size()); }
-    /// Error bars from low to high at each point of the curve, in y (vertical) or in x
-    /// (horizontal); empty lists remove them.
-    void setErrorBars(int curve, std::vector<double> low, std::vector<double> high,
-                      Qt::Orientation orientation = Qt::Vertical);
     /// What scatter of the inputs makes of the curve, 5…95 %: so much below and above each of its
     /// points, which goes with the curve where that moves; empty lists remove it.
     void setSpread(int curve, std::vector<double> below, std::vector<double> above);

@@ -126,9 +126,6 @@ void PlotView::showFigure(const Figure& figure) {
         if (curve.text || drawn.text) {
             setPointText(number, textOf(curve, drawn));
         }
-        if (curve.low != drawn.low || curve.high != drawn.high) {
-            setErrorBars(number, curve.low, curve.high, curve.bars);
-        }
     }
     if (figure.marks) {
         setMarks(*figure.marks);

@@ -41,7 +41,9 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     box_ = new NumberField(this);
     const ShownUnit shown = shownUnit(unit);
     box_->setShownUnit(shown);
-    box_->setPlaces(std::max(0, decimals + shown.decimals));
+    if (decimals >= 0) {
+        box_->setPlaces(std::max(0, decimals + shown.decimals));
+    }
     box_->setStep(shown.factor == 1.0 ? step : rounded_to_digits(step * shown.factor, 1));
     unit_ = new QLabel(shown.name, this);
     colourText(unit_, &Theme::mutedText);

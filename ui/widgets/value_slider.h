@@ -19,7 +19,7 @@ class ValueSlider : public QWidget {
     Q_OBJECT
 
   public:
-    /// @param label  with & for the mnemonic
+    /// @param label  with & for the mnemonic; decimals: −1 for as many as a value needs
     ValueSlider(const QString& label, double min, double max, double step, double pageStep,
                 int decimals, const QString& unit, QWidget* parent = nullptr);
     ~ValueSlider() override;

@@ -62,31 +62,6 @@ TEST(Measure, CancelsAndTellsHowFarItIs) {
     EXPECT_LT(parts.back(), 0.7);
 }
 
-/// A run of minutes ends within a moment, whichever method it is in; those whose turns repeat make
-/// so many in a moment anyway.
-TEST(Measure, CancelsInTheMidstOfALongRun) {
-    const Kernel& kernel = *find_kernel("hinge-motion");
-    const std::size_t turns = kernel.find_sweep("turns");
-    for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
-        const auto problem = kernel.problem(turns, 3e5);
-        int asked = 0;
-        const CancelScope scope([&] { return ++asked < 3; });
-        const ravnoves::methods::Run run =
-            problem->prepare(method, kernel.methods[method].settings.size() - 1);
-        std::vector<double> out(problem->outputs());
-        bool cancelled = false;
-        try {
-            static_cast<void>(run(out));
-        } catch (const Cancelled&) {
-            cancelled = true;
-        }
-        EXPECT_TRUE(cancelled || kernel.methods[method].id.starts_with("energy-"))
-            << kernel.methods[method].id;
-        EXPECT_EQ(asked == 3, cancelled);
-    }
-    check_cancelled();  // without a scope it does nothing
-}
-
 TEST(Measure, TellsWhereAMethodFails) {
     const Kernel& kernel = *find_kernel("slider-crank");
     StabilityMap map{&kernel, 0, {0.1, 0.2, 0.3, 0.4}, {}};
@@ -105,21 +80,6 @@ TEST(Measure, TellsWhereAMethodFails) {
     EXPECT_EQ(text({2, 0, 2, 0}), "at 0.1, at 0.3");
 }
 
-TEST(Measure, SweepsCrowdWhereTheyGetHard) {
-    SweepInfo sweep;
-    sweep.from = 0.0;
-    sweep.to = 1.0;
-    sweep.spacing = Spacing::towards_end;
-    sweep.end_gap = 1e-6;
-    const auto values = sweep.values(21);
-    EXPECT_DOUBLE_EQ(values.front(), 0.0);
-    EXPECT_DOUBLE_EQ(values[10], 0.9);
-    EXPECT_NEAR(1.0 - values.back(), 1e-6, 1e-12);
-    sweep.spacing = Spacing::logarithmic;
-    sweep.from = 1e-3;
-    EXPECT_NEAR(sweep.values(4)[1], 1e-2, 1e-15);
-}
-
 /// Every value of a sweep has its place on the sweep's scale, and the places keep their order.
 TEST(Sweep, PlacesAndValuesAreInverse) {
     for (const Kernel& kernel : kernels()) {
@@ -130,8 +90,7 @@ TEST(Sweep, PlacesAndValuesAreInverse) {
             for (int i = 0; i <= 50; ++i) {
                 const double place = i / 50.0;
                 const double value = sweep.at(place);
-                // Next to a limit a value holds its distance to seven digits.
-                EXPECT_NEAR(sweep.place(value), place, 1e-8) << kernel.id << ' ' << sweep.id;
+                EXPECT_NEAR(sweep.place(value), place, 1e-12) << kernel.id << ' ' << sweep.id;
                 EXPECT_TRUE(i == 0 || value > before) << kernel.id << ' ' << sweep.id << place;
                 before = value;
             }

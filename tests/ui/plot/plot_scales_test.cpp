@@ -88,20 +88,6 @@ TEST_F(ScaledPlot, ReadsAlongTheLineThatIsDrawn) {
     EXPECT_TRUE(isDrawn(plot.toPixel(1e3, 1e-6)));
 }
 
-TEST_F(ScaledPlot, ErrorBarsMayLieAlongX) {
-    const int curve =
-        plot.addCurve({.name = QStringLiteral("a"), .shape = PlotView::Shape::LineAndPoints});
-    plot.setCurve(curve, {1e3}, {1e-8});
-    show();
-    EXPECT_FALSE(isDrawn(plot.toPixel(2e4, 1e-8)));
-    plot.setErrorBars(curve, {1e1}, {1e5}, Qt::Horizontal);
-    EXPECT_TRUE(isDrawn(plot.toPixel(2e4, 1e-8)));
-    EXPECT_TRUE(isDrawn(plot.toPixel(50.0, 1e-8)));
-    EXPECT_FALSE(isDrawn(plot.toPixel(1e3, 1e-4)));
-    plot.setErrorBars(curve, {}, {});
-    EXPECT_FALSE(isDrawn(plot.toPixel(2e4, 1e-8)));
-}
-
 TEST_F(ScaledPlot, GapsBreakTheLineWhereAsked) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     PlotView::CurveStyle style;
@@ -119,27 +105,6 @@ TEST_F(ScaledPlot, GapsBreakTheLineWhereAsked) {
     const int whole = plot.addCurve(style);
     plot.setCurve(whole, {1, 10, 100, 1000}, {1e-4, nan, nan, 1e-4});
     EXPECT_TRUE(isDrawn(plot.toPixel(30, 1e-4)));
-}
-
-TEST_F(ScaledPlot, AScaleOfItsOwnPlacesValues) {
-    PlotView::Axis axis;
-    axis.title = QStringLiteral("λ");
-    axis.min = 0.0;
-    axis.max = 1.0 - 1e-6;
-    axis.scale = {[](double value) { return -std::log10(1.0 - value); },
-                  [](double place) { return 1.0 - std::pow(10.0, -place); },
-                  {0.0, 0.9, 0.99, 0.999}};
-    plot.setXAxis(axis);
-    show();
-    const QRectF area = plot.plotArea();
-    EXPECT_NEAR(plot.toPixel(0.999, 1e-8).x(), area.center().x(), 1.0);
-    EXPECT_NEAR(plot.xAt(area.center().x()), 0.999, 1e-5);
-    // Zooming goes by the scale: the pointer's value stays.
-    test::turnWheel(&plot, plot.toPixel(0.999, 1e-8).toPoint(), 2);
-    EXPECT_NEAR(plot.xAt(area.center().x()), 0.999, 1e-4);
-    const auto [low, high] = plot.xInterval();
-    EXPECT_GT(low, 0.0);
-    EXPECT_LT(high, 1.0 - 1e-6);
 }
 
 TEST_F(ScaledPlot, ArrowsStepFromPointToPoint) {

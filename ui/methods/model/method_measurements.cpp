@@ -44,30 +44,15 @@ std::shared_ptr<const MethodMeasurement> measure(const Kernel& kernel, std::size
 
 }  // namespace
 
-MethodMeasurements::MethodMeasurements(QObject* parent)
-    : QObject(parent), job_(new BackgroundJob(this)) {
-    connect(job_, &BackgroundJob::runningChanged, this, &MethodMeasurements::runningChanged);
-    connect(job_, &BackgroundJob::failed, this, &MethodMeasurements::failed);
-    connect(job_, &BackgroundJob::progress, this, [this](double part) {
-        part_ = part;
-        Q_EMIT progressed(part);
-    });
-}
-
 void MethodMeasurements::start(const Kernel& kernel, std::size_t sweep, double value,
                                MeasurementEffort effort) {
-    part_ = 0.0;
     const auto known = maps_.find({&kernel, sweep});
-    job_->start([this, &kernel, sweep, value, options = optionsOf(effort),
-                 map = known == maps_.end() ? nullptr : known->second](
-                    const BackgroundJob::Progress& progress) {
-        auto measurement = measure(kernel, sweep, value, options, map, progress);
-        return [this, measurement] { keep(measurement); };
-    });
-}
-
-void MethodMeasurements::cancel() {
-    job_->cancel();
+    BackgroundJob::start(
+        [this, &kernel, sweep, value, options = optionsOf(effort),
+         map = known == maps_.end() ? nullptr : known->second](const Progress& progress) {
+            auto measurement = measure(kernel, sweep, value, options, map, progress);
+            return [this, measurement] { keep(measurement); };
+        });
 }
 
 std::shared_ptr<const MethodMeasurement> MethodMeasurements::newest(const Kernel& kernel) const {

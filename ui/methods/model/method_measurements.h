@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QObject>
 #include <map>
 #include <memory>
 #include <optional>
@@ -34,37 +33,26 @@ enum class MeasurementEffort {
 
 /// Measures kernels in a worker thread, one at a time, and keeps what it has measured: the newest
 /// measurement of every kernel, and the errors along every sweep (they do not change).
-class MethodMeasurements : public QObject {
+class MethodMeasurements : public BackgroundJob {
     Q_OBJECT
 
   public:
-    explicit MethodMeasurements(QObject* parent = nullptr);
+    using BackgroundJob::BackgroundJob;
 
     /// Begins a measurement in the place of one that runs.
     void start(const methods::Kernel& kernel, std::size_t sweep, double value,
                MeasurementEffort effort);
-    /// Stops the one that runs; what is there stays.
-    void cancel();
-    bool isRunning() const { return job_->isRunning(); }
-    double part() const { return part_; }  ///< done of the one that runs, 0…1
-
     /// The newest measurement of a kernel; null before the first.
     std::shared_ptr<const MethodMeasurement> newest(const methods::Kernel& kernel) const;
 
   Q_SIGNALS:
     void measured(std::shared_ptr<const MethodMeasurement> measurement);
-    /// The measurement could not be made, and why.
-    void failed(const QString& why);
-    void runningChanged(bool running);
-    void progressed(double part);
 
   private:
     void keep(std::shared_ptr<const MethodMeasurement> measurement);
 
     using Place = std::pair<const methods::Kernel*, std::size_t>;  // kernel, sweep
 
-    BackgroundJob* job_;
-    double part_ = 0.0;
     std::map<const methods::Kernel*, std::shared_ptr<const MethodMeasurement>> newest_;
     std::map<Place, std::shared_ptr<const methods::StabilityMap>> maps_;
 };

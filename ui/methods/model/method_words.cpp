@@ -49,20 +49,6 @@ QString sweepTitle(const methods::SweepInfo& sweep) {
     return titleWithUnit(shownText(sweep.title), unitText(sweep.unit.name));
 }
 
-QString sweepNumber(const methods::SweepInfo& sweep, double value) {
-    const double span = sweep.to - sweep.from;
-    const double gap = std::min(std::abs(sweep.to - value), std::abs(value - sweep.from)) / span;
-    int digits = 3;
-    if (sweep.crowded() && gap > 0.0) {
-        digits += std::clamp(static_cast<int>(std::ceil(-std::log10(gap))) - 1, 0, 12);
-    }
-    const ShownUnit unit = shownUnit(sweep.unit);
-    const QString number = sweep.logarithmic()
-                               ? powerText(unit.factor * value, QLocale())
-                               : shownFormNumber(unit.factor * value, QLocale(), digits);
-    return withUnit(number, unit.name);
-}
-
 QString timeText(double nanoseconds) {
     struct Unit {
         double size;

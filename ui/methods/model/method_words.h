@@ -13,8 +13,6 @@ QString methodText(const Message& message);
 
 /// A hard parameter's name with its unit: "shaft angle α, °".
 QString sweepTitle(const methods::SweepInfo& sweep);
-/// A value on a hard parameter's scale; close to a limit with the digits that tell it from it.
-QString sweepNumber(const methods::SweepInfo& sweep, double value);
 
 QString timeText(double nanoseconds);  ///< "12.3 ns", "1.2 ms"
 /// Three digits, and the rest zeros: "1 230 000"; a dash where there is no time.

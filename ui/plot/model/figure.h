@@ -24,9 +24,6 @@ struct Figure {
         std::vector<double> trueY = {};
         /// What is read out of point i of x, as lines; null: the curve's value is.
         std::function<QString(std::size_t point)> text = {};
-        std::vector<double> low = {};  ///< ends of the error bars, or none
-        std::vector<double> high = {};
-        Qt::Orientation bars = Qt::Vertical;
     };
 
     Curve& add(std::string id, plot::CurveStyle style, std::vector<double> xs,

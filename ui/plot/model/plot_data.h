@@ -91,10 +91,7 @@ struct PlotCurve {
     std::vector<double> trueX = {};
     std::vector<double> trueY = {};
     std::vector<std::size_t> starts = {};  ///< points that do not hang together with the one before
-    std::vector<double> low = {};          ///< ends of the error bars
-    std::vector<double> high = {};
-    Qt::Orientation bars = Qt::Vertical;
-    std::vector<double> below = {};  ///< of the spread, from each point; or none
+    std::vector<double> below = {};        ///< of the spread, from each point; or none
     std::vector<double> above = {};
     /// What is read out of a point, as lines; null where nothing is.
     std::function<QString(std::size_t point)> text = {};

@@ -106,7 +106,7 @@ void PlotScale::chooseStep(double pixels, double pixelsPerTick,
     constexpr double apart = 8.0;  // pixels between labels
     for (int attempt = 0; attempt < attempts; ++attempt) {
         chooseStep(pixels, pixelsPerTick);
-        if (isOwn()) {
+        if (spec.logarithmic) {
             return;  // what has no room is left out
         }
         double widest = 0.0;
@@ -122,8 +122,13 @@ void PlotScale::chooseStep(double pixels, double pixelsPerTick,
 }
 
 std::vector<double> PlotScale::ticks(double pixels, double pixelsPerTick) const {
-    if (isOwn()) {
-        return ownTicks(pixels, pixelsPerTick);
+    if (spec.logarithmic) {
+        std::vector<double> ticks =
+            logarithmicTicks(number(low), number(high), ticksThatFit(pixels, pixelsPerTick));
+        for (double& tick : ticks) {
+            tick /= spec.factor;
+        }
+        return ticks;
     }
     constexpr double rounding = 1e-9;
     constexpr int many = 200;
@@ -136,32 +141,8 @@ std::vector<double> PlotScale::ticks(double pixels, double pixelsPerTick) const 
     return ticks;
 }
 
-std::vector<double> PlotScale::ownTicks(double pixels, double pixelsPerTick) const {
-    if (spec.logarithmic) {
-        std::vector<double> ticks =
-            logarithmicTicks(number(low), number(high), ticksThatFit(pixels, pixelsPerTick));
-        for (double& tick : ticks) {
-            tick /= spec.factor;
-        }
-        return ticks;
-    }
-    // Of the labels offered those that keep clear of weightier ones.
-    const double apart = 0.8 * pixelsPerTick / std::max(pixels, 1.0);
-    std::vector<double> ticks;
-    for (const double tick : spec.scale.ticks) {
-        const double at = fraction(tick);
-        const bool clear = std::none_of(ticks.begin(), ticks.end(), [&](double other) {
-            return std::abs(fraction(other) - at) < apart;
-        });
-        if (clear && at > -1e-9 && at < 1.0 + 1e-9) {
-            ticks.push_back(tick);
-        }
-    }
-    return ticks;
-}
-
 QString PlotScale::tickText(double value, const QLocale& locale) const {
-    if (isOwn()) {
+    if (spec.logarithmic) {
         return spec.label ? spec.label(number(value)) : powerText(number(value), locale);
     }
     const TickFormat format = tickFormat(number(low), number(high), step);
@@ -171,7 +152,7 @@ QString PlotScale::tickText(double value, const QLocale& locale) const {
 }
 
 QString PlotScale::readout(double value, const QLocale& locale) const {
-    if (isOwn()) {
+    if (spec.logarithmic) {
         return tickText(value, locale);
     }
     if (!(high > low)) {

@@ -13,23 +13,13 @@ namespace ravnoves {
 
 namespace plot {
 
-/// A scale that is neither linear nor logarithmic: where values are on it, and what stands
-/// at a place; both increase.
-struct Scale {
-    std::function<double(double value)> place = {};
-    std::function<double(double place)> value = {};
-    std::vector<double> ticks = {};  ///< values that may get a label, the weightiest first
-};
-
 struct Axis {
     QString title;     ///< with the unit at its end: "φ, °"
     double min = 0.0;  ///< ignored for y axes, which follow the data
     double max = 1.0;
     bool degrees = false;  ///< ticks at 15, 30, 45, 90, …
     bool logarithmic = false;
-    Scale scale = {};  ///< of its own; linear or logarithmic where empty
-    /// Text of ticks and of values read out, for a logarithmic axis or one with a scale of its
-    /// own; powers of ten where empty.
+    /// Text of ticks and of values read out of a logarithmic axis; powers of ten where empty.
     std::function<QString(double)> label = {};
     double factor =
         1.0;  ///< numbers shown per number of the data, where the user's unit is another
@@ -53,25 +43,15 @@ struct PlotScale {
     /// A value as a number of the axis.
     double number(double value) const;
 
-    /// Logarithmic or with a scale of its own: its ticks have no strokes.
-    bool isOwn() const { return spec.logarithmic || spec.scale.place; }
     /// A value that has a place here.
     bool holds(double value) const {
         return std::isfinite(value) && (!spec.logarithmic || value > 0.0);
     }
     /// What the axis is linear in.
     double scaled(double value) const {
-        if (spec.logarithmic) {
-            return std::log10(std::max(value, 1e-300));
-        }
-        return spec.scale.place ? spec.scale.place(value) : value;
+        return spec.logarithmic ? std::log10(std::max(value, 1e-300)) : value;
     }
-    double unscaled(double place) const {
-        if (spec.logarithmic) {
-            return std::pow(10.0, place);
-        }
-        return spec.scale.value ? spec.scale.value(place) : place;
-    }
+    double unscaled(double place) const { return spec.logarithmic ? std::pow(10.0, place) : place; }
     /// Position of a value on the axis, 0 at low and 1 at high.
     double fraction(double value) const {
         const double start = scaled(low);
@@ -104,14 +84,11 @@ struct PlotScale {
     void chooseStep(double pixels, double pixelsPerTick,
                     const std::function<double(const QString& label)>& width,
                     const QLocale& locale);
-    /// Values that get a tick: multiples of `step`, or what an own axis chooses.
+    /// Values that get a tick: multiples of `step`, of a logarithmic axis decades or parts of them.
     std::vector<double> ticks(double pixels, double pixelsPerTick) const;
     QString tickText(double value, const QLocale& locale) const;
     /// A value of the data: three digits finer than the interval.
     QString readout(double value, const QLocale& locale) const;
-
-  private:
-    std::vector<double> ownTicks(double pixels, double pixelsPerTick) const;
 };
 
 }  // namespace ravnoves
