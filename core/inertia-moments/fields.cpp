@@ -138,43 +138,6 @@ void visit_rod_length(FieldVisitor& visitor, Input& input) {
 
 }  // namespace
 
-Message cylinder_place(std::size_t cylinder, std::string_view key) {
-    static constexpr std::array<std::pair<std::string_view, Text>, 9> names{{
-        {field::axial_position.key, CORE_TEXT("inertia-moments", "axial position")},
-        {field::bank_angle.key, CORE_TEXT("inertia-moments", "bank angle")},
-        {field::offset.key, CORE_TEXT("inertia-moments", "offset")},
-        {field::crankpin_angle.key, CORE_TEXT("inertia-moments", "crankpin angle")},
-        {field::knuckle_radius.key, CORE_TEXT("inertia-moments", "knuckle radius")},
-        {field::knuckle_angle.key, CORE_TEXT("inertia-moments", "knuckle angle")},
-        {field::articulated_length.key, CORE_TEXT("inertia-moments", "rod length")},
-        {field::master.key, CORE_TEXT("inertia-moments", "master rod")},
-        {field::knuckle_mass.key, CORE_TEXT("inertia-moments", "knuckle mass")},
-    }};
-    const auto name = std::find_if(names.begin(), names.end(),
-                                   [&](const auto& each) { return each.first == key; });
-    return name == names.end() ? Message(CORE_TEXT("inertia-moments", "Cylinder %1"), cylinder + 1)
-                               : Message(CORE_TEXT("inertia-moments", "Cylinder %1, %2"),
-                                         cylinder + 1, Message(name->second));
-}
-
-InputError in_words(const InputError& error) {
-    constexpr std::string_view table = "/input/cylinders/";
-    const std::string pointer = error.where();
-    Message place = error.where_message();
-    std::size_t cylinder = 0;
-    if (pointer.starts_with(table)) {
-        const char* const digits = pointer.data() + table.size();
-        const char* const end = pointer.data() + pointer.size();
-        if (std::from_chars(digits, end, cylinder).ec == std::errc{}) {
-            place =
-                cylinder_place(cylinder, std::string_view(pointer).substr(pointer.rfind('/') + 1));
-        }
-    } else if (pointer == "/input/" + std::string(field::rod.key)) {
-        place = CORE_TEXT("inertia-moments", "Rod as a rigid body");
-    }
-    return {place, error.allowed_message(), error.found_message()};
-}
-
 void visit_fields(FieldVisitor& visitor, ArticulatedRod& rod) {
     visitor.number(field::knuckle_radius, rod.knuckle_radius);
     visitor.number(field::knuckle_angle, rod.knuckle_angle);

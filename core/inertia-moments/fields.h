@@ -106,18 +106,21 @@ inline constexpr Field cylinders{
 inline constexpr Field axial_position{
     .key = "axial_position_mm",
     .unit = units::mm,
+    .label = CORE_TEXT("inertia-moments", "Axial position"),
     .symbol = "z",
     .hint = CORE_TEXT("inertia-moments", "Axial position, positive towards cylinder 1")};
 inline constexpr Field bank_angle{
     .key = "bank_angle_deg",
     .unit = units::degree,
     .range = Range::between(-3600, 3600),
+    .label = CORE_TEXT("inertia-moments", "Bank angle"),
     .symbol = "β",
     .hint = CORE_TEXT("inertia-moments",
                       "Direction of the cylinder's axis, counter-clockwise from up")};
 inline constexpr Field offset{
     .key = "offset_mm",
     .unit = units::mm,
+    .label = CORE_TEXT("inertia-moments", "Offset"),
     .symbol = "e",
     .hint = CORE_TEXT("inertia-moments",
                       "Distance of the cylinder's axis from the crank axis, positive on the "
@@ -126,12 +129,14 @@ inline constexpr Field crankpin_angle{
     .key = "crankpin_angle_deg",
     .unit = units::degree,
     .range = Range::between(-3600, 3600),
+    .label = CORE_TEXT("inertia-moments", "Crankpin angle"),
     .symbol = "κ",
     .hint = CORE_TEXT("inertia-moments", "Crankpin, counter-clockwise from crankpin 1")};
 
 // Of the object "articulated" of a cylinder.
 inline constexpr Field articulated{
     .key = "articulated",
+    .label = CORE_TEXT("inertia-moments", "Articulated rod"),
     .hint = CORE_TEXT("inertia-moments",
                       "The rod is attached to the master rod by a knuckle pin (radials); otherwise "
                       "it runs on the crankpin.")};
@@ -139,6 +144,7 @@ inline constexpr Field knuckle_radius{
     .key = "knuckle_radius_mm",
     .unit = units::mm,
     .range = Range::between(0, 1e6),
+    .label = CORE_TEXT("inertia-moments", "Knuckle radius"),
     .symbol = "rₖ",
     .hint = CORE_TEXT("inertia-moments",
                       "Articulated rod: distance of its knuckle pin from the crankpin's centre."),
@@ -147,6 +153,7 @@ inline constexpr Field knuckle_angle{
     .key = "knuckle_angle_deg",
     .unit = units::degree,
     .range = Range::between(-3600, 3600),
+    .label = CORE_TEXT("inertia-moments", "Knuckle angle"),
     .symbol = "γₖ",
     .hint = CORE_TEXT("inertia-moments",
                       "Articulated rod: its knuckle pin about the crankpin, counter-clockwise from "
@@ -156,6 +163,7 @@ inline constexpr Field articulated_length{
     .key = "rod_length_mm",
     .unit = units::mm,
     .range = Range::greater_than(0, 1e6),
+    .label = CORE_TEXT("inertia-moments", "Rod length"),
     .symbol = "l",
     .hint =
         CORE_TEXT("inertia-moments", "Articulated rod: its length from knuckle pin to piston pin."),
@@ -163,6 +171,7 @@ inline constexpr Field articulated_length{
 inline constexpr Field master{
     .key = "master",
     .range = Range::between(0, most_cylinders),
+    .label = CORE_TEXT("inertia-moments", "Master rod"),
     .hint = CORE_TEXT("inertia-moments",
                       "Articulated rod: number of the cylinder with its master rod."),
     .if_empty = CORE_TEXT("inertia-moments", "0, the only rod on the crankpin")};
@@ -170,6 +179,7 @@ inline constexpr Field knuckle_mass{
     .key = "knuckle_mass_kg",
     .unit = units::kg,
     .range = Range::at_least(0),
+    .label = CORE_TEXT("inertia-moments", "Knuckle mass"),
     .symbol = "mₖ",
     .hint = CORE_TEXT("inertia-moments",
                       "Articulated rod: part of the cylinder's rotating mass at the knuckle pin "
@@ -239,6 +249,7 @@ inline constexpr Field first_position{
 // Of the object "rod".
 inline constexpr Field rod{
     .key = "rod",
+    .label = CORE_TEXT("inertia-moments", "Rod as a rigid body"),
     .hint = CORE_TEXT("inertia-moments",
                       "The rod as a rigid body; otherwise its shares are in the masses.")};
 inline constexpr Field rod_mass{.key = "mass_kg",
@@ -373,16 +384,3 @@ inline constexpr Field webs_enabled{
         CORE_TEXT("inertia-moments", "If on, the counterweights are included in the residual.")};
 
 }  // namespace ravnoves::inertia_moments::field
-
-namespace ravnoves::inertia_moments {
-
-/// A place in the table as people count: "Cylinder 2, knuckle radius".
-/// @param cylinder  index
-/// @param key  of the cylinder's field or of its articulated rod's
-Message cylinder_place(std::size_t cylinder, std::string_view key);
-
-/// A rejection for people who see the table, not the file: "/input/cylinders/1/articulated/master"
-/// becomes "Cylinder 2, master rod". Other places stay.
-InputError in_words(const InputError& error);
-
-}  // namespace ravnoves::inertia_moments

@@ -7,13 +7,10 @@
 #include <map>
 
 #include "inertia-moments/model/inertia_moments_model.h"
-#include "model/reference_case.h"
-#include "numerics/angle.h"
 #include "pictures/figure.h"
 #include "text/csv_format.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
-#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
 
@@ -24,24 +21,18 @@ using inertia_moments::FiringEvent;
 
 namespace {
 
-QString angleText(double radians) {
-    const double value = wrap(radians / degree, 360.0);
-    return fixedNumber(value > 359.95 ? 0.0 : value, 1, QLocale()) + QStringLiteral("°");
-}
-
-void connectTo(InertiaMomentsModel* model, ComparedFigure* widget) {
+void connectTo(InertiaMomentsModel* model, QWidget* widget) {
     widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     QObject::connect(model, &SceneModel::changed, widget, qOverload<>(&QWidget::update));
-    widget->followReference(model);
     QObject::connect(&Theme::instance(), &Theme::changed, widget, qOverload<>(&QWidget::update));
 }
 
 }  // namespace
 
 CounterweightView::CounterweightView(InertiaMomentsModel* model, QWidget* parent)
-    : ComparedFigure(parent), model_(model) {
+    : QWidget(parent), model_(model) {
     setAccessibleName(name());
-    makeFigure(this, [this](const CsvFormat& format) { return table(format); });
+    makeFigure(this);
     setToolTip(
         tr("The crank from the front with crankpin 1 up; angles from crankpin 1, "
            "counter-clockwise, lags against the rotation."));
@@ -55,8 +46,8 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
     painter.fillRect(rect(), theme.panel());
     painter.setRenderHint(QPainter::Antialiasing);
 
-    const double textWidth = std::min<double>(Theme::withText(210), 0.45 * width());
-    const QRectF figure(8, 8, width() - textWidth - 16, height() - 16);
+    const double keyWidth = Theme::withText(110);
+    const QRectF figure(8, 8, width() - keyWidth - 16, height() - 16);
     const double radius = 0.5 * std::min(figure.width(), figure.height()) - 22.0;
     const QPointF centre = figure.center();
     // Relative to crankpin 1, which points up.
@@ -86,30 +77,6 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
         painter.setPen(QPen(theme.grid(), 1.2));
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(centre, radius, radius);
-        if (const InertiaMomentsModel* other = referenceOf(model_)) {
-            const auto& was = other->result();
-            painter.setPen(ghostPen(theme.text()));
-            for (const auto& cylinder : was.engine.cylinders) {
-                painter.drawLine(centre, place(cylinder.crankpin_angle, radius));
-            }
-            const auto ghost = [&](const Complex& v, double scale, const QColor& colour) {
-                if (std::abs(v) > inertia_moments::zero_share * scale) {
-                    painter.setPen(ghostPen(colour, 7.0));
-                    painter.drawLine(centre, place(std::arg(v), 0.8 * radius));
-                }
-            };
-            ghost(was.rotating.force_factor, was.rotating.force_scale,
-                  theme.colour(Role::Rotating));
-            ghost(was.rotating.moment_factor, was.rotating.moment_scale,
-                  theme.colour(Role::RotatingMoment));
-            if (was.counterweights) {
-                const auto& design = *was.counterweights;
-                ghost(design.front.unbalance, design.scale, drawing::weightFill(Role::CrankWeight));
-                ghost(design.rear.unbalance, design.scale, drawing::weightFill(Role::RearWeight));
-            }
-            const double room = Theme::margin;
-            sayReference(painter, QRectF(room, room, width() - textWidth - 2.0 * room, 0.0));
-        }
         // Crankpins; those in one place share a label.
         std::map<int, QStringList> labels;
         for (std::size_t i = 0; i < result.engine.cylinders.size(); ++i) {
@@ -144,89 +111,38 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
         painter.drawEllipse(centre, 4.0, 4.0);
     }
 
-    // What the colours mean, with the angles.
+    // What the colours mean; sizes and angles are in the table.
     painter.setFont(Theme::font(Theme::smallSize));
-    double y = 12.0;
-    const double x = width() - textWidth;
-    const auto line = [&](const QString& text, const QColor& colour, bool swatch) {
-        if (swatch) {
-            painter.fillRect(QRectF(x, y + 3, 9, 9), colour);
-        }
+    const double row = painter.fontMetrics().height() + 3.0;
+    QRectF key(width() - keyWidth, 12.0, keyWidth - 6.0, row);
+    const auto say = [&](const QString& text, const QColor& colour) {
+        painter.fillRect(QRectF(key.left(), key.center().y() - 4.5, 9.0, 9.0), colour);
         painter.setPen(theme.text());
-        const QRectF box(x + 14, y, textWidth - 20, 200);
-        QRectF used;
-        painter.drawText(box, Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap, text, &used);
-        y += used.height() + 5.0;
+        painter.drawText(key.adjusted(14.0, 0.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignVCenter, text);
+        key.translate(0.0, row);
     };
-    const auto& rotating = result.rotating;
-    // What vanishes has no angle.
-    const auto isThere = [](const Complex& v, double scale) {
-        return std::abs(v) > inertia_moments::zero_share * scale;
-    };
-    const auto withAngles = [&](const QString& value, const Complex& v, double scale) {
-        return isThere(v, scale) ? tr("%1 at %2; opposite: %3 against the rotation")
-                                       .arg(value, angleText(std::arg(v)), angleText(-std::arg(-v)))
-                                 : value;
-    };
-    const QString force = fixedNumber(std::abs(rotating.force_factor), 3, QLocale());
-    line(tr("force Σ exp(iκ) = %1")
-             .arg(withAngles(force, rotating.force_factor, rotating.force_scale)),
-         theme.colour(Role::Rotating), true);
-    const QString moment = shownNumber(std::abs(rotating.moment_factor), units::mm, 1);
-    line(tr("moment Σ z exp(iκ) = %1")
-             .arg(withAngles(moment, rotating.moment_factor, rotating.moment_scale)),
-         theme.colour(Role::RotatingMoment), true);
+    say(tr("force"), theme.colour(Role::Rotating));
+    say(tr("moment"), theme.colour(Role::RotatingMoment));
     if (result.counterweights) {
-        const auto& design = *result.counterweights;
-        const auto weight = [&](const QString& name, const inertia_moments::Counterweight& w,
-                                const QColor& colour) {
-            const bool isNeeded = isThere(w.unbalance, design.scale);
-            QString text = tr("%1: %2 at ρ %3")
-                               .arg(name,
-                                    withUnit(isNeeded ? shownFigures(w.mass(), units::gram, 4)
-                                                      : QStringLiteral("0"),
-                                             shownUnit(units::gram).name),
-                                    shownShort(w.radius, units::mm, 4));
-            if (isNeeded) {
-                text += QStringLiteral(", ") + angleText(std::arg(w.unbalance));
-            }
-            line(text, colour, true);
-        };
-        weight(tr("front web"), design.front, drawing::weightFill(Role::CrankWeight));
-        weight(tr("rear web"), design.rear, drawing::weightFill(Role::RearWeight));
-        if (!model_->input().end_webs->enabled) {
-            line(tr("(switched off)"), {}, false);
-        }
-    } else {
-        line(tr("No counterweights: switch them on under Balancing."), {}, false);
+        say(tr("front web"), drawing::weightFill(Role::CrankWeight));
+        say(tr("rear web"), drawing::weightFill(Role::RearWeight));
     }
-}
-
-QString CounterweightView::table(const CsvFormat& format) const {
-    const auto& result = model_->result();
-    QString text = format.line({{}, shownTitle(tr("size, mm")).text, tr("angle, °")});
-    const double shown = shownTitle(tr("size, mm")).factor / units::mm.to_si;
-    const auto row = [&](const QString& name, const QString& size, const Complex& v, double scale) {
-        const bool isThere = std::abs(v) > inertia_moments::zero_share * scale;
-        text += format.line(
-            {name, size, isThere ? format.number(wrap(std::arg(v) / degree, 360.0)) : QString()});
-    };
-    for (std::size_t i = 0; i < result.engine.cylinders.size(); ++i) {
-        row(tr("crankpin %1").arg(i + 1), {},
-            std::polar(1.0, result.engine.cylinders[i].crankpin_angle), 1.0);
-    }
-    const auto& rotating = result.rotating;
-    row(tr("force Σ exp(iκ)"), format.number(std::abs(rotating.force_factor)),
-        rotating.force_factor, rotating.force_scale);
-    row(tr("moment Σ z exp(iκ)"), format.number(shown * std::abs(rotating.moment_factor)),
-        rotating.moment_factor, rotating.moment_scale);
-    return text;
+    painter.setPen(theme.mutedText());
+    painter.drawText(QRectF(key.left(), key.top() + 4.0, key.width(), height() - key.top()),
+                     Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap,
+                     !result.counterweights
+                         ? tr("No counterweights: switch them on under Balancing.")
+                     : model_->input().end_webs->enabled ? QString()
+                                                         : tr("(switched off)"));
 }
 
 FiringWheel::FiringWheel(InertiaMomentsModel* model, QWidget* parent)
-    : ComparedFigure(parent), model_(model) {
+    : QWidget(parent), model_(model) {
     setAccessibleName(tr("Firing order"));
     makeFigure(this, [this](const CsvFormat& format) {
+        if (model_->result().firing.empty()) {
+            return QString();
+        }
         QString text = format.line({tr("cylinder"), tr("crank angle, °"), tr("interval, °")});
         for (const FiringEvent& event : model_->result().firing) {
             text += format.line({QString::number(event.cylinder),
@@ -297,24 +213,6 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
             interval + QStringLiteral("°"));
     }
     const double disc = Theme::withText(11);
-    if (const InertiaMomentsModel* other = referenceOf(model_)) {
-        // Where it fires, inside of the ring.
-        const double theirs = two_pi / other->input().cycle();
-        painter.setFont(Theme::font(Theme::smallSize));
-        for (const FiringEvent& event : other->result().firing) {
-            const double angle = theirs * event.crank_angle;
-            const QPointF ray(-std::sin(angle), -std::cos(angle));
-            painter.setPen(ghostPen(theme.text()));
-            painter.drawLine(centre + ray * (radius - 1.9 * disc), centre + ray * radius);
-            painter.setPen(theme.mutedText());
-            drawing::drawCentred(painter, centre + ray * (radius - 2.5 * disc),
-                                 QString::number(event.cylinder));
-        }
-        const double room = Theme::margin;  // the corners above have texts
-        sayReference(painter,
-                     QRectF(rect()).adjusted(room, height() - room - painter.fontMetrics().height(),
-                                             -room, 0));
-    }
     double inwards = 0.0;  // those that fire at once stand one below the other
     for (const FiringEvent& event : result.firing) {
         const QPointF at = place(event.crank_angle, std::max(radius - inwards, 0.0));

@@ -1,16 +1,16 @@
 #pragma once
 
-#include "page/compared_figure.h"
+#include <QWidget>
+
 #include "theme/theme.h"
 
 namespace ravnoves {
 
-struct CsvFormat;
 class InertiaMomentsModel;
 
 /// The crank star with the rotating masses' force and moment and the counterweights of the end
-/// webs (the paper's Fig. 9), crankpin 1 up. Of a reference it shows crankpins, force and moment.
-class CounterweightView : public ComparedFigure {
+/// webs (the paper's Fig. 9), crankpin 1 up.
+class CounterweightView : public QWidget {
     Q_OBJECT
 
   public:
@@ -24,15 +24,11 @@ class CounterweightView : public ComparedFigure {
     void paintEvent(QPaintEvent* event) override;
 
   private:
-    /// Crankpins, force, moment and the weights of the end webs: size and angle.
-    QString table(const CsvFormat& format) const;
-
     InertiaMomentsModel* model_;
 };
 
-/// The firing order as a wheel of 720°, with the intervals and the present crank angle, and where a
-/// reference fires.
-class FiringWheel : public ComparedFigure {
+/// The firing order as a wheel of 720°, with the intervals and the present crank angle.
+class FiringWheel : public QWidget {
     Q_OBJECT
 
   public:

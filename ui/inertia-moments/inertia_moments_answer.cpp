@@ -42,6 +42,7 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
 
 void InertiaMomentsAnswer::addTable(const char* part, const QString& title, const QString& name) {
     auto* table = new PartTable(model_, part, name, tabs_);
+    table->setObjectName(QStringLiteral("table-") + QLatin1String(part));
     table->setShownRows(4);  // the picture has the same share of the height
     tabs_->setTabToolTip(tabs_->addTab(table, title), name);
 }

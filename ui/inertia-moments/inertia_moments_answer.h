@@ -19,7 +19,6 @@ class InertiaMomentsAnswer : public QWidget {
 
     EngineView* picture() const { return picture_; }
     PicturePanel* picturePanel() const { return picturePanel_; }
-    QTabWidget* tabs() const { return tabs_; }
 
   private:
     void addTable(const char* part, const QString& title, const QString& name);

@@ -14,13 +14,10 @@
 
 namespace ravnoves {
 
-using Tabs = InertiaMomentsModel::Tabs;
-
 InertiaMomentsPage::InertiaMomentsPage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(takeOver<InertiaMomentsModel>(kept)) {
     QTabWidget* inputs = makeInputs();
     sliders_ = new EngineSliders(model_, this);
-    charts_ = new InertiaMomentsCharts(model_, this);
     answer_ = new InertiaMomentsAnswer(model_, this);
     verdict_ = new VerdictLine(this);
     const auto showVerdict = [this] { verdict_->show(withRefused(model_->verdict(), *model_)); };
@@ -30,18 +27,16 @@ InertiaMomentsPage::InertiaMomentsPage(QWidget* parent, SceneModel* kept)
     QVBoxLayout* column = columnIn(this);
     column->addWidget(verdict_);
     // The sliders over plots and picture: they need length.
-    column->addWidget(new PageColumns({.inputs = inputs,
-                                       .tabs = inputs,
-                                       .plots = scrolled(charts_, this),
-                                       .results = answer_,
-                                       .resultShare = 3,
-                                       .top = sliders_},
-                                      this),
-                      1);
+    column->addWidget(
+        new PageColumns({.inputs = inputs,
+                         .tabs = inputs,
+                         .plots = scrolled(new InertiaMomentsCharts(model_, this), this),
+                         .results = answer_,
+                         .resultShare = 3,
+                         .top = sliders_},
+                        this),
+        1);
 
-    followTabs(inputs, Tabs::Inputs);
-    followTabs(charts_->tabs(), Tabs::Charts);
-    followTabs(answer_->tabs(), Tabs::Answer);
     connect(model_, &SceneModel::refused, this, &ScenePage::status);
     addShaftsAction();
 }
@@ -51,26 +46,15 @@ QTabWidget* InertiaMomentsPage::makeInputs() {
     inputs->setDocumentMode(true);
     inputs->setFixedWidth(PageColumns::inputsWidth());
     engine_ = new EngineForm(model_);
-    inputs->addTab(scrolled(engine_, inputs), tr("Engine"));
     cylinders_ = new CylinderEditor(model_, inputs);
-    inputs->addTab(cylinders_, tr("Cylinders"));
-    inputs->addTab(scrolled(new BalancingForm(model_), inputs), tr("Balancing"));
+    const auto add = [inputs](QWidget* view, const char* name, const QString& title) {
+        view->setObjectName(QLatin1String(name));
+        inputs->addTab(view, title);
+    };
+    add(scrolled(engine_, inputs), "engine", tr("Engine"));
+    add(cylinders_, "cylinders", tr("Cylinders"));
+    add(scrolled(new BalancingForm(model_), inputs), "balancing", tr("Balancing"));
     return inputs;
-}
-
-void InertiaMomentsPage::followTabs(QTabWidget* tabs, Tabs group) {
-    const QStringList names = InertiaMomentsModel::tabNames(group);
-    const QString of = group == Tabs::Answer ? QStringLiteral("table-") : QString();
-    for (int i = 0; i < names.size(); ++i) {
-        tabs->widget(i)->setObjectName(of + names[i]);
-    }
-    connect(tabs, &QTabWidget::currentChanged, model_,
-            [this, group](int index) { model_->setTab(group, index); });
-    connect(model_, &InertiaMomentsModel::tabChanged, tabs, [tabs, group](Tabs which, int index) {
-        if (which == group) {
-            tabs->setCurrentIndex(index);
-        }
-    });
 }
 
 void InertiaMomentsPage::addShaftsAction() {

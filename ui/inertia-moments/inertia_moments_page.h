@@ -32,20 +32,16 @@ class InertiaMomentsPage : public ScenePage {
     EngineSliders* sliders() const { return sliders_; }
     EngineForm* engineForm() const { return engine_; }
     CylinderEditor* cylinderEditor() const { return cylinders_; }
-    InertiaMomentsCharts* charts() const { return charts_; }
     InertiaMomentsAnswer* answer() const { return answer_; }
 
   private:
     QTabWidget* makeInputs();
     void addShaftsAction();
-    /// Which tab is in front is the model's.
-    void followTabs(QTabWidget* tabs, InertiaMomentsModel::Tabs group);
 
     InertiaMomentsModel* model_;
     EngineForm* engine_ = nullptr;
     CylinderEditor* cylinders_ = nullptr;
     EngineSliders* sliders_;
-    InertiaMomentsCharts* charts_;
     InertiaMomentsAnswer* answer_;
     VerdictLine* verdict_;
     QAction* shaftsAction_ = nullptr;

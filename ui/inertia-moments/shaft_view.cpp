@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "inertia-moments/model/inertia_moments_model.h"
-#include "model/reference_case.h"
 #include "pictures/figure.h"
 #include "text/csv_format.h"
 #include "text/number_text.h"
@@ -19,7 +18,6 @@
 namespace ravnoves {
 
 using inertia_moments::Balances;
-using inertia_moments::Complex;
 using inertia_moments::Direction;
 using inertia_moments::ShaftDesign;
 
@@ -31,8 +29,7 @@ QString short4(double si, const Unit& unit) {
 
 }  // namespace
 
-ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent)
-    : ComparedFigure(parent), model_(model) {
+ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Balance shafts: arrangement and phases"));
     makeFigure(this, [this](const CsvFormat& format) { return table(format); });
@@ -41,12 +38,14 @@ ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent)
            "and crankpin of cylinder 1. Click a shaft to switch it (arrow keys, Space)."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
-    followReference(model_);
     connect(model_->crank(), &CrankAngle::changed, this, qOverload<>(&QWidget::update));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
 QString ShaftView::table(const CsvFormat& format) const {
+    if (model_->result().shafts.empty()) {
+        return {};
+    }
     const ShownTitle unbalance = shownTitle(tr("mρ, g·mm"));
     QString text = format.line({tr("shaft"), unbalance.text, tr("phase, °"), tr("switched on")});
     for (const ShaftDesign& design : model_->result().shafts) {
@@ -178,33 +177,13 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
     ray(axis, Qt::DashDotLine, theme.mutedText());
     ray(axis + phi, Qt::DashLine, theme.accent());
 
-    const InertiaMomentsModel* other = referenceOf(model_);
     double largest = 1e-300;
-    const auto makeRoom = [&](const std::vector<ShaftDesign>& shafts) {
-        for (const ShaftDesign& each : shafts) {
-            if (each.shaft.balances == design.shaft.balances) {
-                largest = std::max(largest, std::abs(each.target));
-            }
+    for (const ShaftDesign& each : result.shafts) {
+        if (each.shaft.balances == design.shaft.balances) {
+            largest = std::max(largest, std::abs(each.target));
         }
-    };
-    makeRoom(result.shafts);
-    if (other != nullptr) {
-        makeRoom(other->result().shafts);
     }
-    const auto lengthOf = [&](const Complex& target) {
-        return radius * std::max(0.2, std::abs(target) / largest);
-    };
-    if (other != nullptr && static_cast<std::size_t>(index) < other->result().shafts.size()) {
-        const ShaftDesign& was = other->result().shafts[static_cast<std::size_t>(index)];
-        if (was.phase) {
-            const double forwards = was.shaft.direction == Direction::forward ? 1.0 : -1.0;
-            const double angle = std::arg(was.target) + forwards * was.shaft.order * phi;
-            painter.setPen(ghostPen(theme.error()));
-            painter.drawLine(
-                centre, centre + QPointF(std::cos(angle), -std::sin(angle)) * lengthOf(was.target));
-        }
-        sayReference(painter, figure);
-    }
+    const double length = radius * std::max(0.2, std::abs(design.target) / largest);
     if (design.phase) {
         const double weight = *design.phase + turned;
         const double size = 0.62 * radius;
@@ -218,10 +197,9 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
         drawing::drawWeight(painter, centre, weight, size, front,
                             on ? theme.text() : theme.mutedText());
         const double target = std::arg(design.target) + turned;
-        drawing::drawArrow(
-            painter, centre,
-            centre + QPointF(std::cos(target), -std::sin(target)) * lengthOf(design.target),
-            theme.error(), 2.2);
+        drawing::drawArrow(painter, centre,
+                           centre + QPointF(std::cos(target), -std::sin(target)) * length,
+                           theme.error(), 2.2);
     }
     painter.setPen(QPen(theme.text(), 1.2));
     painter.setBrush(theme.panel());

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "page/compared_figure.h"
+#include <QWidget>
+
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -10,9 +11,8 @@ class InertiaMomentsModel;
 
 /// Arrangement and phases of the balance shafts (the paper's Figs. 7 and 8), each at the present
 /// crank angle: what it is to cancel, its weights opposite, its direction, the cylinder axis and
-/// the crankpin that its phase counts from. A click or Space switches a shaft. Of a
-/// reference it shows what its shaft of the same number is to cancel.
-class ShaftView : public ComparedFigure {
+/// the crankpin that its phase counts from. A click or Space switches a shaft.
+class ShaftView : public QWidget {
     Q_OBJECT
 
   public:

@@ -26,7 +26,7 @@ void FigureMenu::setFirst(const QString& text, std::function<void()> act) {
 }
 
 bool FigureMenu::isEmpty() const {
-    return data_ && data_(CsvFormat(QLocale::c())).count(QLatin1Char('\n')) < 2;  // headings alone
+    return data_ && data_(CsvFormat()).isEmpty();
 }
 
 QString FigureMenu::write(const QString& path, const QString& title) const {

@@ -20,6 +20,7 @@ class FigureMenu : public QObject {
 
   public:
     using Draw = std::function<void(QPainter& painter, const QRectF& target)>;
+    /// The numbers as a table; an empty text where there are none.
     using Data = std::function<QString(const CsvFormat& format)>;
 
     /// It belongs to the figure.

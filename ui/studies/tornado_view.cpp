@@ -17,6 +17,9 @@ TornadoView::TornadoView(QWidget* parent) : QWidget(parent) {
         tr("Dark: share of the variance of an input alone (Sobol's first-order index). Light: "
            "further share with other inputs (total index)."));
     makeFigure(this, [this](const CsvFormat& format) {
+        if (bars_.empty()) {
+            return QString();
+        }
         QString text = format.line({title_, tr("alone, %"), tr("with others, %")});
         for (const Bar& bar : bars_) {
             text += format.line(

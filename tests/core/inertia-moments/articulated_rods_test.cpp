@@ -478,19 +478,6 @@ TEST(ArticulatedRods, WhatNobodyBuildsIsRemarkedOn) {
     EXPECT_EQ(solve(input).notes.size(), 1U);
 }
 
-TEST(ArticulatedRods, RefusalsNameTheRowAsPeopleCount) {
-    const auto said = [](const char* place) {
-        return std::string(in_words(InputError(place, "must be so", "that")).what());
-    };
-    EXPECT_EQ(said("/input/cylinders/1/articulated/master"),
-              "Cylinder 2, master rod: must be so, got that");
-    EXPECT_EQ(said("/input/cylinders/11/offset_mm"), "Cylinder 12, offset: must be so, got that");
-    EXPECT_EQ(said("/input/cylinders/0/articulated"), "Cylinder 1: must be so, got that");
-    EXPECT_EQ(said("/input/rod"), "Rod as a rigid body: must be so, got that");
-    EXPECT_EQ(said("/input/cylinders"), "/input/cylinders: must be so, got that");
-    EXPECT_EQ(said("/input/lambda"), "/input/lambda: must be so, got that");
-}
-
 // Rounding of the two-term form is no moment that it has.
 TEST(Comparison, RoundingOfTheTwoTermFormIsNothing) {
     EngineOrder exact;

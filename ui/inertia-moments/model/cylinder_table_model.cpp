@@ -8,11 +8,11 @@
 
 #include "case-file/case_file.h"
 #include "case-file/decimal.h"
+#include "case-file/field_index.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "inertia-moments/fields.h"
 #include "inertia-moments/model/inertia_moments_model.h"
-#include "text/error_text.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -37,122 +37,65 @@ const Field& fieldOf(int column) {
     return *list.at(static_cast<std::size_t>(column));
 }
 
-/// What a cylinder is given in a column, in SI; empty where it is left out.
+bool isOfRod(int column) {
+    return column >= Table::KnuckleRadius;
+}
+
+/// Of a column's field below a cylinder.
+std::string pointerOf(int column) {
+    return (isOfRod(column) ? "/articulated/" : "/") + std::string(fieldOf(column).key);
+}
+
+/// What a cylinder is given in a column, in the field's unit; empty where it is left out.
 std::optional<double> given(const Cylinder& cylinder, int column) {
-    switch (column) {
-        case Table::Position:
-            return cylinder.axial_position;
-        case Table::BankAngle:
-            return cylinder.bank_angle;
-        case Table::Offset:
-            return cylinder.offset;
-        case Table::CrankpinAngle:
-            return cylinder.crankpin_angle;
-        default:
-            break;
-    }
-    if (!cylinder.articulated) {
+    if (isOfRod(column) && !cylinder.articulated) {
         return std::nullopt;
     }
-    const ArticulatedRod& rod = *cylinder.articulated;
-    switch (column) {
-        case Table::KnuckleRadius:
-            return rod.knuckle_radius;
-        case Table::KnuckleAngle:
-            return rod.knuckle_angle;
-        case Table::RodLength:
-            return rod.rod_length;
-        case Table::Master:
-            return rod.master == 0 ? std::nullopt : std::optional<double>(rod.master);
-        default:
-            return rod.knuckle_mass == 0.0 ? std::nullopt : std::optional(rod.knuckle_mass);
+    const FieldEntry entry = list_fields(cylinder, pointerOf(column)).front();
+    if (entry.value == entry.usual) {
+        return std::nullopt;
     }
-}
-
-/// What was typed, in the field's own unit.
-std::optional<double> ownNumber(const Field& field, const QString& text) {
-    constexpr int exact = 12;  // what is shown and read again is the same
-    const ShownUnit unit = shownUnit(field.unit);
-    const double factor = unit.factor;
-    const auto number = readTypedNumber(text, unit.name).value;
-    return number && factor != 1.0 ? std::optional(rounded_to_digits(*number / factor, exact))
-                                   : number;
-}
-
-/// Why a text may be either of two numbers that fit; empty where it is one.
-QString eitherText(const Field& field, const QString& text) {
-    const ShownUnit unit = shownUnit(field.unit);
-    const auto thousands = readWithThousands(text, unit.name);
-    return thousands && field.range.contains(*thousands / unit.factor)
-               ? thousandsTrouble(text, unit.name)
-               : QString();
+    const int* whole = std::get_if<int>(&entry.value);
+    return whole != nullptr ? *whole : std::get<double>(entry.value);
 }
 
 /// Writes a cell's text into a cylinder.
-/// @return false for a text that is no value for the column
-bool setCell(Cylinder& cylinder, int column, const QString& text) {
+/// @throws InputError for a text that is no value for the column
+void setCell(Cylinder& cylinder, int row, int column, const QString& text) {
     const Field& field = fieldOf(column);
-    const bool optional = column >= Table::KnuckleRadius;
-    const bool isEmpty = optional && text.isEmpty();
-    const auto number = ownNumber(field, text);
-    if (!isEmpty &&
-        (!number || !field.range.contains(*number) || !eitherText(field, text).isEmpty())) {
-        return false;
-    }
-    const double value = isEmpty ? 0.0 : *number * field.unit;
-    if (!optional) {
-        (column == Table::Position    ? cylinder.axial_position
-         : column == Table::BankAngle ? cylinder.bank_angle
-         : column == Table::Offset    ? cylinder.offset
-                                      : cylinder.crankpin_angle) = value;
-        return true;
-    }
-    if (column == Table::KnuckleRadius && isEmpty) {
-        cylinder.articulated.reset();
-        return true;
-    }
-    if (!cylinder.articulated) {
-        if (column != Table::KnuckleRadius) {
-            return isEmpty;
+    const ShownUnit unit = shownUnit(field.unit);
+    const auto refuse = [&](const Message& rule, const Message& found) {
+        throw InputError("/input/cylinders/" + std::to_string(row) + pointerOf(column), rule,
+                         found);
+    };
+    FieldValue value;
+    if (!isOfRod(column) || !text.isEmpty()) {
+        const auto typed = readTypedNumber(text, unit.name).value;
+        if (!typed) {
+            refuse(CORE_TEXT("core", "must be a number"), quoted_list({text.toStdString()}));
         }
-        cylinder.articulated.emplace();
+        const auto thousands = readWithThousands(text, unit.name);
+        if (thousands && field.range.contains(*thousands / unit.factor)) {
+            refuse(thousandsTrouble(text, unit.name).toStdString(), {});
+        }
+        constexpr int exact = 12;  // what is shown and read again is the same
+        const double own =
+            unit.factor == 1.0 ? *typed : rounded_to_digits(*typed / unit.factor, exact);
+        const bool isWhole = column != Table::Master || own == std::round(own);
+        if (!field.range.contains(own) || !isWhole) {
+            refuse(column == Table::Master ? field.range.whole_number_message()
+                                           : field.range.message(field.unit),
+                   Number{*typed});
+        }
+        value = column == Table::Master ? FieldValue(static_cast<int>(own)) : FieldValue(own);
     }
-    ArticulatedRod& rod = *cylinder.articulated;
-    const std::optional<double> choice = isEmpty ? std::nullopt : std::optional(value);
-    switch (column) {
-        case Table::KnuckleRadius:
-            rod.knuckle_radius = value;
-            return true;
-        case Table::KnuckleAngle:
-            rod.knuckle_angle = choice;
-            return true;
-        case Table::RodLength:
-            rod.rod_length = choice;
-            return true;
-        case Table::Master:
-            rod.master = static_cast<int>(value);
-            return rod.master == value;
-        default:
-            rod.knuckle_mass = value;
-            return true;
+    if (column == Table::KnuckleRadius && text.isEmpty()) {
+        cylinder.articulated.reset();
+    } else if (!isOfRod(column) || column == Table::KnuckleRadius || cylinder.articulated) {
+        set_field(cylinder, pointerOf(column), value);
+    } else if (!text.isEmpty()) {
+        refuse(CORE_TEXT("inertia-moments", "must be empty: this rod runs on the crankpin"), {});
     }
-}
-
-/// Why a text is no value for its cell, with what was typed.
-InputError refusal(int row, int column, const QString& text) {
-    const Field& field = fieldOf(column);
-    const Message place = inertia_moments::cylinder_place(static_cast<std::size_t>(row), field.key);
-    const auto number = readTypedNumber(text, shownUnit(field.unit).name).value;
-    if (!number) {
-        return {place, CORE_TEXT("core", "must be a number"), quoted_list({text.toStdString()})};
-    }
-    if (const QString either = eitherText(field, text); !either.isEmpty()) {
-        return {place, either.toStdString()};
-    }
-    return {place,
-            column == Table::Master ? field.range.whole_number_message()
-                                    : field.range.message(field.unit),
-            Number{*number}};
 }
 
 /// A length that was converted has no more decimals than its column has room for: where it is
@@ -167,11 +110,6 @@ QString cellText(const Field& field, double shown) {
 
 QString strokeText(double shown) {
     return fixedNumber(shown, 2 + shownUnit(units::mm).decimals, QLocale());
-}
-
-/// The rows as they are given; those of a layout have no articulated rods.
-const std::vector<Cylinder>& rowsOf(const InertiaMomentsModel& model) {
-    return model.input().layout ? model.result().engine.cylinders : model.input().cylinders;
 }
 
 /// Masters keep their cylinders when rows come or go.
@@ -216,15 +154,16 @@ std::optional<double> CylinderTableModel::valueAt(int row, int column) const {
         return column == Stroke ? strokes_[i].second : strokes_[i].first;
     }
     const Cylinder& cylinder = engine.cylinders[i];
+    const Field& field = fieldOf(column);
     std::optional<double> value = given(cylinder, column);
     if (!value && cylinder.articulated) {
         const auto& rod = *engine.knuckles[i];
         switch (column) {
             case KnuckleAngle:
-                value = rod.knuckle_angle;
+                value = from_si(field, rod.knuckle_angle);
                 break;
             case RodLength:
-                value = rod.rod_length;
+                value = from_si(field, rod.rod_length);
                 break;
             case Master:
                 value = static_cast<double>(rod.master) + 1.0;
@@ -234,9 +173,7 @@ std::optional<double> CylinderTableModel::valueAt(int row, int column) const {
                 break;
         }
     }
-    return value ? std::optional(from_si(fieldOf(column), *value) *
-                                 shownUnit(fieldOf(column).unit).factor)
-                 : std::nullopt;
+    return value ? std::optional(*value * shownUnit(field.unit).factor) : std::nullopt;
 }
 
 bool CylinderTableModel::isUsual(int row, int column) const {
@@ -318,18 +255,11 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
     const QString text = value.toString().trimmed();
     const std::pair cell(index.row(), index.column());
     setRefused(cell.first, cell.second, {}, {});
-    QString why;
-    Cylinder cylinder = rowsOf(*model_).at(row);
-    if (!setCell(cylinder, index.column(), text)) {
-        why = errorText(refusal(cell.first, cell.second, text));
-        model_->sayTrouble(why);
-    } else {
-        // A cell of the table changes columns too: it must not look at the index afterwards.
-        why = model_->edit(tr("Cylinder %1").arg(index.row() + 1), [&](Input& input) {
-            setCell(model_->tableOf(input).at(row), cell.second, text);
-        });
-        model_->finishDrag();
-    }
+    // A cell of the table changes columns too: it must not look at the index afterwards.
+    const QString why = model_->edit(tr("Cylinder %1").arg(index.row() + 1), [&](Input& input) {
+        setCell(model_->tableOf(input).at(row), cell.first, cell.second, text);
+    });
+    model_->finishDrag();
     if (why.isEmpty()) {
         model_->sayTrouble({});
     } else {
@@ -437,23 +367,16 @@ QString CylinderTableModel::pasteBlock(int row, int column, const std::vector<QS
     if (first + cells.size() > static_cast<std::size_t>(inertia_moments::most_cylinders)) {
         return tr("At most %1 cylinders.").arg(inertia_moments::most_cylinders);
     }
-    std::vector<Cylinder> cylinders = rowsOf(*model_);
     const int wide = std::min<int>(columnCount(), TopDeadCentre);
-    cylinders.resize(std::max(cylinders.size(), first + cells.size()));
-    for (std::size_t line = 0; line < cells.size(); ++line) {
-        for (int cell = 0; cell < cells[line].size() && column + cell < wide; ++cell) {
-            const QString& text = cells[line][cell];
-            if (!setCell(cylinders[first + line], column + cell, text)) {
-                if (!eitherText(fieldOf(column + cell), text).isEmpty()) {
-                    return errorText(refusal(static_cast<int>(first + line), column + cell, text));
-                }
-                return tr("Line %1, column %2: %3 is not a valid number.")
-                    .arg(QString::number(line + 1), QString::number(cell + 1), text.left(20));
+    QString why = model_->edit(tr("Paste cylinders"), [&](Input& input) {
+        std::vector<Cylinder>& cylinders = model_->tableOf(input);
+        cylinders.resize(std::max(cylinders.size(), first + cells.size()));
+        for (std::size_t line = 0; line < cells.size(); ++line) {
+            for (int cell = 0; cell < cells[line].size() && column + cell < wide; ++cell) {
+                setCell(cylinders[first + line], static_cast<int>(first + line), column + cell,
+                        cells[line][cell]);
             }
         }
-    }
-    QString why = model_->edit(tr("Paste cylinders"), [&](Input& input) {
-        model_->tableOf(input) = cylinders;
         if (input.firing_order.size() != cylinders.size()) {
             input.firing_order.clear();
         }

@@ -358,6 +358,53 @@ Figure hodographOfMoments(const InertiaMomentsModel& model) {
     return hodograph(model.result(), false);
 }
 
+/// The largest values of the orders as bars: exact, two-term and what balancing leaves.
+Figure byOrder(const Result& result, bool force) {
+    Figure figure;
+    figure.title = force ? EnginePlots::tr("Forces by order") : EnginePlots::tr("Moments by order");
+    const auto orders = static_cast<double>(result.unbalanced.orders.size());
+    figure.x = {.title = EnginePlots::tr("order k"), .min = 0.5, .max = orders + 0.5};
+    figure.left = {.title = unitTitle(force)};
+    const int kinds = force ? 3 : 5;
+    const auto add = [&](const char* id, const QString& name, Role role,
+                         const inertia_moments::EngineOrders& of, bool isRoll) {
+        const double width = 0.9 / kinds;
+        const auto place = static_cast<double>(figure.curves.size()) - 0.5 * (kinds - 1);
+        Figure::Curve& curve = figure.add(id,
+                                          {.name = name,
+                                           .role = role,
+                                           .shape = plot::Shape::Bars,
+                                           .barWidth = width,
+                                           .barShift = place * width},
+                                          {}, {});
+        for (const EngineOrder& order : of.orders) {
+            const double size =
+                isRoll ? inertia_moments::amplitude(order.roll()) : vectorOf(order, force).max();
+            const bool isNothing =
+                size <= (isRoll ? zero_share * order.roll_scale : roundingOf(order, force));
+            curve.x.push_back(order.order);
+            curve.y.push_back(isNothing ? 0.0 : size);
+        }
+    };
+    add("exact", EnginePlots::tr("exact"), Role::Exact, result.unbalanced, false);
+    add("two-term", EnginePlots::tr("two-term"), Role::TwoTerm, result.two_term_unbalanced, false);
+    add("left", EnginePlots::tr("residual"), Role::Residual, result.remaining, false);
+    if (!force) {
+        add("roll", EnginePlots::tr("roll (Mz)"), Role::Roll, result.unbalanced, true);
+        add("roll-left", EnginePlots::tr("residual (Mz)"), Role::ResidualRoll, result.remaining,
+            true);
+    }
+    return figure;
+}
+
+Figure forcesByOrder(const InertiaMomentsModel& model) {
+    return byOrder(model.result(), true);
+}
+
+Figure momentsByOrder(const InertiaMomentsModel& model) {
+    return byOrder(model.result(), false);
+}
+
 /// The roll moment and its two parts, N·m.
 Figure roll(const InertiaMomentsModel& model) {
     const WrenchCurves& curves = model.result().curves;
@@ -401,8 +448,8 @@ using Model = InertiaMomentsModel;
 using Maker = PartMaker<Model>;
 constexpr std::array makers{
     Maker{{.id = "dead-centre"}, made<deadCentre>},
-    Maker{{.id = "order-1"}, made<firstOrder>},
-    Maker{{.id = "order-2"}, made<secondOrder>},
+    Maker{{.id = "order-1", .tab = "first-orders"}, made<firstOrder>},
+    Maker{{.id = "order-2", .tab = "first-orders"}, made<secondOrder>},
     Maker{{.id = "orders", .tab = "table-orders", .isAnswer = true}, made<&Model::orderResults>},
     Maker{{.id = "rotating", .tab = "table-rotating", .isAnswer = true},
           made<&Model::rotatingResults>},
@@ -411,6 +458,8 @@ constexpr std::array makers{
     Maker{{.id = "left", .isAnswer = true}, made<&Model::remainingResults>},
     Maker{{.id = "hodograph-forces", .tab = "hodographs"}, made<hodographOfForces>},
     Maker{{.id = "hodograph-moments", .tab = "hodographs"}, made<hodographOfMoments>},
+    Maker{{.id = "forces-by-order", .tab = "orders"}, made<forcesByOrder>},
+    Maker{{.id = "moments-by-order", .tab = "orders"}, made<momentsByOrder>},
     Maker{{.id = "roll", .tab = "roll"}, made<roll>},
     Maker{{.id = "forces-over-angle", .tab = "over-angle"}, made<forcesOverAngle>},
     Maker{{.id = "moments-over-angle", .tab = "over-angle"}, made<momentsOverAngle>},

@@ -61,14 +61,6 @@ Json InertiaMomentsScene::write(const Input& input) {
     return inertia_moments::write_input(input);
 }
 
-Result InertiaMomentsScene::solve(const Input& input) {
-    try {
-        return inertia_moments::solve(input);
-    } catch (const InputError& error) {
-        throw inertia_moments::in_words(error);
-    }
-}
-
 template class CaseModel<InertiaMomentsScene>;
 
 InertiaMomentsModel::InertiaMomentsModel(QObject* parent) : CaseModel({}, parent) {}
@@ -78,13 +70,8 @@ Json InertiaMomentsModel::resultJson() const {
 }
 
 bool InertiaMomentsModel::setViewOption(const QString& key, const QString& value) {
-    const QStringList groups{QStringLiteral("inputs"), QStringLiteral("charts"),
-                             QStringLiteral("answer")};
     if (key == QLatin1String("crank_angle_deg")) {
         crank_.turnTo(readNumber(key, value));
-    } else if (const auto place = groups.indexOf(key); place >= 0) {
-        const auto group = static_cast<Tabs>(place);
-        setTab(group, oneOf(key, value, tabNames(group)));
     } else if (key == QLatin1String("layout_name")) {
         oneOf(key, value, layoutNames());
         chooseLayout(value);
@@ -248,43 +235,17 @@ bool InertiaMomentsModel::hasArticulatedRods() const {
                        [](const Cylinder& cylinder) { return cylinder.articulated.has_value(); });
 }
 
-bool InertiaMomentsModel::standsAsHung() const {
-    return std::equal(hung_.begin(), hung_.end(), result().engine.cylinders.begin(),
-                      result().engine.cylinders.end(), [](const Cylinder& a, const Cylinder& b) {
-                          return a.bank_angle == b.bank_angle &&
-                                 a.crankpin_angle == b.crankpin_angle;
-                      });
-}
-
 QString InertiaMomentsModel::setArticulatedRods(bool on) {
-    const auto hang = [&](const auto& change) {
-        return edit(tr("Articulated rods"), [&](Input& input) { change(tableOf(input), input); });
-    };
-    QString trouble;
-    if (!on) {
-        if (hasArticulatedRods()) {
-            hung_ = input().cylinders;
-        }
-        trouble = hang([](std::vector<Cylinder>& cylinders, const Input& /*input*/) {
+    QString trouble = edit(tr("Articulated rods"), [&](Input& input) {
+        std::vector<Cylinder>& cylinders = tableOf(input);
+        if (on) {
+            inertia_moments::hang_on_masters(cylinders, input.crank_radius);
+        } else {
             for (Cylinder& cylinder : cylinders) {
                 cylinder.articulated.reset();
             }
-        });
-    } else {
-        const bool again = standsAsHung();
-        if (again) {
-            trouble = hang([&](std::vector<Cylinder>& cylinders, const Input& /*input*/) {
-                for (std::size_t i = 0; i < cylinders.size(); ++i) {
-                    cylinders[i].articulated = hung_[i].articulated;
-                }
-            });
         }
-        if (!again || !trouble.isEmpty()) {  // other sizes may not take them
-            trouble = hang([](std::vector<Cylinder>& cylinders, const Input& input) {
-                inertia_moments::hang_on_masters(cylinders, input.crank_radius);
-            });
-        }
-    }
+    });
     finishDrag();
     return trouble;
 }
@@ -530,31 +491,6 @@ void InertiaMomentsModel::takeView(const SceneModel& other) {
     forces_ = model->showsForces();
     if (before != *forces_) {
         Q_EMIT viewChanged();
-    }
-}
-
-QStringList InertiaMomentsModel::tabNames(Tabs group) {
-    switch (group) {
-        case Tabs::Inputs:
-            return {QStringLiteral("engine"), QStringLiteral("cylinders"),
-                    QStringLiteral("balancing")};
-        case Tabs::Charts:
-            return {QStringLiteral("hodographs"), QStringLiteral("orders"),
-                    QStringLiteral("roll"),       QStringLiteral("shafts"),
-                    QStringLiteral("weights"),    QStringLiteral("firing"),
-                    QStringLiteral("over-angle")};
-        case Tabs::Answer:
-            return {QStringLiteral("orders"), QStringLiteral("rotating"), QStringLiteral("shafts"),
-                    QStringLiteral("weights"), QStringLiteral("left")};
-    }
-    return {};
-}
-
-void InertiaMomentsModel::setTab(Tabs group, int index) {
-    int& tab = tabs_.at(static_cast<std::size_t>(group));
-    if (index != tab && index >= 0 && index < tabNames(group).size()) {
-        tab = index;
-        Q_EMIT tabChanged(group, index);
     }
 }
 

@@ -2,7 +2,6 @@
 
 #include <QStringList>
 #include <QVector>
-#include <array>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -25,7 +24,7 @@ struct InertiaMomentsScene {
     static QString defaultTitle() { return QStringLiteral("Volkswagen VR5"); }
     static Input read(const Json& input, const CaseContext& context);
     static Json write(const Input& input);
-    static Solved solve(const Input& input);
+    static Solved solve(const Input& input) { return inertia_moments::solve(input); }
 };
 
 /// The state of the inertia-moments page: input, the solver's result, the crank angle of the
@@ -70,8 +69,7 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     QString setEvenFiring();
     bool hasArticulatedRods() const;
     /// Hangs the rods of each crankpin on that of its first cylinder, with the usual knuckle
-    /// radius, or puts them all back on their crankpins. What was articulated before is hung as it
-    /// was, as long as cylinders and crankpins stand where they stood.
+    /// radius, or puts them all back on their crankpins.
     /// @return an empty string, or why it cannot be done
     QString setArticulatedRods(bool on);
     /// Makes an input's own table the one that is edited: that of its layout, where it has one.
@@ -136,12 +134,6 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     void takeView(const SceneModel& other) override;
     CrankAngle* crank() { return &crank_; }
 
-    /// Groups of tabs and the names by which options know their tabs, in order.
-    enum class Tabs { Inputs, Charts, Answer };
-    static QStringList tabNames(Tabs group);
-    int tab(Tabs group) const { return tabs_.at(static_cast<std::size_t>(group)); }
-    void setTab(Tabs group, int index);
-
     // What the page's tables show: text in the user's locale.
     Results orderResults() const;
     Results rotatingResults() const;
@@ -155,18 +147,9 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
                 "/speed_rpm"};
     }
 
-  Q_SIGNALS:
-    void tabChanged(InertiaMomentsModel::Tabs group, int index);
-
   private:
-    /// True where cylinders and crankpins stand as in hung_.
-    bool standsAsHung() const;
-
     CrankAngle crank_{40.0, 720.0};
-    std::array<int, 3> tabs_{};
     std::optional<bool> forces_;  ///< taken from another
-    /// The table whose articulated rods were put back on their crankpins.
-    std::vector<inertia_moments::Cylinder> hung_;
 };
 
 extern template class CaseModel<InertiaMomentsScene>;
