@@ -7041,14 +7041,6 @@
         <translation>положение вдоль вала</translation>
     </message>
     <message>
-        <source>bank angle</source>
-        <translation>угол ряда</translation>
-    </message>
-    <message>
-        <source>offset</source>
-        <translation>дезаксаж</translation>
-    </message>
-    <message>
         <source>crankpin angle</source>
         <translation>угол шейки</translation>
     </message>
@@ -7063,22 +7055,6 @@
     <message>
         <source>rod length</source>
         <translation>длина шатуна</translation>
-    </message>
-    <message>
-        <source>master rod</source>
-        <translation>главный шатун</translation>
-    </message>
-    <message>
-        <source>knuckle mass</source>
-        <translation>масса у пальца прицепа</translation>
-    </message>
-    <message>
-        <source>Cylinder %1</source>
-        <translation>Цилиндр %1</translation>
-    </message>
-    <message>
-        <source>Cylinder %1, %2</source>
-        <translation>Цилиндр %1, %2</translation>
     </message>
     <message>
         <source>Rod as a rigid body</source>
@@ -7796,6 +7772,46 @@
         <source>1 cancels the forward half of the reciprocating first order; in a single cylinder this is a balance factor of 50 %.</source>
         <translation>1 гасит прямую половину первого порядка поступательных масс. Для одного цилиндра это коэффициент балансировки 50&#xa0;%.</translation>
     </message>
+    <message>
+        <source>Axial position</source>
+        <translation>Положение вдоль оси</translation>
+    </message>
+    <message>
+        <source>Bank angle</source>
+        <translation>Угол ряда</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Дезаксаж</translation>
+    </message>
+    <message>
+        <source>Articulated rod</source>
+        <translation>Прицепной шатун</translation>
+    </message>
+    <message>
+        <source>Knuckle radius</source>
+        <translation>Радиус пальца прицепа</translation>
+    </message>
+    <message>
+        <source>Knuckle angle</source>
+        <translation>Угол пальца прицепа</translation>
+    </message>
+    <message>
+        <source>Rod length</source>
+        <translation>Длина шатуна</translation>
+    </message>
+    <message>
+        <source>Master rod</source>
+        <translation>Главный шатун</translation>
+    </message>
+    <message>
+        <source>Knuckle mass</source>
+        <translation>Масса у пальца прицепа</translation>
+    </message>
+    <message>
+        <source>must be empty: this rod runs on the crankpin</source>
+        <translation>должно быть пусто: этот шатун сидит на шатунной шейке</translation>
+    </message>
 </context>
 <context>
     <name>matching</name>
@@ -8159,10 +8175,6 @@
         <translation>угловая скорость кривошипа ω</translation>
     </message>
     <message>
-        <source>crank ratio λ</source>
-        <translation>отношение λ</translation>
-    </message>
-    <message>
         <source>there is no guide</source>
         <translation>направляющей нет</translation>
     </message>
@@ -8181,10 +8193,6 @@
     <message>
         <source>Runge-Kutta of order 4, fixed step</source>
         <translation>Рунге–Кутта 4-го порядка, постоянный шаг</translation>
-    </message>
-    <message>
-        <source>crank ratio λ, 5 turns</source>
-        <translation>отношение λ, 5 оборотов</translation>
     </message>
     <message>
         <source>start speed, part of the design speed</source>
@@ -8245,14 +8253,6 @@
     <message>
         <source>all the orders of one cylinder</source>
         <translation>все порядки одного цилиндра</translation>
-    </message>
-    <message>
-        <source>crank ratio λ, K = 0</source>
-        <translation>отношение λ, K = 0</translation>
-    </message>
-    <message>
-        <source>relative offset K at λ = 0.265</source>
-        <translation>относительный дезаксаж K при λ = 0,265</translation>
     </message>
     <message>
         <source>gives no finite number</source>
@@ -9466,6 +9466,14 @@
         <source>%1: %2. Maximum contribution: %3, %4.</source>
         <translation>%1: %2. Наибольший вклад: %3, %4.</translation>
     </message>
+    <message>
+        <source>distance from locking, 1 − λ</source>
+        <translation>расстояние до заклинивания, 1 − λ</translation>
+    </message>
+    <message>
+        <source>distance from locking by the offset, 1 − λ(1 + K), λ = 0.265</source>
+        <translation>расстояние до заклинивания из-за дезаксажа, 1 − λ(1 + K), λ = 0,265</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BalanceShaftModel</name>
@@ -10275,40 +10283,12 @@ but no position is feasible</source>
         <translation>Противовесов нет: включите их на вкладке «Баланс».</translation>
     </message>
     <message>
-        <source>%1: %2 at ρ %3</source>
-        <translation>%1: %2 на ρ %3</translation>
+        <source>force</source>
+        <translation>сила</translation>
     </message>
     <message>
-        <source>size, mm</source>
-        <translation>величина, мм</translation>
-    </message>
-    <message>
-        <source>angle, °</source>
-        <translation>угол, °</translation>
-    </message>
-    <message>
-        <source>crankpin %1</source>
-        <translation>шейка %1</translation>
-    </message>
-    <message>
-        <source>force Σ exp(iκ)</source>
-        <translation>сила Σ exp(iκ)</translation>
-    </message>
-    <message>
-        <source>moment Σ z exp(iκ)</source>
-        <translation>момент Σ z exp(iκ)</translation>
-    </message>
-    <message>
-        <source>%1 at %2; opposite: %3 against the rotation</source>
-        <translation>%1 под углом %2; противоположно: %3 против вращения</translation>
-    </message>
-    <message>
-        <source>force Σ exp(iκ) = %1</source>
-        <translation>сила Σ exp(iκ) = %1</translation>
-    </message>
-    <message>
-        <source>moment Σ z exp(iκ) = %1</source>
-        <translation>момент Σ z exp(iκ) = %1</translation>
+        <source>moment</source>
+        <translation>момент</translation>
     </message>
 </context>
 <context>
@@ -10494,10 +10474,6 @@ but no position is feasible</source>
     <message>
         <source>Top dead centre %1° from its axis, stroke %2</source>
         <translation>Верхняя мёртвая точка в %1° от своей оси, ход %2</translation>
-    </message>
-    <message>
-        <source>Line %1, column %2: %3 is not a valid number.</source>
-        <translation>Строка %1, столбец %2: %3 — недопустимое число.</translation>
     </message>
 </context>
 <context>
@@ -12232,10 +12208,6 @@ but no position is feasible</source>
         <translation>Годографы</translation>
     </message>
     <message>
-        <source>&amp;logarithmic</source>
-        <translation>&amp;логарифмическая</translation>
-    </message>
-    <message>
         <source>Orders</source>
         <translation>Порядки</translation>
     </message>
@@ -12306,14 +12278,6 @@ but no position is feasible</source>
     <message>
         <source>Orders 1, 2</source>
         <translation>Порядки 1, 2</translation>
-    </message>
-    <message>
-        <source>Moments of orders 1 and 2 over two turns</source>
-        <translation>Моменты 1-го и 2-го порядков за два оборота</translation>
-    </message>
-    <message>
-        <source>Six decades, for the high orders</source>
-        <translation>Шесть декад, для высоких порядков</translation>
     </message>
     <message>
         <source>Roll moment without balancing</source>
@@ -12398,6 +12362,26 @@ but no position is feasible</source>
     <message>
         <source>offsets and rods</source>
         <translation>дезаксажи и шатуны</translation>
+    </message>
+    <message>
+        <source>Forces by order</source>
+        <translation>Силы по порядкам</translation>
+    </message>
+    <message>
+        <source>Moments by order</source>
+        <translation>Моменты по порядкам</translation>
+    </message>
+    <message>
+        <source>order k</source>
+        <translation>порядок k</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>точно</translation>
+    </message>
+    <message>
+        <source>two-term</source>
+        <translation>два члена</translation>
     </message>
 </context>
 <context>
@@ -13424,10 +13408,6 @@ but no position is feasible</source>
         <translation>Погрешность вдоль трудного параметра</translation>
     </message>
     <message>
-        <source>%1 or less</source>
-        <translation>%1 или меньше</translation>
-    </message>
-    <message>
         <source>time of one evaluation</source>
         <translation>время одного вычисления</translation>
     </message>
@@ -13486,14 +13466,6 @@ but no position is feasible</source>
     <message>
         <source>tolerance, %1</source>
         <translation>допуск, %1</translation>
-    </message>
-    <message>
-        <source>rejected</source>
-        <translation>отказ</translation>
-    </message>
-    <message>
-        <source>rejected: %1</source>
-        <translation>отказ: %1</translation>
     </message>
     <message>
         <source>not an input</source>
@@ -13713,10 +13685,6 @@ but no position is feasible</source>
         <source>Show times, orders of convergence and how both are measured</source>
         <translation>Показать время, порядок сходимости и как они измерены</translation>
     </message>
-    <message>
-        <source>Intervals of the hard parameter beyond the tolerance or without a value, for the finest setting or the one in use</source>
-        <translation>Интервалы трудного параметра, где погрешность вне допуска или числа нет, для самой тонкой или применяемой настройки</translation>
-    </message>
 </context>
 <context>
     <name>ravnoves::MissingFile</name>
@@ -13896,57 +13864,6 @@ but no position is feasible</source>
     <message>
         <source>Each value %1.</source>
         <translation>Каждое значение %1.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::OrderBars</name>
-    <message>
-        <source>Amplitudes by order</source>
-        <translation>Амплитуды по порядкам</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>точно</translation>
-    </message>
-    <message>
-        <source>two-term</source>
-        <translation>2 члена</translation>
-    </message>
-    <message>
-        <source>F, N</source>
-        <translation>F, Н</translation>
-    </message>
-    <message>
-        <source>M, N·m</source>
-        <translation>M, Н·м</translation>
-    </message>
-    <message>
-        <source>Mz, N·m</source>
-        <translation>Mz, Н·м</translation>
-    </message>
-    <message>
-        <source>log</source>
-        <translation>лог.</translation>
-    </message>
-    <message>
-        <source>order</source>
-        <translation>порядок</translation>
-    </message>
-    <message>
-        <source>Maximum: force %1 in order %2, moment %3 in order %4, roll moment %5 in order %6.</source>
-        <translation>Максимум: сила %1 в порядке %2, момент %3 в порядке %4, опрокидывающий момент %5 в порядке %6.</translation>
-    </message>
-    <message>
-        <source>residual</source>
-        <translation>остаток</translation>
-    </message>
-    <message>
-        <source>all orders are 0</source>
-        <translation>все порядки равны 0</translation>
-    </message>
-    <message>
-        <source>Order %1: exact %2, two-term %3, residual %4</source>
-        <translation>Порядок %1: точно %2, два члена %3, остаток %4</translation>
     </message>
 </context>
 <context>
@@ -16045,6 +15962,10 @@ but no position is feasible</source>
     <message>
         <source>The load can be changed for a computed cycle (Torque tab).</source>
         <translation>Нагрузку можно менять для расчётного цикла (вкладка «Момент»).</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Ход работы</translation>
     </message>
 </context>
 <context>
