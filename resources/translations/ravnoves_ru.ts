@@ -11537,26 +11537,6 @@ but no position is feasible</source>
         <source>Motion</source>
         <translation>Движение</translation>
     </message>
-    <message>
-        <source>Families of curves</source>
-        <translation>Семейства кривых</translation>
-    </message>
-    <message>
-        <source>Ratios &amp;λ</source>
-        <translation>Отношения &amp;λ</translation>
-    </message>
-    <message>
-        <source>Speeds ω, %1</source>
-        <translation>Скорости ω, %1</translation>
-    </message>
-    <message>
-        <source>Crank speeds compared in the plots.</source>
-        <translation>Угловые скорости, которые сравнивают графики.</translation>
-    </message>
-    <message>
-        <source>λ for the comparison of side forces; 1 with the series only.</source>
-        <translation>λ, для которых сравнивается боковая сила; 1 — только с рядом.</translation>
-    </message>
 </context>
 <context>
     <name>ravnoves::HingeMechanismView</name>
@@ -13849,21 +13829,6 @@ but no position is feasible</source>
     <message>
         <source>“%1” was read as %2. Type %3 if that is meant.</source>
         <translation>«%1» прочитано как %2. Если имеется в виду %3, введите это число.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::NumberListField</name>
-    <message numerus="yes">
-        <source>At most %n value(s).</source>
-        <translation>
-            <numerusform>Не больше %n значения.</numerusform>
-            <numerusform>Не больше %n значений.</numerusform>
-            <numerusform>Не больше %n значений.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Each value %1.</source>
-        <translation>Каждое значение %1.</translation>
     </message>
 </context>
 <context>

@@ -4,9 +4,7 @@
 #include <QVBoxLayout>
 
 #include "elastic-hinge/fields.h"
-#include "elastic-hinge/number_list_field.h"
 #include "text/message_text.h"
-#include "text/shown_units.h"
 #include "widgets/assumed.h"
 
 namespace ravnoves {
@@ -30,7 +28,6 @@ HingeInputs::HingeInputs(ElasticHingeModel* model, QWidget* parent)
     addFilled("/roller_radius_mm");
     number("/profile_error_waves");
     addMotion();
-    addFamilies();
     column()->addStretch();
 }
 
@@ -153,26 +150,6 @@ void HingeInputs::addMotion() {
     addFilled("/motion/start_angle_deg");
     addFilled("/motion/crank_torque_Nm");
     flag("/motion/with_profile_error");
-}
-
-void HingeInputs::addFamilies() {
-    section(tr("Families of curves"));
-    constexpr int longest = 6;
-    const auto add = [this](const char* name, const QString& label, const Field& each,
-                            const QString& hint, auto read, auto write) {
-        auto* list = new NumberListField(each, longest, this);
-        list->setObjectName(QLatin1String(name));
-        list->setHint(hint);
-        current()->addWidget(label, list);
-        connect(list, &NumberListField::valuesEdited, model_, write);
-        follow([this, list, read] { list->setValue((model_->*read)()); });
-    };
-    add("compare_speeds", tr("Speeds ω, %1").arg(shownUnit(units::rad_per_s).name),
-        field::angular_speed, tr("Crank speeds compared in the plots."),
-        &ElasticHingeModel::compareSpeeds, &ElasticHingeModel::setCompareSpeeds);
-    add("compare_lambdas", tr("Ratios &λ"), field::lambda,
-        tr("λ for the comparison of side forces; 1 with the series only."),
-        &ElasticHingeModel::compareLambdas, &ElasticHingeModel::setCompareLambdas);
 }
 
 }  // namespace ravnoves

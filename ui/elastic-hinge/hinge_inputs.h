@@ -22,7 +22,6 @@ class HingeInputs : public Form {
     void addSprings();
     void addCounterweight();
     void addMotion();
-    void addFamilies();
     /// A box to tick for an object that the input may have.
     void addObjectBox(const Field& field, const QString& name,
                       std::function<bool(const Input&)> has, std::function<void(Input&, bool)> set);

@@ -129,12 +129,6 @@ class CaseModel : public SceneModel {
     /// For a part of the input that a scene follows without solving all again.
     Input& inputInPlace() { return input_; }
     Solved& solvedInPlace() { return solved_; }
-    /// After a change of what the scene solves beside the input.
-    void solveAgain() {
-        solved_ = solve(input_);
-        countSolution();
-        Q_EMIT changed();
-    }
     /// Begins a history of its own with an input.
     void restart(const Input& input) {
         leaveEditing();

@@ -25,7 +25,6 @@ namespace {
 
 using inertia_moments::Direction;
 using inertia_moments::Input;
-using inertia_moments::Shaft;
 
 double largest(const inertia_moments::RotatingPair& pair) {
     return pair.max();
@@ -237,8 +236,8 @@ TEST(InertiaMomentsModel, ShaftsSwitchedOnCancelTheirOrder) {
     model.setShaftEnabled(1, true);
     EXPECT_LT(largest(model.result().remaining.order(1).moment), 1e-10 * before);
     // A wrong phase of 60° leaves as much as there was of that part.
-    model.editShaft(0, QStringLiteral("phase"),
-                    [](Shaft& shaft) { shaft.phase_error = 60.0 * degree; });
+    model.edit(QStringLiteral("phase"),
+               [](Input& input) { input.shafts[0].phase_error = 60.0 * degree; });
     EXPECT_NEAR(largest(model.result().remaining.order(1).moment),
                 std::abs(model.result().exact.order(1).moment.forward), 1e-9);
     EXPECT_EQ(model.shaftTitle(model.input().shafts[3]), QStringLiteral("M\u00A0−2ω"));

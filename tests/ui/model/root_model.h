@@ -71,7 +71,6 @@ class RootModel : public CaseModel<RootScene> {
     Json placeJson() const override { return place; }
     void takePlace(const Json& from) override { place = from; }
     using CaseModel::restart;
-    using CaseModel::solveAgain;
 
     Json place;
     int loads = 0;

@@ -81,18 +81,20 @@ Json ElasticHingeScene::write(const Input& input) {
     return elastic_hinge::write_input(input);
 }
 
-ElasticHingeScene::Solved ElasticHingeScene::solve(Input input) const {
+ElasticHingeScene::Solved ElasticHingeScene::solve(Input input) {
     input.guide_search.reset();  // looked for when it is asked for
+    elastic_hinge::SolveOptions options;
+    options.lambdas = {0.3, 0.4, 0.6, 0.8, 1.0};
+    if (const double speed = input.angular_speed; speed > 0.0) {
+        options.speeds = {3.0 * speed, 5.0 * speed};  // the paper's, at its own speed
+    }
     return {std::make_shared<const Result>(elastic_hinge::solve(input, options)), std::nullopt};
 }
 
 template class CaseModel<ElasticHingeScene>;
 
 ElasticHingeModel::ElasticHingeModel(QObject* parent, bool runsJobs)
-    : CaseModel(
-          {.options = {.speeds = {100.0, 300.0, 500.0}, .lambdas = {0.3, 0.4, 0.6, 0.8, 1.0}}},
-          parent),
-      runsJobs_(runsJobs) {
+    : CaseModel({}, parent), runsJobs_(runsJobs) {
     connect(&runner_, &MotionRunner::computed, this,
             [this](std::shared_ptr<const HingeMotions> motions) {
                 motions_ = std::move(motions);
@@ -111,8 +113,6 @@ Json ElasticHingeModel::resultJson() const {
 }
 
 bool ElasticHingeModel::setViewOption(const QString& key, const QString& value) {
-    // In their own units; their ranges are checked where they are set.
-    const auto numbers = [&] { return readNumberList(value, Field{}, key.toStdString()); };
     if (key == QLatin1String("crank_angle_deg")) {
         setMotionTime(std::nullopt);
         crank_.turnTo(readNumber(key, value));
@@ -124,10 +124,6 @@ bool ElasticHingeModel::setViewOption(const QString& key, const QString& value) 
     } else if (key == QLatin1String("animate")) {
         setAnimated(
             static_cast<Animated>(oneOf(key, value, {"none", "crank", "both", "off-design"})));
-    } else if (key == QLatin1String("compare_speeds")) {
-        setCompareSpeeds(numbers());
-    } else if (key == QLatin1String("compare_lambdas")) {
-        setCompareLambdas(numbers());
     } else {
         return false;
     }
@@ -136,33 +132,12 @@ bool ElasticHingeModel::setViewOption(const QString& key, const QString& value) 
 
 void ElasticHingeModel::takeView(const SceneModel& other) {
     if (const auto* model = qobject_cast<const ElasticHingeModel*>(&other)) {
-        setCompareSpeeds(model->compareSpeeds());
-        setCompareLambdas(model->compareLambdas());
         setShownHinge(model->shownHinge());
         // Reliefs are compared at one scale, the chosen one or that of the other's relief.
         if (const double factor = model->exaggeration(); factor != exaggeration_) {
             exaggeration_ = factor;
             Q_EMIT viewChanged();
         }
-    }
-}
-
-void ElasticHingeModel::setCompareSpeeds(const std::vector<double>& speeds) {
-    compare(scene().options.speeds, speeds, "compare_speeds", field::angular_speed);
-}
-
-void ElasticHingeModel::setCompareLambdas(const std::vector<double>& lambdas) {
-    compare(scene().options.lambdas, lambdas, "compare_lambdas", field::lambda);
-}
-
-void ElasticHingeModel::compare(std::vector<double>& kept, const std::vector<double>& wanted,
-                                const char* key, const Field& field) {
-    for (const double value : wanted) {
-        check_range(field, value, key);
-    }
-    if (wanted != kept) {
-        kept = wanted;
-        solveAgain();
     }
 }
 

@@ -31,10 +31,8 @@ struct ElasticHingeScene {
     static QString defaultTitle();
     static Input read(const Json& input, const CaseContext& context);
     static Json write(const Input& input);
-    /// Without the search for a guide.
-    Solved solve(Input input) const;
-
-    elastic_hinge::SolveOptions options;
+    /// With the families of curves, and without the search for a guide.
+    static Solved solve(Input input);
 };
 
 /// The state of the elastic-hinge page: input, the solver's result, the motions (computed in a
@@ -87,11 +85,6 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     /// Nothing: chosen from the relief.
     void setExaggeration(std::optional<double> factor);
     bool hasAutomaticExaggeration() const { return !exaggeration_; }
-
-    const std::vector<double>& compareSpeeds() const { return scene().options.speeds; }
-    const std::vector<double>& compareLambdas() const { return scene().options.lambdas; }
-    void setCompareSpeeds(const std::vector<double>& speeds);
-    void setCompareLambdas(const std::vector<double>& lambdas);
 
     /// Sets gravity, m/s². Where the case gives weights they stay, and the masses follow.
     void setGravity(double gravity);
@@ -148,8 +141,6 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
 
   private:
     QString beginningSpring(const std::string& pointer, const std::function<QString()>& set);
-    void compare(std::vector<double>& kept, const std::vector<double>& wanted, const char* key,
-                 const Field& field);
     void taken() override {
         if (runsJobs_) {
             runner_.start(input(), solved().result);

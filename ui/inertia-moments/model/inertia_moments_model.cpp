@@ -440,17 +440,9 @@ void InertiaMomentsModel::removeShaft(int index) {
 }
 
 void InertiaMomentsModel::setShaftEnabled(int index, bool enabled) {
-    editShaft(index, enabled ? tr("Shaft on") : tr("Shaft off"),
-              [enabled](Shaft& shaft) { shaft.enabled = enabled; });
+    edit(enabled ? tr("Shaft on") : tr("Shaft off"),
+         [=](Input& input) { input.shafts.at(static_cast<std::size_t>(index)).enabled = enabled; });
     finishDrag();
-}
-
-void InertiaMomentsModel::editShaft(int index, const QString& name,
-                                    const std::function<void(Shaft&)>& mutate) {
-    if (index < 0 || index >= static_cast<int>(input().shafts.size())) {
-        return;
-    }
-    edit(name, [&](Input& input) { mutate(input.shafts[static_cast<std::size_t>(index)]); });
 }
 
 QString InertiaMomentsModel::shaftTitle(const Shaft& shaft) const {

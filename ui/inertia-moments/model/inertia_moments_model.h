@@ -2,7 +2,6 @@
 
 #include <QStringList>
 #include <QVector>
-#include <functional>
 #include <optional>
 #include <utility>
 
@@ -121,8 +120,6 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     void addShaft();
     void removeShaft(int index);
     void setShaftEnabled(int index, bool enabled);
-    void editShaft(int index, const QString& name,
-                   const std::function<void(inertia_moments::Shaft&)>& mutate);
     /// "M₂ +2ω": order, task and direction in short.
     QString shaftTitle(const inertia_moments::Shaft& shaft) const;
 
