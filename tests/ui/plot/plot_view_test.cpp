@@ -296,7 +296,9 @@ TEST_F(PlotViewTest, AnAxisKeepsItsUnitHoweverSmallThePlot) {
 TEST_F(PlotViewTest, LabelsStandBesideTheCurve) {
     plot.setMarks({{90, 100, QStringLiteral("greatest")}, {180, 0, QStringLiteral("none")}});
     plot.setLines({{.at = 40.0, .text = QStringLiteral("limit")}});
+    plot.setPresentX(100.0);
     plot.grab();
+    const double present = plot.toPixel(100.0, 0.0).x();
     int found = 0;
     for (const test::PaintedText& each : test::painted(plot).texts) {
         if (each.text != QStringLiteral("greatest") && each.text != QStringLiteral("none") &&
@@ -308,6 +310,8 @@ TEST_F(PlotViewTest, LabelsStandBesideTheCurve) {
             EXPECT_FALSE(each.ink.contains(plot.toPixel(x, *plot.valueAt(curve, x))))
                 << each.text.toStdString() << " at " << x;
         }
+        EXPECT_FALSE(each.ink.left() <= present && present <= each.ink.right())
+            << each.text.toStdString();
     }
     EXPECT_EQ(found, 3);
 }
