@@ -54,31 +54,24 @@ const BalanceShaftModel* MechanismView::ghost() const {
 }
 
 drawing::Frame MechanismView::frame() const {
-    double reach = 0.0;
-    double cylinderTop = 0.0;
-    for (const BalanceShaftModel* each : {static_cast<const BalanceShaftModel*>(model_), ghost()}) {
-        if (each == nullptr) {
-            continue;
-        }
-        // Room for the shaft at any α, and for the cylinder above.
-        const FrontView& sizes = each->solver().front_view();
-        const double shaftReach = sizes.centre_distance +
-                                  std::max(sizes.shaft_swing_radius, sizes.gear_tip_radius) +
-                                  sizes.wall;
-        const double crankReach =
-            std::max(sizes.crank_swing_radius, sizes.gear_tip_radius) + sizes.wall;
-        reach = std::max({reach, shaftReach, crankReach});
-        cylinderTop = std::max(cylinderTop, sizes.cylinder_top);
+    if (held_) {
+        return *held_;
     }
-    const double top = std::max(cylinderTop, reach);
+    QRectF box;  // of envelopes, y up
+    for (const BalanceShaftModel* each : {static_cast<const BalanceShaftModel*>(model_), ghost()}) {
+        if (each != nullptr) {
+            const Envelope& envelope = each->result().envelope;
+            box |= QRectF(envelope.left, envelope.bottom, envelope.width(), envelope.height());
+        }
+    }
     const double margin = 14.0;
     const double captions = 24.0;  // the rows of text above and below
     drawing::Frame frame;
-    frame.pixelsPerUnit =
-        std::min((width() - 2 * margin) / (2 * reach), (height() - 2 * captions) / (top + reach));
-    frame.pixelsPerUnit = std::max(frame.pixelsPerUnit, 1e-9);
-    const double used = (top + reach) * frame.pixelsPerUnit;
-    frame.origin = QPointF(width() / 2.0, (height() + used) / 2.0 - reach * frame.pixelsPerUnit);
+    frame.pixelsPerUnit = std::max(
+        std::min((width() - 2 * margin) / box.width(), (height() - 2 * captions) / box.height()),
+        1e-9);
+    frame.origin = QPointF(width() / 2.0 - box.center().x() * frame.pixelsPerUnit,
+                           height() / 2.0 + box.center().y() * frame.pixelsPerUnit);
     return frame;
 }
 
@@ -267,7 +260,9 @@ void MechanismView::mousePressEvent(QMouseEvent* event) {
     const QPointF shaft =
         map.at(sizes.centre_distance * std::sin(alpha), sizes.centre_distance * std::cos(alpha));
     const QPointF away = event->position() - shaft;
-    draggingShaft_ = std::hypot(away.x(), away.y()) < sizes.shaft_swing_radius * map.pixelsPerUnit;
+    if (std::hypot(away.x(), away.y()) < sizes.shaft_swing_radius * map.pixelsPerUnit) {
+        held_ = map;
+    }
     mouseMoveEvent(event);
 }
 
@@ -280,7 +275,7 @@ void MechanismView::mouseMoveEvent(QMouseEvent* event) {
     if (angle < 0) {
         angle += 360.0;
     }
-    if (draggingShaft_) {
+    if (held_) {
         model_->pickShaftAngleDeg(angle);
     } else {
         setPlaying(false);
@@ -291,10 +286,11 @@ void MechanismView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void MechanismView::mouseReleaseEvent(QMouseEvent* /*event*/) {
-    if (draggingShaft_) {
+    if (held_) {
         model_->finishDrag();
+        held_.reset();
+        update();
     }
-    draggingShaft_ = false;
 }
 
 }  // namespace ravnoves

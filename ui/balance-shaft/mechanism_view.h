@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "page/mechanism_picture.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
@@ -28,7 +30,8 @@ class MechanismView : public MechanismPicture {
     void mouseReleaseEvent(QMouseEvent* event) override;
 
   private:
-    /// The mapping of metres to pixels; it rests while the mechanism moves.
+    /// The mapping of metres to pixels: the envelope fills the picture. It rests while the shaft is
+    /// dragged.
     drawing::Frame frame() const;
     /// The mechanism of the reference: envelope, cylinder, swing circles and where its shaft lies.
     void paintGhost(QPainter& painter, const drawing::Frame& map) const;
@@ -36,7 +39,7 @@ class MechanismView : public MechanismPicture {
     const BalanceShaftModel* ghost() const;
 
     BalanceShaftModel* model_;
-    bool draggingShaft_ = false;
+    std::optional<drawing::Frame> held_;  ///< while the shaft is dragged
 };
 
 }  // namespace ravnoves
