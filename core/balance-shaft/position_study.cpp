@@ -38,22 +38,16 @@ struct PositionStudy::Prepared {
     explicit Prepared(const Solver& of);
 
     Moment moment(const ShaftPosition& at) const { return shaft.at({at.x, at.y}); }
-    ShaftPosition position(const Moment& m) const {
-        const Eigen::Vector2d place = shaft.place(m);
-        return {place.x(), place.y()};
-    }
     PositionCriteria criteria(const ShaftPosition& at) const {
         const Moment m = moment(at);
         return {plane.range(m), plane.rms(m), places.size(at.x, at.y)};
     }
     bool is_constant() const { return range_without <= constant_torque * size; }
-    BestPosition best_range() const;
-    BestPosition best_rms() const;
-
     /// weight × range + (1 − weight) × RMS, N·m.
     PlaceQuestion question(double weight) const;
     PlaceQuestion question_of_size() const;
     BestPosition found(const PlaceFound& found) const;
+    BestPosition best(double weight) const;
     std::optional<BestPosition> best_buildable(double weight, const BestPosition& free) const;
     BestPosition best_at(double distance, double weight,
                          const std::vector<AngleStretch>& within) const;
@@ -70,18 +64,17 @@ PositionStudy::Prepared::Prepared(const Solver& of)
     rms_without = plane.rms({0.0, 0.0});
 }
 
-BestPosition PositionStudy::Prepared::best_range() const {
-    PlaceFound least = minimise_range(plane);
-    least.place = shaft.place(least.place);
-    return found(least);
-}
-
-BestPosition PositionStudy::Prepared::best_rms() const {
-    BestPosition best;
-    best.position = position(plane.opposed());
-    best.criteria = criteria(best.position);
-    best.gap = 8.0 * std::numeric_limits<double>::epsilon() * rms_without;
-    return best;
+BestPosition PositionStudy::Prepared::best(double weight) const {
+    if (weight <= 0.0) {
+        const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * rms_without;
+        return found({shaft.place(plane.opposed()), 0.0, rounding});
+    }
+    if (weight >= 1.0) {
+        PlaceFound least = minimise_range(plane);
+        least.place = shaft.place(least.place);
+        return found(least);
+    }
+    return found(lowest_place(question(weight)));
 }
 
 PlaceQuestion PositionStudy::Prepared::question(double weight) const {
@@ -165,8 +158,8 @@ BestPosition PositionStudy::Prepared::best_at(double distance, double weight,
         best.gap = found.gap;
     } else {
         const bool any = shaft.force() == 0.0 || plane.opposed().norm() <= constant_torque * size;
-        const ShaftPosition opposed = any ? ShaftPosition{} : position(plane.opposed());
-        angle = nearest_angle(within, opposed.shaft_angle());
+        const Eigen::Vector2d opposed = any ? Moment(0.0, 0.0) : shaft.place(plane.opposed());
+        angle = nearest_angle(within, ShaftPosition{opposed.x(), opposed.y()}.shaft_angle());
     }
     best.position = ShaftPosition::at(distance, angle);
     best.criteria = criteria(best.position);
@@ -219,8 +212,8 @@ BestPositions PositionStudy::best() const {
             "The tipping moment is constant: a shaft away from the crank axis only adds to it.");
         return answer;
     }
-    answer.range = prepared_->best_range();
-    answer.rms = prepared_->best_rms();
+    answer.range = prepared_->best(1.0);
+    answer.rms = prepared_->best(0.0);
     return answer;
 }
 
@@ -242,10 +235,7 @@ std::optional<BestPosition> PositionStudy::best_sum(double range_weight) const {
     if (prepared_->shaft.force() == 0.0 || prepared_->is_constant()) {
         return std::nullopt;
     }
-    return range_weight >= 1.0 ? prepared_->best_range()
-           : range_weight <= 0.0
-               ? prepared_->best_rms()
-               : prepared_->found(lowest_place(prepared_->question(range_weight)));
+    return prepared_->best(range_weight);
 }
 
 std::optional<BestPosition> PositionStudy::best_sum_buildable(double range_weight) const {

@@ -90,10 +90,6 @@ class PositionStudy {
     BestPosition best_at(double centre_distance, double range_weight) const;
     std::optional<BestPosition> best_buildable_at(double centre_distance,
                                                   double range_weight) const;
-    BestPosition best_range_at(double centre_distance) const {
-        return best_at(centre_distance, 1.0);
-    }
-    BestPosition best_rms_at(double centre_distance) const { return best_at(centre_distance, 0.0); }
 
     Obstacle obstacle(const ShaftPosition& position) const;
     Message obstacle_reason(const ShaftPosition& position) const;  ///< a sentence; empty: none

@@ -5,18 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/short_trigonometry.h"
-
 namespace ravnoves::balance_shaft {
 
 RodSweep::RodSweep(const FrontView& view) : crank_(view.crank()) {
     const double length2 = crank_.rod_length * crank_.rod_length;
     per_length2_ = length2 > 0.0 ? 1.0 / length2 : 0.0;
     for (Eigen::Index i = 0; i < samples; ++i) {
-        const double theta = step * static_cast<double>(i);
-        const Rod rod = rod_at(theta);
-        sin_[i] = std::sin(theta);
-        cos_[i] = std::cos(theta);
+        const Rod rod = rod_at(step * static_cast<double>(i));
         x_[i] = rod.x;
         y_[i] = rod.y;
         along_x_[i] = rod.along_x;
@@ -54,49 +49,14 @@ double RodSweep::squares(double x, double y, Column& out) const {
     return out.minCoeff();
 }
 
-/// Where the square of the distance is least within a step of a sample that lies lower than its
-/// neighbours: its slope changes sign there once.
-RodSweep::Rod RodSweep::flat_beside(Eigen::Index sample, double x, double y, double bend) const {
-    // The rod at an angle from the sample's, and half the slope of the square there.
-    const auto at = [&](double beside) {
-        const auto [c, s] = short_cos_sin(beside);
-        const double sin = sin_[sample] * c + cos_[sample] * s;
-        const double cos = cos_[sample] * c - sin_[sample] * s;
-        const auto piston = crank_.at(sin, cos);
-        const double pin_x = crank_.crank_radius * sin;
-        const double pin_y = crank_.crank_radius * cos;
-        const Rod rod{pin_x, pin_y, crank_.offset - pin_x, piston.s - pin_y};
-        const double to_x = x - rod.x;
-        const double to_y = y - rod.y;
-        const double t =
-            std::clamp((to_x * rod.along_x + to_y * rod.along_y) * per_length2_, 0.0, 1.0);
-        const double slope = -((to_x - t * rod.along_x) * (1.0 - t) * rod.y +
-                               (to_y - t * rod.along_y) * (t * piston.ds - (1.0 - t) * rod.x));
-        return std::pair(rod, slope);
-    };
-    // The distance is flat there: half of a double's digits are enough.
-    constexpr double enough = 1e-9;
-    double angle = 0.0;
-    auto [rod, slope] = at(angle);
-    constexpr int secants = 8;
-    for (int i = 0; i < secants && bend > 0.0; ++i) {
-        const double moved = angle - slope / bend;
-        if (!(std::abs(moved) <= step)) {
-            break;
-        }
-        if (std::abs(moved - angle) <= enough) {
-            return rod;
-        }
-        const auto [rod_there, slope_there] = at(moved);
-        bend = (slope_there - slope) / (moved - angle);
-        angle = moved;
-        rod = rod_there;
-        slope = slope_there;
-    }
-    return at(boost::math::tools::brent_find_minima(
-                  [&](double beside) { return square(at(beside).first, x, y); }, -step, step, 26)
-                  .first)
-        .first;
+/// Where the square of the distance is least within a step of a sample that lies no higher than its
+/// neighbours: it is flat there, so half of a double's digits of the angle are enough.
+RodSweep::Rod RodSweep::lowest_beside(Eigen::Index sample, double x, double y) const {
+    const double theta = step * static_cast<double>(sample);
+    const auto square_at = [&](double angle) { return square(rod_at(angle), x, y); };
+    constexpr int bits = 26;
+    return rod_at(
+        boost::math::tools::brent_find_minima(square_at, theta - step, theta + step, bits).first);
 }
 
 RodSweep::Nearest RodSweep::nearest(double x, double y) const {
@@ -119,13 +79,11 @@ RodSweep::Nearest RodSweep::nearest(double x, double y, const Column& square_at,
         const double before = square_at[i == 0 ? samples - 1 : i - 1];
         const double after = square_at[i + 1 == samples ? 0 : i + 1];
         if (square_at[i] <= before && square_at[i] <= after) {
-            // Half of the square's second derivative, as the slope is half of its first.
-            const double bend = (before - 2.0 * square_at[i] + after) / (2.0 * step * step);
-            const Rod flat = flat_beside(i, x, y, bend);
-            const double value = square(flat, x, y);
+            const Rod lowest = lowest_beside(i, x, y);
+            const double value = square(lowest, x, y);
             if (value < best) {
                 best = value;
-                rod = flat;
+                rod = lowest;
             }
         }
         if (square_at[i] < best) {

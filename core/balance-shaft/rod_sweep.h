@@ -40,8 +40,7 @@ class RodSweep {
     using Column = Eigen::Array<double, samples, 1>;
 
     Rod rod_at(double theta) const;
-    /// @param bend  about the second derivative of half the square, m²
-    Rod flat_beside(Eigen::Index sample, double x, double y, double bend) const;
+    Rod lowest_beside(Eigen::Index sample, double x, double y) const;
     Nearest nearest(double x, double y, const Column& square_at, double least) const;
     /// Squares of the distances of all samples; returns the least.
     double squares(double x, double y, Column& out) const;
@@ -49,7 +48,6 @@ class RodSweep {
     SliderCrank<double> crank_;
     double per_length2_ = 0.0;  ///< 1/L², 0 for no rod
     double motion_ = 0.0;       ///< most that a place of the rod moves in one step, m
-    Column sin_, cos_;          ///< of the crank angle
     Column x_, y_, along_x_, along_y_;
 };
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 
-#include "balance-shaft/envelope_study.h"
 #include "balance-shaft/position_study.h"
 #include "balance-shaft/scene.h"
 #include "balance-shaft/speed_study.h"
@@ -407,61 +406,6 @@ TEST(BuildableAnglesTest, ABandOfSpeedsHoldsToTheLimitsToo) {
     EXPECT_EQ(study.buildable().stretches,
               buildable_angles(front_view(band), band.place_limits).stretches);
     EXPECT_FALSE(study.buildable().contains(90.0 * degree));
-}
-
-TEST(EnvelopeStudyTest, EfficientAnglesCanBeBuilt) {
-    const Solver solver(preset_tmz_650d());
-    const EnvelopeStudy study = envelope_study(solver, 720);
-    double least = 1e300;
-    for (std::size_t i = 0; i < 720; ++i) {
-        EXPECT_EQ(study.buildable[i],
-                  solver.buildable().contains(study.shaft_angle_deg[i] * degree));
-        EXPECT_TRUE(study.buildable[i] || !study.efficient[i]) << study.shaft_angle_deg[i];
-        if (study.buildable[i]) {
-            least = std::min(least, study.range[i]);
-        }
-    }
-    for (std::size_t i = 0; i < 720; ++i) {
-        if (study.range[i] == least && study.buildable[i]) {
-            EXPECT_TRUE(study.efficient[i]);
-        }
-    }
-}
-
-TEST(SpeedStudy, KnowsWhatCanBeBuilt) {
-    const Input input = diesel();
-    const SpeedStudy study(input, {1500.0 * units::rpm, 4000.0 * units::rpm, 6, false});
-    const auto& stretches = study.buildable().stretches;
-    ASSERT_FALSE(stretches.empty());
-    using Criterion = SpeedStudy::Criterion;
-    using Measure = SpeedStudy::Measure;
-    for (const Criterion criterion : {Criterion::range, Criterion::rms}) {
-        const auto all = study.least_bad_angle(criterion, Measure::relative);
-        const auto built = study.least_bad_angle(criterion, Measure::relative, stretches);
-        EXPECT_TRUE(study.buildable().contains(built.shaft_angle));
-        EXPECT_GE(built.value, all.value - 1e-12);
-        const auto map = study.map(720);
-        double least = 1e300;
-        for (std::size_t i = 0; i < 720; ++i) {
-            if (!study.buildable().contains(map->shaft_angle_deg[i] * degree)) {
-                continue;
-            }
-            double worst = 0.0;
-            for (std::size_t k = 0; k < 6; ++k) {
-                const auto& point = study.points()[k];
-                worst = std::max(worst, criterion == Criterion::range
-                                            ? map->range[k * 720 + i] / point.range_without
-                                            : map->rms[k * 720 + i] / point.rms_without);
-            }
-            least = std::min(least, worst);
-        }
-        EXPECT_LE(built.value, least + 1e-9);
-        EXPECT_NEAR(built.value, least, 0.01);
-    }
-    for (const SpeedStudy::Point& point : study.points()) {
-        EXPECT_TRUE(study.buildable().contains(*point.buildable_range_angle));
-        EXPECT_TRUE(study.buildable().contains(*point.buildable_rms_angle));
-    }
 }
 
 }  // namespace

@@ -357,11 +357,7 @@ TEST(ComputedTorque, CasesRoundTrip) {
 }
 
 TEST(ComputedTorque, BadCyclesAreRefused) {
-    const auto refusal = [](const std::string& patch) {
-        Json json = write_input(diesel());
-        json.merge_patch(parse_json(patch));
-        return error_of([&] { solve(read_input(json, {})); });
-    };
+    const auto refusal = [](const std::string& patch) { return test::refusal(diesel(), patch); };
     EXPECT_EQ(refusal(R"({"torque": {"cycle": {"compression_ratio": 1}}})"),
               "/input/torque/cycle/compression_ratio: must be greater than 1 and at most 100, got "
               "1");

@@ -41,9 +41,13 @@ TEST(EnvelopeStudyTest, TheBoxHoldsItsCircles) {
 }
 
 TEST(EnvelopeStudyTest, EfficientAnglesAreThoseThatNothingBeats) {
-    const EnvelopeStudy study = envelope_study(Solver(preset_tmz_650d()), 240);
+    const Solver solver(preset_tmz_650d());
+    const EnvelopeStudy study = envelope_study(solver, 240);
     int efficient = 0;
     for (std::size_t i = 0; i < 240; ++i) {
+        EXPECT_EQ(study.buildable[i],
+                  solver.buildable().contains(study.shaft_angle_deg[i] * degree));
+        EXPECT_TRUE(study.buildable[i] || !study.efficient[i]) << study.shaft_angle_deg[i];
         bool beaten = false;
         for (std::size_t j = 0; j < 240; ++j) {
             beaten = beaten || (study.buildable[j] && study.area[j] < study.area[i] &&

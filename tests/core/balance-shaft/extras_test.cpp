@@ -147,15 +147,10 @@ TEST(Gears, ReadWrittenAndRefused) {
     input.crank_share = 0.6;
     EXPECT_EQ(read_input(write_input(input), {}).gears, input.gears);
     EXPECT_EQ(read_input(write_input(input), {}).crank_share, 0.6);
-    Json json = write_input(input);
-    json["gears"]["shifted_teeth"] = 36;
-    EXPECT_THROW(read_input(json, {}), InputError);
-    json["gears"]["shifted_teeth"] = 1;
-    json["gears"]["teeth"] = 3;
-    EXPECT_THROW(read_input(json, {}), InputError);
-    json["gears"]["teeth"] = 40;
-    json["crank_share"] = 1.5;
-    EXPECT_THROW(read_input(json, {}), InputError);
+    for (const char* patch : {R"({"gears": {"shifted_teeth": 36}})", R"({"gears": {"teeth": 3}})",
+                              R"({"crank_share": 1.5})"}) {
+        EXPECT_NE(test::refusal(input, patch), "no error");
+    }
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include "balance-shaft/gear_error.h"
 #include "balance-shaft/mechanism.h"
 #include "balance-shaft/scene.h"
-#include "balance-shaft/speed_study.h"
 #include "case-file/json.h"
 #include "test_cases.h"
 
@@ -254,32 +253,6 @@ TEST(OffsetCylinder, AngleSweepMetricsAndGearsFollow) {
     }
     EXPECT_NEAR(solver.range(*result.best_range.shaft_angle), result.best_range.value, 1e-8);
     EXPECT_NEAR(solver.rms(*result.best_rms.shaft_angle), result.best_rms.value, 1e-9);
-}
-
-TEST(OffsetCylinder, SpeedStudyIsTheEngineSolvedAtEachSpeed) {
-    Input input = offset_engine();
-    const SpeedStudy study(input, {1500.0 * units::rpm, 4500.0 * units::rpm, 4, false});
-    const auto map = study.map(12);
-    ASSERT_TRUE(map);
-    for (std::size_t k = 0; k < 4; ++k) {
-        const SpeedStudy::Point& point = study.points()[k];
-        input.angular_speed = point.angular_speed;
-        const Solver solver(input);
-        const Result result = solver.result();
-        EXPECT_NEAR(point.range_without, result.M_up.range, 1e-9);
-        EXPECT_NEAR(point.rms_without, result.M_up.rms, 1e-9);
-        EXPECT_NEAR(point.best_range, result.best_range.value, 1e-8);
-        EXPECT_NEAR(point.best_rms, result.best_rms.value, 1e-9);
-        EXPECT_NEAR(point.best_range_angle, *result.best_range.shaft_angle, 1e-6);
-        EXPECT_NEAR(point.best_rms_angle, *result.best_rms.shaft_angle, 1e-9);
-        EXPECT_NEAR(*point.buildable_range_angle, *result.best_range_buildable.shaft_angle, 1e-6);
-        EXPECT_NEAR(*point.buildable_rms_angle, *result.best_rms_buildable.shaft_angle, 1e-9);
-        for (std::size_t i = 0; i < 12; ++i) {
-            const double alpha = map->shaft_angle_deg[i] * degree;
-            EXPECT_NEAR(map->range[k * 12 + i], solver.range(alpha), 1e-8);
-            EXPECT_NEAR(map->rms[k * 12 + i], solver.rms(alpha), 1e-9);
-        }
-    }
 }
 
 TEST(OffsetCylinder, AMeasuredTableHasTheTermToo) {

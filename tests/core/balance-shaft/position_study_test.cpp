@@ -98,7 +98,7 @@ TEST(PositionStudyTest, circlesAboutTheCrankHaveTheseBestAngles) {
     } expected[] = {{40, 0.0, 1119.02},   {50, 15.6, 1100.87}, {60, 29.15, 1091.44},
                     {70, 37.05, 1083.72}, {80, 42.6, 1077.04}, {90, 47.0, 1071.49}};
     for (const auto& row : expected) {
-        const BestPosition best = study.best_range_at(row.distance_mm * units::mm);
+        const BestPosition best = study.best_at(row.distance_mm * units::mm, 1.0);
         EXPECT_NEAR(best.position.centre_distance() / units::mm, row.distance_mm, 1e-9);
         EXPECT_NEAR(std::remainder(best.position.shaft_angle() / degree - row.angle_deg, 360.0),
                     0.0, 0.05);
@@ -108,7 +108,7 @@ TEST(PositionStudyTest, circlesAboutTheCrankHaveTheseBestAngles) {
             row.range, 0.00501);
         EXPECT_LE(best.criteria.range, row.range + 0.00501);
         EXPECT_GE(best.criteria.range, row.range - 0.02);
-        const BestPosition rms = study.best_rms_at(row.distance_mm * units::mm);
+        const BestPosition rms = study.best_at(row.distance_mm * units::mm, 0.0);
         EXPECT_NEAR(rms.position.shaft_angle() / degree, 11.758583, 5e-7);
         EXPECT_LE(rms.criteria.rms, best.criteria.rms);
     }
@@ -488,7 +488,7 @@ TEST(PositionStudyTest, aConstantTorqueAndAShaftWithoutMomentAreSaidInWords) {
     EXPECT_FALSE(still.best_buildable().reason.empty());
     EXPECT_TRUE(still.front().empty());
     EXPECT_NEAR(still.at({0.1, 0.1}).range, still.range_without(), 1e-9);
-    EXPECT_NEAR(still.best_range_at(0.1).criteria.range, still.range_without(), 1e-9);
+    EXPECT_NEAR(still.best_at(0.1, 1.0).criteria.range, still.range_without(), 1e-9);
 }
 
 TEST(PositionStudyTest, limitsThatLeaveNothingGiveAReason) {
@@ -506,41 +506,22 @@ TEST(PositionStudyTest, limitsThatLeaveNothingGiveAReason) {
 }
 
 TEST(PositionStudyTest, limitsAreChecked) {
-    const auto error = [](const auto& set) {
-        Input input = preset_tmz_650d();
-        set(input.place_limits);
-        return error_of([&] { check_input(input); });
-    };
-    EXPECT_EQ(error([](PlaceLimits&) {}), "no error");
-    EXPECT_EQ(error([](PlaceLimits& to) {
-                  to.centre_distance_min = 0.1;
-                  to.centre_distance_max = 0.1;
-              }),
-              "/input/place_limits/centre_distance_max_mm: must be greater than 100 mm, got 100");
-    EXPECT_EQ(error([](PlaceLimits& to) {
-                  to.shaft_angle_from = 0.5 * pi;
-                  to.shaft_angle_to = 0.25 * pi;
-              }),
-              "/input/place_limits/shaft_angle_to_deg: must be greater than 90°; across 0° enter "
-              "405°, got 45");
-    EXPECT_EQ(error([](PlaceLimits& to) {
-                  to.left = 0.03;
-                  to.right = 0.02;
-              }),
-              "/input/place_limits/right_mm: must be greater than 30 mm, got 20");
-    EXPECT_EQ(error([](PlaceLimits& to) {
-                  to.bottom = 0.03;
-                  to.top = -0.02;
-              }),
-              "/input/place_limits/top_mm: must be greater than 30 mm, got -20");
-    EXPECT_EQ(error([](PlaceLimits& to) { to.shaft_angle_from = 2.0 * pi; }),
-              "/input/place_limits/shaft_angle_from_deg: must be less than 360°, got 360");
-    EXPECT_EQ(error([](PlaceLimits& to) {
-                  to.left = 0.03;
-                  to.right = 0.04;
-              }),
-              "no error");
-    EXPECT_EQ(error([](PlaceLimits& to) { to.shaft_angle_from = -0.5; }), "no error");
+    const std::pair<std::string, std::string> cases[] = {
+        {"{}", "no error"},
+        {R"({"left_mm": 30, "right_mm": 40})", "no error"},
+        {R"({"shaft_angle_from_deg": -30})", "no error"},
+        {R"({"centre_distance_min_mm": 100, "centre_distance_max_mm": 100})",
+         "centre_distance_max_mm: must be greater than 100 mm, got 100"},
+        {R"({"shaft_angle_from_deg": 90, "shaft_angle_to_deg": 45})",
+         "shaft_angle_to_deg: must be greater than 90°; across 0° enter 405°, got 45"},
+        {R"({"left_mm": 30, "right_mm": 20})", "right_mm: must be greater than 30 mm, got 20"},
+        {R"({"bottom_mm": 30, "top_mm": -20})", "top_mm: must be greater than 30 mm, got -20"},
+        {R"({"shaft_angle_from_deg": 360})",
+         "shaft_angle_from_deg: must be less than 360°, got 360"}};
+    for (const auto& [limits, said] : cases) {
+        EXPECT_EQ(refusal(preset_tmz_650d(), R"({"place_limits": )" + limits + "}"),
+                  said == "no error" ? said : "/input/place_limits/" + said);
+    }
 }
 
 TEST(PositionStudyTest, theResultHoldsTheBestPlaces) {

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "balance-shaft/angle_search.h"
-#include "balance-shaft/rod_sweep.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "numerics/vector_lanes.h"
@@ -88,36 +87,6 @@ TEST(BalanceShaftSweep, ExtremaStandAtTheirAnglesAndNoSampleIsBeyondThem) {
                 }
             }
         }
-    }
-}
-
-TEST(BalanceShaftSweep, RodIsNearestWhereNoOtherPlaceOfItIsNearer) {
-    const FrontView view = front_view(preset_tmz_650d());
-    const RodSweep rods(view);
-    const SliderCrank<double> crank = view.crank();
-    const std::vector<double> place = some_angles(120, -0.3, 0.4);
-    for (std::size_t k = 0; k + 1 < place.size(); k += 2) {
-        const double x = place[k];
-        const double y = place[k + 1];
-        double least = 1.0;
-        for (int i = 0; i < 40'000; ++i) {
-            const double theta = two_pi * i / 40'000;
-            const double from_x = crank.crank_radius * std::sin(theta);
-            const double from_y = crank.crank_radius * std::cos(theta);
-            const double along_x = crank.offset - from_x;
-            const double along_y = crank.at(theta).s - from_y;
-            const double t = std::clamp(((x - from_x) * along_x + (y - from_y) * along_y) /
-                                            (crank.rod_length * crank.rod_length),
-                                        0.0, 1.0);
-            least = std::min(least, std::hypot(x - from_x - t * along_x, y - from_y - t * along_y));
-        }
-        const RodSweep::Nearest found = rods.nearest(x, y);
-        EXPECT_LE(found.distance, least + 1e-15);
-        EXPECT_NEAR(found.distance, least, least > 1e-4 ? 1e-8 : 1e-5) << x << ' ' << y;
-        EXPECT_NEAR(std::hypot(x - found.x, y - found.y), found.distance, 1e-12);
-        EXPECT_TRUE(rods.is_clear(x, y, found.distance));
-        EXPECT_FALSE(rods.nearer_than(x, y, found.distance));
-        EXPECT_EQ(rods.nearer_than(x, y, found.distance * 1.01 + 1e-12)->distance, found.distance);
     }
 }
 

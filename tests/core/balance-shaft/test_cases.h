@@ -12,6 +12,7 @@
 #include "balance-shaft/results.h"
 #include "balance-shaft/scene.h"
 #include "balance-shaft/solver.h"
+#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/result_json.h"
@@ -30,6 +31,13 @@ std::string error_of(const auto& action) {
         return error.what();
     }
     return "no error";
+}
+
+/// What is said of an input that a patch of its case changes; "no error" where it is solved.
+inline std::string refusal(const Input& input, const std::string& patch) {
+    Json json = write_input(input);
+    json.merge_patch(parse_json(patch));
+    return error_of([&] { Solver(read_input(json, {})); });
 }
 
 /// Rows of a CSV file of numbers without comments and header; the first field may be a word.

@@ -6,7 +6,6 @@
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/gear_error.h"
 #include "balance-shaft/scene.h"
-#include "balance-shaft/speed_study.h"
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "test_cases.h"
@@ -200,9 +199,7 @@ TEST(TwoStroke, TheCycleIsContinuousAndItsWorkThatOfItsTorque) {
         }
     }
     const auto refusal = [](const std::string& patch) {
-        Json json = write_input(two_stroke());
-        json["torque"]["cycle"].merge_patch(parse_json(patch));
-        return error_of([&] { read_input(json, {}); });
+        return test::refusal(two_stroke(), R"({"torque": {"cycle": )" + patch + "}}");
     };
     EXPECT_EQ(refusal(R"({"ports_open_deg": 120})"), "no error");
     EXPECT_EQ(refusal(R"({"combustion_duration_deg": 130})"),
@@ -211,16 +208,6 @@ TEST(TwoStroke, TheCycleIsContinuousAndItsWorkThatOfItsTorque) {
     EXPECT_EQ(refusal(R"({"ports_open_deg": 62, "combustion_start_deg": 280})"),
               "/input/torque/cycle/combustion_start_deg: must be after the ports have closed, "
               "298°, got 280°");
-}
-
-TEST(TwoStroke, SpeedStudyIsTheEngineAtItsSpeeds) {
-    Input input = two_stroke();
-    const SpeedStudy study(input, {1500 * units::rpm, 4000 * units::rpm, 3, false});
-    ASSERT_TRUE(study.is_complete());
-    input.angular_speed = study.points()[1].angular_speed;
-    const Result result = solve(input);
-    EXPECT_NEAR(study.points()[1].best_range, result.best_range.value, 1e-9 * result.M_up.range);
-    EXPECT_NEAR(study.points()[1].rms_without, result.M_up.rms, 1e-9 * result.M_up.range);
 }
 
 }  // namespace

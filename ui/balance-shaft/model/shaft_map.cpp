@@ -76,8 +76,8 @@ ShaftMap::Distances bestOfDistances(const PositionStudy& study, double reach,
     for (std::size_t i = 1; i <= distances && goesOn(); ++i) {
         const double distance = reach * static_cast<double>(i) / distances;
         found.distance.push_back(distance);
-        found.range.push_back(study.best_range_at(distance));
-        found.rms.push_back(study.best_rms_at(distance));
+        found.range.push_back(study.best_at(distance, 1.0));
+        found.rms.push_back(study.best_at(distance, 0.0));
         found.rangeBuilt.push_back(study.best_buildable_at(distance, 1.0));
         found.rmsBuilt.push_back(study.best_buildable_at(distance, 0.0));
     }
