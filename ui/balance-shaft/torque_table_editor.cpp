@@ -21,44 +21,21 @@
 
 namespace ravnoves {
 
-TorqueTableModel* TorqueTableEditor::newTable() {
-    return new TorqueTableModel;
-}
-
-TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, TorqueTableModel* table,
-                                     QWidget* parent)
-    : TableEditor(table, tr("Torque table"), tr("Insert a row below"),
+TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, QWidget* parent)
+    : TableEditor(new TorqueTableModel(model), tr("Torque table"), tr("Insert a row below"),
                   tr("Delete the selected rows"), parent),
       model_(model),
-      table_(table) {
+      table_(static_cast<TorqueTableModel*>(table())) {
     table_->setParent(this);
-    table_->setModel(model_);
     caption()->setText(
         tr("Engine torque over one cycle, 720° (two-stroke 360°). Paste a whole table from a "
            "spreadsheet, or type."));
     addTool(QStringLiteral("import"), tr("Import CSV file…"), [this] { importWithDialog(); });
     addTool(QStringLiteral("export"), tr("Export CSV file…"), [this] { exportWithDialog(); });
-
-    table_->setTable(model_->input().torque.table);
-    const auto sayNothing = [this] {  // what was said was of the table before
-        if (table_->trouble().isEmpty()) {
-            say({}, false);
+    connect(model_, &SceneModel::changed, this, [this] {
+        if (trouble().isEmpty()) {
+            say({}, false);  // what was said was of the table before
         }
-    };
-    const auto follow = [this, sayNothing] {
-        if (!(table_->checkedTable() == model_->input().torque.table)) {
-            table_->setTable(model_->input().torque.table);
-            sayNothing();
-        }
-    };
-    connect(model_, &SceneModel::changed, this, follow);
-    connect(model_, &SceneModel::broughtIn, table_, &EditableTable::forgetRefused);
-    connect(model_, &SceneModel::broughtIn, this, follow);
-    connect(table_, &TorqueTableModel::tableEdited, this, [this, sayNothing] {
-        sayNothing();
-        model_->edit(tr("Edit torque table"), [this](balance_shaft::Input& input) {
-            TorqueTableModel::putInto(input, table_->checkedTable());
-        });
     });
     connect(table_, &EditableTable::troubleChanged, this, [this](const QString& trouble) {
         say(trouble.isEmpty() ? QString()

@@ -12,18 +12,14 @@ class TorqueTableEditor : public TableEditor {
     Q_OBJECT
 
   public:
-    explicit TorqueTableEditor(BalanceShaftModel* model, QWidget* parent = nullptr)
-        : TorqueTableEditor(model, newTable(), parent) {}
+    explicit TorqueTableEditor(BalanceShaftModel* model, QWidget* parent = nullptr);
 
-    TorqueTableModel* tableModel() const { return table_; }
     /// Opens the import window for a file, which replaces the whole table.
     void importFile(const QString& path);
     /// A whole cycle replaces the table; anything smaller goes into the cells from the current one.
     void paste() override;
 
   private:
-    TorqueTableEditor(BalanceShaftModel* model, TorqueTableModel* table, QWidget* parent);
-    static TorqueTableModel* newTable();
     void importWithDialog();
     void exportWithDialog();
 

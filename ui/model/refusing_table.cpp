@@ -74,18 +74,17 @@ QVariant RefusingTable::refusedData(const QModelIndex& at, int role) const {
     }
 }
 
-bool RefusingTable::isMended(const Cell& cell, const Refused& refused) const {
-    for (int row = 0; row < rowCount(); ++row) {
-        if (rowName(row) == cell.first) {
-            return cell.second >= columnCount() || held(row, cell.second) != refused.below;
-        }
-    }
-    return true;  // its row is gone
-}
-
 void RefusingTable::follow() {
-    const auto mended = std::erase_if(
-        refused_, [this](const auto& each) { return isMended(each.first, each.second); });
+    std::map<std::string, int> rows;
+    for (int row = 0; row < rowCount() && !refused_.empty(); ++row) {
+        rows[rowName(row)] = row;
+    }
+    const auto mended = std::erase_if(refused_, [&](const auto& each) {
+        const auto& [cell, refused] = each;
+        const auto row = rows.find(cell.first);
+        return row == rows.end() || cell.second >= columnCount() ||
+               held(row->second, cell.second) != refused.below;
+    });
     if (mended > 0) {
         Q_EMIT troubleChanged(trouble());
     }

@@ -51,8 +51,6 @@ class RefusingTable : public EditableTable {
     void follow();
 
   private:
-    bool isMended(const Cell& cell, const Refused& refused) const;
-
     std::map<Cell, Refused> refused_;
     int rows_ = 0;
     int columns_ = 0;
