@@ -163,7 +163,8 @@ std::span<const Text> left_out() {
         CORE_TEXT(
             "balance-shaft",
             "The play of the gears allows any shaft angle within it; the motion is not computed."),
-        CORE_TEXT("balance-shaft", "Of the relieved shaft: bending, stress and bearing loads."),
+        CORE_TEXT("balance-shaft",
+                  "Of the relieved shaft: bending, stress, the load on each bearing."),
         CORE_TEXT("balance-shaft",
                   "Parts that overlap in the front view may be one behind another."),
     };

@@ -13,15 +13,22 @@ inline constexpr ResultField reciprocating_mass{
 inline constexpr ResultField inertia_force_1_max{
     "inertia_force_1_max_N", units::newton, 1,
     CORE_TEXT("balance-shaft", "Inertia force Pⱼ₁, maximum"),
-    CORE_TEXT("balance-shaft", "mⱼ r ω².")};
+    CORE_TEXT("balance-shaft", "First order, mⱼ r ω².")};
 inline constexpr ResultField counterweight_mass{
-    "counterweight_mass_kg", units::kg, 4, CORE_TEXT("balance-shaft", "Counterweight mass m₁")};
+    "counterweight_mass_kg", units::kg, 4, CORE_TEXT("balance-shaft", "Counterweight mass m₁"),
+    CORE_TEXT("balance-shaft",
+              "Mass of each of the two counterweights, mⱼ r / (2 ρ₁), eq. (1), or as entered.")};
 inline constexpr ResultField counterweight_force{
     "counterweight_force_N", units::newton, 1, CORE_TEXT("balance-shaft", "Counterweight force P₁"),
     CORE_TEXT("balance-shaft", "m₁ ρ₁ ω².")};
-inline constexpr ResultField moment_amplitude{"moment_amplitude_Nm", units::N_m, 2,
-                                              CORE_TEXT("balance-shaft", "Amplitude of Mₛ"),
-                                              CORE_TEXT("balance-shaft", "P₁ l.")};
+inline constexpr ResultField shaft_bearing_load{
+    "shaft_bearing_load_N", units::newton, 1,
+    CORE_TEXT("balance-shaft", "Load on the shaft bearings, P₁"),
+    CORE_TEXT("balance-shaft",
+              "Force on both bearings of the shaft together; it rotates with the shaft.")};
+inline constexpr ResultField moment_amplitude{
+    "moment_amplitude_Nm", units::N_m, 2, CORE_TEXT("balance-shaft", "Amplitude of Mₛ, P₁ l"),
+    CORE_TEXT("balance-shaft", "Maximum moment of the shaft.")};
 inline constexpr ResultField shaft_angle{"shaft_angle_deg", units::degree, 2,
                                          CORE_TEXT("balance-shaft", "α")};
 inline constexpr ResultField metrics{"metrics", units::none, 3};
@@ -174,12 +181,15 @@ inline constexpr ResultField M_ups_phase{"M_ups_phase_deg", units::degree, 1,
                                          CORE_TEXT("balance-shaft", "Mᵤₚₛ, phase")};
 
 // -------------------------------------------------------------------------------- flywheel
-inline constexpr ResultField excess_work{"excess_work_J", units::joule, 1,
-                                         CORE_TEXT("balance-shaft", "excess work")};
-inline constexpr ResultField fluctuation{"fluctuation", units::none, 5,
-                                         CORE_TEXT("balance-shaft", "speed fluctuation")};
-inline constexpr ResultField inertia{"inertia_kg_m2", units::kg_m2, 4,
-                                     CORE_TEXT("balance-shaft", "moment of inertia")};
+inline constexpr ResultField excess_work{
+    "excess_work_J", units::joule, 1, CORE_TEXT("balance-shaft", "excess work ΔE"),
+    CORE_TEXT("balance-shaft", "Maximum minus minimum of ∫ (Mᵢ − mean) dφ over the cycle.")};
+inline constexpr ResultField fluctuation{
+    "fluctuation", units::none, 5, CORE_TEXT("balance-shaft", "speed fluctuation δ"),
+    CORE_TEXT("balance-shaft", "(ω_max − ω_min) / ω = ΔE / (J ω²).")};
+inline constexpr ResultField inertia{
+    "inertia_kg_m2", units::kg_m2, 4, CORE_TEXT("balance-shaft", "moment of inertia J"),
+    CORE_TEXT("balance-shaft", "Moment of inertia of all rotating parts, ΔE / (δ ω²).")};
 inline constexpr ResultField max_energy{"max_energy_J", units::joule, 1,
                                         CORE_TEXT("balance-shaft", "maximum energy")};
 inline constexpr ResultField min_energy{"min_energy_J", units::joule, 1,
@@ -187,19 +197,31 @@ inline constexpr ResultField min_energy{"min_energy_J", units::joule, 1,
 
 // ------------------------------------------------------------------------- indicated cycle
 inline constexpr ResultField displacement{"displacement_cm3", units::cm3, 1,
-                                          CORE_TEXT("balance-shaft", "displacement")};
-inline constexpr ResultField clearance_volume{"clearance_volume_cm3", units::cm3, 2,
-                                              CORE_TEXT("balance-shaft", "clearance volume")};
-inline constexpr ResultField heat{"heat_J", units::joule, 1, CORE_TEXT("balance-shaft", "heat")};
-inline constexpr ResultField work{"work_J", units::joule, 1, CORE_TEXT("balance-shaft", "work")};
+                                          CORE_TEXT("balance-shaft", "displacement"),
+                                          CORE_TEXT("balance-shaft", "Piston area times stroke.")};
+inline constexpr ResultField clearance_volume{
+    "clearance_volume_cm3", units::cm3, 2, CORE_TEXT("balance-shaft", "clearance volume"),
+    CORE_TEXT("balance-shaft", "Displacement over the compression ratio minus 1.")};
+inline constexpr ResultField heat{
+    "heat_J", units::joule, 1, CORE_TEXT("balance-shaft", "heat per cycle"),
+    CORE_TEXT("balance-shaft",
+              "Heat released by the combustion, entered or from the mean pressure.")};
+inline constexpr ResultField work{"work_J", units::joule, 1,
+                                  CORE_TEXT("balance-shaft", "indicated work per cycle"),
+                                  CORE_TEXT("balance-shaft", "∮ (p − p₀) dV.")};
 inline constexpr ResultField mean_effective_pressure{
     "mean_effective_pressure_bar", units::bar, 3,
-    CORE_TEXT("balance-shaft", "mean effective pressure")};
-inline constexpr ResultField power{"power_kW", units::kW, 3, CORE_TEXT("balance-shaft", "power")};
-inline constexpr ResultField mean_torque{"mean_torque_Nm", units::N_m, 2,
-                                         CORE_TEXT("balance-shaft", "mean torque")};
-inline constexpr ResultField peak_pressure{"peak_pressure_bar", units::bar, 2,
-                                           CORE_TEXT("balance-shaft", "peak pressure")};
+    CORE_TEXT("balance-shaft", "indicated mean effective pressure"),
+    CORE_TEXT("balance-shaft", "Work of a cycle over the displacement.")};
+inline constexpr ResultField power{
+    "power_kW", units::kW, 3, CORE_TEXT("balance-shaft", "indicated power"),
+    CORE_TEXT("balance-shaft", "Work of a cycle times cycles a second.")};
+inline constexpr ResultField mean_torque{
+    "mean_torque_Nm", units::N_m, 2, CORE_TEXT("balance-shaft", "mean torque"),
+    CORE_TEXT("balance-shaft", "Work of a cycle over its crank angle.")};
+inline constexpr ResultField peak_pressure{
+    "peak_pressure_bar", units::bar, 2, CORE_TEXT("balance-shaft", "peak pressure"),
+    CORE_TEXT("balance-shaft", "Maximum pressure in the cylinder.")};
 inline constexpr ResultField peak_pressure_crank_angle{
     "peak_pressure_crank_angle_deg", units::degree, 1,
     CORE_TEXT("balance-shaft", "φ of the peak pressure")};
@@ -239,21 +261,27 @@ inline constexpr ResultField printed_mean_M_ups{
 // --------------------------------------------------------------------------- without shaft
 inline constexpr ResultField share{"share", units::none, 3,
                                    CORE_TEXT("balance-shaft", "share balanced on the crank")};
-inline constexpr ResultField first_order{"first_order_N", units::newton, 1,
-                                         CORE_TEXT("balance-shaft", "first order")};
-inline constexpr ResultField along_cylinder{"along_cylinder_N", units::newton, 1,
-                                            CORE_TEXT("balance-shaft", "along the cylinder")};
-inline constexpr ResultField across_cylinder{"across_cylinder_N", units::newton, 1,
-                                             CORE_TEXT("balance-shaft", "across the cylinder")};
+inline constexpr ResultField first_order{
+    "first_order_N", units::newton, 1, CORE_TEXT("balance-shaft", "first order, P"),
+    CORE_TEXT("balance-shaft", "First-order inertia force, mⱼ r ω².")};
+inline constexpr ResultField along_cylinder{
+    "along_cylinder_N", units::newton, 1,
+    CORE_TEXT("balance-shaft", "along the cylinder, (1 − κ) P"),
+    CORE_TEXT("balance-shaft", "Half-axis of the ellipse along the cylinder.")};
+inline constexpr ResultField across_cylinder{
+    "across_cylinder_N", units::newton, 1, CORE_TEXT("balance-shaft", "across the cylinder, κ P"),
+    CORE_TEXT("balance-shaft", "Half-axis of the ellipse across the cylinder.")};
 inline constexpr ResultField largest{"largest_N", units::newton, 1,
                                      CORE_TEXT("balance-shaft", "maximum")};
 inline constexpr ResultField counterweight_moment{
     "counterweight_moment_kg_m", units::kg_m, 5,
     CORE_TEXT("balance-shaft", "unbalance of the crank's counterweight")};
-inline constexpr ResultField with_shaft{"with_shaft_N", units::newton, 1,
-                                        CORE_TEXT("balance-shaft", "with the shaft")};
-inline constexpr ResultField second_order{"second_order_N", units::newton, 1,
-                                          CORE_TEXT("balance-shaft", "second order")};
+inline constexpr ResultField with_shaft{
+    "with_shaft_N", units::newton, 1, CORE_TEXT("balance-shaft", "first order with the shaft"),
+    CORE_TEXT("balance-shaft", "Residual first order with the shaft.")};
+inline constexpr ResultField second_order{
+    "second_order_N", units::newton, 1, CORE_TEXT("balance-shaft", "second order, λ mⱼ r ω²"),
+    CORE_TEXT("balance-shaft", "Second order along the cylinder, with and without a shaft.")};
 
 // ---------------------------------------------------------------------------------- places
 inline constexpr ResultField centre_distance{"centre_distance_mm", units::mm, 2,
@@ -269,8 +297,9 @@ inline constexpr ResultField size{"size_m2", units::none, 4, CORE_TEXT("balance-
 // ----------------------------------------------------------------------------------- gears
 inline constexpr ResultField phase_error{"phase_error_deg", units::degree, 3,
                                          CORE_TEXT("balance-shaft", "phase error")};
-inline constexpr ResultField residual_force{"residual_force_N", units::newton, 1,
-                                            CORE_TEXT("balance-shaft", "residual force")};
+inline constexpr ResultField residual_force{
+    "residual_force_N", units::newton, 1, CORE_TEXT("balance-shaft", "residual force"),
+    CORE_TEXT("balance-shaft", "Constant force that turns against the crank, 2 P₁ |sin(δ/2)|.")};
 inline constexpr ResultField play{"play_deg", units::degree, 3, CORE_TEXT("balance-shaft", "play")};
 inline constexpr ResultField play_force{"play_force_N", units::newton, 1,
                                         CORE_TEXT("balance-shaft", "force from the play")};
@@ -280,10 +309,13 @@ inline constexpr ResultField play_range_high{
     "play_range_high_Nm", units::N_m, 2, CORE_TEXT("balance-shaft", "maximum range over the play")};
 
 // -------------------------------------------------------------------------- relieved shaft
-inline constexpr ResultField required_unbalance{"required_unbalance_g_mm", units::gram_mm, 0,
-                                                CORE_TEXT("balance-shaft", "required unbalance")};
-inline constexpr ResultField unbalance{"unbalance_g_mm", units::gram_mm, 0,
-                                       CORE_TEXT("balance-shaft", "unbalance")};
+inline constexpr ResultField required_unbalance{
+    "required_unbalance_g_mm", units::gram_mm, 0,
+    CORE_TEXT("balance-shaft", "required unbalance, m₁ ρ₁"),
+    CORE_TEXT("balance-shaft", "Unbalance of both counterweights by equation (1).")};
+inline constexpr ResultField unbalance{
+    "unbalance_g_mm", units::gram_mm, 0, CORE_TEXT("balance-shaft", "unbalance of the shaft"),
+    CORE_TEXT("balance-shaft", "U = 2/3 ρ b a³, a² = h (D − h).")};
 inline constexpr ResultField diameter{"diameter_mm", units::mm, 2,
                                       CORE_TEXT("balance-shaft", "diameter")};
 inline constexpr ResultField depth{"depth_mm", units::mm, 3,
@@ -291,18 +323,29 @@ inline constexpr ResultField depth{"depth_mm", units::mm, 3,
 inline constexpr ResultField length{"length_mm", units::mm, 2,
                                     CORE_TEXT("balance-shaft", "length of the relief")};
 inline constexpr ResultField flat_width{"flat_width_mm", units::mm, 2,
-                                        CORE_TEXT("balance-shaft", "width of the flat")};
-inline constexpr ResultField removed_mass{"removed_mass_kg", units::kg, 4,
-                                          CORE_TEXT("balance-shaft", "mass removed")};
+                                        CORE_TEXT("balance-shaft", "width of the flat"),
+                                        CORE_TEXT("balance-shaft", "2 a = 2 √(h (D − h)).")};
+inline constexpr ResultField removed_mass{
+    "removed_mass_kg", units::kg, 4, CORE_TEXT("balance-shaft", "mass milled away"),
+    CORE_TEXT("balance-shaft", "ρ b times the area of the segment.")};
 inline constexpr ResultField relieved_part_mass{
-    "relieved_part_mass_kg", units::kg, 4, CORE_TEXT("balance-shaft", "mass of the relieved part")};
+    "relieved_part_mass_kg", units::kg, 4, CORE_TEXT("balance-shaft", "mass of the relieved part"),
+    CORE_TEXT("balance-shaft", "ρ b A of the remaining section.")};
 inline constexpr ResultField centre_of_mass_radius{
     "centre_of_mass_radius_mm", units::mm, 3,
-    CORE_TEXT("balance-shaft", "radius of the centre of mass")};
-inline constexpr ResultField critical_radius{"critical_radius_mm", units::mm, 2,
-                                             CORE_TEXT("balance-shaft", "minimum radius")};
-inline constexpr ResultField critical_length{"critical_length_mm", units::mm, 2,
-                                             CORE_TEXT("balance-shaft", "minimum length")};
+    CORE_TEXT("balance-shaft", "radius of its centre of mass"),
+    CORE_TEXT("balance-shaft",
+              "U over the mass of the relieved part, on the side away from the flat.")};
+inline constexpr ResultField critical_radius{
+    "critical_radius_mm", units::mm, 2, CORE_TEXT("balance-shaft", "critical bar radius"),
+    CORE_TEXT("balance-shaft",
+              "Minimum bar radius for the unbalance at this length, ∛(3 U / (2 ρ b)); not a "
+              "vibration limit.")};
+inline constexpr ResultField critical_length{
+    "critical_length_mm", units::mm, 2, CORE_TEXT("balance-shaft", "critical length"),
+    CORE_TEXT("balance-shaft",
+              "Minimum length of the relief for the unbalance with this bar, 3 U / (2 ρ R³); not a "
+              "vibration limit.")};
 
 // ------------------------------------------------------------------------------ speed band
 inline constexpr ResultField speeds{"speed_rpm", units::rpm, 0,

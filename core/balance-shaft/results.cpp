@@ -60,6 +60,8 @@ void visit_moments(ResultVisitor& visitor, const Result& result) {
     visitor.number(key::inertia_force_1_max, result.inertia_force_1_max);
     visitor.number(key::counterweight_mass, result.counterweight_mass);
     visitor.number(key::counterweight_force, result.counterweight_force);
+    // The force on the shaft's own counterweight has no other support.
+    visitor.number(key::shaft_bearing_load, result.counterweight_force);
     visitor.number(key::moment_amplitude, result.moment_amplitude);
     visitor.number(key::shaft_angle, result.shaft_angle);
     visitor.object(key::metrics, [&] {

@@ -52,6 +52,8 @@ TEST(BalanceShaftPaper, Forces) {
     EXPECT_NEAR(result.counterweight_mass, 0.658, 1e-12);
     EXPECT_NEAR(result.counterweight_force, 4297.4, 0.05);
     EXPECT_NEAR(result.moment_amplitude, 430.39, 0.01);
+    const Json json = written(preset_tmz_650d());
+    EXPECT_EQ(json.at("shaft_bearing_load_N"), json.at("counterweight_force_N"));
 }
 
 TEST(BalanceShaftPaper, WholeOfTable3) {

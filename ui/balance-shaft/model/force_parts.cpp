@@ -8,7 +8,9 @@
 #include "balance-shaft/gear_error.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/relieved_shaft_model.h"
+#include "balance-shaft/result_fields.h"
 #include "numerics/constants.h"
+#include "text/field_row.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 
@@ -71,25 +73,18 @@ Figure forceLocus(const BalanceShaftModel& model) {
 }
 
 Results forces(const BalanceShaftModel& model) {
+    namespace key = balance_shaft::result_field;
     const CrankBalance balance = balance_shaft::crank_balance(model.solver());
-    const auto row = [](const QString& name, double value, const QString& tip,
-                        const Unit& unit = units::newton) {
-        return shownRow(name, value, unit, 0, tip);
-    };
     Results results{{ForceWords::tr("Force"), ForceWords::tr("Value"), ForceWords::tr("Unit")}};
     results.rows = {
-        row(RowWords::tr("1st order, P"), balance.first_order,
-            RowWords::tr("First-order inertia force, mⱼ r ω²")),
-        row(RowWords::tr("along, (1 − κ) P"), balance.along,
-            RowWords::tr("Half-axis of the ellipse along the cylinder")),
-        row(RowWords::tr("across, κ P"), balance.across,
-            RowWords::tr("Half-axis of the ellipse across the cylinder")),
-        row(RowWords::tr("1st with shaft"), balance.with_shaft,
-            RowWords::tr("Residual first order with the shaft")),
-        row(RowWords::tr("2nd order, λ mⱼ r ω²"), balance.second_order,
-            RowWords::tr("Second order along the cylinder, with and without a shaft")),
-        row(RowWords::tr("on crank, κ mⱼ r"), balance.counterweight_moment,
-            RowWords::tr("Static moment of the counterweight on the crank"), units::gram_mm)};
+        shownRow(key::first_order, balance.first_order),
+        shownRow(key::along_cylinder, balance.along),
+        shownRow(key::across_cylinder, balance.across),
+        shownRow(key::with_shaft, balance.with_shaft),
+        shownRow(key::second_order, balance.second_order),
+        shownRow(RowWords::tr("on crank, κ mⱼ r"), balance.counterweight_moment, units::gram_mm, 0,
+                 RowWords::tr("Static moment of the counterweight on the crank")),
+    };
     return results;
 }
 
@@ -124,6 +119,7 @@ Figure gearMoment(const BalanceShaftModel& model) {
 }
 
 Results gears(const BalanceShaftModel& model) {
+    namespace key = balance_shaft::result_field;
     const GearError& error = model.gearError();
     const auto angle = [](double radians, int digits) {
         return ResultCell(radians / degree, fixedNumber(radians / degree, digits, QLocale()));
@@ -139,8 +135,7 @@ Results gears(const BalanceShaftModel& model) {
     results.rows = {
         {{RowWords::tr("phase error"), angle(error.phase_error, 2), degrees},
          RowWords::tr("360° k / z")},
-        shownRow(RowWords::tr("residual force"), error.residual_force, units::newton, 0,
-                 RowWords::tr("Constant force that turns against the crank, 2 P₁ |sin(δ/2)|")),
+        shownRow(key::residual_force, error.residual_force),
         {{RowWords::tr("range"), moments(error.right_range, to, error.range, 0), momentUnit},
          RowWords::tr("ΔMᵤₚₛ, correct timing → k teeth out")},
         {{RowWords::tr("RMS"), moments(error.right_rms, to, error.rms, 1), momentUnit},

@@ -1,12 +1,11 @@
 #include "balance-shaft/model/relieved_shaft_model.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include "balance-shaft/fields.h"
+#include "balance-shaft/result_fields.h"
+#include "text/field_row.h"
 #include "text/message_text.h"
-#include "text/number_text.h"
-#include "text/shown_units.h"
 #include "text/write_file.h"
 
 namespace ravnoves {
@@ -83,34 +82,20 @@ void RelievedShaftModel::setDensity(double density) {
 }
 
 Results RelievedShaftModel::results(const RelievedShaft& found) {
-    const auto row = [](const QString& name, double si, int decimals, const Unit& unit,
-                        const QString& tip) {
-        ResultRow made = shownRow(name, si, unit, decimals, tip);
-        if (!(si > 0.0)) {
-            made[1] = QStringLiteral("–");
-        }
-        return made;
+    namespace key = balance_shaft::result_field;
+    const auto row = [](const ResultField& field, double si) {
+        return shownRow(field, si > 0.0 ? std::optional(si) : std::nullopt);
     };
-    using units::mm;
     Results results{{ReliefWords::tr("Shaft"), ReliefWords::tr("Value"), ReliefWords::tr("Unit")}};
     results.rows = {
-        row(tr("required unbalance, m₁ ρ₁"), found.required, 0, units::gram_mm,
-            tr("Unbalance of both counterweights by equation (1)")),
-        row(tr("unbalance of the shaft"), found.unbalance, 0, units::gram_mm,
-            tr("U = 2/3 ρ b a³, a² = h (D − h)")),
-        row(tr("width of the flat"), 2.0 * found.half_width, 2, mm, tr("2 a = 2 √(h (D − h))")),
-        row(tr("mass of the relieved part"), found.mass, 3, units::kg,
-            tr("ρ b A of the remaining section")),
-        row(tr("mass milled away"), found.removed_mass, 3, units::kg,
-            tr("ρ b times the area of the segment")),
-        row(tr("radius of its centre of mass"), found.centre_of_mass_radius, 2, mm,
-            tr("U over the mass of the relieved part, on the side away from the flat")),
-        row(tr("critical bar radius"), found.critical_radius, 2, mm,
-            tr("Minimum bar radius for the unbalance at this length, ∛(3 U / (2 ρ b)); not a "
-               "vibration limit.")),
-        row(tr("critical length"), found.critical_length, 1, mm,
-            tr("Minimum length of the relief for the unbalance with this bar, 3 U / (2 ρ R³); not "
-               "a vibration limit.")),
+        row(key::required_unbalance, found.required),
+        row(key::unbalance, found.unbalance),
+        row(key::flat_width, 2.0 * found.half_width),
+        row(key::relieved_part_mass, found.mass),
+        row(key::removed_mass, found.removed_mass),
+        row(key::centre_of_mass_radius, found.centre_of_mass_radius),
+        row(key::critical_radius, found.critical_radius),
+        row(key::critical_length, found.critical_length),
     };
     return results;
 }
