@@ -2685,10 +2685,6 @@
         <translation>Добавляются вокруг каждой окружности, а также над цилиндром и по бокам от него.</translation>
     </message>
     <message>
-        <source>Of the relieved shaft: bending, stress and bearing loads.</source>
-        <translation>У вала с лыской: изгиб, напряжения и нагрузки подшипников.</translation>
-    </message>
-    <message>
         <source>Does not fit: at this α the shaft meets the rod.</source>
         <translation>Не помещается: при этом α вал задевает шатун.</translation>
     </message>
@@ -2729,10 +2725,6 @@
         <translation>Сила инерции Pⱼ₁, максимум</translation>
     </message>
     <message>
-        <source>mⱼ r ω².</source>
-        <translation>mⱼ r ω².</translation>
-    </message>
-    <message>
         <source>Counterweight mass m₁</source>
         <translation>Масса противовеса m₁</translation>
     </message>
@@ -2743,14 +2735,6 @@
     <message>
         <source>m₁ ρ₁ ω².</source>
         <translation>m₁ ρ₁ ω².</translation>
-    </message>
-    <message>
-        <source>Amplitude of Mₛ</source>
-        <translation>Амплитуда Mₛ</translation>
-    </message>
-    <message>
-        <source>P₁ l.</source>
-        <translation>P₁ l.</translation>
     </message>
     <message>
         <source>α</source>
@@ -3033,18 +3017,6 @@
         <translation>Mᵤₚₛ, фаза</translation>
     </message>
     <message>
-        <source>excess work</source>
-        <translation>избыточная работа</translation>
-    </message>
-    <message>
-        <source>speed fluctuation</source>
-        <translation>неравномерность вращения</translation>
-    </message>
-    <message>
-        <source>moment of inertia</source>
-        <translation>момент инерции</translation>
-    </message>
-    <message>
         <source>maximum energy</source>
         <translation>максимум энергии</translation>
     </message>
@@ -3059,22 +3031,6 @@
     <message>
         <source>clearance volume</source>
         <translation>объём камеры сгорания</translation>
-    </message>
-    <message>
-        <source>heat</source>
-        <translation>теплота</translation>
-    </message>
-    <message>
-        <source>work</source>
-        <translation>работа</translation>
-    </message>
-    <message>
-        <source>mean effective pressure</source>
-        <translation>среднее индикаторное давление</translation>
-    </message>
-    <message>
-        <source>power</source>
-        <translation>мощность</translation>
     </message>
     <message>
         <source>mean torque</source>
@@ -3133,28 +3089,8 @@
         <translation>доля, уравновешенная на коленчатом валу</translation>
     </message>
     <message>
-        <source>first order</source>
-        <translation>первый порядок</translation>
-    </message>
-    <message>
-        <source>along the cylinder</source>
-        <translation>вдоль цилиндра</translation>
-    </message>
-    <message>
-        <source>across the cylinder</source>
-        <translation>поперёк цилиндра</translation>
-    </message>
-    <message>
         <source>unbalance of the crank&apos;s counterweight</source>
         <translation>дисбаланс противовеса коленчатого вала</translation>
-    </message>
-    <message>
-        <source>with the shaft</source>
-        <translation>с валом</translation>
-    </message>
-    <message>
-        <source>second order</source>
-        <translation>второй порядок</translation>
     </message>
     <message>
         <source>centre distance l</source>
@@ -3201,14 +3137,6 @@
         <translation>максимальный размах в пределах зазора</translation>
     </message>
     <message>
-        <source>required unbalance</source>
-        <translation>требуемый дисбаланс</translation>
-    </message>
-    <message>
-        <source>unbalance</source>
-        <translation>дисбаланс</translation>
-    </message>
-    <message>
         <source>diameter</source>
         <translation>диаметр</translation>
     </message>
@@ -3225,24 +3153,8 @@
         <translation>ширина лыски</translation>
     </message>
     <message>
-        <source>mass removed</source>
-        <translation>снятая масса</translation>
-    </message>
-    <message>
         <source>mass of the relieved part</source>
         <translation>масса участка с лыской</translation>
-    </message>
-    <message>
-        <source>radius of the centre of mass</source>
-        <translation>радиус центра масс</translation>
-    </message>
-    <message>
-        <source>minimum radius</source>
-        <translation>минимальный радиус</translation>
-    </message>
-    <message>
-        <source>minimum length</source>
-        <translation>минимальная длина</translation>
     </message>
     <message>
         <source>speed</source>
@@ -3943,6 +3855,206 @@
     <message>
         <source>Criteria use the curve between the rows.</source>
         <translation>Критерии относятся к кривой между строками.</translation>
+    </message>
+    <message>
+        <source>First order, mⱼ r ω².</source>
+        <translation>Первый порядок, mⱼ r ω².</translation>
+    </message>
+    <message>
+        <source>Mass of each of the two counterweights, mⱼ r / (2 ρ₁), eq. (1), or as entered.</source>
+        <translation>Масса каждого из двух противовесов, mⱼ r / (2 ρ₁), формула (1), или заданная.</translation>
+    </message>
+    <message>
+        <source>Load on the shaft bearings, P₁</source>
+        <translation>Нагрузка подшипников вала, P₁</translation>
+    </message>
+    <message>
+        <source>Force on both bearings of the shaft together; it rotates with the shaft.</source>
+        <translation>Сила на оба подшипника вала вместе; вращается с валом.</translation>
+    </message>
+    <message>
+        <source>Amplitude of Mₛ, P₁ l</source>
+        <translation>Амплитуда Mₛ, P₁ l</translation>
+    </message>
+    <message>
+        <source>Maximum moment of the shaft.</source>
+        <translation>Максимальный момент вала.</translation>
+    </message>
+    <message>
+        <source>excess work ΔE</source>
+        <translation>избыточная работа ΔE</translation>
+    </message>
+    <message>
+        <source>Maximum minus minimum of ∫ (Mᵢ − mean) dφ over the cycle.</source>
+        <translation>Максимум минус минимум ∫ (Mᵢ − среднее) dφ за цикл.</translation>
+    </message>
+    <message>
+        <source>speed fluctuation δ</source>
+        <translation>неравномерность вращения δ</translation>
+    </message>
+    <message>
+        <source>(ω_max − ω_min) / ω = ΔE / (J ω²).</source>
+        <translation>(ω_max − ω_min) / ω = ΔE / (J ω²).</translation>
+    </message>
+    <message>
+        <source>moment of inertia J</source>
+        <translation>момент инерции J</translation>
+    </message>
+    <message>
+        <source>Moment of inertia of all rotating parts, ΔE / (δ ω²).</source>
+        <translation>Момент инерции всех вращающихся частей, ΔE / (δ ω²).</translation>
+    </message>
+    <message>
+        <source>Piston area times stroke.</source>
+        <translation>Площадь поршня на ход.</translation>
+    </message>
+    <message>
+        <source>Displacement over the compression ratio minus 1.</source>
+        <translation>Рабочий объём к степени сжатия без единицы.</translation>
+    </message>
+    <message>
+        <source>heat per cycle</source>
+        <translation>теплота за цикл</translation>
+    </message>
+    <message>
+        <source>Heat released by the combustion, entered or from the mean pressure.</source>
+        <translation>Теплота сгорания, заданная или найденная по среднему давлению.</translation>
+    </message>
+    <message>
+        <source>indicated work per cycle</source>
+        <translation>индикаторная работа за цикл</translation>
+    </message>
+    <message>
+        <source>∮ (p − p₀) dV.</source>
+        <translation>∮ (p − p₀) dV.</translation>
+    </message>
+    <message>
+        <source>indicated mean effective pressure</source>
+        <translation>среднее индикаторное давление</translation>
+    </message>
+    <message>
+        <source>Work of a cycle over the displacement.</source>
+        <translation>Работа цикла к рабочему объёму.</translation>
+    </message>
+    <message>
+        <source>indicated power</source>
+        <translation>индикаторная мощность</translation>
+    </message>
+    <message>
+        <source>Work of a cycle times cycles a second.</source>
+        <translation>Работа цикла на число циклов в секунду.</translation>
+    </message>
+    <message>
+        <source>Work of a cycle over its crank angle.</source>
+        <translation>Работа цикла к углу поворота за цикл.</translation>
+    </message>
+    <message>
+        <source>Maximum pressure in the cylinder.</source>
+        <translation>Максимальное давление в цилиндре.</translation>
+    </message>
+    <message>
+        <source>first order, P</source>
+        <translation>первый порядок, P</translation>
+    </message>
+    <message>
+        <source>First-order inertia force, mⱼ r ω².</source>
+        <translation>Сила инерции первого порядка, mⱼ r ω².</translation>
+    </message>
+    <message>
+        <source>along the cylinder, (1 − κ) P</source>
+        <translation>вдоль цилиндра, (1 − κ) P</translation>
+    </message>
+    <message>
+        <source>Half-axis of the ellipse along the cylinder.</source>
+        <translation>Полуось эллипса вдоль цилиндра.</translation>
+    </message>
+    <message>
+        <source>across the cylinder, κ P</source>
+        <translation>поперёк цилиндра, κ P</translation>
+    </message>
+    <message>
+        <source>Half-axis of the ellipse across the cylinder.</source>
+        <translation>Полуось эллипса поперёк цилиндра.</translation>
+    </message>
+    <message>
+        <source>first order with the shaft</source>
+        <translation>первый порядок с валом</translation>
+    </message>
+    <message>
+        <source>Residual first order with the shaft.</source>
+        <translation>Остаточный первый порядок с валом.</translation>
+    </message>
+    <message>
+        <source>second order, λ mⱼ r ω²</source>
+        <translation>второй порядок, λ mⱼ r ω²</translation>
+    </message>
+    <message>
+        <source>Second order along the cylinder, with and without a shaft.</source>
+        <translation>Второй порядок вдоль цилиндра, с валом и без него.</translation>
+    </message>
+    <message>
+        <source>Constant force that turns against the crank, 2 P₁ |sin(δ/2)|.</source>
+        <translation>Постоянная сила, вращающаяся против кривошипа, 2 P₁ |sin(δ/2)|.</translation>
+    </message>
+    <message>
+        <source>required unbalance, m₁ ρ₁</source>
+        <translation>нужный дисбаланс, m₁ ρ₁</translation>
+    </message>
+    <message>
+        <source>Unbalance of both counterweights by equation (1).</source>
+        <translation>Дисбаланс обоих противовесов по формуле (1).</translation>
+    </message>
+    <message>
+        <source>unbalance of the shaft</source>
+        <translation>дисбаланс вала</translation>
+    </message>
+    <message>
+        <source>U = 2/3 ρ b a³, a² = h (D − h).</source>
+        <translation>U = 2/3 ρ b a³, a² = h (D − h).</translation>
+    </message>
+    <message>
+        <source>2 a = 2 √(h (D − h)).</source>
+        <translation>2 a = 2 √(h (D − h)).</translation>
+    </message>
+    <message>
+        <source>mass milled away</source>
+        <translation>снятая масса</translation>
+    </message>
+    <message>
+        <source>ρ b times the area of the segment.</source>
+        <translation>ρ b на площадь сегмента.</translation>
+    </message>
+    <message>
+        <source>ρ b A of the remaining section.</source>
+        <translation>ρ b A оставшегося сечения.</translation>
+    </message>
+    <message>
+        <source>radius of its centre of mass</source>
+        <translation>радиус её центра масс</translation>
+    </message>
+    <message>
+        <source>U over the mass of the relieved part, on the side away from the flat.</source>
+        <translation>U к массе участка с лыской, со стороны, обратной лыске.</translation>
+    </message>
+    <message>
+        <source>critical bar radius</source>
+        <translation>мин. радиус прутка</translation>
+    </message>
+    <message>
+        <source>Minimum bar radius for the unbalance at this length, ∛(3 U / (2 ρ b)); not a vibration limit.</source>
+        <translation>Минимальный радиус прутка для дисбаланса при этой длине, ∛(3 U / (2 ρ b)); с колебаниями не связан.</translation>
+    </message>
+    <message>
+        <source>critical length</source>
+        <translation>мин. длина лыски</translation>
+    </message>
+    <message>
+        <source>Minimum length of the relief for the unbalance with this bar, 3 U / (2 ρ R³); not a vibration limit.</source>
+        <translation>Минимальная длина лыски для дисбаланса при этом прутке, 3 U / (2 ρ R³); с колебаниями не связана.</translation>
+    </message>
+    <message>
+        <source>Of the relieved shaft: bending, stress, the load on each bearing.</source>
+        <translation>У вала с лыской: изгиб, напряжения, нагрузка каждого подшипника.</translation>
     </message>
 </context>
 <context>
@@ -9534,88 +9646,12 @@
         <translation>Ед.</translation>
     </message>
     <message>
-        <source>Inertia force Pⱼ₁, max</source>
-        <translation>Сила инерции Pⱼ₁, макс.</translation>
-    </message>
-    <message>
-        <source>Counterweight m₁</source>
-        <translation>Противовес m₁</translation>
-    </message>
-    <message>
-        <source>Counterweight force P₁</source>
-        <translation>Сила противовеса P₁</translation>
-    </message>
-    <message>
-        <source>Amplitude of Mₛ, P₁ l</source>
-        <translation>Амплитуда Mₛ, P₁ l</translation>
-    </message>
-    <message>
         <source>First order&apos;s share of Mᵤₚ</source>
         <translation>Доля 1-го порядка в Mᵤₚ</translation>
     </message>
     <message>
         <source>Envelope, width × height</source>
         <translation>Габарит, ширина × высота</translation>
-    </message>
-    <message>
-        <source>Indicated mean effective pressure</source>
-        <translation>Среднее индикаторное давление</translation>
-    </message>
-    <message>
-        <source>bar</source>
-        <translation>бар</translation>
-    </message>
-    <message>
-        <source>Indicated work per cycle</source>
-        <translation>Индикаторная работа за цикл</translation>
-    </message>
-    <message>
-        <source>J</source>
-        <translation>Дж</translation>
-    </message>
-    <message>
-        <source>Indicated power</source>
-        <translation>Индикаторная мощность</translation>
-    </message>
-    <message>
-        <source>kW</source>
-        <translation>кВт</translation>
-    </message>
-    <message>
-        <source>Mean torque</source>
-        <translation>Средний крутящий момент</translation>
-    </message>
-    <message>
-        <source>Peak pressure</source>
-        <translation>Максимальное давление</translation>
-    </message>
-    <message>
-        <source>at crank angle</source>
-        <translation>при угле поворота</translation>
-    </message>
-    <message>
-        <source>Displacement</source>
-        <translation>Рабочий объём</translation>
-    </message>
-    <message>
-        <source>Clearance volume</source>
-        <translation>Объём камеры сгорания</translation>
-    </message>
-    <message>
-        <source>Heat per cycle</source>
-        <translation>Теплота за цикл</translation>
-    </message>
-    <message>
-        <source>Excess work ΔE</source>
-        <translation>Избыточная работа ΔE</translation>
-    </message>
-    <message>
-        <source>Fluctuation δ</source>
-        <translation>Неравномерность δ</translation>
-    </message>
-    <message>
-        <source>Moment of inertia J</source>
-        <translation>Момент инерции J</translation>
     </message>
     <message>
         <source>Torque table</source>
@@ -9630,40 +9666,8 @@
         <translation>%1 хуже</translation>
     </message>
     <message>
-        <source>m₁ ρ₁ ω²</source>
-        <translation>m₁ ρ₁ ω²</translation>
-    </message>
-    <message>
         <source>Box around cylinder, crank circle, shaft circle, gears and wall in the front view</source>
         <translation>Прямоугольник вокруг цилиндра, окружностей кривошипа и вала, шестерён и стенки на виде спереди</translation>
-    </message>
-    <message>
-        <source>Work of a cycle over the displacement</source>
-        <translation>Работа цикла к рабочему объёму</translation>
-    </message>
-    <message>
-        <source>∮ (p − p₀) dV</source>
-        <translation>∮ (p − p₀) dV</translation>
-    </message>
-    <message>
-        <source>Work of a cycle times cycles a second</source>
-        <translation>Работа цикла на число циклов в секунду</translation>
-    </message>
-    <message>
-        <source>Work of a cycle over its crank angle</source>
-        <translation>Работа цикла к углу поворота за цикл</translation>
-    </message>
-    <message>
-        <source>Crank angle of the peak pressure</source>
-        <translation>Угол поворота при максимальном давлении</translation>
-    </message>
-    <message>
-        <source>Piston area times stroke</source>
-        <translation>Площадь поршня на ход</translation>
-    </message>
-    <message>
-        <source>(ω_max − ω_min) / ω = ΔE / (J ω²)</source>
-        <translation>(ω_max − ω_min) / ω = ΔE / (J ω²)</translation>
     </message>
     <message>
         <source>Rebuild torque</source>
@@ -9710,40 +9714,8 @@
         <translation>Минимум за цикл; обычно отрицательный, ближе к нулю лучше</translation>
     </message>
     <message>
-        <source>First order, mⱼ r ω²</source>
-        <translation>Первый порядок, mⱼ r ω²</translation>
-    </message>
-    <message>
-        <source>Mass of each of the two counterweights, mⱼ r / (2 ρ₁), eq. (1), or as entered</source>
-        <translation>Масса каждого из двух противовесов, mⱼ r / (2 ρ₁), формула (1), или заданная</translation>
-    </message>
-    <message>
-        <source>Maximum moment of the shaft</source>
-        <translation>Максимальный момент вала</translation>
-    </message>
-    <message>
         <source>Share of the mean square about the mean; only this share can be changed by a shaft at crank speed.</source>
         <translation>Доля среднего квадрата отклонения; только её может изменить вал, вращающийся со скоростью коленчатого.</translation>
-    </message>
-    <message>
-        <source>Maximum pressure in the cylinder</source>
-        <translation>Максимальное давление в цилиндре</translation>
-    </message>
-    <message>
-        <source>Displacement over the compression ratio minus 1</source>
-        <translation>Рабочий объём к степени сжатия без единицы</translation>
-    </message>
-    <message>
-        <source>Heat released by the combustion, entered or from the mean pressure</source>
-        <translation>Теплота сгорания, заданная или найденная по среднему давлению</translation>
-    </message>
-    <message>
-        <source>Maximum minus minimum of ∫ (Mᵢ − mean) dφ over the cycle</source>
-        <translation>Максимум минус минимум ∫ (Mᵢ − среднее) dφ за цикл</translation>
-    </message>
-    <message>
-        <source>Moment of inertia of all rotating parts, ΔE / (δ ω²)</source>
-        <translation>Момент инерции всех вращающихся частей, ΔE / (δ ω²)</translation>
     </message>
     <message>
         <source>Speed fluctuates by ±</source>
@@ -9977,14 +9949,6 @@ but no position is feasible</source>
     <message>
         <source>Apply</source>
         <translation>Применить</translation>
-    </message>
-    <message>
-        <source>Apply the α of the minimum range</source>
-        <translation>Применить α минимального размаха</translation>
-    </message>
-    <message>
-        <source>Apply the α of the minimum RMS</source>
-        <translation>Применить α минимального СКЗ</translation>
     </message>
     <message>
         <source>Shift the trace by &amp;360°</source>
@@ -11152,40 +11116,8 @@ but no position is feasible</source>
 <context>
     <name>ravnoves::ForcesModel</name>
     <message>
-        <source>1st order, P</source>
-        <translation>1-й порядок, P</translation>
-    </message>
-    <message>
-        <source>along, (1 − κ) P</source>
-        <translation>вдоль, (1 − κ) P</translation>
-    </message>
-    <message>
-        <source>across, κ P</source>
-        <translation>поперёк, κ P</translation>
-    </message>
-    <message>
-        <source>1st with shaft</source>
-        <translation>1-й с валом</translation>
-    </message>
-    <message>
-        <source>2nd order, λ mⱼ r ω²</source>
-        <translation>2-й порядок, λ mⱼ r ω²</translation>
-    </message>
-    <message>
         <source>on crank, κ mⱼ r</source>
         <translation>на кривошипе, κ mⱼ r</translation>
-    </message>
-    <message>
-        <source>First-order inertia force, mⱼ r ω²</source>
-        <translation>Сила инерции первого порядка, mⱼ r ω²</translation>
-    </message>
-    <message>
-        <source>Half-axis of the ellipse along the cylinder</source>
-        <translation>Полуось эллипса вдоль цилиндра</translation>
-    </message>
-    <message>
-        <source>Half-axis of the ellipse across the cylinder</source>
-        <translation>Полуось эллипса поперёк цилиндра</translation>
     </message>
     <message>
         <source>Static moment of the counterweight on the crank</source>
@@ -11214,22 +11146,6 @@ but no position is feasible</source>
     <message>
         <source>360° k / z</source>
         <translation>360° k / z</translation>
-    </message>
-    <message>
-        <source>Constant force that turns against the crank, 2 P₁ |sin(δ/2)|</source>
-        <translation>Постоянная сила, вращающаяся против кривошипа, 2 P₁ |sin(δ/2)|</translation>
-    </message>
-    <message>
-        <source>Residual first order with the shaft</source>
-        <translation>Остаточный первый порядок с валом</translation>
-    </message>
-    <message>
-        <source>Second order along the cylinder, with and without a shaft</source>
-        <translation>Второй порядок вдоль цилиндра, с валом и без него</translation>
-    </message>
-    <message>
-        <source>residual force</source>
-        <translation>остаток силы</translation>
     </message>
     <message>
         <source>ΔMᵤₚₛ, correct timing → k teeth out</source>
@@ -14353,72 +14269,8 @@ but no position is feasible</source>
         <translation>Искомый размер</translation>
     </message>
     <message>
-        <source>unbalance of the shaft</source>
-        <translation>дисбаланс вала</translation>
-    </message>
-    <message>
-        <source>width of the flat</source>
-        <translation>ширина лыски</translation>
-    </message>
-    <message>
-        <source>mass of the relieved part</source>
-        <translation>масса части</translation>
-    </message>
-    <message>
-        <source>mass milled away</source>
-        <translation>снятая масса</translation>
-    </message>
-    <message>
-        <source>radius of its centre of mass</source>
-        <translation>радиус её ц. м.</translation>
-    </message>
-    <message>
-        <source>critical bar radius</source>
-        <translation>мин. радиус</translation>
-    </message>
-    <message>
-        <source>critical length</source>
-        <translation>мин. длина</translation>
-    </message>
-    <message>
         <source>Feasible.</source>
         <translation>Осуществимо.</translation>
-    </message>
-    <message>
-        <source>U = 2/3 ρ b a³, a² = h (D − h)</source>
-        <translation>U = 2/3 ρ b a³, a² = h (D − h)</translation>
-    </message>
-    <message>
-        <source>2 a = 2 √(h (D − h))</source>
-        <translation>2 a = 2 √(h (D − h))</translation>
-    </message>
-    <message>
-        <source>ρ b times the area of the segment</source>
-        <translation>ρ b на площадь сегмента</translation>
-    </message>
-    <message>
-        <source>U over the mass of the relieved part, on the side away from the flat</source>
-        <translation>U к массе снятого участка, со стороны, обратной лыске</translation>
-    </message>
-    <message>
-        <source>required unbalance, m₁ ρ₁</source>
-        <translation>нужен дисбаланс</translation>
-    </message>
-    <message>
-        <source>Unbalance of both counterweights by equation (1)</source>
-        <translation>Дисбаланс обоих противовесов по формуле (1)</translation>
-    </message>
-    <message>
-        <source>ρ b A of the remaining section</source>
-        <translation>ρ b A оставшегося сечения</translation>
-    </message>
-    <message>
-        <source>Minimum bar radius for the unbalance at this length, ∛(3 U / (2 ρ b)); not a vibration limit.</source>
-        <translation>Минимальный радиус прутка для дисбаланса при этой длине, ∛(3 U / (2 ρ b)); с колебаниями не связан.</translation>
-    </message>
-    <message>
-        <source>Minimum length of the relief for the unbalance with this bar, 3 U / (2 ρ R³); not a vibration limit.</source>
-        <translation>Минимальная длина лыски для дисбаланса при этом прутке, 3 U / (2 ρ R³); с колебаниями не связана.</translation>
     </message>
 </context>
 <context>
@@ -15265,25 +15117,6 @@ but no position is feasible</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::ShaftMapKey</name>
-    <message>
-        <source>0 %: no change</source>
-        <translation>0&#xa0;%: без изменений</translation>
-    </message>
-    <message>
-        <source>shaft, and its l</source>
-        <translation>вал и его l</translation>
-    </message>
-    <message>
-        <source>does not fit</source>
-        <translation>не помещается</translation>
-    </message>
-    <message>
-        <source>ignoring clearance</source>
-        <translation>без учёта зазоров</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::ShaftMapModel</name>
     <message>
         <source>range</source>
@@ -15421,12 +15254,12 @@ but no position is feasible</source>
         <translation>Изменение взвешенной суммы относительно схемы без вала, %</translation>
     </message>
     <message>
-        <source>Front view to scale; hatched: does not fit. Drag the shaft (0.5 mm, 0.5°) or use arrow keys (0.1 mm, Shift 1 mm); double-click or select a marker (Page Up, Page Down) and press Enter to move.</source>
-        <translation>Вид спереди в масштабе; штриховка: не помещается. Перетащите вал (0,5 мм, 0,5°) или сдвиньте стрелками (0,1 мм, с Shift 1 мм); двойной щелчок или отметка (Page Up, Page Down) и Enter переносят его.</translation>
-    </message>
-    <message>
         <source>Drag the shaft, or double-click its new place. Arrow keys: 0.1 mm, with Shift 1 mm.</source>
         <translation>Перетащите ось вала или дважды щёлкните по новому месту. Стрелки: 0,1 мм, с Shift 1 мм.</translation>
+    </message>
+    <message>
+        <source>Front view to scale; thick line: no change; hatched: does not fit. Drag the shaft (0.5 mm, 0.5°) or use arrow keys (0.1 mm, Shift 1 mm); double-click or select a marker (Page Up, Page Down) and press Enter to move.</source>
+        <translation>Вид спереди в масштабе; толстая линия: без изменений; штриховка: не помещается. Перетащите вал (0,5 мм, 0,5°) или сдвиньте стрелками (0,1 мм, с Shift 1 мм); двойной щелчок или отметка (Page Up, Page Down) и Enter переносят его.</translation>
     </message>
 </context>
 <context>
@@ -15775,8 +15608,8 @@ but no position is feasible</source>
         <translation>на %1&#xa0;% лучше</translation>
     </message>
     <message>
-        <source>α %1°, n %2: %3 of the value without a shaft, %4</source>
-        <translation>α %1°, n %2: %3 от значения без вала, %4</translation>
+        <source>α %1°, n %2: %3</source>
+        <translation>α %1°, n %2: %3</translation>
     </message>
 </context>
 <context>
@@ -15889,14 +15722,6 @@ but no position is feasible</source>
         <translation>лучший α</translation>
     </message>
     <message>
-        <source>%1 ÷ without: %2…%3</source>
-        <translation>%1 ÷ без вала: %2…%3</translation>
-    </message>
-    <message>
-        <source>Range</source>
-        <translation>Размах</translation>
-    </message>
-    <message>
         <source>α of the minimum range at each speed</source>
         <translation>α минимального размаха при каждой частоте</translation>
     </message>
@@ -15907,10 +15732,6 @@ but no position is feasible</source>
     <message>
         <source>best compromise %1°</source>
         <translation>лучший компромисс %1°</translation>
-    </message>
-    <message>
-        <source>Criterion with the shaft over criterion without: blue smaller, orange larger, thick line 1.0, dimmed does not fit. Click to set α and, with a computed torque, the speed.</source>
-        <translation>Критерий с валом к критерию без вала: синее меньше, оранжевое больше, толстая линия 1,0, бледное не помещается. Щелчок задаёт α, а при вычисленном моменте и частоту.</translation>
     </message>
     <message>
         <source>Apply</source>
@@ -15927,6 +15748,10 @@ but no position is feasible</source>
     <message>
         <source>The load can be changed for a computed cycle (Torque tab).</source>
         <translation>Нагрузку можно менять для расчётного цикла (вкладка «Момент»).</translation>
+    </message>
+    <message>
+        <source>Blue: smaller with the shaft; orange: larger; thick line: no change; shaded: does not fit. Click to set α and, with a computed torque, the speed.</source>
+        <translation>Синее: с валом меньше; оранжевое: больше; толстая линия: без изменений; затенено: не помещается. Щелчок задаёт α, а при вычисленном моменте и частоту.</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -16514,10 +16339,6 @@ but no position is feasible</source>
         <translation>Таблица момента</translation>
     </message>
     <message>
-        <source>Edit torque table</source>
-        <translation>Правка таблицы момента</translation>
-    </message>
-    <message>
         <source>Read %1.</source>
         <translation>Прочитано: %1.</translation>
     </message>
@@ -16549,18 +16370,6 @@ but no position is feasible</source>
         <translation>Строка %1: %2</translation>
     </message>
     <message>
-        <source>%1° is not below the angle of the next row, %2°.</source>
-        <translation>%1° не меньше угла следующей строки, %2°.</translation>
-    </message>
-    <message>
-        <source>%1° is not above the angle of the row before, %2°.</source>
-        <translation>%1° не больше угла предыдущей строки, %2°.</translation>
-    </message>
-    <message>
-        <source>%1° is not between the angles of its neighbours, %2° and %3°.</source>
-        <translation>%1° не лежит между углами соседних строк, %2° и %3°.</translation>
-    </message>
-    <message>
         <source>with %1° the angles do not span 720° (two-stroke: 360°).</source>
         <translation>с %1° углы не охватывают 720° (у двухтактного 360°).</translation>
     </message>
@@ -16569,8 +16378,12 @@ but no position is feasible</source>
         <translation>первый и последний моменты должны быть равны (одно мгновение цикла).</translation>
     </message>
     <message>
-        <source>Further rows with errors: %1</source>
-        <translation>Ещё строк с ошибками: %1</translation>
+        <source>%1° is out of order: the angles must ascend.</source>
+        <translation>%1° не по порядку: углы должны возрастать.</translation>
+    </message>
+    <message>
+        <source>Edit torque table</source>
+        <translation>Правка таблицы момента</translation>
     </message>
 </context>
 <context>

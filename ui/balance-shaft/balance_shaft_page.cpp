@@ -27,6 +27,8 @@
 
 namespace ravnoves {
 
+using Criterion = BalanceShaftModel::Criterion;
+
 BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(takeOver<BalanceShaftModel>(kept)) {
     QTabWidget* inputs = buildInputs();
@@ -40,11 +42,6 @@ BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
             this),
         1);
 
-    bestRangeAction_ = new QAction(themedIcon(QStringLiteral("best")),
-                                   tr("Apply the α of the minimum &range"), this);
-    connect(bestRangeAction_, &QAction::triggered, model_, &BalanceShaftModel::goToBestRange);
-    bestRmsAction_ = new QAction(tr("Apply the α of the minimum R&MS"), this);
-    connect(bestRmsAction_, &QAction::triggered, model_, &BalanceShaftModel::goToBestRms);
     connect(model_, &SceneModel::changed, this, &BalanceShaftPage::showBest);
     for (const auto signal :
          {&SceneModel::changed, &SceneModel::shownChanged, &SceneModel::refusedInChanged}) {
@@ -92,12 +89,12 @@ QWidget* BalanceShaftPage::buildAnswer() {
 
     auto* answer = new Panel(holder);
     QVBoxLayout* answerColumn = columnIn(answer, Theme::gap, tableMargins);
-    criteria_ = new PartTable(model_, "criteria", tr("Criteria of the three moments"), answer);
-    answerColumn->addWidget(criteria_);
+    answerColumn->addWidget(
+        new PartTable(model_, "criteria", tr("Criteria of the three moments"), answer));
     answerColumn->addLayout(buildBest(answer));
-    quantities_ = new PartTable(model_, "quantities", tr("Forces, masses and sizes"), answer);
-    quantities_->horizontalHeader()->hide();
-    answerColumn->addWidget(quantities_);
+    auto* quantities = new PartTable(model_, "quantities", tr("Forces, masses and sizes"), answer);
+    quantities->horizontalHeader()->hide();
+    answerColumn->addWidget(quantities);
     auto* notes = new PartText(model_, "notes", answer);
     answerColumn->addWidget(new Apart(notes, answer), 1);
     column->addWidget(answer);
@@ -109,35 +106,38 @@ QGridLayout* BalanceShaftPage::buildBest(QWidget* parent) {
     grid->setHorizontalSpacing(Theme::space);
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(0, 1);
-    const auto add = [&](int row, const char* part, const char* name, const QString& hint,
-                         void (BalanceShaftModel::*go)()) {
+    const auto add = [&](Best& best, int row, const char* part, const char* name,
+                         const QString& act, Criterion criterion) {
+        const auto go = [this, criterion] { model_->goToBest(criterion); };
+        best.criterion = criterion;
+        best.action = new QAction(act, this);
+        connect(best.action, &QAction::triggered, model_, go);
         auto* label = new PartText(model_, part, parent);
         label->setFont(Theme::font());
         colourText(label, &Theme::text);
         label->setToolTip(tr("Over all feasible α, exact for the continuous cycle"));
-        auto* button = new QPushButton(tr("Apply"), parent);
-        button->setObjectName(QLatin1String(name));
-        button->setAccessibleName(hint);
-        button->setToolTip(hint);
-        connect(button, &QPushButton::clicked, model_, go);
+        best.button = new QPushButton(tr("Apply"), parent);
+        best.button->setObjectName(QLatin1String(name));
+        best.button->setAccessibleName(QString(act).remove(QLatin1Char('&')));
+        best.button->setToolTip(best.button->accessibleName());
+        connect(best.button, &QPushButton::clicked, model_, go);
         grid->addWidget(new Apart(label, parent), row, 0);
-        grid->addWidget(button, row, 1);
-        return button;
+        grid->addWidget(best.button, row, 1);
     };
-    goRange_ = add(0, "best-range", "go_best_range", tr("Apply the α of the minimum range"),
-                   &BalanceShaftModel::goToBestRange);
-    goRms_ = add(1, "best-rms", "go_best_rms", tr("Apply the α of the minimum RMS"),
-                 &BalanceShaftModel::goToBestRms);
+    add(best_[0], 0, "best-range", "go_best_range", tr("Apply the α of the minimum &range"),
+        Criterion::range);
+    add(best_[1], 1, "best-rms", "go_best_rms", tr("Apply the α of the minimum R&MS"),
+        Criterion::rms);
+    best_[0].action->setIcon(themedIcon(QStringLiteral("best")));
     return grid;
 }
 
 void BalanceShaftPage::showBest() {
-    const bool hasRange = model_->bestRange().shaft_angle.has_value();
-    const bool hasRms = model_->bestRms().shaft_angle.has_value();
-    goRange_->setEnabled(hasRange);
-    bestRangeAction_->setEnabled(hasRange);
-    goRms_->setEnabled(hasRms);
-    bestRmsAction_->setEnabled(hasRms);
+    for (const Best& best : best_) {
+        const bool isThere = model_->best(best.criterion).shaft_angle.has_value();
+        best.button->setEnabled(isThere);
+        best.action->setEnabled(isThere);
+    }
 }
 
 void BalanceShaftPage::showVerdict() {
@@ -152,7 +152,7 @@ void BalanceShaftPage::doVerdictAct() {
     if (model_->verdict().act == balance_shaft::move_trace_act) {
         model_->moveTraceByTurn();
     } else {
-        model_->goToBestRange();
+        model_->goToBest(Criterion::range);
     }
 }
 
@@ -165,7 +165,7 @@ SceneModel* BalanceShaftPage::model() {
 }
 
 QList<QAction*> BalanceShaftPage::sceneActions() {
-    return {playAction_, bestRangeAction_, bestRmsAction_};
+    return {playAction_, best_[0].action, best_[1].action};
 }
 
 }  // namespace ravnoves

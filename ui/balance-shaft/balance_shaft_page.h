@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+
 #include "balance-shaft/envelope.h"
+#include "balance-shaft/speed_study.h"
 #include "page/scene_page.h"
 
 class QGridLayout;
@@ -13,7 +16,6 @@ class BalanceShaftModel;
 class FieldSlider;
 class Form;
 class MechanismView;
-class ResultTable;
 class TorqueSourceEditor;
 class TorqueTableEditor;
 class VerdictLine;
@@ -54,14 +56,15 @@ class BalanceShaftPage : public ScenePage {
     QTabWidget* views_ = nullptr;
     FieldSlider* angle_ = nullptr;
     MechanismView* picture_ = nullptr;
-    ResultTable* criteria_ = nullptr;
-    ResultTable* quantities_ = nullptr;
-    QPushButton* goRange_ = nullptr;
-    QPushButton* goRms_ = nullptr;
+    /// The two ways to the best α of a criterion.
+    struct Best {
+        balance_shaft::SpeedStudy::Criterion criterion;
+        QPushButton* button;
+        QAction* action;
+    };
+    std::array<Best, 2> best_{};
     VerdictLine* verdict_ = nullptr;
     QAction* playAction_ = nullptr;
-    QAction* bestRangeAction_ = nullptr;
-    QAction* bestRmsAction_ = nullptr;
 };
 
 }  // namespace ravnoves

@@ -1,14 +1,21 @@
 #include "balance-shaft/change_colours.h"
 
 #include <QFontMetricsF>
+#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "plot/plot_painter.h"
+#include "pictures/model/stroke.h"
+#include "plot/plot_view.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
+
+namespace {
 
 QColor mixedColour(const QColor& from, const QColor& to, double part) {
     const auto channel = [&](int a, int b) {
@@ -18,6 +25,7 @@ QColor mixedColour(const QColor& from, const QColor& to, double part) {
             channel(from.blue(), to.blue())};
 }
 
+/// @param part  from −1, helps most, over 0, no change, to 1, harms most
 QColor changeColour(double part) {
     const bool dark = Theme::instance().isDark();
     const QColor neutral = dark ? QColor(0x2b3036) : QColor(0xf7f7f5);
@@ -31,47 +39,176 @@ QColor changeColour(double part) {
                        : mixedColour(ends[0], ends[1], 2.0 * size - 1.0);
 }
 
-void paintBarNumbers(QPainter& painter, const QRectF& bar, const std::vector<BarNumber>& numbers) {
+/// Colours of the stretches between the levels.
+std::vector<QRgb> bandColours(const std::vector<double>& levels) {
+    const auto below = std::count_if(levels.begin(), levels.end(), [](double l) { return l < 0; });
+    const auto above = std::ssize(levels) - below;
+    std::vector<QRgb> colours;
+    for (std::ptrdiff_t i = below + 1; i >= 1; --i) {
+        colours.push_back(
+            changeColour(-static_cast<double>(i) / static_cast<double>(below + 1)).rgb());
+    }
+    for (std::ptrdiff_t i = 1; i <= above; ++i) {
+        colours.push_back(changeColour(static_cast<double>(i) / static_cast<double>(above)).rgb());
+    }
+    return colours;
+}
+
+double barHeight() {
+    return Theme::withText(10);
+}
+
+}  // namespace
+
+QColor faint(QColor colour, double alpha) {
+    colour.setAlphaF(static_cast<float>(alpha));
+    return colour;
+}
+
+QString levelText(double fraction) {
+    const double percent = 100.0 * fraction;
+    QString text = QLocale().toString(std::abs(percent), 'g', 4);
+    if (percent < 0.0) {
+        text.prepend(QChar(0x2212));
+    } else if (percent > 0.0) {
+        text.prepend(QLatin1Char('+'));
+    }
+    return text;
+}
+
+QImage changeImage(const ChangeContours& field) {
+    constexpr int imageScale = 3;  // pixels of the picture to one step of the field
+    const std::vector<double>& levels = field.levels;
+    const std::vector<QRgb> colours = bandColours(levels);
+    const std::size_t rows = field.changes.size() / field.columns;
+    const int width = static_cast<int>(field.columns - 1) * imageScale + 1;
+    const int height = static_cast<int>(rows - 1) * imageScale + 1;
+    QImage image(width, height, QImage::Format_RGB32);
+    std::vector<double> row(field.columns);
+    for (int y = 0; y < height; ++y) {
+        const int up = height - 1 - y;
+        const auto lower = std::min(static_cast<std::size_t>(up / imageScale), rows - 2);
+        const double t = static_cast<double>(up) / imageScale - static_cast<double>(lower);
+        const double* at = field.changes.data() + lower * field.columns;
+        for (std::size_t i = 0; i < field.columns; ++i) {
+            row[i] = at[i] + t * (at[i + field.columns] - at[i]);
+        }
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+        std::size_t band = 0;
+        for (int x = 0; x < width; ++x) {
+            const auto left = std::min(static_cast<std::size_t>(x / imageScale), field.columns - 2);
+            const double s = static_cast<double>(x) / imageScale - static_cast<double>(left);
+            const double value = row[left] + s * (row[left + 1] - row[left]);
+            while (band > 0 && value < levels[band - 1]) {
+                --band;
+            }
+            while (band < levels.size() && value >= levels[band]) {
+                ++band;
+            }
+            line[x] = colours[band];
+        }
+    }
+    return image;
+}
+
+QPolygonF inPixels(const PlotView& plot, const QPolygonF& line) {
+    QPolygonF drawn;
+    drawn.reserve(line.size());
+    for (const QPointF& point : line) {
+        drawn << plot.toPixel(point.x(), point.y());
+    }
+    return drawn;
+}
+
+std::vector<QPolygonF> drawContours(QPainter& painter, const ChangeContours& field,
+                                    const PlotView& plot) {
     const Theme& theme = Theme::instance();
+    const auto& contours = field.contours;
+    std::vector<QPolygonF> longest(contours.size());
+    std::vector<LinesOfPen> all;
+    for (std::size_t i = 0; i < contours.size(); ++i) {
+        const bool zero = contours[i].level == 0.0;
+        std::vector<QPolygonF> lines;
+        lines.reserve(contours[i].lines.size());
+        for (const QPolygonF& line : contours[i].lines) {
+            lines.push_back(inPixels(plot, line));
+            if (lines.back().size() > longest[i].size()) {
+                longest[i] = lines.back();
+            }
+        }
+        all.push_back({zero ? QPen(theme.text(), 2.4) : QPen(faint(theme.text(), 0.38), 1.0),
+                       std::move(lines)});
+    }
+    painter.setBrush(Qt::NoBrush);
+    paintLines(painter, all);
+    return longest;
+}
+
+double changeKeyHeight() {
+    return barHeight() + QFontMetricsF(Theme::font(Theme::smallSize)).height() + 4.0;
+}
+
+void paintChangeKey(QPainter& painter, const std::vector<double>& levels, const QPointF& corner,
+                    double room) {
+    const Theme& theme = Theme::instance();
+    const std::vector<QRgb> colours = bandColours(levels);
+    constexpr int longest = 460;
+    const QRectF bar(corner, QSizeF(std::min<double>(room, Theme::withText(longest)), barHeight()));
+    const double each = bar.width() / static_cast<double>(colours.size());
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        painter.fillRect(
+            QRectF(bar.left() + each * static_cast<double>(i), bar.top(), each + 0.5, bar.height()),
+            QColor(colours[i]));
+    }
     painter.setPen(QPen(theme.border(), 1.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(bar);
-    // In smaller type where they would meet.
-    const auto boxOf = [&bar](const BarNumber& number, const QFontMetricsF& metrics) {
-        const double wide =
-            metrics.horizontalAdvance(number.text) + 0.6 * metrics.averageCharWidth() + 2.0;
-        return QRectF(bar.left() + number.part * bar.width() - wide / 2.0, bar.bottom() + 1.0, wide,
+    const auto place = [&](std::size_t level) {
+        return bar.left() + each * static_cast<double>(level + 1);
+    };
+    const auto boxOf = [&](std::size_t level, const QFontMetricsF& metrics) {
+        const double wide = metrics.horizontalAdvance(levelText(levels[level])) +
+                            0.6 * metrics.averageCharWidth() + 2.0;
+        return QRectF(place(level) - wide / 2.0, bar.bottom() + 1.0, wide,
                       std::ceil(metrics.height()) + 1.0);
     };
     const auto meet = [&](const QFontMetricsF& metrics) {
-        return std::any_of(numbers.begin(), numbers.end(), [&](const BarNumber& number) {
-            return std::any_of(numbers.begin(), numbers.end(), [&](const BarNumber& other) {
-                return number.part < other.part &&
-                       boxOf(number, metrics).intersects(boxOf(other, metrics));
-            });
-        });
+        for (std::size_t i = 1; i < levels.size(); ++i) {
+            if (boxOf(i - 1, metrics).intersects(boxOf(i, metrics))) {
+                return true;
+            }
+        }
+        return false;
     };
-    const QFont before = painter.font();
-    QFont font = before;
+    QFont font = Theme::font(Theme::smallSize);
     constexpr int least = 8;  // pixels
     while (font.pixelSize() > least && meet(QFontMetricsF(font))) {
         font.setPixelSize(font.pixelSize() - 1);
     }
     painter.setFont(font);
     std::vector<QRectF> taken;
-    for (const BarNumber& number : numbers) {
-        const double x = bar.left() + number.part * bar.width();
-        painter.setPen(QPen(theme.text(), number.isNoChange ? 2.4 : 1.0));
-        painter.drawLine(QPointF(x, number.isNoChange ? bar.top() - 1.0 : bar.bottom() - 3.0),
-                         QPointF(x, bar.bottom() + (number.isNoChange ? 2.0 : 1.0)));
-        const QRectF box = boxOf(number, QFontMetricsF(font));
+    const auto write = [&](std::size_t level) {
+        const bool isNoChange = levels[level] == 0.0;
+        const double x = place(level);
+        painter.setPen(QPen(theme.text(), isNoChange ? 2.4 : 1.0));
+        painter.drawLine(QPointF(x, isNoChange ? bar.top() - 1.0 : bar.bottom() - 3.0),
+                         QPointF(x, bar.bottom() + (isNoChange ? 2.0 : 1.0)));
+        const QRectF box = boxOf(level, QFontMetricsF(font));
         if (std::none_of(taken.begin(), taken.end(),
                          [&](const QRectF& other) { return other.intersects(box); })) {
             taken.push_back(box);
-            painter.drawText(box, Qt::AlignCenter, number.text);
+            painter.drawText(box, Qt::AlignCenter, levelText(levels[level]));
+        }
+    };
+    // No change first: its number is in any case.
+    const auto zero =
+        static_cast<std::size_t>(std::find(levels.begin(), levels.end(), 0.0) - levels.begin());
+    write(zero);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        if (i != zero) {
+            write(i);
         }
     }
-    painter.setFont(before);
 }
 
 }  // namespace ravnoves

@@ -1,40 +1,37 @@
 #pragma once
 
 #include <QColor>
-#include <QRectF>
+#include <QImage>
+#include <QPolygonF>
 #include <QString>
 #include <vector>
 
-#include "theme/theme.h"
+#include "balance-shaft/model/change_contours.h"
 
 class QPainter;
 
 namespace ravnoves {
 
-/// The colour of what a shaft does: blue where it helps, orange where it harms, the more the
-/// stronger; the eye that sees no red tells them apart, and so does grey from either.
-/// @param part  from −1, helps most, over 0, no change, to 1, harms most
-QColor changeColour(double part);
+class PlotView;
 
-/// Of the key to these colours, pixels.
-inline double colourBarHeight() {
-    return Theme::withText(10);
-}
-inline double longestColourBar() {
-    return Theme::withText(460);
-}
+// How a field of changes is drawn: blue where the shaft helps, orange where it harms, the more the
+// stronger; the eye that sees no red tells them apart, and so does grey from either.
 
-/// A number below a bar of colours, with a line in the bar.
-struct BarNumber {
-    double part;  ///< of the bar's width
-    QString text;
-    bool isNoChange = false;  ///< its line is broad
-};
-/// Frames a bar and writes its numbers, in the painter's font or, where two would meet, in
-/// a smaller one; what meets those before it in the list even so has its line alone.
-void paintBarNumbers(QPainter& painter, const QRectF& bar, const std::vector<BarNumber>& numbers);
-
-/// From one colour to another, 0…1.
-QColor mixedColour(const QColor& from, const QColor& to, double part);
+QColor faint(QColor colour, double alpha);
+/// A level of change in percent, without its unit: as many digits as that round number has.
+QString levelText(double fraction);
+/// The field as bands of colour, each step of the grid drawn several pixels wide.
+QImage changeImage(const ChangeContours& field);
+/// A line in the units of the axes, in pixels.
+QPolygonF inPixels(const PlotView& plot, const QPolygonF& line);
+/// @return the longest line of each level, in pixels, for its number
+std::vector<QPolygonF> drawContours(QPainter& painter, const ChangeContours& field,
+                                    const PlotView& plot);
+/// The bar of the colours with its numbers, pixels.
+double changeKeyHeight();
+/// In smaller type where two numbers would meet; what meets another even so has its line alone.
+/// @param room  across, in pixels
+void paintChangeKey(QPainter& painter, const std::vector<double>& levels, const QPointF& corner,
+                    double room);
 
 }  // namespace ravnoves

@@ -1,6 +1,5 @@
 #include "balance-shaft/shaft_map_drawing.h"
 
-#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -19,96 +18,6 @@
 namespace ravnoves {
 
 namespace {
-
-constexpr int imageScale = 3;  ///< pixels of the picture to one step of the field
-
-}  // namespace
-
-QString levelText(double fraction) {
-    const double percent = 100.0 * fraction;
-    QString text = QLocale().toString(std::abs(percent), 'g', 4);
-    if (percent < 0.0) {
-        text.prepend(QChar(0x2212));
-    } else if (percent > 0.0) {
-        text.prepend(QLatin1Char('+'));
-    }
-    return text;
-}
-
-double glyphRadius() {
-    return 5.5 * strokeScale();
-}
-
-QColor faint(QColor colour, double alpha) {
-    colour.setAlphaF(static_cast<float>(alpha));
-    return colour;
-}
-
-std::vector<QRgb> bandColours(const std::vector<double>& levels) {
-    const auto below = std::count_if(levels.begin(), levels.end(), [](double l) { return l < 0; });
-    const auto above = std::ssize(levels) - below;
-    std::vector<QRgb> colours;
-    for (std::ptrdiff_t i = below + 1; i >= 1; --i) {
-        colours.push_back(
-            changeColour(-static_cast<double>(i) / static_cast<double>(below + 1)).rgb());
-    }
-    for (std::ptrdiff_t i = 1; i <= above; ++i) {
-        colours.push_back(changeColour(static_cast<double>(i) / static_cast<double>(above)).rgb());
-    }
-    return colours;
-}
-
-QImage fieldImage(const balance_shaft::PositionMap& field, const std::vector<double>& values,
-                  const std::vector<double>& levels) {
-    const std::vector<QRgb> colours = bandColours(levels);
-    const int width = static_cast<int>(field.columns - 1) * imageScale + 1;
-    const int height = static_cast<int>(field.rows - 1) * imageScale + 1;
-    QImage image(width, height, QImage::Format_RGB32);
-    std::vector<double> row(field.columns);
-    for (int y = 0; y < height; ++y) {
-        const int up = height - 1 - y;
-        const auto lower = std::min(static_cast<std::size_t>(up / imageScale), field.rows - 2);
-        const double t = static_cast<double>(up) / imageScale - static_cast<double>(lower);
-        const double* at = values.data() + lower * field.columns;
-        for (std::size_t i = 0; i < field.columns; ++i) {
-            row[i] = at[i] + t * (at[i + field.columns] - at[i]);
-        }
-        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
-        std::size_t band = 0;
-        for (int x = 0; x < width; ++x) {
-            const auto left = std::min(static_cast<std::size_t>(x / imageScale), field.columns - 2);
-            const double s = static_cast<double>(x) / imageScale - static_cast<double>(left);
-            const double value = row[left] + s * (row[left + 1] - row[left]);
-            while (band > 0 && value < levels[band - 1]) {
-                --band;
-            }
-            while (band < levels.size() && value >= levels[band]) {
-                ++band;
-            }
-            line[x] = colours[band];
-        }
-    }
-    return image;
-}
-
-namespace {
-
-/// What is best in the range is a diamond, in the RMS a disc, in the sum a triangle.
-QPainterPath glyph(const QPointF& at, const ShaftMapModel::Marker& marker,
-                   double r = glyphRadius()) {
-    QPainterPath shape;
-    if (marker.criterion == ShaftMapModel::Criterion::Range) {
-        shape.addPolygon(QPolygonF{at + QPointF(0, -1.25 * r), at + QPointF(1.25 * r, 0),
-                                   at + QPointF(0, 1.25 * r), at + QPointF(-1.25 * r, 0),
-                                   at + QPointF(0, -1.25 * r)});
-    } else if (marker.criterion == ShaftMapModel::Criterion::Rms) {
-        shape.addEllipse(at, r, r);
-    } else {
-        shape.addPolygon(QPolygonF{at + QPointF(0, -1.2 * r), at + QPointF(1.15 * r, 0.9 * r),
-                                   at + QPointF(-1.15 * r, 0.9 * r), at + QPointF(0, -1.2 * r)});
-    }
-    return shape;
-}
 
 /// Each dash a line of its own: a dashed ellipse takes ten times as long, at every step of a drag.
 void drawDashedCircle(QPainter& painter, const QPointF& middle, double radius, double dash = 5.6,
@@ -136,29 +45,6 @@ void drawDashedCircle(QPainter& painter, const QPointF& middle, double radius, d
 
 }  // namespace
 
-void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker& marker) {
-    const Theme& theme = Theme::instance();
-    const QPainterPath shape = glyph(at, marker);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(theme.panel(), 4.5));
-    painter.drawPath(shape);
-    painter.setPen(QPen(theme.text(), 1.8));
-    painter.setBrush(marker.isBuildable ? theme.text() : theme.panel());
-    painter.drawPath(shape);
-}
-
-namespace {
-
-constexpr double apart = 7.0;  // lines of a hatch, pixels
-
-}  // namespace
-
-void fillHatched(QPainter& painter, const QPainterPath& path, const QColor& ground) {
-    painter.fillPath(path, ground);
-    painter.setPen(QPen(faint(Theme::instance().text(), 0.42), 1.0));
-    painter.drawLines(hatchLines(path, apart, 1.0));
-}
-
 void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked,
                  const PlaceScale& scale) {
     const Theme& theme = Theme::instance();
@@ -175,7 +61,10 @@ void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked,
     if (path.isEmpty()) {
         return;
     }
-    fillHatched(painter, path, faint(theme.panel(), 0.38));
+    constexpr double apart = 7.0;  // lines of the hatch, pixels
+    painter.fillPath(path, faint(theme.panel(), 0.38));
+    painter.setPen(QPen(faint(theme.text(), 0.42), 1.0));
+    painter.drawLines(hatchLines(path, apart, 1.0));
     painter.setBrush(Qt::NoBrush);
     paintLines(painter, {edges});
 }
@@ -213,8 +102,7 @@ void drawLimits(QPainter& painter, const balance_shaft::PlaceLimits& limits,
     }
 }
 
-void drawReference(QPainter& painter, const ShaftMapModel& other, PlaceCriterion::Kind criterion,
-                   const PlaceScale& scale) {
+void drawReference(QPainter& painter, const ShaftMapModel& other, const PlaceScale& scale) {
     if (other.map() == nullptr) {
         return;
     }
@@ -230,55 +118,10 @@ void drawReference(QPainter& painter, const ShaftMapModel& other, PlaceCriterion
         painter.drawPolygon(scale.line(line));
     }
     painter.setPen(wide(0.34, 6.0));
-    for (const ShaftMapModel::Contour& contour : other.contours()) {
+    for (const ChangeContours::Contour& contour : other.field().contours) {
         for (const QPolygonF& line : contour.lines) {
             if (contour.level == 0.0) {
-                painter.drawPolyline(scale.line(line));
-            }
-        }
-    }
-    for (const ShaftMapModel::Marker& marker : other.markers()) {
-        if (marker.criterion == criterion) {
-            const QPainterPath shape =
-                glyph(scale.at(marker.position), marker, 1.25 * glyphRadius());
-            painter.setPen(wide(0.34, 4.0));
-            painter.drawPath(shape);
-            painter.setPen(QPen(theme.panel(), 1.4 * strokeScale()));
-            painter.drawPath(shape);
-        }
-    }
-}
-
-std::vector<QPolygonF> drawContours(QPainter& painter,
-                                    const std::vector<ShaftMapModel::Contour>& contours,
-                                    const PlaceScale& scale) {
-    const Theme& theme = Theme::instance();
-    std::vector<QPolygonF> longest(contours.size());
-    std::vector<LinesOfPen> all;
-    for (std::size_t i = 0; i < contours.size(); ++i) {
-        const bool zero = contours[i].level == 0.0;
-        std::vector<QPolygonF> lines;
-        lines.reserve(contours[i].lines.size());
-        for (const QPolygonF& metres : contours[i].lines) {
-            lines.push_back(scale.line(metres));
-            if (lines.back().size() > longest[i].size()) {
-                longest[i] = lines.back();
-            }
-        }
-        all.push_back({zero ? QPen(theme.text(), 2.4) : QPen(faint(theme.text(), 0.38), 1.0),
-                       std::move(lines)});
-    }
-    painter.setBrush(Qt::NoBrush);
-    paintLines(painter, all);
-    return longest;
-}
-
-void drawMarkers(QPainter& painter, const ShaftMapModel& map, const PlaceScale& scale) {
-    // Those of the criterion shown lie on top.
-    for (const bool shown : {false, true}) {
-        for (const ShaftMapModel::Marker& marker : map.markers()) {
-            if ((marker.criterion == map.criterion()) == shown) {
-                drawGlyph(painter, scale.at(marker.position), marker);
+                painter.drawPolyline(inPixels(scale.plot(), line));
             }
         }
     }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QColor>
-#include <QImage>
 #include <QPainterPath>
 #include <QPolygonF>
 #include <QRectF>
@@ -10,6 +9,7 @@
 #include "balance-shaft/model/shaft_map_model.h"
 #include "balance-shaft/position_study.h"
 #include "numerics/units.h"
+#include "plot/plot_painter.h"
 #include "plot/plot_view.h"
 
 class QPainter;
@@ -22,6 +22,7 @@ class PlaceScale {
   public:
     explicit PlaceScale(const PlotView& plot) : plot_(plot) {}
 
+    const PlotView& plot() const { return plot_; }
     QPointF at(double x, double y) const { return plot_.toPixel(x / units::mm, y / units::mm); }
     QPointF at(const balance_shaft::ShaftPosition& position) const {
         return at(position.x, position.y);
@@ -43,21 +44,10 @@ class PlaceScale {
     const PlotView& plot_;
 };
 
-// Signs, colours, hatches.
-
-/// A level of change in percent, without its unit: as many digits as that round number has.
-QString levelText(double fraction);
-/// Radius of a marker's sign.
-double glyphRadius();
-QColor faint(QColor colour, double alpha);
-/// Colours of the stretches between the levels.
-std::vector<QRgb> bandColours(const std::vector<double>& levels);
-/// The field as bands of colour, each step of the grid drawn several pixels wide.
-QImage fieldImage(const balance_shaft::PositionMap& field, const std::vector<double>& values,
-                  const std::vector<double>& levels);
-/// A marker's sign.
-void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker& marker);
-void fillHatched(QPainter& painter, const QPainterPath& path, const QColor& ground);
+/// The room of a marker, with a gap around it.
+inline double markerRadius() {
+    return 9.0 * strokeScale();
+}
 
 // Over the colours, what rests while the shaft moves.
 
@@ -67,14 +57,8 @@ void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked, const
 /// @param area  the chart's, pixels
 void drawLimits(QPainter& painter, const balance_shaft::PlaceLimits& limits,
                 const PlaceScale& scale, const QRectF& area);
-/// Of a reference: what cannot be built, no change and the best places by a criterion, pale.
-void drawReference(QPainter& painter, const ShaftMapModel& other, PlaceCriterion::Kind criterion,
-                   const PlaceScale& scale);
-/// @return the longest line of each, in pixels, for its number
-std::vector<QPolygonF> drawContours(QPainter& painter,
-                                    const std::vector<ShaftMapModel::Contour>& contours,
-                                    const PlaceScale& scale);
-void drawMarkers(QPainter& painter, const ShaftMapModel& map, const PlaceScale& scale);
+/// Of a reference: what cannot be built and no change, pale.
+void drawReference(QPainter& painter, const ShaftMapModel& other, const PlaceScale& scale);
 
 // The engine from the front.
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "balance-shaft/change_colours.h"
 #include "balance-shaft/shaft_map_drawing.h"
 #include "numerics/constants.h"
 #include "text/number_text.h"
@@ -43,7 +44,7 @@ void ShaftMapLabels::addMarkers(const ShaftMapModel& map, const PlaceScale& scal
         const QPointF at = scale.at(marker.position);
         const QString text = signedPercentText(*change);
         const QSizeF size(metrics.horizontalAdvance(text) + 6.0, metrics.height());
-        const double away = 2.0 * glyphRadius();
+        const double away = markerRadius() + 2.0;
         const std::array corners{
             QPointF(away, -size.height() / 2),
             QPointF(-away - size.width(), -size.height() / 2),
@@ -59,17 +60,10 @@ void ShaftMapLabels::addMarkers(const ShaftMapModel& map, const PlaceScale& scal
     }
 }
 
-void ShaftMapLabels::addContours(const ShaftMapModel& map, const std::vector<QPolygonF>& lines,
-                                 const PlaceScale& scale) {
-    const auto& contours = map.contours();
+void ShaftMapLabels::addContours(const ChangeContours& field, const std::vector<QPolygonF>& lines,
+                                 const QPointF& centre) {
+    const auto& contours = field.contours;
     const QFontMetricsF metrics(Theme::font(Theme::smallSize));
-    const ShaftMapModel::Marker* best = nullptr;
-    for (const ShaftMapModel::Marker& marker : map.markers()) {
-        if (marker.criterion == map.criterion()) {
-            best = &marker;  // the last is the one of all places
-        }
-    }
-    const QPointF centre = best != nullptr ? scale.at(best->position) : area_.center();
     constexpr std::array turns{90.0, 110.0, 70.0, 130.0, 150.0, 180.0,
                                50.0, 20.0,  0.0,  220.0, 320.0, 270.0};
     // In a small map every second or third line has its number, that of no change in any case.

@@ -29,11 +29,11 @@ class ShaftMapLabels {
     void keepFree(const QPointF& middle, double half);
     /// The change at each marker of the criterion.
     void addMarkers(const ShaftMapModel& map, const PlaceScale& scale);
-    /// Each line's number where the line is nearest to a ray from the best place, so that the
-    /// numbers are in a row; the ray turns on where that has no room.
+    /// Each line's number where the line is nearest to a ray from a centre, so that the numbers are
+    /// in a row; the ray turns on where that has no room.
     /// @param lines  the longest of each contour, pixels
-    void addContours(const ShaftMapModel& map, const std::vector<QPolygonF>& lines,
-                     const PlaceScale& scale);
+    void addContours(const ChangeContours& field, const std::vector<QPolygonF>& lines,
+                     const QPointF& centre);
     void paint(QPainter& painter) const;
 
     const std::vector<Label>& all() const { return labels_; }

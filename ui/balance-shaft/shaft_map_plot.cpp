@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "balance-shaft/change_colours.h"
 #include "balance-shaft/model/shaft_map_text.h"
 #include "balance-shaft/shaft_map_drawing.h"
-#include "balance-shaft/shaft_map_key.h"
 #include "model/reference_case.h"
 #include "numerics/units.h"
 #include "pictures/picture_file.h"
@@ -20,7 +20,8 @@ ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, QWidget* parent)
     : PartPlot(model, "places", parent), model_(model), map_(model->shaftMap()) {
     setObjectName(QStringLiteral("shaft_map"));
     setToolTip(
-        tr("Front view to scale; hatched: does not fit. Drag the shaft (0.5 mm, 0.5°) or use arrow "
+        tr("Front view to scale; thick line: no change; hatched: does not fit. Drag the shaft (0.5 "
+           "mm, 0.5°) or use arrow "
            "keys (0.1 mm, Shift 1 mm); double-click or select a marker (Page Up, Page Down) and "
            "press Enter to move."));
     setStatusTip(
@@ -63,16 +64,8 @@ QString ShaftMapPlot::csv(const CsvFormat& format) const {
 }
 
 void ShaftMapPlot::showImage() {
-    const ShaftMap* map = map_->map();
-    if (map == nullptr || map_->changes().empty()) {
-        setImage({}, {});
-        return;
-    }
-    const balance_shaft::PositionMap& field = map->field;
-    setImage(
-        fieldImage(field, map_->changes(), map_->levels()),
-        QRectF(field.left / units::mm, field.bottom / units::mm,
-               (field.right - field.left) / units::mm, (field.top - field.bottom) / units::mm));
+    const ChangeContours& field = map_->field();
+    setImage(field.changes.empty() ? QImage() : changeImage(field), field.where);
 }
 
 // The reference.
@@ -101,14 +94,17 @@ QString ShaftMapPlot::bestWords() const {
 }
 
 double ShaftMapPlot::keyHeight() const {
-    return ShaftMapKey(*map_, size()).height();
+    return map_->field().levels.empty() ? 0.0 : changeKeyHeight();
 }
 
 // What rests.
 
 void ShaftMapPlot::paintGround(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
-    ShaftMapKey(*map_, size()).paint(painter, keyTop());
+    if (!map_->field().levels.empty()) {
+        paintChangeKey(painter, map_->field().levels, QPointF(Theme::margin, keyTop()),
+                       width() - 2.0 * Theme::margin);
+    }
     labels_.clear(plotArea());
     if (map_->map() == nullptr) {
         return;
@@ -119,17 +115,23 @@ void ShaftMapPlot::paintGround(QPainter& painter) {
     drawBlocked(painter, map_->map()->blocked, scale);
     drawLimits(painter, model_->input().place_limits, scale, plotArea());
     if (const ShaftMapModel* other = referenceMap()) {
-        drawReference(painter, *other, map_->criterion(), scale);
+        drawReference(painter, *other, scale);
     }
     labelMarkers();  // first: the contours' numbers give way to theirs
-    labels_.addContours(*map_, drawContours(painter, map_->contours(), scale), scale);
-    drawMarkers(painter, *map_, scale);
+    const ShaftMapModel::Marker* best = nullptr;
+    for (const ShaftMapModel::Marker& marker : map_->markers()) {
+        if (marker.criterion == map_->criterion()) {
+            best = &marker;  // the last is the one of all places
+        }
+    }
+    labels_.addContours(map_->field(), drawContours(painter, map_->field(), *this),
+                        best != nullptr ? scale.at(best->position) : plotArea().center());
     painter.restore();
 }
 
 void ShaftMapPlot::labelMarkers() {
     for (const ShaftMapModel::Marker& marker : map_->markers()) {
-        labels_.keepFree(pixelOf(marker.position), glyphRadius() + 3.5);
+        labels_.keepFree(pixelOf(marker.position), markerRadius());
     }
     // No number under the handle, as it is now.
     freeFor_ = map_->present();

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "balance-shaft/model/shaft_map_text.h"
-#include "balance-shaft/shaft_map_key.h"
 #include "balance-shaft/shaft_map_plot.h"
 #include "numerics/units.h"
 
@@ -55,8 +54,9 @@ void ShaftMapPlot::mouseMoveEvent(QMouseEvent* event) {
     if (dragging_) {
         const QRectF area = plotArea();
         const QPointF to = event->position() + grip_;
-        map_->snapTo(placeAt({std::clamp(to.x(), area.left(), area.right()),
-                              std::clamp(to.y(), area.top(), area.bottom())}));
+        map_->moveTo(placeAt({std::clamp(to.x(), area.left(), area.right()),
+                              std::clamp(to.y(), area.top(), area.bottom())}),
+                     ShaftMapModel::Snapped);
         return;
     }
     gripped_ = gripped_ && event->buttons() != Qt::NoButton;
@@ -91,9 +91,7 @@ void ShaftMapPlot::mouseDoubleClickEvent(QMouseEvent* event) {
     if (marker != nullptr) {
         map_->goTo(marker->position);
     } else {
-        model_->finishDrag();
-        map_->snapTo(placeAt(event->position()));
-        model_->finishDrag();
+        map_->goTo(placeAt(event->position()), ShaftMapModel::Snapped);
     }
 }
 
@@ -112,7 +110,7 @@ void ShaftMapPlot::keyPressEvent(QKeyEvent* event) {
         (event->modifiers().testFlag(Qt::ShiftModifier) ? 1.0 : 0.1) * units::mm.to_si;
     const auto move = [&](double x, double y) {
         const auto present = map_->present();
-        map_->dragTo({present.x + x * step, present.y + y * step});
+        map_->moveTo({present.x + x * step, present.y + y * step}, ShaftMapModel::Keyed);
         Q_EMIT hovered(placeWords(map_->present()));
     };
     const auto choose = [&](std::size_t by) {
@@ -177,12 +175,6 @@ bool ShaftMapPlot::event(QEvent* event) {
             QToolTip::showText(help->globalPos(), shaft_map_text::reason(*map_, placeAt(at)), this);
             return true;
         }
-    }
-    const ShaftMapKey key(*map_, size());
-    if (event->type() == QEvent::ToolTip && key.isLow()) {
-        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
-                           toolTip() + QLatin1Char('\n') + key.signsInWords(), this);
-        return true;
     }
     return PlotView::event(event);
 }

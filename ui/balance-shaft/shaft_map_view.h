@@ -26,12 +26,10 @@ class ShaftMapView : public QWidget {
   public:
     explicit ShaftMapView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
-    ShaftMapModel* mapModel() const { return map_; }
     ShaftMapPlot* plot() const { return plot_; }
     FieldSlider* distanceSlider() const { return distance_; }
     QComboBox* criterionChoice() const { return criterion_; }
     ValueSlider* weightSlider() const { return weight_; }
-    QPushButton* bestButton() const { return best_; }
     QLabel* words() const { return words_; }
     QTabWidget* charts() const { return tabs_; }
 

@@ -1,13 +1,12 @@
 #pragma once
 
-#include "balance-shaft/change_colours.h"
 #include "balance-shaft/model/speed_study_model.h"
 #include "page/part_views.h"
 
 namespace ravnoves {
 
-/// The map of SpeedStudyModel over α and speed, with a bar of its colours and their values, the
-/// line along which the shaft changes nothing, and what is under the pointer as text.
+/// The map of SpeedStudyModel over α and speed with the key to its colours, and what is under the
+/// pointer as text.
 class SpeedMapPlot : public PartPlot {
     Q_OBJECT
 
@@ -15,12 +14,6 @@ class SpeedMapPlot : public PartPlot {
     explicit SpeedMapPlot(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     bool isDrawing() const override { return true; }
-    /// The lines at 1.0, in α (°) and speed (min⁻¹).
-    const std::vector<QPolygonF>& borders() const { return borders_; }
-    /// Those at the bar, the weightiest first.
-    std::vector<BarNumber> barNumbers() const;
-    /// α, speed and value at a place of the chart; empty without a map.
-    QString wordsAt(double angleDeg, double speed) const;
     /// The field under the picture.
     QString csv(const CsvFormat& format) const override;
 
@@ -29,6 +22,7 @@ class SpeedMapPlot : public PartPlot {
 
   protected:
     void paintGround(QPainter& painter) override;
+    void paintOverCurves(QPainter& painter) override;
     bool readsUnderPointer() const override { return false; }  // as text beside the map
     double keyHeight() const override;
     bool event(QEvent* event) override;
@@ -36,17 +30,14 @@ class SpeedMapPlot : public PartPlot {
     void stopReading() override;
 
   private:
-    /// Of the bar, as parts of changeColour().
-    std::pair<double, double> barEnds() const;
-    void paintBar(QPainter& painter) const;
     void showMap();
+    /// α, speed and change at a place of the chart; empty without a map.
+    QString wordsAt(double angleDeg, double speed) const;
     /// Null: there is none.
-    const SpeedStudyModel::Map* map() const {
-        return study_->isSolved() ? &study_->map() : nullptr;
-    }
+    const ChangeContours* map() const { return study_->isSolved() ? &study_->map() : nullptr; }
 
     SpeedStudyModel* study_;
-    std::vector<QPolygonF> borders_;
+    std::vector<QPolygonF> lines_;  ///< the longest of each level, pixels
 };
 
 }  // namespace ravnoves

@@ -32,6 +32,7 @@ constexpr int pairWidth = 480;  ///< designed pixels of two parts beside each ot
 SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model), study_(model->speedStudy()) {
     QVBoxLayout* column = columnIn(this, Theme::space, tabMargins);
+    column->addWidget(buildWords());
     auto* bar = new Panel(this);
     QVBoxLayout* barColumn = columnIn(bar, 0);
     auto* barRow = new FoldingRow(pairWidth, bar);
@@ -45,8 +46,6 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     charts->add(new SpeedMapPlot(model_, this));
     column->addWidget(charts, 1);
     charts_ = charts;
-    words_ = buildWords();
-    column->addWidget(words_);
     column->addStretch();
     for (const auto signal : {&SceneModel::changed, &SceneModel::shownChanged}) {
         connect(model_, signal, this, &SpeedView::showStudy);
@@ -127,7 +126,7 @@ Form* SpeedView::buildForm() {
         tr("Criterion of the map and of the best compromise α"),
         [this] { return static_cast<int>(model_->speedCriterion()); },
         [this](int index) {
-            model_->setSpeedCriterion(static_cast<BalanceShaftModel::SpeedCriterion>(index));
+            model_->setSpeedCriterion(static_cast<BalanceShaftModel::Criterion>(index));
         });
     return form;
 }
@@ -139,15 +138,6 @@ void SpeedView::showStudy() {
     goLeastBad_->setVisible(study_->isSolved());
     rebuild_->setVisible(!study_->isSolved() && model_->canRebuildTorque());
     charts_->setVisible(!study_->isRefused());
-    showWordsFirst(study_->isRefused());
-}
-
-void SpeedView::showWordsFirst(bool first) {
-    auto* column = static_cast<QVBoxLayout*>(layout());
-    if (const int place = first ? 0 : 2; column->indexOf(words_) != place) {
-        column->removeWidget(words_);
-        column->insertWidget(place, words_);
-    }
 }
 
 }  // namespace ravnoves

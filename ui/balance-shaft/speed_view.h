@@ -12,7 +12,8 @@ class FieldSlider;
 class Form;
 class SpeedStudyModel;
 
-/// Shows SpeedStudyModel: best α over speed, the map, the least bad α; sliders for speed and load.
+/// Shows SpeedStudyModel: the best compromise α, best α over speed, the map; sliders for speed and
+/// load.
 class SpeedView : public QWidget {
     Q_OBJECT
 
@@ -27,8 +28,6 @@ class SpeedView : public QWidget {
     Form* buildForm();
     QWidget* buildWords();
     void showStudy();
-    /// Why there is nothing to show stands over what it would be set by.
-    void showWordsFirst(bool first);
 
     BalanceShaftModel* model_;
     SpeedStudyModel* study_;
@@ -36,7 +35,6 @@ class SpeedView : public QWidget {
     QComboBox* criterion_;
     QPushButton* rebuild_;
     QPushButton* goLeastBad_;
-    QWidget* words_;
     QWidget* charts_;
 };
 

@@ -113,16 +113,17 @@ std::map<std::string, std::function<Drag()>> drags() {
         {"balance-shaft, axis",
          [] {
              auto* page = new BalanceShaftPage;
-             auto* view = page->findChild<ShaftMapView*>();
-             showTabOf(view);
+             showTabOf(page->findChild<ShaftMapView*>());
              page->show();
-             while (view->mapModel()->job()->isRunning()) {
+             ShaftMapModel* map = page->viewModel()->shaftMap();
+             while (map->job()->isRunning()) {
                  QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
              }
-             return Drag{page, [view](int step, int steps) {
-                             const double way = static_cast<double>(step) / steps;
-                             view->mapModel()->dragTo({0.12 * way - 0.02, 0.09 - 0.15 * way});
-                         }};
+             return Drag{
+                 page, [map](int step, int steps) {
+                     const double way = static_cast<double>(step) / steps;
+                     map->moveTo({0.12 * way - 0.02, 0.09 - 0.15 * way}, ShaftMapModel::Keyed);
+                 }};
          }},
         {"elastic-hinge, speed",
          [] {

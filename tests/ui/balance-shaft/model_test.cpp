@@ -21,6 +21,8 @@
 namespace ravnoves {
 namespace {
 
+using By = BalanceShaftModel::Criterion;
+
 using test::curveOf;
 using test::figureOf;
 
@@ -65,23 +67,23 @@ TEST(BalanceShaftModel, MovingTheShaftFollowsEverywhere) {
     EXPECT_EQ(changed.size(), 0);
     EXPECT_NEAR(model.result().M_ups.range, 1821.0, 1.0);
     // The best α that can be built leads; the paper's 50.65° and 11.76° cannot be.
-    model.goToBestRange();
+    model.goToBest(By::range);
     EXPECT_EQ(model.shaftAngleDeg(), *model.result().best_range_buildable.shaft_angle / degree);
     EXPECT_TRUE(model.result().is_buildable);
-    EXPECT_TRUE(model.bestRangeText().contains(
+    EXPECT_TRUE(model.bestText(By::range).contains(
         QStringLiteral("50.65° would give 43.1\u00A0N·m less but does not fit")))
-        << model.bestRangeText().toStdString();
-    model.goToBestRms();
+        << model.bestText(By::range).toStdString();
+    model.goToBest(By::rms);
     EXPECT_EQ(model.shaftAngleDeg(), *model.result().best_rms_buildable.shaft_angle / degree);
-    EXPECT_TRUE(model.bestRmsText().contains(QStringLiteral("11.76° would give")));
+    EXPECT_TRUE(model.bestText(By::rms).contains(QStringLiteral("11.76° would give")));
     // Where nothing can be built, the best of all is shown and said to be that.
     model.setByKey(QStringLiteral("envelope/clearance_mm"), QStringLiteral("50"));
-    model.goToBestRange();
+    model.goToBest(By::range);
     EXPECT_NEAR(model.shaftAngleDeg(), 50.65, 0.05);
     EXPECT_NEAR(model.result().M_ups.range, 1066.75, 0.1);
-    EXPECT_TRUE(model.bestRangeText().endsWith(QStringLiteral("but no position is feasible")));
+    EXPECT_TRUE(model.bestText(By::range).endsWith(QStringLiteral("but no position is feasible")));
     EXPECT_TRUE(model.notesText().contains(QStringLiteral("No feasible position")));
-    model.goToBestRms();
+    model.goToBest(By::rms);
     EXPECT_NEAR(model.shaftAngleDeg(), 11.76, 0.05);
 }
 
@@ -220,24 +222,24 @@ TEST(SpeedStudyModel, AnswersForTheInputThatIsThere) {
     EXPECT_NEAR(curves.speed.front(), 2000.0, 1e-9);
     EXPECT_NEAR(curves.speed.back(), 4000.0, 1e-9);
     // The map is the criterion against the engine without a shaft: solved alone at one place.
-    const SpeedStudyModel::Map map = study.map();  // a copy: it goes with the criterion
-    EXPECT_EQ(map.angles * map.speeds, static_cast<int>(map.relative.size()));
+    const ChangeContours map = study.map();  // a copy: it goes with the criterion
+    ASSERT_EQ(map.changes.size(), 5U * map.columns);
     auto input = model.input();
     input.angular_speed = curves.speed[2] * units::rpm;
     const balance_shaft::Solver alone(input);
-    EXPECT_NEAR(map.relative[static_cast<std::size_t>(2 * map.angles + 100)],
-                alone.range(100.0 * degree) / alone.result().M_up.range, 1e-9);
-    // By its two ends.
-    EXPECT_EQ(*std::min_element(map.relative.begin(), map.relative.end()), map.least);
-    EXPECT_GE(map.part(2, 100), -1.0);
-    EXPECT_LE(map.part(2, 100), 1.0);
+    const double change = alone.range(100.0 * degree) / alone.result().M_up.range - 1.0;
+    EXPECT_NEAR(map.changes[2 * map.columns + 100], change, 1e-9);
+    EXPECT_NEAR(study.changeAt(100.0, curves.speed[2]), change, 1e-9);
+    for (std::size_t row = 0; row < 5; ++row) {  // 360° is 0°
+        EXPECT_EQ(map.changes[row * map.columns], map.changes[(row + 1) * map.columns - 1]);
+    }
     study.goToLeastBad();
     EXPECT_NEAR(model.shaftAngleDeg(), study.leastBadDeg(), 1e-9);
     const QString answer = study.answer();
-    model.setSpeedCriterion(SpeedStudyModel::Criterion::rms);
+    model.setSpeedCriterion(By::rms);
     EXPECT_NE(study.answer(), answer);
-    EXPECT_NE(study.map().least, map.least);
-    model.setSpeedCriterion(SpeedStudyModel::Criterion::range);
+    EXPECT_NE(study.map().changes, map.changes);
+    model.setSpeedCriterion(By::range);
 
     // The shaft's angle solves nothing anew; neither does an input that comes back meanwhile.
     model.setShaftAngleDeg(10.0);

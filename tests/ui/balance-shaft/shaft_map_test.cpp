@@ -52,7 +52,7 @@ class ShaftMapTest : public ::testing::Test {
         page.activateWindow();
         view = page.findChild<ShaftMapView*>();
         showTabOf(view);
-        map = view->mapModel();
+        map = model->shaftMap();
         plot = view->plot();
         distances = partPlot(page, "distances");
         sizes = partPlot(page, "front");
@@ -60,6 +60,7 @@ class ShaftMapTest : public ::testing::Test {
         plot->setFocus();
     }
 
+    QPushButton* best() { return test::named<QPushButton>(*view, "go_best_place"); }
     void wait() {
         QTRY_VERIFY_WITH_TIMEOUT(!map->job()->isRunning(), 30000);
         QApplication::processEvents();
@@ -86,7 +87,7 @@ TEST_F(ShaftMapTest, ShowsTheNumbersOfTheStudy) {
     ASSERT_NE(map->map(), nullptr);
     const PositionStudy study(model->solver());
     const balance_shaft::PositionMap& field = map->map()->field;
-    ASSERT_EQ(map->changes().size(), field.columns * field.rows);
+    ASSERT_EQ(map->field().changes.size(), field.columns * field.rows);
     const auto place = [&](std::size_t element) {
         const auto along = [](double from, double to, std::size_t i, std::size_t count) {
             return from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1);
@@ -94,32 +95,33 @@ TEST_F(ShaftMapTest, ShowsTheNumbersOfTheStudy) {
         return Position{along(field.left, field.right, element % field.columns, field.columns),
                         along(field.bottom, field.top, element / field.columns, field.rows)};
     };
-    for (std::size_t i = 0; i < map->changes().size(); i += 977) {
-        EXPECT_NEAR(map->changes()[i], study.at(place(i)).range / study.range_without() - 1.0,
+    for (std::size_t i = 0; i < map->field().changes.size(); i += 977) {
+        EXPECT_NEAR(map->field().changes[i], study.at(place(i)).range / study.range_without() - 1.0,
                     1e-9);
     }
     map->setCriterion(Criterion::Rms);
-    for (std::size_t i = 0; i < map->changes().size(); i += 977) {
-        EXPECT_NEAR(map->changes()[i], study.at(place(i)).rms / study.rms_without() - 1.0, 1e-9);
+    for (std::size_t i = 0; i < map->field().changes.size(); i += 977) {
+        EXPECT_NEAR(map->field().changes[i], study.at(place(i)).rms / study.rms_without() - 1.0,
+                    1e-9);
     }
     map->setCriterion(Criterion::Both);
     map->setWeight(0.25);
-    for (std::size_t i = 0; i < map->changes().size(); i += 977) {
+    for (std::size_t i = 0; i < map->field().changes.size(); i += 977) {
         const auto at = study.at(place(i));
         EXPECT_NEAR(
-            map->changes()[i],
+            map->field().changes[i],
             0.25 * at.range / study.range_without() + 0.75 * at.rms / study.rms_without() - 1.0,
             1e-9);
     }
     // The lines are where the field has their levels; 0 is among them.
-    const auto& levels = map->levels();
+    const auto& levels = map->field().levels;
     EXPECT_EQ(std::count(levels.begin(), levels.end(), 0.0), 1);
     EXPECT_TRUE(std::is_sorted(levels.begin(), levels.end()));
-    for (const ShaftMapModel::Contour& contour : map->contours()) {
+    for (const ChangeContours::Contour& contour : map->field().contours) {
         for (const QPolygonF& line : contour.lines) {
             for (qsizetype i = 0; i < line.size(); i += 37) {
-                EXPECT_NEAR(*map->change(study.at({line[i].x(), line[i].y()})), contour.level,
-                            0.004);
+                EXPECT_NEAR(*map->change(study.at({line[i].x() * mm, line[i].y() * mm})),
+                            contour.level, 0.004);
             }
         }
     }
@@ -229,7 +231,7 @@ TEST_F(ShaftMapTest, TheButtonGoesToTheBestPlaceThatCanBeBuilt) {
         Q_EMIT view->criterionChoice()->activated(choice);
         EXPECT_EQ(view->weightSlider()->isVisible(), choice == 2);
         ASSERT_NE(map->best(), nullptr);
-        QTest::mouseClick(view->bestButton(), Qt::LeftButton);
+        QTest::mouseClick(best(), Qt::LeftButton);
         EXPECT_NEAR(map->present().x, map->best()->position.x, 1e-12);
         EXPECT_TRUE(map->best()->isBuildable);
         EXPECT_TRUE(model->result().is_buildable);
@@ -241,7 +243,7 @@ TEST_F(ShaftMapTest, TheButtonGoesToTheBestPlaceThatCanBeBuilt) {
             const std::size_t element =
                 stride * (i / all.obstacleColumns * all.field.columns + i % all.obstacleColumns);
             if (all.obstacles[i] == Obstacle::none) {
-                EXPECT_GE(map->changes()[element], best - 1e-9);
+                EXPECT_GE(map->field().changes[element], best - 1e-9);
             }
         }
     }
@@ -376,7 +378,7 @@ TEST_F(ShaftMapTest, ChartsGoToTheirPlaces) {
     view->charts()->setCurrentWidget(distances);
     QApplication::processEvents();
     EXPECT_NEAR(*distances->valueAt(0, 90.0),
-                map->map()->study.best_range_at(90 * mm).criteria.range, 3.0);
+                map->map()->study.best_at(90 * mm, 1.0).criteria.range, 3.0);
     QTest::mouseClick(distances, Qt::LeftButton, {},
                       QPoint(distances->toPixel(90.0, 0.0).toPoint().x(),
                              distances->plotArea().center().toPoint().y()));
@@ -385,7 +387,7 @@ TEST_F(ShaftMapTest, ChartsGoToTheirPlaces) {
     const PositionStudy& study = map->map()->study;
     EXPECT_TRUE(model->result().is_buildable);
     const double range = model->result().M_ups.range;
-    EXPECT_GE(range, study.best_range_at(length()).criteria.range - 1e-6);
+    EXPECT_GE(range, study.best_at(length(), 1.0).criteria.range - 1e-6);
     double least = 1e300;
     for (int i = 0; i < 7200; ++i) {
         const Position place = Position::at(length(), i * 0.05 * degree);
@@ -603,7 +605,7 @@ TEST_F(ShaftMapTest, SaysThatTheBestPlaceIsWorseThanNone) {
     EXPECT_GT(*map->change(map->best()->criteria), 0.0);
     EXPECT_TRUE(shaft_map_text::best(*map).contains(worse))
         << shaft_map_text::best(*map).toStdString();
-    EXPECT_TRUE(view->bestButton()->isEnabled());
+    EXPECT_TRUE(best()->isEnabled());
 }
 
 TEST_F(ShaftMapTest, WhereNothingCanBeBuiltTheButtonSaysWhy) {
@@ -612,16 +614,15 @@ TEST_F(ShaftMapTest, WhereNothingCanBeBuiltTheButtonSaysWhy) {
         input.place_limits.centre_distance_max = 30 * mm;
     });
     wait();
-    EXPECT_FALSE(view->bestButton()->isEnabled());
-    EXPECT_TRUE(
-        view->bestButton()->toolTip().contains(QStringLiteral("No place within the limits")))
-        << view->bestButton()->toolTip().toStdString();
+    EXPECT_FALSE(best()->isEnabled());
+    EXPECT_TRUE(best()->toolTip().contains(QStringLiteral("No place within the limits")))
+        << best()->toolTip().toStdString();
     EXPECT_TRUE(sizes->isFaded());  // it says so in its middle
     EXPECT_FALSE(model->result().is_buildable);
     EXPECT_TRUE(model->result().buildable.stretches.empty());
     model->undo();
     wait();
-    EXPECT_TRUE(view->bestButton()->isEnabled());
+    EXPECT_TRUE(best()->isEnabled());
     EXPECT_FALSE(sizes->isFaded());
 }
 
@@ -681,7 +682,7 @@ TEST_F(ShaftMapTest, ATorqueWithoutARangeSaysSo) {
         input.torque.table = {{0, 180, 360, 540, 720}, {0, 0, 0, 0, 0}};
     });
     wait();
-    EXPECT_TRUE(map->levels().empty());
+    EXPECT_TRUE(map->field().levels.empty());
     EXPECT_FALSE(view->words()->text().isEmpty());
     EXPECT_FALSE(page.grab().isNull());
     map->setCriterion(Criterion::Both);

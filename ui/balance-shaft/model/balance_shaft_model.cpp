@@ -9,11 +9,13 @@
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/shaft_map_model.h"
 #include "balance-shaft/model/speed_study_model.h"
+#include "balance-shaft/result_fields.h"
 #include "balance-shaft/results.h"
 #include "balance-shaft/scene.h"
 #include "case-file/result_json.h"
 #include "model/case_model_json.h"
 #include "numerics/vector_state.h"
+#include "text/field_row.h"
 #include "text/message_lines.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -94,7 +96,7 @@ void BalanceShaftModel::setPlaceCriterion(const PlaceCriterion& criterion) {
     }
 }
 
-void BalanceShaftModel::setSpeedCriterion(SpeedCriterion criterion) {
+void BalanceShaftModel::setSpeedCriterion(Criterion criterion) {
     if (std::exchange(speedCriterion_, criterion) != criterion) {
         if (speedStudy_ != nullptr) {
             speedStudy_->showCriterion();
@@ -254,27 +256,17 @@ void BalanceShaftModel::pickShaftAngleDeg(double angle) {
     setShaftAngleDeg(std::round(angle * 10.0) / 10.0);
 }
 
-const Optimum& BalanceShaftModel::bestRange() const {
-    return result().buildable.stretches.empty() ? result().best_range
-                                                : result().best_range_buildable;
+const Optimum& BalanceShaftModel::best(Criterion criterion) const {
+    const bool any = result().buildable.stretches.empty();
+    return criterion == Criterion::range
+               ? (any ? result().best_range : result().best_range_buildable)
+               : (any ? result().best_rms : result().best_rms_buildable);
 }
 
-const Optimum& BalanceShaftModel::bestRms() const {
-    return result().buildable.stretches.empty() ? result().best_rms : result().best_rms_buildable;
-}
-
-void BalanceShaftModel::goToBestRange() {
-    if (bestRange().shaft_angle) {
+void BalanceShaftModel::goToBest(Criterion criterion) {
+    if (const auto angle = best(criterion).shaft_angle) {
         finishDrag();
-        setShaftAngleDeg(*bestRange().shaft_angle / degree);
-        finishDrag();
-    }
-}
-
-void BalanceShaftModel::goToBestRms() {
-    if (bestRms().shaft_angle) {
-        finishDrag();
-        setShaftAngleDeg(*bestRms().shaft_angle / degree);
+        setShaftAngleDeg(*angle / degree);
         finishDrag();
     }
 }
@@ -410,18 +402,15 @@ Results BalanceShaftModel::criteria() const {
 }
 
 Results BalanceShaftModel::quantities() const {
+    namespace key = balance_shaft::result_field;
     const auto& share = result().order_1_share;
     Results results{{tr("Quantity"), tr("Value"), tr("Unit")}};
     results.rows = {
-        shownRow(tr("Inertia force Pⱼ₁, max"), result().inertia_force_1_max, units::newton, 1,
-                 tr("First order, mⱼ r ω²")),
-        shownRow(
-            tr("Counterweight m₁"), result().counterweight_mass, units::kg, 4,
-            tr("Mass of each of the two counterweights, mⱼ r / (2 ρ₁), eq. (1), or as entered")),
-        shownRow(tr("Counterweight force P₁"), result().counterweight_force, units::newton, 1,
-                 tr("m₁ ρ₁ ω²")),
-        shownRow(tr("Amplitude of Mₛ, P₁ l"), result().moment_amplitude, units::N_m, 2,
-                 tr("Maximum moment of the shaft")),
+        shownRow(key::inertia_force_1_max, result().inertia_force_1_max),
+        shownRow(key::counterweight_mass, result().counterweight_mass),
+        shownRow(key::counterweight_force, result().counterweight_force),
+        shownRow(key::shaft_bearing_load, result().counterweight_force),
+        shownRow(key::moment_amplitude, result().moment_amplitude),
         {{tr("First order's share of Mᵤₚ"),
           share ? ResultCell(100.0 * *share, number(100.0 * *share, 1))
                 : ResultCell(QStringLiteral("–")),
@@ -438,119 +427,74 @@ Results BalanceShaftModel::quantities() const {
     return results;
 }
 
-namespace {
-
-/// In a unit that stays.
-ResultRow ownRow(const QString& name, double value, int decimals, const QString& unit,
-                 const QString& tip) {
-    return {{name, {value, number(value, decimals)}, unit}, tip};
-}
-
-}  // namespace
-
 Results BalanceShaftModel::cycle() const {
+    namespace key = balance_shaft::result_field;
     Results results{{CycleWords::tr("Cycle"), CycleWords::tr("Value"), CycleWords::tr("Unit")}};
     if (!result().indicated) {
         return results;
     }
     const balance_shaft::IndicatedCycle& cycle = *result().indicated;
     results.rows = {
-        ownRow(tr("Indicated mean effective pressure"), cycle.imep / units::bar, 3, tr("bar"),
-               tr("Work of a cycle over the displacement")),
-        ownRow(tr("Indicated work per cycle"), cycle.work, 1, tr("J"), tr("∮ (p − p₀) dV")),
-        ownRow(tr("Indicated power"), result().indicated_power / units::kW, 2, tr("kW"),
-               tr("Work of a cycle times cycles a second")),
-        shownRow(tr("Mean torque"), -result().M_up.mean, units::N_m, 2,
-                 tr("Work of a cycle over its crank angle")),
-        ownRow(tr("Peak pressure"), cycle.peak_pressure / units::bar, 1, tr("bar"),
-               tr("Maximum pressure in the cylinder")),
-        ownRow(tr("at crank angle"), cycle.peak_pressure_angle / degree, 1, QStringLiteral("°"),
-               tr("Crank angle of the peak pressure")),
-        shownRow(tr("Displacement"), cycle.displacement, units::cm3, 1,
-                 tr("Piston area times stroke")),
+        shownRow(key::mean_effective_pressure, cycle.imep),
+        shownRow(key::work, cycle.work),
+        shownRow(key::power, result().indicated_power),
+        shownRow(key::mean_torque, result().indicated_power / result().angular_speed),
+        shownRow(key::peak_pressure, cycle.peak_pressure),
+        shownRow(key::peak_pressure_crank_angle, cycle.peak_pressure_angle),
+        shownRow(key::displacement, cycle.displacement),
+        shownRow(key::clearance_volume, cycle.clearance),
+        shownRow(key::heat, cycle.heat),
     };
-    if (cycle.clearance) {
-        results.rows << shownRow(tr("Clearance volume"), *cycle.clearance, units::cm3, 2,
-                                 tr("Displacement over the compression ratio minus 1"));
-    }
-    if (cycle.heat) {
-        results.rows << ownRow(
-            tr("Heat per cycle"), *cycle.heat, 1, tr("J"),
-            tr("Heat released by the combustion, entered or from the mean pressure"));
-    }
+    results.rows.removeIf([](const ResultRow& row) { return row.isBlank(); });
     return results;
 }
 
 Results BalanceShaftModel::flywheel() const {
+    namespace key = balance_shaft::result_field;
     const balance_shaft::Flywheel& wheel = result().flywheel;
-    const auto row = [](const QString& name, const std::optional<double>& value, const Unit& unit,
-                        int digits, const QString& tip) {
-        return ResultRow(
-            {name,
-             value ? ResultCell(shownValue(*value, unit), shownFigures(*value, unit, digits))
-                   : ResultCell(QStringLiteral("–")),
-             shownUnit(unit).name},
-            tip);
+    const auto angle = [](const QString& name, double radians, const QString& tip) {
+        return shownRow(name, radians, units::degree, 1, tip);
     };
-    const QString angle = QStringLiteral("°");
     // Half of δ to each side of the mean speed.
-    const auto swing = wheel.fluctuation
-                           ? std::optional(*wheel.fluctuation * result().angular_speed / 2.0)
-                           : std::nullopt;
+    ResultRow swing = shownRow(tr("Speed fluctuates by ±"),
+                               wheel.fluctuation.value_or(0.0) * result().angular_speed / 2.0,
+                               units::rpm, 1, tr("± half of δ n about the mean speed"));
+    if (!wheel.fluctuation) {
+        swing[1] = QStringLiteral("–");
+    }
     Results results{
         {FlywheelWords::tr("Flywheel"), FlywheelWords::tr("Value"), FlywheelWords::tr("Unit")}};
     results.rows = {
-        ownRow(tr("Excess work ΔE"), wheel.excess_work, 1, tr("J"),
-               tr("Maximum minus minimum of ∫ (Mᵢ − mean) dφ over the cycle")),
-        row(tr("Fluctuation δ"), wheel.fluctuation, units::none, 4,
-            tr("(ω_max − ω_min) / ω = ΔE / (J ω²)")),
-        row(tr("Moment of inertia J"), wheel.inertia, units::kg_m2, 4,
-            tr("Moment of inertia of all rotating parts, ΔE / (δ ω²)")),
-        row(tr("Speed fluctuates by ±"), swing, units::rpm, 3,
-            tr("± half of δ n about the mean speed")),
-        ownRow(tr("Maximum speed at crank angle"), wheel.max_angle / degree, 1, angle,
-               tr("Crank angle of the maximum excess energy")),
-        ownRow(tr("Minimum speed at crank angle"), wheel.min_angle / degree, 1, angle,
-               tr("Crank angle of the minimum excess energy")),
+        shownRow(key::excess_work, wheel.excess_work),
+        shownRow(key::fluctuation, wheel.fluctuation),
+        shownRow(key::inertia, wheel.inertia),
+        swing,
+        angle(tr("Maximum speed at crank angle"), wheel.max_angle,
+              tr("Crank angle of the maximum excess energy")),
+        angle(tr("Minimum speed at crank angle"), wheel.min_angle,
+              tr("Crank angle of the minimum excess energy")),
     };
     return results;
 }
 
-namespace {
-
-QString bestText(const Optimum& best, const Optimum& all, bool canBeBuilt,
-                 const QString& sentence) {
-    const auto say = [](const char* text) {
-        return QCoreApplication::translate("ravnoves::BalanceShaftModel", text);
-    };
-    if (!best.shaft_angle) {
-        return say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel", "α has no effect."));
+QString BalanceShaftModel::bestText(Criterion criterion) const {
+    const Optimum& found = best(criterion);
+    if (!found.shaft_angle) {
+        return tr("α has no effect.");
     }
+    const bool byRange = criterion == Criterion::range;
+    const Optimum& all = byRange ? result().best_range : result().best_rms;
     QString text =
-        sentence.arg(number(*best.shaft_angle / degree, 2), shownNumber(best.value, units::N_m, 1));
-    if (!canBeBuilt) {
-        text +=
-            say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel", "\nbut no position is feasible"));
-    } else if (all.shaft_angle && *all.shaft_angle != *best.shaft_angle) {
-        text += QLatin1Char('\n');
-        text += say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel",
-                                      "%1° would give %2 less but does not fit"))
-                    .arg(number(*all.shaft_angle / degree, 2),
-                         shownNumber(best.value - all.value, units::N_m, 1));
+        (byRange ? tr("Minimum range %2 at %1°") : tr("Minimum RMS %2 at %1°"))
+            .arg(number(*found.shaft_angle / degree, 2), shownNumber(found.value, units::N_m, 1));
+    if (result().buildable.stretches.empty()) {
+        text += tr("\nbut no position is feasible");
+    } else if (all.shaft_angle && *all.shaft_angle != *found.shaft_angle) {
+        text += QLatin1Char('\n') + tr("%1° would give %2 less but does not fit")
+                                        .arg(number(*all.shaft_angle / degree, 2),
+                                             shownNumber(found.value - all.value, units::N_m, 1));
     }
     return text;
-}
-
-}  // namespace
-
-QString BalanceShaftModel::bestRangeText() const {
-    return bestText(bestRange(), result().best_range, !result().buildable.stretches.empty(),
-                    tr("Minimum range %2 at %1°"));
-}
-
-QString BalanceShaftModel::bestRmsText() const {
-    return bestText(bestRms(), result().best_rms, !result().buildable.stretches.empty(),
-                    tr("Minimum RMS %2 at %1°"));
 }
 
 QString BalanceShaftModel::notesText() const {

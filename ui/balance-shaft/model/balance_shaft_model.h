@@ -108,10 +108,11 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     /// What the map of places judges by.
     const PlaceCriterion& placeCriterion() const { return placeCriterion_; }
     void setPlaceCriterion(const PlaceCriterion& criterion);
+    /// By range or by RMS.
+    using Criterion = balance_shaft::SpeedStudy::Criterion;
     /// What the map over α and speed shows.
-    using SpeedCriterion = balance_shaft::SpeedStudy::Criterion;
-    SpeedCriterion speedCriterion() const { return speedCriterion_; }
-    void setSpeedCriterion(SpeedCriterion criterion);
+    Criterion speedCriterion() const { return speedCriterion_; }
+    void setSpeedCriterion(Criterion criterion);
 
     // What takes longer than a frame, computed while someone looks; made when first asked for.
     ShaftMapModel* shaftMap();
@@ -120,10 +121,8 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     const SpeedStudyModel* speedStudy() const { return speedStudy_; }  ///< likewise
 
     /// The best of the angles that can be built; of all where none can.
-    const balance_shaft::Optimum& bestRange() const;
-    const balance_shaft::Optimum& bestRms() const;
-    void goToBestRange();
-    void goToBestRms();
+    const balance_shaft::Optimum& best(Criterion criterion) const;
+    void goToBest(Criterion criterion);
 
     /// Gives J or δ of the flywheel, so that the other one follows from it; or nothing.
     QString setFlywheel(std::optional<double> balance_shaft::FlywheelTarget::*given,
@@ -149,9 +148,8 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     Results cycle() const;
     /// Excess work, fluctuation and moment of inertia.
     Results flywheel() const;
-    /// Best α for range and RMS as sentences: of what can be built, and what another would gain.
-    QString bestRangeText() const;
-    QString bestRmsText() const;
+    /// Best α as sentences: of what can be built, and what another would gain.
+    QString bestText(Criterion criterion) const;
     /// What the user should know about the result; empty where there is nothing.
     QString notesText() const;
     /// What looks like a slip in the input.
@@ -169,7 +167,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
 
     CrankAngle crank_{60.0, input().cycle_deg()};
     PlaceCriterion placeCriterion_;
-    SpeedCriterion speedCriterion_ = {};
+    Criterion speedCriterion_ = {};
     ShaftMapModel* shaftMap_ = nullptr;
     SpeedStudyModel* speedStudy_ = nullptr;
 };

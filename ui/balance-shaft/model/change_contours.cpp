@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "balance-shaft/model/place_criterion.h"
-#include "balance-shaft/model/shaft_map.h"
 #include "plot/model/contour_lines.h"
 #include "plot/model/ticks.h"
 
@@ -44,23 +43,18 @@ std::vector<double> levelsOf(const std::vector<double>& changes) {
 
 }  // namespace
 
-ChangeContours changeContours(const ShaftMap& map, const PlaceCriterion& criterion) {
-    const balance_shaft::PositionMap& field = map.field;
-    ChangeContours made;
-    made.changes.resize(field.range.size());
-    for (std::size_t i = 0; i < made.changes.size(); ++i) {
-        made.changes[i] = criterion.change(map.study, field.range[i], field.rms[i]);
-    }
+ChangeContours changeContours(std::vector<double> changes, std::size_t columns,
+                              const QRectF& where) {
+    ChangeContours made{where, columns, std::move(changes), {}, {}};
     made.levels = levelsOf(made.changes);
-    const QPointF corner(field.left, field.bottom);
-    const double stepX = (field.right - field.left) / static_cast<double>(field.columns - 1);
-    const double stepY = (field.top - field.bottom) / static_cast<double>(field.rows - 1);
+    const std::size_t rows = made.changes.size() / columns;
+    const double stepX = where.width() / static_cast<double>(columns - 1);
+    const double stepY = where.height() / static_cast<double>(rows - 1);
     for (const double level : made.levels) {
-        ChangeContours::Contour contour{
-            level, contourLines({made.changes, field.columns, field.rows}, level)};
+        ChangeContours::Contour contour{level, contourLines({made.changes, columns, rows}, level)};
         for (QPolygonF& line : contour.lines) {
             for (QPointF& point : line) {
-                point = corner + QPointF(point.x() * stepX, point.y() * stepY);
+                point = where.topLeft() + QPointF(point.x() * stepX, point.y() * stepY);
             }
         }
         made.contours.push_back(std::move(contour));

@@ -16,11 +16,6 @@ namespace shaft_parts {
 
 namespace {
 
-/// The words of the map itself.
-struct PlacesWords {
-    Q_DECLARE_TR_FUNCTIONS(ravnoves::ShaftMapPlot)
-};
-
 using Kind = PlaceCriterion::Kind;
 using Measure = double ShaftMap::Criteria::*;
 using Place = std::optional<ShaftMap::Place>;
@@ -46,21 +41,28 @@ Figure places(const BalanceShaftModel& model) {
     const ShaftMap* map = mapOf(model);
     const double view = map != nullptr ? map->view / units::mm : 100.0;
     Figure figure;
-    switch (model.placeCriterion().kind) {
-        case Kind::Range:
-            figure.title = PlacesWords::tr("Change in range vs. no shaft, %");
-            break;
-        case Kind::Rms:
-            figure.title = PlacesWords::tr("Change in RMS vs. no shaft, %");
-            break;
-        case Kind::Both:
-            figure.title = PlacesWords::tr("Change in weighted sum vs. no shaft, %");
-            break;
-    }
+    figure.title = changeTitle(model.placeCriterion().kind);
     figure.x = {.title = PlacesWords::tr("x, mm"), .min = -view, .max = view};
     figure.left = {.title = PlacesWords::tr("y, mm")};
     figure.leftRange = std::pair(-view, view);
     figure.equalScale = true;
+    if (map == nullptr) {
+        return figure;
+    }
+    for (const ShaftMapModel::Marker& marker : model.shaftMap()->markers()) {
+        const bool byRange = marker.criterion == Kind::Range;
+        const bool byRms = marker.criterion == Kind::Rms;
+        figure.add(std::string(byRange ? "range"
+                               : byRms ? "RMS"
+                                       : "sum") +
+                       (marker.isBuildable ? "" : "-free"),
+                   {.name = marker.name(),
+                    .role = byRange ? Role::Range
+                            : byRms ? Role::Rms
+                                    : Role::Best,
+                    .shape = marker.isBuildable ? plot::Shape::Points : plot::Shape::Rings},
+                   {marker.position.x / units::mm}, {marker.position.y / units::mm});
+    }
     return figure;
 }
 

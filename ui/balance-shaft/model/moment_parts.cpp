@@ -16,12 +16,11 @@ namespace {
 using balance_shaft::MomentMetrics;
 using balance_shaft::Result;
 
-Notes bestRange(const BalanceShaftModel& model) {
-    return Notes::of(Severity::note, model.bestRangeText());
-}
+using Criterion = BalanceShaftModel::Criterion;
 
-Notes bestRms(const BalanceShaftModel& model) {
-    return Notes::of(Severity::note, model.bestRmsText());
+template <Criterion criterion>
+Notes bestAngle(const BalanceShaftModel& model) {
+    return Notes::of(Severity::note, model.bestText(criterion));
 }
 
 Notes notes(const BalanceShaftModel& model) {
@@ -90,8 +89,8 @@ Figure range(const BalanceShaftModel& model) {
                              .ring = true});
         }
     };
-    add(model.bestRange(), Role::Range);
-    add(model.bestRms(), Role::Rms);
+    add(model.best(Criterion::range), Role::Range);
+    add(model.best(Criterion::rms), Role::Rms);
     return figure;
 }
 
@@ -120,8 +119,10 @@ Figure means(const BalanceShaftModel& model) {
 constexpr std::array momentMakers{
     PartMaker<BalanceShaftModel>{{.id = "criteria", .isAnswer = true},
                                  made<&BalanceShaftModel::criteria>},
-    PartMaker<BalanceShaftModel>{{.id = "best-range", .isAnswer = true}, made<bestRange>},
-    PartMaker<BalanceShaftModel>{{.id = "best-rms", .isAnswer = true}, made<bestRms>},
+    PartMaker<BalanceShaftModel>{{.id = "best-range", .isAnswer = true},
+                                 made<bestAngle<Criterion::range>>},
+    PartMaker<BalanceShaftModel>{{.id = "best-rms", .isAnswer = true},
+                                 made<bestAngle<Criterion::rms>>},
     PartMaker<BalanceShaftModel>{{.id = "quantities", .isAnswer = true},
                                  made<&BalanceShaftModel::quantities>},
     PartMaker<BalanceShaftModel>{{.id = "notes"}, made<notes>},

@@ -157,14 +157,22 @@ void ShaftMapModel::setWeight(double weight) {
 
 void ShaftMapModel::showCriterion() {
     std::erase_if(markers_, [](const Marker& each) { return each.criterion == Criterion::Both; });
-    contours_ = {};
+    field_ = {};
     if (change({})) {
         if (criterion() == Criterion::Both) {
             const double rangeWeight = model_->placeCriterion().rangeWeight(map_->study);
             addMarker(Criterion::Both, true, map_->study.best_sum_buildable(rangeWeight));
             addMarker(Criterion::Both, false, map_->study.best_sum(rangeWeight));
         }
-        contours_ = changeContours(*map_, model_->placeCriterion());
+        const balance_shaft::PositionMap& of = map_->field;
+        std::vector<double> changes(of.range.size());
+        for (std::size_t i = 0; i < changes.size(); ++i) {
+            changes[i] = *change({of.range[i], of.rms[i]});
+        }
+        field_ = changeContours(
+            std::move(changes), of.columns,
+            QRectF(of.left / units::mm, of.bottom / units::mm, (of.right - of.left) / units::mm,
+                   (of.top - of.bottom) / units::mm));
     }
     Q_EMIT mapChanged();
 }
@@ -187,15 +195,6 @@ bool ShaftMapModel::isBuildable(const Position& position) const {
     return map_ && map_->study.obstacle(position) == Obstacle::none;
 }
 
-void ShaftMapModel::placeShaft(double centreDistance, double shaftAngle) {
-    model_->drag(tr("Move shaft"), [&](Input& input) {
-        input.centre_distance = centreDistance;
-        if (centreDistance > 0.0) {
-            input.shaft_angle = shaftAngle;
-        }
-    });
-}
-
 namespace {
 
 /// To whole parts of a unit, as the number that its decimals stand for.
@@ -203,33 +202,21 @@ double inParts(double value, double unit, double parts) {
     return std::round(value / unit * parts) / parts * unit;
 }
 
-double angleInParts(double radians, double parts) {
-    return std::fmod(inParts(radians, degree, parts), two_pi);
-}
-
 }  // namespace
 
-void ShaftMapModel::moveTo(const Position& position) {
-    constexpr double parts = 1e11;  // what is a short number leaves x and y as one
-    placeShaft(inParts(position.centre_distance(), units::mm.to_si, parts),
-               angleInParts(position.shaft_angle(), parts));
+void ShaftMapModel::moveTo(const Position& position, Parts parts) {
+    const auto fine = static_cast<double>(parts);
+    model_->drag(tr("Move shaft"), [&](Input& input) {
+        input.centre_distance = inParts(position.centre_distance(), units::mm.to_si, fine);
+        if (input.centre_distance > 0.0) {
+            input.shaft_angle = std::fmod(inParts(position.shaft_angle(), degree, fine), two_pi);
+        }
+    });
 }
 
-void ShaftMapModel::dragTo(const Position& position) {
-    constexpr double parts = 1e4;
-    placeShaft(inParts(position.centre_distance(), units::mm.to_si, parts),
-               angleInParts(position.shaft_angle(), parts));
-}
-
-void ShaftMapModel::snapTo(const Position& position) {
-    constexpr double parts = 2.0;  // of a millimetre and of a degree
-    placeShaft(inParts(position.centre_distance(), units::mm.to_si, parts),
-               angleInParts(position.shaft_angle(), parts));
-}
-
-void ShaftMapModel::goTo(const Position& position) {
+void ShaftMapModel::goTo(const Position& position, Parts parts) {
     model_->finishDrag();
-    moveTo(position);
+    moveTo(position, parts);
     model_->finishDrag();
 }
 

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -27,7 +28,6 @@ class ShaftMapModel : public QObject {
     using Position = balance_shaft::ShaftPosition;
     using Criteria = balance_shaft::PositionCriteria;
     using Criterion = PlaceCriterion::Kind;
-    using Contour = ChangeContours::Contour;
 
     /// A place worth seeing.
     struct Marker {
@@ -64,10 +64,8 @@ class ShaftMapModel : public QObject {
     /// that has none.
     std::optional<double> change(const Criteria& criteria) const;
 
-    /// Empty while there is no map, and where no change() is known.
-    const std::vector<double>& changes() const { return contours_.changes; }
-    const std::vector<double>& levels() const { return contours_.levels; }
-    const std::vector<Contour>& contours() const { return contours_.contours; }
+    /// Over x and y in mm; empty while there is no map, and where no change() is known.
+    const ChangeContours& field() const { return field_; }
 
     const std::vector<Marker>& markers() const { return markers_; }
     /// The best place of the criterion that can be built, of all where none can; null where the
@@ -80,14 +78,16 @@ class ShaftMapModel : public QObject {
     Position shortened(const Position& exact, Criterion by, bool keepsDistance = false) const;
     /// Whether the shaft is at best().
     bool isAtBest() const;
-    /// Moves the shaft's axis; moves that follow each other are one step of the history.
-    void moveTo(const Position& position);
-    /// The same by a hand on a screen, which is no finer than 0.1 µm and 0.0001°.
-    void dragTo(const Position& position);
-    /// The same to whole steps of 0.5 mm and 0.5°.
-    void snapTo(const Position& position);
+    /// How finely the shaft's axis is moved: parts of a millimetre and of a degree.
+    enum Parts : std::uint64_t {
+        Snapped = 2,  ///< by the pointer
+        Keyed = 10'000,
+        Exact = 100'000'000'000  ///< leaves what is a short number one
+    };
+    /// Moves it; moves that follow each other are one step of the history.
+    void moveTo(const Position& position, Parts parts = Exact);
     /// Moves it as a step of its own.
-    void goTo(const Position& position);
+    void goTo(const Position& position, Parts parts = Exact);
     void goToBest();
     /// The same to the place nearest to the crank that is at most a hundredth worse.
     void goToNear();
@@ -110,7 +110,6 @@ class ShaftMapModel : public QObject {
     bool fits() const;
     void start();
     void showMap();
-    void placeShaft(double centreDistance, double shaftAngle);
     void addMarker(Criterion criterion, bool isBuildable,
                    const std::optional<balance_shaft::BestPosition>& best);
 
@@ -123,7 +122,7 @@ class ShaftMapModel : public QObject {
     bool isMapped_ = false;                       ///< the case was that, at the last look
     QString trouble_;
     Position seenAt_;  ///< of the shaft, when it last moved
-    ChangeContours contours_;
+    ChangeContours field_;
     std::vector<Marker> markers_;
 };
 

@@ -62,4 +62,15 @@ Figure overAngle(const BalanceShaftModel& model, const QString& title, const QSt
     };
 }
 
+QString changeTitle(PlaceCriterion::Kind criterion) {
+    switch (criterion) {
+        case PlaceCriterion::Kind::Range:
+            return PlacesWords::tr("Change in range vs. no shaft, %");
+        case PlaceCriterion::Kind::Rms:
+            return PlacesWords::tr("Change in RMS vs. no shaft, %");
+        default:
+            return PlacesWords::tr("Change in weighted sum vs. no shaft, %");
+    }
+}
+
 }  // namespace ravnoves

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "balance-shaft/clearance.h"
+#include "balance-shaft/model/place_criterion.h"
 #include "model/part.h"
 
 namespace ravnoves {
@@ -23,6 +24,9 @@ std::vector<plot::Band> unbuildableBands(const balance_shaft::BuildableAngles& b
 Figure overCycle(const BalanceShaftModel& model, const QString& title, const QString& unit);
 /// Of a figure over α, with what cannot be built and where the shaft is.
 Figure overAngle(const BalanceShaftModel& model, const QString& title, const QString& unit);
+
+/// Of a map of changes, in percent.
+QString changeTitle(PlaceCriterion::Kind criterion);
 
 // The words of the tabs, by which translations know them.
 struct MomentWords {
@@ -45,6 +49,9 @@ struct ForceWords {
 };
 struct MapWords {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::ShaftMapView)
+};
+struct PlacesWords {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::ShaftMapPlot)
 };
 struct SpeedWords {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::SpeedView)

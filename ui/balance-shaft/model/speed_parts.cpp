@@ -27,7 +27,8 @@ const SpeedStudyModel* solvedOf(const BalanceShaftModel& model) {
 /// The speeds that are seen, min⁻¹.
 std::pair<double, double> speedsOf(const BalanceShaftModel& model) {
     if (const SpeedStudyModel* study = solvedOf(model)) {
-        return {study->map().lowest, study->map().highest};
+        const QRectF& where = study->map().where;
+        return {where.top(), where.bottom()};
     }
     const balance_shaft::SpeedBand band = SpeedStudyModel::bandOf(model.input());
     return {band.from / units::rpm, band.to / units::rpm};
@@ -53,7 +54,7 @@ Broken brokenAtZero(const std::vector<double>& speed, const std::vector<double>&
 }
 
 bool isByRange(const BalanceShaftModel& model) {
-    return model.speedCriterion() == BalanceShaftModel::SpeedCriterion::range;
+    return model.speedCriterion() == BalanceShaftModel::Criterion::range;
 }
 
 Figure bestAngles(const BalanceShaftModel& model) {
@@ -98,11 +99,8 @@ Figure speedMap(const BalanceShaftModel& model) {
     if (study == nullptr) {
         return figure;
     }
-    const SpeedStudyModel::Map& map = study->map();
     figure.title =
-        SpeedWords::tr("%1 ÷ without: %2…%3")
-            .arg(isByRange(model) ? SpeedWords::tr("Range") : SpeedWords::tr("RMS"),
-                 fixedNumber(map.least, 2, QLocale()), fixedNumber(map.most, 2, QLocale()));
+        changeTitle(isByRange(model) ? PlaceCriterion::Kind::Range : PlaceCriterion::Kind::Rms);
     figure.bands = unbuildableBands(study->buildable());
     const auto curves = study->curves();
     Broken line =

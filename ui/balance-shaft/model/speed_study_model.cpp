@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "model/background_job.h"
-#include "numerics/angle.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -23,25 +22,19 @@ constexpr std::size_t mapAngles = 360;
 
 }  // namespace
 
-double SpeedStudyModel::Map::value(int speed, int angle) const {
-    return relative[static_cast<std::size_t>(speed) * static_cast<std::size_t>(angles) +
-                    static_cast<std::size_t>(angle)];
-}
-
-double SpeedStudyModel::Map::valueAt(double angleDeg, double speed) const {
-    const double column = wrap(angleDeg, 360.0) / 360.0 * angles;
-    const double row = std::clamp((speed - lowest) / speedStep(), 0.0, speeds - 1.0);
-    const int left = static_cast<int>(column) % angles;
-    const int right = (left + 1) % angles;
-    const int below = std::min(static_cast<int>(row), speeds - 2);
-    const double s = column - std::floor(column);
-    return std::lerp(std::lerp(value(below, left), value(below, right), s),
-                     std::lerp(value(below + 1, left), value(below + 1, right), s), row - below);
-}
-
-double SpeedStudyModel::Map::part(int speed, int angle) const {
-    const double change = value(speed, angle) - 1.0;
-    return change < 0.0 ? change / (1.0 - least) : change / std::max(most - 1.0, 1e-12);
+double SpeedStudyModel::changeAt(double angleDeg, double speed) const {
+    const auto along = [](double part, std::size_t count) {  // the element before, and the rest
+        const double place = std::clamp(part, 0.0, 1.0) * static_cast<double>(count - 1);
+        const auto before = std::min(static_cast<std::size_t>(place), count - 2);
+        return std::pair(before, place - static_cast<double>(before));
+    };
+    const QRectF& where = map_->where;
+    const std::size_t columns = map_->columns;
+    const auto [left, s] = along((angleDeg - where.left()) / where.width(), columns);
+    const auto [below, t] =
+        along((speed - where.top()) / where.height(), map_->changes.size() / columns);
+    const double* at = map_->changes.data() + below * columns + left;
+    return std::lerp(std::lerp(at[0], at[1], s), std::lerp(at[columns], at[columns + 1], s), t);
 }
 
 SpeedStudyModel::SpeedStudyModel(BalanceShaftModel* model)
@@ -139,27 +132,22 @@ SpeedStudyModel::Curves SpeedStudyModel::curves() const {
     return curves;
 }
 
-SpeedStudyModel::Map SpeedStudyModel::mapOf(const SpeedStudy::Map& studied) const {
+ChangeContours SpeedStudyModel::mapOf(const SpeedStudy::Map& studied) const {
     const auto& points = study_.study->points();
-    const std::vector<double>& angles = studied.shaft_angle_deg;
-    Map map;
-    map.angles = static_cast<int>(angles.size());
-    map.speeds = static_cast<int>(points.size());
-    map.relative = byRange() ? studied.range : studied.rms;
-    for (std::size_t i = 0; i < map.relative.size(); ++i) {
-        const SpeedStudy::Point& point = points[i / angles.size()];
-        const double without = byRange() ? point.range_without : point.rms_without;
-        map.relative[i] = without > 0.0 ? map.relative[i] / without : 1.0;
+    const std::size_t angles = studied.shaft_angle_deg.size();
+    std::vector<double> changes;
+    changes.reserve(points.size() * (angles + 1));
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const double without = byRange() ? points[k].range_without : points[k].rms_without;
+        const double* with = (byRange() ? studied.range : studied.rms).data() + k * angles;
+        for (std::size_t i = 0; i <= angles; ++i) {  // 360° is 0° again
+            changes.push_back(without > 0.0 ? with[i % angles] / without - 1.0 : 0.0);
+        }
     }
-    const auto [least, most] = std::minmax_element(map.relative.begin(), map.relative.end());
-    map.least = *least;
-    map.most = *most;
-    map.lowest = points.front().angular_speed / units::rpm;
-    map.highest = points.back().angular_speed / units::rpm;
-    for (const double angle : angles) {
-        map.canBuild.push_back(buildable().contains(angle * degree));
-    }
-    return map;
+    const double lowest = points.front().angular_speed / units::rpm;
+    return changeContours(
+        std::move(changes), angles + 1,
+        QRectF(0.0, lowest, 360.0, points.back().angular_speed / units::rpm - lowest));
 }
 
 void SpeedStudyModel::goToLeastBad() {

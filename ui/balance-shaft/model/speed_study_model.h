@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/model/change_contours.h"
 #include "balance-shaft/speed_study.h"
 
 namespace ravnoves {
@@ -27,25 +28,11 @@ class SpeedStudyModel : public QObject {
         std::vector<double> rangeAngle;  ///< °
         std::vector<double> rmsAngle;    ///< °
     };
-    /// The criterion with the shaft over that without it at the same speed, or the high speeds
-    /// would drown the rest.
-    struct Map {
-        int angles = 0;  ///< of 0 ≤ α < 360°, equally spaced
-        int speeds = 0;
-        std::vector<double> relative;  ///< element speed × angles + angle
-        double least = 0.0;
-        double most = 0.0;
-        std::vector<bool> canBuild;  ///< by angle
-        double lowest = 0.0;         ///< speed, min⁻¹
-        double highest = 0.0;
-
-        double speedStep() const { return (highest - lowest) / (speeds - 1); }
-        double value(int speed, int angle) const;
-        /// Between the neighbours in proportion; α in °, the speed in min⁻¹.
-        double valueAt(double angleDeg, double speed) const;
-        /// Where a value stands: from −1, the least, over 0, as without a shaft, to 1, the most.
-        double part(int speed, int angle) const;
-    };
+    /// Change of the criterion against the engine without a shaft at the same speed, or the high
+    /// speeds would drown the rest: over α in ° and the speed in min⁻¹.
+    const ChangeContours& map() const { return *map_; }
+    /// Between the neighbours in proportion.
+    double changeAt(double angleDeg, double speed) const;
 
     /// Belongs to the model.
     explicit SpeedStudyModel(BalanceShaftModel* model);
@@ -70,7 +57,6 @@ class SpeedStudyModel : public QObject {
     // Of what is solved.
     const balance_shaft::BuildableAngles& buildable() const { return study_.study->buildable(); }
     Curves curves() const;
-    const Map& map() const { return *map_; }
     /// α that is the best compromise by the criterion, °.
     double leastBadDeg() const { return leastBad().shaft_angle / degree; }
     void goToLeastBad();
@@ -111,12 +97,12 @@ class SpeedStudyModel : public QObject {
     bool byRange() const { return model_->speedCriterion() == Criterion::range; }
     const LeastBad& leastBad() const { return byRange() ? study_.best.range : study_.best.rms; }
     void take(Study study, const QString& trouble);
-    Map mapOf(const balance_shaft::SpeedStudy::Map& studied) const;
+    ChangeContours mapOf(const balance_shaft::SpeedStudy::Map& studied) const;
 
     BalanceShaftModel* model_;
     BackgroundJob* job_;
     Study study_;
-    std::optional<Map> map_;                      ///< by the criterion
+    std::optional<ChangeContours> map_;           ///< by the criterion
     QString trouble_;                             ///< why the last run gave nothing
     int seen_ = -1;                               ///< solution of the model
     std::optional<balance_shaft::Input> wanted_;  ///< what is solved, or will be

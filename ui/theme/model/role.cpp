@@ -38,7 +38,7 @@ constexpr std::array looks{
     RoleLook{Role::Stretched, "stretched", 1, Qt::DashLine},
     RoleLook{Role::Profile, "profile", 3, Qt::DashDotLine},
     RoleLook{Role::Value, "value", 2},
-    RoleLook{Role::Range, "range", 2},
+    RoleLook{Role::Range, "range", 2, Qt::SolidLine, Marker::Diamond},
     RoleLook{Role::Rms, "rms", 3, Qt::DashLine},
     RoleLook{Role::OtherQuantity, "other-quantity", 4, Qt::DashDotLine},
     RoleLook{Role::Printed, "printed", 4, Qt::DotLine},
