@@ -436,39 +436,25 @@ TEST(BalanceShaft, ExtremeFiniteInputsGiveNumbersOrWords) {
         return !json.is_structured() ||
                std::all_of(json.begin(), json.end(), [&](const Json& v) { return self(v, self); });
     };
-    const std::vector<double> sizes = {5e-324, 1e-300, 1e-150, 1e-30, 1e30, 1e150, 1e300, 1.7e308};
+    using Set = void (*)(Input&, double);
+    constexpr Set inputs[] = {
+        [](Input& input, double size) { input.angular_speed = size; },
+        [](Input& input, double size) { input.crank_radius = size; },
+        [](Input& input, double size) {
+            input.reciprocating_masses = {{"", size}};
+        },
+        [](Input& input, double size) { input.counterweight_radius = size; },
+        [](Input& input, double size) { input.counterweight_mass = size; },
+        [](Input& input, double size) { input.centre_distance = size; },
+        [](Input& input, double size) { input.torque.table.torque[5] = size; },
+        [](Input& input, double size) { input.cylinder.rod_length = size; }};
     int refused = 0;
     int solved = 0;
-    for (const double size : sizes) {
-        for (int which = 0; which < 8; ++which) {
+    for (const double size : {5e-324, 1e-300, 1e-150, 1e-30, 1e30, 1e150, 1e300, 1.7e308}) {
+        for (std::size_t which = 0; which < std::size(inputs); ++which) {
             Input input = preset_tmz_650d();
             input.step_deg = 30.0;
-            switch (which) {
-                case 0:
-                    input.angular_speed = size;
-                    break;
-                case 1:
-                    input.crank_radius = size;
-                    break;
-                case 2:
-                    input.reciprocating_masses = {{"", size}};
-                    break;
-                case 3:
-                    input.counterweight_radius = size;
-                    break;
-                case 4:
-                    input.counterweight_mass = size;
-                    break;
-                case 5:
-                    input.centre_distance = size;
-                    break;
-                case 6:
-                    input.torque.table.torque[5] = size;
-                    break;
-                default:
-                    input.cylinder.rod_length = size;
-                    break;
-            }
+            inputs[which](input, size);
             try {
                 EXPECT_TRUE(all_finite(written(input), all_finite))
                     << "input " << which << " = " << size;

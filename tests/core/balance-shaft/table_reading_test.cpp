@@ -340,6 +340,9 @@ TEST(TableReading, UnitsOfTorqueAreWholeWords) {
                     {"torque_Nm", units::N_m},
                     {"M / N⋅m", units::N_m},
                     {"момент, Н·м", units::N_m},
+                    {"torque [lbf·ft]", units::lbf_ft},
+                    {"Torque\n;ft-lb", units::lbf_ft},
+                    {"torque, lb-in", units::lbf_in},
                     {"M [kNm]", units::kN_m},
                     {"M kN*m", units::kN_m},
                     {"момент (кН·м)", units::kN_m},
@@ -362,12 +365,17 @@ TEST(TableReading, UnitsOfTorqueAreWholeWords) {
         EXPECT_EQ(read.unit_named, unit.has_value()) << heading;
         EXPECT_EQ(read.unit, unit.value_or(units::N_m)) << heading;
         EXPECT_EQ(read.table.torque[0], unit.value_or(units::N_m).to_si) << heading;
-        EXPECT_EQ(
-            read.describe().english().find(
-                "torque assumed in N·m, without a known unit in the heading") == std::string::npos,
-            unit.has_value())
-            << heading;
+        const std::string words = read.describe().english();
+        const std::string assumed = "torque assumed in N·m, without a known unit in the heading";
+        EXPECT_EQ(words.find(assumed) == std::string::npos, unit.has_value()) << heading;
+        EXPECT_EQ(words.find(", torque in " + std::string(read.unit.name)) != std::string::npos,
+                  read.unit != units::N_m)
+            << words;
     }
+    // 1 lbf is the weight of 0.45359237 kg at 9.80665 m/s²; 12 in of 25.4 mm are 1 ft.
+    EXPECT_NEAR(units::lbf_ft.to_si, 1.3558179483314004, 1e-13);
+    EXPECT_NEAR(units::lbf_in.to_si, 0.1129848290276167, 1e-14);
+    EXPECT_EQ(units::kN_m.to_si, 1000.0);
     // Without words above the rows there is nothing to doubt.
     EXPECT_EQ(parse_torque_table("0;1\n180;2\n720;1\n").describe().english(),
               "3 rows, separated by semicolons, angles in degrees");

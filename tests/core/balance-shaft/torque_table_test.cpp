@@ -254,32 +254,6 @@ TEST(BalanceShaftTorqueTable, RowsTooCloseForASlopeAreRefused) {
     EXPECT_NO_THROW(check_torque_table(table, "/input/torque"));
 }
 
-TEST(TorqueTable, TakesTheUnitThatItsHeadingNames) {
-    const std::string rows = "\n0;1\n180;-2\n360;3\n720;1\n";
-    // 1 lbf is the weight of 0.45359237 kg at 9.80665 m/s²; 12 in of 25.4 mm are 1 ft.
-    const struct {
-        const char* heading;
-        double newton_metres;
-        const char* said;
-    } tables[] = {
-        {"deg;M, N·m", 1.0, ""},
-        {"deg;torque", 1.0, ""},
-        {"φ;M (kN·m)", 1000.0, ", torque in kN·m"},
-        {"deg;torque kNm", 1000.0, ", torque in kN·m"},
-        {"град;M, кН·м", 1000.0, ", torque in kN·m"},
-        {"deg;torque [lbf·ft]", 1.3558179483314004, ", torque in lbf·ft"},
-        {"deg;Torque\n;ft-lb", 1.3558179483314004, ", torque in lbf·ft"},
-        {"deg;torque, lb-in", 0.1129848290276167, ", torque in lbf·in"},
-    };
-    for (const auto& [heading, unit, said] : tables) {
-        const auto parsed = parse_torque_table(heading + rows);
-        EXPECT_NEAR(parsed.table.torque[1], -2.0 * unit, 1e-13 * unit) << heading;
-        const std::string words = parsed.describe().english();
-        EXPECT_EQ(words.find(", torque in ") != std::string::npos, *said != '\0') << words;
-        EXPECT_NE(words.find(said), std::string::npos) << words;
-    }
-}
-
 TEST(TorqueTable, PascalsWithoutAUnitAreToldSo) {
     const std::string rows = "\n0;101325\n180;101325\n360;6e6\n540;3e5\n720;101325\n";
     EXPECT_EQ(error_of([&] { parse_pressure_trace("deg;p" + rows); }),
