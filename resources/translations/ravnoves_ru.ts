@@ -12327,16 +12327,8 @@ but no position is feasible</source>
         <translation>M</translation>
     </message>
     <message>
-        <source>exact</source>
-        <translation>точно</translation>
-    </message>
-    <message>
         <source>phase, °</source>
         <translation>фаза, °</translation>
-    </message>
-    <message>
-        <source>two-term</source>
-        <translation>2 члена</translation>
     </message>
     <message>
         <source>diff., %</source>
@@ -12425,10 +12417,6 @@ but no position is feasible</source>
     <message>
         <source>Radial %1</source>
         <translation>Звезда %1</translation>
-    </message>
-    <message>
-        <source>Amplitude of the order in the exact motion of the pistons</source>
-        <translation>Амплитуда порядка при точном движении поршней</translation>
     </message>
     <message>
         <source>Amplitude by the paper&apos;s cos θ + K λ sin θ + λ cos 2θ</source>
@@ -12577,6 +12565,18 @@ but no position is feasible</source>
     <message>
         <source>Residual relative to the value before balancing</source>
         <translation>Остаток в долях значения до уравновешивания</translation>
+    </message>
+    <message>
+        <source>recipr., exact</source>
+        <translation>поступ., точно</translation>
+    </message>
+    <message>
+        <source>Amplitude of the order of the reciprocating masses, exact motion</source>
+        <translation>Амплитуда порядка поступательных масс при точном движении</translation>
+    </message>
+    <message>
+        <source>recipr., two-term</source>
+        <translation>поступ., 2 члена</translation>
     </message>
 </context>
 <context>
