@@ -533,7 +533,9 @@ Text what_is_met(Obstacle obstacle) {
 
 /// Of the shaft alone, without warnings about the input.
 Verdict shaft_verdict(const Result& result) {
-    const auto percent = [](double share) { return Number{100.0 * share, units::percent, -1}; };
+    const auto percent = [](double share) {
+        return Number{100.0 * std::abs(share), units::percent, -1};
+    };
     const std::string_view best =
         !result.buildable.stretches.empty() && result.best_range_buildable.shaft_angle
             ? best_range_act
@@ -550,37 +552,56 @@ Verdict shaft_verdict(const Result& result) {
         return {Severity::note,
                 Message(CORE_TEXT("balance-shaft", "The torque is constant: no shaft required."))};
     }
-    const double range = *result.range_change;
-    const double rms = *result.rms_change;
-    if (range > 0.0) {
-        return {Severity::warning,
-                rms > 0.0 ? Message(CORE_TEXT("balance-shaft",
-                                              "Fits, but the range is %1 and the RMS %2 larger "
-                                              "than without shaft."),
-                                    percent(range), percent(rms))
-                          : Message(CORE_TEXT("balance-shaft",
-                                              "Fits, but the range is %1 larger than without "
-                                              "shaft; the RMS is %2 smaller."),
-                                    percent(range), percent(-rms)),
-                best};
+    // A change that is printed as 0.0 % is none.
+    const auto sign = [](double share) {
+        return std::abs(share) < 5e-4 ? 0 : share < 0.0 ? -1 : 1;
+    };
+    const int range = sign(*result.range_change);
+    const int rms = sign(*result.rms_change);
+    const Message of_range =
+        range < 0   ? Message(CORE_TEXT("balance-shaft",
+                                        "Fits: the range is %1 smaller than without shaft."),
+                              percent(*result.range_change))
+        : range > 0 ? Message(CORE_TEXT("balance-shaft",
+                                        "Fits, but the range is %1 larger than without shaft."),
+                              percent(*result.range_change))
+                    : Message(CORE_TEXT("balance-shaft", "Fits, but does not change the range."));
+    const Message of_rms = rms < 0 ? Message(CORE_TEXT("balance-shaft", "The RMS is %1 smaller."),
+                                             percent(*result.rms_change))
+                           : rms > 0
+                               ? Message(CORE_TEXT("balance-shaft", "The RMS is %1 larger."),
+                                         percent(*result.rms_change))
+                               : Message(CORE_TEXT("balance-shaft", "The RMS does not change."));
+    return {range > 0               ? Severity::warning
+            : range < 0 && rms <= 0 ? Severity::good
+                                    : Severity::note,
+            Message(Text{"", "%1 %2"}, of_range, of_rms), range < 0 ? "" : best};
+}
+
+/// Where no feasible α is better than no shaft.
+Message useless(const Result& result) {
+    if (result.buildable.stretches.empty() || result.moment_amplitude == 0.0) {
+        return {};
     }
-    if (rms > 0.0) {
-        return {Severity::note,
-                Message(CORE_TEXT("balance-shaft",
-                                  "Fits: the range is %1 smaller than without shaft, but the RMS "
-                                  "is %2 larger."),
-                        percent(-range), percent(rms))};
-    }
-    return {Severity::good, Message(CORE_TEXT("balance-shaft",
-                                              "Fits: the range is %1 and the RMS %2 smaller than "
-                                              "without shaft."),
-                                    percent(-range), percent(-rms))};
+    const bool range = result.best_range_buildable.value >= result.M_up.range;
+    const bool rms = result.best_rms_buildable.value >= result.M_up.rms;
+    return range && rms ? CORE_TEXT("balance-shaft",
+                                    "At every feasible α, range and RMS are larger than without "
+                                    "shaft.")
+           : range      ? CORE_TEXT("balance-shaft",
+                                    "At every feasible α, the range is larger than without shaft.")
+           : rms        ? CORE_TEXT("balance-shaft",
+                                    "At every feasible α, the RMS is larger than without shaft.")
+                        : Message();
 }
 
 }  // namespace
 
 Verdict verdict(const Result& result) {
     Verdict verdict = shaft_verdict(result);
+    if (const Message none_helps = useless(result); !none_helps.empty()) {
+        verdict.text = Message(Text{"", "%1 %2"}, verdict.text, none_helps);
+    }
     for (const Message& doubt : result.doubts) {
         verdict.warn(doubt);
     }

@@ -250,7 +250,6 @@ void Solver::Prepared::prepare_sweep() {
 }
 
 void Solver::Prepared::prepare_notes() {
-    const auto moment = [](double value) { return Number{value, units::N_m, 4}; };
     EngineSizes sizes{
         input.angular_speed, input.crank_radius, input.cylinder.rod_length.value_or(0.0), {}};
     for (const NamedMass& part : input.reciprocating_masses) {
@@ -283,19 +282,6 @@ void Solver::Prepared::prepare_notes() {
     }
     if (forces.moment_amplitude == 0.0) {
         base.notes.push_back(base.best_range.note);
-    } else {
-        if (base.best_range.value >= base.M_up.range) {
-            base.notes.emplace_back(CORE_TEXT("balance-shaft",
-                                              "At every angle the range is larger than without a "
-                                              "shaft: at best %1, without %2."),
-                                    moment(base.best_range.value), moment(base.M_up.range));
-        }
-        if (base.best_rms.value >= base.M_up.rms) {
-            base.notes.emplace_back(CORE_TEXT("balance-shaft",
-                                              "At every angle the RMS is larger than without a "
-                                              "shaft: at best %1, without %2."),
-                                    moment(base.best_rms.value), moment(base.M_up.rms));
-        }
     }
     prepare_notes_on_building();
     const double balanced = 2.0 * forces.counterweight_force / forces.inertia_force_1_max;
@@ -324,20 +310,6 @@ void Solver::Prepared::prepare_notes_on_building() {
     if (buildable.stretches.empty()) {
         base.notes.emplace_back(CORE_TEXT("balance-shaft", "No feasible position: %1"),
                                 buildable.reason);
-    } else {
-        const auto lost = [](const Optimum& built, const Optimum& all, double without) {
-            return built.value >= without && all.value < without;
-        };
-        if (lost(base.best_range_buildable, base.best_range, base.M_up.range)) {
-            base.notes.emplace_back(
-                CORE_TEXT("balance-shaft",
-                          "At every feasible angle the range is larger than without a shaft."));
-        }
-        if (lost(base.best_rms_buildable, base.best_rms, base.M_up.rms)) {
-            base.notes.emplace_back(
-                CORE_TEXT("balance-shaft",
-                          "At every feasible angle the RMS is larger than without a shaft."));
-        }
     }
     base.assumed_sizes = balance_shaft::assumed_sizes(input);
 }

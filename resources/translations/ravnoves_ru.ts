@@ -3209,22 +3209,6 @@
         <translation>Не помещается ни при каком α. %1</translation>
     </message>
     <message>
-        <source>Fits, but the range is %1 and the RMS %2 larger than without shaft.</source>
-        <translation>Помещается, но размах на %1 и СКЗ на %2 больше, чем без вала.</translation>
-    </message>
-    <message>
-        <source>Fits, but the range is %1 larger than without shaft; the RMS is %2 smaller.</source>
-        <translation>Помещается, но размах на %1 больше, чем без вала; СКЗ на %2 меньше.</translation>
-    </message>
-    <message>
-        <source>Fits: the range is %1 smaller than without shaft, but the RMS is %2 larger.</source>
-        <translation>Помещается: размах на %1 меньше, чем без вала, но СКЗ на %2 больше.</translation>
-    </message>
-    <message>
-        <source>Fits: the range is %1 and the RMS %2 smaller than without shaft.</source>
-        <translation>Помещается: размах на %1 и СКЗ на %2 меньше, чем без вала.</translation>
-    </message>
-    <message>
         <source>The cylinder and its rod, for every source of torque and for the front view.</source>
         <translation>Цилиндр и шатун, для любого источника момента и для вида спереди.</translation>
     </message>
@@ -3689,14 +3673,6 @@
         <translation>Изгиб вала с лыской больше не вычисляется. Не используются: модуль упругости, пролёт, допускаемое напряжение, прогиб, отношение к критической частоте, нагрузка подшипника.</translation>
     </message>
     <message>
-        <source>At every angle the range is larger than without a shaft: at best %1, without %2.</source>
-        <translation>При любом угле размах больше, чем без вала: в лучшем случае %1, без вала %2.</translation>
-    </message>
-    <message>
-        <source>At every angle the RMS is larger than without a shaft: at best %1, without %2.</source>
-        <translation>При любом угле СКЗ больше, чем без вала: в лучшем случае %1, без вала %2.</translation>
-    </message>
-    <message>
         <source>The counterweight balances %1 % of the first-order inertia force; equation (1) requires %2.</source>
         <translation>Заданный противовес уравновешивает %1&#xa0;% силы инерции первого порядка; по формуле (1) нужно %2.</translation>
     </message>
@@ -3707,14 +3683,6 @@
     <message>
         <source>No feasible position: %1</source>
         <translation>Допустимых положений нет: %1</translation>
-    </message>
-    <message>
-        <source>At every feasible angle the range is larger than without a shaft.</source>
-        <translation>При любом допустимом угле размах больше, чем без вала.</translation>
-    </message>
-    <message>
-        <source>At every feasible angle the RMS is larger than without a shaft.</source>
-        <translation>При любом допустимом угле СКЗ больше, чем без вала.</translation>
     </message>
     <message>
         <source>The torque does not match masses and speed, so other speeds cannot be computed. %1</source>
@@ -4055,6 +4023,42 @@
     <message>
         <source>Of the relieved shaft: bending, stress, the load on each bearing.</source>
         <translation>У вала с лыской: изгиб, напряжения, нагрузка каждого подшипника.</translation>
+    </message>
+    <message>
+        <source>Fits: the range is %1 smaller than without shaft.</source>
+        <translation>Помещается: размах на %1 меньше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>Fits, but the range is %1 larger than without shaft.</source>
+        <translation>Помещается, но размах на %1 больше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>Fits, but does not change the range.</source>
+        <translation>Помещается, но размах не меняет.</translation>
+    </message>
+    <message>
+        <source>The RMS is %1 smaller.</source>
+        <translation>СКЗ на %1 меньше.</translation>
+    </message>
+    <message>
+        <source>The RMS is %1 larger.</source>
+        <translation>СКЗ на %1 больше.</translation>
+    </message>
+    <message>
+        <source>The RMS does not change.</source>
+        <translation>СКЗ не меняется.</translation>
+    </message>
+    <message>
+        <source>At every feasible α, range and RMS are larger than without shaft.</source>
+        <translation>При всех допустимых α размах и СКЗ больше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>At every feasible α, the range is larger than without shaft.</source>
+        <translation>При всех допустимых α размах больше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>At every feasible α, the RMS is larger than without shaft.</source>
+        <translation>При всех допустимых α СКЗ больше, чем без вала.</translation>
     </message>
 </context>
 <context>

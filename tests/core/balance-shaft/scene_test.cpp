@@ -38,6 +38,43 @@ TEST(BalanceShaftCase, FirstCasesFitAndGainByBothCriteria) {
     }
 }
 
+TEST(BalanceShaftCase, TheVerdictSaysChangesAsTheyAreRounded) {
+    Result result = solve(read_input(example(), {}));
+    result.doubts.clear();
+    result.inertia_check.consistent.reset();
+    result.is_buildable = true;
+    result.buildable.stretches = {{0.0, 1.0}};
+    result.best_range_buildable.value = 0.9 * result.M_up.range;
+    result.best_rms_buildable.value = 0.9 * result.M_up.rms;
+    const struct {
+        double range, rms;
+        Severity severity;
+        const char* text;
+    } rows[] = {
+        {-0.1, -0.2, Severity::good,
+         "Fits: the range is 10.0 % smaller than without shaft. The RMS is 20.0 % smaller."},
+        {-0.1, 0.2, Severity::note,
+         "Fits: the range is 10.0 % smaller than without shaft. The RMS is 20.0 % larger."},
+        {-0.0004, 0.2, Severity::note,
+         "Fits, but does not change the range. The RMS is 20.0 % larger."},
+        {0.0004, 0.0, Severity::note,
+         "Fits, but does not change the range. The RMS does not change."},
+        {0.1, -0.2, Severity::warning,
+         "Fits, but the range is 10.0 % larger than without shaft. The RMS is 20.0 % smaller."},
+    };
+    for (const auto& row : rows) {
+        result.range_change = row.range;
+        result.rms_change = row.rms;
+        const Verdict found = verdict(result);
+        EXPECT_EQ(found.text.english(), row.text);
+        EXPECT_EQ(found.severity, row.severity) << row.text;
+    }
+    result.best_range_buildable.value = 1.1 * result.M_up.range;
+    EXPECT_NE(verdict(result).text.english().find(
+                  "At every feasible α, the range is larger than without shaft."),
+              std::string::npos);
+}
+
 /// The error of the example with a patch (RFC 7396: null takes a key away) on its input.
 std::string refusal(const std::string& patch) {
     Json input = example();

@@ -42,6 +42,8 @@ const std::vector<Difference> differences_of_results{
     {"*/relieved_shaft/combined_stress_MPa", "bending of the relieved shaft is not computed"},
     {"*/relieved_shaft/feasible", "it depends on the unbalance and the swing circle alone"},
     {"*/relieved_shaft/reason", "the same"},
+    {"balance-shaft/*/notes/*", "the verdict says where no angle helps"},
+    {"two-stroke/*/notes/*", "the same"},
     {"balance-shaft/*/best_position_buildable/front/*", "other sizes and places of the same front"},
     {"balance-shaft/*/least_bad/range_relative/worst_speed_rpm",
      "two speeds are equally bad there"},
