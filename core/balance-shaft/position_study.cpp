@@ -265,15 +265,20 @@ std::optional<BestPosition> PositionStudy::nearest_buildable(double range_weight
 }
 
 Message trade_off(const PositionCriteria& from, const PositionCriteria& to) {
-    const auto part = [](double before, double after, Text smaller, Text larger) {
+    const auto part = [](double before, double after, Text smaller, Text larger, Text same) {
         const double change = before > 0.0 ? after / before - 1.0 : 0.0;
-        return Message(change > 0.0 ? larger : smaller,
-                       Number{100.0 * std::abs(change), units::percent, -1});
+        constexpr double shown = 5e-4;  // less is 0.0 %
+        return std::abs(change) < shown
+                   ? Message(same)
+                   : Message(change > 0.0 ? larger : smaller,
+                             Number{100.0 * std::abs(change), units::percent, -1});
     };
     return joined(part(from.range, to.range, CORE_TEXT("balance-shaft", "range %1 smaller"),
-                       CORE_TEXT("balance-shaft", "range %1 larger")),
+                       CORE_TEXT("balance-shaft", "range %1 larger"),
+                       CORE_TEXT("balance-shaft", "range unchanged")),
                   part(from.rms, to.rms, CORE_TEXT("balance-shaft", "RMS %1 smaller"),
-                       CORE_TEXT("balance-shaft", "RMS %1 larger")));
+                       CORE_TEXT("balance-shaft", "RMS %1 larger"),
+                       CORE_TEXT("balance-shaft", "RMS unchanged")));
 }
 
 Obstacle PositionStudy::obstacle(const ShaftPosition& position) const {

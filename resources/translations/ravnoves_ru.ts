@@ -4060,6 +4060,14 @@
         <source>At every feasible α, the RMS is larger than without shaft.</source>
         <translation>При всех допустимых α СКЗ больше, чем без вала.</translation>
     </message>
+    <message>
+        <source>range unchanged</source>
+        <translation>размах не меняется</translation>
+    </message>
+    <message>
+        <source>RMS unchanged</source>
+        <translation>СКЗ не меняется</translation>
+    </message>
 </context>
 <context>
     <name>bob-weights</name>
@@ -15135,10 +15143,6 @@ but no position is feasible</source>
         <translation>сумма</translation>
     </message>
     <message>
-        <source>Best place by the %1: %2 at %3.</source>
-        <translation>Лучшее место (%1): %2 при %3.</translation>
-    </message>
-    <message>
         <source>Move shaft</source>
         <translation>Перемещение вала</translation>
     </message>
@@ -15183,24 +15187,12 @@ but no position is feasible</source>
         <translation>Отсюда: %1.</translation>
     </message>
     <message>
-        <source>min. range</source>
-        <translation>мин. размах</translation>
-    </message>
-    <message>
         <source>min. range, ignoring clearance</source>
         <translation>мин. размах, без учёта зазоров</translation>
     </message>
     <message>
-        <source>min. RMS</source>
-        <translation>мин. СКЗ</translation>
-    </message>
-    <message>
         <source>min. RMS, ignoring clearance</source>
         <translation>мин. СКЗ, без учёта зазоров</translation>
-    </message>
-    <message>
-        <source>min. sum</source>
-        <translation>мин. сумма</translation>
     </message>
     <message>
         <source>min. sum, ignoring clearance</source>
@@ -15229,6 +15221,30 @@ but no position is feasible</source>
     <message>
         <source>feasible</source>
         <translation>допустимо</translation>
+    </message>
+    <message>
+        <source>Best place by the %1, the nearest within 1 %: %2 at %3.</source>
+        <translation>Лучшее место (%1), ближайшее в пределах 1&#xa0;%: %2 при %3.</translation>
+    </message>
+    <message>
+        <source>Compared with no shaft: %1.</source>
+        <translation>По сравнению со схемой без вала: %1.</translation>
+    </message>
+    <message>
+        <source>Already there, within 1 %.</source>
+        <translation>Вал уже там, в пределах 1&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>best by range</source>
+        <translation>лучшее по размаху</translation>
+    </message>
+    <message>
+        <source>best by RMS</source>
+        <translation>лучшее по СКЗ</translation>
+    </message>
+    <message>
+        <source>best by sum</source>
+        <translation>лучшее по сумме</translation>
     </message>
 </context>
 <context>
@@ -15365,10 +15381,6 @@ but no position is feasible</source>
         <translation>изменение, %</translation>
     </message>
     <message>
-        <source>&amp;Near place</source>
-        <translation>&amp;Ближнее место</translation>
-    </message>
-    <message>
         <source>Best α of each l; thick: feasible</source>
         <translation>Лучший α при каждом l; толсто: допустимо</translation>
     </message>
@@ -15419,10 +15431,6 @@ but no position is feasible</source>
     <message>
         <source>Criterion of map and optimum, relative to no shaft: range of Mᵤₚₛ, its RMS, or a weighted sum</source>
         <translation>Критерий карты и оптимума, относительно схемы без вала: размах Mᵤₚₛ, его СКЗ или взвешенная сумма</translation>
-    </message>
-    <message>
-        <source>Place nearest to the crank, at most 1 % worse than the best.</source>
-        <translation>Ближайшее к кривошипу место, которое хуже лучшего не более чем на 1&#xa0;%.</translation>
     </message>
     <message>
         <source>Share of the range in the weighted sum, the rest is the RMS. Both are relative to no shaft.</source>

@@ -129,11 +129,6 @@ QWidget* ShaftMapView::buildBar() {
     best_->setObjectName(QStringLiteral("go_best_place"));
     connect(best_, &QPushButton::clicked, map_, &ShaftMapModel::goToBest);
     row->addWidget(best_);
-    near_ = new QPushButton(tr("&Near place"), bar);
-    near_->setObjectName(QStringLiteral("go_near_place"));
-    near_->setToolTip(tr("Place nearest to the crank, at most 1 % worse than the best."));
-    connect(near_, &QPushButton::clicked, map_, &ShaftMapModel::goToNear);
-    row->addWidget(near_);
     column->addLayout(row);
 
     weight_ = new ValueSlider(tr("&Weight of the range"), 0.0, 100.0, 1.0, 10.0, 0,
@@ -241,9 +236,6 @@ void ShaftMapView::fitWords() {
 void ShaftMapView::showMap() {
     criterion_->setCurrentIndex(static_cast<int>(map_->criterion()));
     weight_->setVisible(map_->criterion() == ShaftMapModel::Criterion::Both);
-    const ShaftMapModel::Marker* best = map_->best();
-    best_->setEnabled(best != nullptr && best->isBuildable);
-    near_->setEnabled(best_->isEnabled());
     showStale();
     showWords();
     showPresent();
@@ -272,6 +264,8 @@ void ShaftMapView::showPresent() {
     // What the best place would change is seen from here.
     const QString why =
         nothingIsBuilt() ? messageText(map_->map()->buildable.reason) : shaft_map_text::best(*map_);
+    const ShaftMapModel::Marker* best = map_->best();
+    best_->setEnabled(best != nullptr && best->isBuildable && !map_->isAtBest());
     best_->setToolTip(why);
     best_->setAccessibleDescription(why);
     plot_->setAccessibleDescription(plot_->placeWords(map_->present()));

@@ -62,7 +62,6 @@ class ShaftMapView : public QWidget {
     QComboBox* criterion_;
     ValueSlider* weight_;
     QPushButton* best_;
-    QPushButton* near_ = nullptr;
     QLabel* words_;
     QWidget* wordsRoom_;  ///< what the words may take
     QTabWidget* tabs_;

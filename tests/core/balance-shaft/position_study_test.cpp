@@ -603,6 +603,8 @@ TEST(PositionStudyTest, theNearestGoodPlaceIsGoodAndNoneNearerIs) {
     }
     EXPECT_EQ(trade_off({200.0, 100.0, 0.0}, {199.0, 143.0, 0.0}).english(),
               "range 0.5 % smaller, RMS 43.0 % larger");
+    EXPECT_EQ(trade_off({200.0, 100.0, 0.0}, {200.01, 99.99, 0.0}).english(),
+              "range unchanged, RMS unchanged");
 }
 
 TEST(PositionStudyTest, theBestAngleOfACircleIsTheLeastOfAScanOfIt) {

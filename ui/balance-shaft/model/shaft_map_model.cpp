@@ -30,11 +30,11 @@ Input withoutPlace(Input input) {
 QString ShaftMapModel::Marker::name() const {
     switch (criterion) {
         case Criterion::Range:
-            return isBuildable ? tr("min. range") : tr("min. range, ignoring clearance");
+            return isBuildable ? tr("best by range") : tr("min. range, ignoring clearance");
         case Criterion::Rms:
-            return isBuildable ? tr("min. RMS") : tr("min. RMS, ignoring clearance");
+            return isBuildable ? tr("best by RMS") : tr("min. RMS, ignoring clearance");
         default:
-            return isBuildable ? tr("min. sum") : tr("min. sum, ignoring clearance");
+            return isBuildable ? tr("best by sum") : tr("min. sum, ignoring clearance");
     }
 }
 
@@ -107,9 +107,9 @@ void ShaftMapModel::start() {
 void ShaftMapModel::showMap() {
     markers_.clear();
     if (map_) {
-        addMarker(Criterion::Range, true, map_->buildable.range);
+        addMarker(Criterion::Range, true, map_->nearRange);
         addMarker(Criterion::Range, false, map_->best.range);
-        addMarker(Criterion::Rms, true, map_->buildable.rms);
+        addMarker(Criterion::Rms, true, map_->nearRms);
         addMarker(Criterion::Rms, false, map_->best.rms);
     }
     showCriterion();
@@ -134,10 +134,12 @@ ShaftMapModel::Position ShaftMapModel::shortened(const Position& exact, Criterio
 
 bool ShaftMapModel::isAtBest() const {
     const Marker* marker = best();
-    const Position at = present();
-    constexpr double same = 1e-9;  // m
-    return marker != nullptr &&
-           std::hypot(marker->position.x - at.x, marker->position.y - at.y) < same;
+    if (marker == nullptr || !marker->isBuildable || !isBuildable(present())) {
+        return false;
+    }
+    constexpr double same = 1e-9;
+    return change(map_->study.at(present())).value_or(0.0) <=
+           change(marker->criteria).value_or(0.0) + same;
 }
 
 std::optional<double> ShaftMapModel::change(const Criteria& criteria) const {
@@ -161,7 +163,7 @@ void ShaftMapModel::showCriterion() {
     if (change({})) {
         if (criterion() == Criterion::Both) {
             const double rangeWeight = model_->placeCriterion().rangeWeight(map_->study);
-            addMarker(Criterion::Both, true, map_->study.best_sum_buildable(rangeWeight));
+            addMarker(Criterion::Both, true, map_->study.nearest_buildable(rangeWeight));
             addMarker(Criterion::Both, false, map_->study.best_sum(rangeWeight));
         }
         const balance_shaft::PositionMap& of = map_->field;
@@ -223,16 +225,6 @@ void ShaftMapModel::goTo(const Position& position, Parts parts) {
 void ShaftMapModel::goToBest() {
     if (const Marker* marker = best()) {
         goTo(marker->position);
-    }
-}
-
-void ShaftMapModel::goToNear() {
-    const auto near =
-        map_ && change({})
-            ? map_->study.nearest_buildable(model_->placeCriterion().rangeWeight(map_->study))
-            : std::nullopt;
-    if (near) {
-        goTo(shortened(near->position, criterion()));
     }
 }
 

@@ -68,15 +68,16 @@ class ShaftMapModel : public QObject {
     const ChangeContours& field() const { return field_; }
 
     const std::vector<Marker>& markers() const { return markers_; }
-    /// The best place of the criterion that can be built, of all where none can; null where the
-    /// map is not there yet.
+    /// The place next to the crank that can be built and is at most a hundredth worse than the best
+    /// by the criterion; the best of all where none can be built; null where the map is not there
+    /// yet.
     const Marker* best() const;
 
     Position present() const;
     bool isBuildable(const Position& position) const;
     /// PlaceCriterion::shortened() by a criterion, with the weight there is.
     Position shortened(const Position& exact, Criterion by, bool keepsDistance = false) const;
-    /// Whether the shaft is at best().
+    /// Whether the shaft is at best(), or at a feasible place that is no worse.
     bool isAtBest() const;
     /// How finely the shaft's axis is moved: parts of a millimetre and of a degree.
     enum Parts : std::uint64_t {
@@ -89,8 +90,6 @@ class ShaftMapModel : public QObject {
     /// Moves it as a step of its own.
     void goTo(const Position& position, Parts parts = Exact);
     void goToBest();
-    /// The same to the place nearest to the crank that is at most a hundredth worse.
-    void goToNear();
     void setDistance(double metres);
     /// Goes to this centre distance, at the best α of the criterion there: of those that can be
     /// built where there are any.

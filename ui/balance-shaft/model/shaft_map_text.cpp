@@ -78,7 +78,7 @@ QString best(const ShaftMapModel& map) {
     }
     const auto value = [&](const Criteria& criteria) { return valueText(map, criteria); };
     QString text =
-        ShaftMapModel::tr("Best place by the %1: %2 at %3.")
+        ShaftMapModel::tr("Best place by the %1, the nearest within 1 %: %2 at %3.")
             .arg(criterionName(map.criterion()), value(best->criteria), whereText(best->position));
     constexpr double shown = 5e-4;  // less is 0.0 %
     if (map.change(best->criteria).value_or(0.0) >= shown) {
@@ -90,11 +90,16 @@ QString best(const ShaftMapModel& map) {
                                         : messageText(places->buildable.reason));
         return text;
     }
-    if (!map.isAtBest()) {
-        text += QLatin1Char(' ') + ShaftMapModel::tr("From here: %1.")
-                                       .arg(messageText(balance_shaft::trade_off(
-                                           places->study.at(map.present()), best->criteria)));
-    }
+    const PositionStudy& study = places->study;
+    const auto tradeOff = [&](const Criteria& from) {
+        return messageText(balance_shaft::trade_off(from, best->criteria));
+    };
+    text += QLatin1Char(' ') + ShaftMapModel::tr("Compared with no shaft: %1.")
+                                   .arg(tradeOff({study.range_without(), study.rms_without()}));
+    text += QLatin1Char(' ') +
+            (map.isAtBest()
+                 ? ShaftMapModel::tr("Already there, within 1 %.")
+                 : ShaftMapModel::tr("From here: %1.").arg(tradeOff(study.at(map.present()))));
     for (const Marker& other : map.markers()) {
         if (other.criterion == map.criterion() && !other.isBuildable) {
             text += QLatin1Char(' ') + ShaftMapModel::tr("%1 at %2 does not fit.")
