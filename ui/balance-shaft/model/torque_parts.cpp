@@ -88,8 +88,9 @@ Figure indicator(const BalanceShaftModel& model) {
                                                      : CycleWords::tr("V without clearance, cm³"),
                 .min = 0.0,
                 .max = 1.03 * *std::max_element(volume.begin(), volume.end())};
-    figure.add("loop", pressureStyle(), std::move(volume),
-               inUnit(units::bar, result.curves.pressure));
+    // Volumes with and without clearance are not drawn over each other: they are two curves.
+    figure.add(result.indicated->clearance ? "loop" : "loop-without-clearance", pressureStyle(),
+               std::move(volume), inUnit(units::bar, result.curves.pressure));
     return figure;
 }
 
