@@ -9598,6 +9598,10 @@
         <source>distance from locking by the offset, 1 − λ(1 + K), λ = 0.265</source>
         <translation>расстояние до заклинивания из-за дезаксажа, 1 − λ(1 + K), λ = 0,265</translation>
     </message>
+    <message>
+        <source>The open case is incomplete: no results.</source>
+        <translation>Открытая задача не заполнена: результатов нет.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BalanceShaftModel</name>

@@ -244,19 +244,19 @@ std::optional<OpenCase> MethodsPage::caseLastInFront() const {
 
 void MethodsPage::showBudget() {
     showVerdict();
-    if (const auto& open = budget_->open()) {
-        caseTitle_->setText(
-            tr("%1: %2").arg(sceneTitle(QString::fromStdString(open->file.scene)),
-                             SceneModel::titleText(QString::fromStdString(open->file.title))));
-    } else {
-        caseTitle_->clear();
-    }
     budgetTable_->setResults(budget_->results());
-    budgetTable_->setVisible(budgetTable_->rowCount() > 0);
+    const bool hasResults = budgetTable_->rowCount() > 0;
+    budgetTable_->setVisible(hasResults);
+    const CaseFile* file = hasResults ? &budget_->open()->file : nullptr;
+    sayOrHide(caseTitle_,
+              file == nullptr
+                  ? QString()
+                  : tr("%1: %2").arg(sceneTitle(QString::fromStdString(file->scene)),
+                                     SceneModel::titleText(QString::fromStdString(file->title))));
     const QStringList leftOut = budget_->leftOut();
-    sayOrHide(leftOut_, leftOut.isEmpty() ? QString()
-                                          : tr("The model leaves out:") + QStringLiteral("\n• ") +
-                                                leftOut.join(QStringLiteral("\n• ")));
+    sayOrHide(leftOut_, !hasResults ? QString()
+                                    : tr("The model leaves out:") + QStringLiteral("\n• ") +
+                                          leftOut.join(QStringLiteral("\n• ")));
 }
 
 QWidget* MethodsPage::buildResults() {

@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QSignalSpy>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -111,9 +112,30 @@ TEST(CaseBudgetModel, ShowsEachLeadingResultWithWhatChangesIt) {
     EXPECT_TRUE(results.rows[1][2].text.endsWith(QStringLiteral("N·m")));
     EXPECT_EQ(name(2), QStringLiteral("Tolerance: Crank radius r"));
     EXPECT_EQ(name(3), QStringLiteral("Rounding"));
-    EXPECT_TRUE(messageText(model.verdict().text).contains(results.rows[1][2].text));
+    // The headline is of the result that changes most for its size.
+    const auto part = [](const methods::CaseDoubt& doubt) {
+        return *doubt.contributions.front().change / std::abs(*doubt.result.si);
+    };
+    const auto& leading =
+        *std::max_element(budget.begin(), budget.end(),
+                          [&](const auto& one, const auto& two) { return part(one) < part(two); });
+    EXPECT_TRUE(messageText(model.verdict().text).startsWith(messageText(leading.result.name)))
+        << messageText(model.verdict().text).toStdString();
     EXPECT_GE(model.leftOut().size(), 3);
+    // Where orders cancel, rounding leads no headline.
+    load(openExample("radial-9.case.json"));
+    EXPECT_FALSE(messageText(model.verdict().text).contains(QStringLiteral("Rounding")))
+        << messageText(model.verdict().text).toStdString();
+    // An empty case is no error.
+    load(OpenCase{parse_case(read_text_file(std::filesystem::path(RAVNOVES_EXAMPLES).parent_path() /
+                                            "templates" / "workshop.case.json")),
+                  {}});
+    EXPECT_TRUE(model.results().rows.isEmpty());
+    EXPECT_EQ(model.verdict().severity, Severity::note);
+    const QStringList leftOut = model.leftOut();
+    EXPECT_EQ(leftOut.count(QStringLiteral("The crankshaft is rigid.")), 1);
     // A case that is refused is named in the window's words.
+    open = openExample("tmz-650d.case.json");
     open->file.input["crank_radius_mm"] = -1;
     load(open);
     EXPECT_TRUE(model.results().rows.isEmpty());

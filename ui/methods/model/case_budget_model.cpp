@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case-file/input_error.h"
 #include "methods/case_questions.h"
 #include "plot/model/ticks.h"
 #include "scenes/scenes.h"
@@ -39,6 +40,16 @@ ResultCell valueCell(const ResultEntry& result) {
     return cell;
 }
 
+/// The largest contribution over the result, at most 1; 0 of a result that is but rounding.
+double relativeChange(const CaseDoubt& doubt) {
+    const Contribution& largest = doubt.contributions.front();
+    const double change = largest.change.value_or(0.0);
+    const double value = std::abs(*doubt.result.si);
+    return largest.kind == Contribution::Kind::rounding && value <= change
+               ? 0.0
+               : change / std::max(value, change);
+}
+
 }  // namespace
 
 CaseBudgetModel::CaseBudgetModel(QObject* parent) : QObject(parent), job_(new BackgroundJob(this)) {
@@ -52,9 +63,22 @@ void CaseBudgetModel::load(const std::optional<OpenCase>& open) {
     open_ = open;
     budget_.clear();
     trouble_.clear();
+    isIncomplete_ = false;
     if (open) {
         job_->start([this, open = *open](const BackgroundJob::Progress&) -> std::function<void()> {
-            return [this, budget = methods::case_budget(open.file, open.context)] {
+            std::vector<CaseDoubt> budget;
+            try {
+                budget = methods::case_budget(open.file, open.context);
+            } catch (const InputError& error) {
+                if (!error.found_message().empty()) {
+                    throw;
+                }
+                return [this] {
+                    isIncomplete_ = true;
+                    Q_EMIT changed();
+                };
+            }
+            return [this, budget = std::move(budget)] {
                 budget_ = budget;
                 names_ = FieldNames(
                     {methods::questions_of(open_->file.scene).fields(open_->file.input)});
@@ -75,10 +99,16 @@ Verdict CaseBudgetModel::verdict() const {
     if (!trouble_.isEmpty()) {
         return {Severity::error, Message(trouble_.toStdString())};
     }
+    if (isIncomplete_) {
+        return {Severity::note, CORE_TEXT("methods", "The open case is incomplete: no results.")};
+    }
     if (budget_.empty()) {
         return {Severity::note, CORE_TEXT("methods", "Solving the case for each change.")};
     }
-    const CaseDoubt& first = budget_.front();
+    const CaseDoubt& first = *std::max_element(budget_.begin(), budget_.end(),
+                                               [](const CaseDoubt& a, const CaseDoubt& b) {
+                                                   return relativeChange(a) < relativeChange(b);
+                                               });
     return {Severity::note,
             {CORE_TEXT("methods", "%1: %2. Maximum contribution: %3, %4."), first.result.name,
              valueCell(first.result).text.toStdString(),

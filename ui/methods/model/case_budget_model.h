@@ -45,6 +45,7 @@ class CaseBudgetModel : public QObject {
     FieldNames names_;  ///< of its input
     std::vector<methods::CaseDoubt> budget_;
     QString trouble_;
+    bool isIncomplete_ = false;  ///< an input is missing
 };
 
 }  // namespace ravnoves
