@@ -15953,12 +15953,12 @@ but no position is feasible</source>
         <translation>Ни при каком значении не допустимы 95&#xa0;% проб.</translation>
     </message>
     <message>
-        <source>Minimum 95th percentile: %1 at %2; %3 of the samples are feasible.</source>
-        <translation>Минимум 95-го процентиля: %1 при&#xa0;%2; допустимо %3 проб.</translation>
-    </message>
-    <message>
         <source>feasible, %</source>
         <translation>допустимо, %</translation>
+    </message>
+    <message>
+        <source>Minimum 95th percentile of the amount: %1 at %2; %3 of the samples are feasible.</source>
+        <translation>Минимум 95-го процентиля по модулю: %1 при&#xa0;%2; допустимо %3 проб.</translation>
     </message>
 </context>
 <context>

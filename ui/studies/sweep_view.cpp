@@ -137,6 +137,13 @@ void SweepView::choose() {
     model_->choose(chosen(input_), chosen(result_), reach_->currentData().toDouble());
 }
 
+void SweepView::chooseResult(const std::string& result) {
+    if (const int place = result_->findData(QString::fromStdString(result)); place >= 0) {
+        result_->setCurrentIndex(place);
+        choose();
+    }
+}
+
 void SweepView::showSweep() {
     const Sweep* sweep = model_->sweep();
     const bool isFaded = model_->isStale() && sweep != nullptr;
@@ -144,7 +151,7 @@ void SweepView::showSweep() {
     words_->setText(!model_->trouble().isEmpty() ? model_->trouble()
                     : model_->result().empty()   ? tr("Choose a result to watch.")
                     : sweep != nullptr           ? bestText()
-                                                 : QString());
+                                                 : tr("Computing …"));
     const bool isTaken = sweep != nullptr && sweep->best && !model_->isStale() &&
                          !study_->inputTitle(sweep->input).text.isEmpty();
     take_->setVisible(isTaken);
@@ -168,8 +175,8 @@ QString SweepView::bestText() const {
     const ShownTitle input = study_->inputTitle(sweep.input);
     const ShownUnit unit = study_->resultName(sweep.result).shown();
     const QString best =
-        tr("Minimum 95th percentile: %1 at %2; %3 of the samples are feasible.")
-            .arg(withUnit(shownFormNumber(unit.factor * sweep.best->high, QLocale(), 5), unit.name),
+        tr("Minimum 95th percentile of the amount: %1 at %2; %3 of the samples are feasible.")
+            .arg(withUnit(shownFormNumber(unit.factor * sweep.best->size, QLocale(), 5), unit.name),
                  shownFormNumber(input.factor * sweep.best->x, QLocale(), 5),
                  percentText(sweep.best->built));
     return sweep.best->built < Sweep::leastBuilt ? few + QLatin1Char(' ') + best : best;
@@ -223,9 +230,10 @@ void SweepView::showCurves() {
         marks.push_back({nominal, *sweep.nominalResult, shown(*sweep.nominalResult)});
     }
     if (sweep.best) {
-        marks.push_back({input.factor * sweep.best->x, sweep.best->high,
-                         QStringLiteral("95 %: ") + shown(sweep.best->high), Role::Best,
-                         plot::Side::Left, true});
+        const double worst = std::copysign(sweep.best->size, sweep.best->low + sweep.best->high);
+        marks.push_back({input.factor * sweep.best->x, worst,
+                         QStringLiteral("95 %: ") + shown(worst), Role::Best, plot::Side::Left,
+                         true});
     }
     plot_->setMarks(std::move(marks));
     std::vector<PlotView::Line> lines;

@@ -21,6 +21,8 @@ class SweepView : public QWidget {
 
     SweepModel* model() const { return model_; }
     const PlotView* plot() const { return plot_; }
+    /// Sweeps to this result, by its pointer.
+    void chooseResult(const std::string& result);
 
   protected:
     void showEvent(QShowEvent* event) override;

@@ -351,7 +351,14 @@ QWidget* ToleranceWindow::makeFound() {
          {QStringLiteral("5 %"), tr("5 % of the samples are smaller.")},
          {QStringLiteral("95 %"), tr("5 % of the samples are larger.")},
          {tr("Within"), tr("Share of the samples within the limits, with its 95 % interval.")}});
-    connect(table_, &QTableWidget::currentCellChanged, this, &ToleranceWindow::showChosen);
+    connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
+        showChosen();
+        const StudyAnswers* answers = model_->answers();
+        const auto place = static_cast<std::size_t>(std::max(row, 0));
+        if (answers != nullptr && place < answers->values.size()) {
+            sweep_->chooseResult(answers->values[place].pointer);
+        }
+    });
     constexpr int shownRows = 4;
     table_->setShownRows(shownRows);
     constexpr int leastHeight = 60;  // further rows scroll

@@ -705,6 +705,18 @@ TEST_F(Tolerances, AnInputIsSweptWhileTheOthersScatter) {
     ASSERT_TRUE(mean.hasSpread());
     EXPECT_EQ(mean.y.back(), places.back().mean);
     EXPECT_EQ(mean.above.back(), places.back().high - places.back().mean);
+    // The result of the row that is selected is swept.
+    watch("/metrics/M_up/min_Nm");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !tolerances->model()->isStale(); }, 60'000));
+    const_cast<ResultTable*>(tolerances->table())->setCurrentCell(1, 0);
+    wait();
+    EXPECT_EQ(model.sweep()->result, "/metrics/M_up/min_Nm");
+    EXPECT_LT(model.sweep()->places.front().mean, 0.0);
+    EXPECT_GT(model.sweep()->places.front().size, 0.0);
+    for (const Sweep::Place& place : model.sweep()->places) {
+        EXPECT_GE(place.size, std::abs(place.mean));
+        EXPECT_GE(place.size, model.sweep()->best->size);
+    }
 }
 
 TEST_F(Tolerances, TheRobustAngleIsTheLowestOfTheSweepThatCanBeBuilt) {

@@ -98,15 +98,23 @@ class Sweeper {
     Sweep::Place placeOf(double x, std::vector<double> values, std::ptrdiff_t built) const {
         std::erase_if(values, [](double value) { return !std::isfinite(value); });
         if (values.empty()) {
-            return {x, none, none, none, 0.0};
+            return {x, none, none, none, none, 0.0};
         }
         std::sort(values.begin(), values.end());
         double sum = 0.0;
         for (const double value : values) {
             sum += value;
         }
-        return {x, sum / static_cast<double>(values.size()), percentileOf(values, 0.05),
+        std::vector<double> sizes = values;
+        for (double& size : sizes) {
+            size = std::abs(size);
+        }
+        std::sort(sizes.begin(), sizes.end());
+        return {x,
+                sum / static_cast<double>(values.size()),
+                percentileOf(values, 0.05),
                 percentileOf(values, 0.95),
+                percentileOf(sizes, 0.95),
                 static_cast<double>(built) / static_cast<double>(inputs_.size())};
     }
 
@@ -116,12 +124,12 @@ class Sweeper {
     std::vector<std::vector<double>> inputs_;  ///< of each sample; the first is the one swept
 };
 
-/// Where the 95 % value is least, of the places at which so many of the samples can be built.
+/// Where the 95 % amount is least, of the places at which so many of the samples can be built.
 std::optional<Sweep::Place> bestOf(const std::vector<Sweep::Place>& places, double built) {
     std::optional<Sweep::Place> best;
     for (const Sweep::Place& place : places) {
-        if (std::isfinite(place.high) && place.built > 0.0 && place.built >= built &&
-            (!best || place.high < best->high)) {
+        if (std::isfinite(place.size) && place.built > 0.0 && place.built >= built &&
+            (!best || place.size < best->size)) {
             best = place;
         }
     }
@@ -154,7 +162,7 @@ Sweep computed(Sweep sweep, const studies::Problem& problem, bool tellsBuilt,
         }
         done = next;
         step *= 2.0 / (finer - 1);
-        if (const auto best = bestOf(near, built); best && best->high < sweep.best->high) {
+        if (const auto best = bestOf(near, built); best && best->size < sweep.best->size) {
             sweep.best = best;
         }
     }

@@ -21,6 +21,7 @@ struct Sweep {
         double mean = 0.0;
         double low = 0.0;    ///< 5 %
         double high = 0.0;   ///< 95 %
+        double size = 0.0;   ///< 95 % of the amount, |…|
         double built = 0.0;  ///< share of the samples that could be solved, and can be built
     };
     /// So many samples at least can be built at the best place.
@@ -32,7 +33,7 @@ struct Sweep {
     double half = 0.0;  ///< of the input's ±; 0 where it has none
     std::optional<double> nominalResult = {};
     std::vector<Place> places;
-    /// Where the 95 % value is least, and so many samples can be built, or as many as anywhere;
+    /// Where the 95 % amount is least, and so many samples can be built, or as many as anywhere;
     /// between the places.
     std::optional<Place> best = {};
 };
