@@ -9781,7 +9781,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>does not fit</source>
-        <translation>не помещается</translation>
+        <translation>нет места</translation>
     </message>
 </context>
 <context>
