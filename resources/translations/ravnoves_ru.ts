@@ -10711,6 +10711,14 @@ but no position is feasible</source>
         <source>Spring added, with %1.</source>
         <translation>Добавлена пружина: %1.</translation>
     </message>
+    <message>
+        <source>The present design meets the requirements: relief %1, maximum force %2, moment error %3.</source>
+        <translation>Текущая конструкция отвечает требованиям: перепад %1, максимальная сила %2, погрешность момента %3.</translation>
+    </message>
+    <message>
+        <source>Present design: relief %1, maximum force %2, moment error %3.</source>
+        <translation>Текущая конструкция: перепад %1, максимальная сила %2, погрешность момента %3.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ElasticHingePage</name>
@@ -11400,12 +11408,12 @@ but no position is feasible</source>
         <translation>Применит&amp;ь найденное</translation>
     </message>
     <message>
-        <source>Finds stiffness and preload for the required relief of the crank&apos;s guide; free length, roller and side of the spring are kept.</source>
-        <translation>Находит жёсткость и преднатяг под нужный перепад направляющей кривошипа; свободная длина, ролик и сторона пружины сохраняются.</translation>
-    </message>
-    <message>
         <source>Required</source>
         <translation>Требуется</translation>
+    </message>
+    <message>
+        <source>Finds stiffness and preload of minimum spring energy for the required relief of the crank&apos;s guide; free length, roller and side of the spring are kept.</source>
+        <translation>Находит жёсткость и поджатие с минимальной энергией пружины для требуемого перепада направляющей кривошипа; свободная длина, ролик и сторона пружины сохраняются.</translation>
     </message>
 </context>
 <context>

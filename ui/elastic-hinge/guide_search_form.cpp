@@ -10,8 +10,9 @@ namespace ravnoves {
 GuideSearchForm::GuideSearchForm(ElasticHingeModel* model, QWidget* parent) : Form(model, parent) {
     column()->setSpacing(Theme::space);
     column()->addWidget(
-        captionLabel(tr("Finds stiffness and preload for the required relief of the crank's guide; "
-                        "free length, roller and side of the spring are kept."),
+        captionLabel(tr("Finds stiffness and preload of minimum spring energy for the required "
+                        "relief of the crank's guide; free length, roller and side of the spring "
+                        "are kept."),
                      this));
     section(tr("Required"));
     number("/guide_search/relief_mm");
@@ -32,7 +33,7 @@ GuideSearchForm::GuideSearchForm(ElasticHingeModel* model, QWidget* parent) : Fo
     connect(take, &QPushButton::clicked, model, &ElasticHingeModel::takeProposal);
     showAnswer_ = [=] {
         answer->setText(model->proposalText());
-        take->setEnabled(model->proposal().found);
+        take->setEnabled(model->proposal().found && !model->meetsWish());
     };
     follow([this] {
         if (isVisible()) {

@@ -456,6 +456,16 @@ TEST_F(ElasticHingePageTest, SearchTakesOverWhatItFound) {
         << answer->text().toStdString();
     QTest::mouseClick(find<QPushButton>("take_proposal"), Qt::LeftButton);
     EXPECT_NEAR(model->result().crank_guide.relief, 2e-3, 1e-9);
+    // A present design that has more relief than required is better: nothing is offered.
+    type(find<NumberField>("relief_mm"), QStringLiteral("1"));
+    EXPECT_FALSE(find<QPushButton>("take_proposal")->isEnabled());
+    EXPECT_TRUE(answer->text().contains(
+        QStringLiteral("The present design meets the requirements: relief 2.000\u00A0mm")))
+        << answer->text().toStdString();
+    type(find<NumberField>("relief_mm"), QStringLiteral("2.5"));
+    EXPECT_TRUE(find<QPushButton>("take_proposal")->isEnabled());
+    EXPECT_TRUE(answer->text().contains(QStringLiteral("Present design: relief 2.000\u00A0mm")))
+        << answer->text().toStdString();
     type(find<NumberField>("outer_diameter_mm"), QStringLiteral("50"));
     EXPECT_FALSE(find<QPushButton>("take_proposal")->isEnabled());
     EXPECT_TRUE(answer->text().startsWith(QStringLiteral("None")));

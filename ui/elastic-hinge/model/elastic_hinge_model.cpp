@@ -291,15 +291,46 @@ QString ElasticHingeModel::proposalText() const {
     if (!found.found) {
         return tr("None: %1.").arg(messageText(found.reason));
     }
-    return tr("c = %1, ρ₀ = %2: relief %3 within %4. Spring: minimum length %5, maximum force %6, "
-              "maximum energy %7 J.")
-        .arg(withItsUnit(found.spring.stiffness, units::kN_per_m, 5),
-             shownNumber(found.spring.guide_radius_at_zero, units::mm, 3),
-             shownNumber(found.relief, units::mm, 3),
-             shownNumber(found.outer_diameter, units::mm, 1),
-             shownNumber(found.smallest_spring_length, units::mm, 1),
-             withItsUnit(found.largest_spring_force, units::kN),
-             significant(found.largest_spring_energy));
+    const QString text =
+        tr("c = %1, ρ₀ = %2: relief %3 within %4. Spring: minimum length %5, maximum force %6, "
+           "maximum energy %7 J.")
+            .arg(withItsUnit(found.spring.stiffness, units::kN_per_m, 5),
+                 shownNumber(found.spring.guide_radius_at_zero, units::mm, 3),
+                 shownNumber(found.relief, units::mm, 3),
+                 shownNumber(found.outer_diameter, units::mm, 1),
+                 shownNumber(found.smallest_spring_length, units::mm, 1),
+                 withItsUnit(found.largest_spring_force, units::kN),
+                 significant(found.largest_spring_energy));
+    const Guide& present = result().crank_guide;
+    if (!present.feasible) {
+        return text;
+    }
+    return text + QLatin1Char(' ') +
+           (meetsWish() ? tr("The present design meets the requirements: relief %1, maximum force "
+                             "%2, moment error %3.")
+                        : tr("Present design: relief %1, maximum force %2, moment error %3."))
+               .arg(shownNumber(present.relief, units::mm, 3),
+                    withItsUnit(present.largest_spring_force, units::kN),
+                    percentText(present.error.relative));
+}
+
+bool ElasticHingeModel::meetsWish() const {
+    const Guide& present = result().crank_guide;
+    if (!present.feasible) {
+        return false;
+    }
+    const GuideWish wish = input().guide_search.value_or(GuideWish{});
+    const double length = input().spring->free_length;
+    const double shortest = present.branch == Branch::compressed
+                                ? length - 2.0 * (present.smallest_deflection + present.relief)
+                                : length + 2.0 * present.smallest_deflection;
+    constexpr double rounding = 1e-6;  // m
+    return present.relief >= wish.relief - rounding &&
+           2.0 * (input().roller_radius + present.summary().max_radius) <=
+               wish.outer_diameter + rounding &&
+           shortest >= wish.smallest_spring_length.value_or(0.4 * length) - rounding &&
+           present.preload - present.minimum_preload >= wish.preload_margin - rounding &&
+           !present.summary().undercut;
 }
 
 void ElasticHingeModel::takeProposal() {

@@ -91,7 +91,10 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
 
     /// What the search for a guide finds now (computed when first asked).
     const elastic_hinge::GuideProposal& proposal() const;
+    /// The found spring, and the present design beside it.
     QString proposalText() const;
+    /// Whether the present guide has the required relief and fits, too.
+    bool meetsWish() const;
     void takeProposal();
     /// Gives the crank's guide the preload that it needs.
     void takeMinimumPreload();
