@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "case-file/decimal.h"
 #include "case-file/json.h"
 #include "case-file/object_reader.h"
 #include "model/scene_model.h"
@@ -71,7 +72,9 @@ QString shownValue(const Json* value, const FieldEntry* entry, double factor, in
         return {};
     }
     if (value->is_number()) {
-        return shownFormNumber(factor * value->get<double>(), QLocale(), digits);
+        const double shown = factor * value->get<double>();
+        const bool isAngle = entry != nullptr && entry->field.unit == units::degree;
+        return shownFormNumber(isAngle ? rounded_to_decimals(shown, 2) : shown, QLocale(), digits);
     }
     if (value->is_boolean()) {
         return value->get<bool>() ? QCoreApplication::translate("ravnoves::SceneModel", "yes")

@@ -72,8 +72,9 @@ QString spreadText(const ResultTable::Spread& spread, const ResultNumber& number
         return QStringLiteral("± 0");  // far less than the number's last digit
     }
     const auto shown = [&](double size) {
-        return most < 1e-9 || most >= 1e9 ? formNumber(size, QLocale(), 2)
-                                          : fixedDecimals(size, decimals, QLocale());
+        return most < 1e-9 || most >= 1e9               ? formNumber(size, QLocale(), 2)
+               : size < 0.5 * std::pow(10.0, -decimals) ? QStringLiteral("0")
+                                                        : fixedDecimals(size, decimals, QLocale());
     };
     constexpr double alike = 0.1;
     return least < 0.0 || most - least < alike * most
