@@ -16,6 +16,8 @@ namespace ravnoves {
 
 namespace {
 
+constexpr const char* typedAlone = "typedAlone";
+
 /// The texts of this file.
 struct ScaleInput {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::ScaleInput)
@@ -29,6 +31,10 @@ void press(QWidget* widget, Qt::Key key) {
     }
 }
 
+NumberField* focusedNumber() {
+    return qobject_cast<NumberField*>(QApplication::focusWidget());
+}
+
 QString enterInto(NumberField* field, const QString& weight) {
     const QPointer<NumberField> entered = field;
     field->setText(weight);
@@ -39,9 +45,19 @@ QString enterInto(NumberField* field, const QString& weight) {
         return ScaleInput::tr("%1 from the scale is not accepted. %2").arg(weight, trouble);
     }
     const QString name = field->accessibleName();
+    if (isTypedAlone(field)) {
+        Q_EMIT field->editingFinished();  // the next weight is of nothing that follows
+        field->selectAll();
+        return ScaleInput::tr("%1 from the scale: %2").arg(weight, name);
+    }
     press(field, Qt::Key_Return);
     if (entered != nullptr && entered->hasFocus()) {
         press(entered, Qt::Key_Tab);
+    }
+    NumberField* at = focusedNumber();
+    while (at != nullptr && isTypedAlone(at)) {
+        press(at, Qt::Key_Return);
+        at = at->hasFocus() ? nullptr : focusedNumber();
     }
     return ScaleInput::tr("%1 from the scale: %2").arg(weight, name);
 }
@@ -71,6 +87,14 @@ bool takesMass(const QAbstractItemView& view) {
 
 }  // namespace
 
+void setTypedAlone(QWidget* field) {
+    field->setProperty(typedAlone, true);
+}
+
+bool isTypedAlone(const QWidget* field) {
+    return field->property(typedAlone).toBool();
+}
+
 QString scaleText(const shop::ScaleLine& line) {
     return withUnit(fixedDecimals(line.number, line.decimals, QLocale()), unitText(line.unit.name));
 }
@@ -95,13 +119,12 @@ QString meaningOf(const shop::ScaleLine& line) {
 
 QString enterWeight(const shop::ScaleLine& line) {
     const QString weight = scaleText(line);
-    QWidget* focus = QApplication::focusWidget();
-    auto* field = qobject_cast<NumberField*>(focus);
+    NumberField* field = focusedNumber();
     if (field != nullptr && field->isEnabled() && !field->isReadOnly() &&
         isMassUnit(field->unit())) {
         return enterInto(field, weight);
     }
-    auto* view = qobject_cast<QAbstractItemView*>(focus);
+    auto* view = qobject_cast<QAbstractItemView*>(QApplication::focusWidget());
     if (view != nullptr && takesMass(*view)) {
         return enterInto(view, weight);
     }

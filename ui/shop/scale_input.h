@@ -4,7 +4,13 @@
 
 #include "shop/scale_line.h"
 
+class QWidget;
+
 namespace ravnoves {
+
+/// No scale writes into a field, unless the user has gone there.
+void setTypedAlone(QWidget* field);
+bool isTypedAlone(const QWidget* field);
 
 /// A weight as text that every mass field takes: "568.50 g".
 QString scaleText(const shop::ScaleLine& line);

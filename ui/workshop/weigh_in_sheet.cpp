@@ -11,6 +11,7 @@
 #include "bob-weights/fields.h"
 #include "model/editable_table.h"
 #include "page/part_views.h"
+#include "shop/scale_input.h"
 #include "text/message_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
@@ -159,6 +160,9 @@ NumberField* WeighInSheet::addCell(int row, int column) {
     field->setHint(WeighInTable::hintOf(row, column));
     field->setOptional(true);
     field->setSaysHowRead(true);
+    if (row < WeighInTable::firstCylinder) {
+        setTypedAlone(field);
+    }
     field->setMinimumWidth(Theme::withText(cellWidth));
     field->setMinimumHeight(Theme::withText(cellHeight));
     field->setFont(Theme::font(Theme::baseSize));

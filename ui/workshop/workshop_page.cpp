@@ -22,6 +22,7 @@
 #include "page/refused_entries.h"
 #include "pictures/file_dialogs.h"
 #include "shop/model/verdict.h"
+#include "shop/scale_input.h"
 #include "shop/shop_dialog.h"
 #include "text/file_path.h"
 #include "text/language.h"
@@ -293,7 +294,8 @@ QWidget* WorkshopPage::nextEntry(const WorkshopSheet& sheet, bool isEmpty) {
     QWidget* first = nullptr;
     for (QWidget* each : sheet.order()) {
         if (isEntry(each, sheet)) {
-            if (!isEmpty || static_cast<EntryField*>(each)->text().isEmpty()) {
+            if (!isEmpty ||
+                (!isTypedAlone(each) && static_cast<EntryField*>(each)->text().isEmpty())) {
                 return each;
             }
             first = first != nullptr ? first : each;

@@ -172,6 +172,26 @@ TEST_F(ScaleTest, WeightsGoDownTheSheet) {
     EXPECT_EQ(value("mass_piston_4"), 566.9904625);
 }
 
+TEST_F(ScaleTest, FromOnePartToTheNextItPassesNominalAndRange) {
+    page->sheets()->setCurrentIndex(0);
+    page->sheets()->setCurrentIndex(2);
+    EXPECT_EQ(focus(), "mass_piston_1");
+    goTo("mass_piston_8");
+    scale.send("S S    568.50 g\r\n");
+    ASSERT_TRUE(comes([&] { return focus() == "mass_pin_1"; }));
+    scale.send("S S    151.20 g\r\n");
+    ASSERT_TRUE(comes([&] { return focus() == "mass_pin_2"; }));
+    EXPECT_FALSE(field("nominal_pin")->value());
+    EXPECT_FALSE(field("spread_pin")->value());
+    // Where the user has gone there it is written, and goes no further.
+    goTo("nominal_pin");
+    scale.send("S S    150.00 g\r\n");
+    ASSERT_TRUE(comes([&] { return value("nominal_pin") == 150.0; }));
+    EXPECT_EQ(focus(), "nominal_pin");
+    EXPECT_FALSE(field("spread_pin")->value());
+    EXPECT_EQ(value("mass_pin_1"), 151.2);
+}
+
 TEST_F(ScaleTest, AWeightGoesIntoMassFieldsAlone) {
     page->sheets()->setCurrentIndex(0);
     auto* number = test::named<QLineEdit>(*page, "engine_number");
