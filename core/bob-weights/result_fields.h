@@ -100,6 +100,11 @@ inline constexpr ResultField centrifugal_force{
     "centrifugal_force_N", units::newton, 0, CORE_TEXT("bob-weights", "Centrifugal force"),
     CORE_TEXT("bob-weights", "Centrifugal force of the slug at the service speed.")};
 inline constexpr ResultField direction{.key = "direction"};
+inline constexpr ResultField slug_radius{"radius_mm", units::mm, 1,
+                                         CORE_TEXT("bob-weights", "Radius of the hole centre"),
+                                         CORE_TEXT("bob-weights",
+                                                   "Radius of the slug's centre about the crank "
+                                                   "axis.")};
 inline constexpr ResultField slug_mass{"slug_g", units::gram, 2,
                                        CORE_TEXT("bob-weights", "Mass of the slug")};
 

@@ -101,6 +101,7 @@ class JobVisit {
         if (added) {
             const auto speed = service_speed(input_);
             visitor_.word(key::direction, direction_words[hole.is_axial ? 0 : 1].word);
+            visitor_.number(key::slug_radius, hole.slug_radius);
             visitor_.number(key::centrifugal_force, speed && hole.slug > 0.0
                                                         ? std::optional(hole.slug_force(*speed))
                                                         : std::nullopt);

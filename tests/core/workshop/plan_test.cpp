@@ -467,6 +467,7 @@ TEST(Plan, PressesSlugsInParallelToTheCrankshaft) {
     EXPECT_NEAR(axial.at("slug_g").get<double>(), 18e-3 * area * depth, 1e-6);
     EXPECT_NEAR(axial.at("added_g_mm").get<double>(),
                 radius * (18e-3 * area * depth - 7.85e-3 * (area * depth + cone)), 1e-3);
+    EXPECT_NEAR(axial.at("radius_mm").get<double>(), radius, 1e-9);
     const double speed = 5500 * 2.0 * pi / 60.0;
     EXPECT_NEAR(axial.at("centrifugal_force_N").get<double>(),
                 1e-6 * axial.at("slug_g").get<double>() * radius * speed * speed, 1e-6);

@@ -103,13 +103,18 @@ TEST_F(JobPageTest, ASlugIsWholeOnTheCardWithItsMass) {
     const auto& plane = (*model->solution().correction)[0];
     ASSERT_EQ(plane.slugs.size(), 1u);
     const auto plain = [](QString text) { return text.replace(QChar(0x00A0), u' '); };
-    const QString name =
-        u"slug ⌀ 20.25 mm, "_s + plain(Words().number(plane.slugs[0].slug, units::gram, 1));
+    // Its hole is drilled a wall and half its diameter below the rim.
+    const QString name = u"slug ⌀ 20.25 mm, "_s +
+                         plain(Words().number(plane.slugs[0].slug, units::gram, 1)) +
+                         u", hole centre at R 71.9 mm"_s;
     EXPECT_TRUE(
         plain(model->holeResults().rows.at(0).at(0).text).startsWith(u"Front plane: "_s + name));
+    const QString adds = u"adds "_s + Words().digits(plane.slugs[0].mass, units::gram, 2);
+    EXPECT_EQ(model->holeResults().rows.at(0).at(3).text, adds);
     EXPECT_TRUE(label("hole_note").contains(u"its mass is given with its diameter"_s));
     const QString printed = cardText();
     EXPECT_TRUE(printed.contains(name)) << qPrintable(printed);
+    EXPECT_TRUE(printed.contains(adds)) << qPrintable(printed);
     static const QRegularExpression cut(u"\\w…"_s);
     EXPECT_FALSE(cut.match(printed).hasMatch()) << qPrintable(printed);
     EXPECT_TRUE(printed.contains(

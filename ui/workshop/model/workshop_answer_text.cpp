@@ -897,15 +897,27 @@ QString sizeName(const Words& words, bool isSlug, const Hole& hole) {
     const QString size = words.plainWithUnit(hole.diameter, units::mm, 2);
     const QString name =
         isSlug ? words.translate("BobWeights", "slug ⌀ %1").arg(size) : QStringLiteral("⌀ ") + size;
-    // As it is found on the scale; old records lack it.
-    return hole.slug > 0.0 ? name + QStringLiteral(", ") + words.number(hole.slug, units::gram, 1)
-                           : name;
+    QStringList said{name};
+    if (hole.slug > 0.0) {  // as it is found on the scale; old records lack it
+        said << words.number(hole.slug, units::gram, 1);
+    }
+    if (hole.is_axial) {  // its hole is below the rim, where no other is
+        said << words.translate("BobWeights", "hole centre at R %1")
+                    .arg(words.plainWithUnit(hole.slug_radius, units::mm, 1));
+    }
+    return said.join(QStringLiteral(", "));
+}
+
+/// What is taken off, or with a slug added.
+ResultCell massCell(const Words& words, double mass, bool isSlug) {
+    return isSlug ? ResultCell(-mass / units::gram, words.translate("BobWeights", "adds %1")
+                                                        .arg(words.digits(mass, units::gram, 2)))
+                  : words.cell(mass, units::gram, 2);
 }
 
 /// Holes that are alike are a row, with the angle of each, as many as a cell has room for.
 void addDrilled(ResultRows& rows, const Words& words, const QString& run, const QString& plane,
                 const std::vector<Hole>& holes, bool isSlug) {
-    const double sign = isSlug ? -1.0 : 1.0;
     for (auto first = holes.begin(); first != holes.end();) {
         constexpr std::ptrdiff_t most = 4;
         const auto end = first + std::min(most, holes.end() - first);
@@ -917,13 +929,13 @@ void addDrilled(ResultRows& rows, const Words& words, const QString& run, const 
         double mass = 0.0;
         for (auto hole = first; hole != last; ++hole) {
             angles << degreesOf(words, hole->angle);
-            mass += sign * hole->mass;
+            mass += hole->mass;
         }
         rows << ResultRow{run, plane + QStringLiteral(": ") + sizeName(words, isSlug, *first),
                           words.cell(first->depth, units::mm, 1),
                           angles.size() == 1 ? direction(words, first->angle)
                                              : ResultCell(angles.join(QStringLiteral("; "))),
-                          words.cell(mass, units::gram, 2)};
+                          massCell(words, mass, isSlug)};
         first = last;
     }
 }
@@ -937,8 +949,8 @@ Results WorkshopModel::holeResults(const Words& words, std::optional<std::size_t
           shownText(field::maximum_depth.hint)},
          {words.translate("BobWeights", "Angle"), tr("From the machine's zero mark")},
          {words.translate("BobWeights", "Takes off, %1").arg(words.unit(units::gram)),
-          tr("Mass taken off, including the drill point; negative for a slug: its own mass minus "
-             "its hole")}}};
+          tr("Mass taken off, including the drill point; a slug adds its own mass minus its "
+             "hole")}}};
     // Nothing is drilled by readings that may not hold.
     if (!solution().correction || !solution().holds()) {
         return results;
@@ -953,7 +965,10 @@ Results WorkshopModel::holeResults(const Words& words, std::optional<std::size_t
                     inSentence(words.text(direction_words[hole.is_axial ? 0 : 1].label));
         }
         if (isSlug && speed) {
-            name += QStringLiteral(", ") + words.number(hole.slug_force(*speed), units::newton, 0);
+            name += QStringLiteral(", ") +
+                    words.translate("BobWeights", "centrifugal force %1 at %2")
+                        .arg(words.number(hole.slug_force(*speed), units::newton, 0),
+                             words.plainWithUnit(*speed, units::rpm, 0));
         }
         results.rows << ResultRow{
             before + name,
@@ -961,8 +976,7 @@ Results WorkshopModel::holeResults(const Words& words, std::optional<std::size_t
                                       .arg(words.digits(hole.from_depth, units::mm, 1),
                                            words.digits(hole.depth, units::mm, 1)))
                      : words.cell(hole.depth, units::mm, 1),
-            direction(words, hole.angle),
-            words.cell(isSlug ? -hole.mass : hole.mass, units::gram, 2)};
+            direction(words, hole.angle), massCell(words, hole.mass, isSlug)};
     };
     for (std::size_t i = 0; i < 2; ++i) {
         if (plane.value_or(i) != i) {
