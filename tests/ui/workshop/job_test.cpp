@@ -1385,6 +1385,42 @@ TEST_F(JobPageTest, AnotherEngineIsAJobOfItsOwn) {
     EXPECT_EQ(jobs().size(), 2);
 }
 
+TEST_F(JobPageTest, TheNextJobOfAnotherEngineHasNothingOfTheCrankshaftBefore) {
+    typeShopCard();
+    typeReadings();
+    fill({{"from_1", "10"},
+          {"to_1", "350"},
+          {"grade_mm_s", "6.3"},
+          {"rotor_mass_kg", "24"},
+          {"service_speed_rpm", "5500"},
+          {"engine_number", "A 1"}});
+    save();
+    press(Qt::Key_F4);
+    const Correction carried = *model->input().correction;
+    ASSERT_EQ(carried.planes[0].radius, 85 * units::mm) << "of the same engine it stays";
+    ASSERT_TRUE(model->input().tolerance->rotor_mass);
+    QString said;
+    connect(&page, &ScenePage::status, &page, [&](const QString& text) { said = text; });
+    type("cylinders", u"6"_s);
+    EXPECT_TRUE(said.contains(u"previous crankshaft"_s)) << qPrintable(said);
+    const auto isBlank = [](const Plane& plane) { return plane == Plane{}; };
+    const Correction& now = *model->input().correction;
+    EXPECT_TRUE(std::all_of(now.planes.begin(), now.planes.end(), isBlank));
+    EXPECT_EQ(now.drill, carried.drill) << "of the shop";
+    EXPECT_EQ(model->input().tolerance->grade, 6.3 * units::mm_per_s);
+    EXPECT_FALSE(model->input().tolerance->rotor_mass);
+    EXPECT_FALSE(model->input().tolerance->service_speed);
+    // What is typed for this engine stays, and one step brings all of it back.
+    type("radius_1", u"85"_s);
+    type("cylinders", u"12"_s);
+    EXPECT_EQ(model->input().correction->planes[0].radius, 85 * units::mm);
+    for (int step = 0; step < 3; ++step) {
+        model->undo();
+    }
+    EXPECT_EQ(*model->input().correction, carried);
+    EXPECT_TRUE(model->input().tolerance->service_speed);
+}
+
 TEST_F(JobPageTest, AJobFromAFileIsNotSavedTwiceWithoutAWord) {
     typeShopCard();
     type("engine_number", u"E-1"_s);

@@ -59,6 +59,42 @@ void forgetReadings(Job& input) {
     }
 }
 
+/// Whether both may have the same crankshaft.
+bool isSameCrank(const Engine& a, const Engine& b) {
+    return a.type == b.type && a.cylinders == b.cylinders && a.bank_angle == b.bank_angle &&
+           a.pin_split == b.pin_split;
+}
+
+/// Takes out what is still as the job before had it of its crankshaft.
+/// @return whether there was any
+bool forgetCrank(Job& input, const Job& before) {
+    const Job whole = input;
+    const auto forget = [](auto& now, const auto& then) {
+        if (now == then) {
+            now = {};
+        }
+    };
+    if (input.correction && before.correction) {
+        Correction& now = *input.correction;
+        const Correction& then = *before.correction;
+        for (std::size_t i = 0; i < std::min(now.planes.size(), then.planes.size()); ++i) {
+            forget(now.planes[i], then.planes[i]);
+        }
+        for (std::size_t i = 0; i < std::min(now.readings.size(), then.readings.size()); ++i) {
+            forget(now.readings[i].position, then.readings[i].position);
+        }
+        forget(now.slug, then.slug);
+    }
+    if (input.tolerance && before.tolerance) {
+        for (const auto member :
+             {&Tolerance::rotor_mass, &Tolerance::service_speed, &Tolerance::centre_of_mass,
+              &Tolerance::front_bearing, &Tolerance::rear_bearing}) {
+            forget(*input.tolerance.*member, *before.tolerance.*member);
+        }
+    }
+    return input != whole;
+}
+
 /// As those of a run before.
 std::vector<EarlierReading> earlierOf(const std::vector<Reading>& readings) {
     std::vector<EarlierReading> list;
@@ -212,6 +248,7 @@ QString WorkshopModel::jobName() const {
 void WorkshopModel::aboutToLoad() {
     desk_.forgetJob();
     otherForm_.reset();
+    carried_.reset();
     isLoading_ = true;
 }
 
@@ -267,6 +304,9 @@ QString WorkshopModel::edit(const QString& name, const std::function<void(Job&)>
         noteBobWeight(next, *bobWeightAsLoaded_);
     }
     mutate(next);
+    const bool isOtherCrank = carried_ && isSameCrank(input().engine, carried_->engine) &&
+                              !isSameCrank(next.engine, carried_->engine) &&
+                              forgetCrank(next, *carried_);
     dropEmpty(next);
     // A case that came so stays as it came, until its engine changes.
     if (QString why = engineTrouble(next); !why.isEmpty() && next.engine != input().engine) {
@@ -282,8 +322,12 @@ QString WorkshopModel::edit(const QString& name, const std::function<void(Job&)>
     if (next.correction && next.machine.counts != input().machine.counts) {
         workshop::note_counts_changed(*next.correction);
     }
-    return CaseModel::edit(
+    QString why = CaseModel::edit(
         name, [&](Job& input) { input = std::move(next); }, title);
+    if (isOtherCrank && why.isEmpty()) {
+        Q_EMIT crankForgotten();
+    }
+    return why;
 }
 
 void WorkshopModel::noteBobWeight(Job& input, double bobWeight) {
@@ -581,6 +625,7 @@ void WorkshopModel::newJob() {
     }
     next.job.technician = input().job.technician;
     otherForm_.reset();
+    carried_ = next;
     desk_.beginJob([&] {
         setTitle({});
         // Undo must not bring another job's values under this job's number.
@@ -594,6 +639,7 @@ void WorkshopModel::takeJob(const CaseFile& file, bool isCopy) {
         next = nextOf(next);  // other parts
         next.job.technician = input().job.technician;
     }
+    carried_ = isCopy ? std::optional(next) : std::nullopt;
     otherForm_.reset();
     editText(QString::fromStdString(file.title),
              isCopy ? QString() : QString::fromStdString(file.notes));

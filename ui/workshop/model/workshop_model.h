@@ -294,6 +294,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     void enginesChanged();
     /// Which sheet of the form to show: job, parts, weigh-in, plugs, machine, correction.
     void sheetChosen(int sheet);
+    /// The engine became another than the job before had, and lost what was of its crankshaft.
+    void crankForgotten();
 
   protected:
     void aboutToLoad() override;
@@ -345,6 +347,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     std::optional<double> bobWeightAsLoaded_;
     Input beforeEditing_;             ///< of a field; else before the last change
     std::optional<Input> otherForm_;  ///< what was there before plugs came or went
+    std::optional<Input> carried_;    ///< what the job began with of the job before
     QList<JournalEngine> ownEngines_;
     JobDesk desk_;
 };
