@@ -41,13 +41,11 @@ double deepest_hole(double diameter, const Cut& cut, const HoleLimits& limits) {
 
 class Planner {
   public:
-    /// @param whole  the holes' edges lie in the sector, too
-    Planner(double target, double angle, const Cut& cut, const HoleLimits& limits, bool whole)
+    Planner(double target, double angle, const Cut& cut, const HoleLimits& limits)
         : target_(target),
           angle_(angle),
           cut_(cut),
           limits_(limits),
-          whole_(whole),
           least_(limits.depth_step > 0.0
                      ? limits.depth_step *
                            std::ceil(limits.smallest_depth / limits.depth_step - 1e-9)
@@ -132,8 +130,8 @@ class Planner {
             return false;
         }
         const auto may_lie = [&](double angle) {
-            return limits_.allows(angle) &&
-                   (!whole_ ||
+            return !limits_.sector ||
+                   (limits_.allows(angle) &&
                     edge_beyond(cut_, *limits_.sector, {diameter, depth, angle, 0.0, 0.0}) == 0.0);
         };
         double offset = half.value_or(0.0);
@@ -216,13 +214,14 @@ class Planner {
     double angle_;
     const Cut& cut_;
     const HoleLimits& limits_;
-    bool whole_;
     double least_;  ///< depth of a hole, m
 };
 
-HolePlan plan_where(double target, double angle, const Cut& cut, std::span<const double> diameters,
-                    const HoleLimits& limits, double tolerance, bool whole) {
-    const Planner planner(target, angle, cut, limits, whole);
+}  // namespace
+
+HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const double> diameters,
+                    const HoleLimits& limits, double tolerance) {
+    const Planner planner(target, angle, cut, limits);
     if (target <= tolerance || target <= 0.0) {
         return {{}, target, Shortfall::none};
     }
@@ -262,7 +261,7 @@ HolePlan plan_where(double target, double angle, const Cut& cut, std::span<const
             return {planner.holes(*best), best->left, Shortfall::none};
         }
     }
-    if (!nearest && !limits.taken.empty()) {
+    if (!nearest && (limits.sector || !limits.taken.empty())) {
         return {{}, target, Shortfall::too_little_room};
     }
     if (!nearest) {
@@ -277,8 +276,6 @@ HolePlan plan_where(double target, double angle, const Cut& cut, std::span<const
     }
     return {planner.holes(*nearest), nearest->left, why};
 }
-
-}  // namespace
 
 bool HoleLimits::allows(double angle) const {
     return !sector || is_inside(angle, *sector);
@@ -347,34 +344,20 @@ double edge_beyond(const Cut& cut, const std::pair<double, double>& sector, cons
     return most < rounding ? 0.0 : most;
 }
 
-HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const double> diameters,
-                    const HoleLimits& limits, double tolerance) {
-    HolePlan plan = plan_where(target, angle, cut, diameters, limits, tolerance, false);
-    const bool is_inside_whole =
-        !limits.sector || std::all_of(plan.holes.begin(), plan.holes.end(), [&](const Hole& hole) {
-            return edge_beyond(cut, *limits.sector, hole) == 0.0;
-        });
-    if (is_inside_whole) {
-        return plan;
-    }
-    HolePlan whole = plan_where(target, angle, cut, diameters, limits, tolerance, true);
-    return whole.shortfall == Shortfall::none || std::abs(whole.left) <= std::abs(plan.left) ? whole
-                                                                                             : plan;
-}
-
 HolePlan plan_beside_sector(double target, double angle, const Cut& cut,
                             std::span<const double> diameters, const HoleLimits& limits,
                             double tolerance) {
-    HolePlan best{{}, target, Shortfall::outside_sector};
-    if (limits.allows(angle)) {
+    const bool is_inside = limits.allows(angle);
+    HolePlan best{{}, target, is_inside ? Shortfall::too_little_room : Shortfall::outside_sector};
+    if (!limits.sector) {
         return best;
     }
+    // From an angle in the sector away from its nearer limit, else from that limit inwards.
     const auto [from, to] = *limits.sector;
-    const double before = turn_of(from - angle);
-    const double behind = turn_of(angle - to);
+    const double before = is_inside ? turn_of(angle - from) : turn_of(from - angle);
+    const double behind = is_inside ? turn_of(to - angle) : turn_of(angle - to);
     const double inwards = before <= behind ? 1.0 : -1.0;
-    const double away = std::min(before, behind);
-    // At the limit itself one hole lies; where it takes a row, or holes are there, further in.
+    const double away = is_inside ? 0.0 : std::min(before, behind);
     constexpr double step = 1.0 * degree;
     const double width = turn_of(to - from);
     for (int i = 0; i * step <= width && away + i * step < 0.5 * pi; ++i) {
@@ -393,7 +376,9 @@ HolePlan plan_beside_sector(double target, double angle, const Cut& cut,
         }
         const bool is_enough = plan.shortfall == Shortfall::none && across < tolerance;
         best = {std::move(plan.holes), left,
-                is_enough ? Shortfall::none : Shortfall::beside_sector};
+                is_enough   ? Shortfall::none
+                : is_inside ? Shortfall::too_little_room
+                            : Shortfall::beside_sector};
         if (is_enough) {
             break;
         }

@@ -75,8 +75,7 @@ struct HoleLimits {
     double minimum_wall;   ///< m
     int maximum_holes;
     double maximum_angle;  ///< from the middle to the last hole, rad
-    /// The sector that may be drilled, from and to, rad: its limits are those of the holes'
-    /// middles, and whole holes lie in it where that takes off as much.
+    /// The sector that may be drilled, from and to, rad: new holes are wholly inside.
     std::optional<std::pair<double, double>> sector;
     std::vector<Taken> taken{};   ///< of the holes of earlier runs
     double smallest_depth = 0.0;  ///< m
@@ -121,8 +120,9 @@ double edge_beyond(const Cut& cut, const std::pair<double, double>& sector, cons
 HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const double> diameters,
                     const HoleLimits& limits, double tolerance);
 
-/// The same where the sector does not reach the angle: about an angle in the sector as near to it
-/// as the holes have room, to take off target · cos of the angle between.
+/// The same where the sector does not reach the angle, or leaves too little room about it: about an
+/// angle in the sector as near to it as the holes have room, to take off target · cos of the angle
+/// between.
 /// @return its `left` is the size of the vector that they leave; no holes where none lowers it
 HolePlan plan_beside_sector(double target, double angle, const Cut& cut,
                             std::span<const double> diameters, const HoleLimits& limits,

@@ -139,8 +139,8 @@ inline constexpr Field from_angle{
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("bob-weights", "Drill from"),
     .hint = CORE_TEXT("bob-weights",
-                      "Start of the drilling sector of the counterweight, for the centres of the "
-                      "holes. Whole holes are inside if that takes off as much."),
+                      "Start of the drilling sector of the counterweight. New holes are wholly "
+                      "inside."),
     .if_empty = CORE_TEXT("bob-weights", "whole rim"),
     .placeholder = CORE_TEXT("bob-weights", "whole rim")};
 inline constexpr Field to_angle{

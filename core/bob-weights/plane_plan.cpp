@@ -61,10 +61,12 @@ Message cause_of(Shortfall shortfall, const Correction& correction, bool beside)
     return {};
 }
 
-/// @param can_press  the sector has a place opposite what is left
-/// @param beside     holes of earlier runs are in that plane
+/// @param can_press   the sector has a place opposite what is left
+/// @param can_deepen  a planned hole is towards what is left
+/// @param beside      holes of earlier runs are in that plane
 Message describe(Shortfall shortfall, double left, double angle, const Plane& plane,
-                 const Correction& correction, bool has_slugs, bool can_press, bool beside) {
+                 const Correction& correction, bool has_slugs, bool can_press, bool can_deepen,
+                 bool beside) {
     const Message cause = cause_of(shortfall, correction, beside);
     if (shortfall == Shortfall::none || shortfall == Shortfall::nothing_fits ||
         shortfall == Shortfall::rounding) {
@@ -74,13 +76,20 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
                           shop::in_grams(std::abs(left) / *plane.radius),
                           Number{turn_of(angle) / degree, units::degree, -1}};
     const Message remedy =
-        !can_press  ? CORE_TEXT("bob-weights",
-                                "The opposite side is outside the sector too: drill deeper or "
+        !can_press && !can_deepen
+            ? CORE_TEXT("bob-weights",
+                        "The opposite side is outside the sector too: widen the sector if there "
+                        "is metal, or as a last resort weld the same mass on opposite.")
+        : !can_press ? CORE_TEXT("bob-weights",
+                                 "The opposite side is outside the sector too: drill deeper or "
                                  "wider, or as a last resort weld the same mass on opposite.")
-        : has_slugs ? CORE_TEXT("bob-weights", "As a last resort weld the same mass on opposite.")
-                    : CORE_TEXT("bob-weights",
-                                "Press in heavy metal opposite, drill deeper or wider, or as a "
-                                "last resort weld the same mass on opposite.");
+        : has_slugs  ? CORE_TEXT("bob-weights", "As a last resort weld the same mass on opposite.")
+        : can_deepen ? CORE_TEXT("bob-weights",
+                                 "Press in heavy metal opposite, drill deeper or wider, or as a "
+                                 "last resort weld the same mass on opposite.")
+                     : CORE_TEXT("bob-weights",
+                                 "Press in heavy metal opposite, or as a last resort weld the "
+                                 "same mass on opposite.");
     return {Text{"", "%1 %2 %3"}, cause, remains, remedy};
 }
 
@@ -291,12 +300,12 @@ class PlanePlanner {
             return plan_holes(target, angle, cut_, diameters_, limits, enough);
         });
         Planned planned{{std::move(plan.holes), {}}, plan.shortfall};
+        const bool is_cramped = plan.shortfall == Shortfall::too_little_room;
         if (plan.left > std::max(tolerance_, 0.0) &&
-            (plan.shortfall == Shortfall::too_little_room ||
-             plan.shortfall == Shortfall::outside_sector)) {
+            (is_cramped || plan.shortfall == Shortfall::outside_sector)) {
             press_slugs(unbalance, planned, limits);
         }
-        if (limits.allows(angle) || planned.shortfall == Shortfall::none) {
+        if (planned.shortfall == Shortfall::none || (limits.allows(angle) && !is_cramped)) {
             return planned;
         }
         HolePlan beside = within_limit([&](double enough) {
@@ -364,10 +373,17 @@ PlaneResult plan_plane(Vector unbalance, const Plane& plane, const Correction& c
     result.measured_within = shop::is_within(result.unbalance, permissible);
     result.within_tolerance = shop::is_within(result.remaining, permissible);
     if (result.within_tolerance != true) {
+        // Across the holes no depth helps.
+        constexpr double most = 60.0 * degree;
+        const bool can_deepen =
+            std::any_of(result.holes.begin(), result.holes.end(), [&](const Hole& hole) {
+                return std::abs(std::remainder(hole.angle - result.remaining_angle, 2.0 * pi)) <
+                       most;
+            });
         result.reason =
             describe(planned.shortfall, result.remaining, result.remaining_angle, plane, correction,
                      planner.has_slugs(), planner.can_press_against(result.remaining_angle),
-                     !before.empty());
+                     can_deepen, !before.empty());
     }
     return result;
 }

@@ -302,7 +302,7 @@ TEST(Plan, StaysWithinTheSectorAtBothItsEnds) {
     EXPECT_GT(many, 4);
 }
 
-TEST(Plan, KeepsWholeHolesInTheSectorWhereThatTakesOffAsMuch) {
+TEST(Plan, KeepsWholeHolesInTheSector) {
     HoleLimits limits = usual;
     limits.sector = {-7 * degree, 90 * degree};
     const auto beyond = [&](const HolePlan& plan) {
@@ -329,11 +329,40 @@ TEST(Plan, KeepsWholeHolesInTheSectorWhereThatTakesOffAsMuch) {
     }
     EXPECT_GT(whole, 5);
     // At the limit itself no whole hole has room.
-    const HolePlan at_limit =
-        plan_holes(1000 * gram_mm, limits.sector->first, rim, drills, limits, -1.0);
-    EXPECT_EQ(at_limit.shortfall, Shortfall::none);
-    EXPECT_NEAR(beyond(at_limit), 0.5 * at_limit.holes.at(0).diameter, 1e-9);
+    EXPECT_EQ(plan_holes(1000 * gram_mm, limits.sector->first, rim, drills, limits, -1.0).shortfall,
+              Shortfall::too_little_room);
     EXPECT_EQ(edge_beyond(rim, {0.0, 2.0 * pi}, {16 * mm, 0.0, 0.0, 0.0, 0.0}), 0.0) << "whole rim";
+}
+
+TEST(Plan, KeepsWholeHolesInAnySector) {
+    std::mt19937 random(5);
+    const auto any = [&](double least, double most) {
+        return std::uniform_real_distribution(least, most)(random);
+    };
+    int drilled = 0;
+    for (int i = 0; i < 200; ++i) {
+        HoleLimits limits = usual;
+        const double from = any(0.0, 360.0) * degree;
+        const double width = any(5.0, 120.0) * degree;
+        limits.sector = {from, from + width};
+        const double angle = from + any(-0.3, 1.3) * width;
+        const double target = any(100.0, 3000.0) * gram_mm;
+        for (const HolePlan& plan :
+             {plan_holes(target, angle, rim, drills, limits, -1.0),
+              plan_beside_sector(target, angle, rim, drills, limits, -1.0)}) {
+            for (const Hole& hole : plan.holes) {
+                // Half a diameter beside the middle, seen from the axis at the bottom of the hole.
+                const double half =
+                    std::atan(0.5 * hole.diameter / (rim.radius - hole.depth)) - 1e-7;
+                const double place = turn_of(hole.angle - from);
+                EXPECT_GE(place, half) << i;
+                EXPECT_LE(place, width - half) << i;
+                ++drilled;
+            }
+            EXPECT_LE(plan.left, target * (1.0 + 1e-12)) << i;
+        }
+    }
+    EXPECT_GT(drilled, 100);
 }
 
 TEST(Plan, BesideTheSectorLeavesLeast) {
@@ -352,12 +381,15 @@ TEST(Plan, BesideTheSectorLeavesLeast) {
                 const auto heavy = std::polar(target * gram_mm, angle * degree);
                 EXPECT_NEAR(plan.left, std::abs(heavy - sum_of(plan)), 1e-12);
                 EXPECT_EQ(plan.shortfall == Shortfall::none, plan.left <= tolerance * gram_mm);
-                // One hole of any size at the limit does no better.
-                const double limit = (angle < 100.0 ? 70.0 : 140.0) * degree;
+                // One whole hole of any size, a degree inside the limit, does no better.
                 for (double depth = 0.0; depth < limits.maximum_depth; depth += 0.5 * mm) {
                     for (const double drill : drills) {
-                        const double left = std::abs(
-                            heavy - std::polar(rim.removed(drill, depth).unbalance, limit));
+                        const double inside =
+                            1.0 * degree + std::atan(0.5 * drill / (rim.radius - depth));
+                        const double at =
+                            angle < 100.0 ? 70.0 * degree + inside : 140.0 * degree - inside;
+                        const double left =
+                            std::abs(heavy - std::polar(rim.removed(drill, depth).unbalance, at));
                         EXPECT_TRUE(plan.shortfall == Shortfall::none || left >= plan.left - 1e-9)
                             << angle << ' ' << target;
                     }
@@ -403,11 +435,13 @@ TEST(Plan, SaysWhyItFallsShort) {
     EXPECT_TRUE(none.holes.empty());
     limits = usual;
     limits.sector = {90 * degree, 200 * degree};
-    // Its two ends are drilled, too.
+    // At its two ends a hole is as near as it has room.
     for (const double end : {90 * degree, 200 * degree}) {
-        const HolePlan one = plan_holes(200 * gram_mm, end, rim, drills, limits, -1.0);
-        EXPECT_EQ(one.shortfall, Shortfall::none);
-        EXPECT_EQ(one.holes.size(), 1U);
+        const HolePlan one = plan_beside_sector(200 * gram_mm, end, rim, drills, limits, -1.0);
+        ASSERT_EQ(one.holes.size(), 1U);
+        EXPECT_NEAR(std::abs(one.holes[0].angle - end),
+                    std::atan(0.5 * one.holes[0].diameter / (rim.radius - one.holes[0].depth)),
+                    1.0 * degree);
     }
     // A sector over the zero mark.
     limits.sector = {300 * degree, 40 * degree};

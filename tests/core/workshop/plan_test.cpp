@@ -4,8 +4,8 @@
 #include <random>
 
 #include "bob-weights/drilling.h"
+#include "doubted_jobs.h"
 #include "numerics/constants.h"
-#include "support.h"
 
 namespace ravnoves::workshop {
 namespace {
@@ -441,6 +441,40 @@ TEST(Plan, PressesNothingIntoAPlaneThatHolesBringWithinItsLimit) {
         EXPECT_TRUE(plane.at("within_tolerance").get<bool>()) << plane.dump(1);
         EXPECT_FALSE(plane.at("holes").empty()) << plane.dump(1);
         EXPECT_TRUE(plane.at("slugs").empty()) << plane.dump(1);
+    }
+}
+
+TEST(Plan, SaysHowFarADeepenedHoleReachesBeyondTheSector) {
+    Json input = test::doubted().at("beyond-sector")();
+    const Json plane = front_of(input);
+    ASSERT_EQ(plane.at("holes").size(), 1U) << plane.dump(1);
+    EXPECT_EQ(plane.at("holes")[0].at("from_depth_mm"), 9);
+    EXPECT_NEAR(plane.at("edge_beyond_sector_mm").get<double>(), 8, 1e-9);
+    input["correction"]["planes"][0]["from_deg"] = 20;
+    EXPECT_FALSE(front_of(input).contains("edge_beyond_sector_mm"));
+}
+
+TEST(Plan, AdvisesWhatHelps) {
+    struct Row {
+        double from;
+        double to;
+        double unbalance;
+        const char* advice;
+    };
+    const Row rows[] = {
+        // Across the holes, or without any, no depth helps.
+        {130, 200, 3000, "The opposite side is outside the sector too: widen the sector"},
+        {130, 230, 3000, "Press in heavy metal opposite, or"},
+        {10, 70, 90'000, "The opposite side is outside the sector too: drill deeper or wider"},
+        {10, 230, 90'000, "Press in heavy metal opposite, drill deeper or wider"},
+    };
+    for (const Row& row : rows) {
+        Json input = card();
+        Json& correction = input["correction"];
+        correction["readings"][0] = {{"unbalance_g_mm", row.unbalance}, {"angle_deg", 40}};
+        correction["planes"][0].update({{"from_deg", row.from}, {"to_deg", row.to}});
+        const std::string reason = front_of(input).at("reason");
+        EXPECT_NE(reason.find(row.advice), std::string::npos) << reason;
     }
 }
 
