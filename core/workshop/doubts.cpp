@@ -248,6 +248,45 @@ Messages plug_doubt(const DoubtCase& job) {
     return doubt.empty() ? Messages() : Messages{std::move(doubt)};
 }
 
+/// Whether the plugs are answered by weights, and this part counts by its nominal mass as long as
+/// not all of it is weighed.
+bool is_nominal(const DoubtCase& job, Part part) {
+    if (job.plugs_input == nullptr || !job.plugs_input->changes_from_weigh_in ||
+        !job.plugs_input->changes_known() || (*job.plugs_input->weigh_in)[part].is_weighed()) {
+        return false;
+    }
+    const auto change = v8_plugs::change_of(part, job.plugs_input->process);
+    return !job.plugs_input->takes_typed(change) || job.plugs_input->changes().*change == 0.0;
+}
+
+Messages half_weighed(const DoubtCase& job) {
+    Messages list;
+    for_columns(job, [&](Part part, const shop::PartColumn& column) {
+        if (is_nominal(job, part)) {
+            list.emplace_back(CORE_TEXT("workshop",
+                                        "%1: %2 of 8 weighed. Weigh all of them, or clear the "
+                                        "column."),
+                              shop::part_word(part).label, shop::statistics(column)->count);
+        }
+    });
+    return list;
+}
+
+Messages taken_as_nominal(const DoubtCase& job) {
+    Message names;
+    for (const Part part : shop::all_parts) {
+        if (is_nominal(job, part)) {
+            const Message name = shop::part_word(part).label;
+            names = names.empty() ? name : joined(names, name);
+        }
+    }
+    return names.empty() ? Messages()
+                         : Messages{{CORE_TEXT("workshop",
+                                               "Provisional: not weighed and taken as nominal: %1. "
+                                               "Weigh them before machining."),
+                                     names}};
+}
+
 Messages plug_shift(const DoubtCase& job) {
     const v8_plugs::ShiftEffect* shift =
         job.plugs != nullptr ? job.plugs->shift_that_matters() : nullptr;
@@ -604,6 +643,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"nominal-against-weighed", error, all, "", nominal_against_weighed},
         {"share-of-one", error, all, "", share_of_one},
         {"plug-mass", error, all, "", plug_doubt<true>},
+        {"half-weighed", error, all, "", half_weighed},
         {"other-crankshaft", error, judged, "", other_readings<true>},
         {"other-bob-weight", error, judged, "", other_readings<false>},
         {"beside-planes", error, verdict_alone, "", beside_planes},
@@ -614,6 +654,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"drilled-counting-otherwise", error, judged, drilled_act, drilled_counting_otherwise},
         {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise},
         {"plane-radius", error, judged, "", plane_radius},
+        {"taken-as-nominal", warning, nothing, "", taken_as_nominal, true},
         {"paper-plug", warning, nothing, "", plug_doubt<false>},
         {"gear-against-parts", warning, nothing, "", gear_against_parts},
         {"plug-shift", warning, nothing, "", plug_shift},

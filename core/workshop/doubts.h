@@ -35,6 +35,7 @@ struct DoubtRule {
     Withheld blocks;
     std::string_view act;  ///< what would help, as the page knows it; empty where nothing does
     std::vector<Message> (*find)(const DoubtCase& job);  ///< each with what to do
+    bool is_provisional = false;  ///< the answer will be another once all is known
 };
 
 /// All of them, the worst first.

@@ -18,6 +18,8 @@ struct Result {
 
     /// What the doubts block together.
     Withheld withheld() const;
+    /// Whether the answer rests on values that will be others.
+    bool is_provisional() const;
 };
 
 }  // namespace ravnoves::workshop

@@ -1,5 +1,6 @@
 #include "workshop/solver.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "bob-weights/solver.h"
@@ -98,6 +99,11 @@ Withheld Result::withheld() const {
         all.verdict = all.verdict || doubt.rule->blocks.verdict;
     }
     return all;
+}
+
+bool Result::is_provisional() const {
+    return std::any_of(doubts.begin(), doubts.end(),
+                       [](const Doubt& doubt) { return doubt.rule->is_provisional; });
 }
 
 Result allowed(Result result) {

@@ -2,8 +2,10 @@
 
 #include <set>
 
+#include "case-file/result_json.h"
 #include "doubted_jobs.h"
 #include "workshop/doubts.h"
+#include "workshop/results.h"
 #include "workshop/solver.h"
 
 namespace ravnoves::workshop {
@@ -56,7 +58,8 @@ TEST_P(EveryDoubt, BlocksWhatItNames) {
     const DoubtRule& rule = GetParam();
     const auto job = doubted().find(rule.word);
     ASSERT_NE(job, doubted().end()) << "a doubt needs a job that has it: " << rule.word;
-    const Json result = solved(job->second());
+    // As the form has it: a column of the weigh-in may be half filled.
+    const Json result = result_json({}, read_input(job->second(), Completeness::as_is));
     const Json& doubts = result.at("doubts");
     const auto found = std::find_if(doubts.begin(), doubts.end(),
                                     [&](const Json& each) { return each.at("kind") == rule.word; });

@@ -82,16 +82,17 @@ QString WorkshopModel::adviceText(const Words& words) const {
                                : words.translate("V8", "Missing for the plugs: %1.")
                                      .arg(names.join(QStringLiteral(", ")));
     }
+    QString said;
     if (const ShiftEffect* effect = plugs()->shift_that_matters()) {
         // What can be done, not what the method alone would have.
-        return words.message(describe_action(*plugs()->advice->option, effect->least_reduction,
+        said = words.message(describe_action(*plugs()->advice->option, effect->least_reduction,
                                              effect->greatest_reduction));
+    } else if (plugs()->unbalanced_mass) {
+        said = words.message(describe(*plugs()->advice, *plugs()->unbalanced_mass,
+                                      plugsInput()->engine.crank_radius.value_or(0.0),
+                                      plugsInput()->tolerance));
     }
-    return plugs()->unbalanced_mass
-               ? words.message(describe(*plugs()->advice, *plugs()->unbalanced_mass,
-                                        plugsInput()->engine.crank_radius.value_or(0.0),
-                                        plugsInput()->tolerance))
-               : QString();
+    return isProvisional() && !said.isEmpty() ? provisional(words, said) : said;
 }
 
 QString WorkshopModel::boringText(const Words& words) const {

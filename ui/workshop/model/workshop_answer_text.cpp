@@ -336,10 +336,12 @@ QString WorkshopModel::headline(const Words& words) const {
     }
     if (const auto& weight = solution().bob_weight) {
         const bool isNearest = plugs() != nullptr && plugs()->advice && !v8_text::works(*plugs());
-        return (isNearest  ? words.translate("BobWeights", "Bob weight with the nearest option: %1")
-                : isMean() ? words.translate("BobWeights", "Mean bob weight %1")
-                           : words.translate("BobWeights", "Bob weight %1"))
-            .arg(words.number(*weight, units::gram, 1));
+        const QString said =
+            (isNearest  ? words.translate("BobWeights", "Bob weight with the nearest option: %1")
+             : isMean() ? words.translate("BobWeights", "Mean bob weight %1")
+                        : words.translate("BobWeights", "Bob weight %1"))
+                .arg(words.number(*weight, units::gram, 1));
+        return isProvisional() ? provisional(words, said) : said;
     }
     if (balances_itself(input().engine)) {
         return words.translate("BobWeights", "No bob weights are needed");
@@ -356,6 +358,10 @@ QString WorkshopModel::headline(const Words& words) const {
     }
     return words.translate("BobWeights", "Missing for the bob weight: %1")
         .arg(missing.join(QStringLiteral(", ")));
+}
+
+QString WorkshopModel::provisional(const Words& words, const QString& answer) {
+    return words.translate("BobWeights", "Provisional: %1").arg(inSentence(answer));
 }
 
 QString WorkshopModel::hangText(const Words& words) const {

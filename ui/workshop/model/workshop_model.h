@@ -92,6 +92,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     }
     const std::vector<workshop::Doubt>& doubts() const { return solved().found.doubts; }
     workshop::Withheld withheld() const { return solved().found.withheld(); }
+    /// What is not weighed yet is taken as nominal.
+    bool isProvisional() const { return solved().found.is_provisional(); }
     /// Its place in the journal.
     JobDesk* desk() { return &desk_; }
 
@@ -310,6 +312,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     static void dropEmpty(Input& input);
     /// Why there are not such an engine and such plugs; empty where there may be.
     static QString engineTrouble(const Input& next);
+    static QString provisional(const Words& words, const QString& answer);
     template <typename Said>
     Said ofMatching(Said (*say)(const Words&, const matching_text::Shown&),
                     const Words& words = {}) const {
