@@ -497,6 +497,24 @@ Messages rotor_mass(const DoubtCase& job) {
     return {};
 }
 
+/// No crankshaft has its centre of mass that far off its axis.
+Messages great_reading(const DoubtCase& job) {
+    constexpr double most = 1.0 * units::mm;
+    Messages list;
+    const auto& mass = is_by_grade(job) ? job.input.tolerance->rotor_mass : std::nullopt;
+    for (std::size_t i = 0; mass && job.shaft.newest() != nullptr && i < 2; ++i) {
+        const auto unbalance = job.shaft.newest()->unbalances()[i];
+        if (unbalance && *unbalance > most * *mass) {
+            list.emplace_back(CORE_TEXT("workshop",
+                                        "%1: %2 is implausible for a crankshaft of %3. Check the "
+                                        "unit of the reading and the calibration of the machine."),
+                              plane_name(job, i), in_gram_millimetres(*unbalance),
+                              Number{*mass, units::kg, 0});
+        }
+    }
+    return list;
+}
+
 Messages service_speed(const DoubtCase& job) {
     const auto& speed = is_by_grade(job) ? job.input.tolerance->service_speed : std::nullopt;
     if (!shop::is_odd_speed(speed)) {
@@ -589,6 +607,25 @@ Messages amplification(const DoubtCase& job) {
              Number{*times, units::none, -1}}};
 }
 
+/// Drills come by twentieths of a millimetre and by 64ths of an inch.
+Messages drill_size(const DoubtCase& job) {
+    constexpr double rounding = 0.006;  // mm
+    Messages list;
+    const auto is_multiple = [](double size, double step) {
+        return std::abs(std::remainder(size, step)) < rounding;
+    };
+    for (const double size :
+         job.input.correction ? job.input.correction->drill.diameters_mm : std::vector<double>()) {
+        if (!is_multiple(size, 0.05) && !is_multiple(size, 25.4 / 64.0)) {
+            list.emplace_back(CORE_TEXT("workshop",
+                                        "A drill of %1 is unusual. Separate several sizes by "
+                                        "semicolons."),
+                              Number{size, units::mm, -2});
+        }
+    }
+    return list;
+}
+
 Messages beyond_sector(const DoubtCase& job) {
     Messages list;
     for (std::size_t i = 0; job.shaft.correction && i < 2; ++i) {
@@ -664,6 +701,8 @@ std::span<const DoubtRule> doubt_rules() {
         {"unlike-radii", warning, nothing, "", unlike_radii},
         {"plane-order", warning, nothing, "", plane_order},
         {"amplification", warning, nothing, "", amplification},
+        {"great-reading", warning, nothing, "", great_reading},
+        {"drill-size", warning, nothing, "", drill_size},
         {"beyond-sector", warning, nothing, "", beyond_sector},
         {"all-round", Severity::note, nothing, "", all_round},
     };
