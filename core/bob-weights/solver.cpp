@@ -473,13 +473,21 @@ std::optional<Remaining> what_if(const Input& input, const Result& result, Plane
                       away * cut.radius < 0.5 * (diameter + hole.diameter) + drill.minimum_wall;
         }
     }
+    const Plane& there = input.correction->planes[i];
+    bool is_outside = false;
+    if (there.from_angle && there.to_angle) {
+        HoleLimits limits{};
+        limits.sector = {*there.from_angle, *there.to_angle};
+        is_outside = !limits.allows(angle) ||
+                     edge_beyond(cut, *limits.sector, {diameter, depth, angle, 0.0, 0.0}) > 0.0;
+    }
     const double taken = cut.removed(diameter, depth).unbalance;
     const Vector left = vector_of((*newest->planes)[i]) - std::polar(taken, angle);
     return Remaining{
         std::abs(left), turn_of(std::arg(left)),
         shop::is_within(std::abs(left), result.permissible ? std::optional((*result.permissible)[i])
                                                            : std::nullopt),
-        touches};
+        touches, is_outside};
 }
 
 }  // namespace ravnoves::bob_weights

@@ -23,6 +23,7 @@ struct Remaining {
     double angle;                          ///< rad, 0…2π
     std::optional<bool> within_tolerance;  ///< nothing without a limit
     bool touches = false;                  ///< a hole that is there, the wall between them included
+    bool is_outside = false;               ///< not wholly in the drilling sector
 };
 std::optional<Remaining> what_if(const Input& input, const Result& result, PlaneName plane,
                                  double diameter, double depth, double angle);

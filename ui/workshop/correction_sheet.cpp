@@ -152,6 +152,8 @@ void CorrectionSheet::showWhatIf() {
     const Words words;
     if (left->touches) {
         sayOrHide(whatIfLine_, tr("Another hole is too near. Choose another angle."));
+    } else if (left->is_outside) {
+        sayOrHide(whatIfLine_, tr("The hole is outside the drilling sector."));
     } else if (deepest && *whatIf_.depth > *deepest) {
         sayOrHide(whatIfLine_, tr("Too deep: the maximum depth is %1.")
                                    .arg(words.plainWithUnit(*deepest, units::mm, 2)));

@@ -20,6 +20,7 @@
 
 #include "model/background_job.h"
 #include "page/refused_entries.h"
+#include "page/refused_verdict.h"
 #include "pictures/file_dialogs.h"
 #include "shop/model/verdict.h"
 #include "shop/scale_input.h"
@@ -143,7 +144,8 @@ void WorkshopPage::setActive(bool active) {
 }
 
 void WorkshopPage::showVerdict() {
-    const Verdict verdict = model_->verdictShown().value();
+    const Verdict verdict = isRefused_ ? withRefused(model_->verdictShown().value(), *model_)
+                                       : model_->verdictShown().value();
     verdict_->show(verdict, verdict.act == workshop::swap_ends_act ? tr("Swap the rod ends")
                             : verdict.act == workshop::drilled_act ? tr("Correct the drilled holes")
                                                                    : QString());
@@ -177,7 +179,10 @@ void WorkshopPage::addSheet(WorkshopSheet* form, const QString& title) {
         if (auto* entry = qobject_cast<EntryField*>(field)) {
             connect(entry, &EntryField::troubleChanged, this, [this, tab] {
                 markTab(tab);
-                answer_->setRefused(refusedInputs(this));
+                const QStringList refused = refusedInputs(this);
+                isRefused_ = !refused.isEmpty();
+                answer_->setRefused(refused);
+                showVerdict();
             });
         }
     };

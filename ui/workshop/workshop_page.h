@@ -113,6 +113,7 @@ class WorkshopPage : public ScenePage {
     QList<WorkshopSheet*> forms_;  // in the order of the tabs
     QSet<int> unseen_;             ///< sheets that nobody has looked at since the job came
     bool journalTried_ = false;
+    bool isRefused_ = false;  ///< an entry that results depend on
     QList<QAction*> actions_;
 };
 

@@ -183,9 +183,13 @@ TEST_F(JobPageTest, CrankpinsThatBalanceOneAnotherNeedNoBobWeights) {
         EXPECT_FALSE(said.contains(u"Missing for"_s)) << qPrintable(said);
     }
     typeShopCard();
-    for (const QString& said : {label("verdict"), label("hang"), card()}) {
+    const QString weight =
+        u"Bob weight "_s + Words().digits(*model->solution().bob_weight, units::gram, 1);
+    for (const QString& said : {label("verdict"), label("headline"), card()}) {
         EXPECT_TRUE(said.contains(none)) << qPrintable(said);
+        EXPECT_FALSE(said.contains(weight)) << qPrintable(said);
     }
+    EXPECT_TRUE(label("hang").contains(u"If you use bob weights: "_s)) << qPrintable(label("hang"));
     // What is missing is no reason for a job not to be finished.
     type("piston", QString());
     type("engine_number", u"4"_s);
@@ -1119,6 +1123,7 @@ TEST_F(JobPageTest, ARefusedEntryMakesTheAnswerStale) {
     type("piston", u"58x"_s);
     EXPECT_TRUE(label("refused").contains(u"Piston"_s)) << qPrintable(label("refused"));
     EXPECT_TRUE(isAmber("headline"));
+    EXPECT_TRUE(label("verdict").startsWith(u"Results use the value before the red entry."_s));
     EXPECT_FALSE(find<QLabel>("headline")->font().bold());
     EXPECT_EQ(page.focusWidget(), field("piston")) << "Enter does not pass it over";
     // The tab says so, wherever one is.
@@ -1132,6 +1137,7 @@ TEST_F(JobPageTest, ARefusedEntryMakesTheAnswerStale) {
     EXPECT_FALSE(jobs().at(0).isFinished);
     type("piston", u"583.9"_s);
     EXPECT_TRUE(label("refused").isEmpty());
+    EXPECT_FALSE(label("verdict").contains(u"red entry"_s));
     EXPECT_FALSE(isAmber("headline"));
     EXPECT_FALSE(page.sheets()->tabBar()->tabTextColor(PartsTab).isValid());
     save();

@@ -148,6 +148,10 @@ TEST_F(DrilledTest, AHoleThatIsThoughtOfSaysWhatItWouldLeaveAndChangesNothing) {
     type("what_if_depth", u"5"_s);
     EXPECT_NE(label("what_if"), said);
     EXPECT_EQ(model->input(), before);
+    fill({{"from_1", "10"}, {"to_1", "120"}});
+    EXPECT_EQ(label("what_if"), u"The hole is outside the drilling sector."_s);
+    type("what_if_angle", u"60"_s);
+    EXPECT_FALSE(label("what_if").contains(u"sector"_s)) << qPrintable(label("what_if"));
     // By a job that is stopped nothing is thought of either.
     type("run_1_unbalance_1", u"4900"_s);
     EXPECT_EQ(label("what_if"), QString());

@@ -334,6 +334,9 @@ QString WorkshopModel::headline(const Words& words) const {
     if (withheld().bob_weight) {
         return words.translate("BobWeights", "STOP: no bob weight yet");
     }
+    if (!hasPlugs() && balances_itself(input().engine)) {
+        return words.translate("BobWeights", "No bob weights are needed");
+    }
     if (const auto& weight = solution().bob_weight) {
         const bool isNearest = plugs() != nullptr && plugs()->advice && !v8_text::works(*plugs());
         const QString said =
@@ -342,9 +345,6 @@ QString WorkshopModel::headline(const Words& words) const {
                         : words.translate("BobWeights", "Bob weight %1"))
                 .arg(words.number(*weight, units::gram, 1));
         return isProvisional() ? provisional(words, said) : said;
-    }
-    if (balances_itself(input().engine)) {
-        return words.translate("BobWeights", "No bob weights are needed");
     }
     QStringList missing;
     if (hasPlugs()) {
@@ -373,9 +373,10 @@ QString WorkshopModel::hangText(const Words& words) const {
     }
     QStringList said;
     if (!isNeeded) {
-        said << words.translate(
-            "BobWeights",
-            "No bob weights are needed: the crankpins balance one another. If you use them:");
+        said << words
+                    .translate("BobWeights",
+                               "The crankpins balance one another. If you use bob weights: %1.")
+                    .arg(words.number(*solution().bob_weight, units::gram, 1));
     }
     const int crankpins = input().engine.crankpins();
     said << (crankpins == 1
