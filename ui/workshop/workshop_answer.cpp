@@ -163,6 +163,7 @@ QWidget* WorkshopAnswer::buildCorrection() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     column->addWidget(headingLabel(tr("Correction"), panel));
+    say(column, "convention", Theme::baseSize);
     const auto table = [&](const char* part, const QString& name) {
         auto* made = new PartTable(model_, part, name, panel);
         made->hideWhereEmpty();

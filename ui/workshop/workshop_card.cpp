@@ -491,7 +491,9 @@ double WorkshopCard::clocks(CardPage& page, double y) const {
         at += holes.draw(page, x, at);
         end = std::max(end, at);
     }
-    return end;
+    // By another convention a hole is drilled on the wrong side.
+    return end + 0.8 +
+           page.paragraph(cardLeft, end + 0.8, cardWidth, model_.machineText(words_), 9.0, true);
 }
 
 /// To the right of the lines of the bob weight.

@@ -1552,6 +1552,18 @@ TEST_F(JobPageTest, TheMachineIsSetUpAsItCountsAndShows) {
     EXPECT_EQ(model->inputJson().at("machine"), kept.at("machine")) << "the next job's, too";
 }
 
+TEST_F(JobPageTest, TheHolesSayFromWhereTheirAnglesAreSeen) {
+    typeShopCard();
+    typeReadings();
+    model->edit(u"light"_s,
+                [](workshop::Input& job) { job.machine.shows = workshop::Machine::Shows::light; });
+    const QString convention =
+        u"Angles are counter-clockwise, seen from the front. The machine "
+        "shows the light spot; holes are opposite."_s;
+    EXPECT_EQ(label("convention"), convention);
+    EXPECT_GE(cardText().count(convention), 2) << "beside the holes and in the foot";
+}
+
 TEST_F(JobPageTest, ReadingsWithoutAnglesHaveAVerdictAndNoHoles) {
     typeShopCard();
     limitTo(100);

@@ -319,6 +319,11 @@ std::vector<AnswerLine> answerLines(const WorkshopModel& model) {
         {"boring", Severity::note, {model.boringText()}},
         {"excess", Severity::note, {model.excessText()}},
         {"check", Severity::note, {model.checkText()}},
+        // By another convention a hole is drilled on the wrong side.
+        {"convention",
+         Severity::note,
+         {model.solution().newest() != nullptr ? model.machineText() : QString()},
+         "hole-notes"},
         {"as_read_note", Severity::note, {model.asReadNote()}, "hole-notes"},
         {"hole_note", Severity::note, {model.holeNote()}, "hole-notes"}};
     for (AnswerLine& line : lines) {
