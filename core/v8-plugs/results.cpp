@@ -266,7 +266,7 @@ Message plug_doubt(const Input& input, const Result& result) {
             continue;
         }
         if (is_printed(input, member)) {
-            return CORE_TEXT("v8-plugs", "The plug mass is the paper's: weigh the plugs.");
+            return CORE_TEXT("v8-plugs", "The plug mass is from the paper: weigh the plugs.");
         }
         return {solid ? CORE_TEXT("v8-plugs",
                                   "%1: %2 entered, but a solid plug of these dimensions weighs %3. "

@@ -119,12 +119,18 @@ Messages odd_mass(const DoubtCase& job) {
                               name, cylinders(odd->cylinders()), in_grams(odd->mass),
                               in_grams(odd->usual));
         } else if (odd->score) {
+            constexpr double most = 10.0;
             list.emplace_back(
-                CORE_TEXT("workshop",
-                          "%1: cylinder %2 weighs %3, the others about %4; the deviation is %5 "
-                          "times their scatter. Weigh it again or match the parts."),
+                *odd->score > most
+                    ? CORE_TEXT("workshop",
+                                "%1: cylinder %2 weighs %3, the others about %4; the deviation is "
+                                "more than %5 times their scatter. Weigh it again or match the "
+                                "parts.")
+                    : CORE_TEXT("workshop",
+                                "%1: cylinder %2 weighs %3, the others about %4; the deviation is "
+                                "%5 times their scatter. Weigh it again or match the parts."),
                 name, odd->cylinder + 1, in_grams(odd->mass), in_grams(odd->usual),
-                Number{*odd->score, units::none, -1});
+                Number{std::min(*odd->score, most), units::none, -1, false, true});
         } else {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: cylinder %2 weighs %3, the others about %4. Weigh it "
@@ -692,7 +698,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise},
         {"plane-radius", error, judged, "", plane_radius},
         {"taken-as-nominal", warning, nothing, "", taken_as_nominal, true},
-        {"paper-plug", warning, nothing, "", plug_doubt<false>},
+        {"paper-plug", warning, nothing, "", plug_doubt<false>, false, true},
         {"gear-against-parts", warning, nothing, "", gear_against_parts},
         {"plug-shift", warning, nothing, "", plug_shift},
         {"unequal-crankpins", warning, nothing, "", unequal_crankpins},

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "bob-weights/drilling.h"
 #include "bob-weights/fields.h"
 #include "bob-weights/solver.h"
 #include "shop/model/verdict.h"
@@ -215,16 +216,21 @@ void CorrectionSheet::addHoleRow() {
         NumberField* made = cell(
             field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(row + 1), fieldName(field));
         made->setMinimumWidth(Theme::withText(60));
+        // Where it is, as the other tables have it; the record keeps where it was planned.
+        const auto turned = [isAngle = member == &DrilledHole::angle](const DrilledHole& hole,
+                                                                      double value) {
+            return isAngle && hole.state == HoleState::wrong_side ? turn_of(value + pi) : value;
+        };
         bind(
             made, field,
-            [this, row, member]() -> std::optional<double> {
+            [this, row, member, turned]() -> std::optional<double> {
                 const DrilledHole* hole = holeAt(model_->input(), row);
-                return hole != nullptr ? std::optional(hole->*member) : std::nullopt;
+                return hole != nullptr ? std::optional(turned(*hole, hole->*member)) : std::nullopt;
             },
-            [change, member, step = fieldName(field)](std::optional<double> value) {
+            [change, member, turned, step = fieldName(field)](std::optional<double> value) {
                 if (value) {
                     change(step, [&](DrilledHole& hole) {
-                        hole.*member = *value;
+                        hole.*member = turned(hole, *value);
                         hole.state =
                             hole.state == HoleState::wrong_side ? hole.state : HoleState::measured;
                     });

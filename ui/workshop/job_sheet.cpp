@@ -57,7 +57,12 @@ void JobSheet::buildEngine() {
                 angle->setPlaceholderText(QStringLiteral("–"));
             }
         }
-        rods->setEnabled(chosen != bob_weights::EngineType::in_line);
+        // On split crankpins each rod has its own.
+        const bool isSplit = model_->input().engine.pin_split != 0.0;
+        rods->setEnabled(chosen != bob_weights::EngineType::in_line && !isSplit);
+        if (isSplit) {
+            rods->setCurrentIndex(0);
+        }
     });
     wide(choice("/balance"));
     line(Theme::smallSize, [this] {

@@ -297,10 +297,14 @@ void WeighInSheet::addGoal() {
     });
 }
 
-/// A table that is there while it has rows.
+/// A table with its title, there while it has rows.
 void WeighInSheet::addTable(std::string_view part, const QString& name) {
+    QLabel* title = headingLabel(name, this);
+    title->setWordWrap(true);
+    column()->addWidget(title);
     auto* table = new PartTable(model(), part, name, this);
     table->hideWhereEmpty();
+    follow([title, table] { title->setVisible(table->rowCount() > 0); });
     table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     column()->addWidget(table);
 }

@@ -121,6 +121,17 @@ INSTANTIATE_TEST_SUITE_P(Of, EveryDoubt,
                              return name;
                          });
 
+TEST(Doubts, OfThePapersPlugLeaveAPassAPass) {
+    Json input = doubted().at("paper-plug")();
+    EXPECT_NE(solved(input).at("verdict").at("severity"), "good");
+    for (Json& reading : input["correction"]["readings"]) {
+        reading["unbalance_g_mm"] = 1;
+    }
+    const Json verdict = solved(input).at("verdict");
+    EXPECT_EQ(verdict.at("severity"), "good") << verdict.dump(1);
+    EXPECT_NE(verdict.at("text").get<std::string>().find("weigh the plugs"), std::string::npos);
+}
+
 TEST(Doubts, OfAPistonLeaveNoPlugToBore) {
     Json input = plugs_card();
     input["plugs"]["plug"]["cutter_diameter_mm"] = 14;

@@ -68,6 +68,7 @@ TEST_F(DrilledTest, EveryStateOfAHoleCountsAndIsTakenBack) {
         return std::cos(each.angle - angle - std::numbers::pi) > 1.0 - 1e-12;
     };
     EXPECT_TRUE(std::ranges::any_of(drilled().holes, isOpposite));
+    EXPECT_NEAR(*field("drilled_angle_1")->value(), std::fmod(angle / degree + 180.0, 360.0), 1e-9);
     choose("drilled_state_1", HoleState::as_planned);
     EXPECT_EQ(plan(), before);
 }

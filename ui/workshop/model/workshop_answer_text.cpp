@@ -72,12 +72,19 @@ QString limitOrigin(const Words& words, const Tolerance& tolerance) {
 
 QString WorkshopModel::engineName(const Words& words, const bob_weights::Engine& engine) {
     switch (engine.type) {
-        case EngineType::v:
-            return engine.bank_angle
-                       ? words.translate("BobWeights", "V-%1, %2")
-                             .arg(engine.cylinders)
-                             .arg(words.plain(*engine.bank_angle / degree, 1) + QStringLiteral("°"))
-                       : QStringLiteral("V-%1").arg(engine.cylinders);
+        case EngineType::v: {
+            const auto degrees = [&](double angle) {
+                return words.plain(angle / degree, 1) + QStringLiteral("°");
+            };
+            const QString name = engine.bank_angle ? words.translate("BobWeights", "V-%1, %2")
+                                                         .arg(engine.cylinders)
+                                                         .arg(degrees(*engine.bank_angle))
+                                                   : QStringLiteral("V-%1").arg(engine.cylinders);
+            return engine.pin_split != 0.0
+                       ? words.translate("BobWeights", "%1, crankpins split by %2")
+                             .arg(name, degrees(engine.pin_split))
+                       : name;
+        }
         case EngineType::in_line:
             return words.translate("BobWeights", "%1 in line").arg(engine.cylinders);
         case EngineType::boxer:
@@ -491,7 +498,8 @@ Results WorkshopModel::lineResults(const Words& words) const {
         const Line& line = result.lines[i];
         rows << ResultRow(
             {words.text(line.name().label).remove(QLatin1Char('&')),
-             words.cell(line.mass, units::gram, 1),
+             // With all digits of a mean, so that it times its multiplier is the total.
+             ResultCell(line.mass / units::gram, words.plain(line.mass / units::gram, 3)),
              QStringLiteral("× ") + words.plain(line.factor, 4),
              result.bob_weight ? printed(tenths[i]) : words.cell(line.product(), units::gram, 1)},
             line.part != nullptr ? words.text(line.part->field.hint) : QString());
