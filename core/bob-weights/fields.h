@@ -148,8 +148,7 @@ inline constexpr Field to_angle{
     .unit = units::degree,
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("bob-weights", "Drill to"),
-    .hint = CORE_TEXT("bob-weights",
-                      "End of the sector, towards larger angles, for the centres of the holes."),
+    .hint = CORE_TEXT("bob-weights", "End of the sector, towards larger angles."),
     .if_empty = CORE_TEXT("bob-weights", "whole rim"),
     .placeholder = CORE_TEXT("bob-weights", "whole rim")};
 inline constexpr Field readings{

@@ -361,8 +361,28 @@
         <translation>Шатунные шейки уравновешивают друг друга.</translation>
     </message>
     <message>
-        <source>No bob weights are needed: the crankpins balance one another. If you use them:</source>
-        <translation>Балансировочные грузы не нужны: шатунные шейки уравновешивают друг друга. Если используете:</translation>
+        <source>%1, crankpins split by %2</source>
+        <translation>%1, шейки разведены на %2</translation>
+    </message>
+    <message>
+        <source>Provisional: %1</source>
+        <translation>Предварительно: %1</translation>
+    </message>
+    <message>
+        <source>The crankpins balance one another. If you use bob weights: %1.</source>
+        <translation>Шатунные шейки уравновешивают друг друга. Если используете балансировочные грузы: %1.</translation>
+    </message>
+    <message>
+        <source>hole centre at R %1</source>
+        <translation>центр отверстия на R %1</translation>
+    </message>
+    <message>
+        <source>adds %1</source>
+        <translation>добавляет %1</translation>
+    </message>
+    <message>
+        <source>centrifugal force %1 at %2</source>
+        <translation>центробежная сила %1 при %2</translation>
     </message>
 </context>
 <context>
@@ -4788,16 +4808,12 @@
         <translation>От оси до обода, который сверлят; снимаемые массы относятся к этому радиусу.</translation>
     </message>
     <message>
-        <source>Start of the drilling sector of the counterweight, for the centres of the holes. Whole holes are inside if that takes off as much.</source>
-        <translation>Начало сектора сверления на противовесе, для центров отверстий. Отверстия лежат в нём целиком, если так снимается столько же.</translation>
-    </message>
-    <message>
         <source>whole rim</source>
         <translation>весь обод</translation>
     </message>
     <message>
-        <source>End of the sector, towards larger angles, for the centres of the holes.</source>
-        <translation>Конец сектора, в сторону больших углов, для центров отверстий.</translation>
+        <source>End of the sector, towards larger angles.</source>
+        <translation>Конец сектора, в сторону больших углов.</translation>
     </message>
     <message>
         <source>Readings of the newest run, with the bob weights on the crankpins.</source>
@@ -5070,6 +5086,26 @@
     <message>
         <source>Four in line</source>
         <translation>Рядный четырёхцилиндровый</translation>
+    </message>
+    <message>
+        <source>Start of the drilling sector of the counterweight. New holes are wholly inside.</source>
+        <translation>Начало сектора сверления на противовесе. Новые отверстия лежат в нём целиком.</translation>
+    </message>
+    <message>
+        <source>The opposite side is outside the sector too: widen the sector if there is metal, or as a last resort weld the same mass on opposite.</source>
+        <translation>Противоположная сторона тоже вне сектора: расширьте сектор, если там есть металл, или в крайнем случае наварите ту же массу напротив.</translation>
+    </message>
+    <message>
+        <source>Press in heavy metal opposite, or as a last resort weld the same mass on opposite.</source>
+        <translation>Запрессуйте тяжёлый металл напротив или в крайнем случае наварите ту же массу напротив.</translation>
+    </message>
+    <message>
+        <source>Radius of the hole centre</source>
+        <translation>Радиус центра отверстия</translation>
+    </message>
+    <message>
+        <source>Radius of the slug&apos;s centre about the crank axis.</source>
+        <translation>Расстояние центра вставки от оси вала.</translation>
     </message>
     <message>
         <source>True if the machine counted degrees in the other direction during drilling.</source>
@@ -10234,6 +10270,10 @@ but no position is feasible</source>
     <message>
         <source>New holes keep clear of this hole; it may be deepened.</source>
         <translation>Новые отверстия обходят это; его можно углубить.</translation>
+    </message>
+    <message>
+        <source>The hole is outside the drilling sector.</source>
+        <translation>Отверстие вне сектора сверления.</translation>
     </message>
 </context>
 <context>
@@ -17076,10 +17116,6 @@ but no position is feasible</source>
         <translation>Остаток после отверстий ниже, с округлёнными глубинами</translation>
     </message>
     <message>
-        <source>Mass taken off, including the drill point; negative for a slug: its own mass minus its hole</source>
-        <translation>Снятая масса, включая конус; отрицательна для вставки: её масса минус отверстие</translation>
-    </message>
-    <message>
         <source>Readings are still valid</source>
         <translation>Показания верны</translation>
     </message>
@@ -17146,6 +17182,10 @@ but no position is feasible</source>
     <message>
         <source>Shop limit: %1 in each plane.</source>
         <translation>Предел мастерской: %1 в каждой плоскости.</translation>
+    </message>
+    <message>
+        <source>Mass taken off, including the drill point; a slug adds its own mass minus its hole</source>
+        <translation>Снятая масса, включая конус; вставка добавляет свою массу минус отверстие</translation>
     </message>
 </context>
 <context>
@@ -17389,6 +17429,10 @@ but no position is feasible</source>
     <message>
         <source>New job: masses and readings are empty.</source>
         <translation>Новая работа: массы и показания пусты.</translation>
+    </message>
+    <message>
+        <source>Another engine: planes, heavy metal, mass and service speed of the previous crankshaft are cleared. Undo restores them.</source>
+        <translation>Другой двигатель: плоскости, тяжёлый металл, масса и рабочая частота вращения прежнего вала убраны. Отмена вернёт их.</translation>
     </message>
 </context>
 <context>
@@ -17843,10 +17887,6 @@ but no position is feasible</source>
         <translation>Алюминиевая заглушка</translation>
     </message>
     <message>
-        <source>The plug mass is the paper&apos;s: weigh the plugs.</source>
-        <translation>Масса заглушки взята из статьи: взвесьте заглушки.</translation>
-    </message>
-    <message>
         <source>%1: %2 entered, but a solid plug of these dimensions weighs %3. Enter its bore or weigh the plug.</source>
         <translation>%1: введено %2, но сплошная заглушка этих размеров весит %3. Введите расточку или взвесьте заглушку.</translation>
     </message>
@@ -17873,6 +17913,10 @@ but no position is feasible</source>
     <message>
         <source>Not included: drilling in the webs, flywheel and damper.</source>
         <translation>Не учитываются: сверление щёк, маховик и гаситель колебаний.</translation>
+    </message>
+    <message>
+        <source>The plug mass is from the paper: weigh the plugs.</source>
+        <translation>Масса заглушки взята из статьи: взвесьте заглушки.</translation>
     </message>
 </context>
 <context>
@@ -18288,6 +18332,26 @@ but no position is feasible</source>
     <message>
         <source>%1: cylinders %2 differ from the others (%3, others %4). Weigh them again or match the parts.</source>
         <translation>%1: цилиндры %2 отличаются от остальных (%3, остальные %4). Взвесьте их снова или подберите детали.</translation>
+    </message>
+    <message>
+        <source>%1: cylinder %2 weighs %3, the others about %4; the deviation is more than %5 times their scatter. Weigh it again or match the parts.</source>
+        <translation>%1: цилиндр %2 — %3, остальные около %4; отклонение больше их разброса более чем в %5 раз. Взвесьте снова или подберите детали.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of 8 weighed. Weigh all of them, or clear the column.</source>
+        <translation>%1: взвешено %2 из 8. Взвесьте все или очистите столбец.</translation>
+    </message>
+    <message>
+        <source>Provisional: not weighed and taken as nominal: %1. Weigh them before machining.</source>
+        <translation>Предварительно: не взвешены и взяты по номиналу: %1. Взвесьте их до обработки.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is implausible for a crankshaft of %3. Check the unit of the reading and the calibration of the machine.</source>
+        <translation>%1: %2 неправдоподобно для вала массой %3. Проверьте единицу показания и калибровку станка.</translation>
+    </message>
+    <message>
+        <source>A drill of %1 is unusual. Separate several sizes by semicolons.</source>
+        <translation>Сверло %1 необычно. Несколько размеров разделяйте точкой с запятой.</translation>
     </message>
     <message>
         <source>The holes were drilled while the machine counted degrees in the other direction. Check the direction, or enter the angles as measured.</source>
