@@ -1406,7 +1406,7 @@ TEST_F(JobPageTest, TheNextJobOfAnotherEngineHasNothingOfTheCrankshaftBefore) {
     ASSERT_EQ(carried.planes[0].radius, 85 * units::mm) << "of the same engine it stays";
     ASSERT_TRUE(model->input().tolerance->rotor_mass);
     QString said;
-    connect(&page, &ScenePage::status, &page, [&](const QString& text) { said = text; });
+    QObject::connect(&page, &ScenePage::status, &page, [&](const QString& text) { said = text; });
     type("cylinders", u"6"_s);
     EXPECT_TRUE(said.contains(u"previous crankshaft"_s)) << qPrintable(said);
     const auto isBlank = [](const Plane& plane) { return plane == Plane{}; };

@@ -7,6 +7,7 @@
 #include "case-file/input_error.h"
 #include "job_page_test.h"
 #include "workshop/doubts.h"
+#include "workshop/scene.h"
 
 namespace ravnoves {
 namespace {
