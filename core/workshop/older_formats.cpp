@@ -189,7 +189,8 @@ void visit_results(ResultVisitor& visitor, const BobWeightsCase& input) {
 }
 
 void visit_results(ResultVisitor& visitor, const PlugsCase& input) {
-    const Result result = solve(input, true, visitor.wants(shop::result_field::weigh_in.key));
+    const Result result =
+        solve_undoubted(input, true, visitor.wants(shop::result_field::weigh_in.key));
     if (visitor.wants(ravnoves::result_field::verdict.key)) {
         const auto plugs = whole_plugs(input);
         Verdict verdict = v8_plugs::verdict_of_plugs(*plugs, *result.plugs);

@@ -50,8 +50,7 @@ std::vector<double> own_weights(
 
 }  // namespace
 
-Result solve(const Input& given, bool changes_known, bool places_parts) {
-    const Input input = with_heavy_spots(given);
+Result solve_undoubted(const Input& input, bool changes_known, bool places_parts) {
     Result result;
     const auto plugs = whole_plugs(input);
     std::optional<bob_weights::KnownWeight> known;
@@ -71,6 +70,13 @@ Result solve(const Input& given, bool changes_known, bool places_parts) {
         result.shaft.crankpins = own_weights(known->sum, result.plugs->crankpin_excess);
         result.shaft.placed_crankpins = own_weights(known->sum, result.plugs->assigned_excess);
     }
+    return result;
+}
+
+Result solve(const Input& given, bool changes_known, bool places_parts) {
+    const Input input = with_heavy_spots(given);
+    Result result = solve_undoubted(input, changes_known, places_parts);
+    const auto plugs = whole_plugs(input);
     result.doubts = find_doubts(
         {input, result.shaft, plugs ? &*plugs : nullptr, plugs ? &*result.plugs : nullptr});
     return result;

@@ -14,6 +14,10 @@ namespace ravnoves::workshop {
 /// @param places_parts   false: without the placing of the parts, which takes longest
 Result solve(const Input& input, bool changes_known = true, bool places_parts = true);
 
+/// The same without doubts, for input whose machine shows the heavy spot: the older formats have
+/// none, and studies of them solve a hundred thousand times.
+Result solve_undoubted(const Input& input, bool changes_known, bool places_parts);
+
 /// The job as it was while so many runs had been read: the last of them is the newest.
 Input before_run(const Input& input, std::size_t runs);
 
