@@ -443,8 +443,10 @@ void PartMerger::add(Part part, const std::string& name) {
     const auto place = std::find_if(whole_->blocks.begin(), whole_->blocks.end(),
                                     [&](const Block& block) { return block.from == from; });
     std::move(part.blocks.begin(), part.blocks.end(), place);
-    std::move(part.rows.begin(), part.rows.end(),
-              whole_->rows.begin() + static_cast<std::ptrdiff_t>(from));
+    if (!part.rows.empty()) {  // of a grid
+        std::move(part.rows.begin(), part.rows.end(),
+                  whole_->rows.begin() + static_cast<std::ptrdiff_t>(from));
+    }
 }
 
 Part PartMerger::finish() {

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "case-file/case_file.h"
 #include "case-file/field_index.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
