@@ -941,6 +941,10 @@
         <source>permitted spread</source>
         <translation>допустимый разброс</translation>
     </message>
+    <message>
+        <source>drilled counting otherwise</source>
+        <translation>просверлено при другом отсчёте углов</translation>
+    </message>
 </context>
 <context>
     <name>Matching</name>
@@ -12343,6 +12347,10 @@ but no position is feasible</source>
         <source>two-term</source>
         <translation>два члена</translation>
     </message>
+    <message>
+        <source>Roll moment by order</source>
+        <translation>Опрокидывающий момент по порядкам</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::InertiaMomentsModel</name>
@@ -12631,16 +12639,16 @@ but no position is feasible</source>
         <translation>Остаток в долях значения до уравновешивания</translation>
     </message>
     <message>
-        <source>recipr., exact</source>
-        <translation>поступ., точно</translation>
+        <source>recipr. exact</source>
+        <translation>поступ. точно</translation>
     </message>
     <message>
         <source>Amplitude of the order of the reciprocating masses, exact motion</source>
         <translation>Амплитуда порядка поступательных масс при точном движении</translation>
     </message>
     <message>
-        <source>recipr., two-term</source>
-        <translation>поступ., 2 члена</translation>
+        <source>recipr. two-term</source>
+        <translation>поступ. 2 члена</translation>
     </message>
 </context>
 <context>
@@ -13495,7 +13503,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>&amp;Value measured at</source>
-        <translation>&amp;Значение, при котором измерено</translation>
+        <translation>&amp;Измерено при</translation>
     </message>
     <message>
         <source>Progress of the measurement</source>

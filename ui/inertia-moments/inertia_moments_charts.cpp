@@ -19,7 +19,7 @@ InertiaMomentsCharts::InertiaMomentsCharts(InertiaMomentsModel* model, QWidget* 
     addOrders();
     hodographs_ = addPair("hodograph-forces", "hodograph-moments", "hodographs", tr("Hodographs"));
     addPair("forces-by-order", "moments-by-order", "orders", tr("Orders"));
-    add(addAnglePlot("roll", this), "roll", tr("Roll"));
+    showCrankAngle(addPair("roll", "roll-by-order", "roll", tr("Roll"))[0], model_->crank());
     add(new ShaftView(model_, this), "shafts", tr("Shafts"));
     add(new CounterweightView(model_, this), "weights", tr("Weights"));
     add(new FiringWheel(model_, this), "firing", tr("Firing"));

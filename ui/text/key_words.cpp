@@ -31,6 +31,7 @@ namespace {
     QT_TRANSLATE_NOOP("Keys", "distance"),
     QT_TRANSLATE_NOOP("Keys", "drill"),
     QT_TRANSLATE_NOOP("Keys", "drilled"),
+    QT_TRANSLATE_NOOP("Keys", "drilled counting otherwise"),
     QT_TRANSLATE_NOOP("Keys", "drilled by"),
     QT_TRANSLATE_NOOP("Keys", "earlier runs"),
     QT_TRANSLATE_NOOP("Keys", "enabled"),

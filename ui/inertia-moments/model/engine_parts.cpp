@@ -358,16 +358,29 @@ Figure hodographOfMoments(const InertiaMomentsModel& model) {
     return hodograph(model.result(), false);
 }
 
+enum class Kind { Force, Moment, Roll };
+
+/// The largest value of an order over the turn, and what of it is rounding.
+std::pair<double, double> sizeOf(const EngineOrder& order, Kind kind) {
+    if (kind == Kind::Roll) {
+        return {inertia_moments::amplitude(order.roll()), zero_share * order.roll_scale};
+    }
+    const bool force = kind == Kind::Force;
+    return {vectorOf(order, force).max(), roundingOf(order, force)};
+}
+
 /// The largest values of the orders as bars: exact, two-term and what balancing leaves.
-Figure byOrder(const Result& result, bool force) {
+Figure byOrder(const Result& result, Kind kind) {
     Figure figure;
-    figure.title = force ? EnginePlots::tr("Forces by order") : EnginePlots::tr("Moments by order");
+    figure.title = kind == Kind::Force    ? EnginePlots::tr("Forces by order")
+                   : kind == Kind::Moment ? EnginePlots::tr("Moments by order")
+                                          : EnginePlots::tr("Roll moment by order");
     const auto orders = static_cast<double>(result.unbalanced.orders.size());
     figure.x = {.title = EnginePlots::tr("order k"), .min = 0.5, .max = orders + 0.5};
-    figure.left = {.title = unitTitle(force)};
-    const int kinds = force ? 3 : 5;
+    figure.left = {.title = unitTitle(kind == Kind::Force)};
+    constexpr int kinds = 3;
     const auto add = [&](const char* id, const QString& name, Role role,
-                         const inertia_moments::EngineOrders& of, bool isRoll) {
+                         const inertia_moments::EngineOrders& of) {
         const double width = 0.9 / kinds;
         const auto place = static_cast<double>(figure.curves.size()) - 0.5 * (kinds - 1);
         Figure::Curve& curve = figure.add(id,
@@ -378,31 +391,27 @@ Figure byOrder(const Result& result, bool force) {
                                            .barShift = place * width},
                                           {}, {});
         for (const EngineOrder& order : of.orders) {
-            const double size =
-                isRoll ? inertia_moments::amplitude(order.roll()) : vectorOf(order, force).max();
-            const bool isNothing =
-                size <= (isRoll ? zero_share * order.roll_scale : roundingOf(order, force));
+            const auto [size, rounding] = sizeOf(order, kind);
             curve.x.push_back(order.order);
-            curve.y.push_back(isNothing ? 0.0 : size);
+            curve.y.push_back(size <= rounding ? 0.0 : size);
         }
     };
-    add("exact", EnginePlots::tr("exact"), Role::Exact, result.unbalanced, false);
-    add("two-term", EnginePlots::tr("two-term"), Role::TwoTerm, result.two_term_unbalanced, false);
-    add("left", EnginePlots::tr("residual"), Role::Residual, result.remaining, false);
-    if (!force) {
-        add("roll", EnginePlots::tr("roll (Mz)"), Role::Roll, result.unbalanced, true);
-        add("roll-left", EnginePlots::tr("residual (Mz)"), Role::ResidualRoll, result.remaining,
-            true);
-    }
+    add("exact", EnginePlots::tr("exact"), Role::Exact, result.unbalanced);
+    add("two-term", EnginePlots::tr("two-term"), Role::TwoTerm, result.two_term_unbalanced);
+    add("left", EnginePlots::tr("residual"), Role::Residual, result.remaining);
     return figure;
 }
 
 Figure forcesByOrder(const InertiaMomentsModel& model) {
-    return byOrder(model.result(), true);
+    return byOrder(model.result(), Kind::Force);
 }
 
 Figure momentsByOrder(const InertiaMomentsModel& model) {
-    return byOrder(model.result(), false);
+    return byOrder(model.result(), Kind::Moment);
+}
+
+Figure rollByOrder(const InertiaMomentsModel& model) {
+    return byOrder(model.result(), Kind::Roll);
 }
 
 /// The roll moment and its two parts, N·m.
@@ -461,6 +470,7 @@ constexpr std::array makers{
     Maker{{.id = "forces-by-order", .tab = "orders"}, made<forcesByOrder>},
     Maker{{.id = "moments-by-order", .tab = "orders"}, made<momentsByOrder>},
     Maker{{.id = "roll", .tab = "roll"}, made<roll>},
+    Maker{{.id = "roll-by-order", .tab = "roll"}, made<rollByOrder>},
     Maker{{.id = "forces-over-angle", .tab = "over-angle"}, made<forcesOverAngle>},
     Maker{{.id = "moments-over-angle", .tab = "over-angle"}, made<momentsOverAngle>},
 };

@@ -142,10 +142,10 @@ Harmonic<double> componentOf(const EngineOrder& order, const Difference& d) {
 Results InertiaMomentsModel::orderResults() const {
     Results results{
         {forceAndMoment(),
-         {tr("recipr., exact"),
+         {tr("recipr. exact"),
           tr("Amplitude of the order of the reciprocating masses, exact motion")},
          {tr("phase, °"), tr("kφ of the maximum of the exact component")},
-         {tr("recipr., two-term"), tr("Amplitude by the paper's cos θ + K λ sin θ + λ cos 2θ")},
+         {tr("recipr. two-term"), tr("Amplitude by the paper's cos θ + K λ sin θ + λ cos 2θ")},
          {tr("diff., %"), tr("Error of the two-term form, relative to exact")}}};
     ResultRows& rows = results.rows;
     rows.reserve(static_cast<qsizetype>(result().differences.size()));

@@ -499,7 +499,7 @@ Results WorkshopModel::lineResults(const Words& words) const {
         rows << ResultRow(
             {words.text(line.name().label).remove(QLatin1Char('&')),
              // With all digits of a mean, so that it times its multiplier is the total.
-             ResultCell(line.mass / units::gram, words.plain(line.mass / units::gram, 3)),
+             ResultCell(shownValue(line.mass, units::gram), words.plain(line.mass, units::gram, 3)),
              QStringLiteral("× ") + words.plain(line.factor, 4),
              result.bob_weight ? printed(tenths[i]) : words.cell(line.product(), units::gram, 1)},
             line.part != nullptr ? words.text(line.part->field.hint) : QString());
