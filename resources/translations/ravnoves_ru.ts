@@ -12648,7 +12648,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>recipr. two-term</source>
-        <translation>поступ. 2 члена</translation>
+        <translation>2 члена</translation>
     </message>
 </context>
 <context>
