@@ -14,11 +14,12 @@ using shop::in_grams;
 Message action(const Option& option, const Message& off) {
     const bool machined = option.machined();
     if (has_new_plugs(option.id)) {
-        return machined ? Message(CORE_TEXT("V8", "Machine all 8 new steel plugs by %1 each."), off)
-                        : CORE_TEXT("V8", "Leave the 8 new steel plugs unchanged.");
+        return machined
+                   ? Message(CORE_TEXT("V8", "Take %1 off each of the 8 new steel plugs."), off)
+                   : CORE_TEXT("V8", "Leave the 8 new steel plugs unchanged.");
     }
     if (has_steel_plugs(option.id)) {
-        return machined ? Message(CORE_TEXT("V8", "Machine all 8 steel plugs by %1 each."), off)
+        return machined ? Message(CORE_TEXT("V8", "Take %1 off each of the 8 steel plugs."), off)
                         : CORE_TEXT("V8", "Fit the 8 present steel plugs unchanged.");
     }
     return machined

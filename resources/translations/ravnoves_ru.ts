@@ -1130,7 +1130,7 @@
         <translation>резьба</translation>
     </message>
     <message>
-        <source>Machine all 8 steel plugs by %1 each.</source>
+        <source>Take %1 off each of the 8 steel plugs.</source>
         <translation>Снять с каждой из 8 стальных заглушек %1.</translation>
     </message>
     <message>
@@ -1435,7 +1435,7 @@
         <translation>шаг %1 мм и трети диаметра</translation>
     </message>
     <message>
-        <source>Machine all 8 new steel plugs by %1 each.</source>
+        <source>Take %1 off each of the 8 new steel plugs.</source>
         <translation>Снять с каждой из 8 новых стальных заглушек %1.</translation>
     </message>
     <message>

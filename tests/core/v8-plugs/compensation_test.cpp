@@ -139,13 +139,13 @@ TEST(Compensation, WordsOfATechnician) {
         const Advice advice = advise(plugs, crankshaft, excess_g * gram, limit);
         return describe(advice, excess_g * gram, r, limit).english();
     };
-    EXPECT_EQ(words(4.3225), "Machine all 8 steel plugs by 1.83 g each.");
+    EXPECT_EQ(words(4.3225), "Take 1.83 g off each of the 8 steel plugs.");
     EXPECT_EQ(words(5.0), "Replace all 8 plugs by aluminium plugs, lightened by 0.28 g each.");
     EXPECT_EQ(words(0.1),
               "Leave the plugs unchanged: the excess of 0.10 g per crankpin is 4.0 g·mm, within "
               "the 5.0 g·mm allowed.");
     EXPECT_EQ(words(4.7),
-              "Machine all 8 steel plugs by 1.95 g each. This leaves an excess of 0.10 g on each "
+              "Take 1.95 g off each of the 8 steel plugs. This leaves an excess of 0.10 g on each "
               "crankpin: 3.8 g·mm, within the 5.0 g·mm allowed.");
     EXPECT_EQ(words(7.0),
               "No plug of this crankshaft can be made light enough. The nearest option is "
@@ -155,7 +155,7 @@ TEST(Compensation, WordsOfATechnician) {
     EXPECT_EQ(words(-1.0),
               "The parts are 1.00 g per crankpin lighter than nominal (40.0 g·mm). Plugs can only "
               "be lightened: use heavier parts or heavier plugs.");
-    EXPECT_EQ(words(1.0, Crankshaft::new_plugs), "Machine all 8 new steel plugs by 0.41 g each.");
+    EXPECT_EQ(words(1.0, Crankshaft::new_plugs), "Take 0.41 g off each of the 8 new steel plugs.");
     EXPECT_EQ(words(1.92, Crankshaft::new_plugs), "Fit the 8 present steel plugs unchanged.");
 }
 

@@ -97,7 +97,7 @@ TEST(Shift, OfTheRangeOfThePaperIsCorrectedAtBothEnds) {
               "paper: the residual is up to 6.9 g·mm, permissible 5.0 g·mm. Enter the plug's sizes "
               "and the cutter, or take off 1.10 g to 1.12 g each.");
     EXPECT_EQ(describe_action(option, effect.least_reduction, effect.greatest_reduction).english(),
-              "Machine all 8 steel plugs by 1.10…1.12 g each.");
+              "Take 1.10…1.12 g off each of the 8 steel plugs.");
     // Of the smaller engine it stays within the tolerance.
     const PlugSet small = plug_set(*find_preset("4.25 l")).value();
     EXPECT_FALSE(shift_effect(option_of(small, 3.0 * gram), tolerance, std::nullopt)->matters);

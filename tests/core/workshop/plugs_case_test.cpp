@@ -120,7 +120,7 @@ TEST(ShiftEffect, IsCorrectedInTheOrderOfItsShiftsAndSaysWhatIsBeyond) {
 TEST(Example, Repair) {
     const Json document = ravnoves::test::check_example("v8-4.25-repair");
     EXPECT_EQ(document.at("result").at("recommended"), "steel-machined");
-    EXPECT_EQ(document.at("result").at("reason"), "Machine all 8 steel plugs by 1.83 g each.");
+    EXPECT_EQ(document.at("result").at("reason"), "Take 1.83 g off each of the 8 steel plugs.");
 }
 
 TEST(Example, Manufacture) {

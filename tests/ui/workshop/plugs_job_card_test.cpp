@@ -203,7 +203,7 @@ TEST_F(JobCardTest, HasTheHeadTheAnswerAndRoomForSignatures) {
     const QString english = cardText(shopsJob(), u"en"_s);
     for (const QString& text :
          {u"53-11 № 0042817"_s, u"66-1005015"_s, u"Автобаза № 3"_s, u"Иванов А. П."_s,
-          u"2024-05-31"_s, u"Machine all 8 steel plugs by 1.83 g each."_s,
+          u"2024-05-31"_s, u"Take 1.83 g off each of the 8 steel plugs."_s,
           u"Oversize pistons, second repair shells"_s, u"Technician, signature"_s, u"FAIL"_s,
           u"410.0"_s, u"900.5"_s, u"With the plugs removed"_s}) {
         EXPECT_TRUE(english.contains(text)) << qPrintable(text) << qPrintable(english);
@@ -336,8 +336,8 @@ TEST_F(JobCardTest, AnAnswerByTheMethodAloneIsNoFact) {
         ASSERT_EQ(commandLine(input).at("plugs").at("state"), "warning");
         const QString text = cardText(input, u"en"_s);
         // What can be done is the headline, what the method would have the small print.
-        EXPECT_EQ(text.count(isBored ? u"Machine all 8 steel plugs by 8.51 g each."_s
-                                     : u"Machine all 8 steel plugs by 8.92…9.10 g each."_s),
+        EXPECT_EQ(text.count(isBored ? u"Take 8.51 g off each of the 8 steel plugs."_s
+                                     : u"Take 8.92…9.10 g off each of the 8 steel plugs."_s),
                   1)
             << qPrintable(text);
         EXPECT_TRUE(text.contains(u"The method neglects"_s)) << qPrintable(text);

@@ -270,7 +270,7 @@ TEST_F(PlugsModelTest, ShiftOfThePlannedBoreIsSaid) {
     EXPECT_TRUE(says(model, u"The method neglects"_s));
     const auto& effect = *model.plugs()->shift_that_matters();
     const auto two = [](double value, Unit unit) { return Words().number(value, unit, 2); };
-    EXPECT_EQ(model.adviceText(), u"Machine all 8 steel plugs by %1 each."_s.arg(
+    EXPECT_EQ(model.adviceText(), u"Take %1 off each of the 8 steel plugs."_s.arg(
                                       two(effect.least_reduction, units::gram)));
     EXPECT_TRUE(
         model.boringText().endsWith(u"to %1 from the face."_s.arg(two(*effect.depth, units::mm))))

@@ -63,7 +63,7 @@ TEST_F(PlugsPageTest, WeighInSheetByKeyboard) {
     EXPECT_NEAR(model->plugs()->changes.repair_piston_and_rings, 3.5 * gram, 1e-12);
     EXPECT_FALSE(field("repair_piston_and_rings")->isEnabled());
     EXPECT_NEAR(field("repair_piston_and_rings")->value().value_or(0.0), 3.5, 1e-12);
-    EXPECT_TRUE(label("advice").startsWith(u"Provisional: machine all 8 steel"_s))
+    EXPECT_TRUE(label("advice").startsWith(u"Provisional: take 1.48 g off"_s))
         << qPrintable(label("advice"));
     // The parts change places on the sheet too, once they did on the bench.
     auto* move = find<QPushButton>("move_parts");
