@@ -127,8 +127,13 @@ Json write_block(const Block& block) {
     return json;
 }
 
+/// @throws Json::exception  where it is no whole number: a float beyond its range has no conversion
+std::uint64_t count_of(const Json& json) {
+    return static_cast<std::uint64_t>(json.get_ref<const Json::number_integer_t&>());
+}
+
 void read_block(const Json& json, Block& block) {
-    block.done = block.from + std::min(json.at(0).get<std::uint64_t>(), block.to - block.from);
+    block.done = block.from + std::min(count_of(json.at(0)), block.to - block.from);
     for (std::size_t i = 0; i < block.sums.size(); ++i) {
         const Json& from = json.at(i + 1);
         if (!from.is_null()) {
@@ -279,9 +284,8 @@ std::vector<Note> noted(const Part& part) {
     for (std::size_t w = 0; w < part.study.watch.size(); ++w) {
         const std::string& name = part.study.watch[w].pointer;
         const auto linear = basis.expansions[w].propagated(basis.laws);
-        const auto most = linear_study
-                              ? std::nullopt
-                              : vague_sensitivities(part.tally.statistics(w, part.blocks));
+        const auto most = linear_study ? std::nullopt
+                                       : vague_sensitivities(part.tally.statistics(w, part.blocks));
         if (most) {
             notes.push_back({{CORE_TEXT("studies",
                                         "The samples are too few for the sensitivities of %1: "
@@ -359,10 +363,8 @@ Part read_part(Json json) {
             part.origin.files_sha256.emplace_back(name, file_sum.get<std::string>());
         }
         part.study = read_study(json.at("study"));
-        part.shards =
-            std::clamp<std::uint64_t>(json.at("shards").get<std::uint64_t>(), 1, most_blocks);
-        part.shard =
-            std::clamp<std::uint64_t>(json.at("shard").get<std::uint64_t>(), 1, part.shards);
+        part.shards = std::clamp<std::uint64_t>(count_of(json.at("shards")), 1, most_blocks);
+        part.shard = std::clamp<std::uint64_t>(count_of(json.at("shard")), 1, part.shards);
         part.basis = read_basis(json.at("basis"), part.study);
         part.blocks = blocks_of(part.study, part.shard, part.shards);
         for (std::size_t b = 0; b < part.blocks.size(); ++b) {

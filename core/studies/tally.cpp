@@ -53,11 +53,16 @@ Json write_counts(const std::vector<std::int64_t>& counts) {
     return list;
 }
 
+/// @throws Json::exception  where it is no whole number: a float beyond its range has no conversion
+std::int64_t whole_of(const Json& json) {
+    return json.get_ref<const Json::number_integer_t&>();
+}
+
 void read_counts(const Json& list, std::vector<std::int64_t>& counts) {
     for (std::size_t i = 0; i < list.size(); i += 2) {
-        const auto place = list.at(i).get<std::size_t>();
+        const auto place = static_cast<std::size_t>(whole_of(list.at(i)));
         if (place < counts.size()) {
-            counts[place] = list.at(i + 1).get<std::int64_t>();
+            counts[place] = whole_of(list.at(i + 1));
         }
     }
 }
@@ -236,8 +241,8 @@ Refusals read_refusals(const Json& json) {
     Refusals refusals;
     for (const Json& each : json) {
         const auto text = each.at("reason").get<std::string>();
-        refusals[without_numbers(text)] = {each.at("count").get<std::uint64_t>(),
-                                           each.at("first").get<std::uint64_t>(),
+        refusals[without_numbers(text)] = {static_cast<std::uint64_t>(whole_of(each.at("count"))),
+                                           static_cast<std::uint64_t>(whole_of(each.at("first"))),
                                            {{}, text}};
     }
     return refusals;
@@ -460,7 +465,7 @@ Json Tally::write() const {
 
 Tally Tally::read(const Json& json, std::vector<CountingPlan> plan, std::size_t inputs) {
     Tally tally(std::move(plan), inputs);
-    tally.solved_ = json.at("solved").get<std::uint64_t>();
+    tally.solved_ = static_cast<std::uint64_t>(whole_of(json.at("solved")));
     tally.refusals_ = read_refusals(json.at("refused"));
     read_counts(json.at("slice_counts"), tally.slice_counts_);
     read_counts(json.at("pair_counts"), tally.pair_counts_);
@@ -470,7 +475,7 @@ Tally Tally::read(const Json& json, std::vector<CountingPlan> plan, std::size_t 
         read_counts(from.at("bins"), value.bins);
         value.min = from.at("min").get<double>();
         value.max = from.at("max").get<double>();
-        value.within = from.at("within").get<std::int64_t>();
+        value.within = whole_of(from.at("within"));
         read_counts(from.at("slices"), value.slices);
         read_counts(from.at("pairs"), value.pairs);
         // Each solved sample is in one bin, and lies within the limits or not.
