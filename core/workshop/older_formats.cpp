@@ -192,12 +192,12 @@ void visit_results(ResultVisitor& visitor, const PlugsCase& input) {
     const Result result =
         solve_undoubted(input, true, visitor.wants(shop::result_field::weigh_in.key));
     if (visitor.wants(ravnoves::result_field::verdict.key)) {
-        const auto plugs = whole_plugs(input);
-        Verdict verdict = v8_plugs::verdict_of_plugs(*plugs, *result.plugs);
+        const v8_plugs::Input& plugs = *result.plugs_input;
+        Verdict verdict = v8_plugs::verdict_of_plugs(plugs, *result.plugs);
         if (const v8_plugs::ShiftEffect* shift = result.plugs->shift_that_matters()) {
-            verdict.warn(describe(*shift, plugs->tolerance));
+            verdict.warn(describe(*shift, plugs.tolerance));
         }
-        verdict.warn(v8_plugs::plug_doubt(*plugs, *result.plugs));
+        verdict.warn(v8_plugs::plug_doubt(plugs, *result.plugs));
         const bob_weights::RunResult* newest = result.shaft.newest();
         if (!result.shaft.holds()) {
             verdict.warn(

@@ -46,7 +46,7 @@ std::vector<Message> words_of(const Withheld& blocks) {
 Verdict undoubted(const Input& input, const Result& result) {
     Verdict verdict = bob_weights::verdict(input, result.shaft, input.machine.planes);
     if (result.plugs) {
-        const Verdict plugs = v8_plugs::verdict_of_plugs(*whole_plugs(input), *result.plugs);
+        const Verdict plugs = v8_plugs::verdict_of_plugs(*result.plugs_input, *result.plugs);
         const bool fails = plugs.severity == Severity::error;
         verdict.text = shop::two_sentences(fails ? plugs.text : verdict.text,
                                            fails ? verdict.text : plugs.text);
@@ -85,7 +85,7 @@ void visit_balancing(ResultVisitor& visitor, const Input& input, const bob_weigh
 }  // namespace
 
 void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result) {
-    v8_plugs::visit_plugs(visitor, *whole_plugs(input), *result.plugs, service_speed(input));
+    v8_plugs::visit_plugs(visitor, *result.plugs_input, *result.plugs, service_speed(input));
     visit_balancing(visitor, input, result.shaft);
 }
 

@@ -50,12 +50,14 @@ std::vector<double> own_weights(
 
 }  // namespace
 
-Result solve_undoubted(const Input& input, bool changes_known, bool places_parts) {
+Result solve_undoubted(const Input& input, bool absent_is_zero, bool places_parts) {
     Result result;
-    const auto plugs = whole_plugs(input);
+    result.plugs_input = whole_plugs(input);
+    const auto& plugs = result.plugs_input;
     std::optional<bob_weights::KnownWeight> known;
     if (plugs) {
-        result.plugs = v8_plugs::solve(*plugs, changes_known, places_parts);
+        result.plugs =
+            v8_plugs::solve(*plugs, absent_is_zero || plugs->changes_known(), places_parts);
         known = weight_of(*plugs, *result.plugs);
     }
     bob_weights::OtherWeight other;
@@ -73,12 +75,12 @@ Result solve_undoubted(const Input& input, bool changes_known, bool places_parts
     return result;
 }
 
-Result solve(const Input& given, bool changes_known, bool places_parts) {
+Result solve(const Input& given, bool absent_is_zero, bool places_parts) {
     const Input input = with_heavy_spots(given);
-    Result result = solve_undoubted(input, changes_known, places_parts);
-    const auto plugs = whole_plugs(input);
-    result.doubts = find_doubts(
-        {input, result.shaft, plugs ? &*plugs : nullptr, plugs ? &*result.plugs : nullptr});
+    Result result = solve_undoubted(input, absent_is_zero, places_parts);
+    result.doubts =
+        find_doubts({input, result.shaft, result.plugs_input ? &*result.plugs_input : nullptr,
+                     result.plugs ? &*result.plugs : nullptr});
     return result;
 }
 

@@ -9,14 +9,14 @@
 namespace ravnoves::workshop {
 
 /// Computes whatever the input allows, also where check_input() does not let it pass.
-/// @param changes_known  false: nothing that rests on the mass changes of the plugs; a case counts
-///                       those that it does not give as 0
-/// @param places_parts   false: without the placing of the parts, which takes longest
-Result solve(const Input& input, bool changes_known = true, bool places_parts = true);
+/// @param absent_is_zero  whether mass changes that are not given count as 0, as those of a case
+///                        do; else nothing that rests on them is computed before they are known
+/// @param places_parts    false: without the placing of the parts, which takes longest
+Result solve(const Input& input, bool absent_is_zero = true, bool places_parts = true);
 
 /// The same without doubts, for input whose machine shows the heavy spot: the older formats have
 /// none, and studies of them solve a hundred thousand times.
-Result solve_undoubted(const Input& input, bool changes_known, bool places_parts);
+Result solve_undoubted(const Input& input, bool absent_is_zero, bool places_parts);
 
 /// The job as it was while so many runs had been read: the last of them is the newest.
 Input before_run(const Input& input, std::size_t runs);

@@ -168,10 +168,8 @@ Json WorkshopScene::write(const Job& input) {
 }
 
 WorkshopScene::Solved WorkshopScene::solve(const Job& input) {
-    const bool isKnown = !input.plugs || workshop::whole_plugs(input)->changes_known();
-    Solved solved{workshop::solve(input, isKnown), {}, {}, {}};
+    Solved solved{workshop::solve(input, false), {}, {}};
     solved.allowed = workshop::allowed(solved.found);
-    solved.plugs = workshop::whole_plugs(workshop::with_heavy_spots(input));
     solved.verdict = workshop::verdict(input, solved.found);
     return solved;
 }

@@ -32,7 +32,6 @@ struct WorkshopScene {
     struct Solved {
         workshop::Result found;    ///< all of it, with what is doubted
         workshop::Result allowed;  ///< what may be shown as an answer
-        std::optional<v8_plugs::Input> plugs;
         Verdict verdict;
     };
     Input defaultInput() const;
@@ -88,7 +87,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     }
     /// The plugs with weigh-in, limits and readings of the job; null without plugs.
     const v8_plugs::Input* plugsInput() const {
-        return solved().plugs ? &*solved().plugs : nullptr;
+        return solved().found.plugs_input ? &*solved().found.plugs_input : nullptr;
     }
     const std::vector<workshop::Doubt>& doubts() const { return solved().found.doubts; }
     workshop::Withheld withheld() const { return solved().found.withheld(); }
