@@ -6,6 +6,10 @@
 
 namespace ravnoves::bob_weights {
 
+double DrilledHole::turned(double value) const {
+    return state == HoleState::wrong_side ? turn_of(value + pi) : value;
+}
+
 std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Correction& correction,
                               std::size_t run, const std::array<Metal, 2>& before) {
     std::array<Metal, 2> drilled;
@@ -24,7 +28,7 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
         };
         const bool is_measured = hole.state == HoleState::measured;
         const bool is_opposite = hole.state == HoleState::wrong_side;
-        const double angle = turn_of(hole.angle + (is_opposite ? pi : 0.0));
+        const double angle = turn_of(hole.turned(hole.angle));
         Hole made{hole.diameter, hole.depth, angle, 0.0, 0.0};
         // Elsewhere than the hole that it was to deepen it is a new one, gone in all its depth.
         const auto& there = before[plane].holes;

@@ -156,6 +156,8 @@ struct DrilledHole {
     bool is_slug() const { return slug || mass.value_or(0.0) < 0.0; }
     /// False where a hole would be deepened to no more than its depth before.
     bool depths_agree() const { return from_depth == 0.0 || depth > from_depth; }
+    /// From `angle` to where the metal is missing, and back: half a turn on the wrong side.
+    double turned(double value) const;
 
     friend bool operator==(const DrilledHole&, const DrilledHole&) = default;
 };

@@ -7,7 +7,6 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "bob-weights/drilling.h"
 #include "bob-weights/fields.h"
 #include "bob-weights/solver.h"
 #include "shop/model/verdict.h"
@@ -219,7 +218,7 @@ void CorrectionSheet::addHoleRow() {
         // Where it is, as the other tables have it; the record keeps where it was planned.
         const auto turned = [isAngle = member == &DrilledHole::angle](const DrilledHole& hole,
                                                                       double value) {
-            return isAngle && hole.state == HoleState::wrong_side ? turn_of(value + pi) : value;
+            return isAngle ? hole.turned(value) : value;
         };
         bind(
             made, field,
