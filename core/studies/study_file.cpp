@@ -127,13 +127,9 @@ Json write_block(const Block& block) {
     return json;
 }
 
-/// @throws Json::exception  where it is no whole number: a float beyond its range has no conversion
-std::uint64_t count_of(const Json& json) {
-    return static_cast<std::uint64_t>(json.get_ref<const Json::number_integer_t&>());
-}
-
 void read_block(const Json& json, Block& block) {
-    block.done = block.from + std::min(count_of(json.at(0)), block.to - block.from);
+    block.done = block.from +
+                 std::min(static_cast<std::uint64_t>(whole_of(json.at(0))), block.to - block.from);
     for (std::size_t i = 0; i < block.sums.size(); ++i) {
         const Json& from = json.at(i + 1);
         if (!from.is_null()) {
@@ -363,8 +359,10 @@ Part read_part(Json json) {
             part.origin.files_sha256.emplace_back(name, file_sum.get<std::string>());
         }
         part.study = read_study(json.at("study"));
-        part.shards = std::clamp<std::uint64_t>(count_of(json.at("shards")), 1, most_blocks);
-        part.shard = std::clamp<std::uint64_t>(count_of(json.at("shard")), 1, part.shards);
+        part.shards = std::clamp<std::uint64_t>(
+            static_cast<std::uint64_t>(whole_of(json.at("shards"))), 1, most_blocks);
+        part.shard = std::clamp<std::uint64_t>(
+            static_cast<std::uint64_t>(whole_of(json.at("shard"))), 1, part.shards);
         part.basis = read_basis(json.at("basis"), part.study);
         part.blocks = blocks_of(part.study, part.shard, part.shards);
         for (std::size_t b = 0; b < part.blocks.size(); ++b) {

@@ -53,11 +53,6 @@ Json write_counts(const std::vector<std::int64_t>& counts) {
     return list;
 }
 
-/// @throws Json::exception  where it is no whole number: a float beyond its range has no conversion
-std::int64_t whole_of(const Json& json) {
-    return json.get_ref<const Json::number_integer_t&>();
-}
-
 void read_counts(const Json& list, std::vector<std::int64_t>& counts) {
     for (std::size_t i = 0; i < list.size(); i += 2) {
         const auto place = static_cast<std::size_t>(whole_of(list.at(i)));
@@ -235,6 +230,10 @@ Json write_refusals(const Refusals& refusals) {
                         {"first", refusal.first}});
     }
     return list;
+}
+
+std::int64_t whole_of(const Json& json) {
+    return json.get_ref<const Json::number_integer_t&>();
 }
 
 Refusals read_refusals(const Json& json) {

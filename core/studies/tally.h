@@ -66,6 +66,9 @@ using Refusals = std::map<std::string, Refusal>;
 std::uint64_t count_of(const Refusals& refusals);
 void refuse(Refusals& refusals, std::uint64_t sample, const Reason& reason);
 Json write_refusals(const Refusals& refusals);
+/// A whole number of a part. A float beyond its range would have no conversion.
+/// @throws Json::exception  where it is another kind of value
+std::int64_t whole_of(const Json& json);
 Refusals read_refusals(const Json& json);
 
 /// Sums of solved samples of one watched value, about the plan's centre.
