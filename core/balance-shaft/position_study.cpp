@@ -264,14 +264,17 @@ std::optional<BestPosition> PositionStudy::nearest_buildable(double range_weight
     return prepared_->found(search_places(prepared_->places, question).value());
 }
 
+int sign_as_shown(double change) {
+    return std::abs(change) < 5e-4 ? 0 : change < 0.0 ? -1 : 1;
+}
+
 Message trade_off(const PositionCriteria& from, const PositionCriteria& to) {
     const auto part = [](double before, double after, Text smaller, Text larger, Text same) {
         const double change = before > 0.0 ? after / before - 1.0 : 0.0;
-        constexpr double shown = 5e-4;  // less is 0.0 %
-        return std::abs(change) < shown
-                   ? Message(same)
-                   : Message(change > 0.0 ? larger : smaller,
-                             Number{100.0 * std::abs(change), units::percent, -1});
+        const int sign = sign_as_shown(change);
+        return sign == 0 ? Message(same)
+                         : Message(sign > 0 ? larger : smaller,
+                                   Number{100.0 * std::abs(change), units::percent, -1});
     };
     return joined(part(from.range, to.range, CORE_TEXT("balance-shaft", "range %1 smaller"),
                        CORE_TEXT("balance-shaft", "range %1 larger"),

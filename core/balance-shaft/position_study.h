@@ -59,6 +59,9 @@ struct PositionMap {
 /// Why no place is better than another where P₁ is 0, as a sentence.
 Message no_moment();
 
+/// Sign of a change as a share; 0 where it is printed as 0.0 %.
+int sign_as_shown(double change);
+
 /// What both criteria do from one place to another: "range 0.5 % smaller, RMS 43.0 % larger".
 Message trade_off(const PositionCriteria& from, const PositionCriteria& to);
 

@@ -552,12 +552,8 @@ Verdict shaft_verdict(const Result& result) {
         return {Severity::note,
                 Message(CORE_TEXT("balance-shaft", "The torque is constant: no shaft required."))};
     }
-    // A change that is printed as 0.0 % is none.
-    const auto sign = [](double share) {
-        return std::abs(share) < 5e-4 ? 0 : share < 0.0 ? -1 : 1;
-    };
-    const int range = sign(*result.range_change);
-    const int rms = sign(*result.rms_change);
+    const int range = sign_as_shown(*result.range_change);
+    const int rms = sign_as_shown(*result.rms_change);
     const Message of_range =
         range < 0   ? Message(CORE_TEXT("balance-shaft",
                                         "Fits: the range is %1 smaller than without shaft."),

@@ -80,8 +80,7 @@ QString best(const ShaftMapModel& map) {
     QString text =
         ShaftMapModel::tr("Best place by the %1, the nearest within 1 %: %2 at %3.")
             .arg(criterionName(map.criterion()), value(best->criteria), whereText(best->position));
-    constexpr double shown = 5e-4;  // less is 0.0 %
-    if (map.change(best->criteria).value_or(0.0) >= shown) {
+    if (balance_shaft::sign_as_shown(map.change(best->criteria).value_or(0.0)) > 0) {
         text += QLatin1Char(' ') + ShaftMapModel::tr("Worse than without a shaft.");
     }
     if (!best->isBuildable) {
