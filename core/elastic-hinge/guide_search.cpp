@@ -50,7 +50,7 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
                            const GuideWish& wish) {
     GuideProposal proposal;
     proposal.branch = branch;
-    proposal.smallest_spring_length = wish.smallest_spring_length.value_or(0.4 * free_length);
+    proposal.smallest_spring_length = wish.shortest(free_length);
     const auto refuse = [&](Message reason) {
         proposal.reason = std::move(reason);
         return proposal;
@@ -70,7 +70,7 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
     const double relief = wish.relief;
     const double half = 0.5 * free_length;
     const double limit = 0.5 * wish.outer_diameter - roller_radius;  // of the roller centre's path
-    const double shortest = wish.smallest_spring_length.value_or(0.4 * free_length);
+    const double shortest = wish.shortest(free_length);
 
     // Bounds of the least deflection d_min.
     const double least_deflection =
@@ -157,6 +157,22 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
     proposal.largest_spring_force = 2.0 * proposal.spring.stiffness * most;
     proposal.largest_spring_energy = 2.0 * proposal.spring.stiffness * most * most;
     return proposal;
+}
+
+bool meets_wish(const Guide& guide, double free_length, double roller_radius,
+                const GuideWish& wish) {
+    if (!guide.feasible) {
+        return false;
+    }
+    constexpr double rounding = 1e-6;  // m
+    const double shortest = guide.branch == Branch::compressed
+                                ? free_length - 2.0 * (guide.smallest_deflection + guide.relief)
+                                : free_length + 2.0 * guide.smallest_deflection;
+    return guide.relief >= wish.relief - rounding &&
+           2.0 * (roller_radius + guide.summary().max_radius) <= wish.outer_diameter + rounding &&
+           shortest >= wish.shortest(free_length) - rounding &&
+           guide.preload - guide.minimum_preload >= wish.preload_margin - rounding &&
+           !guide.summary().undercut;
 }
 
 }  // namespace ravnoves::elastic_hinge

@@ -50,6 +50,11 @@ struct GuideWish {
     /// m; the spring gets no shorter than that (its solid length). Empty: 0.4 ℓ₀.
     std::optional<double> smallest_spring_length;
     double preload_margin = 1e-4;  ///< of the preload over the least that the guide needs, m
+
+    /// The shortest that a spring of this free length may get, m.
+    double shortest(double free_length) const {
+        return smallest_spring_length.value_or(0.4 * free_length);
+    }
     bool operator==(const GuideWish&) const = default;
 };
 

@@ -157,11 +157,6 @@ void compare_kinematics(const Input& input, const Design& design,
                               grid.angle[i]);
         }
     }
-    result.series_error = cosine_error.value;
-    result.series_error_angle = cosine_error.place;
-    if (!exact) {
-        return;
-    }
     const double step = grid.angle[1] - grid.angle[0];
     const auto error_of_cosine = [&](double phi) {
         const double s = std::sin(phi);
@@ -169,9 +164,6 @@ void compare_kinematics(const Input& input, const Design& design,
         return std::abs(rod_angle_series(mechanism.lambda, s, c).cos_psi -
                         rod_angle_exact(mechanism.lambda, s, c).cos_psi);
     };
-    cosine_error.sharpen(error_of_cosine, step);
-    result.series_error = cosine_error.value;
-    result.series_error_angle = cosine_error.place;
     const auto error_of_moment = [&](double phi) {
         const double s = std::sin(phi);
         const double c = std::cos(phi);
@@ -181,8 +173,13 @@ void compare_kinematics(const Input& input, const Design& design,
                                             rod_angle_series(mechanism.lambda, s, c));
         return std::abs(other.weight - one.weight) + square * std::abs(other.inertia - one.inertia);
     };
-    moment_error.sharpen(error_of_moment, step);
-    result.series_moment_error = moment_error.value;
+    if (exact) {
+        cosine_error.sharpen(error_of_cosine, step);
+        moment_error.sharpen(error_of_moment, step);
+        result.series_moment_error = moment_error.value;
+    }
+    result.series_error = cosine_error.value;
+    result.series_error_angle = cosine_error.place;
 }
 
 void find_largest_side_forces(const Input& input, const Design& design, const AngleGrid& grid,

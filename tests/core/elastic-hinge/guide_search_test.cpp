@@ -30,8 +30,20 @@ TEST_P(ElasticHingeSearch, FindsASpringThatGivesWhatWasWanted) {
                         found.outer_diameter, 1e-6);
             EXPECT_NEAR(guide.largest_spring_force, found.largest_spring_force,
                         1e-9 * found.largest_spring_force);
-            // The preload has the margin that was asked for, and no more where that decides.
+            // Its guide is what was wished, and not what asks for more.
+            const auto meets = [&](const GuideWish& other) {
+                return meets_wish(guide, 0.2, input.roller_radius, other);
+            };
+            EXPECT_TRUE(meets(wish));
             const double margin = guide.preload - guide.minimum_preload;
+            for (const GuideWish& more :
+                 {GuideWish{1.1 * relief, 0.24, {}},
+                  GuideWish{relief, found.outer_diameter - 1e-4, {}},
+                  GuideWish{relief, 0.24, found.smallest_spring_length + 1e-4},
+                  GuideWish{relief, 0.24, {}, margin + 1e-4}}) {
+                EXPECT_FALSE(meets(more));
+            }
+            // The preload has the margin that was asked for, and no more where that decides.
             EXPECT_GE(margin, wish.preload_margin * (1.0 - 1e-6));
             if (guide.minimum_preload > 0.0 && relief < 5e-3) {
                 EXPECT_LE(margin, 1.1 * wish.preload_margin);
