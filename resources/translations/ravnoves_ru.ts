@@ -10688,7 +10688,7 @@ but no position is feasible</source>
         <translation>Максимальный радиус направляющей минус минимальный</translation>
     </message>
     <message>
-        <source>Preload minimum / present</source>
+        <source>Preload min / present</source>
         <translation>Преднатяг мин. / есть</translation>
     </message>
     <message>

@@ -315,22 +315,9 @@ QString ElasticHingeModel::proposalText() const {
 }
 
 bool ElasticHingeModel::meetsWish() const {
-    const Guide& present = result().crank_guide;
-    if (!present.feasible) {
-        return false;
-    }
-    const GuideWish wish = input().guide_search.value_or(GuideWish{});
-    const double length = input().spring->free_length;
-    const double shortest = present.branch == Branch::compressed
-                                ? length - 2.0 * (present.smallest_deflection + present.relief)
-                                : length + 2.0 * present.smallest_deflection;
-    constexpr double rounding = 1e-6;  // m
-    return present.relief >= wish.relief - rounding &&
-           2.0 * (input().roller_radius + present.summary().max_radius) <=
-               wish.outer_diameter + rounding &&
-           shortest >= wish.smallest_spring_length.value_or(0.4 * length) - rounding &&
-           present.preload - present.minimum_preload >= wish.preload_margin - rounding &&
-           !present.summary().undercut;
+    return input().spring && elastic_hinge::meets_wish(
+                                 result().crank_guide, input().spring->free_length,
+                                 input().roller_radius, input().guide_search.value_or(GuideWish{}));
 }
 
 void ElasticHingeModel::takeProposal() {
@@ -405,7 +392,7 @@ Results ElasticHingeModel::quantities() const {
     results.rows = {
         length(tr("Relief of the guide"), guide.relief, 4,
                tr("Maximum minus minimum radius of the guide")),
-        row(tr("Preload minimum / present"),
+        row(tr("Preload min / present"),
             when(guide.shape != nullptr,
                  ResultCell::two(QStringLiteral("%1 / %2"), preloadUp(guide.minimum_preload),
                                  shownCell(guide.preload, units::mm, 2))),
