@@ -34,6 +34,36 @@ QPainterPath weight(const QPointF& axis, const QPointF& mass, double radius, dou
     return drawing::weightPath(axis, angle, radius, hub, 58.0);
 }
 
+QFont namesFont() {
+    return Theme::font(Theme::smallSize);
+}
+
+struct ArrowName {
+    QString text;
+    Role role;
+    QPoint at;
+};
+
+/// The legend of the arrows, in rows from the lower edge up.
+std::vector<ArrowName> namesOfArrows(const QSize& size) {
+    constexpr int margin = 8;
+    constexpr int apart = 12;
+    std::vector<ArrowName> names{{MechanismView::tr("piston (Pⱼ₁)"), Role::Reciprocating, {}},
+                                 {MechanismView::tr("crank weight (P₁)"), Role::CrankWeight, {}},
+                                 {MechanismView::tr("shaft weight (P₁)"), Role::ShaftWeight, {}}};
+    const QFontMetrics metrics(namesFont());
+    QPoint at(margin, size.height() - margin);
+    for (ArrowName& name : names) {
+        const int wide = metrics.horizontalAdvance(name.text);
+        if (at.x() > margin && at.x() + wide > size.width() - margin) {
+            at = QPoint(margin, at.y() - metrics.height());
+        }
+        name.at = at;
+        at.rx() += wide + apart;
+    }
+    return names;
+}
+
 }  // namespace
 
 MechanismView::MechanismView(BalanceShaftModel* model, QWidget* parent)
@@ -65,13 +95,16 @@ drawing::Frame MechanismView::frame() const {
         }
     }
     const double margin = 14.0;
-    const double captions = 24.0;  // the rows of text above and below
+    const double above = 24.0;  // the row of text
+    const double below = std::max(above, height() - namesOfArrows(size()).back().at.y() +
+                                             QFontMetricsF(namesFont()).height());
     drawing::Frame frame;
     frame.pixelsPerUnit = std::max(
-        std::min((width() - 2 * margin) / box.width(), (height() - 2 * captions) / box.height()),
+        std::min((width() - 2 * margin) / box.width(), (height() - above - below) / box.height()),
         1e-9);
-    frame.origin = QPointF(width() / 2.0 - box.center().x() * frame.pixelsPerUnit,
-                           height() / 2.0 + box.center().y() * frame.pixelsPerUnit);
+    frame.origin =
+        QPointF(width() / 2.0 - box.center().x() * frame.pixelsPerUnit,
+                (height() + above - below) / 2.0 + box.center().y() * frame.pixelsPerUnit);
     return frame;
 }
 
@@ -235,21 +268,10 @@ void MechanismView::paintPicture(QPainter& painter) {
         drawing::drawWithHalo(painter, QRectF(rect()).adjusted(8, 6 + row, -8, -6),
                               Qt::AlignTop | Qt::AlignRight, tr("does not fit"));
     }
-    // Legend of the arrows.
-    const std::vector<std::pair<QString, QColor>> names{
-        {tr("piston (Pⱼ₁)"), theme.colour(Role::Reciprocating)},
-        {tr("crank weight (P₁)"), theme.colour(Role::CrankWeight)},
-        {tr("shaft weight (P₁)"), theme.colour(Role::ShaftWeight)}};
-    const QFontMetrics metrics = painter.fontMetrics();
-    QPoint at(8, height() - 8);  // in rows from the lower edge up
-    for (const auto& [text, colour] : names) {
-        const int wide = metrics.horizontalAdvance(text);
-        if (at.x() > 8 && at.x() + wide > width() - 8) {
-            at = QPoint(8, at.y() - metrics.height());
-        }
-        painter.setPen(theme.readable(colour));
-        painter.drawText(at, text);
-        at.rx() += wide + 12;
+    painter.setFont(namesFont());
+    for (const ArrowName& name : namesOfArrows(size())) {
+        painter.setPen(theme.readable(theme.colour(name.role)));
+        painter.drawText(name.at, name.text);
     }
 }
 
