@@ -51,10 +51,15 @@ PlotTitle::PlotTitle(const QString& title, double width) {
             break;
         }
     }
+    for (const QString& word : title.split(QLatin1Char(' '))) {
+        if (textWidth(font, word) > width) {
+            flags |= Qt::TextWrapAnywhere;  // no place to break it else
+        }
+    }
     const double line = std::ceil(QFontMetricsF(Theme::font(Theme::baseSize, true)).height());
     const QRectF room(0.0, 0.0, std::max(1.0, width), 1e4);
-    height = std::max(
-        line, std::ceil(QFontMetricsF(font).boundingRect(room, PlotTitle::flags, title).height()));
+    height =
+        std::max(line, std::ceil(QFontMetricsF(font).boundingRect(room, flags, title).height()));
     this->width = textWidth(font, title);
 }
 
@@ -150,7 +155,7 @@ void PlotPainter::paintAxes(QPainter& painter) {
     painter.setFont(title.font);
     painter.setPen(Theme::instance().text());
     painter.drawText(QRectF(Theme::margin, Theme::gap, room, title.height + Theme::gap),
-                     PlotTitle::flags, data_.title);
+                     title.flags, data_.title);
     if (!data_.image.isNull()) {
         const QRectF& values = data_.imageValues;
         painter.save();

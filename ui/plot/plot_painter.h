@@ -22,12 +22,10 @@ double strokeScale();
 
 /// How a title is in a row of this width: in smaller type before it takes several lines.
 struct PlotTitle {
-    static constexpr int flags =
-        Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap | Qt::TextWrapAnywhere;
-
     PlotTitle(const QString& title, double width);
 
     QFont font;
+    int flags = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap;
     double height = 0.0;
     double width = 0.0;  ///< in one line
 };
