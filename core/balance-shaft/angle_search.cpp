@@ -81,9 +81,7 @@ AngleMinimum minimise_over_angle(const std::function<Cut(double)>& evaluate, dou
         }
     }
     std::reverse(open.begin(), open.end());
-    const auto by_value = [](const Cut& a, const Cut& b) {
-        return a.value < b.value;
-    };
+    const auto by_value = [](const Cut& a, const Cut& b) { return a.value < b.value; };
     const auto ends = std::minmax_element(cuts.begin(), cuts.end(), by_value);
     best.worst = ends.second->value;
     // Values and bounds closer than this are rounding.

@@ -53,9 +53,8 @@ GearError gear_error(const Solver& solver, double shaft_angle) {
     const double turned = angle + solver.shaft_phase();
     if (result.play > 0.0) {
         const double first = angle - result.play;
-        const AngleMinimum least =
-            minimise_range(solver.plane(), force * distance,
-                           {{turned - result.play, turned + result.play}});
+        const AngleMinimum least = minimise_range(solver.plane(), force * distance,
+                                                  {{turned - result.play, turned + result.play}});
         // Between these angles the range R lies at most A h²/4 above the larger one beside, since
         // R + A α² is convex: 1e-7 of A where the play is 1°.
         constexpr std::size_t angles = 257;
