@@ -18,9 +18,6 @@ class RecoveryDialog : public QDialog {
   Q_SIGNALS:
     void restored(const RecoveredCase& recovered);
     void thrownAway(const RecoveredCase& recovered);
-    /// Those that are too many to be listed are to be offered next.
-    void olderWanted();
-    void olderThrownAway();
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -28,9 +25,8 @@ class RecoveryDialog : public QDialog {
   private:
     /// Asks, once for all.
     bool mayThrowAway();
-    /// Takes what is ticked out of the list: the cases, and where the older ones are ticked their
-    /// line, which `older` follows. Closes where nothing is left.
-    QList<RecoveredCase> takeTicked(void (RecoveryDialog::*older)());
+    /// Takes what is ticked out of the list; closes where nothing is left.
+    QList<RecoveredCase> takeTicked();
 
     QList<RecoveredCase> cases_;
     QTreeWidget* list_ = nullptr;
