@@ -131,7 +131,7 @@ void MethodPlots::setUpCurves(const Kernel& kernel) {
         for (int curve = 0; curve < plot->curveCount(); ++curve) {
             const auto method = static_cast<std::size_t>(curve);
             plot->setCurve(curve, {}, {});
-            plot->setPointTexts(curve, {});
+            plot->setPointText(curve, {});
             plot->setCurveShown(curve, true);
             PlotView::CurveStyle style;
             if (method < kernel.methods.size()) {
@@ -233,7 +233,10 @@ void MethodPlots::showWork(const MethodMeasurement& shown) {
             }
         }
         work_->setCurve(static_cast<int>(method), std::move(x), std::move(y));
-        work_->setPointTexts(static_cast<int>(method), std::move(texts));
+        work_->setPointText(static_cast<int>(method),
+                            [texts = std::move(texts)](std::size_t point) {
+                                return texts.value(static_cast<qsizetype>(point));
+                            });
     }
     work_->setMarks(std::move(marks));
 }

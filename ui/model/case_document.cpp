@@ -88,7 +88,6 @@ CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* 
     : QObject(parent),
       model_(model),
       dialogs_(std::move(dialogs)),
-      rest_(std::make_unique<CaseFile>()),
       sourcesLater_(new QTimer(this)) {
     documents() << this;
     constexpr int delay = 300;  // ms
@@ -104,10 +103,7 @@ CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* 
             Q_EMIT nameChanged();
         }
     });
-    connect(model, &SceneModel::begunAnew, this, [this] {
-        *rest_ = {};
-        setPath({}, {});
-    });
+    connect(model, &SceneModel::begunAnew, this, [this] { setPath({}, {}); });
     connect(&disk_, &FileOnDisk::stateChanged, this, [this] {
         const FileOnDisk::State state = disk_.state();
         isLastCopy_ = state == FileOnDisk::State::Gone ||
@@ -143,15 +139,11 @@ QString CaseDocument::name() const {
 }
 
 OpenCase CaseDocument::asOpenCase() const {
-    return {asFile(), model_->context()};
-}
-
-CaseFile CaseDocument::asFile() const {
-    return model_->caseFile();
+    return {model_->caseFile(), model_->context()};
 }
 
 std::string CaseDocument::asText(const QString& path) const {
-    CaseFile file = asFile();
+    CaseFile file = model_->caseFile();
     if (!path.isEmpty()) {
         move_files(file, model_->context(), {fsPath(QFileInfo(path).absolutePath())});
     }
@@ -159,9 +151,7 @@ std::string CaseDocument::asText(const QString& path) const {
 }
 
 bool CaseDocument::names(const QString& path) const {
-    const CaseContext folder{fsPath(QFileInfo(path_).absolutePath())};
-    return is_named_by(asFile(), model_->context(), fsPath(path)) ||
-           (!path_.isEmpty() && is_named_by(*rest_, folder, fsPath(path)));
+    return is_named_by(model_->caseFile(), model_->context(), fsPath(path));
 }
 
 QString sourceTrouble(const QString& path) {
@@ -237,10 +227,8 @@ Json* CaseDocument::fileNamedAt(CaseFile& file, const InputError& error) {
 
 void CaseDocument::load(const CaseFile& file, const CaseContext& context) {
     withinMemory([&] {
-        auto rest = std::make_unique<CaseFile>(file);
         const std::optional<Json> named = namedInput(file);
         model_->loadFile(file, context, named ? &*named : nullptr);
-        rest_ = std::move(rest);
     });
     sources_.clear();  // they were read just now
     watchSources();
@@ -277,7 +265,8 @@ void CaseDocument::watchSources() {
     sourcesLater_->stop();
     std::vector<QString> paths;
     if (model_->hasCaseFile()) {
-        for (const std::filesystem::path& each : files_named_by(asFile(), model_->context())) {
+        for (const std::filesystem::path& each :
+             files_named_by(model_->caseFile(), model_->context())) {
             const QFileInfo file(QFile::decodeName(each.string().c_str()));
             paths.push_back(file.absoluteFilePath());
         }

@@ -62,12 +62,10 @@ class CaseDocument : public QObject {
     OpenCase asOpenCase() const;
     /// Whether the document of a model has a file.
     static bool hasFile(const SceneModel& model);
-    /// All that its file holds, as it is now; files are named from the model's folder.
-    CaseFile asFile() const;
-    /// The text of asFile() for a path, from where files are named; empty: for none.
+    /// The text of its case for a path, from where files are named; empty: for none.
     /// @throws InputError
     std::string asText(const QString& path) const;
-    /// Whether this is a file that the case names, in its present state or as its own file has it.
+    /// Whether this is a file that the case names.
     bool names(const QString& path) const;
 
     /// A case file, not yet checked by its scene.
@@ -142,7 +140,6 @@ class CaseDocument : public QObject {
     DocumentDialogs dialogs_;
     QString path_;
     QString jobName_;
-    std::unique_ptr<CaseFile> rest_;  ///< of the file, what the model does not know
     FileOnDisk disk_;
     std::vector<std::unique_ptr<FileOnDisk>> sources_;  ///< that the case reads
     QTimer* sourcesLater_;

@@ -125,13 +125,6 @@ void PlotView::setYRange(Side side, double min, double max) {
     }
 }
 
-void PlotView::followData(Side side) {
-    if (data_.scale(side).fixed) {
-        data_.scale(side).fixed.reset();
-        chartChanged();
-    }
-}
-
 void PlotView::setEqualScale(bool equal) {
     data_.equalScale = equal;
     chartChanged();
@@ -230,14 +223,6 @@ void PlotView::clearSpreads() {
     for (int curve = 0; data_.hasSpread() && curve < curveCount(); ++curve) {
         setSpread(curve, {}, {});
     }
-}
-
-void PlotView::setPointTexts(int number, const QStringList& texts) {
-    std::function<QString(std::size_t)> text;
-    if (!texts.isEmpty()) {
-        text = [texts](std::size_t point) { return texts.value(static_cast<qsizetype>(point)); };
-    }
-    setPointText(number, std::move(text));
 }
 
 void PlotView::setPointText(int number, std::function<QString(std::size_t)> text) {

@@ -46,8 +46,6 @@ class PlotView : public QWidget {
     void setYAxis(Side side, const Axis& axis);
     /// Keeps a y axis at this interval, with a little room, until it is changed or zoomed.
     void setYRange(Side side, double min, double max);
-    /// The y axis follows the data again, with hysteresis.
-    void followData(Side side);
     /// One unit is the same length on both axes (shapes, hodographs).
     void setEqualScale(bool equal);
 
@@ -58,18 +56,13 @@ class PlotView : public QWidget {
     void setCurve(int curve, std::vector<double> x, std::vector<double> y);
     void setCurveStyle(int curve, const CurveStyle& style);
     void setCurveShown(int curve, bool shown);
-    bool isCurveShown(int curve) const { return data_.curve(curve).shown; }
-    /// Its name in the legend; a curve without a name has no entry there.
-    QString curveName(int curve) const { return data_.curve(curve).style.name; }
     int curveCount() const { return static_cast<int>(data_.curves.size()); }
     /// What scatter of the inputs makes of the curve, 5…95 %: so much below and above each of its
     /// points, which goes with the curve where that moves; empty lists remove it.
     void setSpread(int curve, std::vector<double> below, std::vector<double> above);
     void clearSpreads();
-    /// What is read out of each point of the curve, as lines of text. In a plot with such texts the
-    /// mouse and the arrow keys read points instead of the curves at an x.
-    void setPointTexts(int curve, const QStringList& texts);
-    /// The same, asked for when a point is read.
+    /// What is read out of a point of the curve, as lines of text; null: nothing. In a plot with
+    /// such texts the mouse and the arrow keys read points instead of the curves at an x.
     void setPointText(int curve, std::function<QString(std::size_t point)> text);
 
     /// A picture under the curves that fills a rectangle of values (a map over x and y); a null
@@ -109,7 +102,6 @@ class PlotView : public QWidget {
     bool isZoomed() const { return data_.zoomed; }
     /// Axes of all plots rest as far as they can, while something is dragged.
     static void setSteady(bool steady) { PlotData::steady = steady; }
-    static bool isSteady() { return PlotData::steady; }
     /// The axes follow what is shown now.
     void fitAxes() { curvesChanged(); }
     /// The chart's inner rectangle in this widget, and the mapping of values to it.
@@ -119,12 +111,6 @@ class PlotView : public QWidget {
     }
     double xAt(double pixelX) const { return data_.xAt(pixelX); }
     double yAt(double pixelY, Side side = Side::Left) const { return data_.yAt(pixelY, side); }
-    /// The interval shown now.
-    std::pair<double, double> xInterval() const { return {data_.x.low, data_.x.high}; }
-    std::pair<double, double> yInterval(Side side) const {
-        return {data_.scale(side).low, data_.scale(side).high};
-    }
-
     /// The value of a curve at x by linear interpolation; nothing outside its data.
     std::optional<double> valueAt(int curve, double x) const {
         return data_.valueAt(data_.curve(curve), x);
@@ -148,7 +134,6 @@ class PlotView : public QWidget {
     void pickedAt(double x, double y);
     /// The cursor is over x.
     void cursorMoved(double x);
-    void cursorLeft();
     /// A curve was switched on or off, by its legend entry or by setCurveShown().
     void curveToggled(int curve, bool shown);
 

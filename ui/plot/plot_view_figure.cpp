@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "plot/legend_item.h"
 #include "plot/model/figure.h"
 #include "plot/plot_view.h"
@@ -96,8 +98,8 @@ void PlotView::showFigure(const Figure& figure) {
             if (!fixed || !rests(*fixed, *range)) {
                 setYRange(side, range->first, range->second);
             }
-        } else {
-            followData(side);
+        } else if (std::exchange(data_.scale(side).fixed, std::nullopt)) {
+            chartChanged();  // it follows its data again
         }
     }
     if (data_.equalScale != figure.equalScale) {

@@ -123,7 +123,6 @@ void PlotView::moveCursorTo(double x) {
 void PlotView::leaveCursor() {
     if (data_.cursorX) {
         setCursorX(std::nullopt);
-        Q_EMIT cursorLeft();
     }
 }
 

@@ -637,7 +637,7 @@ TEST_F(ShaftMapTest, WhereNothingCanBeBuiltTheButtonSaysWhy) {
 TEST_F(ShaftMapTest, CurvesThatAreReadOutHaveNames) {
     for (const PlotView* chart : {distances, sizes}) {
         for (int i = 0; i < chart->curveCount(); ++i) {
-            EXPECT_FALSE(chart->curveName(i).isEmpty()) << i;
+            EXPECT_FALSE(chart->data().curve(i).style.name.isEmpty()) << i;
         }
     }
 }

@@ -158,15 +158,15 @@ TEST_F(BalanceShaftViewsTest, ATwoStrokeHasPlotsOfOneTurn) {
     model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
     choose(2);
     EXPECT_EQ(model->input().strokes, 2);
-    EXPECT_EQ(partPlot(page, "moments")->xInterval().second, 360.0);
-    EXPECT_EQ(openPlot("energy")->xInterval().second, 360.0);
+    EXPECT_EQ(partPlot(page, "moments")->data().x.interval().second, 360.0);
+    EXPECT_EQ(openPlot("energy")->data().x.interval().second, 360.0);
     model->crank()->turnTo(400.0);
     EXPECT_EQ(model->crank()->degrees(), 40.0);
     EXPECT_FALSE(openPlot("orders")->valueAt(1, 0.4)) << "half orders are of four strokes";
     // The table brings its own cycle back.
     EXPECT_EQ(model->setTorqueKind(balance_shaft::TorqueSource::Kind::table), QString());
     EXPECT_EQ(model->input().strokes, 4);
-    EXPECT_EQ(openPlot("moments")->xInterval().second, 720.0);
+    EXPECT_EQ(openPlot("moments")->data().x.interval().second, 720.0);
 }
 
 TEST_F(BalanceShaftViewsTest, ATableThatRepeatsATurnCanBeHalvedAndDoubled) {
@@ -421,7 +421,7 @@ TEST_F(BalanceShaftViewsTest, ANewStudyReplacesTheOneThatRuns) {
                     [i](balance_shaft::Input& input) { input.angular_speed = (200.0 + i) * 1.0; });
     }
     waitForStudy();
-    const auto [low, high] = angles->xInterval();
+    const auto [low, high] = angles->data().x.interval();
     EXPECT_NEAR(high, 1.1 * 219.0 / units::rpm, 1.0);
     EXPECT_LT(low, high);
 }
@@ -430,7 +430,7 @@ TEST_F(BalanceShaftViewsTest, SizeFollowsTheShaft) {
     PartPlot* sizes = openPlot("sizes");
     PartPlot* range = partPlot(page, "range-over-size");
     EXPECT_EQ(sizes->bands().size(), 2U);
-    EXPECT_EQ(range->curveName(1), QStringLiteral("feasible"));
+    EXPECT_EQ(range->data().curve(1).style.name, QStringLiteral("feasible"));
     model->setShaftAngleDeg(90.0);
     EXPECT_NEAR(*sizes->valueAt(0, 90.0), 1e3 * model->result().envelope.width(), 1e-6);
     QTest::mouseClick(

@@ -268,7 +268,8 @@ TEST_F(ElasticHingePageTest, FamiliesHaveTheCaseAmongThem) {
         bringPlots(tab);
         for (const PlotView* plot : page.findChildren<PlotView*>()) {
             for (int i = 0; i < plot->curveCount(); ++i) {
-                if (plot->isVisible() && plot->curveName(i) == QStringLiteral("this case")) {
+                if (plot->isVisible() &&
+                    plot->data().curve(i).style.name == QStringLiteral("this case")) {
                     ++families;
                     EXPECT_TRUE(plot->valueAt(i, 90.0).has_value()) << qPrintable(plot->title());
                     if (plot->title().contains(QStringLiteral("without"))) {
@@ -311,8 +312,9 @@ TEST_F(ElasticHingePageTest, PlotsHoldThePapersFigures) {
     EXPECT_NEAR(*plotOf("rod-moment")->valueAt(0, 30.0), -14.849, 1e-3);
     EXPECT_NEAR(*plotOf("rod-moment")->valueAt(1, 30.0), -14.849 - 9.46481 / two_pi, 1e-3);
     EXPECT_NEAR(*plotOf("rod-moment")->valueAt(2, 30.0), -14.782, 1e-3);  // the series
-    EXPECT_EQ(plotOf("rod-moment-speeds")->curveName(2), QStringLiteral("500\u00A0rad/s"));
-    EXPECT_TRUE(plotOf("rod-moment-speeds")->isCurveShown(2));
+    EXPECT_EQ(plotOf("rod-moment-speeds")->data().curve(2).style.name,
+              QStringLiteral("500\u00A0rad/s"));
+    EXPECT_TRUE(plotOf("rod-moment-speeds")->data().curve(2).shown);
     EXPECT_EQ(plotOf("rod-moment-speeds")->curveCount(), 3);
     bringPlots("side-force");
     EXPECT_NEAR(*plotOf("side-force-lambdas")->valueAt(1, 90.0), -9.4746, 1e-3);
@@ -328,10 +330,11 @@ TEST_F(ElasticHingePageTest, PlotsHoldThePapersFigures) {
     // With a counterweight the moment is M₁*.
     QTest::mouseClick(find<QCheckBox>("rod_counterweight"), Qt::LeftButton, {}, QPoint(8, 8));
     bringPlots("crank-moment");
-    EXPECT_EQ(plotOf("crank-moment")->curveName(1), QStringLiteral("with hinge (M₁*)"));
+    EXPECT_EQ(plotOf("crank-moment")->data().curve(1).style.name,
+              QStringLiteral("with hinge (M₁*)"));
     // Nothing is left of the side force, and the axis does not enlarge the rounding.
     bringPlots("side-force");
-    const auto [low, high] = plotOf("side-force-lambdas")->yInterval(PlotView::Side::Left);
+    const auto [low, high] = plotOf("side-force-lambdas")->data().left.interval();
     EXPECT_LT(low, -0.9);
     EXPECT_GT(high, 0.9);
 }

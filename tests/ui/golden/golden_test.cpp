@@ -94,7 +94,7 @@ class PictureTest : public ::testing::Test {
         const auto measured = [page] {
             return page->viewModel()->shown() != nullptr && !page->viewModel()->isStale();
         };
-        constexpr int patience = 60'000;  // ms
+        constexpr int patience = 60'000;   // ms
         page->tabs()->setCurrentIndex(1);  // where it measures
         ASSERT_TRUE(QTest::qWaitFor(measured, patience));
         settle();
@@ -291,13 +291,13 @@ TEST_F(Change, ACurveOfAnotherColourIsSeen) {
     for (PlotView* plot : window->currentPage()->findChildren<PlotView*>()) {
         for (int curve = 0; plot->isVisible() && curve < plot->curveCount(); ++curve) {
             const auto style = plot->data().curve(curve).style;
-            if (!plot->isCurveShown(curve) || style.name.isEmpty()) {
+            if (!plot->data().curve(curve).shown || style.name.isEmpty()) {
                 continue;  // an edge of something else
             }
             auto other = style;
             other.role = Role::Forbidden;
             plot->setCurveStyle(curve, other);
-            EXPECT_FALSE(now().isSame()) << plot->curveName(curve).toStdString();
+            EXPECT_FALSE(now().isSame()) << plot->data().curve(curve).style.name.toStdString();
             plot->setCurveStyle(curve, style);
             ++recoloured;
         }

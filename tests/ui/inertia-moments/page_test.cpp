@@ -491,14 +491,14 @@ TEST_F(InertiaMomentsPageTest, ARadialShowsStrokesAndForces) {
     for (const int order : {1, 2}) {
         PlotView* plot = ofOrder(order);
         EXPECT_EQ(plot->title(), QStringLiteral("Order %1, forces").arg(order));
-        EXPECT_EQ(plot->curveName(0), QStringLiteral("vertical (Fy)"));
+        EXPECT_EQ(plot->data().curve(0).style.name, QStringLiteral("vertical (Fy)"));
         EXPECT_NEAR(*plot->valueAt(0, 30.0),
                     model->result().unbalanced.order(order).force.at(order * 30.0 * degree).imag(),
                     1e-6);
     }
     model->chooseLayout(QStringLiteral("vw-vr5"));
     EXPECT_EQ(ofOrder(2)->title(), QStringLiteral("Order 2"));
-    EXPECT_EQ(ofOrder(2)->curveName(1), QStringLiteral("horiz. (Mx)"));
+    EXPECT_EQ(ofOrder(2)->data().curve(1).style.name, QStringLiteral("horiz. (Mx)"));
 }
 
 TEST_F(InertiaMomentsPageTest, AnEngineBesideAnotherShowsTheSameQuantity) {
@@ -733,7 +733,7 @@ TEST_F(InertiaMomentsPageTest, HodographsHoldTheVectors) {
     tab("hodographs");
     const QString csv = shown("hodograph-moments")->dataAsCsv();
     EXPECT_TRUE(csv.contains(QStringLiteral("1st")));
-    const auto [low, high] = shown("hodograph-moments")->yInterval(PlotView::Side::Left);
+    const auto [low, high] = shown("hodograph-moments")->data().left.interval();
     EXPECT_GT(high, model->result().exact.order(2).moment.max());
     EXPECT_LT(low, -model->result().exact.order(2).moment.max());
     // One newton-metre is as long in x as in y.
@@ -760,7 +760,7 @@ TEST_F(InertiaMomentsPageTest, HodographsHoldTheVectors) {
     // A balanced engine has a picture too.
     model->chooseLayout(QStringLiteral("i6"));
     QApplication::processEvents();
-    EXPECT_LT(plot->yInterval(PlotView::Side::Left).first, 0.0);
+    EXPECT_LT(plot->data().left.interval().first, 0.0);
 }
 
 TEST_F(InertiaMomentsPageTest, ForcesAndMomentsStandOverTheCrankAngle) {
@@ -772,12 +772,12 @@ TEST_F(InertiaMomentsPageTest, ForcesAndMomentsStandOverTheCrankAngle) {
     EXPECT_NEAR(*shown("forces-over-angle")->valueAt(0, 30.0), force.imag(),
                 1e-9 * std::abs(force));
     EXPECT_NE(*shown("forces-over-angle")->valueAt(2, 30.0), 0.0);
-    EXPECT_GT(shown("forces-over-angle")->yInterval(PlotView::Side::Left).second, 1000.0);
+    EXPECT_GT(shown("forces-over-angle")->data().left.interval().second, 1000.0);
     EXPECT_EQ(*shown("forces-over-angle")->valueAt(1, 30.0), 0.0);
     // The moments are no flat chart: Mz is one of them.
     const double roll = inertia_moments::exact_wrench(model->result().engine, 30.0 * degree).roll();
     EXPECT_NEAR(*shown("moments-over-angle")->valueAt(6, 30.0), roll, 1e-9 * std::abs(roll));
-    EXPECT_GT(shown("moments-over-angle")->yInterval(PlotView::Side::Left).second, 10.0);
+    EXPECT_GT(shown("moments-over-angle")->data().left.interval().second, 10.0);
     // A change of the input is there at once.
     const double before = *shown("forces-over-angle")->valueAt(0, 30.0);
     drag(page.sliders()->speed()->slider(), -30);

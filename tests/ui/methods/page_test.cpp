@@ -110,8 +110,8 @@ TEST_F(MethodsPageTest, EveryPointIsDrawn) {
     measure();
     const MethodMeasurement& shown = *model->shown();
     const PlotView* plot = page.plots()->workPlot();
-    const auto [low, high] = plot->yInterval(PlotView::Side::Left);
-    const auto [fast, slow] = plot->xInterval();
+    const auto [low, high] = plot->data().left.interval();
+    const auto [fast, slow] = plot->data().x.interval();
     std::size_t drawn = 0;
     const QString csv = page.plots()->workPlot()->dataAsCsv();
     for (const auto& point : shown.work.points) {

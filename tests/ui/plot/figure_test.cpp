@@ -41,7 +41,7 @@ TEST(ShownFigure, CurvesKeepTheirPlaceByWordWhateverComesBetween) {
     ASSERT_EQ(plot.curveCount(), 3);
     EXPECT_EQ(plot.data().curve(1).id, "c");
     EXPECT_EQ(*plot.valueAt(1, 1.0), 5.0);
-    EXPECT_FALSE(plot.isCurveShown(1)) << "what the user switched off stays off";
+    EXPECT_FALSE(plot.data().curve(1).shown) << "what the user switched off stays off";
     EXPECT_EQ(plot.data().curve(2).id, "b");
     plot.showFigure(figure({curve("c", {1, 1, 1})}));
     EXPECT_TRUE(plot.data().curve(0).x.empty());
@@ -74,15 +74,15 @@ TEST(ShownFigure, WhatIsZoomedToStaysWhileTheAxisIsTheSame) {
     plot.grab();
     QTest::keyClick(&plot, Qt::Key_Plus);
     ASSERT_TRUE(plot.isZoomed());
-    const auto before = plot.xInterval();
+    const auto before = plot.data().x.interval();
     shown.x.max = 3.0;
     plot.showFigure(shown);
     EXPECT_TRUE(plot.isZoomed());
-    EXPECT_EQ(plot.xInterval(), before);
+    EXPECT_EQ(plot.data().x.interval(), before);
     plot.resetZoom();
     shown.x = {.title = u"n"_s, .min = 10.0, .max = 20.0};
     plot.showFigure(shown);
-    EXPECT_EQ(plot.xInterval(), std::pair(10.0, 20.0));
+    EXPECT_EQ(plot.data().x.interval(), std::pair(10.0, 20.0));
 }
 
 TEST(ShownFigure, TablesHaveTheTruePlacesOfWhatIsDrawnOutOfScale) {

@@ -111,8 +111,7 @@ TEST_F(ScaledPlot, ArrowsStepFromPointToPoint) {
     const int curve =
         plot.addCurve({.name = QStringLiteral("a"), .shape = PlotView::Shape::LineAndPoints});
     plot.setCurve(curve, {10, 1e3, 1e5}, {1e-2, 1e-6, 1e-12});
-    plot.setPointTexts(curve,
-                       {QStringLiteral("one"), QStringLiteral("two"), QStringLiteral("three")});
+    plot.setPointText(curve, [](std::size_t point) { return QString::number(point); });
     show();
     plot.setFocus();
     const QImage before = plot.grab().toImage();

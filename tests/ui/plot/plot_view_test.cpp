@@ -106,15 +106,15 @@ TEST_F(PlotViewTest, DrawsTheCurveWhereItBelongs) {
 }
 
 TEST_F(PlotViewTest, WheelZoomsAboutThePointerAndDoubleClickResets) {
-    const auto [low, high] = plot.xInterval();
+    const auto [low, high] = plot.data().x.interval();
     test::turnWheel(&plot, at(180, 0), 3);
-    const auto [zoomLow, zoomHigh] = plot.xInterval();
+    const auto [zoomLow, zoomHigh] = plot.data().x.interval();
     EXPECT_LT(zoomHigh - zoomLow, 0.7 * (high - low));
     EXPECT_NEAR(plot.xAt(at(180, 0).x()), 180.0, 2.0);
     QTest::mouseDClick(&plot, Qt::LeftButton, {}, plot.plotArea().center().toPoint());
     QApplication::processEvents();
     plot.grab();
-    EXPECT_EQ(plot.xInterval(), std::pair(low, high));
+    EXPECT_EQ(plot.data().x.interval(), std::pair(low, high));
 }
 
 TEST(PlotViewWheel, APageThatIsScrolledGoesOnOverAPlot) {
@@ -128,7 +128,7 @@ TEST(PlotViewWheel, APageThatIsScrolledGoesOnOverAPlot) {
     area.setWidget(page);
     area.setWidgetResizable(true);
     test::showAt(area, {400, 300});
-    const auto [low, high] = plot->xInterval();
+    const auto [low, high] = plot->data().x.interval();
     // What a test sends is not passed on by itself.
     const QPointF at(150, 100);
     plot->setCursorX(180.0);
@@ -137,15 +137,15 @@ TEST(PlotViewWheel, APageThatIsScrolledGoesOnOverAPlot) {
     QApplication::sendEvent(plot, &down);
     EXPECT_FALSE(down.isAccepted()) << "left to the page";
     EXPECT_FALSE(plot->data().cursorX) << "the plot has gone from under the pointer";
-    EXPECT_EQ(plot->xInterval(), std::pair(low, high));
+    EXPECT_EQ(plot->data().x.interval(), std::pair(low, high));
     QTest::mouseClick(plot, Qt::LeftButton, {}, {150, 150});
     test::turnWheel(plot, {150, 150}, 1);
-    EXPECT_LT(plot->xInterval().second - plot->xInterval().first, high - low);
+    EXPECT_LT(plot->data().x.interval().second - plot->data().x.interval().first, high - low);
 }
 
 TEST_F(PlotViewTest, DragPans) {
     test::turnWheel(&plot, at(360, 0), 4);
-    const double before = plot.xInterval().first;
+    const double before = plot.data().x.interval().first;
     const QPoint from = plot.plotArea().center().toPoint();
     QTest::mousePress(&plot, Qt::LeftButton, {}, from);
     QMouseEvent move(QEvent::MouseMove, from - QPoint(50, 0),
@@ -153,19 +153,19 @@ TEST_F(PlotViewTest, DragPans) {
                      Qt::NoModifier);
     QApplication::sendEvent(&plot, &move);
     QTest::mouseRelease(&plot, Qt::LeftButton, {}, from - QPoint(50, 0));
-    EXPECT_GT(plot.xInterval().first, before + 10.0);
+    EXPECT_GT(plot.data().x.interval().first, before + 10.0);
 }
 
 TEST_F(PlotViewTest, ZoomStaysFiniteHoweverFarItGoes) {
     for (int i = 0; i < 400; ++i) {
         test::turnWheel(&plot, at(100, 0), 5);
     }
-    EXPECT_LT(plot.xInterval().first, plot.xInterval().second);
+    EXPECT_LT(plot.data().x.interval().first, plot.data().x.interval().second);
     for (int i = 0; i < 800; ++i) {
         test::turnWheel(&plot, plot.plotArea().center().toPoint(), -5);
     }
-    EXPECT_TRUE(std::isfinite(plot.xInterval().second));
-    EXPECT_LT(plot.xInterval().first, plot.xInterval().second);
+    EXPECT_TRUE(std::isfinite(plot.data().x.interval().second));
+    EXPECT_LT(plot.data().x.interval().first, plot.data().x.interval().second);
 }
 
 TEST_F(PlotViewTest, MouseReadsTheCurve) {
@@ -194,13 +194,13 @@ TEST_F(PlotViewTest, LegendSwitchesCurves) {
     auto* button = plot.findChild<LegendItem*>();
     ASSERT_NE(button, nullptr);
     QTest::mouseClick(button, Qt::LeftButton);
-    EXPECT_FALSE(plot.isCurveShown(curve));
+    EXPECT_FALSE(plot.data().curve(curve).shown);
     QTest::mouseClick(button, Qt::LeftButton);
-    EXPECT_TRUE(plot.isCurveShown(curve));
+    EXPECT_TRUE(plot.data().curve(curve).shown);
 }
 
 TEST_F(PlotViewTest, ACurveWithoutANameHasNoLegendEntry) {
-    EXPECT_FALSE(plot.curveName(curve).isEmpty());
+    EXPECT_FALSE(plot.data().curve(curve).style.name.isEmpty());
     plot.setCurveStyle(curve, {.name = QString()});
     auto* button = plot.findChild<LegendItem*>();
     ASSERT_NE(button, nullptr);
@@ -483,22 +483,23 @@ TEST_F(PlotViewTest, AllPlotsOfAPageAreReset) {
     QWidget page;
     plot.setParent(&page);
     plot.grab();
-    const auto whole = plot.xInterval();
+    const auto whole = plot.data().x.interval();
     QTest::keyClick(&plot, Qt::Key_Plus);
     EXPECT_TRUE(plot.isZoomed());
     resetAllZoom(&page);
     plot.grab();
-    EXPECT_EQ(plot.xInterval(), whole);
+    EXPECT_EQ(plot.data().x.interval(), whole);
     plot.setParent(nullptr);
 }
 
 TEST_F(PlotViewTest, KeysZoomMoveAndReset) {
-    const auto whole = plot.xInterval();
+    const auto whole = plot.data().x.interval();
     QTest::keyClick(&plot, Qt::Key_Plus);
-    EXPECT_LT(plot.xInterval().second - plot.xInterval().first, whole.second - whole.first);
+    EXPECT_LT(plot.data().x.interval().second - plot.data().x.interval().first,
+              whole.second - whole.first);
     QTest::keyClick(&plot, Qt::Key_0);
     plot.grab();
-    EXPECT_EQ(plot.xInterval(), whole);
+    EXPECT_EQ(plot.data().x.interval(), whole);
     QSignalSpy moved(&plot, &PlotView::cursorMoved);
     QTest::keyClick(&plot, Qt::Key_Right);
     EXPECT_EQ(moved.size(), 1);

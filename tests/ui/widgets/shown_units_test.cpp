@@ -130,7 +130,7 @@ TEST_F(ShownUnits, OfAPlotAreOnItsAxesInItsSentenceAndInItsTable) {
     plot.addCurve({.name = u"M"_s});
     plot.setCurve(0, {0.0, 254.0}, {0.0, 1.3558179483314004});
     plot.grab();
-    EXPECT_EQ(plot.xInterval(), std::pair(0.0, 254.0));  // data stay
+    EXPECT_EQ(plot.data().x.interval(), std::pair(0.0, 254.0));  // data stay
     EXPECT_TRUE(plot.sentence().contains(u"from 0.00 to 10.00\u00A0in"_s))
         << plot.sentence().toStdString();
     EXPECT_TRUE(plot.sentence().contains(u"1.00\u00A0lb·ft"_s) ||

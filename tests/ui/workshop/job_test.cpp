@@ -1611,8 +1611,8 @@ TEST_F(JobPageTest, ThePlotOfTheForceHoldsBothEllipses) {
         EXPECT_NEAR(plot->data().curve(1).y[i], left.upright[i] / units::gram, 1e-9);
     }
     const double reach = solution.first_order_bare->greatest() / units::gram;
-    EXPECT_GT(plot->yInterval(PlotView::Side::Left).second, reach);
-    EXPECT_GT(plot->xInterval().second, reach);
+    EXPECT_GT(plot->data().left.interval().second, reach);
+    EXPECT_GT(plot->data().x.interval().second, reach);
 }
 
 }  // namespace

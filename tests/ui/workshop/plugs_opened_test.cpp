@@ -57,7 +57,7 @@ TEST(OpenedCase, HasTheNumbersOfItsScene) {
             CaseDocument document(&model, {});
             const QString name = QFile::decodeName(path.c_str());
             document.open(CaseDocument::read(name), name);
-            const CaseFile saved = document.asFile();
+            const CaseFile saved = document.model()->caseFile();
             EXPECT_EQ(saved.scene, "workshop");
             EXPECT_EQ(saved.title, file.title);
             EXPECT_EQ(saved.notes, file.notes);

@@ -244,14 +244,14 @@ void PlotData::equalise() {
 void PlotData::keepHome() {
     if (!zoomed) {
         for (PlotScale* scale : {&x, &left, &right}) {
-            scale->home = {scale->low, scale->high};
+            scale->home = scale->interval();
         }
     }
 }
 
 void PlotData::keepSection() {
-    sectionX_ = {x.low, x.high};
-    sectionLeft_ = {left.low, left.high};
+    sectionX_ = x.interval();
+    sectionLeft_ = left.interval();
 }
 
 void PlotData::zoom(double factorX, double factorY, const QPointF& about) {

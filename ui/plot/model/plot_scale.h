@@ -72,7 +72,8 @@ struct PlotScale {
     /// Widens the interval by the factor about a fraction of it; not beyond what numbers can tell
     /// apart, nor beyond home.
     void zoom(double factor, double about);
-    bool isHome() const { return home == std::pair(low, high); }
+    std::pair<double, double> interval() const { return {low, high}; }
+    bool isHome() const { return home == interval(); }
     /// Moves the interval by a fraction of itself.
     void shift(double by);
     /// The same middle, another span.
