@@ -118,12 +118,27 @@ void expect_matches(const Json& expected, const Json& found, const std::string& 
     EXPECT_LE(difference, tolerance) << pointer << ": expected " << want << ", got " << have;
 }
 
+CaseFile example(const std::string& name) {
+    return parse_case(read_text_file(RAVNOVES_EXAMPLES "/" + name + ".case.json"));
+}
+
+std::vector<std::filesystem::path> example_files() {
+    std::vector<std::filesystem::path> paths;
+    for (const auto& entry : std::filesystem::directory_iterator(RAVNOVES_EXAMPLES)) {
+        if (entry.path().string().ends_with(".case.json")) {
+            paths.push_back(entry.path());
+        }
+    }
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
 Json check_example(const std::string& name) {
     const std::filesystem::path folder = RAVNOVES_EXAMPLES;
     const std::filesystem::path expected_file =
         std::filesystem::path(RAVNOVES_EXPECTED) / (name + ".expected.json");
     const Json expected = parse_json(read_text_file(expected_file));
-    const CaseFile file = parse_case(read_text_file(folder / (name + ".case.json")));
+    const CaseFile file = example(name);
     EXPECT_EQ(expected.at("scene").get<std::string>(), file.scene);
     Json document = solve_case(file, CaseContext{folder});
     expect_matches(expected.at("expected"), document.at("result"), "", 0.0);

@@ -2,11 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
+#include "case-file/case_file.h"
 #include "case-file/json.h"
 
 namespace ravnoves::test {
+
+/// The case of an example, "tmz-650d", or of a file near them, "../templates/workshop".
+CaseFile example(const std::string& name);
+/// The files of all examples, in the order of their names.
+std::vector<std::filesystem::path> example_files();
 
 /// Solves resources/examples/NAME.case.json and compares with
 /// tests/data/expected/NAME.expected.json by the contract's rules: 1e-6 relative, angles of an

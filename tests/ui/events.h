@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QMouseEvent>
 #include <QTest>
 #include <QTimer>
 #include <QWheelEvent>
@@ -16,6 +17,22 @@ inline void turnWheel(QWidget* widget, const QPoint& at, int notches,
     QWheelEvent event(at, widget->mapToGlobal(at), QPoint(), QPoint(0, 120 * notches), Qt::NoButton,
                       modifiers, Qt::NoScrollPhase, false);
     QApplication::sendEvent(widget, &event);
+}
+
+/// Moves the pointer over a widget; QTest's own moves have no button down.
+inline void movePointer(QWidget* widget, const QPointF& to, Qt::MouseButtons buttons = {}) {
+    QMouseEvent event(QEvent::MouseMove, to, widget->mapToGlobal(to), Qt::NoButton, buttons,
+                      Qt::NoModifier);
+    QApplication::sendEvent(widget, &event);
+}
+
+/// Drags from one place of a widget to another in so many steps.
+inline void drag(QWidget* widget, const QPoint& from, const QPoint& to, int steps = 10) {
+    QTest::mousePress(widget, Qt::LeftButton, {}, from);
+    for (int step = 1; step <= steps; ++step) {
+        movePointer(widget, from + (to - from) * step / steps, Qt::LeftButton);
+    }
+    QTest::mouseRelease(widget, Qt::LeftButton, {}, to);
 }
 
 /// The widget of that name below another; where there is none, the test fails.

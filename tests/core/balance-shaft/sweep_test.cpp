@@ -7,7 +7,7 @@
 
 #include "balance-shaft/angle_search.h"
 #include "case-file/json.h"
-#include "case-file/text_file.h"
+#include "example_check.h"
 #include "numerics/vector_lanes.h"
 #include "scenes/scenes.h"
 #include "test_cases.h"
@@ -92,10 +92,9 @@ TEST(BalanceShaftSweep, ExtremaStandAtTheirAnglesAndNoSampleIsBeyondThem) {
 
 /// With vector units and without: on any processor a user sees the same digits.
 TEST(VectorUnits, ChangeNoDigitOfAResult) {
-    Json json = Json::parse(read_text_file(std::string(RAVNOVES_EXAMPLES) + "/tmz-650d.case.json"));
+    CaseFile file = ravnoves::test::example("tmz-650d");
     for (const char* interpolation : {"linear", "periodic-cubic"}) {
-        json["input"]["interpolation"] = interpolation;
-        const CaseFile file = read_case(json);
+        file.input["interpolation"] = interpolation;
         const std::string with = solve_case(file, {}).dump();
         want_avx2(false);
         EXPECT_FALSE(has_avx2());

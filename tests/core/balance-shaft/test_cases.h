@@ -16,6 +16,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/result_json.h"
+#include "error_of.h"
 
 namespace ravnoves::balance_shaft::test {
 
@@ -23,15 +24,7 @@ inline std::filesystem::path data_folder() {
     return std::filesystem::path(RAVNOVES_EXPECTED).parent_path() / "balance-shaft";
 }
 
-/// what() of the InputError that the action throws, "no error" where it throws none.
-std::string error_of(const auto& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
+using ravnoves::test::error_of;
 
 /// What is said of an input that a patch of its case changes; "no error" where it is solved.
 inline std::string refusal(const Input& input, const std::string& patch) {

@@ -93,42 +93,38 @@ TEST(ParsedTorqueTable, NoLineOfAFileThatIsNoTableIsQuoted) {
 }
 
 TEST(ParsedTorqueTable, ErrorsNameLineAndColumn) {
-    EXPECT_EQ(refusal_of_text("0;0\n180;x\n720;0\n"),
-              "line 2, column 2: must be a finite number, got \"x\"");
-    EXPECT_EQ(refusal_of_text("a;b\n0;0\n\n1O;5\n720;0\n"),
-              "line 4, column 1: must be a finite number, got \"1O\"");
-    EXPECT_EQ(refusal_of_text("0;0\n180;nan\n720;0\n"),
-              "line 2, column 2: must be a finite number, got \"nan\"");
-    EXPECT_EQ(refusal_of_text("0;inf\n180;1\n720;0\n"),
-              "line 1, column 2: must be a finite number, got \"inf\"");
-    EXPECT_EQ(refusal_of_text("nan;0\n180;1\n720;0\n"),
-              "line 1, column 1: must be a finite number, got \"nan\"");
-    EXPECT_EQ(refusal_of_text("0;0\n180;1e999\n720;0\n"),
-              "line 2, column 2: must be a finite number, got \"1e999\"");
-    EXPECT_EQ(refusal_of_text("0;0\n180;\n720;0\n"),
-              "line 2, column 2: must be a finite number, got \"\"");
-    EXPECT_EQ(refusal_of_text("0;0\n180\n720;0\n"),
-              "line 2: must have two columns, crank angle and torque, got \"180\"");
-    EXPECT_EQ(refusal_of_text("0;0;1\n180;0;2\n720;0;1\n"),
-              "line 1: must have two columns, crank angle and torque, or the case must name two of "
-              "them in \"columns\", got 3 columns");
-    EXPECT_EQ(refusal_of_text("0;0\n200;5\n180;1\n720;0\n"),
-              "line 3, column 1: must be greater than the angle of the row before, 200, got 180");
-    EXPECT_EQ(refusal_of_text("0;0\n180;5\n180;1\n720;0\n"),
-              "line 3, column 1: must not repeat the angle of the row before, 180, got 180");
-    EXPECT_EQ(refusal_of_text("0;0\n180;5\n720;12\n"),
-              "line 3, column 2: must equal the first torque, 0 N·m, since the cycle repeats, got "
-              "12 N·m");
-    EXPECT_EQ(refusal_of_text("0;0\n180;5\n700;0\n"),
-              "line 3, column 1: the angles must span 720° (or 360°, or 4π or 2π in radians), the "
-              "last row repeating the first, got 700°");
-    EXPECT_EQ(refusal_of_text("0;0\n180;2e12\n720;0\n"),
-              "line 2, column 2: must be from -1000000000000 to 1000000000000, got 2000000000000");
-    EXPECT_EQ(refusal_of_text("0;0\n1e9;2\n720;0\n"),
-              "line 2, column 1: must be from -36000000 to 36000000, got 1000000000");
-    EXPECT_EQ(refusal_of_text("0,5,1,5\n180,5,2,5\n"),
-              "line 1, column 1: must not separate columns by commas and use decimal commas at "
-              "once; separate the columns by semicolons, got \"0,5,1,5\"");
+    const std::pair<const char*, const char*> cases[] = {
+        {"0;0\n180;x\n720;0\n", "line 2, column 2: must be a finite number, got \"x\""},
+        {"a;b\n0;0\n\n1O;5\n720;0\n", "line 4, column 1: must be a finite number, got \"1O\""},
+        {"0;0\n180;nan\n720;0\n", "line 2, column 2: must be a finite number, got \"nan\""},
+        {"0;inf\n180;1\n720;0\n", "line 1, column 2: must be a finite number, got \"inf\""},
+        {"nan;0\n180;1\n720;0\n", "line 1, column 1: must be a finite number, got \"nan\""},
+        {"0;0\n180;1e999\n720;0\n", "line 2, column 2: must be a finite number, got \"1e999\""},
+        {"0;0\n180;\n720;0\n", "line 2, column 2: must be a finite number, got \"\""},
+        {"0;0\n180\n720;0\n", "line 2: must have two columns, crank angle and torque, got \"180\""},
+        {"0;0;1\n180;0;2\n720;0;1\n",
+         "line 1: must have two columns, crank angle and torque, or the case must name two of them "
+         "in \"columns\", got 3 columns"},
+        {"0;0\n200;5\n180;1\n720;0\n",
+         "line 3, column 1: must be greater than the angle of the row before, 200, got 180"},
+        {"0;0\n180;5\n180;1\n720;0\n",
+         "line 3, column 1: must not repeat the angle of the row before, 180, got 180"},
+        {"0;0\n180;5\n720;12\n",
+         "line 3, column 2: must equal the first torque, 0 N·m, since the cycle repeats, got 12 "
+         "N·m"},
+        {"0;0\n180;5\n700;0\n",
+         "line 3, column 1: the angles must span 720° (or 360°, or 4π or 2π in radians), the last "
+         "row repeating the first, got 700°"},
+        {"0;0\n180;2e12\n720;0\n",
+         "line 2, column 2: must be from -1000000000000 to 1000000000000, got 2000000000000"},
+        {"0;0\n1e9;2\n720;0\n",
+         "line 2, column 1: must be from -36000000 to 36000000, got 1000000000"},
+        {"0,5,1,5\n180,5,2,5\n",
+         "line 1, column 1: must not separate columns by commas and use decimal commas at once; "
+         "separate the columns by semicolons, got \"0,5,1,5\""}};
+    for (const auto& [text, error] : cases) {
+        EXPECT_EQ(refusal_of_text(text), error);
+    }
 }
 
 TEST(ParsedTorqueTable, ACommaBetweenThousandsIsNotTakenForADecimalOne) {
@@ -178,14 +174,6 @@ TEST(ParsedTorqueTable, RefusesWhatIsNoTable) {
     EXPECT_EQ(refusal_of_text(std::string("0;0\n\0\1\2", 7)),
               "line 2: must be text; this looks like a binary file");
     EXPECT_NE(refusal_of_text("just\nsome\nprose\n"), "no error");
-    std::string noise;
-    std::mt19937 generator(1);
-    for (int i = 0; i < 20'000; ++i) {
-        noise += static_cast<char>(generator() & 0xFFU);
-    }
-    EXPECT_NE(refusal_of_text(noise), "no error");
-    noise.insert(0, "\xFF\xFE");  // high bytes first: not taken for a header without end
-    EXPECT_NE(refusal_of_text(noise), "no error");
 }
 
 TEST(ParsedTorqueTable, TwentyThousandRowsAreReadAndMoreAreRefused) {
@@ -195,31 +183,6 @@ TEST(ParsedTorqueTable, TwentyThousandRowsAreReadAndMoreAreRefused) {
     text = write_torque_table(test::random_table(7, largest_torque_table + 1));
     EXPECT_EQ(refusal_of_text(text),
               "a cycle must have at most 20000 rows: use larger steps, got 20001");
-}
-
-TEST(ParsedTorqueTable, NeverCrashesOnDamagedText) {
-    const std::string whole = write_torque_table(small);
-    std::mt19937 generator(11);
-    for (int i = 0; i < 20'000; ++i) {
-        std::string text = whole;
-        for (int k = 0; k < 3; ++k) {
-            const std::size_t place = generator() % text.size();
-            if (generator() % 3 == 0) {
-                text.erase(place, 1 + generator() % 5);
-            } else {
-                text[place] = static_cast<char>(generator() & 0xFFU);
-            }
-            if (text.empty()) {
-                break;
-            }
-        }
-        try {
-            const TorqueTable table = parse_torque_table(text).table;
-            check_torque_table(table, "");
-        } catch (const InputError& error) {
-            EXPECT_NE(std::string(error.what()), "");
-        }
-    }
 }
 
 TEST(TorqueTableCheck, NamesThePointer) {

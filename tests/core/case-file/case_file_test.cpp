@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "case-file/input_error.h"
 #include "case-file/text_file.h"
+#include "error_of.h"
 #include "scenes/scenes.h"
 
 namespace ravnoves {
@@ -19,12 +19,7 @@ Json envelope(const char* more = "{}") {
 }
 
 std::string refusal(const Json& document) {
-    try {
-        read_case(document, {"s"});
-        return "none";
-    } catch (const InputError& error) {
-        return error.what();
-    }
+    return test::error_of([&] { read_case(document, {"s"}); });
 }
 
 TEST(CaseFileTest, NotesVariantsStudyAndWhatIsKeptComeBackAsTheyWere) {

@@ -4,20 +4,13 @@
 
 #include "case-file/case_file.h"
 #include "case-file/decimal.h"
-#include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "error_of.h"
 
 namespace ravnoves {
 namespace {
 
-std::string error_of(const auto& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
+using test::error_of;
 
 TEST(ObjectReader, NamesPointerRuleAndFinding) {
     const Json input = parse_json(R"({"crank_radius_mm": -46, "name": 3, "list": [1, 2, "x"]})");

@@ -1,7 +1,6 @@
 #include "elastic-hinge/scene.h"
 #include "case-file/case_file.h"
 #include "case-file/json.h"
-#include "case-file/text_file.h"
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/results.h"
 
@@ -11,11 +10,6 @@
 namespace ravnoves::elastic_hinge {
 namespace {
 
-Json example(const std::string& name) {
-    return parse_json(read_text_file(std::string(RAVNOVES_EXAMPLES) + "/" + name + ".case.json"))
-        .at("input");
-}
-
 TEST(ElasticHingeCase, ExamplesOfTheContract) {
     ravnoves::test::check_example("zotov-as-printed");
     ravnoves::test::check_example("zotov-energy");
@@ -24,13 +18,13 @@ TEST(ElasticHingeCase, ExamplesOfTheContract) {
 
 TEST(ElasticHingeCase, FirstCasesCanBeMade) {
     for (const char* name : {"zotov-softer-spring", "../templates/elastic-hinge"}) {
-        const Input input = read_input(example(name));
+        const Input input = read_input(ravnoves::test::example(name).input);
         EXPECT_EQ(verdict(input, solve(input)).severity, Severity::good) << name;
     }
 }
 
 TEST(ElasticHingeCase, PresetIsTheExample) {
-    EXPECT_EQ(read_input(example("zotov-energy")), preset_zotov());
+    EXPECT_EQ(read_input(ravnoves::test::example("zotov-energy").input), preset_zotov());
 }
 
 /// Every key that a case may hold.
@@ -72,7 +66,7 @@ TEST(ElasticHingeCase, WritesWhatItReads) {
 
 TEST(ElasticHingeCase, APreloadOfExactlyTheLeastIsFeasible) {
     for (const char* name : {"zotov-energy", "zotov-as-printed", "zotov-counterweight"}) {
-        Json json = example(name);
+        Json json = ravnoves::test::example(name).input;
         const auto guide = [&] { return solve_scene(json, {}).at("guide"); };
         const double least = guide().at("minimum_preload_mm").get<double>();
         for (const double side : {-1.0, 1.0}) {
@@ -85,7 +79,7 @@ TEST(ElasticHingeCase, APreloadOfExactlyTheLeastIsFeasible) {
 }
 
 TEST(ElasticHingeCase, CounterweightIsByNewtonAndEulerUnlessAskedOtherwise) {
-    Json json = example("zotov-counterweight");
+    Json json = ravnoves::test::example("zotov-counterweight").input;
     EXPECT_EQ(read_input(json).rod_counterweight->inertia, CounterweightInertia::newton_euler);
     const Json right = solve_scene(json, {});
     json["rod_counterweight"]["inertia"] = "as-printed";
@@ -99,7 +93,7 @@ TEST(ElasticHingeCase, CounterweightIsByNewtonAndEulerUnlessAskedOtherwise) {
 }
 
 TEST(ElasticHingeCase, ResultHoldsMotionAndSearchWhereAsked) {
-    Json json = example("zotov-energy");
+    Json json = ravnoves::test::example("zotov-energy").input;
     json["motion"] = {{"turns", 3}};
     json["guide_search"] = {{"relief_mm", 1}, {"outer_diameter_mm", 250}};
     const Json result = solve_scene(json, {});
@@ -156,7 +150,7 @@ TEST(ElasticHingeCase, ErrorsNameTheField) {
 
 /// What the help says of an empty field is what the program takes for it.
 TEST(ElasticHingeCase, AnEmptyFieldStandsForWhatTheHelpSays) {
-    Json json = example("zotov-counterweight");
+    Json json = ravnoves::test::example("zotov-counterweight").input;
     json["guide_search"] = {{"relief_mm", 1.0}, {"outer_diameter_mm", 250.0}};
     json["motion"] = {{"turns", 1.0}};
     const auto solved = [](const Json& input) { return solve_scene(input, {}, {}); };

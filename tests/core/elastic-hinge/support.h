@@ -8,6 +8,7 @@
 
 #include "case-file/input_error.h"
 #include "elastic-hinge/solver.h"
+#include "error_of.h"
 
 namespace ravnoves::elastic_hinge::test {
 
@@ -42,14 +43,6 @@ inline double turn_integral(const std::vector<double>& samples) {
     return sum * two_pi / static_cast<double>(samples.size() - 1);
 }
 
-template <typename Action>
-std::string error_of(const Action& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
+using ravnoves::test::error_of;
 
 }  // namespace ravnoves::elastic_hinge::test

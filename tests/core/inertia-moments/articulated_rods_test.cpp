@@ -64,15 +64,6 @@ Input without_articulated(Input input) {
     return input;
 }
 
-std::string articulated_refusal(const Json& json) {
-    try {
-        solve_scene(json, {});
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
 // ------------------------------------------------------------- the closure, written here anew
 
 using Point = std::array<Real50, 2>;
@@ -589,7 +580,7 @@ TEST(ArticulatedRods, BadInputIsNamedByItsField) {
         if (expected.starts_with("3/")) {
             expected.replace(0, 1, "/input/cylinders/2/articulated");
         }
-        const std::string said = articulated_refusal(json);
+        const std::string said = test::refusal_of(json);
         EXPECT_EQ(said.substr(0, expected.size()), expected) << said;
     }
 }
@@ -604,7 +595,7 @@ TEST(ArticulatedRods, LockingIsRefusedInWords) {
     EXPECT_THROW(static_cast<void>(solve(input)), InputError);  // its orders need too many samples
     input.cylinders[1].articulated->rod_length = 0.9 * reach;
     Json json = write_input(input);
-    const std::string why = articulated_refusal(json);
+    const std::string why = test::refusal_of(json);
     EXPECT_EQ(why.find("/input/cylinders/1/articulated/rod_length_mm: must leave the articulated "
                        "rod longer than "),
               0U)
@@ -626,13 +617,13 @@ TEST(ArticulatedRods, LockingIsRefusedInWords) {
     // A rod that reaches its piston nowhere, and one whose length is not given.
     input.cylinders[1].articulated->rod_length.reset();
     input.cylinders[1].articulated->knuckle_radius = 0.27;
-    EXPECT_EQ(articulated_refusal(write_input(input))
+    EXPECT_EQ(test::refusal_of(write_input(input))
                   .find("/input/cylinders/1/articulated/knuckle_radius_mm: must leave"),
               0U);
     input.cylinders[1].articulated->knuckle_radius = 0.06;
     input.cylinders[1].articulated->knuckle_angle = 3.0;
     input.cylinders[1].offset = 1.0;
-    EXPECT_NE(articulated_refusal(write_input(input)).find("is not possible"), std::string::npos);
+    EXPECT_NE(test::refusal_of(write_input(input)).find("is not possible"), std::string::npos);
 }
 
 // A second cylinder in the direction of another is on a crankpin of its own; the rods that follow

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <vector>
 
+#include "error_of.h"
 #include "inertia-moments/layouts.h"
+#include "inertia-moments/scene.h"
 #include "inertia-moments/solver.h"
 
 namespace ravnoves::inertia_moments::test {
@@ -63,6 +65,10 @@ inline Input irregular() {
 /// |value| largest of a harmonic.
 inline double size(const Harmonic<double>& h) {
     return amplitude(h);
+}
+
+inline std::string refusal_of(const Json& json) {
+    return ravnoves::test::error_of([&] { solve_scene(json, {}); });
 }
 
 }  // namespace ravnoves::inertia_moments::test

@@ -6,9 +6,9 @@
 
 #include "case-file/case_file.h"
 #include "case-file/field_index.h"
-#include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "engines.h"
+#include "error_of.h"
 
 namespace ravnoves::inertia_moments {
 namespace {
@@ -29,14 +29,7 @@ Json table_json() {
         ]})");
 }
 
-std::string error_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
+using ravnoves::test::error_of;
 
 std::string error_in(Json input) {
     return error_of([&] { solve_scene(input, {}); });

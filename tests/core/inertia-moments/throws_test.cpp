@@ -37,15 +37,6 @@ Input radial(int count) {
     return input;
 }
 
-std::string refusal_of(const Json& json) {
-    try {
-        solve_scene(json, {});
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
 TEST(Throws, RodsThatShareAPinAreOneThrow) {
     const std::map<std::string_view, std::size_t> rods{
         {"i1", 1},     {"i2-180", 1}, {"i2-360", 1}, {"i4", 1},
@@ -136,15 +127,15 @@ TEST(Throws, AMassForEachThrowNeedsThrowsThatAreAlike) {
     EXPECT_DOUBLE_EQ(solved.at("throws").at(0).at("rotating_mass_kg").get<double>(), 1.6);
     EXPECT_DOUBLE_EQ(solved.at("throws").at(1).at("rotating_mass_kg").get<double>(), 0.8);
     json["rotating_mass_per_throw_kg"] = 1.2;
-    EXPECT_EQ(refusal_of(json),
+    EXPECT_EQ(test::refusal_of(json),
               "/input/rotating_mass_per_throw_kg: must be left out if rotating_mass_kg is given");
     json.erase("rotating_mass_kg");
     EXPECT_EQ(
-        refusal_of(json),
+        test::refusal_of(json),
         "/input/rotating_mass_per_throw_kg: must be given for one cylinder (rotating_mass_kg) if "
         "the throws carry different numbers of rods, got throws with 1 and with 2 rods");
     json["cylinders"].erase(2);
-    EXPECT_EQ(refusal_of(json), "no error");
+    EXPECT_EQ(test::refusal_of(json), "no error");
     // In any order of the keys.
     EXPECT_EQ(nlohmann::json(write_input(read_input(json))), nlohmann::json(json));
 }
@@ -246,7 +237,7 @@ TEST(TwoStrokes, OthersAreRefused) {
     Json json = write_input(engine_of("i3"));
     for (const int strokes : {1, 3, 5}) {
         json["strokes"] = strokes;
-        EXPECT_EQ(refusal_of(json),
+        EXPECT_EQ(test::refusal_of(json),
                   "/input/strokes: must be 2 or 4, got " + std::to_string(strokes));
     }
     json["strokes"] = 2;

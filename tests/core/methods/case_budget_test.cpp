@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <set>
 
 #include "case-file/case_file.h"
-#include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "error_of.h"
+#include "example_check.h"
 #include "numerics/constants.h"
 #include "scenes/scenes.h"
 #include "support.h"
@@ -19,10 +19,6 @@ namespace ravnoves::methods {
 namespace {
 
 using Kind = Contribution::Kind;
-
-CaseFile example_case(const std::string& name) {
-    return parse_case(read_text_file(RAVNOVES_EXAMPLES "/" + name + ".case.json"));
-}
 
 /// A leading result as the command line prints it, SI.
 double printed(const CaseFile& file, const Json& input, const ResultEntry& result,
@@ -76,24 +72,23 @@ Json with(const CaseFile& file, const std::string& pointer, const Json& value) {
 }
 
 TEST(CaseBudget, AnotherChoiceContributesTheDifferenceOfTwoSolutions) {
-    const CaseFile shaft = example_case("tmz-650d");
+    const CaseFile shaft = test::example("tmz-650d");
     expect_differences(shaft, Kind::choice, "/interpolation",
                        {with(shaft, "/interpolation", "periodic-cubic")});
-    const CaseFile hinge = example_case("zotov-energy");
+    const CaseFile hinge = test::example("zotov-energy");
     expect_differences(hinge, Kind::choice, "/kinematics", {with(hinge, "/kinematics", "series")});
 }
 
 TEST(CaseBudget, TheApproximateFormContributesItsDifference) {
-    const CaseFile engine = example_case("vr5-volkswagen");
+    const CaseFile engine = test::example("vr5-volkswagen");
     expect_differences(engine, Kind::approximate, "/two_term", {engine.input}, "/exact",
                        "/two_term");
 }
 
 /// Each object that is kept is a source of its own; the rows of a table are one together.
 TEST(CaseBudget, ATorqueThatTheCaseKeepsContributesItsDifference) {
-    CaseFile table = example_case("tmz-650d");
-    CaseFile cycle =
-        parse_case(read_text_file(RAVNOVES_EXAMPLES "/../templates/balance-shaft.case.json"));
+    CaseFile table = test::example("tmz-650d");
+    CaseFile cycle = test::example("../templates/balance-shaft");
     table.input["cylinder"] = cycle.input.at("cylinder");
     table.kept = {{"torque", cycle.input.at("torque")}};
     expect_differences(table, Kind::source, "/torque/cycle",
@@ -104,7 +99,7 @@ TEST(CaseBudget, ATorqueThatTheCaseKeepsContributesItsDifference) {
 }
 
 TEST(CaseBudget, AToleranceContributesItsFartherEnd) {
-    CaseFile shaft = example_case("tmz-650d");
+    CaseFile shaft = test::example("tmz-650d");
     shaft.study = {{"vary",
                     {{"/crank_radius_mm", {{"plus_minus", 0.5}}},
                      {"/centre_distance_mm", {{"normal_sd", 0.2}}},
@@ -131,44 +126,36 @@ TEST(CaseBudget, AToleranceContributesItsFartherEnd) {
 /// Every scene leads with something; its rounding is that of doubles, and the largest is first.
 TEST(CaseBudget, HoldsForTheExamplesOfEveryScene) {
     std::set<std::string> scenes;
-    for (const auto& entry : std::filesystem::directory_iterator(RAVNOVES_EXAMPLES)) {
-        if (entry.path().extension() != ".json") {
-            continue;
-        }
-        const CaseFile file = parse_case(read_text_file(entry.path()));
+    for (const auto& path : ravnoves::test::example_files()) {
+        const CaseFile file = parse_case(read_text_file(path));
         scenes.insert(file.scene);
         const auto budget = case_budget(file, {RAVNOVES_EXAMPLES});
-        EXPECT_FALSE(budget.empty()) << entry.path();
+        EXPECT_FALSE(budget.empty()) << path;
         for (const CaseDoubt& doubt : budget) {
             const auto& all = doubt.contributions;
             EXPECT_TRUE(std::is_sorted(all.begin(), all.end(), [](const auto& a, const auto& b) {
                 return a.change.value_or(-1.0) > b.change.value_or(-1.0);
             })) << doubt.result.pointer;
             const Contribution* const rounding = find(doubt, Kind::rounding, "");
-            ASSERT_NE(rounding, nullptr) << entry.path() << doubt.result.pointer;
+            ASSERT_NE(rounding, nullptr) << path << doubt.result.pointer;
             EXPECT_LT(rounding->change.value(), 1e-10 * std::abs(*doubt.result.si))
-                << entry.path() << doubt.result.pointer;
+                << path << doubt.result.pointer;
         }
     }
     EXPECT_EQ(scenes.size(), scene_solvers().size());
 }
 
 TEST(CaseBudget, IsSaidInTheUnitsOfTheCaseFile) {
-    const std::string text = write_text(case_budget(example_case("tmz-650d"), {}));
+    const std::string text = write_text(case_budget(test::example("tmz-650d"), {}));
     EXPECT_TRUE(says(text, "/metrics/M_ups/range_Nm")) << text;
     EXPECT_TRUE(says(text, "/interpolation: periodic-cubic")) << text;
     EXPECT_TRUE(says(text, "rounding")) << text;
 }
 
 TEST(CaseBudget, ACaseThatIsRefusedIsNamed) {
-    CaseFile shaft = example_case("tmz-650d");
+    CaseFile shaft = test::example("tmz-650d");
     shaft.input["crank_radius_mm"] = -1;
-    try {
-        case_budget(shaft, {});
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_EQ(error.where(), "/input/crank_radius_mm");
-    }
+    EXPECT_TRUE(says(test::error_of([&] { case_budget(shaft, {}); }), "/input/crank_radius_mm: "));
 }
 
 }  // namespace

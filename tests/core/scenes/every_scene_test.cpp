@@ -20,6 +20,7 @@
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "elastic-hinge/scene.h"
+#include "example_check.h"
 #include "inertia-moments/scene.h"
 #include "scenes/scenes.h"
 #include "workshop/older_formats.h"
@@ -88,17 +89,6 @@ const std::vector<Scene>& scenes() {
         scene<inertia_moments::Input>("inertia-moments", inertia_moments::read_input,
                                       inertia_moments::write_input)};
     return all;
-}
-
-std::vector<std::filesystem::path> examples() {
-    std::vector<std::filesystem::path> paths;
-    for (const auto& entry : std::filesystem::directory_iterator(RAVNOVES_EXAMPLES)) {
-        if (entry.path().extension() == ".json") {
-            paths.push_back(entry.path());
-        }
-    }
-    std::sort(paths.begin(), paths.end());
-    return paths;
 }
 
 /// Every object inside a value, by its pointer.
@@ -253,7 +243,7 @@ TEST_P(EveryScene, RefusesAValueOfAnotherKind) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Examples, EveryScene, testing::ValuesIn(examples()),
+INSTANTIATE_TEST_SUITE_P(Examples, EveryScene, testing::ValuesIn(test::example_files()),
                          [](const auto& example) {
                              std::string name = example.param.stem().string();
                              std::replace_if(
@@ -264,7 +254,7 @@ INSTANTIATE_TEST_SUITE_P(Examples, EveryScene, testing::ValuesIn(examples()),
 
 TEST(Scenes, HaveAnExampleAndALineHere) {
     std::set<std::string> shown;
-    for (const auto& path : examples()) {
+    for (const auto& path : test::example_files()) {
         shown.insert(parse_case(read_text_file(path)).scene);
     }
     std::set<std::string> listed;

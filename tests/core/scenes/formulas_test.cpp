@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <regex>
 #include <set>
 #include <string>
@@ -12,6 +11,7 @@
 #include "bibliography/bibliography.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "example_check.h"
 #include "scenes/scenes.h"
 
 namespace ravnoves {
@@ -20,14 +20,11 @@ namespace {
 /// Calls `look` with the solver, the file's name and the input of every example.
 template <typename Look>
 void for_every_example(Look&& look) {
-    for (const auto& entry : std::filesystem::directory_iterator(RAVNOVES_EXAMPLES)) {
-        if (entry.path().extension() != ".json") {
-            continue;
-        }
-        const CaseFile file = parse_case(read_text_file(entry.path()));
+    for (const auto& path : ravnoves::test::example_files()) {
+        const CaseFile file = parse_case(read_text_file(path));
         for (const SceneSolver& scene : scene_solvers()) {
             if (scene.name == file.scene) {
-                look(scene, entry.path(), scene.formulas(file.input));
+                look(scene, path, scene.formulas(file.input));
             }
         }
     }
@@ -103,13 +100,11 @@ TEST(Formulas, FollowTheCase) {
         }
         return false;
     };
-    const auto input_of = [](const char* name) {
-        return parse_case(read_text_file(std::string(RAVNOVES_EXAMPLES) + "/" + name)).input;
-    };
-    EXPECT_TRUE(has(input_of("zotov-counterweight.case.json"), "Part of the counterweight in M₁₂"));
-    EXPECT_FALSE(has(input_of("zotov-energy.case.json"), "Part of the counterweight in M₁₂"));
-    EXPECT_TRUE(has(input_of("zotov-energy.case.json"), "Minimum preload"));
-    EXPECT_FALSE(has(input_of("zotov-as-printed.case.json"), "Minimum preload"));
+    const auto input_of = [](const char* name) { return test::example(name).input; };
+    EXPECT_TRUE(has(input_of("zotov-counterweight"), "Part of the counterweight in M₁₂"));
+    EXPECT_FALSE(has(input_of("zotov-energy"), "Part of the counterweight in M₁₂"));
+    EXPECT_TRUE(has(input_of("zotov-energy"), "Minimum preload"));
+    EXPECT_FALSE(has(input_of("zotov-as-printed"), "Minimum preload"));
 }
 
 TEST(Formulas, EveryModelSaysWhatItLeavesOut) {

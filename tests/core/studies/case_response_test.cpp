@@ -4,13 +4,13 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/sha256.h"
 #include "case-file/text_file.h"
+#include "example_check.h"
 #include "scenes/scenes.h"
 #include "support.h"
 #include "temporary_folder.h"
@@ -18,27 +18,21 @@
 namespace ravnoves::studies {
 namespace {
 
-CaseFile example(const char* name) {
-    return parse_case(read_text_file(std::filesystem::path(RAVNOVES_EXAMPLES) / name));
-}
+using test::example;
 
 TEST(Wanted, EachPartAloneIsThatOfTheWhole) {
-    for (const auto& entry : std::filesystem::directory_iterator(RAVNOVES_EXAMPLES)) {
-        if (entry.path().extension() != ".json") {
-            continue;
-        }
-        const CaseFile file = parse_case(read_text_file(entry.path()));
+    for (const auto& path : ravnoves::test::example_files()) {
+        const CaseFile file = parse_case(read_text_file(path));
         const Json whole = solve_case(file, {}).at("result");
         for (const auto& item : whole.items()) {
             const Json alone = solve_case(file, {}, Wanted({"/" + item.key()})).at("result");
-            EXPECT_TRUE(alone == (Json{{item.key(), item.value()}}))
-                << entry.path() << ' ' << item.key();
+            EXPECT_TRUE(alone == (Json{{item.key(), item.value()}})) << path << ' ' << item.key();
         }
     }
 }
 
 TEST(Wanted, EachNumberAloneIsThatOfTheWhole) {
-    const CaseFile file = example("tmz-650d.case.json");
+    const CaseFile file = example("tmz-650d");
     const Json flat = solve_case(file, {}).at("result").flatten();
     int tried = 0;
     for (const auto& item : flat.items()) {
@@ -53,7 +47,7 @@ TEST(Wanted, EachNumberAloneIsThatOfTheWhole) {
 }
 
 TEST(TypedResponse, GivesTheNumbersOfTheWholeSolution) {
-    CaseFile file = example("tmz-650d.case.json");
+    CaseFile file = example("tmz-650d");
     const Json flat = solve_case(file, {}).at("result").flatten();
     for (const std::array<std::string, 2>& varied :
          {std::array<std::string, 2>{"/crank_radius_mm", "/reciprocating_masses_kg/piston"},
@@ -91,7 +85,7 @@ TEST(TypedResponse, GivesTheNumbersOfTheWholeSolution) {
 }
 
 TEST(TypedResponse, RefusesAsTheWholeSolutionDoes) {
-    CaseFile file = example("tmz-650d.case.json");
+    CaseFile file = example("tmz-650d");
     const std::array<std::string, 1> varied{"/crank_radius_mm"};
     const std::array<std::string, 1> watched{"/metrics/M_ups/range_Nm"};
     const auto quick = scene_solver(file.scene).respond(file.input, {}, varied, watched);
@@ -115,10 +109,10 @@ TEST(CaseResponse, GivesTheNumbersOfTheWholeSolutionOfEveryScene) {
         const char* file;
         const char* varied;
         double impossible;
-    } scenes[] = {{"zotov-energy.case.json", "/lambda", 7.0},
-                  {"vr5-volkswagen.case.json", "/crank_radius_mm", -1.0},
-                  {"v8-6-manufacture.case.json", "/engine/plug_radius_mm", -1.0},
-                  {"bob-weights-v8.case.json", "/parts_g/piston", -1.0}};
+    } scenes[] = {{"zotov-energy", "/lambda", 7.0},
+                  {"vr5-volkswagen", "/crank_radius_mm", -1.0},
+                  {"v8-6-manufacture", "/engine/plug_radius_mm", -1.0},
+                  {"bob-weights-v8", "/parts_g/piston", -1.0}};
     for (const auto& scene : scenes) {
         CaseFile file = example(scene.file);
         const Json::json_pointer place(scene.varied);
@@ -160,7 +154,7 @@ TEST(CaseResponse, SaysThatAFileHasChanged) {
     const CaseContext context{folder.path()};
     const std::string table = "0;0\n180;300\n360;0\n540;-100\n720;0\n";
     write_text_file(context.directory / "torque.csv", table);
-    CaseFile file = example("tmz-650d.case.json");
+    CaseFile file = example("tmz-650d");
     file.input["torque"] = {{"csv", "torque.csv"}, {"csv_sha256", sha256(table)}};
     file.study = {{"vary", {{"/shaft_angle_deg", {{"plus_minus", 1}}}}},
                   {"watch", {{"/metrics/M_ups/range_Nm", Json::object()}}},
@@ -173,7 +167,7 @@ TEST(CaseResponse, SaysThatAFileHasChanged) {
 }
 
 TEST(CaseResponse, DerivativesAreThoseOfFiftyDigits) {
-    CaseFile file = example("tmz-650d.case.json");
+    CaseFile file = example("tmz-650d");
     file.study = {{"vary",
                    {{"/crank_radius_mm", {{"plus_minus", 0.02}}},
                     {"/reciprocating_masses_kg/piston", {{"normal_sd", 0.002}}},

@@ -11,9 +11,9 @@
 #include <thread>
 
 #include "case-file/case_file.h"
-#include "case-file/input_error.h"
 #include "case-file/json_text.h"
 #include "case-file/sha256.h"
+#include "error_of.h"
 #include "numerics/constants.h"
 #include "studies/sampler.h"
 #include "support.h"
@@ -21,15 +21,12 @@
 namespace ravnoves::studies {
 namespace {
 
+using test::error_of;
+
 constexpr std::array sampled_words{"monte-carlo", "sobol"};
 
 std::string refusal(const Json& study) {
-    try {
-        read_study(study);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return test::error_of([&] { read_study(study); });
 }
 
 TEST(Study, ReadsWhatItWritesAndRefusesTheRest) {
@@ -42,7 +39,7 @@ TEST(Study, ReadsWhatItWritesAndRefusesTheRest) {
                         {"method", "monte-carlo"},
                         {"samples", 1'000'000'000},
                         {"seed", 9'223'372'036'854'775'807}};
-    EXPECT_EQ(refusal(study), "");
+    EXPECT_EQ(refusal(study), "no error");
     EXPECT_EQ(write_study(read_study(study)).flatten().size(), study.flatten().size());
     EXPECT_EQ(read_study(write_study(read_study(study))), read_study(study));
     const auto with = [&](const char* pointer, const Json& value) {
@@ -52,7 +49,7 @@ TEST(Study, ReadsWhatItWritesAndRefusesTheRest) {
     };
     EXPECT_EQ(with("/samples", 0),
               "/study/samples: must be a whole number from 1 to 1000000000, got 0");
-    EXPECT_EQ(with("/samples", 1e6), "");
+    EXPECT_EQ(with("/samples", 1e6), "no error");
     EXPECT_EQ(with("/samples", 1'000'000'001).substr(0, 14), "/study/samples");
     // Methods of older cases.
     EXPECT_EQ(with("/method", "second-order"),
@@ -71,7 +68,7 @@ TEST(Study, ReadsWhatItWritesAndRefusesTheRest) {
     EXPECT_EQ(with("/watch/~1y/min", 4), "/study/watch/~1y/max: must be at least 4, got 3");
     EXPECT_EQ(with("/watch/~1a_deg", {{"min", 355}, {"max", 3}}),
               "/study/watch/~1a_deg/max: must be at least 355; across 0° enter 363, got 3");
-    EXPECT_EQ(with("/watch/~1a_deg", {{"min", 355}, {"max", 363}}), "");
+    EXPECT_EQ(with("/watch/~1a_deg", {{"min", 355}, {"max", 363}}), "no error");
     EXPECT_EQ(with("/vary/~1e", {{"from", -1.7e308}, {"to", 1.7e308}}).substr(0, 22),
               "/study/vary/~1e/to: mu");
     EXPECT_EQ(with("/methd", "sobol").substr(0, 12), "/study/methd");
@@ -79,8 +76,8 @@ TEST(Study, ReadsWhatItWritesAndRefusesTheRest) {
 }
 
 TEST(Study, FindsKnownMomentsForTwentySeeds) {
-    // A sum of squares (chi-squared), an amplitude (Rayleigh); each normal (0, 1). By their kurtosis
-    // 7 and 3.245 the standard error of a deviation σ is σ √((κ − 1) / 4n).
+    // A sum of squares (chi-squared), an amplitude (Rayleigh); each normal (0, 1). By their
+    // kurtosis 7 and 3.245 the standard error of a deviation σ is σ √((κ − 1) / 4n).
     constexpr double n = 3000.0;
     for (const char* method : sampled_words) {
         for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -472,15 +469,6 @@ TEST(Study, ShardsPrintWhatTheWholePrints) {
     }
 }
 
-std::string fault(const std::function<void()>& work) {
-    try {
-        work();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
 /// Of a study by a method: a part that is done, or what is kept of it where it was interrupted.
 Json written_part(const char* method, bool finished) {
     Json study = normal_study(2, method, 60, 3);
@@ -544,9 +532,9 @@ TEST_P(ChangedPart, IsRefused) {
         } else {
             value = 1;
         }
-        EXPECT_NE(fault([&] { read_part(changed); }), "") << pointer;
+        EXPECT_NE(error_of([&] { read_part(changed); }), "no error") << pointer;
         // With a sum to fit it may be read, but then it is a part.
-        if (fault([&] { write_results(read_part(signed_part(changed))); }).empty()) {
+        if (error_of([&] { write_results(read_part(signed_part(changed))); }) == "no error") {
             ++survived;
         }
     }
@@ -564,7 +552,7 @@ TEST(Study, ACharacterThatWasChangedIsRefusedOrMeansNothing) {
         const std::size_t at = random.bits(i, 0, 0) % changed.size();
         changed[at] = "0123456789.,-eE\"[]{} "[random.bits(i, 0, 1) % 21];
         Json read;
-        if (fault([&] { read = write_part(read_part(parse_json(changed))); }).empty()) {
+        if (error_of([&] { read = write_part(read_part(parse_json(changed))); }) == "no error") {
             EXPECT_EQ(read.dump(), written) << at;
         }
     }
@@ -574,7 +562,7 @@ TEST(Study, AReasonMayBeOfAnyLength) {
     Json part = written_part("sobol", true);
     part["counts"]["refused"] = Json::array(
         {{{"reason", "has " + std::string(1'000'000, '1')}, {"count", 0}, {"first", 0}}});
-    EXPECT_EQ(fault([&] { read_part(signed_part(part)); }), "");
+    EXPECT_EQ(error_of([&] { read_part(signed_part(part)); }), "no error");
 }
 
 TEST(Study, RefusalsOfOneKindReadTheSameWithoutNumbers) {
@@ -589,9 +577,9 @@ TEST(Study, RefusalsOfOneKindReadTheSameWithoutNumbers) {
 TEST(Study, PartsOfOtherVersionsAreRefused) {
     Json old = written_part("sobol", true);
     old["version"] = 1;
-    EXPECT_EQ(fault([&] { read_part(old); }),
+    EXPECT_EQ(error_of([&] { read_part(old); }),
               "/version: must be 2; run the parts of other versions again, got 1");
-    EXPECT_EQ(fault([&] {
+    EXPECT_EQ(error_of([&] {
                   read_part({{"format", "ravnoves-study-part"}, {"version", 2}});
               }),
               "/sha256: is required and missing");
@@ -609,18 +597,18 @@ TEST(Study, PartsThatDoNotFitAreNamed) {
     };
     PartMerger merger;
     merger.add(made(2, 4, 1), "two");
-    EXPECT_EQ(fault([&] { merger.add(made(2, 4, 1), "again"); }),
+    EXPECT_EQ(error_of([&] { merger.add(made(2, 4, 1), "again"); }),
               "again: is the same part as two: 2/4");
-    EXPECT_EQ(fault([&] { merger.add(made(3, 4, 9), "other"); }),
+    EXPECT_EQ(error_of([&] { merger.add(made(3, 4, 9), "other"); }),
               "other: is a part of another case than two");
-    EXPECT_EQ(fault([&] { merger.add(made(1, 3, 1), "third"); }),
+    EXPECT_EQ(error_of([&] { merger.add(made(1, 3, 1), "third"); }),
               "third: is one of 3 parts, but two is one of 4");
     Part open = made(3, 4, 1);
     --open.blocks.back().done;
-    EXPECT_EQ(fault([&] { merger.add(open, "open"); }),
+    EXPECT_EQ(error_of([&] { merger.add(open, "open"); }),
               "open: is not finished (149 of 150 samples); run it again: --shard 3/4");
     merger.add(made(4, 4, 1), "four");
-    EXPECT_EQ(fault([&] { merger.finish(); }),
+    EXPECT_EQ(error_of([&] { merger.finish(); }),
               "2 of 4 parts are missing; run them again: --shard 1/4, 3/4");
 }
 

@@ -10,6 +10,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/result_json.h"
+#include "error_of.h"
 #include "workshop/older_formats.h"
 #include "workshop/scene.h"
 
@@ -28,12 +29,7 @@ inline Json solved_bob_weights_case(const Json& input) {
 
 /// What a reader, or one that solves what it has read, refuses.
 inline std::string error_of(const Json& input, Json (*solved)(const Json&) = test::solved) {
-    try {
-        solved(input);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+    return ravnoves::test::error_of([&] { solved(input); });
 }
 
 /// Where values differ by more than 1e-9 of their size, or are not there.

@@ -104,18 +104,6 @@ TEST(BalanceShaftModel, ADragIsOneStepOfTheHistory) {
     EXPECT_NEAR(model.shaftAngleDeg(), 149.0, 1e-9);
 }
 
-TEST(BalanceShaftModel, SetsValuesByTheirKeys) {
-    BalanceShaftModel model;
-    model.setByKey(QStringLiteral("centre_distance_mm"), QStringLiteral("120"));
-    EXPECT_NEAR(model.input().centre_distance, 0.12, 1e-12);
-    model.setByKey(QStringLiteral("reciprocating_masses_kg/pin"), QStringLiteral("0.3"));
-    EXPECT_NEAR(model.mass("pin"), 0.3, 1e-12);
-    model.setByKey(QStringLiteral("crank_angle_deg"), QStringLiteral("370"));
-    EXPECT_NEAR(model.crank()->degrees(), 370.0, 1e-12);
-    EXPECT_THROW(model.setByKey(QStringLiteral("crank_radus_mm"), QStringLiteral("1")), InputError);
-    EXPECT_THROW(model.setByKey(QStringLiteral("means"), QStringLiteral("x")), InputError);
-}
-
 TEST(BalanceShaftModel, TablesHoldNoEmptyCells) {
     BalanceShaftModel model;
     for (const auto& rows : {model.criteria().rows, model.quantities().rows}) {

@@ -65,14 +65,7 @@ TEST_F(BalanceShaftPageTest, SliderDragMovesEverythingLive) {
     QStyleOptionSlider option;
     option.initFrom(slider);
     const int x = static_cast<int>(slider->width() * slider->value() / 3600.0);
-    QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(x, y));
-    for (int step = 1; step <= 60; ++step) {
-        const QPoint p(x + step * 2, y);
-        QMouseEvent move(QEvent::MouseMove, p, slider->mapToGlobal(p), Qt::NoButton, Qt::LeftButton,
-                         Qt::NoModifier);
-        QApplication::sendEvent(slider, &move);
-    }
-    QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(x + 120, y));
+    test::drag(slider, {x, y}, {x + 120, y});
     EXPECT_GT(model->shaftAngleDeg(), 60.0);
     EXPECT_NE(columnsOf(), before);
     EXPECT_NEAR(*page.angleSlider()->box()->value(), model->shaftAngleDeg(), 0.051);
@@ -105,23 +98,6 @@ TEST_F(BalanceShaftPageTest, TextsThatCameWhileItWasHiddenAreWhole) {
         expectWhole();
     }
     EXPECT_GT(longer, 0);
-}
-
-TEST_F(BalanceShaftPageTest, KeysWheelAndBoxMoveTheShaft) {
-    model->setShaftAngleDeg(45.0);
-    QTest::keyClick(page.angleSlider()->slider(), Qt::Key_Right);
-    EXPECT_NEAR(model->shaftAngleDeg(), 45.1, 1e-9);
-    QTest::keyClick(page.angleSlider()->slider(), Qt::Key_PageUp);
-    EXPECT_NEAR(model->shaftAngleDeg(), 55.1, 1e-9);
-    page.angleSlider()->slider()->setFocus(Qt::TabFocusReason);
-    test::turnWheel(page.angleSlider()->slider(), QPoint(20, 8), -1);
-    EXPECT_LT(model->shaftAngleDeg(), 55.1);
-    auto* box = page.angleSlider()->box();
-    box->setFocus();
-    box->selectAll();
-    QTest::keyClicks(box, QStringLiteral("240,5"));
-    QTest::keyClick(box, Qt::Key_Return);
-    EXPECT_NEAR(model->shaftAngleDeg(), 240.5, 1e-9);
 }
 
 /// Another field mends what was refused: the words say so, and once that is given the text is tried
@@ -217,22 +193,6 @@ TEST_F(BalanceShaftPageTest, TheStatusForgetsARefusalThatEscapeTookBack) {
     EXPECT_TRUE(said.last().at(0).toString().isEmpty());
 }
 
-TEST_F(BalanceShaftPageTest, FieldsEditTheCaseAndUndoBringsItBack) {
-    type(field("centre_distance_mm"), QStringLiteral("120,5"));
-    EXPECT_NEAR(model->input().centre_distance, 0.1205, 1e-12);
-    EXPECT_NEAR(model->result().moment_amplitude, 4297.39736832 * 0.1205, 1e-4);
-    type(field("mass_pin"), QStringLiteral("0.3"));
-    EXPECT_NEAR(model->input().reciprocating_mass(), 1.375, 1e-9);
-    // On the way to 0.5 it is 0, which needs no shaft.
-    type(field("counterweight_mass_kg"), QStringLiteral("0.5"));
-    EXPECT_NEAR(model->result().counterweight_mass, 0.5, 1e-12);
-    while (model->history()->canUndo()) {
-        model->history()->undo();
-    }
-    EXPECT_NEAR(model->input().centre_distance, 0.10015, 1e-12);
-    EXPECT_EQ(field("centre_distance_mm")->value(), model->input().centre_distance / 1e-3);
-}
-
 TEST_F(BalanceShaftPageTest, ClickInThePlotsSetsTheShaft) {
     for (PlotView* plot : {partPlot(page, "range"), partPlot(page, "means")}) {
         QTest::mouseClick(plot, Qt::LeftButton, {},
@@ -243,16 +203,6 @@ TEST_F(BalanceShaftPageTest, ClickInThePlotsSetsTheShaft) {
         EXPECT_NEAR(model->shaftAngleDeg(), 200.0, 2.0);
         model->setShaftAngleDeg(45.0);
     }
-}
-
-TEST_F(BalanceShaftPageTest, MouseOverThePlotTurnsTheCrank) {
-    PlotView* plot = partPlot(page, "moments");
-    const QPoint p(plot->toPixel(400.0, 0.0).toPoint().x(),
-                   plot->plotArea().center().toPoint().y());
-    QMouseEvent move(QEvent::MouseMove, p, plot->mapToGlobal(p), Qt::NoButton, Qt::NoButton,
-                     Qt::NoModifier);
-    QApplication::sendEvent(plot, &move);
-    EXPECT_NEAR(model->crank()->degrees(), 400.0, 2.0);
 }
 
 TEST_F(BalanceShaftPageTest, BestButtonsGoThere) {
@@ -301,20 +251,6 @@ TEST_F(BalanceShaftPageTest, OffsetCylinderIsDrawnAndTurned) {
     EXPECT_NEAR(model->crank()->degrees() + model->result().dead_centre / degree, 360.0, 0.5);
     model->history()->undo();
     EXPECT_EQ(model->input().cylinder.offset, 0.0);
-}
-
-TEST_F(BalanceShaftPageTest, PicturePlaysPausesAndTurns) {
-    page.picture()->setFocus();
-    const double before = model->crank()->degrees();
-    QTest::keyClick(page.picture(), Qt::Key_Space);
-    EXPECT_TRUE(page.picture()->isPlaying());
-    QTest::qWait(120);
-    EXPECT_NE(model->crank()->degrees(), before);
-    QTest::keyClick(page.picture(), Qt::Key_Space);
-    EXPECT_FALSE(page.picture()->isPlaying());
-    page.picture()->setPlaying(true);
-    page.setActive(false);
-    EXPECT_FALSE(page.picture()->isPlaying());
 }
 
 TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {

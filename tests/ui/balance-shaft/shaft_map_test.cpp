@@ -66,9 +66,7 @@ class ShaftMapTest : public ::testing::Test {
         QApplication::processEvents();
     }
     void move(const QPointF& to, Qt::MouseButtons buttons = Qt::LeftButton) {
-        QMouseEvent event(QEvent::MouseMove, to, plot->mapToGlobal(to), Qt::NoButton, buttons,
-                          Qt::NoModifier);
-        QApplication::sendEvent(plot, &event);
+        test::movePointer(plot, to, buttons);
     }
     QPointF handle() const { return plot->pixelOf(map->present()); }
     double length() const { return model->input().centre_distance; }

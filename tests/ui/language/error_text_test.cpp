@@ -20,6 +20,7 @@
 #include "case-file/json.h"
 #include "case-file/range.h"
 #include "case-file/text_file.h"
+#include "example_check.h"
 #include "language/catalogue.h"
 #include "scene_tests.h"
 #include "scenes/scenes.h"
@@ -146,8 +147,8 @@ struct Refusals {
 
 TEST_F(ErrorText, OfEveryBadCaseIsRussian) {
     Refusals refusals;
-    for (const auto& file : std::filesystem::directory_iterator(RAVNOVES_EXAMPLES)) {
-        const Json good = parse_json(read_text_file(file.path()));
+    for (const auto& file : test::example_files()) {
+        const Json good = parse_json(read_text_file(file));
         if (good.at("scene") == "workshop") {
             continue;  // it has no page: the command line speaks English
         }

@@ -6,12 +6,11 @@
 #include <QSignalSpy>
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "case-file/text_file.h"
+#include "example_check.h"
 #include "methods/model/case_budget_model.h"
 #include "methods_support.h"
 #include "processor_time.h"
@@ -75,8 +74,7 @@ TEST(MethodsModel, SettingsAreChecked) {
 }
 
 std::optional<OpenCase> openExample(const char* name) {
-    return OpenCase{parse_case(read_text_file(std::filesystem::path(RAVNOVES_EXAMPLES) / name)),
-                    {}};
+    return OpenCase{test::example(name), {}};
 }
 
 TEST(CaseBudgetModel, ShowsEachLeadingResultWithWhatChangesIt) {
@@ -89,7 +87,7 @@ TEST(CaseBudgetModel, ShowsEachLeadingResultWithWhatChangesIt) {
         model.load(open);
         ASSERT_TRUE(QTest::qWaitFor([&] { return !model.isRunning(); }, test::patience));
     };
-    auto open = openExample("tmz-650d.case.json");
+    auto open = openExample("tmz-650d");
     open->file.study = {{"vary", {{"/crank_radius_mm", {{"plus_minus", 0.5}}}}},
                         {"watch", Json::object()}};
     load(open);
@@ -123,19 +121,17 @@ TEST(CaseBudgetModel, ShowsEachLeadingResultWithWhatChangesIt) {
         << messageText(model.verdict().text).toStdString();
     EXPECT_GE(model.leftOut().size(), 3);
     // Where orders cancel, rounding leads no headline.
-    load(openExample("radial-9.case.json"));
+    load(openExample("radial-9"));
     EXPECT_FALSE(messageText(model.verdict().text).contains(QStringLiteral("Rounding")))
         << messageText(model.verdict().text).toStdString();
     // An empty case is no error.
-    load(OpenCase{parse_case(read_text_file(std::filesystem::path(RAVNOVES_EXAMPLES).parent_path() /
-                                            "templates" / "workshop.case.json")),
-                  {}});
+    load(openExample("../templates/workshop"));
     EXPECT_TRUE(model.results().rows.isEmpty());
     EXPECT_EQ(model.verdict().severity, Severity::note);
     const QStringList leftOut = model.leftOut();
     EXPECT_EQ(leftOut.count(QStringLiteral("The crankshaft is rigid.")), 1);
     // A case that is refused is named in the window's words.
-    open = openExample("tmz-650d.case.json");
+    open = openExample("tmz-650d");
     open->file.input["crank_radius_mm"] = -1;
     load(open);
     EXPECT_TRUE(model.results().rows.isEmpty());

@@ -184,14 +184,7 @@ TEST_F(MethodsPageTest, SliderAndFieldSetTheValue) {
     auto* slider = find<QSlider>("value_slider");
     const int y = slider->height() / 2;
     const int x = slider->width() / 4;
-    QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(x, y));
-    for (int step = 1; step <= 30; ++step) {
-        const QPoint p(x + step, y);
-        QMouseEvent move(QEvent::MouseMove, p, slider->mapToGlobal(p), Qt::NoButton, Qt::LeftButton,
-                         Qt::NoModifier);
-        QApplication::sendEvent(slider, &move);
-    }
-    QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(x + 30, y));
+    test::drag(slider, {x, y}, {x + 30, y});
     slider->setFocus();
     const double before = model->value();
     QTest::keyClick(slider, Qt::Key_PageUp);
@@ -201,10 +194,7 @@ TEST_F(MethodsPageTest, SliderAndFieldSetTheValue) {
     EXPECT_FALSE(page.plots()->stabilityPlot()->isFaded());
 
     auto* field = find<NumberField>("value");
-    field->setFocus();
-    field->selectAll();
-    QTest::keyClicks(field, QStringLiteral("0,001"));
-    QTest::keyClick(field, Qt::Key_Return);
+    test::type(field, QStringLiteral("0,001"));
     EXPECT_EQ(model->value(), 0.001);
     EXPECT_EQ(slider->value(), 300);
     field->selectAll();
@@ -266,10 +256,7 @@ TEST_F(MethodsPageTest, PointsAreReadByMouseAndKeys) {
     });
     ASSERT_NE(plain, points.end());
     const QImage before = plot->grab().toImage();
-    const QPoint at = plot->toPixel(plain->timing.median, plain->result.error).toPoint();
-    QMouseEvent move(QEvent::MouseMove, at, plot->mapToGlobal(at), Qt::NoButton, Qt::NoButton,
-                     Qt::NoModifier);
-    QApplication::sendEvent(plot, &move);
+    test::movePointer(plot, plot->toPixel(plain->timing.median, plain->result.error));
     EXPECT_NE(plot->grab().toImage(), before);
     QEvent leave(QEvent::Leave);
     QApplication::sendEvent(plot, &leave);
@@ -380,23 +367,6 @@ TEST_F(MethodsPageTest, TheReportStopsTheMeasurement) {
     EXPECT_FALSE(model->measurements()->isRunning());
     bringTab("charts");
     test::waitUntilMeasured(*model);
-}
-
-TEST_F(MethodsPageTest, EveryInputHasANameAndATip) {
-    for (QWidget* widget : page.findChildren<QWidget*>()) {
-        const bool input = qobject_cast<QComboBox*>(widget) != nullptr ||
-                           qobject_cast<QSlider*>(widget) != nullptr ||
-                           qobject_cast<NumberField*>(widget) != nullptr ||
-                           qobject_cast<QPushButton*>(widget) != nullptr;
-        if (!input || widget->objectName() == QLatin1String("verdict_act")) {
-            continue;  // there is nothing to do about a verdict here
-        }
-        const auto* button = qobject_cast<QPushButton*>(widget);
-        EXPECT_FALSE(widget->toolTip().isEmpty()) << widget->objectName().toStdString();
-        EXPECT_TRUE(!widget->accessibleName().isEmpty() ||
-                    (button != nullptr && !button->text().isEmpty()))
-            << widget->objectName().toStdString();
-    }
 }
 
 /// In the window: no case to save, the open case of the scene, the theme.

@@ -431,17 +431,6 @@ TEST_F(DiskTest, TheLastCopyDoesNotGoUnasked) {
     EXPECT_TRUE(document.mayGo());
 }
 
-TEST_F(DiskTest, APipeInPlaceOfTheFileIsRefused) {
-    ASSERT_TRUE(QFile::remove(path));
-    ASSERT_EQ(::mkfifo(QFile::encodeName(path).constData(), 0600), 0);
-    EXPECT_EQ(document.disk().check(), FileOnDisk::State::Changed);
-    EXPECT_FALSE(document.mayGo());
-    overwrite = DocumentDialogs::Overwrite::Yes;
-    EXPECT_FALSE(document.save());
-    ASSERT_EQ(asked.size(), 2);
-    EXPECT_TRUE(asked[1].contains(QStringLiteral("pipe"))) << asked[1].toStdString();
-}
-
 TEST_F(DiskTest, AReadOnlyFileStaysAsItIs) {
     QFile file(path);
     ASSERT_TRUE(file.setPermissions(QFile::ReadOwner | QFile::ReadGroup));

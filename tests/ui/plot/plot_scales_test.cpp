@@ -123,14 +123,9 @@ TEST_F(ScaledPlot, ArrowsStepFromPointToPoint) {
     QTest::keyClick(&plot, Qt::Key_Left);
     EXPECT_EQ(plot.grab().toImage(), first);
     // The mouse reads the nearest point, and none far from all of them.
-    const auto moveTo = [&](const QPointF& at) {
-        QMouseEvent move(QEvent::MouseMove, at, plot.mapToGlobal(at), Qt::NoButton, Qt::NoButton,
-                         Qt::NoModifier);
-        QApplication::sendEvent(&plot, &move);
-    };
-    moveTo(plot.toPixel(10, 1e-2) + QPointF(4, 3));
+    test::movePointer(&plot, plot.toPixel(10, 1e-2) + QPointF(4, 3));
     EXPECT_EQ(plot.grab().toImage(), first);
-    moveTo(plot.toPixel(10, 1e-12));
+    test::movePointer(&plot, plot.toPixel(10, 1e-12));
     EXPECT_EQ(plot.grab().toImage(), before);
 }
 

@@ -147,12 +147,7 @@ TEST_F(PlotViewTest, DragPans) {
     test::turnWheel(&plot, at(360, 0), 4);
     const double before = plot.data().x.interval().first;
     const QPoint from = plot.plotArea().center().toPoint();
-    QTest::mousePress(&plot, Qt::LeftButton, {}, from);
-    QMouseEvent move(QEvent::MouseMove, from - QPoint(50, 0),
-                     plot.mapToGlobal(from - QPoint(50, 0)), Qt::NoButton, Qt::LeftButton,
-                     Qt::NoModifier);
-    QApplication::sendEvent(&plot, &move);
-    QTest::mouseRelease(&plot, Qt::LeftButton, {}, from - QPoint(50, 0));
+    test::drag(&plot, from, from - QPoint(50, 0), 1);
     EXPECT_GT(plot.data().x.interval().first, before + 10.0);
 }
 
@@ -170,9 +165,7 @@ TEST_F(PlotViewTest, ZoomStaysFiniteHoweverFarItGoes) {
 
 TEST_F(PlotViewTest, MouseReadsTheCurve) {
     QSignalSpy moved(&plot, &PlotView::cursorMoved);
-    QMouseEvent move(QEvent::MouseMove, at(90, 0), plot.mapToGlobal(at(90, 0)), Qt::NoButton,
-                     Qt::NoButton, Qt::NoModifier);
-    QApplication::sendEvent(&plot, &move);
+    test::movePointer(&plot, at(90, 0));
     ASSERT_FALSE(moved.isEmpty());
     EXPECT_NEAR(moved.last().first().toDouble(), 90.0, 1.0);
     EXPECT_NEAR(*plot.valueAt(curve, 90.0), 100.0, 1e-9);
@@ -351,16 +344,11 @@ TEST_F(PlotViewTest, ALimitOutOfSightIsToldAtTheEdge) {
 }
 
 TEST_F(PlotViewTest, WhatIsReadGoesWhileTheChartIsDragged) {
-    const auto move = [&](const QPoint& to, Qt::MouseButtons buttons) {
-        QMouseEvent event(QEvent::MouseMove, to, plot.mapToGlobal(to), Qt::NoButton, buttons,
-                          Qt::NoModifier);
-        QApplication::sendEvent(&plot, &event);
-    };
     const QPoint from = plot.plotArea().center().toPoint();
-    move(from, Qt::NoButton);
+    test::movePointer(&plot, from);
     EXPECT_TRUE(plot.data().cursorX.has_value());
     QTest::mousePress(&plot, Qt::LeftButton, {}, from);
-    move(from + QPoint(60, 0), Qt::LeftButton);
+    test::movePointer(&plot, from + QPoint(60, 0), Qt::LeftButton);
     EXPECT_FALSE(plot.data().cursorX.has_value());
     QTest::mouseRelease(&plot, Qt::LeftButton, {}, from + QPoint(60, 0));
     EXPECT_TRUE(plot.data().cursorX.has_value());

@@ -32,6 +32,7 @@
 #include "case-file/json.h"
 #include "events.h"
 #include "model/case_document.h"
+#include "page/mechanism_picture.h"
 #include "page/scene_page.h"
 #include "pictures/figure.h"
 #include "plot/plot_view.h"
@@ -44,6 +45,7 @@
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
 #include "widgets/table_editor.h"
+#include "widgets/value_slider.h"
 
 namespace ravnoves {
 namespace {
@@ -313,7 +315,46 @@ TEST_P(EveryPage, ItsTabsKeepTheirLettersWhicheverIsInFront) {
     });
 }
 
-// Between two tabs that stand beside each other Qt goes from one to the next.
+/// What turns on a page is one crank: its picture, the picture's slider and the plots over φ.
+TEST_P(EveryPage, ItsPictureAndPlotsTurnOneCrank) {
+    auto* panel = page->findChild<PicturePanel*>();
+    auto* picture = page->findChild<MechanismPicture*>();
+    if (panel == nullptr) {
+        GTEST_SKIP() << "nothing turns";
+    }
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !page->isBusy(); }, 60'000));
+    CrankAngle& crank = *picture->crank();
+    const auto turns = [&](const auto& act) {
+        const double before = crank.degrees();
+        act();
+        EXPECT_NE(crank.degrees(), before);
+        EXPECT_NEAR(panel->slider()->value(), crank.degrees(), 0.51);
+    };
+    picture->setFocus();
+    turns([&] { QTest::keyClick(picture, Qt::Key_Right); });
+    turns([&] {
+        QTest::keyClick(picture, Qt::Key_Space);
+        EXPECT_TRUE(picture->isPlaying());
+        QTest::qWait(120);
+    });
+    QTest::keyClick(picture, Qt::Key_Space);
+    EXPECT_FALSE(picture->isPlaying());
+    panel->action()->trigger();
+    EXPECT_TRUE(picture->isPlaying());
+    page->setActive(false);
+    EXPECT_FALSE(picture->isPlaying());
+    int plots = 0;
+    onEveryTab([&] {
+        for (PlotView* plot : reachable<PlotView>()) {
+            const QPointF at = plot->plotArea().center();
+            crank.turnTo(10.0);
+            test::movePointer(plot, at);
+            plots += std::abs(crank.degrees() - plot->xAt(at.x())) < 2.0 ? 1 : 0;
+        }
+    });
+    EXPECT_GT(plots, 0);
+}
+
 /// Counts what is asked to be laid out anew.
 class LayoutRequests final : public QObject {
   public:

@@ -85,67 +85,6 @@ TEST_F(MainWindowTest, TypingGoesToThePageThatIsSeen) {
     EXPECT_FALSE(field->hasFocus());
 }
 
-TEST_F(MainWindowTest, OpensSavesAndOpensAgain) {
-    EXPECT_EQ(window.openCase(example()), QString());
-    EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("tmz-650d.case.json")));
-    EXPECT_FALSE(window.isWindowModified());
-    const Json before = window.currentPage()->model()->inputJson();
-    EXPECT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=120")), QString());
-    EXPECT_TRUE(window.isWindowModified());
-    const QString copy = file("copy.case.json");
-    EXPECT_EQ(window.saveCase(copy), QString());
-    EXPECT_FALSE(window.isWindowModified());
-    EXPECT_EQ(window.openCase(example()), QString());
-    EXPECT_EQ(window.currentPage()->model()->inputJson(), before);
-    EXPECT_EQ(window.openCase(copy), QString());
-    EXPECT_EQ(window.currentPage()->model()->inputJson().at("shaft_angle_deg"), 120);
-}
-
-TEST_F(MainWindowTest, BadFilesAreNamedAndChangeNothing) {
-    ASSERT_EQ(window.openCase(example()), QString());
-    const Json before = window.currentPage()->model()->inputJson();
-    const std::vector<std::pair<const char*, const char*>> cases{
-        {"", "JSON"},
-        {"{\"format\": \"ravnoves-case\", \"version\": 2, \"scene\": \"balance-shaft\", "
-         "\"input\": {}}",
-         "newer"},
-        {"{\"format\": \"ravnoves-case\", \"version\": 1, \"scene\": \"balance-shift\", "
-         "\"input\": {}}",
-         "balance-shaft"},
-        {"{\"format\": \"ravnoves-case\", \"version\": 1, \"scene\": \"balance-shaft\", "
-         "\"input\": {\"crank_radius_mm\": -46}}",
-         "Crank radius r"},
-        {"\x7f"
-         "ELF\x02\x01",
-         "JSON"},
-    };
-    for (const auto& [text, word] : cases) {
-        const QString path = file("bad.json");
-        write(path, text);
-        const QString trouble = window.openCase(path);
-        EXPECT_TRUE(trouble.startsWith(path)) << text;
-        EXPECT_EQ(window.currentPage()->model()->inputJson(), before) << text;
-    }
-    EXPECT_NE(window.openCase(file("missing.json")), QString());
-    EXPECT_NE(window.openCase(folder.path()), QString());
-}
-
-TEST_F(MainWindowTest, SavingToABadPlaceSaysSoAndKeepsTheOldFile) {
-    ASSERT_EQ(window.openCase(example()), QString());
-    EXPECT_NE(window.saveCase(QStringLiteral("/dev/null/x.case.json")), QString());
-    EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("tmz-650d.case.json")));
-}
-
-TEST_F(MainWindowTest, AsksBeforeChangesAreLost) {
-    ASSERT_EQ(window.openCase(example()), QString());
-    ASSERT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=77")), QString());
-    answer(QMessageBox::Cancel);
-    EXPECT_FALSE(window.close());
-    EXPECT_TRUE(asked.contains(QStringLiteral("Balance shaft")));
-    answer(QMessageBox::Discard);
-    EXPECT_TRUE(window.close());
-}
-
 TEST_F(MainWindowTest, CopiesResults) {
     QTest::keyClick(&window, Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
     const QString text = QApplication::clipboard()->text();

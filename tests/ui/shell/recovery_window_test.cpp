@@ -402,16 +402,5 @@ TEST_F(NothingIsLost, SavingOverWhatOthersWroteAsks) {
     EXPECT_EQ(written().at("shaft_angle_deg"), 77);
 }
 
-TEST_F(NothingIsLost, AReadOnlyFileStays) {
-    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
-    set(u"shaft_angle_deg=77"_s);
-    QFile(file("tmz-650d")).setPermissions(QFile::ReadOwner);
-    press(u"Cancel"_s);
-    QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
-    EXPECT_TRUE(asked.contains(u"read-only"_s)) << asked.toStdString();
-    EXPECT_TRUE(window->isWindowModified());
-    EXPECT_NE(CaseDocument::read(file("tmz-650d")).input.value("shaft_angle_deg", 0.0), 77);
-}
-
 }  // namespace
 }  // namespace ravnoves

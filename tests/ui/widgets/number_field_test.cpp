@@ -11,7 +11,7 @@
 #include <random>
 
 #include "case-file/decimal.h"
-#include "case-file/input_error.h"
+#include "error_of.h"
 #include "events.h"
 #include "pictures/wheel_guard.h"
 #include "processor_time.h"
@@ -68,12 +68,8 @@ TEST_F(NumberFieldTest, AClickThatGivesTheFocusSelectsAllAndTheNextSetsTheCursor
     field.clearFocus();
     field.setValue(35.5);
     const QPoint from(field.width() - 6, 12);
-    QTest::mousePress(&field, Qt::LeftButton, {}, from);
     const QPoint to = from - QPoint(field.fontMetrics().horizontalAdvance(QLatin1Char('5')), 0);
-    QMouseEvent move(QEvent::MouseMove, to, field.mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
-                     Qt::NoModifier);
-    QApplication::sendEvent(&field, &move);
-    QTest::mouseRelease(&field, Qt::LeftButton, {}, to);
+    test::drag(&field, from, to, 1);
     EXPECT_LT(field.selectedText().size(), 4);
     EXPECT_TRUE(field.hasSelectedText());
 }
@@ -524,12 +520,7 @@ TEST(NumberList, ReadsNumbersOneAfterTheOther) {
           std::pair(
               "6, 10,0mm",
               "Drills: must be two numbers or one: enter \"10; 0\" or \"10\", got \"10,0mm\"")}) {
-        try {
-            readNumberList(QString::fromUtf8(typed), drills);
-            ADD_FAILURE() << typed;
-        } catch (const InputError& error) {
-            EXPECT_STREQ(error.what(), why);
-        }
+        EXPECT_EQ(test::error_of([&] { readNumberList(QString::fromUtf8(typed), drills); }), why);
     }
 }
 
