@@ -3,9 +3,7 @@
 // only checks that each comes to its end. With --race one is planted, which the sanitizer must see.
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QElapsedTimer>
-#include <QTemporaryDir>
 #include <algorithm>
 #include <cstdio>
 #include <functional>

@@ -6,7 +6,6 @@
 /// for table.py.
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <ctime>

@@ -8,7 +8,6 @@
 
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/scene.h"
-#include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "temporary_folder.h"

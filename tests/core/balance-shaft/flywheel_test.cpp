@@ -7,7 +7,6 @@
 #include "balance-shaft/presets.h"
 #include "balance-shaft/scene.h"
 #include "balance-shaft/solver.h"
-#include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "test_cases.h"
 

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-
 #include "case-file/text_file.h"
 #include "error_of.h"
 #include "scenes/scenes.h"

@@ -3,10 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_dec_float.hpp>
-#include <cmath>
-#include <string>
 
-#include "case-file/input_error.h"
 #include "elastic-hinge/solver.h"
 #include "error_of.h"
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <vector>
-
 #include "error_of.h"
 #include "inertia-moments/layouts.h"
 #include "inertia-moments/scene.h"

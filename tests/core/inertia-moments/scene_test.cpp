@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include "case-file/case_file.h"
 #include "case-file/field_index.h"
 #include "case-file/json.h"

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <complex>
 #include <vector>

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "case-file/input_error.h"
 #include "numerics/constants.h"
 #include "support.h"

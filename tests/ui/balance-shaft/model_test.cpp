@@ -12,7 +12,6 @@
 #include "balance-shaft/model/speed_study_model.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "example_check.h"
 #include "model/background_job.h"
 #include "model/input_differences.h"
 #include "model/reference_case.h"

@@ -9,7 +9,6 @@
 #include <QSlider>
 #include <QTabWidget>
 #include <QTableView>
-#include <QTimer>
 #include <algorithm>
 #include <cmath>
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
@@ -11,7 +10,6 @@
 #include "case-file/text_file.h"
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/scene.h"
-#include "example_check.h"
 #include "text/message_text.h"
 
 namespace ravnoves {

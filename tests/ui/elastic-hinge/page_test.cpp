@@ -12,7 +12,6 @@
 #include <QSlider>
 #include <QTabWidget>
 #include <QTemporaryDir>
-#include <QTimer>
 
 #include "case-file/json.h"
 #include "case-file/text_file.h"
@@ -27,7 +26,6 @@
 #include "theme/theme.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
-#include "widgets/result_table.h"
 
 namespace ravnoves {
 namespace {

@@ -1,13 +1,8 @@
 #pragma once
 
-#include <QColor>
 #include <QDir>
-#include <QFile>
 #include <QImage>
-#include <QSet>
 #include <QString>
-#include <algorithm>
-#include <cstdlib>
 
 namespace ravnoves::test {
 

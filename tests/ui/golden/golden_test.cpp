@@ -6,7 +6,6 @@
 
 #include <QApplication>
 #include <QLabel>
-#include <QScopeGuard>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>

@@ -824,13 +824,5 @@ TEST_F(InertiaMomentsPageTest, EveryTabOfEveryLayoutDrawsInBothThemes) {
     EXPECT_FALSE(page.grab().isNull());
 }
 
-TEST_F(InertiaMomentsPageTest, ResultsGoToTheClipboardWhole) {
-    const QString text = page.resultsAsText();
-    for (const char* part : {"two-term", "+kω", "mρ, g·mm", "Front web", "residual, %"}) {
-        EXPECT_TRUE(text.contains(QString::fromUtf8(part))) << part;
-    }
-    EXPECT_TRUE(page.resultsAsCsv().contains(QLatin1Char(',')));
-}
-
 }  // namespace
 }  // namespace ravnoves

@@ -7,7 +7,6 @@
 
 #include <QRegularExpression>
 #include <QString>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <string>

@@ -246,27 +246,6 @@ TEST_F(MethodsPageTest, MeasuresAgainAndCancels) {
     EXPECT_GT(progressed.count(), 3);
 }
 
-/// The mouse over a point reads it: method, setting, time, error.
-TEST_F(MethodsPageTest, PointsAreReadByMouseAndKeys) {
-    measure();
-    PlotView* plot = page.plots()->workPlot();
-    const auto& points = model->shown()->work.points;
-    const auto plain = std::find_if(points.begin(), points.end(), [](const auto& point) {
-        return !point.result.refused() && point.result.error > 0.0;
-    });
-    ASSERT_NE(plain, points.end());
-    const QImage before = plot->grab().toImage();
-    test::movePointer(plot, plot->toPixel(plain->timing.median, plain->result.error));
-    EXPECT_NE(plot->grab().toImage(), before);
-    QEvent leave(QEvent::Leave);
-    QApplication::sendEvent(plot, &leave);
-    plot->setFocus();
-    QTest::keyClick(plot, Qt::Key_Right);
-    const QImage first = plot->grab().toImage();
-    QTest::keyClick(plot, Qt::Key_Right);
-    EXPECT_NE(plot->grab().toImage(), first);
-}
-
 TEST_F(MethodsPageTest, ExportsCsvAndPictures) {
     measure();
     const QString csv = folder.filePath(QStringLiteral("m.csv"));

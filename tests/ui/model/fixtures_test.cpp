@@ -9,7 +9,6 @@
 #include <QFile>
 #include <QSettings>
 #include <QTemporaryDir>
-#include <functional>
 #include <map>
 #include <memory>
 

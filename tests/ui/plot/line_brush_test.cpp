@@ -364,20 +364,6 @@ TEST(LineBrush, CoversAsMuchAsTheLineIsWide) {
     }
 }
 
-TEST(LineBrush, ACrossingIsNoDarkerAndTheClipHolds) {
-    QImage image = paper();
-    const QRect clip(60, 40, 100, 80);
-    LineBrush(image, clip)
-        .draw({{{0, 0}, {240, 160}, {0, 160}, {240, 0}}}, 1.0, QColor(0, 0, 0, 128), 3.0);
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) {
-            EXPECT_GE(qGray(image.pixel(x, y)), 126) << x << ' ' << y;
-            EXPECT_TRUE(clip.contains(x, y) || qGray(image.pixel(x, y)) == 255) << x << ' ' << y;
-        }
-    }
-    EXPECT_EQ(qGray(image.pixel(120, 80)), 127);
-}
-
 TEST(LineBrush, FarBeyondThePictureTheDashesGoOn) {
     // The same dashes in sight, whether the line begins 6 or 6·10⁶ pixels before it.
     const double far = 6e6;

@@ -16,7 +16,6 @@
 #include <QTimer>
 #include <cmath>
 #include <csignal>
-#include <cstdlib>
 
 #include "events.h"
 #include "pictures/figure.h"

@@ -2,7 +2,6 @@
 
 #include <QLocale>
 #include <cmath>
-#include <limits>
 
 #include "events.h"
 #include "plot/model/ticks.h"
@@ -86,25 +85,6 @@ TEST_F(ScaledPlot, ReadsAlongTheLineThatIsDrawn) {
     // A straight line on both logarithmic axes.
     EXPECT_NEAR(std::log10(*plot.valueAt(curve, 1e3)), -6.0, 1e-9);
     EXPECT_TRUE(isDrawn(plot.toPixel(1e3, 1e-6)));
-}
-
-TEST_F(ScaledPlot, GapsBreakTheLineWhereAsked) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    PlotView::CurveStyle style;
-    style.name = QStringLiteral("a");
-    style.gaps = true;
-    const int broken = plot.addCurve(style);
-    plot.setCurve(broken, {1, 10, 100, 1000, 1e4, 1e5}, {1e-8, 1e-8, nan, nan, 1e-8, 1e-8});
-    show();
-    EXPECT_TRUE(isDrawn(plot.toPixel(3, 1e-8)));
-    EXPECT_FALSE(isDrawn(plot.toPixel(400, 1e-8)));
-    EXPECT_TRUE(isDrawn(plot.toPixel(3e4, 1e-8)));
-    EXPECT_TRUE(plot.valueAt(broken, 3.0).has_value());
-    EXPECT_FALSE(plot.valueAt(broken, 400.0).has_value());
-    style.gaps = false;
-    const int whole = plot.addCurve(style);
-    plot.setCurve(whole, {1, 10, 100, 1000}, {1e-4, nan, nan, 1e-4});
-    EXPECT_TRUE(isDrawn(plot.toPixel(30, 1e-4)));
 }
 
 TEST_F(ScaledPlot, ArrowsStepFromPointToPoint) {

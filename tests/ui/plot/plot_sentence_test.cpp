@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "plot/plot_view.h"
-#include "text/preferences.h"
 
 namespace ravnoves {
 namespace {

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <numeric>
 
 #include "events.h"
 #include "painted.h"
@@ -149,18 +148,6 @@ TEST_F(PlotViewTest, DragPans) {
     const QPoint from = plot.plotArea().center().toPoint();
     test::drag(&plot, from, from - QPoint(50, 0), 1);
     EXPECT_GT(plot.data().x.interval().first, before + 10.0);
-}
-
-TEST_F(PlotViewTest, ZoomStaysFiniteHoweverFarItGoes) {
-    for (int i = 0; i < 400; ++i) {
-        test::turnWheel(&plot, at(100, 0), 5);
-    }
-    EXPECT_LT(plot.data().x.interval().first, plot.data().x.interval().second);
-    for (int i = 0; i < 800; ++i) {
-        test::turnWheel(&plot, plot.plotArea().center().toPoint(), -5);
-    }
-    EXPECT_TRUE(std::isfinite(plot.data().x.interval().second));
-    EXPECT_LT(plot.data().x.interval().first, plot.data().x.interval().second);
 }
 
 TEST_F(PlotViewTest, MouseReadsTheCurve) {
@@ -456,28 +443,6 @@ TEST_F(PlotViewTest, ACurveThatIsAPointIsSeen) {
     plot.grab();
     const QPoint middle = at(360, 0);
     EXPECT_LT(plot.grab().toImage().pixelColor(middle).lightness(), 180);
-}
-
-TEST_F(PlotViewTest, TellsWhichCurveIsSwitched) {
-    QSignalSpy toggled(&plot, &PlotView::curveToggled);
-    plot.setCurveShown(0, false);
-    plot.setCurveShown(0, false);
-    ASSERT_EQ(toggled.size(), 1);
-    EXPECT_EQ(toggled[0][0].toInt(), 0);
-    EXPECT_FALSE(toggled[0][1].toBool());
-}
-
-TEST_F(PlotViewTest, AllPlotsOfAPageAreReset) {
-    QWidget page;
-    plot.setParent(&page);
-    plot.grab();
-    const auto whole = plot.data().x.interval();
-    QTest::keyClick(&plot, Qt::Key_Plus);
-    EXPECT_TRUE(plot.isZoomed());
-    resetAllZoom(&page);
-    plot.grab();
-    EXPECT_EQ(plot.data().x.interval(), whole);
-    plot.setParent(nullptr);
 }
 
 TEST_F(PlotViewTest, KeysZoomMoveAndReset) {

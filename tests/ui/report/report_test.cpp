@@ -18,6 +18,7 @@
 
 #include "case-file/json.h"
 #include "events.h"
+#include "example_check.h"
 #include "model/background_job.h"
 #include "model/case_document.h"
 #include "page/scene_page.h"
@@ -39,15 +40,6 @@ namespace ravnoves {
 namespace {
 
 using namespace Qt::StringLiterals;
-
-QStringList examples() {
-    const QDir folder(QStringLiteral(RAVNOVES_EXAMPLES));
-    QStringList paths;
-    for (const QString& name : folder.entryList({u"*.json"_s})) {
-        paths << folder.filePath(name);
-    }
-    return paths;
-}
 
 /// What a program of the machine says of a file.
 QString said(const char* program, const QStringList& arguments) {
@@ -124,7 +116,8 @@ class ReportTest : public ::testing::TestWithParam<std::string> {
 };
 
 TEST_P(ReportTest, HoldsTitleInputsAndEveryResultOfEveryExample) {
-    for (const QString& path : examples()) {
+    for (const auto& example : test::example_files()) {
+        const QString path = QString::fromStdString(example.string());
         SCOPED_TRACE(path.toStdString());
         ASSERT_EQ(window->openCase(path), QString());
         ScenePage* page = window->currentPage();
@@ -179,23 +172,14 @@ TEST_P(ReportTest, HoldsTitleInputsAndEveryResultOfEveryExample) {
         EXPECT_FALSE(onScreen.contains(raw)) << raw.match(onScreen).captured().toStdString();
         EXPECT_FALSE(russian && fileText(html).contains(u"kg/m<sup>"_s));
         EXPECT_GE(fileText(html).count(u"<svg "_s), 1);
-    }
-}
-
-TEST_P(ReportTest, IsTextAndVectorsOnPaper) {
-    for (const QString& path : examples()) {
-        SCOPED_TRACE(path.toStdString());
-        ASSERT_EQ(window->openCase(path), QString());
-        const QString pdf = file(u"report.pdf"_s);
-        ASSERT_EQ(window->writeReport(pdf), QString());
         // The map of the balance shaft's places is a picture of numbers by its nature.
         const QString list = said(RAVNOVES_PDFIMAGES, {u"-list"_s, pdf});
         EXPECT_FALSE(list.contains(u"jpeg"_s)) << list.toStdString();
-        const qsizetype pictures = list.count(u'\n') - 2;
         const bool map = window->currentScene() == u"balance-shaft"_s;
-        EXPECT_LE(pictures, map ? 2 : 0);
-        EXPECT_GT(said(RAVNOVES_PDFFONTS, {pdf}).count(u"DejaVu"_s), 0);
-        EXPECT_TRUE(said(RAVNOVES_PDFFONTS, {pdf}).contains(u"yes"_s));  // embedded
+        EXPECT_LE(list.count(u'\n') - 2, map ? 2 : 0);
+        const QString fonts = said(RAVNOVES_PDFFONTS, {pdf});
+        EXPECT_GT(fonts.count(u"DejaVu"_s), 0);
+        EXPECT_TRUE(fonts.contains(u"yes"_s));  // embedded
     }
 }
 

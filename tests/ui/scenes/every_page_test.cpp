@@ -25,7 +25,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "balance-shaft/torque_table_editor.h"
 #include "case-file/case_file.h"

@@ -6,14 +6,13 @@
 #include <QSet>
 #include <QTabWidget>
 #include <algorithm>
-#include <cstdlib>
 #include <tuple>
 
 #include "events.h"
+#include "page/scene_page.h"
 #include "scene_tests.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
-#include "page/scene_page.h"
 #include "theme/theme.h"
 
 namespace ravnoves {

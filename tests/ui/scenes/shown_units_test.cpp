@@ -16,7 +16,6 @@
 #include <memory>
 #include <string>
 
-#include "case-file/case_file.h"
 #include "events.h"
 #include "model/background_job.h"
 #include "model/case_document.h"

@@ -298,24 +298,6 @@ TEST_P(EveryPagesVariants, DifferencesAreThePresentLessTheReferencesRowOfTheSame
     EXPECT_EQ(columns(), with);
 }
 
-TEST_P(EveryPagesVariants, SwappedTwiceAllIsAsItWas) {
-    model().keepVariant();
-    changeByKeys();
-    const Json input = model().inputJson();
-    const Json result = model().resultJson();
-    const Json reference = model().variantInput(0);
-    EXPECT_FALSE(inputDifferences(model(), reference).empty());
-    ASSERT_EQ(model().swapVariant(0), QString());
-    EXPECT_EQ(model().inputJson(), reference);
-    EXPECT_EQ(model().variantInput(0), input);
-    EXPECT_EQ(this->reference()->inputJson(), input);
-    EXPECT_EQ(this->reference()->resultJson(), result);
-    ASSERT_EQ(model().swapVariant(0), QString());
-    EXPECT_EQ(model().inputJson(), input);
-    EXPECT_EQ(model().resultJson(), result);
-    EXPECT_EQ(model().variantInput(0), reference);
-}
-
 TEST_P(EveryPagesVariants, TheInputsThatDifferAreNamedAsInTheForm) {
     model().keepVariant();
     changeByKeys();
@@ -511,25 +493,6 @@ TEST(VariantsSideBySide, MarkTheBestAndSayNothingOfWhatIsEqual) {
     for (int column = 1; column < 4; ++column) {
         EXPECT_FALSE(table.item(without, column)->text().contains(u'('));
     }
-}
-
-TEST_P(EveryPagesVariants, ComeBackFromTheFile) {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(u"variants.case.json"_s);
-    model().keepVariant(u"тяжёлый"_s);
-    changeByKeys();
-    model().keepVariant();
-    ASSERT_EQ(CaseDocument(&model(), {}).saveTo(path), QString());
-    const std::unique_ptr<ScenePage> other = make();
-    CaseDocument document(other->model(), {});
-    document.open(CaseDocument::read(path), path);
-    EXPECT_EQ(other->model()->variants(), model().variants());
-    for (int place = 0; place < 2; ++place) {
-        EXPECT_EQ(other->model()->variantTrouble(place), QString());
-    }
-    other->model()->chooseReference(0);
-    ASSERT_NE(other->model()->referenceCase().model(), nullptr);
-    EXPECT_EQ(other->model()->referenceCase().model()->inputJson(), model().variantInput(0));
 }
 
 TEST_P(EveryPagesVariants, AReferenceThatIsRefusedSaysWhy) {

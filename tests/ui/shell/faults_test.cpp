@@ -23,7 +23,6 @@
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "events.h"
 #include "model/case_document.h"
-#include "page/refused_entries.h"
 #include "page/scene_page.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"

@@ -5,20 +5,16 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
-#include <QFile>
 #include <QKeySequence>
 #include <QLineEdit>
 #include <QMap>
 #include <QMenu>
-#include <QMessageBox>
 #include <QTemporaryDir>
 #include <QTextBrowser>
-#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 
 #include "case-file/json.h"
-#include "case-file/text_file.h"
 #include "events.h"
 #include "page/scene_page.h"
 #include "shell/help_window.h"
@@ -39,21 +35,9 @@ class MainWindowTest : public ::testing::Test {
     MainWindowTest() { test::showAt(window, {1280, 800}); }
 
     QString file(const char* name) const { return folder.filePath(QString::fromLatin1(name)); }
-    void write(const QString& path, std::string_view text) {
-        write_text_file(path.toStdString(), text);
-    }
-    QString example() const { return QStringLiteral(RAVNOVES_EXAMPLES "/tmz-650d.case.json"); }
-    /// Answers the next message box with a button and keeps its text.
-    void answer(QMessageBox::StandardButton button) {
-        test::whenModal<QMessageBox>(&window, [this, button](QMessageBox* box) {
-            asked = box->text();
-            box->button(button)->click();
-        });
-    }
 
     QTemporaryDir folder;
     MainWindow window;
-    QString asked;
 };
 
 TEST_F(MainWindowTest, EverySceneOpensByKeyAndByName) {
@@ -131,16 +115,6 @@ TEST_F(MainWindowTest, AnUnknownTabIsAnsweredWithTheTabsThatThereAre) {
     const QString answer = applySetting(window, QStringLiteral("tab=motions"));
     EXPECT_TRUE(answer.contains(QStringLiteral("side-force"))) << answer.toStdString();
     EXPECT_TRUE(answer.contains(QStringLiteral("got motions"))) << answer.toStdString();
-}
-
-TEST_F(MainWindowTest, DarkAndLightDiffer) {
-    const QImage light = window.grab().toImage();
-    Theme::instance().setMode(Theme::Mode::Dark);
-    QApplication::processEvents();
-    const QImage dark = window.grab().toImage();
-    Theme::instance().setMode(Theme::Mode::Light);
-    EXPECT_GT(light.pixelColor(640, 790).lightness(), 180);
-    EXPECT_LT(dark.pixelColor(640, 790).lightness(), 80);
 }
 
 TEST_F(MainWindowTest, EveryActionHasATipAndEveryIconExists) {

@@ -17,7 +17,6 @@
 #include <QStatusBar>
 #include <QTableView>
 #include <QTemporaryDir>
-#include <QTimer>
 #include <QToolTip>
 
 #include "case-file/json.h"

@@ -8,7 +8,6 @@
 #include <QMenu>
 #include <QSlider>
 #include <QTemporaryDir>
-#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <algorithm>

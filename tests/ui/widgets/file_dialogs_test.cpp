@@ -5,7 +5,6 @@
 #include <QFile>
 #include <QMessageBox>
 #include <QTemporaryDir>
-#include <QTimer>
 
 #include "events.h"
 

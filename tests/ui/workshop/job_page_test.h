@@ -13,7 +13,6 @@
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
 #include <memory>
 
 #include "case-file/case_file.h"
@@ -23,7 +22,6 @@
 #include "painted.h"
 #include "scenes/scenes.h"
 #include "theme/theme.h"
-#include "v8-plugs/presets.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
 #include "workshop/model/workshop_model.h"

@@ -6,6 +6,7 @@
 
 #include "case-file/input_error.h"
 #include "job_page_test.h"
+#include "v8-plugs/presets.h"
 #include "workshop/doubts.h"
 #include "workshop/scene.h"
 

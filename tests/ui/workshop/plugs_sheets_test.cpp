@@ -12,6 +12,7 @@
 #include "job_page_test.h"
 #include "model/case_document.h"
 #include "shop/checked_field.h"
+#include "v8-plugs/presets.h"
 
 namespace ravnoves {
 namespace {
