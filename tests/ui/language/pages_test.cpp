@@ -9,7 +9,6 @@
 #include <QComboBox>
 #include <QDir>
 #include <QElapsedTimer>
-#include <QFile>
 #include <QGroupBox>
 #include <QHeaderView>
 #include <QLabel>
@@ -23,15 +22,16 @@
 #include <algorithm>
 
 #include "events.h"
+#include "files.h"
 #include "language/catalogue.h"
 #include "methods/methods_page.h"
 #include "model/background_job.h"
+#include "page/scene_page.h"
 #include "scene_tests.h"
 #include "scenes/open_example.h"
 #include "shell/help_window.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
-#include "page/scene_page.h"
 #include "text/key_words.h"
 #include "text/language.h"
 #include "text/message_text.h"
@@ -234,9 +234,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, RussianPage, ::testing::ValuesIn(test::sceneNam
 
 /// What a report calls an object or a field that no form names.
 TEST(KeysInWords, AreThereToTranslate) {
-    QFile file(QStringLiteral(RAVNOVES_SOURCE "/ui/text/key_words.cpp"));
-    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    const QString words = QString::fromUtf8(file.readAll());
+    const QString words = QString::fromUtf8(
+        test::contentOf(QStringLiteral(RAVNOVES_SOURCE "/ui/text/key_words.cpp")));
     for (const std::string& scene : test::sceneNamesWithCases()) {
         const auto page = test::makePage(scene);
         for (const FieldEntry& entry : page->model()->describedFields()) {

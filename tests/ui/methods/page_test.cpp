@@ -19,6 +19,7 @@
 #include <cmath>
 
 #include "events.h"
+#include "files.h"
 #include "methods/method_plots.h"
 #include "methods/model/case_budget_model.h"
 #include "methods/model/method_words.h"
@@ -250,16 +251,12 @@ TEST_F(MethodsPageTest, ExportsCsvAndPictures) {
     measure();
     const QString csv = folder.filePath(QStringLiteral("m.csv"));
     ASSERT_EQ(page.exportTo(csv), QString());
-    QFile file(csv);
-    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
+    const QList<QByteArray> lines = test::contentOf(csv).trimmed().split('\n');
     EXPECT_EQ(lines.size(), 1 + page.table()->rowCount());
     EXPECT_TRUE(lines.first().contains("median_ns"));
     const QString svg = folder.filePath(QStringLiteral("m.svg"));
     ASSERT_EQ(page.exportTo(svg), QString());
-    QFile drawing(svg);
-    ASSERT_TRUE(drawing.open(QIODevice::ReadOnly));
-    const QByteArray text = drawing.readAll();
+    const QByteArray text = test::contentOf(svg);
     EXPECT_TRUE(text.contains("Slider-crank kinematics: time and error"));
     EXPECT_TRUE(text.contains("10⁻⁹"));
     const QString png = folder.filePath(QStringLiteral("m.png"));

@@ -16,6 +16,7 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "elastic-hinge/model/elastic_hinge_model.h"
+#include "files.h"
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "model/case_document.h"
 #include "model/recovery.h"
@@ -265,10 +266,9 @@ TEST_F(FixtureRecovery, IsOfferedAndRestored) {
     // The copies name the folder in which the cases lay.
     const QDir kept(inFixtures(u"recovery"_s));
     for (const QString& name : kept.entryList(QDir::Files)) {
-        QFile from(kept.filePath(name));
-        QFile to(folder.filePath(name));
-        ASSERT_TRUE(from.open(QIODevice::ReadOnly) && to.open(QIODevice::WriteOnly));
-        to.write(from.readAll().replace("/tmp/engines", inFixtures({}).toUtf8()));
+        test::writeFile(
+            folder.filePath(name),
+            test::contentOf(kept.filePath(name)).replace("/tmp/engines", inFixtures({}).toUtf8()));
     }
     Recovery recovery(folder.path());
     const Recovery::Found found = recovery.leftBehind();

@@ -15,6 +15,7 @@
 
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "files.h"
 #include "model/case_document.h"
 #include "model/root_model.h"
 #include "processor_time.h"
@@ -49,16 +50,12 @@ TEST_F(RecoveryTest, KeepsWhatIsNotSavedWithinASecond) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return kept().size() == 1; }, patience));
     // A hand that never rests is no reason to wait.
     const QString path = QDir(keptIn()).filePath(kept().constFirst());
-    const QByteArray before = [&] {
-        QFile f(path);
-        return f.open(QIODevice::ReadOnly) ? f.readAll() : QByteArray();
-    }();
+    const QByteArray before = test::contentOf(path);
     bool isNew = false;
     for (int i = 0; i < soon / 20 && !isNew; ++i) {
         model.set("square", 10.0 + i);
         QTest::qWait(20);
-        QFile now(path);
-        isNew = now.open(QIODevice::ReadOnly) && now.readAll() != before;
+        isNew = test::contentOf(path) != before;
     }
     EXPECT_TRUE(isNew);
 }
@@ -404,9 +401,7 @@ TEST_F(DiskTest, AChangeWhileTheFileIsReadIsSeen) {
     EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 25.0);
     // What is written is known without another look at the disk.
     EXPECT_EQ(document.saveTo(path), QString());
-    QFile file(path);
-    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    EXPECT_EQ(document.disk().digest(), FileOnDisk::digestOf(file.readAll().toStdString()));
+    EXPECT_EQ(document.disk().digest(), FileOnDisk::digestOf(test::contentOf(path).toStdString()));
 }
 
 TEST_F(DiskTest, MineIsKeptAgainstWhatWasSeenOnly) {

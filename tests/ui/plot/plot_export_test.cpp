@@ -18,6 +18,7 @@
 #include <csignal>
 
 #include "events.h"
+#include "files.h"
 #include "pictures/figure.h"
 #include "pictures/picture_file.h"
 #include "plot/plot_view.h"
@@ -25,12 +26,6 @@
 
 namespace ravnoves {
 namespace {
-
-QByteArray contents(const QString& path) {
-    QFile file(path);
-    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
-    return file.readAll();
-}
 
 class PlotExportTest : public ::testing::Test {
   protected:
@@ -105,10 +100,11 @@ TEST_F(PlotExportTest, EveryFileIsWhatItsEndingSays) {
     for (const char* name : {"график.pdf", "график.png", "график.SVG", "график.csv"}) {
         ASSERT_EQ(write(file(name)), QString()) << name;
     }
-    EXPECT_TRUE(contents(file("график.pdf")).startsWith("%PDF-"));
-    EXPECT_TRUE(contents(file("график.png")).startsWith("\x89PNG\r\n"));
-    EXPECT_TRUE(contents(file("график.SVG")).startsWith("<?xml"));
-    EXPECT_TRUE(contents(file("график.csv")).startsWith("\xEF\xBB\xBF\"φ, °\",\"first, N·m\","));
+    EXPECT_TRUE(test::contentOf(file("график.pdf")).startsWith("%PDF-"));
+    EXPECT_TRUE(test::contentOf(file("график.png")).startsWith("\x89PNG\r\n"));
+    EXPECT_TRUE(test::contentOf(file("график.SVG")).startsWith("<?xml"));
+    EXPECT_TRUE(
+        test::contentOf(file("график.csv")).startsWith("\xEF\xBB\xBF\"φ, °\",\"first, N·m\","));
     for (const char* name : {"plot.jpg", "plot.eps", "plot"}) {
         EXPECT_TRUE(write(file(name)).contains(QStringLiteral(".svg"))) << name;
         EXPECT_FALSE(QFile::exists(file(name))) << name;
@@ -125,23 +121,20 @@ TEST_F(PlotExportTest, AFailedWriteIsSaidAndTheOldFileStays) {
     ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
     const auto signal = std::signal(SIGXFSZ, SIG_IGN);
     for (const char* name : {"old.svg", "old.pdf", "old.png", "old.csv"}) {
-        QFile old(file(name));
-        ASSERT_TRUE(old.open(QIODevice::WriteOnly));
-        old.write("old");
-        old.close();
+        test::writeFile(file(name), "old");
         const rlimit few{16, before.rlim_max};
         ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &few), 0);
         const QString trouble = write(file(name));
         ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
         EXPECT_TRUE(trouble.contains(QString::fromUtf8(name))) << trouble.toStdString();
-        EXPECT_EQ(contents(file(name)), "old") << name;
+        EXPECT_EQ(test::contentOf(file(name)), "old") << name;
     }
     std::signal(SIGXFSZ, signal);
 }
 
 TEST_F(PlotExportTest, ThePdfHoldsTextAndLinesRatherThanPixels) {
     ASSERT_EQ(write(file("plot.pdf")), QString());
-    EXPECT_FALSE(contents(file("plot.pdf")).contains("/Subtype /Image"));
+    EXPECT_FALSE(test::contentOf(file("plot.pdf")).contains("/Subtype /Image"));
     const QString program = QStandardPaths::findExecutable(QStringLiteral("pdftotext"));
     if (program.isEmpty()) {
         GTEST_SKIP() << "pdftotext is not installed";
@@ -172,7 +165,7 @@ TEST_F(PlotExportTest, NothingOfTheMouseIsInAnyPicture) {
     plot.setCursorX(200.0);
     EXPECT_EQ(drawn(), before);
     write(file("after.svg"));
-    EXPECT_EQ(contents(file("before.svg")), contents(file("after.svg")));
+    EXPECT_EQ(test::contentOf(file("before.svg")), test::contentOf(file("after.svg")));
     EXPECT_EQ(plot.dataAsCsv(), lines);
     // Nor the line that goes with it, which a value of its own keeps.
     plot.setPresentX(90.0);
@@ -292,14 +285,14 @@ TEST_F(PlotExportTest, EveryFigureHasTheMenuAndTheKeyboardReachesIt) {
     for (const char* name : {"a.svg", "a.pdf", "a.png", "a.csv"}) {
         EXPECT_EQ(menu->write(file(name), {}), QString()) << name;
     }
-    EXPECT_EQ(contents(file("a.csv")),
+    EXPECT_EQ(test::contentOf(file("a.csv")),
               "\xEF\xBB\xBF"
               "a,1.5\n");
     const QImage picture(file("a.png"));
     EXPECT_EQ(picture.width(), printedWidth(square.size()));
     EXPECT_EQ(picture.pixelColor(0, 0), picture.pixelColor(15, 15));
     EXPECT_EQ(picture.pixelColor(picture.rect().center()), QColor(Qt::black));
-    EXPECT_FALSE(contents(file("a.svg")).contains("<polyline"));
+    EXPECT_FALSE(test::contentOf(file("a.svg")).contains("<polyline"));
 }
 
 /// A page that is written larger than it is on the screen holds its plots drawn anew.

@@ -19,6 +19,7 @@
 #include "case-file/json.h"
 #include "events.h"
 #include "example_check.h"
+#include "files.h"
 #include "model/background_job.h"
 #include "model/case_document.h"
 #include "page/scene_page.h"
@@ -58,9 +59,7 @@ QString squeezed(QString text) {
 }
 
 QString fileText(const QString& path) {
-    QFile file(path);
-    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
-    return QString::fromUtf8(file.readAll());
+    return QString::fromUtf8(test::contentOf(path));
 }
 
 /// The text of an HTML file that is well-formed; what it refers to.
@@ -257,9 +256,8 @@ TEST_F(ReportInWindow, SaysNothingOfAnEmptyFieldBesideAValue) {
 }
 
 TEST_F(ReportInWindow, PrintsARunOfTheMachineReadingByReading) {
-    QFile source(QStringLiteral(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json"));
-    ASSERT_TRUE(source.open(QIODevice::ReadOnly));
-    Json json = Json::parse(source.readAll().toStdString());
+    Json json = Json::parse(
+        fileText(QStringLiteral(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json")).toStdString());
     Json& correction = json["input"]["correction"];
     const auto reading = [](double unbalance, double angle) {
         return Json{{"unbalance_g_mm", unbalance}, {"angle_deg", angle}, {"bobweight_g", 1505.25}};
@@ -273,10 +271,7 @@ TEST_F(ReportInWindow, PrintsARunOfTheMachineReadingByReading) {
                                                  {"angle_deg", 66},
                                                  {"removed_g", 17.5}}};
     const QString path = file(u"runs.case.json"_s);
-    QFile target(path);
-    ASSERT_TRUE(target.open(QIODevice::WriteOnly));
-    target.write(QByteArray::fromStdString(json.dump()));
-    target.close();
+    test::writeFile(path, QByteArray::fromStdString(json.dump()));
     ASSERT_EQ(window.openCase(path), QString());
     const QString html = file(u"report.html"_s);
     ASSERT_EQ(window.writeReport(html), QString());
@@ -307,10 +302,8 @@ TEST_F(ReportInWindow, SaysWhatItWasMadeFrom) {
     ASSERT_EQ(window.openCase(example()), QString());
     const QString html = file(u"report.html"_s);
     ASSERT_EQ(window.writeReport(html), QString());
-    QFile source(example());
-    ASSERT_TRUE(source.open(QIODevice::ReadOnly));
     const QString sum = QString::fromLatin1(
-        QCryptographicHash::hash(source.readAll(), QCryptographicHash::Sha256).toHex());
+        QCryptographicHash::hash(test::contentOf(example()), QCryptographicHash::Sha256).toHex());
     EXPECT_TRUE(fileText(html).contains(sum));
     EXPECT_TRUE(fileText(html).contains(u"tmz-650d.case.json"_s));
     window.currentPage()->model()->setByKey(u"shaft_angle_deg"_s, u"50"_s);
@@ -412,21 +405,14 @@ TEST_F(ReportInWindow, WritesOverNoCaseAndOverNothingThatOneReads) {
     const QString path = file(u"self.html"_s);
     const QString table = file(u"torque.html"_s);
     Json json = Json::parse(fileText(example()).toStdString());
-    {
-        QFile csv(table);
-        ASSERT_TRUE(csv.open(QIODevice::WriteOnly));
-        const Json& torque = json["input"]["torque"];
-        for (std::size_t i = 0; i < torque["torque_Nm"].size(); ++i) {
-            csv.write(QByteArray::number(torque["crank_angle_deg"][i].get<double>()) + ',' +
-                      QByteArray::number(torque["torque_Nm"][i].get<double>()) + '\n');
-        }
+    Json& torque = json["input"]["torque"];
+    std::string csv;
+    for (std::size_t i = 0; i < torque["torque_Nm"].size(); ++i) {
+        csv += torque["crank_angle_deg"][i].dump() + "," + torque["torque_Nm"][i].dump() + "\n";
     }
-    json["input"]["torque"] = Json{{"csv", "torque.html"}};
-    {
-        QFile own(path);
-        ASSERT_TRUE(own.open(QIODevice::WriteOnly));
-        own.write(QByteArray::fromStdString(json.dump()));
-    }
+    test::writeFile(table, QByteArray::fromStdString(csv));
+    torque = Json{{"csv", "torque.html"}};
+    test::writeFile(path, QByteArray::fromStdString(json.dump()));
     const QString before = fileText(path) + fileText(table);
     const QString trouble = window.openCase(path);
     ASSERT_EQ(trouble, QString());
@@ -480,9 +466,7 @@ TEST_F(ReportInWindow, SaysOfWhichVariantsAFileHasChanged) {
     variant["torque"] = Json{{"csv", "ind.csv"}, {"csv_sha256", std::string(64, '0')}};
     json["variants"] = Json::array({Json{{"name", "C"}, {"input", variant}}});
     const auto write = [&](const QString& name, const std::string& text) {
-        QFile own(file(name));
-        ASSERT_TRUE(own.open(QIODevice::WriteOnly));
-        own.write(QByteArray::fromStdString(text));
+        test::writeFile(file(name), QByteArray::fromStdString(text));
     };
     write(u"ind.csv"_s, "0;1\n360;3\n720;1\n");
     write(u"x.case.json"_s, json.dump());
@@ -595,10 +579,7 @@ Report emptyReport() {
 QStringList pagesOf(const Report& report) {
     QTemporaryDir folder;
     const QString path = folder.filePath(u"report.pdf"_s);
-    QFile file(path);
-    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write(reportAsPdf(report));
-    file.close();
+    test::writeFile(path, reportAsPdf(report));
     return said(RAVNOVES_PDFTOTEXT, {path, u"-"_s}).split(u'\f', Qt::SkipEmptyParts);
 }
 

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QFile>
 #include <QLabel>
 #include <QRegularExpression>
 #include <QSettings>
@@ -17,6 +16,7 @@
 #include <string>
 
 #include "events.h"
+#include "files.h"
 #include "model/background_job.h"
 #include "model/case_document.h"
 #include "page/scene_page.h"
@@ -88,10 +88,9 @@ class PageInOtherUnits : public ::testing::TestWithParam<std::string> {
         ASSERT_EQ(writePicture(file, page.size(), {},
                                [&](QPainter& painter, double) { drawPage(painter, &page); }),
                   QString());
-        QFile svg(file);
-        ASSERT_TRUE(svg.open(QIODevice::ReadOnly));
         static const QRegularExpression text(u"<text[^>]*>([^<]*)</text>"_s);
-        for (auto found = text.globalMatch(QString::fromUtf8(svg.readAll())); found.hasNext();) {
+        for (auto found = text.globalMatch(QString::fromUtf8(test::contentOf(file)));
+             found.hasNext();) {
             said.texts << QTextDocumentFragment::fromHtml(found.next().captured(1)).toPlainText();
         }
         for (const QLabel* label : page.findChildren<QLabel*>()) {

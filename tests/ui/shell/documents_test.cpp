@@ -25,6 +25,7 @@
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "events.h"
+#include "files.h"
 #include "methods/methods_page.h"
 #include "methods/model/case_budget_model.h"
 #include "model/case_document.h"
@@ -169,11 +170,9 @@ TEST_F(DocumentsTest, WhatIsWrongWithAFileIsSaidInWords) {
             const Json::json_pointer place(pointer);
             document[place.parent_pointer()].erase(place.back());
         }
-        QFile bad(folder.filePath(u"bad.json"_s));
-        EXPECT_TRUE(bad.open(QIODevice::WriteOnly));
-        bad.write(QByteArray::fromStdString(document.dump()));
-        bad.close();
-        return window.openCase(bad.fileName()).mid(bad.fileName().size() + 2);
+        const QString bad = folder.filePath(u"bad.json"_s);
+        test::writeFile(bad, QByteArray::fromStdString(document.dump()));
+        return window.openCase(bad).mid(bad.size() + 2);
     };
     EXPECT_EQ(trouble("/input/crank_radius_mm", -46),
               u"Crank radius r: must be greater than 0, got −46"_s);
@@ -219,10 +218,7 @@ TEST_F(DocumentsTest, TitlesAreOneLineInItsDirection) {
     const QString shown = u"a b c [31md e[*]f"_s;
     for (const QString& name : {u"plain"_s, u"x\n\u202ey"_s}) {
         const QString path = folder.filePath(name + u".case.json"_s);
-        QFile written(path);
-        ASSERT_TRUE(written.open(QIODevice::WriteOnly));
-        written.write(QByteArray::fromStdString(write_case(file).dump()));
-        written.close();
+        test::writeFile(path, QByteArray::fromStdString(write_case(file).dump()));
         ASSERT_EQ(window.openCase(path), QString());
         const QString title = window.windowTitle();
         EXPECT_TRUE(title.contains(u"a b c [31md e[*][*]f"_s)) << qPrintable(title);

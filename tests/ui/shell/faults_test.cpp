@@ -22,6 +22,7 @@
 
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "events.h"
+#include "files.h"
 #include "model/case_document.h"
 #include "page/scene_page.h"
 #include "shell/documents.h"
@@ -159,10 +160,7 @@ class Faults : public ::testing::Test {
 };
 
 TEST_F(Faults, AFullDiskLeavesTheFileAsItWas) {
-    QFile before(file);
-    ASSERT_TRUE(before.open(QIODevice::ReadOnly));
-    const QByteArray content = before.readAll();
-    before.close();
+    const QByteArray content = test::contentOf(file);
     ASSERT_NO_FATAL_FAILURE(disk.fill());
     change(77);
     QTest::qWait(900);  // nor is there room for a copy of what is not saved
@@ -170,8 +168,7 @@ TEST_F(Faults, AFullDiskLeavesTheFileAsItWas) {
     EXPECT_TRUE(trouble.contains(u"saved.case.json"_s)) << trouble.toStdString();
     EXPECT_TRUE(window->isWindowModified());
     disk.makeRoom();
-    ASSERT_TRUE(before.open(QIODevice::ReadOnly));
-    EXPECT_EQ(before.readAll(), content);
+    EXPECT_EQ(test::contentOf(file), content);
     EXPECT_EQ(QDir(folder.filePath(u"disk"_s)).entryList(QDir::Files).size(), 1);
     savesAgain(78);
 }

@@ -18,6 +18,7 @@
 
 #include "case-file/json.h"
 #include "events.h"
+#include "files.h"
 #include "model/case_document.h"
 #include "model/recovery.h"
 #include "page/scene_page.h"
@@ -169,22 +170,15 @@ TEST_F(NothingIsLost, WhatIsRestoredStandsBeforeTheStartPage) {
 
 TEST_F(NothingIsLost, AMissingTableOfARecoveredCaseIsLookedFor) {
     const QString table = folder.filePath(u"torque.csv"_s);
-    {
-        QFile f(file("tmz-650d"));
-        ASSERT_TRUE(f.open(QIODevice::ReadWrite));
-        Json json = Json::parse(f.readAll().toStdString());
-        Json& torque = json["input"]["torque"];
-        QFile csv(table);
-        ASSERT_TRUE(csv.open(QIODevice::WriteOnly));
-        for (std::size_t i = 0; i < torque["torque_Nm"].size(); ++i) {
-            csv.write(QByteArray::fromStdString(torque["crank_angle_deg"][i].dump() + "," +
-                                                torque["torque_Nm"][i].dump() + "\n"));
-        }
-        torque = {{"csv", "torque.csv"}};
-        f.resize(0);
-        f.seek(0);
-        f.write(QByteArray::fromStdString(json.dump()));
+    Json json = Json::parse(test::contentOf(file("tmz-650d")).toStdString());
+    Json& torque = json["input"]["torque"];
+    std::string csv;
+    for (std::size_t i = 0; i < torque["torque_Nm"].size(); ++i) {
+        csv += torque["crank_angle_deg"][i].dump() + "," + torque["torque_Nm"][i].dump() + "\n";
     }
+    test::writeFile(table, QByteArray::fromStdString(csv));
+    torque = {{"csv", "torque.csv"}};
+    test::writeFile(file("tmz-650d"), QByteArray::fromStdString(json.dump()));
     ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
     set(u"shaft_angle_deg=77"_s);
     crash();

@@ -22,6 +22,7 @@
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "events.h"
+#include "files.h"
 #include "page/refused_entries.h"
 #include "page/scene_page.h"
 #include "pictures/file_dialogs.h"
@@ -546,9 +547,7 @@ TEST_F(SavingTest, SourcesOfTorqueOutOfUseStayInTheFile) {
 TEST_F(SavingTest, ThePageIsWrittenAsADrawing) {
     typed = QStringList{file("страница.pdf")};
     press(Qt::Key_E);
-    QFile written(file("страница.pdf"));
-    ASSERT_TRUE(written.open(QIODevice::ReadOnly));
-    EXPECT_TRUE(written.readAll().startsWith("%PDF-"));
+    EXPECT_TRUE(test::contentOf(file("страница.pdf")).startsWith("%PDF-"));
     typed = QStringList{file("page.svg")};
     press(Qt::Key_E);
     EXPECT_TRUE(read_text_file(fsPath(file("page.svg"))).starts_with("<?xml"));

@@ -4,7 +4,6 @@
 
 #include <QAbstractButton>
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -12,6 +11,7 @@
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "events.h"
+#include "files.h"
 #include "page/scene_page.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
@@ -91,17 +91,13 @@ TEST_F(StartJobsTest, WithoutAJournalThereIsNothing) {
 
 TEST_F(StartJobsTest, WhatCannotBeOpenedIsPassedOverAndStaysAsItIs) {
     ASSERT_TRUE(folder().mkpath(u"."_s));
-    QFile file(Journal::defaultPath());
-    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write(QByteArray(5000, 'x'));
-    file.close();
+    test::writeFile(Journal::defaultPath(), QByteArray(5000, 'x'));
     showStart();
     EXPECT_TRUE(jobs().isEmpty());
     EXPECT_FALSE(journalButton()->isVisible());
     EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
     EXPECT_EQ(folder().entryList(QDir::Files), QStringList{u"journal.sqlite"_s});
-    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    EXPECT_EQ(file.readAll(), QByteArray(5000, 'x'));
+    EXPECT_EQ(test::contentOf(Journal::defaultPath()), QByteArray(5000, 'x'));
 }
 
 TEST_F(StartJobsTest, TheNewestFiveAreListedWithWhatTheyAre) {

@@ -20,6 +20,7 @@
 #include <csignal>
 #include <map>
 
+#include "files.h"
 #include "shop/model/journal_rows.h"
 
 namespace ravnoves {
@@ -54,17 +55,6 @@ class JournalTest : public ::testing::Test {
         job.bobWeight = 2326.5844;
         job.form = R"({"format":"ravnoves-case","title":"Ё"})";
         return job;
-    }
-
-    static QByteArray read(const QString& file) {
-        QFile source(file);
-        EXPECT_TRUE(source.open(QIODevice::ReadOnly));
-        return source.readAll();
-    }
-    static void write(const QString& file, const QByteArray& bytes) {
-        QFile target(file);
-        ASSERT_TRUE(target.open(QIODevice::WriteOnly));
-        target.write(bytes);
     }
 
     QTemporaryDir folder_;
@@ -169,9 +159,9 @@ TEST_F(JournalTest, ExportsCsvThatASpreadsheetReads) {
     JournalJob job = exampleJob(u"1,5\n2"_s);
     ASSERT_EQ(journal.save(job), Journal::Saved::Yes);
     const QString file = path(u"out.csv"_s);
-    write(file, "old");
+    test::writeFile(file, "old");
     ASSERT_TRUE(journal.exportCsv(file, journal.search({})));
-    const QByteArray bytes = read(file);
+    const QByteArray bytes = test::contentOf(file);
     EXPECT_TRUE(bytes.startsWith("\xEF\xBB\xBFid,engine_number,"));
     const QString text = QString::fromUtf8(bytes.mid(3));
     EXPECT_TRUE(text.contains(
@@ -338,10 +328,10 @@ TEST_F(JournalTest, ADatabaseOfAnotherProgramKeepsItsBytes) {
         const QString file = path(u"other.sqlite"_s);
         QFile::remove(file);
         meddle(file, {u"CREATE TABLE q (a)"_s, more});
-        const QByteArray before = read(file);
+        const QByteArray before = test::contentOf(file);
         Journal journal(file);
         EXPECT_FALSE(journal.open()) << qPrintable(more);
-        EXPECT_EQ(read(file), before) << qPrintable(more);
+        EXPECT_EQ(test::contentOf(file), before) << qPrintable(more);
     }
 }
 
@@ -406,7 +396,7 @@ TEST_F(JournalTest, ADamagedFileIsReplacedByItsDailyBackup) {
     fill(0);
     EXPECT_EQ(files(u"journal-backup-*.sqlite"_s).size(), 7);
 
-    write(path(), "not a database at all");
+    test::writeFile(path(), "not a database at all");
     Journal journal(path());
     ASSERT_TRUE(journal.open()) << qPrintable(journal.lastError());
     EXPECT_TRUE(journal.search({}).isEmpty());
@@ -435,7 +425,7 @@ TEST_P(DamagedJournal, IsSetAsideWithAMessageAndNeverOverwritten) {
         }
         ASSERT_TRUE(journal.saveEngine({u"own"_s, "{}"}));
     }
-    QByteArray bytes = read(path());
+    QByteArray bytes = test::contentOf(path());
     ASSERT_GT(bytes.size(), 500000);
     switch (GetParam()) {
         case 0:  // not a database at all
@@ -453,18 +443,19 @@ TEST_P(DamagedJournal, IsSetAsideWithAMessageAndNeverOverwritten) {
         default:
             FAIL();
     }
-    write(path(), bytes);
+    test::writeFile(path(), bytes);
     Journal journal(path());
     ASSERT_TRUE(journal.open()) << qPrintable(journal.lastError());
     const QStringList aside = files(u"*damaged*.sqlite"_s);
     ASSERT_EQ(aside.size(), 1);
     EXPECT_TRUE(journal.openMessage().contains(aside.front()));
-    EXPECT_EQ(read(path(aside.front())), bytes);
+    EXPECT_EQ(test::contentOf(path(aside.front())), bytes);
     JournalJob job = exampleJob(u"after"_s);
     EXPECT_EQ(journal.save(job), Journal::Saved::Yes);
     // Damaged again in the same second: another name.
     Journal again(path(u"second.sqlite"_s));
-    write(path(u"second.sqlite"_s), "not a database at all, but long enough to have a head");
+    test::writeFile(path(u"second.sqlite"_s),
+                    "not a database at all, but long enough to have a head");
     ASSERT_TRUE(again.open());
     EXPECT_EQ(files(u"second-damaged*"_s).size(), 1);
 }
@@ -496,9 +487,9 @@ TEST_F(JournalTest, ForeignAndNewerFilesAreLeftAsTheyAre) {
         ASSERT_TRUE(journal.open());
     }
     // user_version lies at offset 60 of the head, big endian.
-    QByteArray bytes = read(path());
+    QByteArray bytes = test::contentOf(path());
     bytes[63] = 9;
-    write(path(), bytes);
+    test::writeFile(path(), bytes);
     Journal newer(path());
     EXPECT_FALSE(newer.open());
     EXPECT_TRUE(newer.lastError().contains(u"newer program"_s)) << qPrintable(newer.lastError());
@@ -506,11 +497,11 @@ TEST_F(JournalTest, ForeignAndNewerFilesAreLeftAsTheyAre) {
     JournalJob job;
     EXPECT_EQ(newer.save(job), Journal::Saved::No);
     // The head counts changes of the file even where nothing changed; the version stands.
-    EXPECT_EQ(read(path())[63], 9);
+    EXPECT_EQ(test::contentOf(path())[63], 9);
 }
 
 TEST_F(JournalTest, AFolderThatCannotBeWrittenIsSaid) {
-    write(path(u"file"_s), "x");
+    test::writeFile(path(u"file"_s), "x");
     Journal journal(path(u"file/journal.sqlite"_s));
     EXPECT_FALSE(journal.open());
     EXPECT_FALSE(journal.lastError().isEmpty());

@@ -15,6 +15,7 @@
 #include "case-file/text_file.h"
 #include "elastic-hinge/model/elastic_hinge_model.h"
 #include "events.h"
+#include "files.h"
 #include "model/background_job.h"
 #include "model/case_document.h"
 #include "pictures/figure.h"
@@ -187,9 +188,7 @@ TEST_F(Bands, AreInPicturesAndTables) {
     const auto svg = [&] {
         const QString path = folder.filePath(u"plot.svg"_s);
         EXPECT_EQ(moments->findChild<FigureMenu*>()->write(path, {}), QString());
-        QFile file(path);
-        EXPECT_TRUE(file.open(QIODevice::ReadOnly));
-        return QString::fromUtf8(file.readAll());
+        return QString::fromUtf8(test::contentOf(path));
     };
     const QString with = svg();
     EXPECT_TRUE(with.contains(u"5…95 %"_s));

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <QFile>
 #include <QMessageBox>
 #include <QTemporaryDir>
 
 #include "events.h"
+#include "files.h"
 
 namespace ravnoves {
 namespace {
@@ -24,8 +24,7 @@ class FileDialogsTest : public ::testing::Test {
     ~FileDialogsTest() override { fileChoosers() = before; }
     QString file(const char* name) const { return folder.filePath(QString::fromUtf8(name)); }
     QString make(const char* name) {
-        QFile made(file(name));
-        EXPECT_TRUE(made.open(QIODevice::WriteOnly));
+        test::writeFile(file(name), {});
         return file(name);
     }
     /// Answers the message boxes that come, in order, and keeps what they say.
