@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QApplication>
+#include <QMessageBox>
 #include <QMouseEvent>
 #include <QTest>
 #include <QTimer>
 #include <QWheelEvent>
 #include <QWidget>
+#include <algorithm>
 
 namespace ravnoves::test {
 
@@ -72,6 +75,34 @@ bool pointUntil(QWidget* widget, Place place, Holds holds) {
     });
 }
 
+/// Presses a key in a window that comes to the front: a message may have been there.
+inline void pressIn(QWidget& window, Qt::Key key,
+                    Qt::KeyboardModifiers modifiers = Qt::ControlModifier) {
+    QApplication::processEvents();
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    QTest::keyClick(&window, key, modifiers);
+}
+
+/// The first action of a window that fits; where there is none, the test fails.
+template <typename Fits>
+QAction* actionWhere(const QWidget& window, Fits fits) {
+    const QList<QAction*> all = window.findChildren<QAction*>();
+    const auto found = std::find_if(all.begin(), all.end(), fits);
+    EXPECT_NE(found, all.end());
+    return found == all.end() ? nullptr : *found;
+}
+inline QAction* actionNamed(const QWidget& window, const QString& begins) {
+    SCOPED_TRACE(begins.toStdString());
+    return actionWhere(window, [&](const QAction* action) {
+        return action->text().remove(QLatin1Char('&')).startsWith(begins);
+    });
+}
+inline QAction* actionOfKeys(const QWidget& window, const QKeySequence& keys) {
+    SCOPED_TRACE(keys.toString().toStdString());
+    return actionWhere(window, [&](const QAction* action) { return action->shortcut() == keys; });
+}
+
 /// Acts once on the next modal dialog of that kind, as soon as it is there.
 /// @param context  while it lives
 template <typename Dialog, typename Act>
@@ -82,6 +113,22 @@ void whenModal(QObject* context, Act act) {
         } else {
             whenModal<Dialog>(context, act);
         }
+    });
+}
+
+/// Clicks the button of the next question that has these words, and passes on what is asked.
+template <typename Hear>
+void answerWith(QObject* context, const QString& words, Hear hear) {
+    whenModal<QMessageBox>(context, [=](QMessageBox* box) {
+        hear(box->text());
+        for (QAbstractButton* button : box->buttons()) {
+            if (button->text().remove(QLatin1Char('&')) == words) {
+                QTest::mouseClick(button, Qt::LeftButton);
+                return;
+            }
+        }
+        ADD_FAILURE() << "no button " << words.toStdString();
+        box->reject();
     });
 }
 

@@ -349,14 +349,7 @@ TEST_F(MethodsPageTest, TheReportStopsTheMeasurement) {
 TEST(MethodsInTheWindow, HasNoCaseToSave) {
     MainWindow window;
     test::showAt(window, {1280, 800});
-    const auto action = [&](const QKeySequence& keys) {
-        for (QAction* candidate : window.findChildren<QAction*>()) {
-            if (candidate->shortcut() == keys) {
-                return candidate;
-            }
-        }
-        return static_cast<QAction*>(nullptr);
-    };
+    const auto action = [&](const QKeySequence& keys) { return test::actionOfKeys(window, keys); };
     const QList<QKeySequence> needCase{QKeySequence(QKeySequence::New),
                                        QKeySequence(QKeySequence::Save)};
     for (const QKeySequence& keys : needCase) {

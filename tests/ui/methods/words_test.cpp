@@ -2,13 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <QCoreApplication>
-#include <QLocale>
 #include <QRegularExpression>
-#include <QTranslator>
 
 #include "methods/kernel.h"
 #include "methods/model/validation_model.h"
+#include "text/language.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
@@ -18,17 +16,8 @@ using methods::Kernel;
 
 /// Russian while it lives.
 struct InRussian {
-    InRussian() {
-        EXPECT_TRUE(translator.load(QStringLiteral(":/i18n/ravnoves_ru.qm")));
-        QCoreApplication::installTranslator(&translator);
-        QLocale::setDefault(QLocale(QStringLiteral("ru")));
-    }
-    ~InRussian() {
-        QLocale::setDefault(before);
-        QCoreApplication::removeTranslator(&translator);
-    }
-    QLocale before;
-    QTranslator translator;
+    InRussian() { installLanguage(QStringLiteral("ru")); }
+    ~InRussian() { installLanguage(QStringLiteral("en")); }
 };
 
 /// All that core says of the kernels and that the page shows.

@@ -82,9 +82,7 @@ class DocumentsTest : public ::testing::Test {
     }
     void set(const QString& pair) { ASSERT_EQ(applySetting(window, pair), QString()); }
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::ControlModifier) {
-        window.activateWindow();  // a message may have been in front
-        EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
-        QTest::keyClick(&window, key, modifiers);
+        test::pressIn(window, key, modifiers);
         QApplication::processEvents();
     }
     /// Answers the next message box that has no answer yet and keeps its text.
@@ -95,14 +93,7 @@ class DocumentsTest : public ::testing::Test {
             box->button(answers.takeFirst())->click();
         });
     }
-    QAction* action(const QString& begins) {
-        for (QAction* each : window.findChildren<QAction*>()) {
-            if (each->text().remove(u'&').startsWith(begins)) {
-                return each;
-            }
-        }
-        return nullptr;
-    }
+    QAction* action(const QString& begins) { return test::actionNamed(window, begins); }
 
     QTemporaryDir folder;
     MainWindow window;

@@ -2,12 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QFileInfo>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QStatusBar>
 #include <QStatusTipEvent>
 #include <QTabWidget>
@@ -51,21 +49,14 @@ class JobSavingTest : public ::testing::Test {
         test::type(test::named<QLineEdit>(*window->currentPage(), name), text);
     }
     void press(Qt::Key key, Qt::KeyboardModifiers more = {}) {
-        QApplication::processEvents();
-        window->activateWindow();
-        ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
-        QTest::keyClick(window.get(), key, Qt::ControlModifier | more);
+        test::pressIn(*window, key, Qt::ControlModifier | more);
     }
     CaseDocument& document() { return *window->documents().current().document; }
     QString said() const { return window->statusBar()->currentMessage(); }
     QString savingTip() const {
-        for (const QAction* each : window->findChildren<QAction*>()) {
-            if (each->shortcut() == QKeySequence(QKeySequence::Save)) {
-                EXPECT_EQ(each->statusTip(), each->toolTip());
-                return each->toolTip();
-            }
-        }
-        return {};
+        const QAction* save = test::actionOfKeys(*window, QKeySequence::Save);
+        EXPECT_EQ(save->statusTip(), save->toolTip());
+        return save->toolTip();
     }
     /// The pointer comes over something with a tip, or leaves it.
     void passOver(const QString& tip) {
@@ -115,17 +106,7 @@ TEST_F(JobSavingTest, TheKeyAsksWhatTheJournalsKeyAsks) {
     type("mass_piston_1", u"568.5"_s);
     QString asked;
     const auto answer = [&](const QString& button) {
-        test::whenModal<QMessageBox>(window.get(), [&asked, button](QMessageBox* box) {
-            asked = box->text();
-            for (QAbstractButton* each : box->buttons()) {
-                if (each->text().remove(u'&') == button) {
-                    each->click();
-                    return;
-                }
-            }
-            ADD_FAILURE() << button.toStdString();
-            box->reject();
-        });
+        test::answerWith(window.get(), button, [&asked](const QString& text) { asked = text; });
     };
     answer(u"Enter one"_s);
     press(Qt::Key_S);

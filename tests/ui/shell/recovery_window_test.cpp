@@ -93,17 +93,7 @@ class NothingIsLost : public ::testing::Test {
     }
     /// Presses a button of the next message by its text.
     void press(const QString& text) {
-        test::whenModal<QMessageBox>(window.get(), [this, text](QMessageBox* box) {
-            asked = box->text();
-            for (QAbstractButton* button : box->buttons()) {
-                if (button->text().remove(u'&') == text) {
-                    button->click();
-                    return;
-                }
-            }
-            box->reject();
-            FAIL() << "no button " << text.toStdString();
-        });
+        test::answerWith(window.get(), text, [this](const QString& said) { asked = said; });
     }
 
     QTemporaryDir folder;
@@ -385,11 +375,8 @@ TEST_F(NothingIsLost, SavingOverWhatOthersWroteAsks) {
     QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
     EXPECT_TRUE(asked.contains(file("tmz-650d")));
     EXPECT_EQ(written().at("centre_distance_mm"), 100.25);
-    QApplication::processEvents();
-    window->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
     press(u"Overwrite"_s);
-    QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+    test::pressIn(*window, Qt::Key_S);
     EXPECT_EQ(written().at("centre_distance_mm"), 100.15);
     EXPECT_EQ(written().at("shaft_angle_deg"), 77);
 }

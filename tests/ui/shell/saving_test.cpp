@@ -8,7 +8,6 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProcess>
 #include <QProgressDialog>
@@ -66,23 +65,11 @@ class SavingTest : public ::testing::Test {
     SceneModel& model() { return *window.currentPage()->model(); }
     /// Clicks a button of the next message box, by its words.
     void answer(const char* button) {
-        test::whenModal<QMessageBox>(&window, [this, button](QMessageBox* box) {
-            asked << box->text();
-            for (QAbstractButton* one : box->buttons()) {
-                if (one->text().remove(QLatin1Char('&')) == QString::fromUtf8(button)) {
-                    QTest::mouseClick(one, Qt::LeftButton);
-                    return;
-                }
-            }
-            ADD_FAILURE() << button;
-            box->reject();
-        });
+        test::answerWith(&window, QString::fromUtf8(button),
+                         [this](const QString& text) { asked << text; });
     }
     void press(Qt::Key key, Qt::KeyboardModifiers more = {}) {
-        QApplication::processEvents();
-        window.activateWindow();  // a message may have been in front
-        ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
-        QTest::keyClick(&window, key, Qt::ControlModifier | more);
+        test::pressIn(window, key, Qt::ControlModifier | more);
     }
     /// Types what a field of the page in front refuses.
     void refuse(const char* name, const char* text) {
@@ -185,10 +172,7 @@ TEST_F(SavingTest, OfAPastedMegabyteTitleAndNotesTakeWhatSuitsThem) {
 
 TEST_F(SavingTest, UndoTakesBackARefusedEntryWhereNothingElseIsToUndo) {
     auto* field = test::named<NumberField>(*window.currentPage(), "crank_radius_mm");
-    const QList<QAction*> actions = window.findChildren<QAction*>();
-    QAction* undo = *std::find_if(actions.begin(), actions.end(), [](const QAction* action) {
-        return action->shortcut() == QKeySequence::Undo;
-    });
+    QAction* undo = test::actionOfKeys(window, QKeySequence::Undo);
     const QString shown = field->text();
     field->setFocus();
     field->selectAll();

@@ -220,15 +220,7 @@ class StartInTheWindow : public ::testing::Test {
         QApplication::processEvents();
     }
 
-    QAction* action(const QString& text) {
-        for (QAction* each : window.findChildren<QAction*>()) {
-            if (each->text().remove(u'&') == text) {
-                return each;
-            }
-        }
-        ADD_FAILURE() << "no action " << text.toStdString();
-        return nullptr;
-    }
+    QAction* action(const QString& text) { return test::actionNamed(window, text); }
 
     MainWindow window;
 };
@@ -401,7 +393,8 @@ TEST_F(StartInTheWindow, TheFileMenuHasTheExamples) {
 TEST_F(StartInTheWindow, TheNewButtonOffersBeginnings) {
     ASSERT_TRUE(window.showScene(u"inertia-moments"_s));
     auto* bar = window.findChild<QToolBar*>(u"main-toolbar"_s);
-    auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action(u"New case"_s)));
+    auto* button = qobject_cast<QToolButton*>(
+        bar->widgetForAction(test::actionOfKeys(window, QKeySequence::New)));
     ASSERT_NE(button, nullptr);
     ASSERT_NE(button->menu(), nullptr);
     button->menu()->popup(QPoint());

@@ -277,11 +277,7 @@ TEST_F(ScaleTest, ThatSendsAllTheTimeGivesEachPartOnce) {
 }
 
 TEST_F(ScaleTest, SettingsShowWhatItSendsAndHold) {
-    for (QAction* action : window->findChildren<QAction*>()) {
-        if (action->text() == u"Sca&le…"_s) {
-            action->trigger();
-        }
-    }
+    test::actionNamed(*window, u"Scale…"_s)->trigger();
     auto* lines = test::named<QPlainTextEdit>(*window, "scale_lines");
     ASSERT_NE(lines, nullptr);
     EXPECT_TRUE(test::named<QLabel>(*window, "scale_state")->text().contains(scale.port()));
