@@ -1,7 +1,9 @@
 #include "widgets/entry_field.h"
 
+#include <QFocusEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
 #include <algorithm>
@@ -220,6 +222,18 @@ void EntryField::keyPressEvent(QKeyEvent* event) {
         }
     }
     QLineEdit::keyPressEvent(event);
+}
+
+void EntryField::focusInEvent(QFocusEvent* event) {
+    isEntered_ = isReplaced() && event->reason() == Qt::MouseFocusReason;
+    QLineEdit::focusInEvent(event);
+}
+
+void EntryField::mouseReleaseEvent(QMouseEvent* event) {
+    QLineEdit::mouseReleaseEvent(event);
+    if (std::exchange(isEntered_, false) && !hasSelectedText()) {
+        selectAll();
+    }
 }
 
 void EntryField::changeEvent(QEvent* event) {

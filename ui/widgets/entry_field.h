@@ -18,6 +18,9 @@ namespace ravnoves {
 /// what the model rejected: while they change, trouble() says so, and once they are given the text
 /// is tried again, as a step of its own.
 ///
+/// A click that gives it the focus selects all of it, as Tab does: what is typed then takes its
+/// place, and joins no digits. The next click sets the cursor.
+///
 /// Undo and redo are the text's while it is not the value, else the document's.
 class EntryField : public QLineEdit {
     Q_OBJECT
@@ -54,9 +57,13 @@ class EntryField : public QLineEdit {
   protected:
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
+    /// False where one rather adds to the text than types another.
+    virtual bool isReplaced() const { return true; }
     /// Remembers the value, for Escape.
     virtual void keepValue() = 0;
     /// Makes the remembered value hold again.
@@ -107,6 +114,7 @@ class EntryField : public QLineEdit {
     QString refusal_;
     QString shown_;  ///< text of the value that was shown last
     bool editing_ = false;
+    bool isEntered_ = false;  ///< by a click that is not over
     bool isPassing_ = false;
     bool isCut_ = false;  ///< the text that comes next
     bool isDoubtful_ = false;

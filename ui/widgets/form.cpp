@@ -33,6 +33,7 @@ class TextField final : public ValueEntry<QString> {
     }
     QString written() const override { return value(); }
     void passOn() override { passOn_(value()); }
+    bool isReplaced() const override { return false; }
 
   private:
     std::function<void(const QString&)> passOn_;

@@ -1,11 +1,8 @@
 #include "widgets/number_field.h"
 
-#include <QFocusEvent>
 #include <QKeyEvent>
-#include <QMouseEvent>
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "case-file/decimal.h"
 #include "text/message_text.h"
@@ -66,18 +63,6 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
     } else if (const double next = shown(*value()) + way * step_; range_.contains(next)) {
         setText(formNumber(next, locale(), digits_));
         Q_EMIT textEdited(text());
-    }
-}
-
-void NumberField::focusInEvent(QFocusEvent* event) {
-    isEntered_ = event->reason() == Qt::MouseFocusReason;
-    ValueEntry::focusInEvent(event);
-}
-
-void NumberField::mouseReleaseEvent(QMouseEvent* event) {
-    ValueEntry::mouseReleaseEvent(event);
-    if (std::exchange(isEntered_, false) && !hasSelectedText()) {
-        selectAll();
     }
 }
 

@@ -8,10 +8,8 @@
 
 namespace ravnoves {
 
-/// A field for one number with a range. A click that gives it the focus selects all of it, as Tab
-/// does: what is typed then takes its place, and joins no digits. The next click sets the cursor.
-/// Takes decimal comma and point. Of a field of core the value is in the field's unit; what is
-/// written and read may be in another that the user has chosen.
+/// A field for one number with a range. Takes decimal comma and point. Of a field of core the value
+/// is in the field's unit; what is written and read may be in another that the user has chosen.
 class NumberField : public ValueEntry<std::optional<double>> {
     Q_OBJECT
 
@@ -52,8 +50,6 @@ class NumberField : public ValueEntry<std::optional<double>> {
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;
-    void focusInEvent(QFocusEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
     Reading read(const QString& typed) const override;
     QString written() const override;
     QString rule() const override;
@@ -74,7 +70,6 @@ class NumberField : public ValueEntry<std::optional<double>> {
     std::optional<int> places_;
     double step_ = 0.0;
     bool optional_ = false;
-    bool isEntered_ = false;  ///< by a click that is not over
     bool whole_ = false;
     bool saysHowRead_ = false;
 };
