@@ -77,7 +77,10 @@ QStringList WrappedHeader::linesOf(int section) const {
         }
     }
     for (QString& line : lines) {
-        line = metrics.elidedText(line, Qt::ElideRight, room);
+        // Eliding counts parts of a pixel, which widthOf() rounds.
+        if (metrics.horizontalAdvance(line) > room) {
+            line = metrics.elidedText(line, Qt::ElideRight, room);
+        }
     }
     return lines;
 }
