@@ -61,8 +61,8 @@ inline constexpr Field rotor_mass{
     .key = "rotor_mass_kg",
     .unit = units::kg,
     .range = Range::between(0.1, 100'000),
-    .label = CORE_TEXT("V8", "&Mass of the crankshaft"),
-    .hint = CORE_TEXT("V8", "Mass on the machine, with the bob weights.")};
+    .label = CORE_TEXT("V8", "&Mass with bob weights"),
+    .hint = CORE_TEXT("V8", "Mass of crankshaft and bob weights on the machine.")};
 inline constexpr Field service_speed{
     .key = "service_speed_rpm",
     .unit = units::rpm,

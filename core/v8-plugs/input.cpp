@@ -19,13 +19,13 @@ constexpr Field change(std::string_view key, Text label, Text hint) {
 }
 
 constexpr std::array<MassChangeField, 4> change_fields{{
-    {change("piston", CORE_TEXT("V8", "Improved piston Δmₚᵢ"),
+    {change("piston", CORE_TEXT("V8", "One improved piston Δmₚᵢ"),
             CORE_TEXT("V8", "Δmₚᵢ: one piston minus nominal.")),
      &MassChanges::piston, false},
-    {change("rod_big_end", CORE_TEXT("V8", "Rod big end"),
+    {change("rod_big_end", CORE_TEXT("V8", "Big end of one rod"),
             CORE_TEXT("V8", "One big end minus nominal.")),
      &MassChanges::rod_big_end, false},
-    {change("repair_piston_and_rings", CORE_TEXT("V8", "Repair piston and rings Δmᵣₚ"),
+    {change("repair_piston_and_rings", CORE_TEXT("V8", "One repair piston with rings Δmᵣₚ"),
             CORE_TEXT("V8", "Δmᵣₚ: one repair piston with rings minus nominal.")),
      &MassChanges::repair_piston_and_rings, true},
     {change("repair_bearing", CORE_TEXT("V8", "Repair shells of one crankpin Δmₛₕ"),

@@ -128,7 +128,7 @@ QLabel* WeighInSheet::put(int row, int column, const QString& text, int size, bo
 
 void WeighInSheet::addColumn(int column) {
     const int place = column + 1;
-    put(0, place, WeighInTable::partOf(column), Theme::smallSize, true);
+    put(0, place, WeighInTable::headingOf(column), Theme::smallSize, true);
     grid_->setColumnStretch(place, 1);
     for (int row = 0; row < rows_; ++row) {
         grid_->addWidget(addCell(row, column), row + 1, place);

@@ -90,7 +90,7 @@ TEST_F(PlugsModelTest, HalfFilledSheetNamesWhatIsMissing) {
     EXPECT_TRUE(model.plugs()->advice);
     EXPECT_FALSE(model.solution().bob_weight);
     EXPECT_TRUE(model.lineResults().rows.isEmpty());
-    EXPECT_TRUE(model.headline().contains(u"reciprocating mass mⱼ"_s))
+    EXPECT_TRUE(model.headline().contains(u"reciprocating, one cylinder mⱼ"_s))
         << qPrintable(model.headline());
     EXPECT_TRUE(model.resultJson().contains("error"));
     model.chooseEngine(3);  // 8.32 l: only the crank radius
@@ -108,9 +108,10 @@ TEST_F(PlugsModelTest, RulesBetweenFieldsAreNamedNotLost) {
     PlugsModel model;
     model.editPlugs(u"sizes"_s, [](auto& input) { input.plug.reset(); });
     model.editPlugs(u"limit"_s, [](auto& input) { input.engine.max_steel_reduction = 3 * gram; });
-    EXPECT_EQ(model.troubles(),
-              QStringList{
-                  u"Max. off steel plug Δmₚₘ: must be less than the plug's mass, 2.790\u00A0g."_s});
+    EXPECT_EQ(
+        model.troubles(),
+        QStringList{
+            u"Max. off one steel plug Δmₚₘ: must be less than the plug's mass, 2.790\u00A0g."_s});
     EXPECT_FALSE(model.plugs()->advice);
     model.editPlugs(u"mass"_s, [](auto& input) { input.engine.steel_plug_mass = 25 * gram; });
     EXPECT_TRUE(model.troubles().isEmpty());
@@ -188,7 +189,7 @@ TEST_F(PlugsModelTest, ColumnsHalfWeighedAreNamed) {
     EXPECT_TRUE(model.plugs()->advice);
     model.editPlugs(u"typed"_s, [](auto& input) { input.typed_changes.piston = 1 * gram; });
     EXPECT_EQ(model.notCounted().at(0),
-              u"Improved piston Δmₚᵢ: the weighed masses replace the typed 1.00\u00A0g."_s);
+              u"One improved piston Δmₚᵢ: the weighed masses replace the typed 1.00\u00A0g."_s);
 }
 
 TEST_F(PlugsModelTest, WhatIsTypedBesideWeightsThatDoNotCountYetIsSaid) {
@@ -199,8 +200,8 @@ TEST_F(PlugsModelTest, WhatIsTypedBesideWeightsThatDoNotCountYetIsSaid) {
     });
     ASSERT_TRUE(model.input().plugs->changes_from_weigh_in);
     EXPECT_FALSE(model.plugs()->advice);
-    EXPECT_TRUE(
-        model.notCounted().at(0).startsWith(u"Rod big end: the typed 0.50\u00A0g is not used."_s))
+    EXPECT_TRUE(model.notCounted().at(0).startsWith(
+        u"Big end of one rod: the typed 0.50\u00A0g is not used."_s))
         << qPrintable(model.notCounted().at(0));
 }
 
@@ -217,8 +218,8 @@ TEST_F(PlugsModelTest, WeightsReplaceOnlyWhatIsWeighed) {
     EXPECT_NEAR(*model.plugs()->unbalanced_mass, 22.1975 * gram, 1e-12);
     const QStringList said = model.notCounted();
     const QStringList expected{
-        u"Rod big end: the typed 0.50\u00A0g is used with the weighed masses."_s,
-        u"Repair piston and rings Δmᵣₚ: the weighed masses replace the typed 2.00\u00A0g."_s,
+        u"Big end of one rod: the typed 0.50\u00A0g is used with the weighed masses."_s,
+        u"One repair piston with rings Δmᵣₚ: the weighed masses replace the typed 2.00\u00A0g."_s,
         u"Repair shells of one crankpin Δmₛₕ: the typed 1.10\u00A0g is used with the weighed masses."_s,
         u"Rod, big end: 1 of 8 weighed; the typed change is used until all are weighed."_s};
     EXPECT_EQ(said, expected) << qPrintable(said.join(u'\n'));

@@ -31,7 +31,7 @@ TEST_F(PlugsPageTest, AReportSaysWhichTypedChangesDoNotCount) {
         }
     }
     const QString unused = u"Not used: the weighed masses replace it"_s;
-    EXPECT_TRUE(rows.contains(u"Repair piston and rings Δmᵣₚ|2|g|"_s + unused))
+    EXPECT_TRUE(rows.contains(u"One repair piston with rings Δmᵣₚ|2|g|"_s + unused))
         << qPrintable(rows.join(u'\n'));
     EXPECT_EQ(rows.filter(u"big end"_s).filter(unused).size(), 0);
     EXPECT_EQ(rows.filter(u"Source of the mass changes|Masses of the parts"_s).size(), 1);

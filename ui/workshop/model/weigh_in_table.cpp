@@ -1,5 +1,7 @@
 #include "workshop/model/weigh_in_table.h"
 
+#include <algorithm>
+
 #include "bob-weights/fields.h"
 #include "model/editable_table.h"
 #include "text/message_text.h"
@@ -48,6 +50,13 @@ QString WeighInTable::titleOf(int row) {
 
 QString WeighInTable::partOf(int column) {
     return shownText(shop::part_word(shop::all_parts[static_cast<std::size_t>(column)]).label);
+}
+
+QString WeighInTable::headingOf(int column) {
+    const auto parts = bob_weights::part_fields();
+    return fieldName(std::ranges::find(parts, shop::all_parts[static_cast<std::size_t>(column)],
+                                       &bob_weights::PartField::column)
+                         ->field);
 }
 
 QString WeighInTable::keyOf(int row, int column) {

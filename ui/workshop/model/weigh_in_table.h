@@ -28,6 +28,8 @@ class WeighInTable {
     static const Field& fieldOf(int row);
     static QString titleOf(int row);
     static QString partOf(int column);
+    /// The same with whose it is, as sheet 2 has it.
+    static QString headingOf(int column);
     /// Of a cell among the page's fields: "nominal_pin", "mass_piston_3".
     static QString keyOf(int row, int column);
     /// Of a cell for screen readers.
