@@ -31,9 +31,11 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
         const double angle = turn_of(hole.turned(hole.angle));
         Hole made{hole.diameter, hole.depth, angle, 0.0, 0.0};
         // Elsewhere than the hole that it was to deepen it is a new one, gone in all its depth.
+        // Where no hole is recorded there was one all the same.
         const auto& there = before[plane].holes;
+        const bool is_recorded = !before[0].holes.empty() || !before[1].holes.empty();
         const bool is_elsewhere =
-            is_opposite || (is_measured && !there.empty() &&
+            is_opposite || (is_measured && is_recorded &&
                             std::none_of(there.begin(), there.end(), [&](const Hole& each) {
                                 return are_one_hole(each, made, radius);
                             }));

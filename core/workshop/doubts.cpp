@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "bob-weights/drill_sizes.h"
 #include "bob-weights/solver.h"
 #include "shop/balance_grade.h"
 #include "shop/kilograms.h"
@@ -613,16 +614,11 @@ Messages amplification(const DoubtCase& job) {
              Number{*times, units::none, -1}}};
 }
 
-/// Drills come by twentieths of a millimetre and by 64ths of an inch.
 Messages drill_size(const DoubtCase& job) {
-    constexpr double rounding = 0.006;  // mm
     Messages list;
-    const auto is_multiple = [](double size, double step) {
-        return std::abs(std::remainder(size, step)) < rounding;
-    };
     for (const double size :
          job.input.correction ? job.input.correction->drill.diameters_mm : std::vector<double>()) {
-        if (!is_multiple(size, 0.05) && !is_multiple(size, 25.4 / 64.0)) {
+        if (!bob_weights::is_usual_drill(size * units::mm)) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "A drill of %1 is unusual. Separate several sizes by "
                                         "semicolons."),
@@ -646,13 +642,15 @@ Messages beyond_sector(const DoubtCase& job) {
     return list;
 }
 
+/// A rim that is whole is said to be so.
 Messages all_round(const DoubtCase& job) {
     Messages list;
     for (std::size_t i = 0; job.shaft.correction && i < 2; ++i) {
-        if (!job.input.correction->planes[i].from_angle) {
+        if (!job.input.correction->planes[i].from_angle &&
+            !(*job.shaft.correction)[i].holes.empty()) {
             list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: no sector is given; holes may be anywhere on the rim. "
-                                        "Enter the sector of the counterweight."),
+                                        "%1: enter the drilling sector, or 0 to 360° for a whole "
+                                        "rim."),
                               plane_name(job, i));
         }
     }
@@ -698,7 +696,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise},
         {"plane-radius", error, judged, "", plane_radius},
         {"taken-as-nominal", warning, nothing, "", taken_as_nominal, true},
-        {"paper-plug", warning, nothing, "", plug_doubt<false>, false, true},
+        {"paper-plug", warning, nothing, "", plug_doubt<false>},
         {"gear-against-parts", warning, nothing, "", gear_against_parts},
         {"plug-shift", warning, nothing, "", plug_shift},
         {"unequal-crankpins", warning, nothing, "", unequal_crankpins},
@@ -710,7 +708,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"great-reading", warning, nothing, "", great_reading},
         {"drill-size", warning, nothing, "", drill_size},
         {"beyond-sector", warning, nothing, "", beyond_sector},
-        {"all-round", Severity::note, nothing, "", all_round},
+        {"all-round", warning, nothing, "", all_round},
     };
     return rules;
 }

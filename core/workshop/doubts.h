@@ -36,7 +36,6 @@ struct DoubtRule {
     std::string_view act;  ///< what would help, as the page knows it; empty where nothing does
     std::vector<Message> (*find)(const DoubtCase& job);  ///< each with what to do
     bool is_provisional = false;  ///< the answer will be another once all is known
-    bool is_beside_pass = false;  ///< says nothing of a crankshaft that passes on the machine
 };
 
 /// All of them, the worst first.

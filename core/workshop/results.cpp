@@ -104,13 +104,9 @@ Verdict verdict(const Input& input, const Result& result) {
                 CORE_TEXT("workshop", "Enter the missing values of engine and parts.")};
     }
     Verdict verdict = undoubted(input, result);
-    const bob_weights::RunResult* newest = result.shaft.newest();
-    const bool passes = newest != nullptr && newest->passes() == true;
     for (const Doubt& doubt : result.doubts) {
         if (doubt.rule->severity == Severity::warning) {
-            const Severity before = verdict.severity;
             verdict.warn(doubt.text);
-            verdict.severity = passes && doubt.rule->is_beside_pass ? before : verdict.severity;
         }
     }
     return verdict;

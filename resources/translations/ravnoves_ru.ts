@@ -181,14 +181,6 @@
         <translation>%1 → %2</translation>
     </message>
     <message>
-        <source>%1, %2: slug ⌀ %3</source>
-        <translation>%1, %2: вставка ⌀ %3</translation>
-    </message>
-    <message>
-        <source>%1, %2: ⌀ %3</source>
-        <translation>%1, %2: ⌀ %3</translation>
-    </message>
-    <message>
         <source>0°: %1.</source>
         <translation>0°: %1.</translation>
     </message>
@@ -492,7 +484,7 @@
     </message>
     <message>
         <source>take off each, %1</source>
-        <translation>снять с каждой, %1</translation>
+        <translation>облегчить каждую, %1</translation>
     </message>
     <message>
         <source>Result outdated: entries not accepted: %1</source>
@@ -503,12 +495,12 @@
         <translation>Варианты по стоимости</translation>
     </message>
     <message>
-        <source>maximum, %1</source>
-        <translation>предел, %1</translation>
-    </message>
-    <message>
         <source>remains, %1</source>
         <translation>остаток, %1</translation>
+    </message>
+    <message>
+        <source>maximum each, %1</source>
+        <translation>предел для одной, %1</translation>
     </message>
 </context>
 <context>
@@ -1371,10 +1363,6 @@
         <translation>&amp;Класс G</translation>
     </message>
     <message>
-        <source>&amp;Mass of the crankshaft</source>
-        <translation>&amp;Масса вала</translation>
-    </message>
-    <message>
         <source>Service s&amp;peed</source>
         <translation>&amp;Частота вращения</translation>
     </message>
@@ -1515,28 +1503,8 @@
         <translation>Радиус новой заглушки rₚₙ</translation>
     </message>
     <message>
-        <source>Steel plug mₚ</source>
-        <translation>Стальная заглушка mₚ</translation>
-    </message>
-    <message>
-        <source>Aluminium plug mₐ</source>
-        <translation>Алюминиевая заглушка mₐ</translation>
-    </message>
-    <message>
-        <source>New steel plug mₚₙ</source>
-        <translation>Новая стальная mₚₙ</translation>
-    </message>
-    <message>
-        <source>New aluminium plug mₐₙ</source>
-        <translation>Новая алюминиевая mₐₙ</translation>
-    </message>
-    <message>
         <source>Rod coefficient kᵣ</source>
         <translation>Коэффициент шатуна kᵣ</translation>
-    </message>
-    <message>
-        <source>Oil in a crankpin mₘ</source>
-        <translation>Масло в шейке mₘ</translation>
     </message>
     <message>
         <source>Oil coefficient kₘ</source>
@@ -1585,10 +1553,6 @@
     <message>
         <source>Balance quality grade of ISO 21940-11, 0.4 to 4000 mm/s. Engines of cars, trucks and locomotives: G 100; inherently balanced crankshafts: better.</source>
         <translation>Класс точности балансировки по ИСО 21940-11, от 0,4 до 4000 мм/с. Автомобильные и тепловозные двигатели: G 100; уравновешенные валы: точнее.</translation>
-    </message>
-    <message>
-        <source>Mass on the machine, with the bob weights.</source>
-        <translation>Масса на станке, с балансировочными грузами.</translation>
     </message>
     <message>
         <source>Maximum speed in service, not the speed of the machine.</source>
@@ -1739,16 +1703,8 @@
         <translation>Масса одной заглушки новой конструкции, под которую сделаны противовесы вала.</translation>
     </message>
     <message>
-        <source>Max. off steel plug Δmₚₘ</source>
-        <translation>Предел съёма со стальной Δmₚₘ</translation>
-    </message>
-    <message>
         <source>Maximum to take off one plug, by the strength of its walls.</source>
         <translation>Максимум, который можно снять с одной заглушки по прочности стенок.</translation>
-    </message>
-    <message>
-        <source>Max. off aluminium plug Δmₐₘ</source>
-        <translation>Предел с алюминиевой Δmₐₘ</translation>
     </message>
     <message>
         <source>Design coefficient of the rod: a heavier big end has the factor (2 + k).</source>
@@ -1966,6 +1922,62 @@
         <source>Missing for the plugs: %1.</source>
         <translation>Для заглушек не хватает: %1.</translation>
     </message>
+    <message>
+        <source>One improved piston Δmₚᵢ</source>
+        <translation>Один поршень</translation>
+    </message>
+    <message>
+        <source>Big end of one rod</source>
+        <translation>Нижняя головка одного шатуна</translation>
+    </message>
+    <message>
+        <source>One repair piston with rings Δmᵣₚ</source>
+        <translation>Один рем. поршень с кольцами</translation>
+    </message>
+    <message>
+        <source>One steel plug mₚ</source>
+        <translation>Одна стальная заглушка mₚ</translation>
+    </message>
+    <message>
+        <source>One aluminium plug mₐ</source>
+        <translation>Одна алюминиевая заглушка mₐ</translation>
+    </message>
+    <message>
+        <source>One new steel plug mₚₙ</source>
+        <translation>Одна новая стальная mₚₙ</translation>
+    </message>
+    <message>
+        <source>One new aluminium plug mₐₙ</source>
+        <translation>Одна новая алюминиевая mₐₙ</translation>
+    </message>
+    <message>
+        <source>Max. off one steel plug Δmₚₘ</source>
+        <translation>Предел съёма с одной стальной Δmₚₘ</translation>
+    </message>
+    <message>
+        <source>Max. off one aluminium plug Δmₐₘ</source>
+        <translation>Предел с одной алюминиевой Δmₐₘ</translation>
+    </message>
+    <message>
+        <source>Oil of one crankpin mₘ</source>
+        <translation>Масло одной шейки mₘ</translation>
+    </message>
+    <message>
+        <source>Reciprocating, one cylinder mⱼ</source>
+        <translation>Поступательная, один цилиндр mⱼ</translation>
+    </message>
+    <message>
+        <source>Rotating, one cylinder</source>
+        <translation>Вращающаяся, один цилиндр</translation>
+    </message>
+    <message>
+        <source>&amp;Mass with bob weights</source>
+        <translation>&amp;Масса с грузами</translation>
+    </message>
+    <message>
+        <source>Mass of crankshaft and bob weights on the machine.</source>
+        <translation>Масса вала с грузами на станке.</translation>
+    </message>
 </context>
 <context>
     <name>Workshop</name>
@@ -2008,6 +2020,10 @@
     <message>
         <source>STOP</source>
         <translation>СТОП</translation>
+    </message>
+    <message>
+        <source>PASS, but see the warnings</source>
+        <translation>ГОДЕН, но есть предупреждения</translation>
     </message>
 </context>
 <context>
@@ -4096,40 +4112,16 @@
 <context>
     <name>bob-weights</name>
     <message>
-        <source>Rin&amp;gs</source>
-        <translation>&amp;Кольца</translation>
-    </message>
-    <message>
         <source>All rings of one piston.</source>
         <translation>Все кольца одного поршня.</translation>
-    </message>
-    <message>
-        <source>&amp;Piston</source>
-        <translation>Порше&amp;нь</translation>
     </message>
     <message>
         <source>One piston without pin and rings.</source>
         <translation>Один поршень без пальца и колец.</translation>
     </message>
     <message>
-        <source>P&amp;in</source>
-        <translation>П&amp;алец</translation>
-    </message>
-    <message>
         <source>One piston pin.</source>
         <translation>Один поршневой палец.</translation>
-    </message>
-    <message>
-        <source>Loc&amp;ks</source>
-        <translation>&amp;Стопорные кольца</translation>
-    </message>
-    <message>
-        <source>S&amp;mall end</source>
-        <translation>&amp;Верхняя головка</translation>
-    </message>
-    <message>
-        <source>&amp;Big end</source>
-        <translation>&amp;Нижняя головка</translation>
     </message>
     <message>
         <source>Big end of one rod with its bolts, without shells.</source>
@@ -4405,7 +4397,7 @@
     </message>
     <message>
         <source>S&amp;hells of one rod</source>
-        <translation>Вклад&amp;ыши шатуна</translation>
+        <translation>Вклад&amp;ыши одного шатуна</translation>
     </message>
     <message>
         <source>&amp;Oil of one crankpin</source>
@@ -5118,6 +5110,34 @@
     <message>
         <source>Drilling acted in the other plane</source>
         <translation>Сверление подействовало в другой плоскости</translation>
+    </message>
+    <message>
+        <source>One &amp;piston</source>
+        <translation>Один порше&amp;нь</translation>
+    </message>
+    <message>
+        <source>One p&amp;in</source>
+        <translation>Один п&amp;алец</translation>
+    </message>
+    <message>
+        <source>Rin&amp;gs of one piston</source>
+        <translation>&amp;Кольца одного поршня</translation>
+    </message>
+    <message>
+        <source>Loc&amp;ks of one pin</source>
+        <translation>&amp;Стопорные кольца одного пальца</translation>
+    </message>
+    <message>
+        <source>S&amp;mall end of one rod</source>
+        <translation>&amp;Верхняя головка одного шатуна</translation>
+    </message>
+    <message>
+        <source>&amp;Big end of one rod</source>
+        <translation>&amp;Нижняя головка одного шатуна</translation>
+    </message>
+    <message>
+        <source>must be mm, #1 to #60, A to Z or inches such as 1/4, with semicolons between them</source>
+        <translation>должны быть мм, #1–#60, A–Z или дюймы вида 1/4, через точку с запятой</translation>
     </message>
 </context>
 <context>
@@ -17037,7 +17057,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>take off each, g</source>
-        <translation>снять с каждой, г</translation>
+        <translation>облегчить каждую, г</translation>
     </message>
     <message>
         <source>remains, g</source>
@@ -17186,6 +17206,14 @@ but no position is feasible</source>
     <message>
         <source>Mass taken off, including the drill point; a slug adds its own mass minus its hole</source>
         <translation>Снятая масса, включая конус; вставка добавляет свою массу минус отверстие</translation>
+    </message>
+    <message>
+        <source>STOP: do not drill yet</source>
+        <translation>СТОП: пока не сверлить</translation>
+    </message>
+    <message>
+        <source>Enter the permissible residual.</source>
+        <translation>Введите допустимый остаточный дисбаланс.</translation>
     </message>
 </context>
 <context>
@@ -18290,10 +18318,6 @@ but no position is feasible</source>
         <translation>%1: край отверстия выходит за сектор сверления на %2. Проверьте, достаточно ли там металла.</translation>
     </message>
     <message>
-        <source>%1: no sector is given; holes may be anywhere on the rim. Enter the sector of the counterweight.</source>
-        <translation>%1: сектор не задан; отверстия могут быть в любом месте обода. Введите сектор противовеса.</translation>
-    </message>
-    <message>
         <source>Sludge-trap plugs of a V-8, as in the module v8-plugs, without its weigh-in, balancing and job.</source>
         <translation>Заглушки грязеуловителей V-8, как в модуле v8-plugs, без взвешивания, станка и работы.</translation>
     </message>
@@ -18360,6 +18384,10 @@ but no position is feasible</source>
     <message>
         <source>%1: residual %2 after drilling instead of %3, as if the holes were in the other plane. Enter the actual plane of each hole.</source>
         <translation>%1: после сверления остаток %2 вместо %3, как если бы отверстия были в другой плоскости. Укажите плоскость, в которой находится каждое отверстие.</translation>
+    </message>
+    <message>
+        <source>%1: enter the drilling sector, or 0 to 360° for a whole rim.</source>
+        <translation>%1: введите сектор сверления или 0 и 360° для целого обода.</translation>
     </message>
 </context>
 </TS>

@@ -261,30 +261,37 @@ void refuseEitherNumbers(const QString& word, const Message& where) {
 
 }  // namespace
 
-std::vector<double> readNumberList(const QString& typed, const Field& field, const Message& where) {
+std::vector<double> readNumberList(const QString& typed, const Field& field, const Message& where,
+                                   const NamedNumbers* named) {
     static const QRegularExpression between(QStringLiteral("\\s*;\\s*|,\\s+|\\s+"));
+    // "1 1/4" is one number.
+    static const QRegularExpression mixed(QStringLiteral("(\\d)\\s+(?=\\d+/\\d)"));
+    constexpr int exact = 9;  // what is shown and read again is the same
+    const QString whole =
+        named != nullptr ? QString(typed).replace(mixed, QStringLiteral("\\1-")) : typed;
     const ShownUnit shown = shownUnit(field);
     std::vector<double> values;
-    for (const QString& word : typed.split(between, Qt::SkipEmptyParts)) {
+    for (const QString& word : whole.split(between, Qt::SkipEmptyParts)) {
         refuseEitherNumbers(word, where);
         auto value = readTypedNumber(word, shown.name).value;
-        if (!value) {
-            throw InputError(
-                where, CORE_TEXT("core", "must be numbers with blanks or semicolons between them"),
-                quoted_list({word.toStdString()}));
-        }
-        if (shown.factor != 1.0) {
-            constexpr int exact = 9;  // what is shown and read again is the same
+        const auto si = named != nullptr ? named->find(word.toStdString()) : std::nullopt;
+        if (si) {
+            value = rounded_to_digits(from_si(field, *si), exact);
+        } else if (!value) {
+            throw InputError(where,
+                             named != nullptr
+                                 ? named->allowed
+                                 : CORE_TEXT("core",
+                                             "must be numbers with blanks or semicolons "
+                                             "between them"),
+                             quoted_list({word.toStdString()}));
+        } else if (shown.factor != 1.0) {
             value = rounded_to_digits(*value / shown.factor, exact);
         }
         check_range(field, *value, where, field.unit);
         values.push_back(*value);
     }
     return values;
-}
-
-std::vector<double> readNumberList(const QString& typed, const Field& field) {
-    return readNumberList(typed, field, fieldName(field).toStdString());
 }
 
 QString numberListText(const std::vector<double>& values, const Field& field) {

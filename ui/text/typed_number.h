@@ -41,14 +41,19 @@ bool isTypedNumber(const QString& text);
 /// True for a unit of mass, in the language of the program.
 bool isMassUnit(const QString& unit);
 
+/// Words that stand for numbers in a list.
+struct NamedNumbers {
+    std::optional<double> (*find)(std::string_view word);  ///< SI; nothing for another word
+    Text allowed;                                          ///< the rule for the list
+};
+
 /// Reads numbers one after the other, in the unit that the field is shown in: between them are
 /// blanks, semicolons, or commas with a blank behind. What may be two numbers or one ("8,10") is
 /// rejected.
 /// @param where  names the list
 /// @return the values in the field's unit; throws InputError for what is no number of its range
-std::vector<double> readNumberList(const QString& typed, const Field& field, const Message& where);
-/// The same for a list on the form: the field's label names it.
-std::vector<double> readNumberList(const QString& typed, const Field& field);
+std::vector<double> readNumberList(const QString& typed, const Field& field, const Message& where,
+                                   const NamedNumbers* named = nullptr);
 /// Values in the field's unit, as they are typed.
 QString numberListText(const std::vector<double>& values, const Field& field);
 

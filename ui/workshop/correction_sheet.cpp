@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "bob-weights/drill_sizes.h"
 #include "bob-weights/fields.h"
 #include "bob-weights/solver.h"
 #include "shop/model/verdict.h"
@@ -62,6 +63,10 @@ CorrectionSheet::CorrectionSheet(WorkshopModel* model, QWidget* parent)
 }
 
 void CorrectionSheet::buildDrills() {
+    static constexpr NamedNumbers drills{
+        named_drill, CORE_TEXT("bob-weights",
+                               "must be mm, #1 to #60, A to Z or inches such as 1/4, with "
+                               "semicolons between them")};
     section(tr("Available drills"));
     numberList(
         field::diameters,
@@ -72,7 +77,8 @@ void CorrectionSheet::buildDrills() {
         [this](const QString& name, const std::vector<double>& diameters) {
             model_->editCorrection(
                 name, [&](Correction& correction) { correction.drill.diameters_mm = diameters; });
-        });
+        },
+        &drills);
     // How several are written.
     findChild<QLineEdit*>(QString::fromStdString(std::string(field::diameters.key)))
         ->setPlaceholderText(numberListText({8, 10}, field::diameters) + QStringLiteral("; …"));
@@ -115,11 +121,7 @@ void CorrectionSheet::buildWhatIf() {
         whatIf_.plane = chosen;
         showWhatIf();
     });
-    follow([this, plane] {
-        for (int i = 0; i < 2; ++i) {
-            plane->setItemText(i, model_->planeName(static_cast<std::size_t>(i)));
-        }
-    });
+    followPlanes(plane);
     const auto add = [this](const Field& field, std::optional<double> WhatIf::*member,
                             const char* name) {
         number(
@@ -136,6 +138,15 @@ void CorrectionSheet::buildWhatIf() {
     whatIfLine_ = copyableLabel("what_if", Theme::titleSize, current());
     current()->addWide(whatIfLine_);
     follow([this] { showWhatIf(); });
+}
+
+/// The planes by the machine's names.
+void CorrectionSheet::followPlanes(QComboBox* box) {
+    follow([this, box] {
+        for (int i = 0; i < 2; ++i) {
+            box->setItemText(i, model_->planeName(static_cast<std::size_t>(i)));
+        }
+    });
 }
 
 void CorrectionSheet::showWhatIf() {
@@ -172,9 +183,9 @@ void CorrectionSheet::showWhatIf() {
 void CorrectionSheet::buildDrilled() {
     section(tr("Already drilled: correct holes that differ from the plan"));
     const Words words;
-    const auto made =
-        grid({tr("Hole"), words.translate("BobWeights", "Depth, %1").arg(words.unit(units::mm)),
-              tr("Angle, °"), tr("Actual drilling")});
+    const auto made = grid({tr("Hole"), shownText(field::drilled_plane.label),
+                            words.translate("BobWeights", "Depth, %1").arg(words.unit(units::mm)),
+                            tr("Angle, °"), tr("Actual drilling")});
     holes_ = made.first;
     trouble_ = made.second;
     QLabel* none = line(Theme::smallSize, [this] {
@@ -202,6 +213,7 @@ void CorrectionSheet::addHoleRow() {
     auto* name = new QLabel(this);
     name->setFont(Theme::font(Theme::smallSize));
     name->setWordWrap(true);
+    name->setMaximumWidth(Theme::withText(66));
     const auto change = [this, row](const QString& step,
                                     const std::function<void(DrilledHole&)>& mutate) {
         const auto places = holePlaces(model_->input());
@@ -211,10 +223,31 @@ void CorrectionSheet::addHoleRow() {
             });
         }
     };
+    // What differs from the plan was found on the crankshaft.
+    const auto measure = [change](const QString& step,
+                                  const std::function<void(DrilledHole&)>& mutate) {
+        change(step, [&](DrilledHole& hole) {
+            mutate(hole);
+            hole.state = hole.state == HoleState::wrong_side ? hole.state : HoleState::measured;
+        });
+    };
+    const auto choiceOf = [&](const Field& field, const char* key, const QStringList& words,
+                              int width) {
+        auto* made = new QComboBox(this);
+        made->setObjectName(QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(row + 1));
+        made->setAccessibleName(fieldName(field));
+        made->setToolTip(fieldHint(field));
+        made->addItems(words);
+        made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        enlarge(made);
+        made->setFont(Theme::font(Theme::smallSize));
+        made->setMinimumWidth(Theme::withText(width));  // its words are read whole
+        return made;
+    };
     const auto numberOf = [&](const Field& field, double DrilledHole::*member, const char* key) {
         NumberField* made = cell(
             field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(row + 1), fieldName(field));
-        made->setMinimumWidth(Theme::withText(60));
+        made->setMinimumWidth(Theme::withText(52));
         // Where it is, as the other tables have it; the record keeps where it was planned.
         const auto turned = [isAngle = member == &DrilledHole::angle](const DrilledHole& hole,
                                                                       double value) {
@@ -226,13 +259,9 @@ void CorrectionSheet::addHoleRow() {
                 const DrilledHole* hole = holeAt(model_->input(), row);
                 return hole != nullptr ? std::optional(turned(*hole, hole->*member)) : std::nullopt;
             },
-            [change, member, turned, step = fieldName(field)](std::optional<double> value) {
+            [measure, member, turned, step = fieldName(field)](std::optional<double> value) {
                 if (value) {
-                    change(step, [&](DrilledHole& hole) {
-                        hole.*member = turned(hole, *value);
-                        hole.state =
-                            hole.state == HoleState::wrong_side ? hole.state : HoleState::measured;
-                    });
+                    measure(step, [&](DrilledHole& hole) { hole.*member = turned(hole, *value); });
                 }
             });
         trouble_->watch(made);
@@ -240,15 +269,22 @@ void CorrectionSheet::addHoleRow() {
     };
     NumberField* depth = numberOf(field::drilled_depth, &DrilledHole::depth, "drilled_depth");
     NumberField* angle = numberOf(field::drilled_angle, &DrilledHole::angle, "drilled_angle");
-    auto* state = new QComboBox(this);
-    state->setObjectName(QStringLiteral("drilled_state_%1").arg(row + 1));
-    state->setAccessibleName(fieldName(field::drilled_state));
-    state->setToolTip(fieldHint(field::drilled_state));
+    QComboBox* plane = choiceOf(field::drilled_plane, "drilled_plane", {QString(), QString()}, 68);
+    bind(
+        plane,
+        [this, row] {
+            const DrilledHole* hole = holeAt(model_->input(), row);
+            return hole != nullptr ? static_cast<int>(hole->plane) : -1;
+        },
+        [measure](int place) {
+            measure(fieldName(field::drilled_plane),
+                    [&](DrilledHole& hole) { hole.plane = static_cast<PlaneName>(place); });
+        });
+    QStringList states;
     for (const Word& word : state_words) {
-        state->addItem(shownText(word.label));
+        states << shownText(word.label);
     }
-    enlarge(state);
-    state->setFont(Theme::font(Theme::baseSize));
+    QComboBox* state = choiceOf(field::drilled_state, "drilled_state", states, 126);
     bind(
         state,
         [this, row] {
@@ -259,10 +295,12 @@ void CorrectionSheet::addHoleRow() {
             change(fieldName(field::drilled_state),
                    [&](DrilledHole& hole) { hole.state = static_cast<HoleState>(place); });
         });
-    const QList<QWidget*> widgets{name, ordered(depth), ordered(angle), ordered(state)};
+    const QList<QWidget*> widgets{name, ordered(plane), ordered(depth), ordered(angle),
+                                  ordered(state)};
     for (int column = 0; column < widgets.size(); ++column) {
         holes_->addWidget(widgets[column], at, column);
     }
+    followPlanes(plane);
     follow([this, row, name, widgets] {
         const DrilledHole* hole = holeAt(model_->input(), row);
         for (QWidget* each : widgets) {
@@ -280,7 +318,7 @@ QWidget* CorrectionSheet::lastDrilled() const {
     const auto first = std::find_if(places.begin(), places.end(), [&](const HolePlace& place) {
         return place.run == places.back().run;
     });
-    return first == places.end() ? nullptr : rows_.at(first - places.begin()).at(3);
+    return first == places.end() ? nullptr : rows_.at(first - places.begin()).last();
 }
 
 void CorrectionSheet::addEarlierHole() {

@@ -227,6 +227,13 @@ void MachineSheet::buildRuns() {
                     [this, run, plane, isAngle, name](std::optional<double> value) {
                         model_->editReading(name, run, plane, isAngle, value);
                     });
+                // What is typed again is read again, be it the same number.
+                connect(made, &QLineEdit::textEdited, this, [=, this] {
+                    if (made->isDoubtful() && made->trouble().isEmpty()) {
+                        model_->editReading(name, run, plane, isAngle,
+                                            model_->reading(run, plane, isAngle));
+                    }
+                });
                 doubt(made, [this, run, made] {
                     const RunResult* result = model_->runResult(run);
                     return result != nullptr && !result->holds() && made->value();

@@ -151,6 +151,7 @@ class CorrectionSheet : public WorkshopSheet {
     void showWhatIf();
     void buildDrilled();
     void addHoleRow();
+    void followPlanes(QComboBox* box);
     /// As many rows as there are holes.
     void growRows();
     void addEarlierHole();

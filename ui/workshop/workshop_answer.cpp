@@ -3,6 +3,9 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QToolButton>
+#include <algorithm>
+#include <array>
+#include <utility>
 
 #include "page/part_views.h"
 #include "shop/model/verdict.h"
@@ -44,11 +47,14 @@ WorkshopAnswer::WorkshopAnswer(WorkshopModel* model, QWidget* parent)
     beside->addWidget(new PlaneView(model_, 1, pictures_));
     column->addWidget(pictures_, 1);
     column->addWidget(buildCorrection());
+    weight_ = new QWidget(this);
+    QVBoxLayout* weight = columnIn(weight_);
     plugs_ = buildPlugs();
-    column->addWidget(plugs_);
+    weight->addWidget(plugs_);
     lines_ = buildLines();
-    column->addWidget(lines_);
-    column->addWidget(buildDetails());
+    weight->addWidget(lines_);
+    weight->addWidget(buildDetails());
+    column->addWidget(weight_);
     column->addStretch();
     connect(model_, &SceneModel::changed, this, &WorkshopAnswer::showAnswer);
     setRefused({});
@@ -65,6 +71,7 @@ QLabel* WorkshopAnswer::say(QVBoxLayout* column, const char* id, int pixelSize, 
 QWidget* WorkshopAnswer::buildHead() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
+    say(column, "correction", Theme::displaySize);
     say(column, "headline", Theme::displaySize);
     say(column, "refused", Theme::baseSize, &Theme::warning, true);
     say(column, "hang", Theme::titleSize);
@@ -93,9 +100,10 @@ QWidget* WorkshopAnswer::buildPlugs() {
 /// In a narrow window the names of the options need the room of what one only looks up.
 void WorkshopAnswer::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    constexpr int wholeNames = 640;  // designed pixels that they need beside all columns
-    for (const int column : {1, 2, 5}) {
-        options_->setColumnHidden(column, width() < Theme::withText(wholeNames));
+    // Designed pixels that they need beside a column and those that hide later.
+    constexpr std::pair<int, int> needed[] = {{1, 720}, {2, 720}, {3, 400}, {5, 720}};
+    for (const auto& [column, room] : needed) {
+        options_->setColumnHidden(column, width() < Theme::withText(room));
     }
 }
 
@@ -189,9 +197,17 @@ void WorkshopAnswer::setRefused(const QStringList& refused) {
     showAnswer();
 }
 
+void WorkshopAnswer::setOfMachine(bool isOfMachine) {
+    isOfMachine_ = isOfMachine;
+    showAnswer();
+}
+
 void WorkshopAnswer::showAnswer() {
+    constexpr std::array<std::string_view, 4> ofWeight{"headline", "hang", "factor", "doubtful"};
     for (const AnswerLine& line : answerLines(*model_)) {
-        sayOrHide(said_.at(line.id), line.texts.join(QLatin1Char('\n')));
+        const bool isLeftOut = isOfMachine_ ? std::ranges::find(ofWeight, line.id) != ofWeight.end()
+                                            : line.id == "correction";
+        sayOrHide(said_.at(line.id), isLeftOut ? QString() : line.texts.join(QLatin1Char('\n')));
     }
     const bool known = model_->solution().bob_weight.has_value();
     const bool isStopped = model_->withheld().bob_weight;
@@ -204,6 +220,15 @@ void WorkshopAnswer::showAnswer() {
                          : !known  ? &Theme::mutedText
                          : isStale ? &Theme::warning
                                    : &Theme::text);
+    const VerdictKind kind = verdictKind(model_->verdictNow());
+    QLabel* correction = said_.at("correction");
+    correction->setFont(
+        Theme::font(kind == VerdictKind::None ? Theme::titleSize : Theme::displaySize, !isStale));
+    colourText(correction, model_->withheld().any()               ? &Theme::error
+                           : kind == VerdictKind::None            ? &Theme::mutedText
+                           : isStale || kind == VerdictKind::Open ? &Theme::warning
+                           : kind == VerdictKind::Pass            ? &Theme::good
+                                                                  : &Theme::error);
     const v8_plugs::Result* plugs = model_->plugs();
     const bool works = plugs != nullptr && v8_text::works(*plugs);
     QLabel* advice = said_.at("advice");
@@ -214,6 +239,7 @@ void WorkshopAnswer::showAnswer() {
                                                           : &Theme::error);
     plugs_->setVisible(plugs != nullptr && !isStopped);
     lines_->setVisible(known);
+    weight_->setVisible(!isOfMachine_ && (known || model_->hasPlugs()));
     force_->setVisible(!model_->hasPlugs());
     plugPlots_->setVisible(model_->hasPlugs());
     const bool isDrilled = drilled_->rowCount() > 0;

@@ -23,6 +23,9 @@ class WorkshopAnswer : public QWidget {
 
     /// Entries that the form rejects now: the answer is that of the values before them.
     void setRefused(const QStringList& refused);
+    /// Beside the sheets of machine and correction their answer is the first, and the bob weight's
+    /// is left out.
+    void setOfMachine(bool isOfMachine);
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -47,9 +50,11 @@ class WorkshopAnswer : public QWidget {
     PartTable* planes_ = nullptr;
     PartTable* drilled_ = nullptr;
     QLabel* drilledHeading_ = nullptr;
+    QWidget* weight_ = nullptr;  ///< what the bob weight is made of
     QWidget* lines_ = nullptr;
     QWidget* force_ = nullptr;
     QWidget* plugPlots_ = nullptr;
+    bool isOfMachine_ = false;
 };
 
 }  // namespace ravnoves

@@ -264,7 +264,7 @@ std::vector<Block> plugBlocks(const Words& words, const WorkshopModel& model) {
         words.translate("JobCard", "Options by cost"),
         {{54, Qt::AlignLeft}, {26}, {26}, {26}, {50}},
         {{QString(), words.translate("JobCard", "take off each, %1").arg(words.unit(units::gram)),
-          words.translate("JobCard", "maximum, %1").arg(words.unit(units::gram)),
+          words.translate("JobCard", "maximum each, %1").arg(words.unit(units::gram)),
           words.translate("JobCard", "remains, %1").arg(words.unit(units::gram_mm)),
           words.translate("JobCard", "verdict")}}};
     for (const v8_plugs::OptionId id : v8_plugs::all_options) {
@@ -416,11 +416,7 @@ double WorkshopCard::answer(CardPage& page, double y) const {
     constexpr double largest = 26.0;
     const workshop::Withheld withheld = model_.withheld();
     const bool isDoubtful = withheld.any() || !refusedText().isEmpty();
-    const RunResult* newest = model_.solution().newest();
-    const QString verdict = newest == nullptr || withheld.any()
-                                ? QString()
-                                : verdictText(words_, readWord(*newest, newest->passes(),
-                                                               model_.solution().passes_after()));
+    const QString verdict = withheld.any() ? QString() : verdictText(words_, model_.verdictNow());
     const QColor& colour = isDoubtful ? CardPage::amber : CardPage::ink;
     const bool isKnown = model_.solution().bob_weight.has_value();
     const double inner = cardLeft + 3.0;

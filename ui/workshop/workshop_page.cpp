@@ -105,14 +105,19 @@ WorkshopPage::WorkshopPage(const QString& journalPath, QWidget* parent, SceneMod
     beginSheets();
     connect(model(), &SceneModel::begunAnew, this, &WorkshopPage::beginSheets);
     connect(sheets_, &QTabWidget::currentChanged, this, [this](int sheet) {
+        const WorkshopSheet* form = forms_.value(sheet);
+        if (form == nullptr) {
+            return;  // in a narrow window the answer is a tab of its own
+        }
+        answer_->setOfMachine(form == machine_ || form == correction_);
         // Qt has given the focus to where the sheet had it last; where that is gone, elsewhere.
         const QWidget* at = window()->focusWidget();
         if (!isVisible() || at == sheets_->tabBar()) {
             return;
         }
         const bool isThere = sheets_->currentWidget()->isAncestorOf(at) && at->isVisible();
-        if (unseen_.remove(sheet) || !isThere || forms_.at(sheet) == machine_) {
-            nextEntry(*forms_.at(sheet), true)->setFocus(Qt::TabFocusReason);
+        if (unseen_.remove(sheet) || !isThere || form == machine_) {
+            nextEntry(*form, true)->setFocus(Qt::TabFocusReason);
         }
     });
     buildActions();

@@ -17,7 +17,6 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
-#include "text/typed_number.h"
 #include "theme/theme.h"
 #include "widgets/mnemonics.h"
 
@@ -167,24 +166,27 @@ void WorkshopSheet::checked(const Field& description, const CheckedText& text) {
 
 void WorkshopSheet::numberList(
     const Field& description, std::function<std::vector<double>()> read,
-    std::function<void(const QString&, const std::vector<double>&)> write) {
-    const auto trouble = [&description](const QString& typed) {
+    std::function<void(const QString&, const std::vector<double>&)> write,
+    const NamedNumbers* named) {
+    const auto numbers = [&description, named](const QString& typed) {
+        return readNumberList(typed, description, {}, named);
+    };
+    const auto trouble = [numbers](const QString& typed) {
         try {
-            readNumberList(typed, description, {});
+            numbers(typed);
             return QString();
         } catch (const InputError& error) {
             return capitalised(errorText(error));  // the field's name stands before it
         }
     };
-    const auto normal = [&description, trouble](const QString& typed) {
-        return trouble(typed).isEmpty()
-                   ? numberListText(readNumberList(typed, description), description)
-                   : QString();
-    };
     checked(description,
-            {normal, trouble, [&description, read] { return numberListText(read(), description); },
-             [&description, write = std::move(write)](const QString& name, const QString& typed) {
-                 write(name, readNumberList(typed, description));
+            {[&description, numbers, trouble](const QString& typed) {
+                 return trouble(typed).isEmpty() ? numberListText(numbers(typed), description)
+                                                 : QString();
+             },
+             trouble, [&description, read] { return numberListText(read(), description); },
+             [numbers, write = std::move(write)](const QString& name, const QString& typed) {
+                 write(name, numbers(typed));
              }});
     // "12, 5" is two numbers and "10,12" one, and either may have been meant as the other.
     QLabel* understood = line(Theme::smallSize, [&description, read] {

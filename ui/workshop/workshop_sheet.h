@@ -2,6 +2,7 @@
 
 #include <QList>
 
+#include "text/typed_number.h"
 #include "widgets/form.h"
 #include "workshop/model/workshop_model.h"
 
@@ -67,7 +68,8 @@ class WorkshopSheet : public Form {
     /// A row of numbers, as readNumberList() takes them; each is described by the field.
     void numberList(
         const Field& description, std::function<std::vector<double>()> read,
-        std::function<void(const QString& name, const std::vector<double>& values)> write);
+        std::function<void(const QString& name, const std::vector<double>& values)> write,
+        const NamedNumbers* named = nullptr);
     /// A line of text over the whole width that follows the model; hidden while there is none.
     QLabel* line(int pixelSize, std::function<QString()> text);
     /// A field is amber while it holds a reading of another bob weight.

@@ -376,6 +376,14 @@ TEST(Plan, CountsADeepeningWhereItWasDrilled) {
     deepening["state"] = "wrong-side";
     deepening["angle_deg"] = 40;
     expect(220, 0, whole, 0);
+    // So it is in the other plane, where no hole was.
+    deepening.update({{"state", "measured"}, {"plane", "rear"}});
+    const Json other = solved(input).at("correction").at("runs")[1].at("planes")[1];
+    const Cut there{input["correction"]["planes"][1]["radius_mm"].get<double>() * 1e-3, density,
+                    118 * degree};
+    EXPECT_NEAR(other.at("drilled_holes")[0].at("removed_g_mm").get<double>(),
+                1e6 * there.removed(0.016, 0.013).unbalance, 1e-6);
+    deepening["plane"] = "front";
     // A hole that no record tells of was there all the same.
     deepening["state"] = "measured";
     input["correction"]["earlier_runs"][0]["drilled"] = Json::array();

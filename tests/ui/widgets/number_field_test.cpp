@@ -505,11 +505,13 @@ TEST(NumberList, ReadsNumbersOneAfterTheOther) {
                        .label = {"", "&Drills"}};
     for (const char* typed :
          {"8 10,5 16", "8; 10.5;16", "8, 10,5, 16", "8; 10.50; 16", " 8mm ;10.5 16 "}) {
-        EXPECT_EQ(readNumberList(QString::fromUtf8(typed), drills), List({8, 10.5, 16})) << typed;
+        EXPECT_EQ(readNumberList(QString::fromUtf8(typed), drills, {}), List({8, 10.5, 16}))
+            << typed;
     }
-    EXPECT_EQ(readNumberList({}, drills), List());
-    EXPECT_EQ(readNumberList(QString::fromUtf8("0° 90°"), Field{.key = "", .unit = units::degree}),
-              List({0, 90}));
+    EXPECT_EQ(readNumberList({}, drills, {}), List());
+    EXPECT_EQ(
+        readNumberList(QString::fromUtf8("0° 90°"), Field{.key = "", .unit = units::degree}, {}),
+        List({0, 90}));
     EXPECT_EQ(numberListText({8, 10.5}, drills), QStringLiteral("8; 10.5"));
     for (const auto& [typed, why] :
          {std::pair("8 mm",
@@ -520,7 +522,9 @@ TEST(NumberList, ReadsNumbersOneAfterTheOther) {
           std::pair(
               "6, 10,0mm",
               "Drills: must be two numbers or one: enter \"10; 0\" or \"10\", got \"10,0mm\"")}) {
-        EXPECT_EQ(test::error_of([&] { readNumberList(QString::fromUtf8(typed), drills); }), why);
+        EXPECT_EQ(
+            test::error_of([&] { readNumberList(QString::fromUtf8(typed), drills, "Drills"); }),
+            why);
     }
 }
 

@@ -33,7 +33,7 @@ using namespace Qt::StringLiterals;
 using namespace bob_weights;
 
 TEST_F(JobPageTest, ShopCardByKeys) {
-    EXPECT_EQ(label("headline"), u"Missing for the bob weight: piston, big end"_s);
+    EXPECT_EQ(label("headline"), u"Missing for the bob weight: one piston, big end of one rod"_s);
     EXPECT_EQ(rowsOf("Bob weight, line by line"), 0);
     typeShopCard();
     EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
@@ -195,7 +195,7 @@ TEST_F(JobPageTest, CrankpinsThatBalanceOneAnotherNeedNoBobWeights) {
     save();
     EXPECT_TRUE(jobs().at(0).isFinished);
     model->edit(u"engine"_s, [](workshop::Input& job) { job.engine.cylinders = 5; });
-    EXPECT_TRUE(label("headline").contains(u"Missing for the bob weight: piston"_s))
+    EXPECT_TRUE(label("headline").contains(u"Missing for the bob weight: one piston"_s))
         << qPrintable(label("headline"));
 }
 
@@ -357,7 +357,8 @@ TEST_F(JobPageTest, ReadingsBecomeHoles) {
     type("diameters_mm", u"8 wide"_s);
     // The name of the field stands before it already.
     EXPECT_EQ(test::named<EntryField>(page, "diameters_mm")->trouble(),
-              u"Must be numbers with blanks or semicolons between them, got \"wide\""_s);
+              u"Must be mm, #1 to #60, A to Z or inches such as 1/4, with semicolons between them, "
+              u"got \"wide\""_s);
     EXPECT_EQ(model->input().correction->drill.diameters_mm.size(), 4u);
     type("diameters_mm", u"8"_s);
     EXPECT_GT((*model->solution().correction)[0].holes.size(), 1u);
@@ -660,6 +661,16 @@ TEST_F(JobPageTest, ReadingsHoldForTheirBobWeightAlone) {
     EXPECT_FALSE(hold->isVisibleTo(&page));
     model->history()->undo();
     EXPECT_EQ(verdict(), u"STOP"_s);
+    // Read again is typed again, be the numbers the same; half a reading is none of this weight.
+    const Json stopped = model->inputJson();
+    type("unbalance_1", u"2600"_s);
+    EXPECT_EQ(field("angle_1")->text(), QString());
+    EXPECT_EQ(verdict(), u"STOP"_s);
+    fill({{"angle_1", "75"}, {"angle_2", "210"}, {"unbalance_2", "1450"}});
+    EXPECT_EQ(verdict(), u"Passes"_s);
+    EXPECT_FALSE(hold->isVisibleTo(&page));
+    model->loadInput(stopped, {});
+    EXPECT_EQ(verdict(), u"STOP"_s);
     typeRun(1, {u"100"_s, u"10"_s, u"100"_s, u"20"_s});
     EXPECT_EQ(verdict(), u"Passes"_s);
     EXPECT_EQ(model->runResults().rows.at(0).constLast(), u"another bob weight"_s);
@@ -673,6 +684,73 @@ TEST_F(JobPageTest, ReadingsHoldForTheirBobWeightAlone) {
     EXPECT_EQ(verdict(), u"Passes"_s);
     type("big_end", u"260"_s);
     EXPECT_EQ(verdict(), u"STOP"_s);
+}
+
+TEST_F(JobPageTest, TheSheetsOfTheMachineBeginWithItsAnswer) {
+    typeShopCard();
+    for (const Sheet sheet : {MachineTab, CorrectionTab}) {
+        show(sheet);
+        EXPECT_EQ(label("correction"), u"Enter the readings of both planes."_s);
+        EXPECT_FALSE(find<QLabel>("headline")->isVisible());
+    }
+    typeReadings();
+    EXPECT_EQ(label("correction"), u"Enter the permissible residual."_s);
+    const auto answered = [&](double limit, const QString& expected, Ink ink) {
+        limitTo(limit);
+        show(CorrectionTab);
+        EXPECT_EQ(label("correction"), expected);
+        EXPECT_EQ(colour("correction"), (Theme::instance().*ink)());
+        EXPECT_FALSE(find<QLabel>("headline")->isVisible());
+        show(PartsTab);
+        EXPECT_TRUE(label("headline").startsWith(u"Bob weight "_s));
+        EXPECT_FALSE(find<QLabel>("correction")->isVisible());
+    };
+    answered(3000, u"PASS"_s, &Theme::good);
+    answered(100, u"FAIL → drill, then PASS"_s, &Theme::warning);
+    type("piston", u"690"_s);
+    answered(100, u"STOP: do not drill yet"_s, &Theme::error);
+}
+
+TEST_F(JobPageTest, APassBesideAWarningSaysSoOnPageCardAndInTheJournal) {
+    typeShopCard();
+    typeReadings();
+    limitTo(3000);
+    type("engine_number", u"53-1"_s);
+    save();
+    EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
+    type("diameters_mm", u"9.87"_s);
+    EXPECT_EQ(model->verdictShown()->severity, Severity::warning);
+    EXPECT_TRUE(label("verdict").contains(u"A drill of 9.87 mm is unusual."_s));
+    const QString said = u"PASS, but see the warnings"_s;
+    EXPECT_EQ(label("correction"), said);
+    EXPECT_TRUE(card().contains(said));
+    save();
+    EXPECT_EQ(jobs().at(0).verdict, u"passes-with-warnings"_s);
+    EXPECT_EQ(verdictText(Words(), jobs().at(0).verdict), said);
+    EXPECT_TRUE(jobs().at(0).isFinished);
+}
+
+TEST_F(JobPageTest, DrillsAreReadByNumberLetterAndFraction) {
+    typeReadings();
+    type("diameters_mm", u"#7; F, 1/4 1 1/4\"; 9,5"_s);
+    EXPECT_EQ(label("diameters_mm_understood"),
+              u"Read as 5: 5.1054; 6.5278; 6.35; 31.75; 9.5 mm"_s);
+    EXPECT_EQ(std::ranges::count(model->doubts(), "drill-size",
+                                 [](const workshop::Doubt& doubt) { return doubt.rule->word; }),
+              0)
+        << "all of them are sold";
+    const std::vector<double> read{5.1054, 6.5278, 6.35, 31.75, 9.5};
+    EXPECT_EQ(model->input().correction->drill.diameters_mm, read);
+    // A click selects all: the next drill joins no digits.
+    auto* drills = find<EntryField>("diameters_mm");
+    drills->clearFocus();
+    QTest::mouseClick(drills, Qt::LeftButton);
+    EXPECT_EQ(drills->selectedText(), drills->text());
+    type("diameters_mm", u"8; #61"_s);
+    EXPECT_EQ(drills->trouble(),
+              u"Must be mm, #1 to #60, A to Z or inches such as 1/4, with semicolons between them, "
+              u"got \"#61\""_s);
+    EXPECT_EQ(model->input().correction->drill.diameters_mm, read);
 }
 
 TEST_F(JobPageTest, ReadingsAreOfTheirCrankshaftAlone) {
@@ -1011,8 +1089,9 @@ TEST_F(JobPageTest, WhatMayBeWrongIsSaid) {
     }
     EXPECT_EQ(label("troubles"), QString());
     type("locks", QString());
-    EXPECT_TRUE(card().contains(u"Not given, 0 g is used: locks."_s)) << qPrintable(card());
-    EXPECT_TRUE(label("troubles").contains(u"Not given, 0 g is used: locks."_s));
+    EXPECT_TRUE(card().contains(u"Not given, 0 g is used: locks of one pin."_s))
+        << qPrintable(card());
+    EXPECT_TRUE(label("troubles").contains(u"Not given, 0 g is used: locks of one pin."_s));
     type("locks", u"0"_s);
     EXPECT_EQ(label("troubles"), QString()) << "a 0 that is typed is meant";
     type("locks", u"4.8"_s);
@@ -1071,7 +1150,8 @@ TEST_F(JobPageTest, WhatTheLimitIsMadeOfIsDoubted) {
             << qPrintable(label("verdict"));
         EXPECT_TRUE(field(each.field)->isDoubtful()) << each.field;
         EXPECT_TRUE(model->holeResults().rows.isEmpty());
-        EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s) << "that is not doubted";
+        EXPECT_EQ(model->headline().replace(QChar(0x00A0), u' '), u"Bob weight 1505.2 g"_s)
+            << "that is not doubted";
         EXPECT_TRUE(cardText().contains(each.said)) << qPrintable(card());
         EXPECT_FALSE(card().contains(u"PASS"_s));
     }
@@ -1120,7 +1200,7 @@ TEST_F(JobPageTest, ARefusedEntryMakesTheAnswerStale) {
     typeShopCard();
     type("engine_number", u"53"_s);
     type("piston", u"58x"_s);
-    EXPECT_TRUE(label("refused").contains(u"Piston"_s)) << qPrintable(label("refused"));
+    EXPECT_TRUE(label("refused").contains(u"One piston"_s)) << qPrintable(label("refused"));
     EXPECT_TRUE(isAmber("headline"));
     EXPECT_TRUE(label("verdict").startsWith(u"Results use the value before the red entry."_s));
     EXPECT_FALSE(find<QLabel>("headline")->font().bold());
@@ -1131,7 +1211,7 @@ TEST_F(JobPageTest, ARefusedEntryMakesTheAnswerStale) {
     EXPECT_TRUE(card({u"Piston, g: no number"_s}).contains(u"entries not accepted: Piston"_s));
     const auto asked = answer(u"Continue"_s);
     save();
-    EXPECT_TRUE(asked->contains(u"Piston"_s));
+    EXPECT_TRUE(asked->contains(u"One piston"_s));
     ASSERT_EQ(jobs().size(), 1);
     EXPECT_FALSE(jobs().at(0).isFinished);
     type("piston", u"583.9"_s);

@@ -1,6 +1,7 @@
 // The answer of a job with plugs, its plots and the keys of the page.
 
 #include <QComboBox>
+#include <QHeaderView>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -72,6 +73,23 @@ TEST_F(PlugsPageTest, AnswerFollowsTyping) {
     EXPECT_EQ(label("advice"),
               u"Replace all 8 plugs by aluminium plugs, lightened by 0.38 g each."_s);
     EXPECT_TRUE(page.resultsAsText().contains(u"5.223"_s)) << qPrintable(page.resultsAsText());
+}
+
+TEST_F(PlugsPageTest, NoHeadingOfTheOptionsIsCut) {
+    fill({{"rod_big_end", "0.5"}, {"repair_piston_and_rings", "2"}});
+    const auto tables = page.findChildren<ResultTable*>();
+    const auto options = std::ranges::find(tables, u"The options"_s, &QWidget::accessibleName);
+    ASSERT_NE(options, tables.end());
+    for (int width = 1100; width < 1300; width += 9) {
+        test::showAt(page, {width, 712});
+        ASSERT_TRUE((*options)->isVisible());
+        int headings = 0;
+        for (const auto& each : test::painted(*(*options)->horizontalHeader()->viewport()).texts) {
+            ++headings;
+            EXPECT_FALSE(each.text.contains(u'…')) << width << qPrintable(each.text);
+        }
+        EXPECT_GE(headings, 4);
+    }
 }
 
 TEST_F(PlugsPageTest, AZeroThatWasTypedIsSomethingThatIsKnown) {

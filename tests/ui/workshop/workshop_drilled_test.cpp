@@ -28,13 +28,13 @@ class DrilledTest : public PlugsPageTest {
     }
     /// What is in the front plane after the first run's drilling.
     const bob_weights::Metal& drilled() const { return model->solution().runs.at(0).drilled[0]; }
-    void choose(const char* name, HoleState state) {
+    void choose(const char* name, auto word) {
         auto* box = find<QComboBox>(name);
         show(CorrectionTab);
         ASSERT_TRUE(box->isVisible());
         box->setFocus();
         QTest::keyClick(box, Qt::Key_Home);
-        for (int step = 0; step < static_cast<int>(state); ++step) {
+        for (int step = 0; step < static_cast<int>(word); ++step) {
             QTest::keyClick(box, Qt::Key_Down);
         }
     }
@@ -101,6 +101,28 @@ TEST_F(DrilledTest, AMeasuredAngleAndDepthCount) {
         model->history()->undo();
     }
     EXPECT_EQ(plan(), before);
+}
+
+TEST_F(DrilledTest, AHoleInTheOtherPlaneCountsThereAndIsTakenBackInOneStep) {
+    const workshop::Input before = model->input();
+    const auto holesIn = [&](std::size_t plane) {
+        return model->solution().runs.at(0).drilled[plane].holes.size();
+    };
+    const std::array there{holesIn(0), holesIn(1)};
+    ASSERT_EQ(hole(0).plane, bob_weights::PlaneName::front);
+    EXPECT_EQ(find<QComboBox>("drilled_plane_1")->currentText(), u"Front plane"_s);
+    choose("drilled_plane_1", bob_weights::PlaneName::rear);
+    EXPECT_EQ(hole(0).plane, bob_weights::PlaneName::rear);
+    EXPECT_EQ(hole(0).state, HoleState::measured);
+    EXPECT_EQ(holesIn(0), there[0] - 1);
+    EXPECT_EQ(holesIn(1), there[1] + 1);
+    const QString size = u"⌀ %1 mm"_s.arg(hole(0).diameter / units::mm);
+    EXPECT_TRUE(cardText().contains(u"Rear plane: "_s + size)) << qPrintable(cardText());
+    model->history()->undo();
+    EXPECT_EQ(model->input(), before);
+    // By the machine's own names.
+    model->edit({}, [](workshop::Input& job) { job.machine.planes = {"left", "right"}; });
+    EXPECT_EQ(find<QComboBox>("drilled_plane_1")->currentText(), u"Left"_s);
 }
 
 TEST_F(DrilledTest, AHoleThatWasThereBeforeIsAddedAndKeptClearOf) {

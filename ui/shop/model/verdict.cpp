@@ -21,6 +21,7 @@ QString verdictWord(const std::optional<bool>& measured, const std::optional<boo
 const QString otherBobWeight = QStringLiteral("other-bob-weight");
 const QString otherCrankshaft = QStringLiteral("other-crankshaft");
 const QString stopped = QStringLiteral("stopped");
+const QString passesWithWarnings = QStringLiteral("passes-with-warnings");
 
 namespace {
 
@@ -31,10 +32,12 @@ struct KnownVerdict {
 };
 
 /// All of them, with what page, card and journal say.
-const std::array<KnownVerdict, 7>& knownVerdicts() {
+const std::array<KnownVerdict, 8>& knownVerdicts() {
     using Kind = VerdictKind;
-    static const std::array<KnownVerdict, 7> all{{
+    static const std::array<KnownVerdict, 8> all{{
         {QStringLiteral("passes"), Kind::Pass, QT_TRANSLATE_NOOP("Workshop", "PASS")},
+        {passesWithWarnings, Kind::Pass,
+         QT_TRANSLATE_NOOP("Workshop", "PASS, but see the warnings")},
         {QStringLiteral("fails"), Kind::Fail, QT_TRANSLATE_NOOP("Workshop", "FAIL")},
         {QStringLiteral("fails-then-passes"), Kind::Open,
          QT_TRANSLATE_NOOP("Workshop", "FAIL → drill, then PASS")},

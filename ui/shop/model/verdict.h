@@ -17,6 +17,8 @@ extern const QString otherBobWeight;
 extern const QString otherCrankshaft;
 /// The verdict where a doubt blocks any.
 extern const QString stopped;
+/// Passes as measured, beside a warning.
+extern const QString passesWithWarnings;
 /// Nothing is said of the crankshaft.
 inline bool isWithheld(const QString& verdict) {
     return verdict == otherBobWeight || verdict == otherCrankshaft || verdict == stopped;

@@ -560,16 +560,6 @@ QStringList WorkshopModel::troubles(const Words& words, bool withDoubts) const {
     return list;
 }
 
-QStringList WorkshopModel::remarks() const {
-    QStringList list;
-    for (const workshop::Doubt& doubt : doubts()) {
-        if (doubt.rule->severity == Severity::note) {
-            list << Words().message(doubt.text);
-        }
-    }
-    return list;
-}
-
 QString WorkshopModel::otherRunText() const {
     const Words words;
     const bob_weights::Result& result = solution();
@@ -767,6 +757,14 @@ QString WorkshopModel::machineText(const Words& words) const {
                                 "The machine shows the light spot; holes are opposite.");
     }
     return said.join(QLatin1Char(' '));
+}
+
+QString WorkshopModel::correctionText() const {
+    const QString verdict = verdictText(Words(), verdictNow());
+    return withheld().any()     ? tr("STOP: do not drill yet")
+           : !verdict.isEmpty() ? verdict
+           : isRunRead()        ? tr("Enter the permissible residual.")
+                                : readingsMissing();
 }
 
 QString WorkshopModel::asReadNote() const {
@@ -1032,10 +1030,10 @@ Results WorkshopModel::drilledResults(const Words& words) const {
 
 QString WorkshopModel::drilledName(std::size_t run, const DrilledHole& hole) const {
     const Words words;
-    return (hole.is_slug() ? words.translate("BobWeights", "%1, %2: slug ⌀ %3")
-                           : words.translate("BobWeights", "%1, %2: ⌀ %3"))
-        .arg(drilledName(words, run), inSentence(planeName(static_cast<std::size_t>(hole.plane))),
-             words.plainWithUnit(hole.diameter, units::mm, 2));
+    const QString size = words.plainWithUnit(hole.diameter, units::mm, 2);
+    return drilledName(words, run) + QStringLiteral(": ") +
+           (hole.is_slug() ? words.translate("BobWeights", "slug ⌀ %1").arg(size)
+                           : QStringLiteral("⌀ ") + size);
 }
 
 }  // namespace ravnoves

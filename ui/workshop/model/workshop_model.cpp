@@ -514,7 +514,12 @@ QString WorkshopModel::editReading(const QString& name, std::size_t shownRun, st
             }
         }
         const auto before = earlierOf(correction.readings);
-        set(correction.readings[plane]);
+        Reading& reading = correction.readings[plane];
+        if (shop::is_other_bob_weight(reading.bob_weight, bobWeightNow()) ||
+            shop::other_shaft(reading.shaft, input().job)) {
+            (isAngle ? reading.unbalance : reading.angle).reset();  // read again with it
+        }
+        set(reading);
         const bool isEmpty =
             std::none_of(correction.readings.begin(), correction.readings.end(),
                          [](const Reading& reading) { return has_number(reading); });
@@ -695,7 +700,7 @@ QString WorkshopModel::answerLacks() const {
         std::any_of(input().correction->planes.begin(), input().correction->planes.end(),
                     [](const Plane& plane) { return plane.position || plane.radius; });
     if (hasPlanes && !isRunRead()) {
-        return tr("Enter the readings of both planes.");
+        return readingsMissing();
     }
     const RunResult* newest = solution().newest();
     return newest != nullptr && newest->passes() == false && isPlanned()
@@ -709,6 +714,17 @@ bool WorkshopModel::isEngineOf(const CaseFile& job) const {
         return plug_engines::haveSameValues(*there.plugs, *input().plugs);
     }
     return !there.plugs && !input().plugs && there.engine == input().engine;
+}
+
+QString WorkshopModel::verdictNow() const {
+    const RunResult* newest = solution().newest();
+    if (newest == nullptr || (newest->holds() && withheld().any())) {
+        return withheld().any() ? stopped : QString();
+    }
+    return newest->holds() && newest->passes() == true &&
+                   solved().verdict.severity >= Severity::warning
+               ? passesWithWarnings
+               : readWord(*newest, newest->passes(), solution().passes_after());
 }
 
 JournalJob WorkshopModel::journalEntry() const {
@@ -730,12 +746,7 @@ JournalJob WorkshopModel::journalEntry() const {
         job.frontReading = reading(0);
         job.rearReading = reading(1);
     }
-    const RunResult* newest = solution().newest();
-    if (newest != nullptr && (!newest->holds() || !withheld().any())) {
-        job.verdict = readWord(*newest, newest->passes(), solution().passes_after());
-    } else if (withheld().any()) {
-        job.verdict = stopped;
-    }
+    job.verdict = verdictNow();
     return job;
 }
 

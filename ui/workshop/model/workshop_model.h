@@ -217,8 +217,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     QStringList troubles() const { return troubles(Words(), false); }
     /// @param withDoubts  and what the verdict says of doubts
     QStringList troubles(const Words& words, bool withDoubts) const;
-    /// What is to be known of the answer, a sentence each.
-    QStringList remarks() const;
 
     /// Whether the crankpins differ, so that the bob weight is no more than their mean.
     bool isMean() const;
@@ -245,7 +243,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     Results holeResults(const Words& words = {}, std::optional<std::size_t> plane = {}) const;
     /// What was drilled and pressed in after earlier runs, run by run.
     Results drilledResults(const Words& words = {}) const;
-    /// A hole or slug of the record after a run: "Run 1, rear plane: ⌀ 10 mm".
+    /// A hole or slug of the record after a run: "Run 1: ⌀ 10 mm".
     QString drilledName(std::size_t run, const bob_weights::DrilledHole& hole) const;
     Results runResults() const;  ///< nothing where there is but one run
     /// What the machine read, where that was not in the planes; empty where it was.
@@ -254,6 +252,9 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     QString holeNote(const Words& words = {}) const;
     /// What the holes are planned for: the drill's point, the metals; empty without holes.
     QString metalsText(const Words& words) const;
+
+    /// Whether the crankshaft passes or what to do; what that lacks where it is not known.
+    QString correctionText() const;
 
     // Of the plugs; empty without.
     /// What to do; what is missing where that is not known. Where the method neglects what matters,
@@ -272,6 +273,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     Results crankpinResults() const;
 
     // ------------------------------------------------------------------------------- journal
+    /// The machine's verdict, as the journal keeps it.
+    QString verdictNow() const;
     JournalJob journalEntry() const;
     /// Adopts a job's case, as it was or to be the sheet of another one: what says whose it is, and
     /// all that was weighed and read, is new then. Nothing has changed where it throws.
@@ -312,6 +315,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// Why there are not such an engine and such plugs; empty where there may be.
     static QString engineTrouble(const Input& next);
     static QString provisional(const Words& words, const QString& answer);
+    static QString readingsMissing() { return tr("Enter the readings of both planes."); }
     template <typename Said>
     Said ofMatching(Said (*say)(const Words&, const matching_text::Shown&),
                     const Words& words = {}) const {

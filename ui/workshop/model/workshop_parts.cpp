@@ -309,10 +309,11 @@ std::vector<AnswerLine> answerLines(const WorkshopModel& model) {
         {"headline",
          model.withheld().bob_weight ? Severity::error : Severity::note,
          {model.headline()}},
+        // The page alone says it apart from tables and verdict.
+        {"correction", Severity::note, {model.correctionText()}, {}},
         {"hang", Severity::note, {model.hangText()}},
         {"factor", Severity::note, {hasFactor ? model.factorText() : QString()}},
-        {"limits", Severity::note,
-         QStringList{model.limitText(), weighingNote(model)} + model.remarks()},
+        {"limits", Severity::note, QStringList{model.limitText(), weighingNote(model)}},
         {"troubles", Severity::warning, model.troubles()},
         {"doubtful", Severity::error, {model.doubtfulText()}},
         {"advice", Severity::note, {model.adviceText()}},

@@ -32,7 +32,7 @@ struct AnswerLine {
     std::string_view id;
     Severity severity;
     QStringList texts;
-    std::string_view part = "notes";
+    std::string_view part = "notes";  ///< empty: of none
 };
 std::vector<AnswerLine> answerLines(const WorkshopModel& model);
 
