@@ -2,7 +2,8 @@
 """words.py SOURCE-FOLDER: every text that a person reads, against the language of this program.
 
 Phrases that no text may have, one term for one thing, at most 25 words a sentence and two sentences
-a text. Texts of core and ui come from the translations, which a test compares with the sources.
+a text. Texts of core and ui come from the translations, which a test compares with the sources. The
+guide names only files that exist.
 """
 
 import re
@@ -136,6 +137,15 @@ def page(path, language, generated=None):
         fault(path.name, "", "no text was found")
 
 
+def guide(path, source):
+    page(path, {k: v for k, v in ENGLISH.items() if k != r"scenes?"})
+    folders = "app core packaging resources tests ui".split()
+    for name in re.findall(r"`([^`\n]+)`", path.read_text(encoding="utf-8")):
+        is_path = re.fullmatch(r"[\w./-]+", name) and name.split("/")[0] in folders
+        if is_path and not re.search(r"(?<![A-Z])[A-Z]{2,}(?![A-Z])", name) and not (source / name).exists():
+            fault(path.name, name, "does not exist")
+
+
 def main(source):
     texts = 0
     for context in ET.parse(source / "resources/translations/ravnoves_ru.ts").getroot().iter("context"):
@@ -151,7 +161,7 @@ def main(source):
             translation = message.find("translation")
             for russian in [translation.text] if len(translation) == 0 else [f.text for f in translation]:
                 phrases(name, (russian or "").replace("&", ""), RUSSIAN)
-                lengths(name, russian or "")
+                lengths(name, russian or "", most)
     if texts < 1000:
         fault("translations", "", "too few texts were found")
 
@@ -162,7 +172,7 @@ def main(source):
     for path in sorted((source / "resources/help").glob("*.md")):
         page(path, RUSSIAN if path.name.endswith(".ru.md") else ENGLISH, FIELD_ROWS)
     page(source / "README.md", ENGLISH)
-    page(source / "resources/developing.md", {k: v for k, v in ENGLISH.items() if k != r"scenes?"})
+    guide(source / "resources/developing.md", source)
     for path in sorted((source / "packaging/man").glob("*.1")):
         roff = re.sub(r"^\.\\\".*$|^\.[A-Z]+ ?|\\f[A-Z]|\\\||\\&", "", path.read_text(encoding="utf-8"), flags=re.M)
         phrases(path.name, roff.replace("\\-", "-"), ENGLISH)
