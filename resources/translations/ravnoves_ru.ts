@@ -314,7 +314,7 @@
     </message>
     <message>
         <source>Older holes</source>
-        <translation>Более старые</translation>
+        <translation>Прежние отверстия</translation>
     </message>
     <message>
         <source>Angles are clockwise, seen from the front.</source>
@@ -879,7 +879,7 @@
     </message>
     <message>
         <source>scene</source>
-        <translation>сцена</translation>
+        <translation>модуль</translation>
     </message>
     <message>
         <source>seed</source>
@@ -3314,7 +3314,7 @@
     </message>
     <message>
         <source>The dead centre may be at %1 ± %2 of the trace, a shift of %3; the compression line is not more precise.</source>
-        <translation>Мёртвая точка, возможно, на %1 ± &#xa0;%2 диаграммы, сдвиг %3: точнее линия сжатия её не показывает.</translation>
+        <translation>Мёртвая точка, возможно, на %1 ± %2 диаграммы, сдвиг %3: точнее линия сжатия её не показывает.</translation>
     </message>
     <message>
         <source>its lower end</source>
@@ -10070,6 +10070,18 @@ but no position is feasible</source>
         <source>with shaft, paper (Mᵤₚₛₘ)</source>
         <translation>с валом, статья (Mᵤₚₛₘ)</translation>
     </message>
+    <message>
+        <source>Design</source>
+        <translation>Подбор</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Анализ</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Деталь</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BalancingForm</name>
@@ -11477,7 +11489,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Finds stiffness and preload of minimum spring energy for the required relief of the crank&apos;s guide; free length, roller and side of the spring are kept.</source>
-        <translation>Находит жёсткость и поджатие с минимальной энергией пружины для требуемого перепада направляющей кривошипа; свободная длина, ролик и сторона пружины сохраняются.</translation>
+        <translation>Находит жёсткость и преднатяг с минимальной энергией пружины для требуемого перепада направляющей кривошипа; свободная длина, ролик и сторона пружины сохраняются.</translation>
     </message>
 </context>
 <context>
@@ -12370,6 +12382,14 @@ but no position is feasible</source>
     <message>
         <source>Roll moment by order</source>
         <translation>Опрокидывающий момент по порядкам</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Анализ</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>Подбор</translation>
     </message>
 </context>
 <context>
@@ -13654,7 +13674,7 @@ but no position is feasible</source>
         <translation>Эта задача</translation>
     </message>
     <message>
-        <source>What contributes to the results</source>
+        <source>Contributions to the results</source>
         <translation>Вклады в результаты</translation>
     </message>
     <message>
@@ -14262,8 +14282,8 @@ but no position is feasible</source>
         <translation>Файл</translation>
     </message>
     <message>
-        <source>Kept</source>
-        <translation>Запомнена</translation>
+        <source>Backup</source>
+        <translation>Копия</translation>
     </message>
     <message>
         <source>no file yet</source>
@@ -14409,7 +14429,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>none, check only</source>
-        <translation>никакой, проверить</translation>
+        <translation>нет, только проверить</translation>
     </message>
     <message>
         <source>Enter two sizes; the third follows from the unbalance m₁ ρ₁.</source>
@@ -14627,7 +14647,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>derived, see Help (F1)</source>
-        <translation>вывод – в справке (F1)</translation>
+        <translation>вывод — в справке (F1)</translation>
     </message>
     <message>
         <source>, not numbered there</source>
@@ -14698,7 +14718,7 @@ but no position is feasible</source>
         <translation>Результатов нет.</translation>
     </message>
     <message>
-        <source>Only what differs is listed, inputs first; in brackets the difference from the reference. ★ marks the best.</source>
+        <source>Only differences are listed, inputs first; in brackets the difference from the reference. ★ marks the best.</source>
         <translation>Перечислено только то, что отличается, сначала исходные данные; в скобках разность с эталоном. ★ отмечает лучшее.</translation>
     </message>
     <message>
@@ -14726,7 +14746,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Ctrl+C copies the selected cells, or the whole table if no more than one is selected.</source>
-        <translation>Ctrl+C копирует выделенные ячейки, а если выделено не больше одной – всю таблицу.</translation>
+        <translation>Ctrl+C копирует выделенные ячейки, а если выделено не больше одной — всю таблицу.</translation>
     </message>
     <message>
         <source>Copy as &amp;text</source>
@@ -14992,7 +15012,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>0.02: uniform within ± 0.02. 1 %: uniform within ± 1 % of the value. σ 0.01: normal with this standard deviation.</source>
-        <translation>0,02: равномерно в пределах ± 0,02. 1 %: равномерно в пределах ± 1 % от значения. σ 0,01: нормально с этим стандартным отклонением.</translation>
+        <translation>0,02 или 1 %: равномерно в пределах ± 0,02 или ± 1 % от значения. σ 0,01: нормально с этим стандартным отклонением.</translation>
     </message>
 </context>
 <context>
@@ -15271,7 +15291,7 @@ but no position is feasible</source>
         <translation>мин. сумма, без учёта зазоров</translation>
     </message>
     <message>
-        <source>Computing the map …</source>
+        <source>Computing the map…</source>
         <translation>Карта вычисляется…</translation>
     </message>
     <message>
@@ -15330,7 +15350,7 @@ but no position is feasible</source>
         <translation>x, мм</translation>
     </message>
     <message>
-        <source>computing …</source>
+        <source>computing…</source>
         <translation>вычисляется…</translation>
     </message>
     <message>
@@ -15369,7 +15389,7 @@ but no position is feasible</source>
         <translation>Границы</translation>
     </message>
     <message>
-        <source>computing …</source>
+        <source>computing…</source>
         <translation>вычисляется…</translation>
     </message>
     <message>
@@ -15981,8 +16001,8 @@ but no position is feasible</source>
         <translation>Ход работы</translation>
     </message>
     <message>
-        <source>Computing …</source>
-        <translation>Вычисляется …</translation>
+        <source>Computing…</source>
+        <translation>Вычисляется…</translation>
     </message>
     <message>
         <source>Choose a result to watch.</source>
@@ -16122,12 +16142,12 @@ but no position is feasible</source>
         <translation>Гистограмма</translation>
     </message>
     <message>
-        <source>Watch a result …</source>
+        <source>Watch a result…</source>
         <translation>Наблюдать результат…</translation>
     </message>
     <message>
-        <source>Computing …</source>
-        <translation>Вычисляется …</translation>
+        <source>Computing…</source>
+        <translation>Вычисляется…</translation>
     </message>
     <message>
         <source>Samples solved: %1</source>
@@ -16214,8 +16234,8 @@ but no position is feasible</source>
         <translation>Метода этой задачи (%1) больше нет. Используются точки Соболя; допуски и пределы сохранены.</translation>
     </message>
     <message>
-        <source>Values before the change; computing …</source>
-        <translation>Значения до изменения; вычисляется …</translation>
+        <source>Values before the change; computing…</source>
+        <translation>Значения до изменения; вычисляется…</translation>
     </message>
     <message>
         <source>Rejected: %1 × %2</source>
@@ -16257,10 +16277,6 @@ but no position is feasible</source>
 <context>
     <name>ravnoves::TornadoView</name>
     <message>
-        <source>smaller ones: %1</source>
-        <translation>остальных: %1</translation>
-    </message>
-    <message>
         <source>alone, %</source>
         <translation>сам по себе, %</translation>
     </message>
@@ -16283,6 +16299,10 @@ but no position is feasible</source>
     <message>
         <source>Dark: share of the variance of an input alone (Sobol&apos;s first-order index). Light: further share with other inputs (total index).</source>
         <translation>Тёмное: доля дисперсии одной величины (индекс Соболя первого порядка). Светлое: ещё вместе с другими (полный индекс).</translation>
+    </message>
+    <message>
+        <source>others: %1</source>
+        <translation>остальных: %1</translation>
     </message>
 </context>
 <context>
@@ -16604,7 +16624,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Variants: the reference is %1</source>
-        <translation>Варианты: эталон – %1</translation>
+        <translation>Варианты: эталон — %1</translation>
     </message>
     <message>
         <source>Rename variant</source>
@@ -16655,12 +16675,12 @@ but no position is feasible</source>
         <translation>С&amp;равнить рядом…</translation>
     </message>
     <message>
-        <source>Shows what differs between the present input and all variants, then their results</source>
+        <source>Shows the differences between the present input and all variants, then their results</source>
         <translation>Показывает, чем отличаются нынешние данные и все варианты, затем их результаты</translation>
     </message>
     <message>
         <source>%1 – not accepted: %2</source>
-        <translation>%1 – не принят: %2</translation>
+        <translation>%1 — не принят: %2</translation>
     </message>
     <message>
         <source>Compare the present input with %1</source>
@@ -17408,7 +17428,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Save the job in the journal; “Save case as…” writes a file</source>
-        <translation>Сохранить работу в журнале; в файл – «Сохранить задачу как…»</translation>
+        <translation>Сохранить работу в журнале; в файл — «Сохранить задачу как…»</translation>
     </message>
     <message>
         <source>Swap the rod ends</source>

@@ -149,7 +149,7 @@ void ShaftMapPlot::paintOverCurves(QPainter& painter) {
         painter.setFont(Theme::font(Theme::baseSize));
         painter.setPen(Theme::instance().text());
         painter.drawText(plotArea().adjusted(Theme::space, Theme::space, -Theme::space, 0),
-                         Qt::AlignTop | Qt::AlignRight, tr("computing …"));
+                         Qt::AlignTop | Qt::AlignRight, tr("computing…"));
     } else {
         labels_.paint(painter);
     }

@@ -32,14 +32,17 @@ ShaftTabs::ShaftTabs(BalanceShaftModel* model, QWidget* parent)
     const auto add = [this](QWidget* view, const char* name, const QString& title) {
         addScrolledTab(this, view, QString::fromLatin1(name), title);
     };
+    beginGroup(MomentWords::tr("Design"));
     add(buildMoments(), "moments", MomentWords::tr("Moments"));
     add(new ShaftMapView(model_, this), "map", MomentWords::tr("Map"));
-    add(buildCycle(), "cycle", MomentWords::tr("Cycle"));
     add(new SpeedView(model_, this), "speed", MomentWords::tr("Speed"));
     add(buildSize(), "envelope", MomentWords::tr("Size"));
+    beginGroup(MomentWords::tr("Analysis"));
+    add(buildCycle(), "cycle", MomentWords::tr("Cycle"));
     add(buildOrders(), "orders", MomentWords::tr("Orders"));
     add(buildFlywheel(), "flywheel", MomentWords::tr("Flywheel"));
     add(buildForces(), "forces", MomentWords::tr("Forces"));
+    beginGroup(MomentWords::tr("Part"));
     add(new RelievedShaftView(model_, this), "relieved", MomentWords::tr("Relief"));
 }
 

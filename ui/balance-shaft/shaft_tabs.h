@@ -11,8 +11,7 @@ class Form;
 class PartPlot;
 class PlotView;
 
-/// The tabs of the balance-shaft page: moments, map, cycle, speed, size, orders, flywheel, forces,
-/// relief.
+/// The tabs of the balance-shaft page: design, analysis, and the shaft as a part.
 class ShaftTabs : public FittedTabs {
     Q_OBJECT
 

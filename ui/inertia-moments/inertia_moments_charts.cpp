@@ -16,18 +16,20 @@ namespace ravnoves {
 InertiaMomentsCharts::InertiaMomentsCharts(InertiaMomentsModel* model, QWidget* parent)
     : FittedTabs(parent), model_(model) {
     setDocumentMode(true);
+    beginGroup(tr("Analysis"));
     addOrders();
     hodographs_ = addPair("hodograph-forces", "hodograph-moments", "hodographs", tr("Hodographs"));
     addPair("forces-by-order", "moments-by-order", "orders", tr("Orders"));
     showCrankAngle(addPair("roll", "roll-by-order", "roll", tr("Roll"))[0], model_->crank());
-    add(new ShaftView(model_, this), "shafts", tr("Shafts"));
-    add(new CounterweightView(model_, this), "weights", tr("Weights"));
-    add(new FiringWheel(model_, this), "firing", tr("Firing"));
     for (PartPlot* plot :
          addPair("forces-over-angle", "moments-over-angle", "over-angle", tr("Over φ"))) {
         showCrankAngle(plot, model_->crank());
     }
     setTabToolTip(count() - 1, tr("Forces and moments of all orders over two turns"));
+    beginGroup(tr("Design"));
+    add(new FiringWheel(model_, this), "firing", tr("Firing"));
+    add(new ShaftView(model_, this), "shafts", tr("Shafts"));
+    add(new CounterweightView(model_, this), "weights", tr("Weights"));
     for (const auto signal : {&SceneModel::changed, &SceneModel::viewChanged}) {
         connect(model_, signal, this, &InertiaMomentsCharts::showCursor);
     }

@@ -219,7 +219,7 @@ QWidget* MethodsPage::buildCase() {
     caseTitle_ = headingLabel({}, view);
     caseTitle_->setObjectName(QStringLiteral("case_title"));
     column->addWidget(caseTitle_);
-    budgetTable_ = new ResultTable(tr("What contributes to the results"), view);
+    budgetTable_ = new ResultTable(tr("Contributions to the results"), view);
     budgetTable_->setObjectName(QStringLiteral("case_table"));
     budgetTable_->setWordWrap(true);
     column->addWidget(budgetTable_, 1);

@@ -278,7 +278,7 @@ void addVariants(Report& report, const SceneModel& model) {
     table.isSmall = results.columns.size() > 4;
     report.items.push_back(std::move(table));
     QString how = ReportWords::tr(
-        "Only what differs is listed, inputs first; in brackets the difference from the reference. "
+        "Only differences are listed, inputs first; in brackets the difference from the reference. "
         "★ marks the best.");
     if (model.reference() >= 0) {
         how +=

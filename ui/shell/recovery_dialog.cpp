@@ -44,7 +44,7 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
         list_->setAccessibleName(tr("Unsaved cases"));
         list_->setRootIsDecorated(false);
         list_->setTextElideMode(Qt::ElideMiddle);
-        list_->setHeaderLabels({tr("Case"), tr("File"), tr("Kept")});
+        list_->setHeaderLabels({tr("Case"), tr("File"), tr("Backup")});
         for (const RecoveredCase& each : cases_) {
             QStringList names{SceneModel::titleText(QString::fromStdString(each.content.title))};
             names << JobDesk::wordsOf(each.content);

@@ -28,7 +28,7 @@ VariantMenu::VariantMenu(QWidget* parent)
     end->setObjectName(QStringLiteral("end-of-list"));
     table_ =
         add("table", tr("&Compare side by side…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D),
-            tr("Shows what differs between the present input and all variants, then their "
+            tr("Shows the differences between the present input and all variants, then their "
                "results"),
             &VariantMenu::showTable);
     onReference_ = {

@@ -147,11 +147,11 @@ void SweepView::chooseResult(const std::string& result) {
 void SweepView::showSweep() {
     const Sweep* sweep = model_->sweep();
     const bool isFaded = model_->isStale() && sweep != nullptr;
-    plot_->setFaded(isFaded, isFaded ? tr("Computing …") : QString());
+    plot_->setFaded(isFaded, isFaded ? tr("Computing…") : QString());
     words_->setText(!model_->trouble().isEmpty() ? model_->trouble()
                     : model_->result().empty()   ? tr("Choose a result to watch.")
                     : sweep != nullptr           ? bestText()
-                                                 : tr("Computing …"));
+                                                 : tr("Computing…"));
     const bool isTaken = sweep != nullptr && sweep->best && !model_->isStale() &&
                          !study_->inputTitle(sweep->input).text.isEmpty();
     take_->setVisible(isTaken);

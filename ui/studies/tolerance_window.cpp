@@ -223,7 +223,7 @@ QWidget* ToleranceWindow::makeInputs() {
                    tr("Remove the tolerances of the selected inputs"), {ScatterTable::Scatter});
     column->addWidget(inputs_, 3);
     column->addWidget(headingLabel(tr("Results to watch"), holder));
-    watchable_ = new PickBox(tr("Watch a result …"), holder);
+    watchable_ = new PickBox(tr("Watch a result…"), holder);
     watchable_->setObjectName(QStringLiteral("watchable"));
     watchable_->setAccessibleName(tr("Watch a result"));
     watchable_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -488,7 +488,7 @@ void ToleranceWindow::showFound() {
                  shown(value.low), shown(value.high), value.withinText()});
         }
         if (model_->isStale()) {
-            lines << tr("Values before the change; computing …");
+            lines << tr("Values before the change; computing…");
         }
         if (studies::is_sampled(model_->study().method)) {
             lines << tr("Samples solved: %1").arg(QLocale().toString(answers->solved));
@@ -522,7 +522,7 @@ void ToleranceWindow::showFound() {
 void ToleranceWindow::showChosen() {
     const StudyAnswers* answers = model_->answers();
     const auto row = static_cast<std::size_t>(std::max(table_->currentRow(), 0));
-    histogram_->setFaded(model_->isStale(), model_->isStale() ? tr("Computing …") : QString());
+    histogram_->setFaded(model_->isStale(), model_->isStale() ? tr("Computing…") : QString());
     tornado_->setFaded(model_->isStale());
     if (answers == nullptr || row >= answers->values.size()) {
         tornado_->setBars({}, {});

@@ -117,7 +117,7 @@ void TornadoView::paintEvent(QPaintEvent* /*event*/) {
         painter.setPen(theme.mutedText());
         painter.drawText(QRectF(inner.left(), y, inner.width(), row),
                          Qt::AlignLeft | Qt::AlignVCenter,
-                         tr("smaller ones: %1").arg(std::ssize(bars_) - shown));
+                         tr("others: %1").arg(std::ssize(bars_) - shown));
     }
 }
 

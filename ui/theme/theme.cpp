@@ -355,13 +355,19 @@ class ProgramStyle : public QProxyStyle {
         const auto* bar = qobject_cast<const QTabBar*>(widget);
         const auto* tabs =
             bar != nullptr ? qobject_cast<const QTabWidget*>(bar->parentWidget()) : nullptr;
-        int wanted = 0;
-        for (int i = 0; tabs != nullptr && i < bar->count(); ++i) {
-            // Asked for each tab again, at every painting.
-            wanted += qCeil(textWidth(bar->font(), bar->tabText(i).remove(QLatin1Char('&')))) +
-                      2 * Theme::space;
+        if (tabs == nullptr) {
+            return false;
         }
-        return tabs != nullptr && wanted > tabs->width();
+        const QWidget* groups = tabs->cornerWidget(Qt::TopLeftCorner);
+        int wanted = groups != nullptr ? groups->sizeHint().width() : 0;
+        for (int i = 0; i < bar->count(); ++i) {
+            if (bar->isTabVisible(i)) {
+                // Asked for each tab again, at every painting.
+                wanted += qCeil(textWidth(bar->font(), bar->tabText(i).remove(QLatin1Char('&')))) +
+                          2 * Theme::space;
+            }
+        }
+        return wanted > tabs->width();
     }
 };
 

@@ -20,6 +20,14 @@ namespace {
 
 constexpr int plotsWidth = 440;  ///< designed pixels that plots need at least
 
+/// Groups of tabs, with room between them and the tabs.
+class GroupBar : public QTabBar {
+  public:
+    using QTabBar::QTabBar;
+
+    QSize sizeHint() const override { return QTabBar::sizeHint() + QSize(3 * Theme::space, 0); }
+};
+
 /// 0 for none.
 int leastWidth(const QWidget* widget) {
     return widget != nullptr ? std::max(widget->minimumWidth(), widget->minimumSizeHint().width())
@@ -201,6 +209,34 @@ FittedTabs::FittedTabs(QWidget* parent) : QTabWidget(parent) {
     connect(this, &QTabWidget::currentChanged, this, &QWidget::updateGeometry);
 }
 
+void FittedTabs::beginGroup(const QString& title) {
+    if (groups_ == nullptr) {
+        groups_ = new GroupBar(this);
+        groups_->setDrawBase(false);
+        groups_->setExpanding(false);
+        setCornerWidget(groups_, Qt::TopLeftCorner);
+        connect(this, &QTabWidget::currentChanged, this, &FittedTabs::showGroup);
+        connect(groups_, &QTabBar::currentChanged, this,
+                [this](int group) { setCurrentIndex(groups_->tabData(group).toInt()); });
+    }
+    groups_->setTabData(groups_->addTab(title), count());
+}
+
+int FittedTabs::groupOf(int tab) const {
+    return tabBar()->tabData(tab).toInt();
+}
+
+void FittedTabs::showGroup() {
+    const int group = groupOf(currentIndex());
+    groups_->setTabData(group, currentIndex());
+    groups_->setCurrentIndex(group);
+    setTabVisible(currentIndex(), true);  // first: Qt turns from a hidden one to what is shown
+    for (int i = 0; i < count(); ++i) {
+        setTabVisible(i, groupOf(i) == group);
+    }
+    fit();
+}
+
 int FittedTabs::barHeight() const {
     int highest = 0;
     for (int i = 0; i < count(); ++i) {
@@ -234,14 +270,21 @@ void FittedTabs::resizeEvent(QResizeEvent* event) {
 
 void FittedTabs::tabInserted(int index) {
     QTabWidget::tabInserted(index);
+    if (groups_ != nullptr) {
+        tabBar()->setTabData(index, groups_->count() - 1);
+        showGroup();
+    }
     fit();
 }
 
 void FittedTabs::fit() {
     const QFontMetrics metrics(Theme::font());
-    int wanted = 0;
+    const QWidget* groups = cornerWidget(Qt::TopLeftCorner);
+    int wanted = groups != nullptr ? groups->sizeHint().width() : 0;
     for (int i = 0; i < count(); ++i) {
-        wanted += metrics.size(Qt::TextShowMnemonic, tabText(i)).width() + 2 * Theme::gap + 2;
+        if (isTabVisible(i)) {
+            wanted += metrics.size(Qt::TextShowMnemonic, tabText(i)).width() + 2 * Theme::gap + 2;
+        }
     }
     const QFont font = wanted <= width() ? Theme::font() : Theme::font(Theme::smallSize);
     if (tabBar()->font() != font) {

@@ -87,13 +87,16 @@ class FoldingRow : public QWidget {
 
 /// Tabs of a page whose titles get smaller where they have no room, before they are shortened. They
 /// need the height of what is in front: another tab may scroll with the page around them, rather
-/// than by itself in it.
+/// than by itself in it. Many tabs are grouped: the bar shows the group of the tab in front, and
+/// the groups before it.
 class FittedTabs : public QTabWidget {
     Q_OBJECT
 
   public:
     explicit FittedTabs(QWidget* parent = nullptr);
 
+    /// The tabs that are added from now on are one group.
+    void beginGroup(const QString& title);
     QSize minimumSizeHint() const override;
     bool hasHeightForWidth() const override;
     int heightForWidth(int width) const override;
@@ -104,8 +107,12 @@ class FittedTabs : public QTabWidget {
 
   private:
     void fit();
+    int groupOf(int tab) const;
+    void showGroup();
     /// Of the tabs without what is in them.
     int barHeight() const;
+
+    QTabBar* groups_ = nullptr;  ///< each with its last tab in front
 };
 
 /// Adds a view to tabs so that it scrolls where it is larger than they are; `name` is that of the

@@ -11,7 +11,7 @@ class PickBox : public QComboBox {
     Q_OBJECT
 
   public:
-    /// @param prompt  "Watch a result …"
+    /// @param prompt  "Watch a result…"
     explicit PickBox(QString prompt, QWidget* parent = nullptr);
 
     /// The prompt alone.

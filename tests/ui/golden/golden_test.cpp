@@ -143,8 +143,8 @@ class PictureTest : public ::testing::Test {
             }
             const int first = tabs->currentIndex();
             for (int i = 0; i < tabs->count(); ++i) {
+                tabs->setCurrentIndex(i);  // shows its group
                 if (tabs->isTabVisible(i) && tabs->isTabEnabled(i)) {
-                    tabs->setCurrentIndex(i);
                     const QString name = tabs->widget(i)->objectName();
                     lookOnce(name.isEmpty() ? u"tab-%1-%2"_s.arg(all.indexOf(tabs)).arg(i) : name);
                 }

@@ -70,7 +70,7 @@ QString best(const ShaftMapModel& map) {
     }
     const ShaftMap* const places = map.map();
     if (places == nullptr) {
-        return ShaftMapModel::tr("Computing the map …");
+        return ShaftMapModel::tr("Computing the map…");
     }
     const Marker* best = map.best();
     if (best == nullptr || !places->best.reason.empty()) {
