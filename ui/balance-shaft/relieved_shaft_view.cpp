@@ -197,7 +197,7 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     QVBoxLayout* column = columnIn(this, Theme::space, tabMargins);
     constexpr int pairWidth = 540;
     auto* upper = new FoldingRow(pairWidth, this);
-    column->addWidget(upper, 3);
+    column->addWidget(upper, 1);
     upper->add(buildForm(model), 1);
 
     auto* answerPanel = new Panel(this);

@@ -228,8 +228,9 @@ void ShaftMapView::resizeEvent(QResizeEvent* event) {
 
 void ShaftMapView::fitWords() {
     const bool isNarrow = width() < Theme::withText(500);
+    const bool isWide = width() >= Theme::withText(600);
     const bool isCompared = model_->referenceCase().model() != nullptr;
-    const int rows = (isNarrow ? 5 : 3) + (!isCompared ? 0 : isNarrow ? 3 : 1);
+    const int rows = (isNarrow ? 5 : isWide ? 3 : 4) + (!isCompared ? 0 : isNarrow ? 3 : 1);
     wordsRoom_->setFixedHeight(rows * words_->fontMetrics().lineSpacing() + 2);
 }
 
@@ -247,7 +248,7 @@ bool ShaftMapView::nothingIsBuilt() const {
 }
 
 void ShaftMapView::showStale() {
-    const QString computing = tr("computing …");
+    const QString computing = tr("computing…");
     distances_->setFaded(map_->isStale(), computing);
     sizes_->setFaded(map_->isStale() || nothingIsBuilt(),
                      map_->isStale() ? computing : tr("no feasible position"));

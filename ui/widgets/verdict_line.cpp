@@ -108,20 +108,20 @@ VerdictLine::VerdictLine(QWidget* parent)
       word_(new QLabel(this)),
       text_(new QLabel(this)),
       act_(new QPushButton(this)) {
-    QHBoxLayout* row = rowIn(this, Theme::space, {Theme::space, 0, Theme::space, 0});
+    QHBoxLayout* row = rowIn(this, Theme::space, {Theme::space, Theme::gap, Theme::space, 0});
     QFont bold = word_->font();
     bold.setBold(true);
     word_->setFont(bold);
     text_->setObjectName(QStringLiteral("verdict"));
     text_->setTextFormat(Qt::PlainText);
     text_->setWordWrap(true);
-    // Room for two lines: nothing moves under the hand where one becomes two.
-    setMinimumHeight(2 * text_->fontMetrics().lineSpacing() + Theme::gap);
+    setMinimumHeight(act_->sizeHint().height());  // nothing moves where the button comes
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     act_->setObjectName(QStringLiteral("verdict_act"));
-    row->addWidget(sign_, 0, Qt::AlignTop);
-    row->addWidget(word_, 0, Qt::AlignTop);
+    row->addWidget(sign_);
+    row->addWidget(word_);
     row->addWidget(new Apart(text_, this), 1);
+    text_->setAlignment(Qt::AlignVCenter | Qt::AlignLeft);
     row->addWidget(act_);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     connect(act_, &QPushButton::clicked, this, &VerdictLine::acted);
