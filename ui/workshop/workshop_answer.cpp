@@ -39,6 +39,8 @@ class LowPlot : public PartPlot {
 
 WorkshopAnswer::WorkshopAnswer(WorkshopModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
+    constexpr int narrowest = 340;  // designed pixels of the tables; narrower it is a tab
+    setMinimumWidth(Theme::withText(narrowest));
     QVBoxLayout* column = columnIn(this);
     column->addWidget(buildHead());
     pictures_ = new QWidget(this);
