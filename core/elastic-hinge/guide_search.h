@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "case-file/message.h"
 #include "elastic-hinge/design.h"

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "balance-shaft/method_choices.h"
 #include "balance-shaft/place_search.h"

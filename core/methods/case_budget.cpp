@@ -4,7 +4,6 @@
 #include <cfenv>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <utility>
 
 #include "case-file/case_file.h"

@@ -4,7 +4,6 @@
 #include <functional>
 #include <initializer_list>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -106,10 +105,6 @@ struct Kernel {
     std::size_t find_sweep(std::string_view id) const;                           ///< likewise
     std::size_t chosen_method() const { return find_method(choice.method); }
     std::size_t chosen_setting() const { return find_setting(chosen_method(), choice.setting); }
-    /// The problem of a sweep's present value.
-    std::unique_ptr<Problem> present_problem(std::size_t sweep = 0) const {
-        return problem(sweep, sweeps[sweep].present);
-    }
 };
 
 /// All kernels: what the page, the command line, the benchmark and the tests read.

@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "methods/definition.h"
 #include "studies/method_choices.h"

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <optional>
-#include <span>
 #include <string_view>
 
 #include "case-file/result_visitor.h"

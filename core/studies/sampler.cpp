@@ -1,7 +1,6 @@
 #include "studies/sampler.h"
 
 #include <array>
-#include <bit>
 
 namespace ravnoves::studies {
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <unordered_set>
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"

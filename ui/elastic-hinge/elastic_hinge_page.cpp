@@ -123,9 +123,9 @@ QWidget* ElasticHingePage::buildInputs() {
     };
     addForm(new HingeInputs(model_), QStringLiteral("inputs"), tr("Inputs"));
     addForm(new GuideSearchForm(model_), QStringLiteral("search"), tr("Search"));
-    export_ = new GuideExportForm(model_);
-    connect(export_, &GuideExportForm::status, this, &ScenePage::status);
-    addForm(export_, QStringLiteral("export"), tr("Export"));
+    auto* exports = new GuideExportForm(model_);
+    connect(exports, &GuideExportForm::status, this, &ScenePage::status);
+    addForm(exports, QStringLiteral("export"), tr("Export"));
     column->addWidget(forms_, 1);
     return holder;
 }

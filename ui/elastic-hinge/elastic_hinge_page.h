@@ -5,11 +5,9 @@
 
 class QComboBox;
 class QTabWidget;
-class QLabel;
 
 namespace ravnoves {
 
-class GuideExportForm;
 class HingeMechanismView;
 class HingeTabs;
 class VerdictLine;
@@ -28,7 +26,6 @@ class ElasticHingePage : public ScenePage {
     // For tests and for the frame benchmark.
     HingeTabs* plots() const { return plots_; }
     HingeMechanismView* picture() const { return picture_; }
-    GuideExportForm* exportForm() const { return export_; }
     QTabWidget* forms() const { return forms_; }
 
   private:
@@ -40,7 +37,6 @@ class ElasticHingePage : public ScenePage {
 
     ElasticHingeModel* model_;
     QTabWidget* forms_ = nullptr;
-    GuideExportForm* export_ = nullptr;
     HingeTabs* plots_ = nullptr;
     HingeMechanismView* picture_ = nullptr;
     QComboBox* animated_ = nullptr;

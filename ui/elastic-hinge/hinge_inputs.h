@@ -3,8 +3,6 @@
 #include "elastic-hinge/model/elastic_hinge_model.h"
 #include "widgets/form.h"
 
-class QCheckBox;
-
 namespace ravnoves {
 
 /// The form with the inputs that have no slider.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QWidget>
-#include <vector>
 
 #include "methods/model/methods_model.h"
 #include "plot/plot_view.h"
@@ -19,8 +18,6 @@ class MethodPlots : public QWidget {
   public:
     explicit MethodPlots(MethodsModel* model, QWidget* parent = nullptr);
 
-    PlotView* workPlot() const { return work_; }
-    PlotView* stabilityPlot() const { return stability_; }
     /// Both charts side by side, as SVG or PNG by the file's ending.
     /// @return an empty string, or what went wrong
     QString exportPicture(const QString& path);

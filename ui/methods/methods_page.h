@@ -45,7 +45,6 @@ class MethodsPage : public ScenePage {
     ValidationView* validation() const { return validation_; }
     QTabWidget* tabs() const { return tabs_; }
     CaseBudgetModel* budget() const { return budget_; }
-    ResultTable* budgetTable() const { return budgetTable_; }
 
   private:
     QWidget* buildChoice();

@@ -7,7 +7,6 @@ class QWidget;
 namespace ravnoves {
 
 class EntryField;
-class SceneModel;
 
 /// The entries of the page that a widget is part of, whatever their tab.
 QList<EntryField*> entriesOfPage(const QWidget* part);

@@ -4,7 +4,6 @@
 #include <QPainter>
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "pictures/model/stroke.h"
 #include "plot/model/axis_title.h"

@@ -4,7 +4,6 @@
 #include <QLineF>
 #include <array>
 #include <optional>
-#include <span>
 
 #include "plot/model/plot_data.h"
 

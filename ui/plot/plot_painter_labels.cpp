@@ -2,7 +2,6 @@
 
 #include <QPainter>
 #include <algorithm>
-#include <utility>
 
 #include "plot/model/label_places.h"
 #include "plot/painter_parts.h"

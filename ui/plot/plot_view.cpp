@@ -242,7 +242,6 @@ void PlotView::setCurveShown(int number, bool shown) {
         item->setChecked(shown);
     }
     curvesChanged();
-    Q_EMIT curveToggled(number, shown);
 }
 
 void PlotView::setImage(const QImage& image, const QRectF& values) {

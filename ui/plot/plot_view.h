@@ -134,8 +134,6 @@ class PlotView : public QWidget {
     void pickedAt(double x, double y);
     /// The cursor is over x.
     void cursorMoved(double x);
-    /// A curve was switched on or off, by its legend entry or by setCurveShown().
-    void curveToggled(int curve, bool shown);
 
   protected:
     // For a chart that is a drawing, too: what rests is painted over grid and axes into their

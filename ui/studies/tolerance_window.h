@@ -9,7 +9,6 @@ class QComboBox;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
-class QTableView;
 class QTabWidget;
 
 namespace ravnoves {
@@ -36,10 +35,6 @@ class ToleranceWindow : public QDialog {
     StudyModel* model() const { return model_; }
     TableEditor* inputs() const { return inputs_; }
     TableEditor* watched() const { return watched_; }
-    const ResultTable* table() const { return table_; }
-    const TornadoView* tornado() const { return tornado_; }
-    const PlotView* histogram() const { return histogram_; }
-    const SweepView* sweep() const { return sweep_; }
 
   Q_SIGNALS:
     /// The case of the page is to be saved, by Ctrl+S.

@@ -3,7 +3,6 @@
 #include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "case-file/decimal.h"
 #include "text/message_text.h"

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <QWidget>
-#include <functional>
-#include <string_view>
 
 #include "case-file/verdict.h"
 

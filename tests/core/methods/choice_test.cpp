@@ -104,7 +104,7 @@ TEST_P(EveryKernel, NothingCheaperWouldHaveHeld) {
     constexpr double margin = 0.4;
     const std::size_t in_use = kernel.chosen_method();
     const std::size_t setting_in_use = kernel.chosen_setting();
-    const auto problem = kernel.present_problem();
+    const auto problem = kernel.problem(0, kernel.sweeps[0].present);
     const auto cost = [&](std::size_t method, std::size_t setting) {
         return time_run(problem->prepare(method, setting), problem->outputs(),
                         problem->evaluations(), {.batch_seconds = 5e-5, .batches = 5})

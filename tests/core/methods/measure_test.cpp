@@ -8,7 +8,8 @@ namespace ravnoves::methods {
 namespace {
 
 TEST(Measure, QuartilesLieAroundTheMedian) {
-    const auto problem = kernels().front().present_problem();
+    const Kernel& kernel = kernels().front();
+    const auto problem = kernel.problem(0, kernel.sweeps[0].present);
     const Timing timing = time_run(problem->prepare(0, 0), problem->outputs(),
                                    problem->evaluations(), {.batch_seconds = 1e-5});
     EXPECT_GT(timing.low, 0.0);

@@ -430,7 +430,7 @@ TEST_F(ElasticHingePageTest, ExportsAsTheFormIsSet) {
     choose("export_turns", 1);
     type(find<NumberField>("step_deg"), QStringLiteral("90"));
     const QString csv = folder.filePath(QStringLiteral("rod.csv"));
-    EXPECT_EQ(page.exportForm()->exportTo(csv), QString());
+    EXPECT_EQ(page.findChild<GuideExportForm*>()->exportTo(csv), QString());
     const std::string text = read_text_file(csv.toStdString());
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
     EXPECT_NE(text.find("\n90,107.4576"), std::string::npos) << text;  // θ = 90° + asin 0.3
@@ -438,7 +438,7 @@ TEST_F(ElasticHingePageTest, ExportsAsTheFormIsSet) {
     model->edit(QStringLiteral("rho"),
                 [](auto& input) { input.spring->guide_radius_at_zero = 0.09999; });
     EXPECT_FALSE(find<QPushButton>("export_dxf")->isEnabled());
-    EXPECT_FALSE(page.exportForm()->exportTo(csv).isEmpty());
+    EXPECT_FALSE(page.findChild<GuideExportForm*>()->exportTo(csv).isEmpty());
     EXPECT_EQ(read_text_file(csv.toStdString()), text);  // what was there stays
 }
 

@@ -84,10 +84,10 @@ class MethodsPageTest : public ::testing::Test {
 
 TEST_F(MethodsPageTest, NothingIsMeasuredBeforeItIsInFront) {
     EXPECT_FALSE(model->measurements()->isRunning());
-    EXPECT_TRUE(page.plots()->workPlot()->isFaded());
+    EXPECT_TRUE(find<PlotView>("work_plot")->isFaded());
     EXPECT_EQ(page.table()->rowCount(), 0);
     measure();
-    EXPECT_FALSE(page.plots()->workPlot()->isFaded());
+    EXPECT_FALSE(find<PlotView>("work_plot")->isFaded());
     EXPECT_EQ(page.table()->rowCount(), 9);
 }
 
@@ -110,11 +110,11 @@ TEST_F(MethodsPageTest, EscapeInTheValueBringsTheOldOneBack) {
 TEST_F(MethodsPageTest, EveryPointIsDrawn) {
     measure();
     const MethodMeasurement& shown = *model->shown();
-    const PlotView* plot = page.plots()->workPlot();
+    const PlotView* plot = find<PlotView>("work_plot");
     const auto [low, high] = plot->data().left.interval();
     const auto [fast, slow] = plot->data().x.interval();
     std::size_t drawn = 0;
-    const QString csv = page.plots()->workPlot()->dataAsCsv();
+    const QString csv = find<PlotView>("work_plot")->dataAsCsv();
     for (const auto& point : shown.work.points) {
         EXPECT_GT(point.timing.low, fast);
         EXPECT_LT(point.timing.high, slow);
@@ -135,7 +135,7 @@ TEST_F(MethodsPageTest, ALongTableLeavesTheChartsTheirRoom) {
             continue;  // as long as the others, and slow
         }
         measure();
-        EXPECT_GT(page.plots()->workPlot()->plotArea().height(), 100.0) << kernel;
+        EXPECT_GT(find<PlotView>("work_plot")->plotArea().height(), 100.0) << kernel;
         EXPECT_GE(page.table()->height(), 150) << kernel;
         const QTableWidget* table = page.table();
         EXPECT_TRUE(QTest::qWaitFor(
@@ -153,7 +153,7 @@ TEST_F(MethodsPageTest, WhatIsRefusedIsInTheTableAlone) {
     model->setSweep(model->kernel().find_sweep("speed"));
     model->setValue(1e4);  // the spring stores too little
     measure();
-    const QString csv = page.plots()->workPlot()->dataAsCsv();
+    const QString csv = find<PlotView>("work_plot")->dataAsCsv();
     int row = 0;
     for (const auto& point : model->shown()->work.points) {
         EXPECT_TRUE(point.result.refused());
@@ -172,12 +172,12 @@ TEST_F(MethodsPageTest, KernelAndParameterAreChosenByKeys) {
     EXPECT_EQ(find<NumberField>("value")->text(), QStringLiteral("0.7"));
     EXPECT_TRUE(find<QLabel>("words")->text().contains(QStringLiteral("relief")));
     // The charts of the kernel before stay, pale, until the new ones are there.
-    EXPECT_TRUE(page.plots()->workPlot()->isFaded());
-    EXPECT_TRUE(page.plots()->workPlot()->title().contains(QStringLiteral("Slider-crank")));
+    EXPECT_TRUE(find<PlotView>("work_plot")->isFaded());
+    EXPECT_TRUE(find<PlotView>("work_plot")->title().contains(QStringLiteral("Slider-crank")));
     test::waitUntilMeasured(*model);
-    EXPECT_FALSE(page.plots()->workPlot()->isFaded());
-    EXPECT_TRUE(page.plots()->workPlot()->title().contains(QStringLiteral("Guide")));
-    EXPECT_TRUE(page.plots()->stabilityPlot()->title().contains(QStringLiteral("Guide")));
+    EXPECT_FALSE(find<PlotView>("work_plot")->isFaded());
+    EXPECT_TRUE(find<PlotView>("work_plot")->title().contains(QStringLiteral("Guide")));
+    EXPECT_TRUE(find<PlotView>("stability_plot")->title().contains(QStringLiteral("Guide")));
 }
 
 TEST_F(MethodsPageTest, SliderAndFieldSetTheValue) {
@@ -191,8 +191,8 @@ TEST_F(MethodsPageTest, SliderAndFieldSetTheValue) {
     QTest::keyClick(slider, Qt::Key_PageUp);
     EXPECT_GT(model->value(), before);
     // A drag leaves the errors along the parameter as they are, and pales the times.
-    EXPECT_TRUE(page.plots()->workPlot()->isFaded());
-    EXPECT_FALSE(page.plots()->stabilityPlot()->isFaded());
+    EXPECT_TRUE(find<PlotView>("work_plot")->isFaded());
+    EXPECT_FALSE(find<PlotView>("stability_plot")->isFaded());
 
     auto* field = find<NumberField>("value");
     test::type(field, QStringLiteral("0,001"));
@@ -210,7 +210,7 @@ TEST_F(MethodsPageTest, SliderAndFieldSetTheValue) {
 
 TEST_F(MethodsPageTest, AClickIntoTheStabilityChartSetsTheValue) {
     measure();
-    PlotView* plot = page.plots()->stabilityPlot();
+    PlotView* plot = find<PlotView>("stability_plot");
     QTest::mouseClick(plot, Qt::LeftButton, {}, plot->toPixel(0.5, 1e-9).toPoint());
     EXPECT_NEAR(std::log10(model->value()), std::log10(0.5), 0.03);
 }
@@ -236,11 +236,11 @@ TEST_F(MethodsPageTest, MeasuresAgainAndCancels) {
     EXPECT_TRUE(model->measurements()->isRunning());
     EXPECT_TRUE(progress->isVisible());
     EXPECT_EQ(find<QPushButton>("measure_again")->pos(), place);  // nothing moved
-    EXPECT_TRUE(page.plots()->workPlot()->isFaded());
+    EXPECT_TRUE(find<PlotView>("work_plot")->isFaded());
     EXPECT_GT(page.table()->rowCount(), 8);
     QTest::mouseClick(find<QPushButton>("cancel"), Qt::LeftButton);
     EXPECT_FALSE(model->measurements()->isRunning());
-    EXPECT_FALSE(page.plots()->workPlot()->isFaded());
+    EXPECT_FALSE(find<PlotView>("work_plot")->isFaded());
     QTest::mouseClick(find<QPushButton>("measure_again"), Qt::LeftButton);
     QSignalSpy progressed(model->measurements(), &BackgroundJob::progress);
     test::waitUntilMeasured(*model);
@@ -283,9 +283,9 @@ TEST_F(MethodsPageTest, NanosecondsAreBehindDetails) {
 TEST_F(MethodsPageTest, ANarrowPageScrollsAsAWhole) {
     page.resize(856, 480);
     measure();
-    const PlotView* work = page.plots()->workPlot();
+    const PlotView* work = find<PlotView>("work_plot");
     ASSERT_TRUE(QTest::qWaitFor([&] { return page.plots()->isFolded(); }, test::patience));
-    EXPECT_GE(page.plots()->stabilityPlot()->y(), work->geometry().bottom());
+    EXPECT_GE(find<PlotView>("stability_plot")->y(), work->geometry().bottom());
     EXPECT_TRUE(QTest::qWaitFor([&] { return work->plotArea().height() > 120.0; }, test::patience));
     const ResultTable& table = *page.table();
     EXPECT_TRUE(QTest::qWaitFor(
@@ -353,7 +353,6 @@ TEST(MethodsInTheWindow, HasNoCaseToSave) {
     const QList<QKeySequence> needCase{QKeySequence(QKeySequence::New),
                                        QKeySequence(QKeySequence::Save)};
     for (const QKeySequence& keys : needCase) {
-        ASSERT_NE(action(keys), nullptr);
         EXPECT_TRUE(action(keys)->isEnabled());
     }
     const QString tip = action(needCase[1])->toolTip();
@@ -381,9 +380,10 @@ TEST(MethodsInTheWindow, BeginsWithTheCaseThatWasInFront) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !budget.isRunning(); }, test::patience));
     EXPECT_EQ(budget.open()->file.scene, "elastic-hinge");
     EXPECT_EQ(budget.open()->file.input.at("lambda"), 0.55);
-    EXPECT_EQ(page->budgetTable()->rowCount(), budget.results().rows.size());
-    EXPECT_GT(page->budgetTable()->rowCount(), 4);
-    EXPECT_EQ(page->resultsAsText(), page->budgetTable()->asText());
+    const auto* table = test::named<ResultTable>(*page, "case_table");
+    EXPECT_EQ(table->rowCount(), budget.results().rows.size());
+    EXPECT_GT(table->rowCount(), 4);
+    EXPECT_EQ(page->resultsAsText(), table->asText());
     EXPECT_FALSE(page->viewModel()->measurements()->isRunning());
     // Closing in the midst of a measurement is clean.
     page->viewModel()->measureAgain();

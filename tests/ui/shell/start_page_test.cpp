@@ -191,13 +191,13 @@ TEST(NewCases, AreTakenByTheirScenes) {
     for (const SceneInfo& info : sceneList()) {
         int empty = 0;
         int presets = 0;
+        const std::unique_ptr<ScenePage> page(info.make(&place));
         for (const NewCase& each : newCases()) {
             if (each.scene != info.name) {
                 continue;
             }
             empty += each.kind == NewCase::Kind::Empty ? 1 : 0;
             presets += each.kind == NewCase::Kind::Preset ? 1 : 0;
-            const std::unique_ptr<ScenePage> page(info.make(&place));
             const CaseFile file = each.make();
             EXPECT_EQ(QString::fromStdString(file.scene), info.name);
             EXPECT_NO_THROW(

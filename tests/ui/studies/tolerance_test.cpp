@@ -63,6 +63,10 @@ class Tolerances : public ::testing::Test {
         EXPECT_NE(tolerances, nullptr);
     }
 
+    template <typename View>
+    View* the() const {
+        return tolerances->findChild<View*>();
+    }
     SceneModel& scene() { return *tolerances->model()->scene(); }
     const studies::Study& study() const { return tolerances->model()->study(); }
     /// Types a text into a cell, as a user does.
@@ -166,20 +170,20 @@ TEST_F(TolerancesInOtherUnits, AreTypedAndShownInThese) {
     tolerances->watched()->takeBackRefused();
     waitForAnswer();
     const double nominal = *tolerances->model()->answers()->values.at(0).nominal * perNm;
-    const auto* table = tolerances->table();
+    const auto* table = the<ResultTable>();
     EXPECT_TRUE(table->item(0, 0)->text().endsWith(u"lb·ft"_s));
     const StudyAnswer& value = tolerances->model()->answers()->values.at(0);
     EXPECT_EQ(table->item(0, 1)->text(), value.text(value.nominal, perNm));
     EXPECT_NEAR(QLocale().toDouble(table->item(0, 1)->text()), nominal, 0.1 * *value.deviation);
-    EXPECT_TRUE(tolerances->histogram()->title().endsWith(u"lb·ft"_s));
-    EXPECT_EQ(tolerances->histogram()->data().x.spec.title, u"lb·ft"_s);
+    EXPECT_TRUE(the<PlotView>()->title().endsWith(u"lb·ft"_s));
+    EXPECT_EQ(the<PlotView>()->data().x.spec.title, u"lb·ft"_s);
 
     const double piston = scene().inputJson()["reciprocating_masses_kg"]["piston"].get<double>();
-    showTabOf(const_cast<SweepView*>(tolerances->sweep()));
-    const SweepModel& sweep = *tolerances->sweep()->model();
+    showTabOf(the<SweepView>());
+    const SweepModel& sweep = *the<SweepView>()->model();
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return sweep.sweep() != nullptr && !sweep.isStale(); }, 60'000));
-    const plot::Mark& mark = tolerances->sweep()->plot()->data().marks.at(0);
+    const plot::Mark& mark = the<SweepView>()->plot()->data().marks.at(0);
     EXPECT_EQ(mark.text, QLocale().toString(nominal, 'g', 5));
     EXPECT_NEAR(mark.x, 1000.0 * piston, 1e-9);
 
@@ -214,16 +218,16 @@ TEST_F(Tolerances, WhatIsTypedIsComputedAndShown) {
     EXPECT_LT(*range.low, *range.nominal);
     EXPECT_GT(*range.high, *range.nominal);
     double whole = 0.0;
-    for (const TornadoView::Bar& bar : tolerances->tornado()->bars()) {
+    for (const TornadoView::Bar& bar : the<TornadoView>()->bars()) {
         whole += bar.alone;
     }
     EXPECT_NEAR(whole, 1.0, 0.05);
     double heights = 0.0;
-    for (const double height : tolerances->histogram()->data().curves[0].y) {
+    for (const double height : the<PlotView>()->data().curves[0].y) {
         heights += height;
     }
     EXPECT_NEAR(heights, 100.0, 1e-9);
-    EXPECT_EQ(tolerances->table()->rowCount(), 1);
+    EXPECT_EQ(the<ResultTable>()->rowCount(), 1);
 }
 
 TEST_F(Tolerances, ResultsAreNamedWithTheUnitsOfTheirKeys) {
@@ -307,7 +311,7 @@ TEST_F(Tolerances, TheCommandLineFindsTheSame) {
     EXPECT_EQ(*shown.withinHigh, found["within"]["high"].get<double>());
     EXPECT_GT(*shown.within, 0.3);
     EXPECT_LT(*shown.within, 0.7);
-    EXPECT_EQ(tolerances->histogram()->data().lines.size(), 2U);
+    EXPECT_EQ(the<PlotView>()->data().lines.size(), 2U);
     scene().undo();
     waitForAnswer();
     EXPECT_FALSE(model.answers()->values.at(0).within);
@@ -319,7 +323,7 @@ TEST_F(Tolerances, WhereTheLinearAnswerFailsItIsMarked) {
     waitForAnswer();
     const StudyAnswer& answer = tolerances->model()->answers()->values.at(0);
     ASSERT_TRUE(answer.fails);
-    const QTableWidgetItem* linear = tolerances->table()->item(0, 4);
+    const QTableWidgetItem* linear = the<ResultTable>()->item(0, 4);
     EXPECT_TRUE(linear->text().endsWith(u"⚠"_s));
     EXPECT_EQ(linear->toolTip(), tolerances->model()->failure(answer));
     EXPECT_FALSE(linear->toolTip().contains(u"/shaft_angle_deg"_s));  // by its name
@@ -340,7 +344,7 @@ TEST_F(Tolerances, WhatIsNoToleranceIsRefusedInWords) {
     // Every one that is refused is named, and the answer says that it is without them.
     watch("/metrics/M_ups/range_Nm");
     waitForAnswer();
-    const auto ink = [&] { return tolerances->table()->palette().color(QPalette::Text); };
+    const auto ink = [&] { return the<ResultTable>()->palette().color(QPalette::Text); };
     EXPECT_EQ(ink(), Theme::instance().text());
     scatter("/crank_radius_mm", u"abc"_s);
     scatter("/centre_distance_mm", u"xyz"_s);
@@ -547,7 +551,7 @@ TEST_F(TolerancesInOtherUnits, NamesOfResultsAreShownWhole) {
         tolerances->resize(width, 800);
         QApplication::processEvents();
         for (const QTableView* table :
-             {static_cast<const QTableView*>(tolerances->table()),
+             {static_cast<const QTableView*>(the<ResultTable>()),
               static_cast<const QTableView*>(tolerances->watched()->view())}) {
             ASSERT_EQ(table->model()->rowCount(), 3);
             for (int row = 0; row < 3; ++row) {
@@ -656,10 +660,10 @@ TEST_F(Tolerances, FollowADraggedAngle) {
         model.setShaftAngleDeg(angle);
         EXPECT_TRUE(tolerances->model()->isStale());
     }
-    EXPECT_TRUE(tolerances->histogram()->isFaded());
+    EXPECT_TRUE(the<PlotView>()->isFaded());
     waitForAnswer();
     EXPECT_FALSE(tolerances->model()->isStale());
-    EXPECT_FALSE(tolerances->histogram()->isFaded());
+    EXPECT_FALSE(the<PlotView>()->isFaded());
     EXPECT_EQ(*tolerances->model()->answers()->values.at(0).nominal,
               scene().resultJson()["metrics"]["M_ups"]["range_Nm"].get<double>());
     const auto& inputs = tolerances->model()->inputs();
@@ -674,8 +678,8 @@ TEST_F(Tolerances, AnInputIsSweptWhileTheOthersScatter) {
     scatter("/centre_distance_mm", u"1"_s);
     scatter("/reciprocating_masses_kg/piston", u"1 %"_s);
     watch("/moment_amplitude_Nm");
-    showTabOf(const_cast<SweepView*>(tolerances->sweep()));
-    SweepModel& model = *tolerances->sweep()->model();
+    showTabOf(the<SweepView>());
+    SweepModel& model = *the<SweepView>()->model();
     const auto wait = [&] {
         ASSERT_TRUE(
             QTest::qWaitFor([&] { return model.sweep() != nullptr && !model.isStale(); }, 60'000));
@@ -701,14 +705,14 @@ TEST_F(Tolerances, AnInputIsSweptWhileTheOthersScatter) {
         ASSERT_NEAR(place.low / place.mean, 1.0 - part, 0.05 * part);
         ASSERT_NEAR(place.high / place.mean, 1.0 + part, 0.05 * part);
     }
-    const PlotCurve& mean = tolerances->sweep()->plot()->data().curves[0];
+    const PlotCurve& mean = the<SweepView>()->plot()->data().curves[0];
     ASSERT_TRUE(mean.hasSpread());
     EXPECT_EQ(mean.y.back(), places.back().mean);
     EXPECT_EQ(mean.above.back(), places.back().high - places.back().mean);
     // The result of the row that is selected is swept.
     watch("/metrics/M_up/min_Nm");
     ASSERT_TRUE(QTest::qWaitFor([&] { return !tolerances->model()->isStale(); }, 60'000));
-    const_cast<ResultTable*>(tolerances->table())->setCurrentCell(1, 0);
+    the<ResultTable>()->setCurrentCell(1, 0);
     wait();
     EXPECT_EQ(model.sweep()->result, "/metrics/M_up/min_Nm");
     EXPECT_LT(model.sweep()->places.front().mean, 0.0);
@@ -722,8 +726,8 @@ TEST_F(Tolerances, AnInputIsSweptWhileTheOthersScatter) {
 TEST_F(Tolerances, TheRobustAngleIsTheLowestOfTheSweepThatCanBeBuilt) {
     scatter("/centre_distance_mm", u"0.2"_s);
     watch("/metrics/M_ups/range_Nm");
-    showTabOf(const_cast<SweepView*>(tolerances->sweep()));
-    SweepModel& model = *tolerances->sweep()->model();
+    showTabOf(the<SweepView>());
+    SweepModel& model = *the<SweepView>()->model();
     auto* inputs = test::named<QComboBox>(*tolerances, "sweep_input");
     inputs->setCurrentIndex(inputs->findData(u"/shaft_angle_deg"_s));
     Q_EMIT inputs->activated(inputs->currentIndex());
@@ -770,11 +774,11 @@ TEST_F(Tolerances, AnEmptyWindowOffersTheNextStep) {
     watch("/metrics/M_ups/range_Nm");
     waitForAnswer();
     EXPECT_FALSE(next->isVisible());
-    EXPECT_EQ(tolerances->table()->rowCount(), 1);
+    EXPECT_EQ(the<ResultTable>()->rowCount(), 1);
     // Two digits of the standard deviation.
     const StudyAnswer& range = tolerances->model()->answers()->values.at(0);
     const int decimals = 1 - static_cast<int>(std::floor(std::log10(*range.deviation)));
-    EXPECT_EQ(tolerances->table()->item(0, 3)->text(),
+    EXPECT_EQ(the<ResultTable>()->item(0, 3)->text(),
               QLocale().toString(*range.deviation, 'f', std::max(decimals, 0)));
 }
 

@@ -1,6 +1,5 @@
 #include "methods/model/method_measurements.h"
 
-#include <exception>
 #include <span>
 #include <utility>
 

@@ -2,8 +2,6 @@
 
 #include <map>
 #include <memory>
-#include <optional>
-#include <vector>
 
 #include "methods/measure.h"
 #include "methods/report.h"

@@ -1,7 +1,6 @@
 #include "pictures/model/thin_polyline.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace ravnoves {

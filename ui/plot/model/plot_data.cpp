@@ -1,7 +1,6 @@
 #include "plot/model/plot_data.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <tuple>
 

@@ -1,7 +1,5 @@
 #include "shop/model/matching_text.h"
 
-#include <algorithm>
-
 #include "shop/kilograms.h"
 #include "text/capital.h"
 

@@ -1,7 +1,5 @@
 #include "shop/model/scale_reader.h"
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
