@@ -139,6 +139,8 @@ TEST_F(InheritedState, AFullDiskIsSaid) {
                                 "methods --kernel cycle-mean", "solve --batch < case.json"}) {
         const Outcome outcome = run(std::string(command) + " >/dev/full");
         EXPECT_EQ(outcome.status, 2) << command;
+        const bool says_progress = std::string(command).starts_with("methods");
+        EXPECT_EQ(lines_of(outcome.err).size(), says_progress ? 2U : 1U) << outcome.err;
         EXPECT_NE(outcome.err.find("standard output cannot be written: No space left on device"),
                   std::string::npos)
             << command << outcome.err;
