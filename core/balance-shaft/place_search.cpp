@@ -62,15 +62,17 @@ class Search {
         return (best_.value + question_.at_crank) / question_.growth * (1.0 + 1e-9);
     }
 
-    bool is_within_limit(const Place& place) const {
-        return !question_.limit || question_.limit->criterion(place).value <=
-                                       question_.limit->most * (1.0 + limit_rounding);
+    const PlaceLimit* exceeded(const Place& place) const {
+        const auto found = std::ranges::find_if(question_.limits, [&](const PlaceLimit& limit) {
+            return limit.criterion(place).value > limit.most * (1.0 + limit_rounding);
+        });
+        return found != question_.limits.end() ? &*found : nullptr;
     }
 
     /// @param known  the criterion at the place, where it has been asked for
     void offer(Place place, const PlaceValue* known = nullptr) {
         const Place wanted = place;
-        if (!places_.mend(place) || !is_within_limit(place)) {
+        if (!places_.mend(place) || exceeded(place) != nullptr) {
             return;
         }
         const double value =
@@ -93,19 +95,18 @@ class Search {
         }
     };
 
-    /// The line that the limit draws; false where the whole rectangle exceeds it.
-    bool cut_by_limit(const Place& middle, double r, ShaftPlaces::Cuts& cuts) const {
-        if (!question_.limit) {
-            return true;
+    /// The lines that the limits draw; false where the whole rectangle exceeds one.
+    bool cut_by_limits(const Place& middle, double r, ShaftPlaces::Cuts& cuts) const {
+        for (const PlaceLimit& limit : question_.limits) {
+            const Tangent here{middle, limit.criterion(middle)};
+            const double most = limit.most * (1.0 + limit_rounding);
+            const double bend = here.at.bend * r * r;
+            if (here.at.value - here.at.gradient.norm() * r - bend > most) {
+                return false;
+            }
+            cuts.outer.push_back(here.below(most + bend));
+            cuts.inner.push_back(here.below(limit.most));
         }
-        const Tangent here{middle, question_.limit->criterion(middle)};
-        const double most = question_.limit->most * (1.0 + limit_rounding);
-        const double bend = here.at.bend * r * r;
-        if (here.at.value - here.at.gradient.norm() * r - bend > most) {
-            return false;
-        }
-        cuts.outer.push_back(here.below(most + bend));
-        cuts.inner.push_back(here.below(question_.limit->most));
         return true;
     }
 
@@ -119,13 +120,16 @@ class Search {
         return polygon[least];
     }
 
-    /// The lowest of the corners; what exceeds the limit by its curvature is cut off.
+    /// The lowest of the corners; what exceeds a limit by its curvature is cut off.
     Place lowest_allowed(PlacePolygon polygon, const Tangent& tangent) const {
         Place place = lowest(polygon, tangent);
         constexpr int tries = 3;
-        for (int i = 0; i < tries && !is_within_limit(place); ++i) {
-            polygon.cut(
-                Tangent{place, question_.limit->criterion(place)}.below(question_.limit->most));
+        for (int i = 0; i < tries; ++i) {
+            const PlaceLimit* limit = exceeded(place);
+            if (limit == nullptr) {
+                break;
+            }
+            polygon.cut(Tangent{place, limit->criterion(place)}.below(limit->most));
             if (polygon.size() == 0) {
                 break;
             }
@@ -198,7 +202,7 @@ class Search {
             const PlaceRectangle box = part.where.box();
             places_.find_cuts(box, cuts);
             if (cuts.is_empty || places_.is_blocked(part.where, cuts) ||
-                !cut_by_limit(box.middle, r, cuts)) {
+                !cut_by_limits(box.middle, r, cuts)) {
                 continue;
             }
             PlacePolygon all = part.where;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "balance-shaft/moment_plane.h"
 #include "balance-shaft/shaft_places.h"
@@ -30,7 +31,7 @@ struct PlaceQuestion {
     double growth = 0.0;     ///< the criterion at a distance l of the crank's axis is at least
     double at_crank = 0.0;   ///< growth × l − at_crank
     double tolerance = 0.0;  ///< wanted of the gap
-    std::optional<PlaceLimit> limit;
+    std::vector<PlaceLimit> limits;
     std::optional<Eigen::Vector2d> start;  ///< a place that can be built, where known
 };
 

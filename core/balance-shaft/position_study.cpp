@@ -243,25 +243,29 @@ std::optional<BestPosition> PositionStudy::best_sum_buildable(double range_weigh
     return free ? prepared_->best_buildable(range_weight, *free) : std::nullopt;
 }
 
-std::optional<BestPosition> PositionStudy::nearest_buildable(double range_weight,
-                                                             double more) const {
+std::optional<BestPosition> PositionStudy::smallest_buildable(double range_weight,
+                                                              double more) const {
     const std::optional<BestPosition> best = best_sum_buildable(range_weight);
     if (!best) {
         return std::nullopt;
     }
     const PlaceCriterion sum = prepared_->question(range_weight).criterion;
     const Eigen::Vector2d start(best->position.x, best->position.y);
-    PlaceQuestion question;
-    question.criterion = [](const Eigen::Vector2d& at) -> PlaceValue {
-        const double l = at.norm();
-        return {l, l > 0.0 ? Eigen::Vector2d(at / l) : Eigen::Vector2d(0.0, 0.0)};
-    };
-    question.growth = 1.0;
+    const PlaceLimit good_enough{sum, (1.0 + more) * sum(start).value};
     constexpr double noticed = 1e-3;
-    question.tolerance = noticed * start.norm();
-    question.limit = PlaceLimit{sum, (1.0 + more) * sum(start).value};
-    question.start = start;
-    return prepared_->found(search_places(prepared_->places, question).value());
+    PlaceQuestion of_size = prepared_->question_of_size();
+    of_size.tolerance = noticed * best->criteria.size;
+    of_size.limits = {good_enough};
+    of_size.start = start;
+    const PlaceFound smallest = search_places(prepared_->places, of_size).value();
+    // Much of the plane can be as small: beside the cylinder, say.
+    PlaceQuestion other = prepared_->question(1.0 - range_weight);
+    other.tolerance = noticed * other.at_crank;
+    other.limits = {good_enough, {of_size.criterion, (1.0 + noticed) * smallest.value}};
+    other.start = smallest.place;
+    BestPosition found = prepared_->found(search_places(prepared_->places, other).value());
+    found.gap = found.criteria.size - (smallest.value - smallest.gap);
+    return found;
 }
 
 int sign_as_shown(double change) {
@@ -276,12 +280,18 @@ Message trade_off(const PositionCriteria& from, const PositionCriteria& to) {
                          : Message(sign > 0 ? larger : smaller,
                                    Number{100.0 * std::abs(change), units::percent, -1});
     };
-    return joined(part(from.range, to.range, CORE_TEXT("balance-shaft", "range %1 smaller"),
-                       CORE_TEXT("balance-shaft", "range %1 larger"),
-                       CORE_TEXT("balance-shaft", "range unchanged")),
-                  part(from.rms, to.rms, CORE_TEXT("balance-shaft", "RMS %1 smaller"),
-                       CORE_TEXT("balance-shaft", "RMS %1 larger"),
-                       CORE_TEXT("balance-shaft", "RMS unchanged")));
+    const Message moments =
+        joined(part(from.range, to.range, CORE_TEXT("balance-shaft", "range %1 smaller"),
+                    CORE_TEXT("balance-shaft", "range %1 larger"),
+                    CORE_TEXT("balance-shaft", "range unchanged")),
+               part(from.rms, to.rms, CORE_TEXT("balance-shaft", "RMS %1 smaller"),
+                    CORE_TEXT("balance-shaft", "RMS %1 larger"),
+                    CORE_TEXT("balance-shaft", "RMS unchanged")));
+    return from.size > 0.0 ? joined(moments, part(from.size, to.size,
+                                                  CORE_TEXT("balance-shaft", "box %1 smaller"),
+                                                  CORE_TEXT("balance-shaft", "box %1 larger"),
+                                                  CORE_TEXT("balance-shaft", "box unchanged")))
+                           : moments;
 }
 
 Obstacle PositionStudy::obstacle(const ShaftPosition& position) const {
@@ -377,7 +387,7 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
             }
             const double level = k == 0 ? smallest->value * (1.0 + same)
                                         : (levels[widest].size + levels[widest + 1].size) / 2.0;
-            question.limit = PlaceLimit{of_size.criterion, level};
+            question.limits = {{of_size.criterion, level}};
             question.start = levels[widest].place;
             const auto found = search_places(prepared.places, question);
             if (!found) {

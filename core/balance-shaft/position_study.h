@@ -62,7 +62,8 @@ Message no_moment();
 /// Sign of a change as a share; 0 where it is printed as 0.0 %.
 int sign_as_shown(double change);
 
-/// What both criteria do from one place to another: "range 0.5 % smaller, RMS 43.0 % larger".
+/// What the criteria do from one place to another: "range 0.5 % smaller, RMS 43.0 % larger, box
+/// unchanged"; without the box where the first has none.
 Message trade_off(const PositionCriteria& from, const PositionCriteria& to);
 
 /// What depends on the shaft's place alone while the counterweights stay as equation (1) (or the
@@ -85,10 +86,10 @@ class PositionStudy {
     /// @param range_weight  0…1
     std::optional<BestPosition> best_sum(double range_weight) const;
     std::optional<BestPosition> best_sum_buildable(double range_weight) const;
-    /// Of the places that can be built and have no more than (1 + more) times that least sum, the
-    /// one nearest to the crank's axis, to a thousandth of its distance; the gap is that of the
-    /// distance, m.
-    std::optional<BestPosition> nearest_buildable(double range_weight, double more = 0.01) const;
+    /// Of the places that can be built and have no more than (1 + more) times that least sum, one
+    /// of the least size, to a thousandth of it: where many are as small, the one with the least
+    /// sum of the opposite weight (RMS beside range). The gap is that of the size, m².
+    std::optional<BestPosition> smallest_buildable(double range_weight, double more = 0.01) const;
     /// The same over α at a centre distance, m: of all α, and of those that can be built.
     BestPosition best_at(double centre_distance, double range_weight) const;
     std::optional<BestPosition> best_buildable_at(double centre_distance,

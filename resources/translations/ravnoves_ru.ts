@@ -4108,6 +4108,18 @@
         <source>RMS unchanged</source>
         <translation>СКЗ не меняется</translation>
     </message>
+    <message>
+        <source>box %1 smaller</source>
+        <translation>габарит меньше на %1</translation>
+    </message>
+    <message>
+        <source>box %1 larger</source>
+        <translation>габарит больше на %1</translation>
+    </message>
+    <message>
+        <source>box unchanged</source>
+        <translation>габарит без изменений</translation>
+    </message>
 </context>
 <context>
     <name>bob-weights</name>
@@ -12690,6 +12702,10 @@ but no position is feasible</source>
         <source>recipr. two-term</source>
         <translation>2 члена</translation>
     </message>
+    <message>
+        <source>Own table, cylinders: %1</source>
+        <translation>Своя таблица, цилиндров: %1</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::InertiaMomentsPage</name>
@@ -13338,10 +13354,6 @@ but no position is feasible</source>
         <translation>Модули, недавние файлы, примеры</translation>
     </message>
     <message>
-        <source>New case with the first engine (%1)</source>
-        <translation>Новая задача с первым двигателем (%1)</translation>
-    </message>
-    <message>
         <source>&amp;Variants: one design compared with another</source>
         <translation>&amp;Варианты: сравнение конструкций</translation>
     </message>
@@ -13372,6 +13384,10 @@ but no position is feasible</source>
     <message>
         <source>New case &amp;from</source>
         <translation>Новая задача &amp;из</translation>
+    </message>
+    <message>
+        <source>New case with placeholder values (%1)</source>
+        <translation>Новая задача со значениями-заготовками (%1)</translation>
     </message>
 </context>
 <context>
@@ -14760,6 +14776,10 @@ but no position is feasible</source>
         <source>Present value minus reference %1</source>
         <translation>Нынешнее значение минус эталон %1</translation>
     </message>
+    <message>
+        <source>Below the value: difference from the reference.</source>
+        <translation>Под значением: разность с эталоном.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::SavingDialogs</name>
@@ -15315,10 +15335,6 @@ but no position is feasible</source>
         <translation>допустимо</translation>
     </message>
     <message>
-        <source>Best place by the %1, the nearest within 1 %: %2 at %3.</source>
-        <translation>Лучшее место (%1), ближайшее в пределах 1&#xa0;%: %2 при %3.</translation>
-    </message>
-    <message>
         <source>Compared with no shaft: %1.</source>
         <translation>По сравнению со схемой без вала: %1.</translation>
     </message>
@@ -15337,6 +15353,10 @@ but no position is feasible</source>
     <message>
         <source>best by sum</source>
         <translation>лучшее по сумме</translation>
+    </message>
+    <message>
+        <source>Best place by the %1, the smallest within 1 %: %2 at %3, box %4.</source>
+        <translation>Лучшее место (%1), наименьшее по габариту в пределах 1&#xa0;%: %2 при %3, габарит %4.</translation>
     </message>
 </context>
 <context>
@@ -15973,6 +15993,10 @@ but no position is feasible</source>
         <source>Minimum 95th percentile</source>
         <translation>Минимум 95-го процентиля</translation>
     </message>
+    <message>
+        <source>“From” must be less than “to”.</source>
+        <translation>«От» должно быть меньше «до».</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::SweepView</name>
@@ -15983,18 +16007,6 @@ but no position is feasible</source>
     <message>
         <source>&amp;Result</source>
         <translation>&amp;Результат</translation>
-    </message>
-    <message>
-        <source>Ran&amp;ge</source>
-        <translation>&amp;Диапазон</translation>
-    </message>
-    <message>
-        <source>its ±</source>
-        <translation>допуск</translation>
-    </message>
-    <message>
-        <source>%1 times its ±</source>
-        <translation>%1 × допуск</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -16015,10 +16027,6 @@ but no position is feasible</source>
     <message>
         <source>at most</source>
         <translation>не более</translation>
-    </message>
-    <message>
-        <source>For an input without a tolerance: a tenth of its value.</source>
-        <translation>Для величины без допуска: десятая часть её значения.</translation>
     </message>
     <message>
         <source>mean</source>
@@ -16047,6 +16055,22 @@ but no position is feasible</source>
     <message>
         <source>Minimum 95th percentile of the amount: %1 at %2; %3 of the samples are feasible.</source>
         <translation>Минимум 95-го процентиля по модулю: %1 при&#xa0;%2; допустимо %3 проб.</translation>
+    </message>
+    <message>
+        <source>Blank: limit of the tolerance; without a tolerance, the value ± 10 %.</source>
+        <translation>Пусто: граница допуска; без допуска — значение ± 10&#xa0;%.</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;От</translation>
+    </message>
+    <message>
+        <source>t&amp;o</source>
+        <translation>&amp;до</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>авто</translation>
     </message>
 </context>
 <context>
@@ -16411,6 +16435,10 @@ but no position is feasible</source>
         <source>Pressure trace: %1.</source>
         <translation>Диаграмма: %1.</translation>
     </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Вст&amp;авить</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::TorqueTableEditor</name>
@@ -16724,6 +16752,10 @@ but no position is feasible</source>
     <message>
         <source>No variants yet. Press Ctrl+K to keep the present input as a variant.</source>
         <translation>Вариантов ещё нет. Ctrl+K сохраняет нынешние данные как вариант.</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Компоновка</translation>
     </message>
 </context>
 <context>

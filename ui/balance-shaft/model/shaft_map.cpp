@@ -121,8 +121,8 @@ std::shared_ptr<const ShaftMap> makeShaftMap(const balance_shaft::Solver& solver
             return nullptr;
         }
         map->front = map->study.front(map->buildable);
-        map->nearRange = map->study.nearest_buildable(1.0);
-        map->nearRms = map->study.nearest_buildable(0.0);
+        map->smallRange = map->study.smallest_buildable(1.0);
+        map->smallRms = map->study.smallest_buildable(0.0);
     }
     return map;
 }

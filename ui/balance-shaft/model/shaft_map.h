@@ -37,8 +37,8 @@ struct ShaftMap {
     std::vector<QPolygonF> blocked = {};
     balance_shaft::BestPositions best = {};
     balance_shaft::BestPositions buildable = {};
-    /// Of each criterion the place next to the crank that is at most a hundredth worse.
-    std::optional<Place> nearRange = {}, nearRms = {};
+    /// Of each criterion the smallest place that is at most a hundredth worse.
+    std::optional<Place> smallRange = {}, smallRms = {};
     std::vector<balance_shaft::FrontPosition> front = {};
     Distances distances = {};
 };

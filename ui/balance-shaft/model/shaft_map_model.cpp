@@ -107,9 +107,9 @@ void ShaftMapModel::start() {
 void ShaftMapModel::showMap() {
     markers_.clear();
     if (map_) {
-        addMarker(Criterion::Range, true, map_->nearRange);
+        addMarker(Criterion::Range, true, map_->smallRange);
         addMarker(Criterion::Range, false, map_->best.range);
-        addMarker(Criterion::Rms, true, map_->nearRms);
+        addMarker(Criterion::Rms, true, map_->smallRms);
         addMarker(Criterion::Rms, false, map_->best.rms);
     }
     showCriterion();
@@ -138,8 +138,10 @@ bool ShaftMapModel::isAtBest() const {
         return false;
     }
     constexpr double same = 1e-9;
-    return change(map_->study.at(present())).value_or(0.0) <=
-           change(marker->criteria).value_or(0.0) + same;
+    constexpr double noticed = 2e-3;
+    const Criteria here = map_->study.at(present());
+    return change(here).value_or(0.0) <= change(marker->criteria).value_or(0.0) + same &&
+           here.size <= (1.0 + noticed) * marker->criteria.size;
 }
 
 std::optional<double> ShaftMapModel::change(const Criteria& criteria) const {
@@ -163,7 +165,7 @@ void ShaftMapModel::showCriterion() {
     if (change({})) {
         if (criterion() == Criterion::Both) {
             const double rangeWeight = model_->placeCriterion().rangeWeight(map_->study);
-            addMarker(Criterion::Both, true, map_->study.nearest_buildable(rangeWeight));
+            addMarker(Criterion::Both, true, map_->study.smallest_buildable(rangeWeight));
             addMarker(Criterion::Both, false, map_->study.best_sum(rangeWeight));
         }
         const balance_shaft::PositionMap& of = map_->field;

@@ -68,8 +68,8 @@ class ShaftMapModel : public QObject {
     const ChangeContours& field() const { return field_; }
 
     const std::vector<Marker>& markers() const { return markers_; }
-    /// The place next to the crank that can be built and is at most a hundredth worse than the best
-    /// by the criterion; the best of all where none can be built; null where the map is not there
+    /// The smallest place that can be built and is at most a hundredth worse than the best by the
+    /// criterion; the best of all where none can be built; null where the map is not there
     /// yet.
     const Marker* best() const;
 

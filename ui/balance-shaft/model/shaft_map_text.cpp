@@ -78,8 +78,9 @@ QString best(const ShaftMapModel& map) {
     }
     const auto value = [&](const Criteria& criteria) { return valueText(map, criteria); };
     QString text =
-        ShaftMapModel::tr("Best place by the %1, the nearest within 1 %: %2 at %3.")
-            .arg(criterionName(map.criterion()), value(best->criteria), whereText(best->position));
+        ShaftMapModel::tr("Best place by the %1, the smallest within 1 %: %2 at %3, box %4.")
+            .arg(criterionName(map.criterion()), value(best->criteria), whereText(best->position),
+                 shownNumber(best->criteria.size, units::cm2, 0));
     if (balance_shaft::sign_as_shown(map.change(best->criteria).value_or(0.0)) > 0) {
         text += QLatin1Char(' ') + ShaftMapModel::tr("Worse than without a shaft.");
     }
