@@ -343,12 +343,25 @@ std::size_t named_column(const std::string& name, const TableView& view) {
         fault == std::errc{} && stop == end) {
         return number == 0 ? row_number : number - 1;
     }
-    const auto found = std::find(view.headings.begin(), view.headings.end(), name);
-    if (found == view.headings.end()) {
-        throw InputError(
-            "", {CORE_TEXT("core", "must have a column with the heading %1"), quoted_list({name})});
+    // The whole heading, or its words in one of the header lines: names are above units.
+    const auto place_in = [&](const auto& headings) -> std::optional<std::size_t> {
+        const auto found = std::find(headings.begin(), headings.end(), name);
+        return found != headings.end() && headings.size() == view.columns
+                   ? std::optional<std::size_t>(found - headings.begin())
+                   : std::nullopt;
+    };
+    std::optional<std::size_t> place = place_in(view.headings);
+    std::vector<std::string_view> fields;
+    for (Lines lines(view.header); !place && lines.next();) {
+        split(lines.line(), view.separator, fields);
+        place = place_in(fields);
     }
-    return static_cast<std::size_t>(found - view.headings.begin());
+    if (!place) {
+        throw InputError(
+            "", {CORE_TEXT("core", "must have a column with the heading %1"), quoted_list({name})},
+            view.headings.empty() ? Message() : quoted_list(view.headings));
+    }
+    return *place;
 }
 
 }  // namespace
