@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case-file/decimal.h"
 #include "model/background_job.h"
 #include "plot/plot_view.h"
 #include "studies/model/result_words.h"
@@ -19,6 +20,7 @@
 #include "widgets/form_section.h"
 #include "widgets/job_progress.h"
 #include "widgets/layouts.h"
+#include "widgets/number_field.h"
 
 namespace ravnoves {
 
@@ -49,15 +51,28 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
         return box;
     };
     input_ = chooser(tr("&Input"), "sweep_input");
-    reach_ = chooser(tr("Ran&ge"), "sweep_reach");
+    const auto end = [&](const QString& text, const char* name) {
+        auto* label = new QLabel(text, this);
+        auto* field = new NumberField(this);
+        field->setObjectName(QLatin1String(name));
+        field->setOptional(true);
+        field->setIsOfResult(false);
+        field->setHint(tr("Blank: limit of the tolerance; without a tolerance, the value ± 10 %."));
+        label->setBuddy(field);
+        choices->addWidget(label);
+        choices->addWidget(field);
+        connect(field, &NumberField::valueEdited, this, &SweepView::choose);
+        return field;
+    };
+    from_ = end(tr("&From"), "sweep_from");
+    to_ = end(tr("t&o"), "sweep_to");
     result_ = chooser(tr("&Result"), "sweep_result");
-    reach_->setToolTip(tr("For an input without a tolerance: a tenth of its value."));
     connect(input_, &QComboBox::activated, this, [this] {
         isChosen_ = true;
-        fillReach();
+        from_->setValue({});
+        to_->setValue({});
         choose();
     });
-    connect(reach_, &QComboBox::activated, this, &SweepView::choose);
     connect(result_, &QComboBox::activated, this, &SweepView::choose);
     column->addLayout(choices);
     auto* progress = new JobProgress(model_->job(), tr("Progress"), this);
@@ -103,7 +118,7 @@ void SweepView::fillChoices() {
     std::vector<std::pair<QString, QString>> inputs;
     for (const bool scatters : {true, false}) {
         for (const StudyModel::Input& input : study_->inputs()) {
-            if (input.varied.has_value() == scatters) {
+            if (input.varied.has_value() == scatters && !input.isGone) {
                 inputs.emplace_back(input.name, QString::fromStdString(input.pointer));
             }
         }
@@ -115,26 +130,27 @@ void SweepView::fillChoices() {
                              QString::fromStdString(watched.pointer));
     }
     fill(result_, results, model_->result());
-    fillReach();
     choose();
 }
 
-void SweepView::fillReach() {
-    const bool isAngle = SweepModel::isAngle(chosen(input_));
-    if (reach_->count() > 0 && (reach_->findData(SweepModel::wholeTurn) >= 0) == isAngle) {
-        return;
-    }
-    reach_->clear();
-    if (isAngle) {
-        reach_->addItem(QStringLiteral("0° … 360°"), SweepModel::wholeTurn);
-    }
-    for (const double times : {1.0, 2.0, 5.0, 10.0, 50.0}) {
-        reach_->addItem(times == 1.0 ? tr("its ±") : tr("%1 times its ±").arg(times), times);
-    }
+void SweepView::choose() {
+    model_->choose(chosen(input_), chosen(result_), {from_->value(), to_->value()});
+    showEnds();
 }
 
-void SweepView::choose() {
-    model_->choose(chosen(input_), chosen(result_), reach_->currentData().toDouble());
+void SweepView::showEnds() {
+    const StudyModel::Input* input = study_->input(model_->input());
+    const SweepModel::Ends usual = model_->usualEnds();
+    for (const auto& [field, end] : {std::pair(from_, usual.from), std::pair(to_, usual.to)}) {
+        if (input != nullptr) {
+            field->setShownUnit(input->shown);
+            field->setRange(study_->rangeOf(input->pointer), input->shown.name);
+        }
+        constexpr int digits = 5;
+        field->setPlaceholderText(end ? tr("auto") + QChar::Nbsp +
+                                            field->textOf(rounded_to_digits(*end, digits))
+                                      : QString());
+    }
 }
 
 void SweepView::chooseResult(const std::string& result) {

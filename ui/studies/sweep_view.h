@@ -8,6 +8,7 @@ class QPushButton;
 
 namespace ravnoves {
 
+class NumberField;
 class PlotView;
 class StudyModel;
 class SweepModel;
@@ -30,7 +31,7 @@ class SweepView : public QWidget {
 
   private:
     void fillChoices();
-    void fillReach();
+    void showEnds();
     void choose();
     void showSweep();
     void showCurves();
@@ -40,7 +41,8 @@ class SweepView : public QWidget {
     SweepModel* model_;
     QComboBox* input_;
     QComboBox* result_;
-    QComboBox* reach_;
+    NumberField* from_;
+    NumberField* to_;
     QLabel* words_;
     QPushButton* take_;
     PlotView* plot_;

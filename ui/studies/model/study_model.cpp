@@ -144,6 +144,17 @@ void StudyModel::refresh() {
     Q_EMIT changed();
 }
 
+const StudyModel::Input* StudyModel::input(const std::string& pointer) const {
+    const auto found = std::ranges::find_if(
+        inputs_, [&](const Input& each) { return each.pointer == pointer && !each.isGone; });
+    return found != inputs_.end() ? &*found : nullptr;
+}
+
+Range StudyModel::rangeOf(const std::string& pointer) const {
+    const std::vector<FieldEntry> fields = scene_->fields(pointer);
+    return fields.empty() ? Range() : fields.front().field.range;
+}
+
 void StudyModel::readStudy() {
     trouble_.clear();
     goneMethod_.clear();

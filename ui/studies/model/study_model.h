@@ -49,6 +49,10 @@ class StudyModel : public QObject {
     BackgroundJob* job() const { return job_; }
 
     const std::vector<Input>& inputs() const { return inputs_; }
+    /// The one with a pointer that the case has; else null.
+    const Input* input(const std::string& pointer) const;
+    /// Of its field, in the unit of its key.
+    Range rangeOf(const std::string& pointer) const;
     /// Pointers below "result" of the single numbers that the case has now; solves it.
     std::vector<std::string> results() const;
     /// As the scene describes it, or by its keys where no case so far had it.

@@ -184,17 +184,41 @@ SweepModel::SweepModel(StudyModel* study, QObject* parent)
     });
 }
 
-bool SweepModel::isAngle(const std::string& input) {
-    return unit_at(input) == units::degree;
-}
-
-void SweepModel::choose(const std::string& input, const std::string& result, double reach) {
-    if (input != input_ || result != result_ || reach != reach_) {
+void SweepModel::choose(const std::string& input, const std::string& result, const Ends& ends) {
+    if (input != input_ || result != result_ || !(ends == ends_)) {
         input_ = input;
         result_ = result;
-        reach_ = reach;
+        ends_ = ends;
         follow();
     }
+}
+
+namespace {
+
+/// Half of what the input's tolerance allows, 0 without one.
+double halfOf(const StudyModel::Input& input) {
+    if (!input.varied || input.varied->spread == studies::Varied::Spread::grid) {
+        return 0.0;
+    }
+    const studies::Law law = studies::law_of(*input.varied, input.nominal);
+    return 0.5 * (law.high - law.low);
+}
+
+}  // namespace
+
+SweepModel::Ends SweepModel::usualEnds() const {
+    const StudyModel::Input* input = study_->input(input_);
+    if (input == nullptr) {
+        return {};
+    }
+    constexpr double part = 0.1;
+    const double nominal = input->nominal;
+    const double half = halfOf(*input);
+    const double reach = half > 0.0 ? half : nominal != 0.0 ? part * std::abs(nominal) : 1.0;
+    const bool turns = half == 0.0 && unit_at(input_) == units::degree;
+    const Range range = study_->rangeOf(input_);
+    return {std::clamp(turns ? 0.0 : nominal - reach, range.min, range.max),
+            std::clamp(turns ? 360.0 : nominal + reach, range.min, range.max)};
 }
 
 void SweepModel::setWatched(bool watched) {
@@ -210,7 +234,10 @@ void SweepModel::setWatched(bool watched) {
 void SweepModel::follow() {
     stale_ = true;
     job_->cancel();  // what it finds is of what was before
-    trouble_.clear();
+    const Ends usual = usualEnds();
+    const double from = ends_.from.value_or(usual.from.value_or(0.0));
+    const bool isEmpty = usual.from && !(from < ends_.to.value_or(*usual.to));
+    trouble_ = isEmpty ? tr("“From” must be less than “to”.") : QString();
     Q_EMIT changed();
     if (watched_) {
         later_.start();
@@ -219,31 +246,24 @@ void SweepModel::follow() {
 
 void SweepModel::start() {
     later_.stop();
-    if (!watched_ || input_.empty() || result_.empty()) {
+    const Ends usual = usualEnds();
+    if (!watched_ || !usual.from || result_.empty() || !trouble_.isEmpty()) {
         return;
     }
     Sweep sweep{.input = input_, .result = result_, .places = {}};
     studies::Study study{.vary = {{.pointer = input_, .spread = studies::Varied::Spread::uniform}},
                          .watch = {{.pointer = result_}},
                          .seed = study_->study().seed};
+    study.vary[0].from = ends_.from.value_or(*usual.from);
+    study.vary[0].to = ends_.to.value_or(*usual.to);
     for (const StudyModel::Input& input : study_->inputs()) {
-        if (!input.varied || input.varied->spread == studies::Varied::Spread::grid) {
-            if (input.pointer == input_) {
-                sweep.nominal = input.nominal;
-            }
-        } else if (input.pointer == input_) {
+        if (input.pointer == input_) {
             sweep.nominal = input.nominal;
-            const studies::Law law = studies::law_of(*input.varied, input.nominal);
-            sweep.half = 0.5 * (law.high - law.low);
-        } else {
+            sweep.half = halfOf(input);
+        } else if (!input.isGone && halfOf(input) > 0.0) {
             study.vary.push_back(*input.varied);
         }
     }
-    constexpr double part = 0.1;
-    const double whole = sweep.nominal != 0.0 ? part * std::abs(sweep.nominal) : 1.0;
-    const double reach = reach_ * (sweep.half > 0.0 ? sweep.half : whole);
-    study.vary[0].from = reach_ == wholeTurn ? 0.0 : sweep.nominal - reach;
-    study.vary[0].to = reach_ == wholeTurn ? 360.0 : sweep.nominal + reach;
     SceneModel& scene = *study_->scene();
     CaseFile file = scene.caseFile();
     const std::string_view built = scene_solver(file.scene).buildable;

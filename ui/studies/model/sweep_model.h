@@ -44,7 +44,6 @@ class SweepModel : public QObject {
 
   public:
     static constexpr int samples = 128;
-    static constexpr double wholeTurn = 0.0;  ///< a reach
 
     explicit SweepModel(StudyModel* study, QObject* parent = nullptr);
 
@@ -52,10 +51,16 @@ class SweepModel : public QObject {
     // Pointers.
     const std::string& input() const { return input_; }
     const std::string& result() const { return result_; }
-    static bool isAngle(const std::string& input);
-    /// @param reach  so many times the input's ±, or a tenth of its value where it has none
-    void choose(const std::string& input, const std::string& result, double reach);
-    double reach() const { return reach_; }
+    /// From and to, in the unit of the input's key.
+    struct Ends {
+        std::optional<double> from = {}, to = {};
+        bool operator==(const Ends&) const = default;
+    };
+    /// @param ends  what is not given is that of usualEnds()
+    void choose(const std::string& input, const std::string& result, const Ends& ends);
+    /// The limits of the input's tolerance; without one, a whole turn of an angle, or a tenth of
+    /// the value either way: within the range of its field. Nothing where no input is chosen.
+    Ends usualEnds() const;
     /// Computes while someone looks.
     void setWatched(bool watched);
 
@@ -79,7 +84,7 @@ class SweepModel : public QObject {
     QTimer later_;
     std::string input_;
     std::string result_;
-    double reach_ = 1.0;
+    Ends ends_;
     std::optional<Sweep> sweep_;
     QString trouble_;
     bool stale_ = false;
