@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/fields.h"
@@ -76,11 +77,10 @@ TorqueSourceEditor::TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent
     column->addWidget(buildCheck());
 
     connect(choice_, &QComboBox::activated, this, [this](int page) {
-        const TorqueSource& torque = model_->input().torque;
-        const bool isEmpty = page == PressurePage ? torque.trace.pressure.empty()
-                                                  : page == TablePage && torque.table.size() == 0;
-        if (isEmpty) {
-            showForm(page);  // nothing to solve until there are numbers
+        awaited_.reset();
+        if (isEmpty(page)) {
+            awaited_ = page;  // nothing to solve until there are numbers
+            showForm(page);
             return;
         }
         trouble_->say(model_->setTorqueKind(page == TablePage      ? TorqueSource::Kind::table
@@ -100,15 +100,27 @@ QWidget* TorqueSourceEditor::buildNoTable() {
     auto* column = new QVBoxLayout(noTable_);
     column->setContentsMargins(Theme::margin, 0, Theme::margin, Theme::gap);
     column->setSpacing(Theme::gap);
-    column->addWidget(captionLabel(tr("No table yet; the computed torque is used. Paste a table, "
-                                      "import a CSV file, or use the computed torque as table."),
-                                   noTable_));
+    column->addWidget(captionLabel(
+        tr("No table yet; the computed torque is used. Paste a table, import a CSV file, or use "
+           "the computed torque as table."),
+        noTable_));
+    auto* buttons = new QWidget(noTable_);
+    QHBoxLayout* row = rowIn(buttons, Theme::gap);
+    column->addWidget(buttons);
+    auto* import = new QPushButton(tr("Impo&rt file…"), noTable_);
+    import->setObjectName(QStringLiteral("import_table"));
+    row->addWidget(import);
+    connect(import, &QPushButton::clicked, this, [this] { table_->importWithDialog(); });
+    auto* paste = new QPushButton(tr("&Paste"), noTable_);
+    paste->setObjectName(QStringLiteral("paste_table"));
+    row->addWidget(paste);
+    connect(paste, &QPushButton::clicked, this, [this] { table_->paste(); });
     auto* take = new QPushButton(tr("Use as table"), noTable_);
     take->setObjectName(QStringLiteral("take_computed_torque"));
     take->setToolTip(
         tr("Make a table of the computed torque, a row per step. The table does not follow speed "
            "and masses."));
-    column->addWidget(take);
+    row->addWidget(take);
     connect(take, &QPushButton::clicked, this, [this] {
         trouble_->say(model_->tabulateTorque());
         showInput();
@@ -293,8 +305,18 @@ void TorqueSourceEditor::showForm(int page) {
     trace_->setToolTip(file);
 }
 
+bool TorqueSourceEditor::isEmpty(int page) const {
+    const TorqueSource& torque = model_->input().torque;
+    return page == PressurePage ? torque.trace.pressure.empty()
+                                : page == TablePage && torque.table.size() == 0;
+}
+
 void TorqueSourceEditor::showInput() {
-    showForm(pageOf(model_->input().torque.kind));
+    const int page = pageOf(model_->input().torque.kind);
+    if (std::exchange(given_, page) != page) {
+        awaited_.reset();
+    }
+    showForm(awaited_.value_or(page));
     showCheck();
 }
 

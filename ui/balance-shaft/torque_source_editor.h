@@ -2,6 +2,7 @@
 
 #include <QWidget>
 #include <initializer_list>
+#include <optional>
 #include <string>
 
 #include "case-file/field.h"
@@ -45,8 +46,13 @@ class TorqueSourceEditor : public QWidget {
     QWidget* buildCheck();
     QWidget* buildNoTable();
     void showForm(int page);
+    /// Whether a source has nothing to give yet.
+    bool isEmpty(int page) const;
 
     BalanceShaftModel* model_;
+    /// A source that was chosen and is empty: it is shown until another gives the torque.
+    std::optional<int> awaited_;
+    int given_ = -1;  ///< the page of the one that gives it
     QComboBox* choice_ = nullptr;
     QStackedWidget* forms_ = nullptr;
     TorqueTableEditor* table_ = nullptr;

@@ -16,11 +16,11 @@ class TorqueTableEditor : public TableEditor {
 
     /// Opens the import window for a file, which replaces the whole table.
     void importFile(const QString& path);
+    void importWithDialog();
     /// A whole cycle replaces the table; anything smaller goes into the cells from the current one.
     void paste() override;
 
   private:
-    void importWithDialog();
     void exportWithDialog();
 
     BalanceShaftModel* model_;

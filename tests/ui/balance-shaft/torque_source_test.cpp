@@ -214,6 +214,29 @@ TEST_F(TorqueSourceTest, WithoutATraceItSaysWhoseResultsTheyAre) {
     EXPECT_TRUE(line->text().contains(QStringLiteral("computed"))) << qPrintable(line->text());
 }
 
+TEST_F(TorqueSourceTest, AnEmptySourceStaysChosenUntilAnotherGivesTheTorque) {
+    model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
+    model->edit(QStringLiteral("x"), [](balance_shaft::Input& input) { input.torque.table = {}; });
+    const auto* chosen = test::named<QComboBox>(*source, "torque_source");
+    page.findChild<QTabWidget*>()->setCurrentWidget(source);
+    auto* paste = test::named<QPushButton>(*source, "paste_table");
+    for (const int empty : {0, 1}) {
+        choose(empty);
+        model->editField("/crank_radius_mm", 45.0 + empty, QStringLiteral("x"));
+        EXPECT_EQ(chosen->currentIndex(), empty) << "another input changes nothing of it";
+        EXPECT_EQ(paste->isVisible(), empty == 0);
+    }
+    choose(0);
+    QApplication::clipboard()->setText(QStringLiteral("deg;M\n0;1\n180;2\n360;3\n540;4\n720;1\n"));
+    paste->click();
+    EXPECT_EQ(model->input().torque.table.size(), 5U);
+    EXPECT_EQ(model->input().torque.kind, balance_shaft::TorqueSource::Kind::table);
+    EXPECT_EQ(chosen->currentIndex(), 0);
+    EXPECT_FALSE(paste->isVisible());
+    model->undo();
+    EXPECT_EQ(chosen->currentIndex(), 2) << "the cycle gives the torque again";
+}
+
 TEST_F(TorqueSourceTest, PlacesOfTheTableAreRows) {
     QTableView* view = source->tableEditor()->view();
     const auto* line = source->tableEditor()->findChild<TroubleLine*>();

@@ -8,6 +8,7 @@
 
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/input.h"
+#include "case-file/decimal.h"
 #include "case-file/sha256.h"
 #include "case-file/text_file.h"
 #include "model/background_job.h"
@@ -220,7 +221,10 @@ void ImportModel::putTraceInto(balance_shaft::Input& input) const {
     torque.trace_csv = path_.toStdString();
     torque.trace_sum = {look_.sum, look_.sum};
     torque.trace_reading = look_.kept;
-    torque.trace_shift = isShifted() ? look_.deadCentre->shift : 0.0;
+    constexpr int decimals = 2;  // as it is proposed
+    torque.trace_shift =
+        isShifted() ? rounded_to_decimals(look_.deadCentre->shift / degree, decimals) * degree
+                    : 0.0;
     input.strokes = input.strokes_of_torque();
     balance_shaft::fill_cylinder(input);
 }
