@@ -10,6 +10,7 @@
 #include "case-file/decimal.h"
 #include "case-file/json.h"
 #include "case-file/object_reader.h"
+#include "model/reference_case.h"
 #include "model/scene_model.h"
 #include "text/field_names.h"
 #include "text/key_words.h"
@@ -182,9 +183,11 @@ std::vector<InputNumber> inputNumbers(const SceneModel& model) {
     return numbers;
 }
 
-QString nameByDifferences(const SceneModel& model) {
-    if (model.reference() < 0) {
-        return {};
+QString nameByDifferences(SceneModel& model) {
+    const QString layout = model.layoutText();
+    const SceneModel* reference = model.referenceCase().model();
+    if (reference == nullptr || reference->layoutText() != layout) {
+        return layout;
     }
     const auto differences = inputDifferences(model, model.variantInput(model.reference()));
     constexpr std::size_t most = 3;
@@ -205,7 +208,8 @@ QString designText(const SceneModel& model) {
     constexpr int digits = 7;
     const Json input = model.inputJson();
     const FieldNames names = namesOf(model);
-    QStringList values;
+    QStringList values{model.layoutText()};
+    values.removeAll(QString());
     for (const char* pointer : model.designInputs()) {
         const Json::json_pointer at(pointer);
         const FieldEntry* entry = names.described(pointer);

@@ -24,9 +24,9 @@ struct InputDifference {
 /// elements one by one.
 std::vector<InputDifference> inputDifferences(const SceneModel& model, const Json& reference);
 
-/// What tells the present input from the reference, where that is a few values: "60°, 90 mm"; else
+/// What tells the present input from the reference: its layout, or a few values: "60°, 90 mm"; else
 /// empty.
-QString nameByDifferences(const SceneModel& model);
+QString nameByDifferences(SceneModel& model);
 
 /// The values that say which design it is, SceneModel::designInputs(): "Shaft angle α 45°, …".
 QString designText(const SceneModel& model);

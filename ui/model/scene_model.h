@@ -104,7 +104,9 @@ class SceneModel : public QObject {
     virtual std::vector<std::string> replacedInputs() const { return {}; }
     /// Pointers of the objects that count with what is usual where the case does not have them.
     virtual std::vector<std::string> usualObjects() const { return {}; }
-    /// Pointers of the inputs that say which design it is.
+    /// The name of the layout, where the scene has several; else empty.
+    virtual QString layoutText() const { return {}; }
+    /// Pointers of the inputs that say which design it is, beside its layout.
     virtual std::vector<const char*> designInputs() const { return {}; }
     /// The description of a field that the scene has.
     FieldEntry describedField(std::string_view pointer) const;

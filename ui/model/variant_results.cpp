@@ -10,6 +10,7 @@
 #include "model/input_differences.h"
 #include "model/scene_model.h"
 #include "model/variant_files.h"
+#include "text/message_text.h"
 #include "text/shown_units.h"
 
 namespace ravnoves {
@@ -73,17 +74,15 @@ const ResultCell* cellOf(const std::vector<Named>& numbers, const QString& key) 
     return found != numbers.end() ? &found->cell : nullptr;
 }
 
-/// The cell with its difference from the reference behind it.
-ResultCell against(const ResultCell& cell, const ResultCell* reference) {
-    const auto difference = reference != nullptr ? cell.from(*reference) : std::nullopt;
-    ResultCell shown = cell;
-    if (difference) {
-        shown.text += QStringLiteral(" (%1)").arg(difference->absolute);
+/// The cell with its difference from the reference.
+ResultCell against(ResultCell cell, const ResultCell* reference) {
+    if (reference != nullptr) {
+        cell.fromOther = cell.from(*reference);
     }
-    return shown;
+    return cell;
 }
 
-/// The row of several designs with a star at the best of them, where one is better than another.
+/// Marks the best of the designs of a row, where one is better than another.
 void markBest(ResultRow& row) {
     std::vector<double> values;
     for (const ResultCell& cell : row) {
@@ -99,7 +98,7 @@ void markBest(ResultRow& row) {
     for (ResultCell& cell : row) {
         const ResultNumber* number = cell.number();
         if (number != nullptr && std::abs(number->value) - *least <= rounding * *most) {
-            cell.text.prepend(QStringLiteral("★ "));
+            cell.isBest = true;
         }
     }
     row.tip += QLatin1Char('\n') + VariantTableWords::tr("★ marks the best.");
@@ -107,47 +106,67 @@ void markBest(ResultRow& row) {
 
 }  // namespace
 
-Results variantResults(const SceneModel& model, QStringList& troubles) {
+VariantResults variantResults(const SceneModel& model) {
     struct Column {
         QString title;
         Json input;
+        QString layout;
         std::vector<Named> numbers;
     };
+    VariantResults all;
     std::vector<Column> columns;
     // All by a model of one kind: what a job computes, none of them has.
     const std::unique_ptr<SceneModel> other = model.another(false);
+    const auto take = [&](Column& column, const Json& input, const SceneModel& of) {
+        column.input = input;
+        column.layout = of.layoutText();
+        column.numbers = numbersOf(of);
+        if (const std::optional<Verdict> verdict = of.verdictShown()) {
+            all.verdicts << column.title + QStringLiteral(": ") + messageText(verdict->text);
+        }
+    };
     const auto add = [&](const QString& title, const Json& input) {
-        Column& column = columns.emplace_back(Column{title, nullptr, {}});
+        Column& column = columns.emplace_back();
+        column.title = title;
         try {
             other->loadCase(input, model.context(), title);
             other->takeView(model);
-            column.input = input;
-            column.numbers = numbersOf(*other);
+            take(column, input, *other);
         } catch (const InputError& error) {
-            troubles << title + QStringLiteral(": ") + model.explain(error);
+            all.troubles << title + QStringLiteral(": ") + model.explain(error);
         }
     };
     add(VariantTableWords::tr("Present"), model.inputJson());
-    if (Column& present = columns.front(); present.input.is_null()) {
-        present = {present.title, model.inputJson(), numbersOf(model)};  // its file is gone
+    if (columns.front().input.is_null()) {
+        take(columns.front(), model.inputJson(), model);  // its file is gone
     }
     for (int i = 0; i < model.variants().size(); ++i) {
         const QString name = model.variants().at(i).name;
         add(name, model.variantInput(i));
         if (const QString changed = changedFilesText(model, i); !changed.isEmpty()) {
-            troubles << name + QStringLiteral(": ") + changed;
+            all.troubles << name + QStringLiteral(": ") + changed;
         }
     }
     const auto reference = static_cast<std::size_t>(model.reference() + 1);
     const QString missing = QStringLiteral("–");
-    Results results;
+    Results& results = all.results;
     results.columns << VariantTableWords::tr("Result");
     for (std::size_t i = 0; i < columns.size(); ++i) {
         results.columns << (i == reference && columns.size() > 1
                                 ? VariantTableWords::tr("%1 (reference)").arg(columns[i].title)
                                 : columns[i].title);
     }
-    // The inputs that differ in any of them.
+    const bool areLayouts = std::any_of(columns.begin(), columns.end(), [&](const Column& each) {
+        return !each.input.is_null() && each.layout != columns.front().layout;
+    });
+    if (areLayouts) {
+        ResultRow row{VariantTableWords::tr("Layout")};
+        for (const Column& column : columns) {
+            row << ResultCell(column.input.is_null() ? missing : column.layout);
+        }
+        results.rows << row;
+    }
+    // The inputs that differ in any of them; of other layouts those that all of them have.
     QList<std::pair<QString, QVector<ResultCell>>> inputs;
     for (std::size_t i = 1; i < columns.size(); ++i) {
         if (columns[i].input.is_null()) {
@@ -165,7 +184,13 @@ Results variantResults(const SceneModel& model, QStringList& troubles) {
             row->second[static_cast<qsizetype>(i)] = each.reference;
         }
     }
+    ResultRows last;  // what follows from the layout comes after what it does
     for (const auto& [name, values] : inputs) {
+        if (areLayouts && std::any_of(values.begin(), values.end(), [](const ResultCell& cell) {
+                return cell.text.isEmpty() || cell.number() == nullptr;
+            })) {
+            continue;
+        }
         ResultRow row{name};
         for (std::size_t i = 0; i < columns.size(); ++i) {
             row << (columns[i].input.is_null()
@@ -174,7 +199,7 @@ Results variantResults(const SceneModel& model, QStringList& troubles) {
                                   &values[static_cast<qsizetype>(reference)]));
         }
         row.tip = VariantTableWords::tr("An input that differs.");
-        results.rows << row;
+        (areLayouts ? last : results.rows) << row;
     }
     // The rows that any of them has, each behind the one that it follows there.
     std::vector<Named> rows;
@@ -194,10 +219,18 @@ Results variantResults(const SceneModel& model, QStringList& troubles) {
             const ResultCell* cell = cellOf(columns[i].numbers, named.key);
             row << (cell != nullptr ? against(*cell, base) : ResultCell(missing));
         }
+        // Of other layouts many orders are nothing in all of them.
+        const bool isNothing = std::ranges::all_of(row, [](const ResultCell& cell) {
+            return cell.number() == nullptr || cell.number()->value == 0.0;
+        });
+        if (areLayouts && isNothing) {
+            continue;
+        }
         markBest(row);
         results.rows << row;
     }
-    return results;
+    results.rows << last;
+    return all;
 }
 
 }  // namespace ravnoves

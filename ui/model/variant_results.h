@@ -8,10 +8,15 @@ namespace ravnoves {
 
 class SceneModel;
 
-/// The present case and its variants beside one another: first the inputs that differ, then the
-/// numbers that are beside the tabs of the page, each with its difference from the reference (the
-/// present one, where there is none).
-/// @param troubles  receives what is to be said of variants: refused, or of a file that has changed
-Results variantResults(const SceneModel& model, QStringList& troubles);
+/// The present case and its variants beside one another.
+struct VariantResults {
+    QStringList verdicts;  ///< of each, with its name
+    /// First the layout, or the inputs that differ; then the numbers that are beside the tabs of
+    /// the page; last what else differs of other layouts. Each with its difference from the
+    /// reference (the present one, where there is none).
+    Results results;
+    QStringList troubles;  ///< of variants: refused, or of a file that has changed
+};
+VariantResults variantResults(const SceneModel& model);
 
 }  // namespace ravnoves

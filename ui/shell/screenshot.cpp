@@ -8,8 +8,8 @@
 
 #include "case-file/input_error.h"
 #include "model/case_sources.h"
-#include "shell/main_window.h"
 #include "page/scene_page.h"
+#include "shell/main_window.h"
 #include "text/write_file.h"
 #include "widgets/page_columns.h"
 

@@ -19,10 +19,15 @@
 namespace ravnoves {
 
 VariantTable::VariantTable(ScenePage* page, QWidget* parent)
-    : QDialog(parent), page_(page), words_(captionLabel({}, this)), table_(new ResultTable(this)) {
+    : QDialog(parent),
+      page_(page),
+      verdicts_(copyableCaption({}, this)),
+      words_(captionLabel({}, this)),
+      table_(new ResultTable(this)) {
     setWindowTitle(tr("Variants side by side"));
     resizeWithText(this, 720, 520);
     auto* column = new QVBoxLayout(this);
+    column->addWidget(verdicts_);
     table_->setAccessibleName(windowTitle());
     constexpr int fewest = 8;
     table_->setShownRows(fewest);
@@ -54,12 +59,13 @@ void VariantTable::showVariants() {
         return;  // the page is gone, and this closes
     }
     const SceneModel& model = *page_->model();
-    QStringList troubles;
-    table_->setResults(variantResults(model, troubles));
+    const VariantResults found = variantResults(model);
+    sayOrHide(verdicts_, found.verdicts.join(QLatin1Char('\n')));
+    table_->setResults(found.results);
     sayOrHide(words_,
               model.variants().isEmpty()
                   ? tr("No variants yet. Press Ctrl+K to keep the present input as a variant.")
-                  : troubles.join(QLatin1Char('\n')));
+                  : found.troubles.join(QLatin1Char('\n')));
 }
 
 QString VariantTable::exportTo(const QString& path) const {

@@ -28,6 +28,7 @@ class VariantTable : public QDialog {
 
     ScenePage* page_;
     QTimer rest_;
+    QLabel* verdicts_;
     QLabel* words_;
     ResultTable* table_;
 };

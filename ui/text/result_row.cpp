@@ -45,8 +45,9 @@ std::optional<int> decimalsOf(const QString& shown) {
 
 /// What the text says, so that differences are those of the texts.
 double asShown(const ResultNumber& number) {
-    const double scale = std::pow(10.0, number.decimals.value_or(0));
-    return number.decimals ? std::round(number.value * scale) / scale : number.value;
+    constexpr int digits = 6;  // of powers of ten fewer are shown
+    return number.decimals ? rounded_to_decimals(number.value, *number.decimals)
+                           : rounded_to_digits(number.value, digits);
 }
 
 std::optional<ShownDifference> difference(const ResultNumber& now, const ResultNumber& was) {

@@ -51,6 +51,11 @@ struct ResultCell {
     QVector<ResultNumber> numbers;
     QString pattern;           ///< of two
     bool isLeastBest = false;  ///< of several designs the one with the smallest number is the best
+    bool isBest = false;       ///< it is that one
+    std::optional<ShownDifference> fromOther = {};  ///< as it differs from that of another design
+
+    /// With a star where it is the best.
+    QString marked() const { return isBest ? QStringLiteral("★ ") + text : text; }
 };
 
 /// A row of such a table, its name first.

@@ -210,7 +210,7 @@ void ResultTable::setRows(const ResultRows& rows) {
     }
     for (int row = 0; row < rows.size(); ++row) {
         for (int column = 0; column < columnCount(); ++column) {
-            const QString text = rows[row].value(column).text;
+            const QString text = rows[row].value(column).marked();
             QTableWidgetItem* cell = item(row, column);
             if (cell == nullptr) {
                 cell = new QTableWidgetItem(text);
@@ -227,12 +227,18 @@ void ResultTable::setRows(const ResultRows& rows) {
     if (!spreads_.empty()) {
         showSpreads();
     }
-    if (referenceRows_) {
+    const bool hadDifferences = std::exchange(
+        hasDifferences_, std::any_of(rows.begin(), rows.end(), [](const ResultRow& row) {
+            return std::any_of(row.begin(), row.end(),
+                               [](const ResultCell& cell) { return cell.fromOther.has_value(); });
+        }));
+    const bool compares = referenceRows_ || hasDifferences_ || hadDifferences;
+    if (compares) {
         showDifferences();
     } else if (!isSameShape) {
         fitColumns();
     }
-    if (!hasSameTips || !isSameShape || referenceRows_) {
+    if (!hasSameTips || !isSameShape || compares) {
         showTips();
     }
 }
@@ -243,7 +249,9 @@ void ResultTable::showTips() {
             const bool isName = column == 0 && !rows_[row].tip.isEmpty();
             QStringList lines{rows_[row].tip, isName ? QString() : headings_[column].tip};
             if (!differenceAt(row, column).isEmpty()) {
-                lines << tr("Present value minus reference %1").arg(referenceName_);
+                lines << (referenceRows_
+                              ? tr("Present value minus reference %1").arg(referenceName_)
+                              : tr("Below the value: difference from the reference."));
             }
             if (!spreadAt(row, column).isEmpty()) {
                 lines << spreadTip_;
@@ -365,7 +373,8 @@ void ResultTable::showDifferences() {
         const int other = referenceRows_ ? rowInReference(row) : -1;
         const ResultRow was = other >= 0 ? (*referenceRows_)[other] : ResultRow();
         for (int column = 1; column < columnCount(); ++column) {
-            const auto found = rows_[row].value(column).from(was.value(column));
+            const ResultCell cell = rows_[row].value(column);
+            const auto found = referenceRows_ ? cell.from(was.value(column)) : cell.fromOther;
             const QStringList parts =
                 found ? QStringList{found->absolute, found->percent} : QStringList();
             if (differenceAt(row, column) != parts) {
@@ -537,7 +546,8 @@ QString ResultTable::joined(QChar separator, bool selectionOnly) const {
             if (cell == nullptr || (selectionOnly && !cell->isSelected())) {
                 continue;
             }
-            line << written(cell->text());
+            const ResultCell value = rows_[row].value(column);
+            line << written(value.isBest ? value.text : cell->text());
             if (compared.contains(column)) {
                 const QStringList parts = differenceAt(row, column);
                 line << written(parts.value(0)) << written(parts.value(1));

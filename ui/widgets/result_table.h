@@ -29,8 +29,9 @@ class ResultTable : public QTableWidget {
 
     /// Sets headings once; rows follow with setRows().
     void setColumns(const ResultColumns& columns);
-    /// Replaces the cells; only what differs is touched, so it may be called at every step of a
-    /// slider. Every cell says what its row and its column mean.
+    /// Replaces the cells, with their own differences below them; only what differs is touched, so
+    /// it may be called at every step of a slider. Every cell says what its row and its column
+    /// mean.
     void setRows(const ResultRows& rows);
     /// Both.
     void setResults(const Results& results);
@@ -106,6 +107,7 @@ class ResultTable : public QTableWidget {
     std::vector<Spread> spreads_;
     QString spreadTip_;
     bool areSpreadsAwaited_ = false;
+    bool hasDifferences_ = false;  ///< in its cells
 };
 
 }  // namespace ravnoves

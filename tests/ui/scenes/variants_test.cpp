@@ -378,7 +378,7 @@ TEST(VariantsSideBySide, OfOneThatIsRefusedNothingIsShown) {
     const VariantTable dialog(page.get(), nullptr);
     const ResultTable& table = *dialog.table();
     ASSERT_EQ(table.columnCount(), 4);
-    EXPECT_EQ(table.item(0, 2)->text(), u"0.25 (−0.05)"_s) << table.asText().toStdString();
+    EXPECT_EQ(table.item(0, 2)->text(), u"0.25"_s) << table.asText().toStdString();
     for (int row = 0; row < table.rowCount(); ++row) {
         EXPECT_EQ(table.item(row, 3)->text(), u"–"_s) << row;
     }
@@ -473,7 +473,8 @@ TEST(VariantsSideBySide, MarkTheBestAndSayNothingOfWhatIsEqual) {
     const ResultTable& table = *dialog.table();
     EXPECT_TRUE(table.item(0, 0)->text().startsWith(u"Centre distance"_s));
     EXPECT_TRUE(table.item(1, 0)->text().startsWith(u"Shaft angle"_s));
-    EXPECT_EQ(table.item(1, 1)->text(), u"50 (−70)"_s);
+    EXPECT_EQ(table.item(1, 1)->text(), u"50"_s);
+    EXPECT_EQ(table.differenceAt(1, 1).value(0), u"−70"_s);
     EXPECT_FALSE(table.item(2, 0)->text().startsWith(u"Offset"_s)) << "nothing else differs";
     const int range = rowNamed(table, u"range · Mᵤₚₛ"_s);
     ASSERT_GE(range, 0);
@@ -491,8 +492,36 @@ TEST(VariantsSideBySide, MarkTheBestAndSayNothingOfWhatIsEqual) {
     const int without = rowNamed(table, u"range · Mᵤₚ,"_s);
     ASSERT_GE(without, 0);
     for (int column = 1; column < 4; ++column) {
-        EXPECT_FALSE(table.item(without, column)->text().contains(u'('));
+        EXPECT_TRUE(table.differenceAt(without, column).isEmpty());
     }
+    // For a spreadsheet: numbers alone, differences in columns of their own.
+    const QStringList lines = table.asCsv().split(u'\n');
+    EXPECT_EQ(lines[0],
+              u"Result,Present,Δ Present,\"Δ Present, %\",worse (reference),"
+              u"\"90\u00a0mm, 60°\",\"Δ 90\u00a0mm, 60°\",\"Δ 90\u00a0mm, 60°, %\""_s);
+    EXPECT_FALSE(table.asCsv().contains(u'★'));
+    const auto labels = dialog.findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel* each) {
+        return each->text().startsWith(u"Present: "_s) && each->text().contains(u"\nworse: "_s);
+    })) << "the verdicts are first";
+}
+
+TEST(VariantsSideBySide, NameLayoutsAndSayWhichTheyAre) {
+    InertiaMomentsPage page;
+    InertiaMomentsModel& model = *page.viewModel();
+    for (const auto& [layout, name] : {std::pair(u"i3"_s, u"In-line 3"_s), {u"vr6"_s, u"VR6"_s}}) {
+        model.chooseLayout(layout);
+        model.keepVariant(nameByDifferences(model));
+        EXPECT_EQ(model.variants().constLast().name, name);
+    }
+    model.makeTable();
+    const VariantTable dialog(&page, nullptr);
+    const ResultTable& table = *dialog.table();
+    EXPECT_EQ(table.item(0, 0)->text(), u"Layout"_s);
+    EXPECT_EQ(table.item(0, 1)->text(), u"Own table, cylinders: 6"_s);
+    EXPECT_EQ(table.item(0, 2)->text(), u"In-line 3"_s);
+    EXPECT_EQ(table.item(0, 3)->text(), u"VR6"_s);
+    EXPECT_TRUE(table.item(1, 0)->text().contains(u"1\u2002M"_s)) << qPrintable(table.asText());
 }
 
 TEST_P(EveryPagesVariants, AReferenceThatIsRefusedSaysWhy) {

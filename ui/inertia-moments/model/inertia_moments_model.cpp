@@ -162,6 +162,11 @@ QString InertiaMomentsModel::layoutName() const {
     return QStringLiteral("vr");
 }
 
+QString InertiaMomentsModel::layoutText() const {
+    return input().layout ? layoutTitle(QString::fromStdString(input().layout->name))
+                          : tr("Own table, cylinders: %1").arg(input().cylinders.size());
+}
+
 void InertiaMomentsModel::chooseLayout(const QString& name) {
     if (name == paperEngine) {
         edit(
@@ -454,16 +459,25 @@ QString InertiaMomentsModel::shaftTitle(const Shaft& shaft) const {
            sign + speed;
 }
 
+namespace {
+
+/// Of what follows from another input: it is in the case as it is on the page.
+constexpr int digitsOnPage = 6;
+
+}  // namespace
+
 QString InertiaMomentsModel::setRodRatio(std::optional<double> ratio) {
     return edit(fieldName(inertia_moments::field::lambda), [ratio](Input& input) {
-        input.given_rod_length = ratio ? std::nullopt : std::optional(input.rod_length());
+        input.given_rod_length =
+            ratio ? std::nullopt
+                  : std::optional(rounded(input.rod_length(), field::rod_length, digitsOnPage));
         input.lambda = ratio.value_or(input.lambda);
     });
 }
 
 QString InertiaMomentsModel::setRodLength(std::optional<double> length) {
     return edit(fieldName(inertia_moments::field::rod_length), [length](Input& input) {
-        input.lambda = input.ratio();
+        input.lambda = rounded(input.ratio(), field::lambda, digitsOnPage);
         input.given_rod_length = length;
     });
 }

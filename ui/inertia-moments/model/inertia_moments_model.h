@@ -139,9 +139,9 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     Results remainingResults() const;
     Verdict verdict() const { return inertia_moments::verdict(input(), result()); }
     std::optional<Verdict> verdictShown() const override { return verdict(); }
+    QString layoutText() const override;
     std::vector<const char*> designInputs() const override {
-        return {"/layout/type", "/layout/name", "/layout/cylinders", "/crank_radius_mm",
-                "/speed_rpm"};
+        return {"/crank_radius_mm", "/speed_rpm"};
     }
 
   private:
