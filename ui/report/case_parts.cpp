@@ -161,6 +161,8 @@ Drawing sideBySide(const Drawing& left, const Drawing& right) {
 
 /// The pictures: that of the mechanism is part of the answer, else the first two beside the tabs.
 void addPictures(ScenePage& page, Groups& groups, PageGroup& answer) {
+    constexpr QSize whole(660, 230);
+    constexpr QSize half(whole.width() / 2, whole.height());
     std::vector<QWidget*> others;
     for (QWidget* picture : page.findChildren<QWidget*>()) {
         if (!isFigure(picture) || isEmptyFigure(picture) ||
@@ -169,20 +171,21 @@ void addPictures(ScenePage& page, Groups& groups, PageGroup& answer) {
         }
         const QString tab = tabOf(picture, page.model()->parts());
         if (!tab.isEmpty()) {
-            groups.at(tab).figures.push_back(drawingOf(picture));
+            groups.at(tab).figures.push_back(drawingOf(picture, whole));
         } else if (qobject_cast<MechanismPicture*>(picture) != nullptr) {
-            answer.figures.push_back(drawingOf(picture));
+            answer.figures.push_back(drawingOf(picture, whole));
         } else {
             others.push_back(picture);
         }
     }
     auto rest = others.begin();
     if (answer.figures.empty() && others.size() > 1) {
-        answer.figures.push_back(sideBySide(drawingOf(others[0]), drawingOf(others[1])));
+        answer.figures.push_back(
+            sideBySide(drawingOf(others[0], half), drawingOf(others[1], half)));
         rest += 2;
     }
     for (; rest != others.end(); ++rest) {
-        groups.at({}).figures.push_back(drawingOf(*rest));
+        groups.at({}).figures.push_back(drawingOf(*rest, whole));
     }
 }
 

@@ -252,8 +252,12 @@ void addVariants(Report& report, const SceneModel& model) {
         return;
     }
     report.items.push_back(Heading{ReportWords::tr("Variants")});
-    QStringList troubles;
-    const Results results = variantResults(model, troubles);
+    const auto [verdicts, results, troubles] = variantResults(model);
+    QStringList others;  // that of the present case is the first of all
+    for (const QString& verdict : verdicts.mid(1)) {
+        others << shortened(verdict).toHtmlEscaped();
+    }
+    report.items.push_back(Paragraph{others.join(QStringLiteral("<br/>")), Paragraph::Kind::Muted});
     for (const QString& trouble : troubles) {
         report.items.push_back(
             Paragraph{shortened(trouble).toHtmlEscaped(), Paragraph::Kind::Warning});
@@ -269,7 +273,9 @@ void addVariants(Report& report, const SceneModel& model) {
         });
         QStringList cells;
         for (const ResultCell& cell : row) {
-            cells << shortened(cell.text).toHtmlEscaped();
+            const QString difference =
+                cell.fromOther ? QStringLiteral(" (%1)").arg(cell.fromOther->absolute) : QString();
+            cells << shortened(cell.marked() + difference).toHtmlEscaped();
         }
         if (differs) {
             table.rows << cells;

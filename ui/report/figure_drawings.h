@@ -15,8 +15,8 @@ class ResultTable;
 report::Drawing drawingOf(PlotView* plot);
 /// A plot that was made for the report, at its size.
 report::Drawing drawingOf(std::shared_ptr<PlotView> plot);
-/// A picture of the page.
-report::Drawing drawingOf(QWidget* picture);
+/// A picture of the page, at a size of its own.
+report::Drawing drawingOf(QWidget* picture, const QSize& size);
 
 /// A table of results, with its differences and ± below the numbers.
 report::Table tableOf(const ResultTable& table);
