@@ -113,9 +113,9 @@ bool Documents::isUntouched(const OpenDocument& document) {
             model.history()->count() == 0 && model.inputJson().dump() == document.beginning);
 }
 
-OpenDocument* Documents::untouchedOf(std::size_t scene, const OpenDocument* butNot) const {
+OpenDocument* Documents::untouchedOf(std::size_t scene) const {
     for (const auto& each : documents_) {
-        if (each->scene == scene && each.get() != butNot && isUntouched(*each)) {
+        if (each->scene == scene && isUntouched(*each)) {
             return each.get();
         }
     }
@@ -344,7 +344,7 @@ void Documents::put(const CaseFile& file, OpenDocument* there, int id,
             CORE_TEXT("core", "must be a module of the window; the command line solves this case"),
             file.scene);
     }
-    OpenDocument* reused = there != nullptr ? there : untouchedOf(*scene, nullptr);
+    OpenDocument* reused = there != nullptr ? there : untouchedOf(*scene);
     OpenDocument& target = reused != nullptr ? *reused : add(*scene, id);
     try {
         load(*target.document);
@@ -404,24 +404,14 @@ QString Documents::open(const QString& path, bool locates) {
     }
 }
 
-bool Documents::begin(const QString& scene) {
-    const auto index = indexOf(scene);
-    if (!index || !page(scene)->model()->hasCaseFile()) {
-        return false;
-    }
-    // One that is seen is left: something new shall be there.
-    const OpenDocument* seen =
-        current_ != nullptr && current_->page->isVisible() ? current_ : nullptr;
-    OpenDocument* reused = untouchedOf(*index, seen);
-    OpenDocument& target = reused != nullptr ? *reused : add(*index);
-    target.hasTab = true;
-    bringToFront(target);
-    return true;
-}
-
-QString Documents::begin(const CaseFile& file, const CaseContext& context) {
+QString Documents::begin(const CaseFile& file, const CaseContext& context, bool isFirst) {
     try {
         put(file, nullptr, 0, [&](CaseDocument& document) { document.begin(file, context); });
+        if (isFirst) {
+            current_->beginning = current_->page->model()->inputJson().dump();
+            current_->hasTab = false;
+            arrangeTabs();
+        }
         return {};
     } catch (const InputError& error) {
         return errorText(error);

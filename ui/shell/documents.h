@@ -74,12 +74,10 @@ class Documents : public QWidget {
     QString open(const QString& path, bool locates = false);
     /// Each gets a tab, and is opened when that is shown; at most 200 wait.
     void openLater(const QStringList& paths);
-    /// Begins a case without a file and brings it to the front: what a new document of the scene
-    /// starts with.
-    /// @return false for a word that is no scene
-    bool begin(const QString& scene);
-    /// The same from a case, as an example is. The same return as open().
-    QString begin(const CaseFile& file, const CaseContext& context);
+    /// Begins a case without a file from another, as from an example, and brings it to the front.
+    /// The same return as open().
+    /// @param isFirst  what a page begins with: as long as it is untouched, it gives way to another
+    QString begin(const CaseFile& file, const CaseContext& context, bool isFirst = false);
 
     /// Closes the document, or the one in front: the one that was there before it comes to the
     /// front, and where there is none lastClosed() follows. What is not saved is asked for.
@@ -131,7 +129,7 @@ class Documents : public QWidget {
     void putPage(OpenDocument& document, ScenePage* page);
     void remove(OpenDocument& document);
     static bool isUntouched(const OpenDocument& document);
-    OpenDocument* untouchedOf(std::size_t scene, const OpenDocument* butNot) const;
+    OpenDocument* untouchedOf(std::size_t scene) const;
     void showTab(int tab);
     /// Brings a case into a document of its own, or into one that is there; one that is rejected
     /// leaves none behind.

@@ -175,22 +175,7 @@ void MainWindow::showStart() {
     if (start_ == nullptr) {
         start_ = new StartPage(front_);
         front_->addWidget(start_);
-        // The first case of a module is one that works, not the engine of a paper.
-        connect(start_, &StartPage::sceneRequested, this, [this](const QString& scene) {
-            const auto& open = documents_->all();
-            const bool isOpen = std::any_of(open.begin(), open.end(), [&](const auto& each) {
-                return each->page->model()->sceneName() == scene;
-            });
-            const std::vector<NewCase> cases = newCases();
-            const auto first = std::find_if(cases.begin(), cases.end(), [&](const NewCase& each) {
-                return each.scene == scene && each.kind == NewCase::Kind::Empty;
-            });
-            if (isOpen || first == cases.end()) {
-                showScene(scene);
-            } else {
-                beginOrSayWhy(first->make());
-            }
-        });
+        connect(start_, &StartPage::sceneRequested, this, &MainWindow::goToScene);
         connect(start_, &StartPage::newRequested, this, &MainWindow::beginOrSayWhy);
         connect(start_, &StartPage::openRequested, this,
                 [this](const QString& path) { openOrSayWhy({path}); });
@@ -249,8 +234,21 @@ QString MainWindow::openCase(const QString& path) {
     return trouble;
 }
 
-bool MainWindow::newCase(const QString& scene) {
-    if (!documents_->begin(scene)) {
+void MainWindow::goToScene(const QString& scene) {
+    const bool isOpen = std::ranges::any_of(documents_->all(), [&](const auto& each) {
+        return each->page->model()->sceneName() == scene;
+    });
+    if (isOpen || !newCase(scene, true)) {
+        showScene(scene);
+    }
+}
+
+bool MainWindow::newCase(const QString& scene, bool isFirst) {
+    const std::vector<NewCase> cases = newCases();
+    const auto first = std::ranges::find_if(cases, [&](const NewCase& each) {
+        return each.scene == scene && each.kind == NewCase::Kind::Empty;
+    });
+    if (first == cases.end() || !documents_->begin(first->make(), {}, isFirst).isEmpty()) {
         return false;
     }
     leaveStart();

@@ -51,8 +51,12 @@ class MainWindow : public QMainWindow {
     /// The same for someone who sits before it: says what is wrong, and of one file asks where a
     /// file is that the case names. Of several the first is opened, the others when they are shown.
     void openOrSayWhy(QStringList paths);
-    /// Begins a case of a scene in a tab of its own. @return false where there is no such scene
-    bool newCase(const QString& scene);
+    /// Shows the open case of a scene, or begins its first.
+    void goToScene(const QString& scene);
+    /// Begins the first case of a scene, one that works.
+    /// @param isFirst  as Documents::begin()
+    /// @return false where there is none
+    bool newCase(const QString& scene, bool isFirst = false);
     /// The same from a case that stays without a file, as an example.
     /// @param context  where the files lie that it names
     /// @return an empty string, or what is wrong

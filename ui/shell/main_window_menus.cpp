@@ -116,7 +116,7 @@ void MainWindow::buildNavigation() {
         // A screen reader toggles the button without a click.
         connect(action, &QAction::toggled, this, [this, name = info.name](bool on) {
             if (on) {
-                showScene(name);
+                goToScene(name);
             }
         });
         addButton(action, Theme::withText(58));
@@ -184,7 +184,7 @@ void MainWindow::buildMenus() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
     QAction* fresh = add(file, QStringLiteral("new"), tr("&New case"), QKeySequence::New,
                          [this] { newCase(currentScene()); });
-    fresh->setToolTip(tr("New case with the first engine (%1)")
+    fresh->setToolTip(tr("New case with placeholder values (%1)")
                           .arg(fresh->shortcut().toString(QKeySequence::NativeText)));
     fresh->setStatusTip(fresh->toolTip());
     newMenu_ = file->addMenu(tr("New case &from"));

@@ -372,7 +372,9 @@ TEST_F(SavingTest, AnExamplesNameDoesNotStickToAnotherEngine) {
     ASSERT_EQ(applySetting(window, QStringLiteral("crank_radius_mm=50")), QString());
     EXPECT_EQ(model().title(), QStringLiteral("Mine"));
     // That of a preset goes with its engine, from the file, too, wherever the shaft stands.
-    ASSERT_TRUE(window.newCase(QStringLiteral("balance-shaft")));
+    const std::vector<NewCase> cases = newCases();
+    const auto preset = std::ranges::find(cases, NewCase::Kind::Preset, &NewCase::kind);
+    ASSERT_EQ(window.newCase(preset->make()), QString());
     ASSERT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=70")), QString());
     typed = QStringList{file("preset.case.json")};
     press(Qt::Key_S);
