@@ -58,6 +58,8 @@ OrderLine order_line(double order, const FourierPair& pair) {
     return {order, std::hypot(pair.a, pair.b), std::atan2(pair.a, pair.b)};
 }
 
+constexpr double usual_bores = 2.0;  ///< of a shaft's length: a crank with its webs takes less
+
 RelievedShaft relieved_shaft(const Input& input, const FrontView& view) {
     RelievedShaft shaft = design_relieved_shaft(relieved_shaft_sizes(input), input.unbalance());
     const double swing = view.shaft_swing_radius;
@@ -70,8 +72,7 @@ RelievedShaft relieved_shaft(const Input& input, const FrontView& view) {
                       "The bar (radius %1) does not fit in the swing circle (radius %2)."),
             in_mm(shaft.diameter / 2.0), in_mm(swing)};
     }
-    constexpr double usual = 2.0;  // a crank with its webs takes less
-    if (shaft.feasible && shaft.length > usual * view.cylinder_bore) {
+    if (shaft.feasible && shaft.length > usual_bores * view.cylinder_bore) {
         const Message length{CORE_TEXT("balance-shaft",
                                        "The relief of %1 is longer than two bores: check the "
                                        "length of the crankcase."),
@@ -276,6 +277,13 @@ void Solver::Prepared::prepare_notes() {
     if (input.relieved_shaft && !base.relieved_shaft.feasible) {
         base.doubts.emplace_back(CORE_TEXT("balance-shaft", "Relieved shaft: %1"),
                                  base.relieved_shaft.reason);
+    }
+    const double length = half_disc_length(view, input.unbalance());
+    if (!input.relieved_shaft && length > usual_bores * view.cylinder_bore) {
+        base.doubts.emplace_back(CORE_TEXT("balance-shaft",
+                                           "A steel half disc of the shaft swing radius must be "
+                                           "%1 long for m₁ ρ₁: more than two bores."),
+                                 Number{length / units::mm, units::mm, 3});
     }
     if (base.inertia_check.consistent && !*base.inertia_check.consistent) {
         base.notes.push_back(base.inertia_check.text);

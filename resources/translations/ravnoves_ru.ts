@@ -15355,8 +15355,8 @@ but no position is feasible</source>
         <translation>лучшее по сумме</translation>
     </message>
     <message>
-        <source>Best place by the %1, the smallest within 1 %: %2 at %3, box %4.</source>
-        <translation>Лучшее место (%1), наименьшее по габариту в пределах 1&#xa0;%: %2 при %3, габарит %4.</translation>
+        <source>Best place, the smallest box with the %1 within 1 % of its minimum: %2 at %3, box %4.</source>
+        <translation>Лучшее место, наименьший габарит (%1 в пределах 1&#xa0;% от минимума): %2 при %3, габарит %4.</translation>
     </message>
 </context>
 <context>

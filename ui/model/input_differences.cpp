@@ -118,8 +118,11 @@ std::vector<InputDifference> inputDifferences(const SceneModel& model, const Jso
                             entry->field.unit == units::none;
         const auto cell = [&](const Json* value) {
             const QString text = shownValue(value, entry, unit.factor, digits);
-            return areNumbers && !isName ? ResultCell(unit.factor * value->get<double>(), text)
-                                         : ResultCell(text);
+            const bool isAngle = entry != nullptr && entry->field.unit == units::degree;
+            return areNumbers && !isName
+                       ? ResultCell(unit.factor * value->get<double>(), text,
+                                    isAngle ? ResultCell::Kind::Direction : ResultCell::Kind::Plain)
+                       : ResultCell(text);
         };
         differences.push_back({pointer, names.name(pointer), unit.name, cell(now), cell(was)});
     };

@@ -57,6 +57,8 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
         field->setObjectName(QLatin1String(name));
         field->setOptional(true);
         field->setIsOfResult(false);
+        constexpr int widest = 96;
+        field->setMaximumWidth(Theme::withText(widest));
         field->setHint(tr("Blank: limit of the tolerance; without a tolerance, the value ± 10 %."));
         label->setBuddy(field);
         choices->addWidget(label);

@@ -141,6 +141,16 @@ TEST(RelievedShaft, IsTheShaftOfMapAndClearances) {
     EXPECT_NEAR(usual.depth, usual.diameter / 2.0, 1e-6 * usual.depth);
     EXPECT_NEAR(usual.length, half_disc.front_view().cylinder_bore, 1e-15);
     EXPECT_NEAR(usual.unbalance, input.unbalance(), 1e-9 * usual.unbalance);
+    // Nor can a shaft of any radius have the unbalance.
+    const auto needs_length = [](const Input& of) {
+        return verdict(solve(of)).text.english().find("more than two bores") != std::string::npos;
+    };
+    EXPECT_FALSE(needs_length(input));
+    Input thin = input;
+    thin.envelope.shaft_swing_radius = half_disc.front_view().shaft_swing_radius / std::cbrt(2.1);
+    EXPECT_TRUE(needs_length(thin));
+    thin.envelope.shaft_swing_radius = half_disc.front_view().shaft_swing_radius / std::cbrt(1.9);
+    EXPECT_FALSE(needs_length(thin));
 
     input.relieved_shaft = RelievedShaftSizes{0.050, std::nullopt, 0.400};
     const Solver bar(input);

@@ -246,7 +246,7 @@ TEST_F(ShaftMapTest, TheButtonGoesToTheBestPlaceThatCanBeBuilt) {
         }
     }
     // What another place would gain stands beside.
-    EXPECT_TRUE(view->words()->text().contains(QStringLiteral("Best place by the weighted sum")))
+    EXPECT_TRUE(view->words()->text().contains(QStringLiteral("with the weighted sum within 1 %")))
         << view->words()->text().toStdString();
 }
 

@@ -78,7 +78,8 @@ QString best(const ShaftMapModel& map) {
     }
     const auto value = [&](const Criteria& criteria) { return valueText(map, criteria); };
     QString text =
-        ShaftMapModel::tr("Best place by the %1, the smallest within 1 %: %2 at %3, box %4.")
+        ShaftMapModel::tr(
+            "Best place, the smallest box with the %1 within 1 % of its minimum: %2 at %3, box %4.")
             .arg(criterionName(map.criterion()), value(best->criteria), whereText(best->position),
                  shownNumber(best->criteria.size, units::cm2, 0));
     if (balance_shaft::sign_as_shown(map.change(best->criteria).value_or(0.0)) > 0) {
