@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "balance-shaft/crank_balance.h"
+#include "balance-shaft/dead_centre.h"
+#include "balance-shaft/engine_torque.h"
 #include "balance-shaft/envelope_study.h"
 #include "balance-shaft/gear_error.h"
 #include "balance-shaft/moments.h"
@@ -422,8 +424,24 @@ void visit_speed_band(ResultVisitor& visitor, const Input& input, const SpeedBan
     });
 }
 
-std::vector<Message> notes_of(const Result& result) {
+/// That the compression line puts the dead centre elsewhere; empty where it does not.
+Message dead_centre_note(const Input& input) {
+    if (input.torque.kind != TorqueSource::Kind::pressure) {
+        return {};
+    }
+    const auto centre = find_dead_centre(slider_crank(input), input.torque.trace);
+    const double period = input.cycle_deg() * degree;
+    return centre && std::abs(std::remainder(centre->shift - input.torque.trace_shift, period)) >
+                         centre->uncertainty
+               ? centre->describe()
+               : Message();
+}
+
+std::vector<Message> notes_of(const Input& input, const Result& result) {
     std::vector<Message> said = result.doubts;
+    if (Message note = dead_centre_note(input); !note.empty()) {
+        said.push_back(std::move(note));
+    }
     said.insert(said.end(), result.notes.begin(), result.notes.end());
     if (!result.assumed_sizes.empty()) {
         said.push_back(result.assumed_sizes);
@@ -453,7 +471,7 @@ void visit_results(ResultVisitor& visitor, const Solver& solver, const Result& r
         visitor.number(key::width, result.envelope.width());
         visitor.number(key::height, result.envelope.height());
     });
-    visitor.texts(notes, [&] { return notes_of(result); });
+    visitor.texts(notes, [&] { return notes_of(solver.input(), result); });
     visit_inertia_check(visitor, result.inertia_check);
     visit_spectrum(visitor, result);
     visit_flywheel(visitor, result.flywheel);

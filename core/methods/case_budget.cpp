@@ -119,10 +119,20 @@ class Question {
     }
 
     void ask_tolerances() {
-        if (file_.study.is_null()) {
-            return;
+        std::vector<studies::Varied> all;
+        if (!file_.study.is_null()) {
+            all = studies::read_study(file_.study, true).vary;
         }
-        for (const studies::Varied& varied : studies::read_study(file_.study, true).vary) {
+        for (const studies::Varied& measured : questions_.measured
+                                                   ? questions_.measured(file_.input, context_)
+                                                   : std::vector<studies::Varied>()) {
+            if (std::ranges::find(all, measured.pointer, &studies::Varied::pointer) == all.end()) {
+                add({Kind::tolerance, measured.pointer},
+                    {solved(with(measured.pointer, measured.from)),
+                     solved(with(measured.pointer, measured.to))});
+            }
+        }
+        for (const studies::Varied& varied : all) {
             const Pointer place(varied.pointer);
             if (varied.spread == studies::Varied::Spread::grid || !file_.input.contains(place) ||
                 !file_.input.at(place).is_number()) {

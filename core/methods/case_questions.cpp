@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "balance-shaft/dead_centre.h"
+#include "balance-shaft/engine_torque.h"
 #include "balance-shaft/method_choices.h"
 #include "balance-shaft/scene.h"
 #include "case-file/field_reader.h"
@@ -10,6 +12,7 @@
 #include "elastic-hinge/scene.h"
 #include "inertia-moments/method_choices.h"
 #include "inertia-moments/scene.h"
+#include "numerics/constants.h"
 #include "numerics/demand.h"
 #include "workshop/older_formats.h"
 
@@ -40,12 +43,33 @@ std::vector<FieldEntry> fields_of(const Json& input) {
     return list_fields(read_fields<Input>(input, Completeness::as_is));
 }
 
+/// The phase of a pressure trace, as its compression line tells the dead centre.
+std::vector<studies::Varied> phase_of_trace(const Json& input, const CaseContext& context) {
+    const balance_shaft::Input read = balance_shaft::read_input(input, context);
+    const balance_shaft::TorqueSource& torque = read.torque;
+    const auto centre = torque.kind == balance_shaft::TorqueSource::Kind::pressure
+                            ? find_dead_centre(slider_crank(read), torque.trace)
+                            : std::nullopt;
+    if (!centre) {
+        return {};
+    }
+    return {{.pointer = "/torque/pressure/crank_angle_shift_deg",
+             .spread = studies::Varied::Spread::uniform,
+             .from = (torque.trace_shift - centre->uncertainty) / degree,
+             .to = (torque.trace_shift + centre->uncertainty) / degree}};
+}
+
 }  // namespace
 
 const CaseQuestions& questions_of(std::string_view scene) {
     static const std::array all{
-        CaseQuestions{"balance-shaft", balance_shaft::leading_results,
-                      fields_of<balance_shaft::Input>, balance_shaft::method_choices},
+        CaseQuestions{"balance-shaft",
+                      balance_shaft::leading_results,
+                      fields_of<balance_shaft::Input>,
+                      balance_shaft::method_choices,
+                      {},
+                      {},
+                      phase_of_trace},
         CaseQuestions{"elastic-hinge", elastic_hinge::leading_results,
                       fields_of<elastic_hinge::Input>, elastic_hinge::method_choices},
         CaseQuestions{"workshop", workshop_results, fields_of<workshop::Input>},

@@ -4,8 +4,10 @@
 #include <string_view>
 #include <vector>
 
+#include "case-file/case_context.h"
 #include "case-file/field_index.h"
 #include "case-file/json_fwd.h"
+#include "studies/study.h"
 
 namespace ravnoves::methods {
 
@@ -20,6 +22,9 @@ struct CaseQuestions {
     // Objects of the result that hold the same by an exact and by an approximate form; or empty.
     std::string_view exact{};
     std::string_view approximate{};
+    /// Inputs that are only as certain as a measurement, each from … to.
+    std::vector<studies::Varied> (*measured)(const Json& input,
+                                             const CaseContext& context) = nullptr;
 };
 
 /// Of a scene by its word in case files.

@@ -14,6 +14,7 @@
 #include "numerics/constants.h"
 #include "scenes/scenes.h"
 #include "support.h"
+#include "temporary_folder.h"
 
 namespace ravnoves::methods {
 namespace {
@@ -77,6 +78,51 @@ TEST(CaseBudget, AnotherChoiceContributesTheDifferenceOfTwoSolutions) {
                        {with(shaft, "/interpolation", "periodic-cubic")});
     const CaseFile hinge = test::example("zotov-energy");
     expect_differences(hinge, Kind::choice, "/kinematics", {with(hinge, "/kinematics", "series")});
+}
+
+/// One degree of it is worth several percent of the work.
+TEST(CaseBudget, ThePhaseOfATraceIsAsCertainAsItsCompressionLine) {
+    CaseFile file = test::example("with-shaft-88x75");
+    constexpr double radius = 37.5;
+    constexpr double rod = 130.0;
+    constexpr double dead = 2.0 * radius / 9.0;  // height of the clearance volume
+    std::string rows = "deg;bar\n";
+    for (int angle = 0; angle <= 720; ++angle) {
+        const double phi = angle * degree;
+        const double gap = radius * (1.0 - std::cos(phi)) + rod -
+                           std::sqrt(rod * rod - std::pow(radius * std::sin(phi), 2.0)) + dead;
+        const bool is_closed = angle > 180 && angle < 540;
+        const double heat =
+            angle > 355 ? 1.0 + 2.0 * (1.0 - std::exp(-std::pow((angle - 355) / 20.0, 2.0))) : 1.0;
+        const double closed = heat * std::pow((2.0 * radius + dead) / gap, 1.34);
+        rows += std::to_string(angle) + ';' + std::to_string(is_closed ? closed : 1.0) + '\n';
+    }
+    const ravnoves::test::TemporaryFolder folder;
+    const auto path = folder.path() / "p.csv";
+    write_text_file(path, rows);
+    file.input["torque"] = {{"pressure", {{"csv", path.string()}}}};
+    const std::string pointer = "/torque/pressure/crank_angle_shift_deg";
+    const auto budget = case_budget(file, {});
+    const auto range = std::ranges::find(budget, "/metrics/M_ups/range_Nm",
+                                         [](const auto& each) { return each.result.pointer; });
+    ASSERT_NE(range, budget.end());
+    const Contribution* phase = find(*range, Kind::tolerance, pointer);
+    ASSERT_NE(phase, nullptr);
+    // By its ± on either side, found here from the change of a tenth of a degree.
+    const auto change = [&](double shift) {
+        return printed(file, with(file, pointer, shift), range->result, range->result.pointer) -
+               *range->result.si;
+    };
+    const double slope = (change(0.1) - change(-0.1)) / 0.2;
+    const double half = *phase->change / std::abs(slope);
+    EXPECT_GT(half, 0.1);
+    EXPECT_LT(half, 2.0);
+    // A tolerance of the user's own takes its place.
+    file.study = {{"vary", {{pointer, {{"plus_minus", 0.25}}}}},
+                  {"watch", {{"/metrics/M_ups/range_Nm", Json::object()}}}};
+    file.input["torque"]["pressure"]["crank_angle_shift_deg"] = 0.0;
+    expect_differences(file, Kind::tolerance, pointer,
+                       {with(file, pointer, -0.25), with(file, pointer, 0.25)});
 }
 
 TEST(CaseBudget, TheApproximateFormContributesItsDifference) {

@@ -197,8 +197,9 @@ QString ImportModel::deadCentreText() const {
 
 bool ImportModel::isShifted() const {
     const auto& found = look_.deadCentre;
-    return found &&
-           shifted_.value_or(found->is_certain() && std::abs(found->shift) > found->uncertainty);
+    constexpr double farOff = 10.0;  // a turn, say, to a degree
+    return found && shifted_.value_or(std::abs(found->shift) >
+                                      (found->is_certain() ? 1.0 : farOff) * found->uncertainty);
 }
 
 QString ImportModel::writeOwnFile(const QString& path) {
