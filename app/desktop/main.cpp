@@ -269,8 +269,8 @@ int main(int argc, char** argv) {
         const QString trouble = ravnoves::writeScreenshot(window, parser.value(screenshotOption));
         return trouble.isEmpty() ? 0 : fail(trouble);
     }
-    if (!QSettings().contains(u"window/geometry"_s)) {
-        // The first window, with its frame and title, fits the screen.
+    if (!window.isMaximized() && !window.isFullScreen()) {
+        // With its frame and title it fits the screen, which may be another than last time.
         const QSize room = window.screen()->availableSize() - QSize(16, 48);
         window.resize(window.size().boundedTo(room));
     }
