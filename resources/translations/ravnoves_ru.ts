@@ -4120,6 +4120,10 @@
         <source>box unchanged</source>
         <translation>габарит без изменений</translation>
     </message>
+    <message>
+        <source>A steel half disc of the shaft swing radius must be %1 long for m₁ ρ₁: more than two bores.</source>
+        <translation>Стальной полудиск с радиусом оборота вала должен для m₁ ρ₁ иметь длину %1: больше двух диаметров цилиндра.</translation>
+    </message>
 </context>
 <context>
     <name>bob-weights</name>

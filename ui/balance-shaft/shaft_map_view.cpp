@@ -230,7 +230,7 @@ void ShaftMapView::fitWords() {
     const bool isNarrow = width() < Theme::withText(500);
     const bool isWide = width() >= Theme::withText(600);
     const bool isCompared = model_->referenceCase().model() != nullptr;
-    const int rows = (isNarrow ? 5 : isWide ? 3 : 4) + (!isCompared ? 0 : isNarrow ? 3 : 1);
+    const int rows = (isNarrow ? 5 : isWide ? 3 : 4) + (!isCompared ? 0 : isNarrow ? 3 : 2);
     wordsRoom_->setFixedHeight(rows * words_->fontMetrics().lineSpacing() + 2);
 }
 

@@ -100,6 +100,8 @@ void EngineForm::addRodLength() {
         [this](std::optional<double> typed) { model_->setRodLength(typed); });
     for (NumberField* each : {ratio, length}) {
         each->setOptional(true);
+        constexpr int digits = 6;  // a ratio that was taken from another engine has many
+        each->setDigits(digits);
     }
     follow([this, ratio, length] {
         const QLocale locale;

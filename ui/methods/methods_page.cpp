@@ -248,11 +248,13 @@ void MethodsPage::showBudget() {
     const bool hasResults = budgetTable_->rowCount() > 0;
     budgetTable_->setVisible(hasResults);
     const CaseFile* file = hasResults ? &budget_->open()->file : nullptr;
-    sayOrHide(caseTitle_,
-              file == nullptr
-                  ? QString()
-                  : tr("%1: %2").arg(sceneTitle(QString::fromStdString(file->scene)),
-                                     SceneModel::titleText(QString::fromStdString(file->title))));
+    const QString scene =
+        file != nullptr ? sceneTitle(QString::fromStdString(file->scene)) : QString();
+    sayOrHide(
+        caseTitle_,
+        file == nullptr || file->title.empty()
+            ? scene
+            : tr("%1: %2").arg(scene, SceneModel::titleText(QString::fromStdString(file->title))));
     const QStringList leftOut = budget_->leftOut();
     sayOrHide(leftOut_, !hasResults ? QString()
                                     : tr("The model leaves out:") + QStringLiteral("\n• ") +

@@ -7,6 +7,7 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "methods/case_questions.h"
 #include "model/background_job.h"
 #include "model/input_differences.h"
 #include "model/scene_model.h"
@@ -184,6 +185,14 @@ void StudyModel::readStudy() {
 std::vector<std::string> StudyModel::results() const {
     std::vector<std::string> found;
     collectNumbers(scene_->resultJson(), {}, found);
+    // What an answer leads with is first.
+    auto next = found.begin();
+    for (const std::string_view leading :
+         methods::questions_of(scene_->sceneName().toStdString()).leading) {
+        if (const auto at = std::find(next, found.end(), leading); at != found.end()) {
+            next = std::rotate(next, at, at + 1);
+        }
+    }
     return found;
 }
 
