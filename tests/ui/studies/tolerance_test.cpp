@@ -729,7 +729,7 @@ TEST_F(Tolerances, ASweepGoesFromOneTypedValueToAnother) {
     scatter("/centre_distance_mm", u"1"_s);
     scatter("/reciprocating_masses_kg/piston", u"1 %"_s);
     watch("/moment_amplitude_Nm");
-    SweepView& view = *const_cast<SweepView*>(tolerances->sweep());
+    SweepView& view = *the<SweepView>();
     showTabOf(&view);
     SweepModel& model = *view.model();
     auto* inputs = test::named<QComboBox>(*tolerances, "sweep_input");
@@ -780,8 +780,8 @@ TEST_F(Tolerances, AToleranceThatIsGoneDoesNotStopASweep) {
     CaseFile file = scene().caseFile();
     file.study["vary"]["/torque/cycle/compression_ratio"] = {{"plus_minus", 0.5}};
     scene().loadFile(file, scene().context(), nullptr);
-    showTabOf(const_cast<SweepView*>(tolerances->sweep()));
-    SweepModel& model = *tolerances->sweep()->model();
+    showTabOf(the<SweepView>());
+    SweepModel& model = *the<SweepView>()->model();
     ASSERT_TRUE(QTest::qWaitFor(
         [&] { return !model.trouble().isEmpty() || (model.sweep() && !model.isStale()); }, 60'000));
     EXPECT_EQ(model.trouble(), QString());
