@@ -161,8 +161,7 @@ Drawing sideBySide(const Drawing& left, const Drawing& right) {
 
 /// The pictures: that of the mechanism is part of the answer, else the first two beside the tabs.
 void addPictures(ScenePage& page, Groups& groups, PageGroup& answer) {
-    constexpr QSize whole(660, 230);
-    constexpr QSize half(whole.width() / 2, whole.height());
+    constexpr QSize half(330, 230);  // of the paper's width
     std::vector<QWidget*> others;
     for (QWidget* picture : page.findChildren<QWidget*>()) {
         if (!isFigure(picture) || isEmptyFigure(picture) ||
@@ -171,9 +170,9 @@ void addPictures(ScenePage& page, Groups& groups, PageGroup& answer) {
         }
         const QString tab = tabOf(picture, page.model()->parts());
         if (!tab.isEmpty()) {
-            groups.at(tab).figures.push_back(drawingOf(picture, whole));
+            groups.at(tab).figures.push_back(drawingOf(picture));
         } else if (qobject_cast<MechanismPicture*>(picture) != nullptr) {
-            answer.figures.push_back(drawingOf(picture, whole));
+            answer.figures.push_back(drawingOf(picture));
         } else {
             others.push_back(picture);
         }
@@ -185,7 +184,7 @@ void addPictures(ScenePage& page, Groups& groups, PageGroup& answer) {
         rest += 2;
     }
     for (; rest != others.end(); ++rest) {
-        groups.at({}).figures.push_back(drawingOf(*rest, whole));
+        groups.at({}).figures.push_back(drawingOf(*rest));
     }
 }
 

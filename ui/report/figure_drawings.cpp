@@ -1,8 +1,10 @@
 #include "report/figure_drawings.h"
 
 #include <QApplication>
+#include <QPicture>
 #include <QPointer>
 #include <QResizeEvent>
+#include <QStackedWidget>
 #include <algorithm>
 
 #include "pictures/figure.h"
@@ -17,6 +19,7 @@ namespace {
 
 constexpr int figureWidth = 660;  ///< pixels, of a plot
 constexpr int narrowWidth = 480;  ///< of one that is high
+constexpr QSize mostOfPicture(660, 270);
 
 /// A cell's text as a fragment of HTML.
 QString cellHtml(const QString& text) {
@@ -41,6 +44,25 @@ void drawAt(QWidget* widget, const QSize& size, Draw&& draw) {
     resize(size);
     draw();
     resize(own);
+}
+
+/// A picture that is not seen has its place only now; a page behind another one has no size.
+void layOut(QWidget* picture) {
+    QWidgetList pages;
+    for (QWidget* each = picture; each->parentWidget() != nullptr; each = each->parentWidget()) {
+        if (qobject_cast<QStackedWidget*>(each->parentWidget()) != nullptr) {
+            pages.prepend(each);
+        }
+    }
+    constexpr int rounds = 4;  // what scrolls, or is as high as its width asks for, follows later
+    for (int round = 0; round < rounds; ++round) {
+        for (QWidget* page : pages) {
+            page->resize(page->parentWidget()->size());
+        }
+        QPicture nothing;
+        picture->render(&nothing);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    }
 }
 
 }  // namespace
@@ -68,6 +90,25 @@ Drawing drawingOf(std::shared_ptr<PlotView> plot) {
             size,
             [plot, size](QPainter& painter) {
                 plot->renderTo(painter, QRectF(QPointF(), QSizeF(size)));
+            }};
+}
+
+Drawing drawingOf(QWidget* picture) {
+    if (!picture->isVisible()) {
+        layOut(picture);
+    }
+    constexpr double larger = 1.4;  // its letters are those of a window
+    const QSize size = picture->size().scaled(mostOfPicture.boundedTo(larger * picture->size()),
+                                              Qt::KeepAspectRatio);
+    return {picture->accessibleName(), picture->accessibleDescription(), size,
+            [picture = QPointer(picture), size](QPainter& painter) {
+                if (picture) {
+                    // Further pictures may have moved it since.
+                    QRectF room(QPointF(),
+                                QSizeF(picture->size()).scaled(size, Qt::KeepAspectRatio));
+                    room.moveCenter(QRectF(QPointF(), size).center());
+                    drawFigure(picture, painter, room);
+                }
             }};
 }
 

@@ -15,7 +15,9 @@ class ResultTable;
 report::Drawing drawingOf(PlotView* plot);
 /// A plot that was made for the report, at its size.
 report::Drawing drawingOf(std::shared_ptr<PlotView> plot);
-/// A picture of the page, at a size of its own.
+/// A picture of the page, in its shape there.
+report::Drawing drawingOf(QWidget* picture);
+/// The same of one that fills any shape.
 report::Drawing drawingOf(QWidget* picture, const QSize& size);
 
 /// A table of results, with its differences and ± below the numbers.
