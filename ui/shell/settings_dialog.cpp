@@ -5,6 +5,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 
 #include "numerics/units.h"
@@ -12,6 +13,7 @@
 #include "text/number_text.h"
 #include "text/preferences.h"
 #include "theme/theme.h"
+#include "widgets/form_section.h"
 #include "widgets/layouts.h"
 #include "workshop/sheets.h"
 
@@ -32,7 +34,7 @@ SettingsDialog::SettingsDialog(QWidget* parent) : QDialog(parent) {
 template <typename Take>
 QComboBox* SettingsDialog::addChoice(const char* name, const QString& label, const QString& hint,
                                      const Choices& choices, const QVariant& present, Take take) {
-    auto* box = new QComboBox(content_);
+    auto* box = new QComboBox(rows_->parentWidget());
     box->setObjectName(QLatin1String(name));
     for (const auto& [text, data] : choices) {
         box->addItem(text, data);
@@ -62,7 +64,8 @@ void SettingsDialog::build() {
     setWindowTitle(tr("Settings"));
     content_ = new QWidget(this);
     layout()->addWidget(content_);
-    rows_ = new QFormLayout(content_);
+    auto* form = new QWidget(content_);
+    rows_ = new QFormLayout(form);
     rows_->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
     rows_->setSpacing(Theme::space);
     Preferences& preferences = Preferences::instance();
@@ -111,13 +114,22 @@ void SettingsDialog::build() {
               [](const QVariant& count) { Preferences::instance().setDigits(count.toInt()); });
 
     addUnits();
-    rows_->addRow(new MachineSettings(content_));
+    rows_->addRow(new MachineSettings(form));
+
+    // With large text all of it may be higher than the screen.
+    QScrollArea* area = scrolled(form, content_);
+    constexpr int besides = 130;  // buttons, title and what a desktop keeps for itself
+    area->setFixedHeight(std::min(form->sizeHint().height() + 2,
+                                  screen()->availableSize().height() - Theme::withText(besides)));
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, content_);
     buttons->button(QDialogButtonBox::Close)->setIcon({});  // black on black in the dark theme
     buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);  // Enter ends an entry
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
-    rows_->addRow(buttons);
+    auto* column = columnIn(content_);
+    column->addWidget(area);
+    buttons->setContentsMargins(Theme::margin, 0, Theme::margin, Theme::margin);
+    column->addWidget(buttons);
     if (auto* again = content_->findChild<QWidget*>(focused);
         again != nullptr && !focused.isEmpty()) {
         again->setFocus();
