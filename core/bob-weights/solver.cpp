@@ -182,7 +182,8 @@ Vector vector_of(const RunResult::InPlane& read) {
 }
 
 /// Whether the run after says that what was drilled did something else than it was to: by more than
-/// half of that and by more than the limit, beyond which it is still.
+/// half of that and by more than the limit, beyond which it is still. Where nothing was drilled, no
+/// more than that of what was there changes.
 std::array<std::optional<OtherEffect>, 2> other_effects(
     const RunResult& before, const RunResult& after,
     const std::optional<std::array<double, 2>>& permissible) {
@@ -200,13 +201,16 @@ std::array<std::optional<OtherEffect>, 2> other_effects(
         is_in_other_plane =
             is_in_other_plane && std::abs(is - was - meant[1 - i]) <= std::max(0.5 * most, limit);
         const Vector expected = was + meant[i];
-        if (meant[i] == 0.0 || std::abs(is) <= limit ||
-            std::abs(is - expected) <= std::max(0.5 * std::abs(meant[i]), limit)) {
+        const bool is_drilled = meant[i] != 0.0;
+        const double whole = std::abs(is_drilled ? meant[i] : was);
+        if ((is_drilled && std::abs(is) <= limit) ||
+            std::abs(is - expected) <= std::max(0.5 * whole, limit)) {
             continue;
         }
-        const double along = std::real((is - was) / meant[i]);
         found[i] = {std::abs(expected), turn_of(std::arg(expected)),
-                    along < -0.5 && std::abs(is) > std::abs(was), false};
+                    is_drilled && std::real((is - was) / meant[i]) < -0.5 &&
+                        std::abs(is) > std::abs(was),
+                    false};
     }
     for (auto& each : found) {
         if (each) {

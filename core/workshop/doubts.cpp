@@ -430,12 +430,17 @@ Messages drilled_counting_otherwise(const DoubtCase& job) {
 
 Messages drilled_otherwise(const DoubtCase& job) {
     Messages list;
-    for (std::size_t i = 0; job.shaft.newest() != nullptr && i < 2; ++i) {
-        const auto& other = job.shaft.newest()->other_effect[i];
+    const auto& runs = job.shaft.runs;
+    for (std::size_t i = 0; runs.size() > 1 && i < 2; ++i) {
+        const auto& other = runs.back().other_effect[i];
         if (other) {
-            const auto& now = (*job.shaft.newest()->planes)[i];
+            const auto& now = (*runs.back().planes)[i];
             list.emplace_back(
-                other->is_in_other_plane
+                runs[runs.size() - 2].drilled[i].empty() && !other->is_in_other_plane
+                    ? CORE_TEXT("workshop",
+                                "%1: %2 instead of %3, but no hole is recorded. Enter the holes "
+                                "drilled, or check crankshaft and machine.")
+                : other->is_in_other_plane
                     ? CORE_TEXT("workshop",
                                 "%1: residual %2 after drilling instead of %3, as if the holes "
                                 "were in the other plane. Enter the actual plane of each hole.")

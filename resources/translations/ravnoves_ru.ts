@@ -18445,5 +18445,9 @@ but no position is feasible</source>
         <source>%1: enter the drilling sector, or 0 to 360° for a whole rim.</source>
         <translation>%1: введите сектор сверления или 0 и 360° для целого обода.</translation>
     </message>
+    <message>
+        <source>%1: %2 instead of %3, but no hole is recorded. Enter the holes drilled, or check crankshaft and machine.</source>
+        <translation>%1: %2 вместо %3, но сверления не записаны. Введите просверленные отверстия или проверьте коленвал и станок.</translation>
+    </message>
 </context>
 </TS>

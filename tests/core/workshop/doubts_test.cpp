@@ -199,6 +199,23 @@ TEST(Doubts, OfADrillingFindHolesInTheOtherPlane) {
     EXPECT_FALSE(expected().at("drilling_acted_in_other_plane").get<bool>());
 }
 
+TEST(Doubts, StopWhereUnbalanceVanishesWithoutAHole) {
+    Json input = card();
+    Json& correction = input["correction"];
+    correction["earlier_runs"] =
+        Json::array({{{"readings", Json::parse(R"([{"unbalance_g_mm": 4630, "angle_deg": 116},
+                                                   {"unbalance_g_mm": 90, "angle_deg": 200}])")},
+                      {"drilled", Json::array()}}});
+    correction["readings"] = Json::parse(R"([{"unbalance_g_mm": 77, "angle_deg": 33},
+                                             {"unbalance_g_mm": 80, "angle_deg": 190}])");
+    const Json doubts = solved(input).at("doubts");
+    ASSERT_EQ(doubts.size(), 1U) << doubts.dump(1);
+    EXPECT_EQ(doubts[0].at("kind"), "drilled-otherwise");
+    // Measured once more, it is what it was.
+    correction["readings"][0] = {{"unbalance_g_mm", 4500}, {"angle_deg", 117}};
+    EXPECT_TRUE(solved(input).at("doubts").empty()) << solved(input).at("doubts").dump(1);
+}
+
 TEST(Doubts, NameThePlanesAsTheMachineDoes) {
     Json input = card();
     Json& plane = input["correction"]["planes"][0];

@@ -1355,7 +1355,9 @@ TEST_F(JobPageTest, WhatIsDrilledStaysInSight) {
     EXPECT_EQ(shown(), planned);
     // The picture has them where nothing is to be drilled, too.
     const auto picture = [this] {
-        return page.findChild<PlaneView*>(u"plane_1"_s)->grab().toImage();
+        auto* view = page.findChild<PlaneView*>(u"plane_1"_s);
+        view->resize(300, 250);  // whatever room the verdict leaves
+        return view->grab().toImage();
     };
     type("run_1_unbalance_1", u"1"_s);
     const QImage drawn = picture();
