@@ -255,7 +255,7 @@ std::optional<double> mass_of(const Input& input, const PartField& part) {
     return column ? shop::statistics(*column)->mean : input.parts.*part.member;
 }
 
-std::vector<Message> not_counted(const Input& input) {
+std::vector<Message> not_counted(const Input& input, bool with_replaced) {
     std::vector<Message> list;
     for (const PartField& part : part_fields()) {
         const auto& typed = input.parts.*part.member;
@@ -263,7 +263,7 @@ std::vector<Message> not_counted(const Input& input) {
             continue;
         }
         if (is_weighed(input, part)) {
-            if (typed) {
+            if (typed && with_replaced) {
                 list.emplace_back(
                     CORE_TEXT("bob-weights", "%1: the weighed masses replace the typed %2."),
                     shop::part_word(*part.column).label, shop::in_grams(*typed));

@@ -169,7 +169,7 @@ void visit_sheet(FieldVisitor& visitor, WeighIn& sheet, const Field& numbering, 
 void check_weighed(const WeighIn& sheet, bool nominal_needed) {
     for (const Part part : all_parts) {
         const PartColumn& column = sheet[part];
-        if (!column.is_begun()) {
+        if (!column.is_begun() || (column.is_empty() && !nominal_needed)) {
             continue;
         }
         const std::string place = "/input/weigh_in/" + std::string(part_word(part).word) + "/";

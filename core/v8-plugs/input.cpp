@@ -118,12 +118,12 @@ double rounding_squares(const Input& input) {
     return sum;
 }
 
-std::vector<Message> not_counted(const Input& input) {
+std::vector<Message> not_counted(const Input& input, bool with_replaced) {
     std::vector<Message> list;
     const bool weighs = input.changes_from_weigh_in && input.weigh_in;
     for (const MassChangeField& each : mass_change_fields()) {
         const double typed = input.typed_changes.*each.member;
-        if (typed == 0.0) {
+        if (typed == 0.0 || (!with_replaced && !input.takes_typed(each.member))) {
             continue;
         }
         const Number grams = shop::in_grams(typed);

@@ -93,7 +93,8 @@ double rounding_squares(const Input& input);
 
 /// What is typed or weighed and does not count, and what is typed and counts beside weights; a
 /// sentence for each.
-std::vector<Message> not_counted(const Input& input);
+/// @param with_replaced  also what weighed masses replace
+std::vector<Message> not_counted(const Input& input, bool with_replaced = true);
 
 /// Checks that nothing which a result needs is missing, and the rules that join fields.
 /// @param place  of the method's fields, "/input/" or the object in it

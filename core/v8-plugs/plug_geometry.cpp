@@ -128,6 +128,7 @@ Boring plan_boring(const PlugGeometry& plug, const BoreLimits& limits, double re
 
     Boring boring;
     boring.cuts = reduction > 0.0;
+    boring.is_wider = wider;
     if (volume < ring * plug.bore_depth) {
         boring.depth = volume / ring;  // a wider mouth of the bore that is there is enough
     } else {
@@ -198,7 +199,7 @@ Message describe(const Boring& boring, const BoreLimits& limits) {
         case Boring::Limit::none:
             break;
     }
-    if (boring.deeper > 0.0 && boring.deeper < boring.depth) {
+    if (!boring.is_wider && boring.deeper > 0.0 && boring.deeper < boring.depth) {
         return {CORE_TEXT("V8", "Bore %1 deeper with a cutter of %2, to %3 from the face."),
                 millimetres(boring.deeper), cutter, depth};
     }

@@ -71,6 +71,7 @@ struct Boring {
         bottom  ///< the bore would leave too thin a bottom
     };
     bool cuts = false;           ///< there is something to cut
+    bool is_wider = false;       ///< the cutter than the bore: it cuts from the face on
     double depth = 0.0;          ///< from the outer face, m
     double deeper = 0.0;         ///< depth less the depth that is there (0 for a wider cutter), m
     double wall = 0.0;           ///< left between bore and thread root, m

@@ -485,13 +485,14 @@ bool is_by_grade(const DoubtCase& job) {
     return job.input.tolerance && job.input.tolerance->by_grade;
 }
 
-/// A crankshaft weighs more than the weights on it, and not a hundred times as much.
+/// A crankshaft weighs more than the weights on it, and not many times as much: flywheels may be
+/// pressed onto that of one or two cylinders.
 Messages rotor_mass(const DoubtCase& job) {
     const auto& mass = is_by_grade(job) ? job.input.tolerance->rotor_mass : std::nullopt;
     if (!mass) {
         return {};
     }
-    constexpr double most = 100.0;
+    const double most = job.input.engine.cylinders > 2 ? 25.0 : 100.0;
     const double weights = job.shaft.bob_weight.value_or(0.0) * job.input.engine.crankpins();
     const Number shown{*mass, units::kg, 0};
     if (shop::is_mass_in_grams(mass) || (weights > 0.0 && *mass > most * weights)) {
@@ -552,11 +553,15 @@ Messages bearings(const DoubtCase& job) {
     return {};
 }
 
+std::optional<double> crank_radius(const DoubtCase& job) {
+    return job.plugs_input != nullptr ? job.plugs_input->engine.crank_radius
+           : job.input.weigh_in       ? job.input.weigh_in->matching.crank_radius
+                                      : std::nullopt;
+}
+
 /// A counterweight reaches about as far as the crankpin, and never three times as far.
 Messages plane_radius(const DoubtCase& job) {
-    const auto crank = job.plugs_input != nullptr ? job.plugs_input->engine.crank_radius
-                       : job.input.weigh_in       ? job.input.weigh_in->matching.crank_radius
-                                                  : std::nullopt;
+    const auto crank = crank_radius(job);
     Messages list;
     if (!job.input.correction || !crank) {
         return list;
@@ -584,8 +589,26 @@ const std::vector<bob_weights::Plane>* both_planes(const DoubtCase& job, auto ha
                : nullptr;
 }
 
-/// Of two counterweights neither reaches twice as far as the other.
+/// Of two counterweights neither reaches twice as far as the other; nor does one of an engine with
+/// light parts reach far.
 Messages unlike_radii(const DoubtCase& job) {
+    constexpr double light = 5.0 * units::kg;
+    constexpr double far = 120.0 * units::mm;
+    Messages list;
+    for (std::size_t i = 0; !crank_radius(job) && job.input.correction && i < 2; ++i) {
+        const auto& radius = job.input.correction->planes.size() > i
+                                 ? job.input.correction->planes[i].radius
+                                 : std::nullopt;
+        if (radius && *radius > far && job.shaft.bob_weight.value_or(light) < light) {
+            list.emplace_back(CORE_TEXT("workshop",
+                                        "%1: a drilling radius of %2 is unusual for such a bob "
+                                        "weight. Enter the radius, not the diameter."),
+                              plane_name(job, i), millimetres(*radius));
+        }
+    }
+    if (!list.empty()) {
+        return list;
+    }
     const auto* planes = both_planes(job, [](const auto& plane) { return plane.radius; });
     constexpr double most = 1.8;
     if (planes == nullptr || !differ(*(*planes)[0].radius, *(*planes)[1].radius, most) ||
@@ -606,6 +629,34 @@ Messages plane_order(const DoubtCase& job) {
                        "%1 at %2 is not before %3 at %4. Check the positions of the planes."),
              plane_name(job, 0), millimetres(*(*planes)[0].position), plane_name(job, 1),
              millimetres(*(*planes)[1].position)}};
+}
+
+/// A machine may show grams at the drilling radius: such a number is far below a limit in g·mm.
+Messages reading_in_grams(const DoubtCase& job) {
+    constexpr double far_below = 0.25;
+    const auto* planes = both_planes(job, [](const auto& plane) { return plane.radius; });
+    const auto& limits = job.shaft.permissible;
+    if (planes == nullptr || !limits || job.shaft.runs.size() != 1 ||
+        job.input.correction->readings.size() != 2) {
+        return {};
+    }
+    bool fails_as_grams = false;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto& read = job.input.correction->readings[i].unbalance;
+        if (!read || *read > far_below * (*limits)[i]) {
+            return {};
+        }
+        const double as_grams = *read / units::gram_mm * units::gram * *(*planes)[i].radius;
+        fails_as_grams = fails_as_grams || as_grams > (*limits)[i];
+    }
+    if (!fails_as_grams) {
+        return {};
+    }
+    return {
+        {CORE_TEXT("workshop",
+                   "The first readings are far below the limit. If the machine shows grams, "
+                   "enter them with their unit: %1."),
+         Number{*job.input.correction->readings[0].unbalance / units::gram_mm, units::gram, 0}}};
 }
 
 Messages amplification(const DoubtCase& job) {
@@ -694,6 +745,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"other-bob-weight", error, judged, "", other_readings<false>},
         {"beside-planes", error, verdict_alone, "", beside_planes},
         {"rotor-mass", error, judged, "", rotor_mass},
+        {"great-reading", error, judged, "", great_reading},
         {"service-speed", error, judged, "", service_speed},
         {"bearings", error, judged, "", bearings},
         {"drilled-at-light-spot", error, judged, "", drilled_at_light_spot},
@@ -710,7 +762,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"unlike-radii", warning, nothing, "", unlike_radii},
         {"plane-order", warning, nothing, "", plane_order},
         {"amplification", warning, nothing, "", amplification},
-        {"great-reading", warning, nothing, "", great_reading},
+        {"reading-in-grams", warning, nothing, "", reading_in_grams},
         {"drill-size", warning, nothing, "", drill_size},
         {"beyond-sector", warning, nothing, "", beyond_sector},
         {"all-round", warning, nothing, "", all_round},

@@ -89,7 +89,7 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
     visit_balancing(visitor, input, result.shaft);
 }
 
-Verdict verdict(const Input& input, const Result& result) {
+Verdict verdict(const Input& input, const Result& result, bool names_warnings) {
     const auto blocking = std::find_if(result.doubts.begin(), result.doubts.end(),
                                        [](const Doubt& each) { return each.rule->blocks.any(); });
     if (blocking != result.doubts.end()) {
@@ -104,10 +104,15 @@ Verdict verdict(const Input& input, const Result& result) {
                 CORE_TEXT("workshop", "Enter the missing values of engine and parts.")};
     }
     Verdict verdict = undoubted(input, result);
+    bool has_warnings = false;
     for (const Doubt& doubt : result.doubts) {
         if (doubt.rule->severity == Severity::warning) {
-            verdict.warn(doubt.text);
+            has_warnings = true;
+            verdict.warn(names_warnings ? doubt.text : Message());
         }
+    }
+    if (has_warnings && !names_warnings) {
+        verdict.warn(CORE_TEXT("workshop", "See the warnings."));
     }
     return verdict;
 }

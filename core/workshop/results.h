@@ -19,6 +19,7 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
 
 /// Of the job, also of a sheet half filled: STOP where a doubt blocks something, else pass or fail,
 /// else what to hang.
-Verdict verdict(const Input& input, const Result& result);
+/// @param names_warnings  or it says no more than that there are any
+Verdict verdict(const Input& input, const Result& result, bool names_warnings = true);
 
 }  // namespace ravnoves::workshop

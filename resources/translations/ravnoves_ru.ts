@@ -376,6 +376,10 @@
         <source>centrifugal force %1 at %2</source>
         <translation>центробежная сила %1 при %2</translation>
     </message>
+    <message>
+        <source>The bob weight is unknown. Enter the parts, or check the bob weights on the crankpins before drilling.</source>
+        <translation>Балансировочный груз неизвестен. Введите детали или проверьте грузы на шейках до сверления.</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -4265,7 +4269,7 @@
     </message>
     <message>
         <source>Read at</source>
-        <translation>Измерено в</translation>
+        <translation>Плоскость измерения</translation>
     </message>
     <message>
         <source>the plane</source>
@@ -4821,7 +4825,7 @@
     </message>
     <message>
         <source>whole rim</source>
-        <translation>весь обод</translation>
+        <translation>вся окружность</translation>
     </message>
     <message>
         <source>End of the sector, towards larger angles.</source>
@@ -13878,6 +13882,14 @@ but no position is feasible</source>
         <source>“%1” was read as %2. Type %3 if that is meant.</source>
         <translation>«%1» прочитано как %2. Если имеется в виду %3, введите это число.</translation>
     </message>
+    <message>
+        <source>Grams need the drilling radius of the plane: enter it first.</source>
+        <translation>Для граммов нужен радиус сверления плоскости: введите сначала его.</translation>
+    </message>
+    <message>
+        <source>“%1” at a radius of %2: %3.</source>
+        <translation>«%1» на радиусе %2: %3.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::OrdersView</name>
@@ -17024,10 +17036,6 @@ but no position is feasible</source>
         <translation>Просверлите отверстия и измерьте снова.</translation>
     </message>
     <message>
-        <source>Kept: engine, plugs, factor, machine, planes, drills and limits.</source>
-        <translation>Сохранены: двигатель, заглушки, коэффициент, станок, плоскости, свёрла и пределы.</translation>
-    </message>
-    <message>
         <source>Sludge-trap plugs</source>
         <translation>Заглушки грязеуловителей</translation>
     </message>
@@ -17270,6 +17278,10 @@ but no position is feasible</source>
     <message>
         <source>Enter the permissible residual.</source>
         <translation>Введите допустимый остаточный дисбаланс.</translation>
+    </message>
+    <message>
+        <source>Kept: engine, nominal masses, plugs, factor, machine, planes, drills and limits.</source>
+        <translation>Сохранены: двигатель, номинальные массы, заглушки, коэффициент, станок, плоскости, свёрла и допуски.</translation>
     </message>
 </context>
 <context>
@@ -18443,7 +18455,19 @@ but no position is feasible</source>
     </message>
     <message>
         <source>%1: enter the drilling sector, or 0 to 360° for a whole rim.</source>
-        <translation>%1: введите сектор сверления или 0 и 360° для целого обода.</translation>
+        <translation>%1: введите сектор сверления или 0 и 360° для всей окружности.</translation>
+    </message>
+    <message>
+        <source>The first readings are far below the limit. If the machine shows grams, enter them with their unit: %1.</source>
+        <translation>Первые показания намного меньше допуска. Если станок показывает граммы, вводите их с единицей: %1.</translation>
+    </message>
+    <message>
+        <source>See the warnings.</source>
+        <translation>См. предупреждения.</translation>
+    </message>
+    <message>
+        <source>%1: a drilling radius of %2 is unusual for such a bob weight. Enter the radius, not the diameter.</source>
+        <translation>%1: радиус сверления %2 необычен для такого груза. Введите радиус, а не диаметр.</translation>
     </message>
     <message>
         <source>%1: %2 instead of %3, but no hole is recorded. Enter the holes drilled, or check crankshaft and machine.</source>

@@ -241,10 +241,11 @@ bool isMassUnit(const QString& unit) {
 namespace {
 
 /// A decimal comma whose fraction ends in 0 is hardly one: "8,10" is 8 and 10, or 8.1.
-void refuseEitherNumbers(const QString& word, const Message& where) {
-    static const QRegularExpression either(QStringLiteral("^([-−+]?\\d+)[,б](\\d*0)(?!\\d)"));
+/// @param isUsual  only then
+void refuseEitherNumbers(const QString& word, const Message& where, bool isUsual) {
+    static const QRegularExpression either(QStringLiteral("^([-−+]?\\d+)[,б](\\d+)(?!\\d)"));
     const auto match = either.match(word);
-    if (!match.hasMatch()) {
+    if (!match.hasMatch() || (isUsual && !match.captured(2).endsWith(QLatin1Char('0')))) {
         return;
     }
     static const QRegularExpression leading(QStringLiteral("^0+(?=\\d)"));
@@ -272,8 +273,10 @@ std::vector<double> readNumberList(const QString& typed, const Field& field, con
     const ShownUnit shown = shownUnit(field);
     std::vector<double> values;
     for (const QString& word : whole.split(between, Qt::SkipEmptyParts)) {
-        refuseEitherNumbers(word, where);
         auto value = readTypedNumber(word, shown.name).value;
+        refuseEitherNumbers(
+            word, where,
+            named == nullptr || !value || named->is_usual(*value / shown.factor * field.unit));
         const auto si = named != nullptr ? named->find(word.toStdString()) : std::nullopt;
         if (si) {
             value = rounded_to_digits(from_si(field, *si), exact);

@@ -45,6 +45,7 @@ bool isMassUnit(const QString& unit);
 struct NamedNumbers {
     std::optional<double> (*find)(std::string_view word);  ///< SI; nothing for another word
     Text allowed;                                          ///< the rule for the list
+    bool (*is_usual)(double si);  ///< or its decimal comma may be between two numbers
 };
 
 /// Reads numbers one after the other, in the unit that the field is shown in: between them are

@@ -70,7 +70,20 @@ NumberField::Reading NumberField::read(const QString& typed) const {
     if (typed.isEmpty()) {
         return {{}, optional_ ? QString() : tr("Enter a value: %1.").arg(rangeText(range_, unit_))};
     }
-    const auto [number, trouble] = readTypedFormula(typed, unit_);
+    auto [number, trouble] = readTypedFormula(typed, unit_);
+    QString howRead;
+    if (const auto mass = !number && lever_
+                              ? readTypedFormula(typed, unitText(units::gram.name)).value
+                              : std::nullopt) {
+        const auto lever = lever_();
+        if (!lever) {
+            return {{}, tr("Grams need the drilling radius of the plane: enter it first.")};
+        }
+        number = shown(*mass * units::gram * *lever / units::gram_mm);
+        howRead = tr("“%1” at a radius of %2: %3.")
+                      .arg(typed, shownNumber(*lever, units::mm, 1),
+                           shownNumber(*mass * units::gram * *lever, units::gram_mm, 1));
+    }
     if (!number) {
         return {{}, trouble.isEmpty() ? notANumberText(typed) : trouble};
     }
@@ -97,10 +110,11 @@ NumberField::Reading NumberField::read(const QString& typed) const {
                 ? *number
                 : std::clamp(rounded_to_digits(*number / factor_, digits), own_.min, own_.max),
             {},
-            isEither ? tr("“%1” was read as %2. Type %3 if that is meant.")
-                           .arg(typed, shownFormNumber(*number, locale(), digits),
-                                shownFormNumber(thousand, locale(), digits))
-                     : QString()};
+            !howRead.isEmpty() ? howRead
+            : isEither         ? tr("“%1” was read as %2. Type %3 if that is meant.")
+                             .arg(typed, shownFormNumber(*number, locale(), digits),
+                                  shownFormNumber(thousand, locale(), digits))
+                       : QString()};
 }
 
 QString NumberField::written() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "case-file/field.h"
@@ -30,6 +31,9 @@ class NumberField : public ValueEntry<std::optional<double>> {
     }
     /// Says how a text was read that may mean thousands: "1.100" as 1.1.
     void setSaysHowRead(bool says) { saysHowRead_ = says; }
+    /// Of an unbalance: a mass may be typed instead, at so far from the axis; empty where that is
+    /// not known yet.
+    void setLever(std::function<std::optional<double>()> lever) { lever_ = std::move(lever); }
     /// The arrows up and down go so much on; 0: they do nothing.
     void setStep(double step) { step_ = step; }
     /// The unit that the text is in, where it is given by itself.
@@ -66,6 +70,7 @@ class NumberField : public ValueEntry<std::optional<double>> {
     QString unit_;         ///< as shown
     double factor_ = 1.0;  ///< numbers shown per number of the value
     int digits_ = 10;
+    std::function<std::optional<double>()> lever_;
     std::optional<int> decimals_;
     std::optional<int> places_;
     double step_ = 0.0;

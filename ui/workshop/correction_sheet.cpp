@@ -64,9 +64,11 @@ CorrectionSheet::CorrectionSheet(WorkshopModel* model, QWidget* parent)
 
 void CorrectionSheet::buildDrills() {
     static constexpr NamedNumbers drills{
-        named_drill, CORE_TEXT("bob-weights",
-                               "must be mm, #1 to #60, A to Z or inches such as 1/4, with "
-                               "semicolons between them")};
+        named_drill,
+        CORE_TEXT("bob-weights",
+                  "must be mm, #1 to #60, A to Z or inches such as 1/4, with "
+                  "semicolons between them"),
+        is_usual_drill};
     section(tr("Available drills"));
     numberList(
         field::diameters,
@@ -213,7 +215,7 @@ void CorrectionSheet::addHoleRow() {
     auto* name = new QLabel(this);
     name->setFont(Theme::font(Theme::smallSize));
     name->setWordWrap(true);
-    name->setMaximumWidth(Theme::withText(66));
+    name->setMaximumWidth(Theme::withText(90));
     const auto change = [this, row](const QString& step,
                                     const std::function<void(DrilledHole&)>& mutate) {
         const auto places = holePlaces(model_->input());
@@ -247,7 +249,9 @@ void CorrectionSheet::addHoleRow() {
     const auto numberOf = [&](const Field& field, double DrilledHole::*member, const char* key) {
         NumberField* made = cell(
             field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(row + 1), fieldName(field));
-        made->setMinimumWidth(Theme::withText(52));
+        made->setMinimumWidth(Theme::withText(50));
+        constexpr int seen = 5;  // of an angle that was planned
+        made->setDigits(seen);
         // Where it is, as the other tables have it; the record keeps where it was planned.
         const auto turned = [isAngle = member == &DrilledHole::angle](const DrilledHole& hole,
                                                                       double value) {
@@ -269,7 +273,7 @@ void CorrectionSheet::addHoleRow() {
     };
     NumberField* depth = numberOf(field::drilled_depth, &DrilledHole::depth, "drilled_depth");
     NumberField* angle = numberOf(field::drilled_angle, &DrilledHole::angle, "drilled_angle");
-    QComboBox* plane = choiceOf(field::drilled_plane, "drilled_plane", {QString(), QString()}, 68);
+    QComboBox* plane = choiceOf(field::drilled_plane, "drilled_plane", {QString(), QString()}, 64);
     bind(
         plane,
         [this, row] {
@@ -284,7 +288,7 @@ void CorrectionSheet::addHoleRow() {
     for (const Word& word : state_words) {
         states << shownText(word.label);
     }
-    QComboBox* state = choiceOf(field::drilled_state, "drilled_state", states, 126);
+    QComboBox* state = choiceOf(field::drilled_state, "drilled_state", states, 118);
     bind(
         state,
         [this, row] {
@@ -325,6 +329,7 @@ void CorrectionSheet::addEarlierHole() {
     QDialog dialog(this);
     dialog.setObjectName(QStringLiteral("earlier_hole"));
     dialog.setWindowTitle(tr("Hole that was there before"));
+    dialog.setMinimumWidth(Theme::withText(360));  // its title is seen whole
     auto* column = new QVBoxLayout(&dialog);
     auto* form = new FormSection({}, &dialog);
     column->addWidget(form);

@@ -217,6 +217,14 @@ void MachineSheet::buildRuns() {
                 NumberField* made = ordered(
                     cell(field, run == 0 ? key : QStringLiteral("run_%1_").arg(run) + key, name));
                 readings_ << made;
+                if (!isAngle) {
+                    made->setLever([this, plane]() -> std::optional<double> {
+                        const auto& correction = model_->input().correction;
+                        return correction && plane < correction->planes.size()
+                                   ? correction->planes[plane].radius
+                                   : std::nullopt;
+                    });
+                }
                 made->setMinimumWidth(Theme::withText(60));
                 if (run > 0) {
                     made->setPlaceholderText({});

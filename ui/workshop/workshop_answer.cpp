@@ -2,6 +2,8 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 #include <algorithm>
 #include <array>
@@ -222,7 +224,12 @@ void WorkshopAnswer::showAnswer() {
                          : !known  ? &Theme::mutedText
                          : isStale ? &Theme::warning
                                    : &Theme::text);
-    const VerdictKind kind = verdictKind(model_->verdictNow());
+    const QString verdict = model_->verdictNow();
+    if (auto* area = qobject_cast<QScrollArea*>(parentWidget()->parentWidget());
+        std::exchange(verdict_, verdict) != verdict && area != nullptr) {
+        area->verticalScrollBar()->setValue(0);  // another verdict is to be seen
+    }
+    const VerdictKind kind = verdictKind(verdict);
     QLabel* correction = said_.at("correction");
     correction->setFont(
         Theme::font(kind == VerdictKind::None ? Theme::titleSize : Theme::displaySize, !isStale));

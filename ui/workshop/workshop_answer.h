@@ -55,6 +55,7 @@ class WorkshopAnswer : public QWidget {
     QWidget* force_ = nullptr;
     QWidget* plugPlots_ = nullptr;
     bool isOfMachine_ = false;
+    QString verdict_;  ///< shown last
 };
 
 }  // namespace ravnoves

@@ -330,7 +330,7 @@ double WorkshopCard::head(CardPage& page, double y) const {
     const workshop::Input& input = model_.input();
     page.text(cardLeft, y, cardWidth * 0.7, words_.translate("BobWeights", "Job card: balancing"),
               14, Qt::AlignLeft, true);
-    const QString engine = input.plugs
+    const QString engine = input.plugs && !input.plugs->engine.name.empty()
                                ? words_.translate("JobCard", "V-8 engine: %1")
                                      .arg(v8_text::engineName(words_, input.plugs->engine.name))
                                : WorkshopModel::engineName(words_, input.engine);

@@ -340,7 +340,9 @@ void WorkshopPage::goOn(QWidget* from) {
             continue;
         }
         for (qsizetype next = at + 1; next < order.size(); ++next) {
-            if (order.at(next)->isEnabled() && order.at(next)->isVisibleTo(sheets_)) {
+            // What is typed once is not between what is weighed.
+            const bool isSkipped = isTypedAlone(order.at(next)) && !isTypedAlone(from);
+            if (!isSkipped && order.at(next)->isEnabled() && order.at(next)->isVisibleTo(sheets_)) {
                 order.at(next)->setFocus(Qt::TabFocusReason);
                 return;
             }

@@ -149,6 +149,8 @@ inline const std::map<std::string_view, DoubtedJob>& doubted() {
            {"/correction/planes/0/from_deg", 40},
            {"/correction/planes/0/to_deg", 120}}}},
         {"great-reading", {card, {{"/correction/readings/0/unbalance_g_mm", 85'000}}}},
+        {"reading-in-grams",
+         {card, {{"/correction/readings", Json::array({read(35, 120), read(20, 250)})}}}},
         {"drill-size", {card, {{"/correction/drill/diameters_mm", {10.12, 12.7, 9.53, 8.25}}}}},
         {"all-round",
          {card,

@@ -121,6 +121,17 @@ INSTANTIATE_TEST_SUITE_P(Of, EveryDoubt,
                              return name;
                          });
 
+TEST(Doubts, OfADiameterNeedNoCrankRadius) {
+    Json input = card();
+    for (Json& plane : input["correction"]["planes"]) {
+        plane["radius_mm"] = 156;
+    }
+    const Json doubts = solved(input).at("doubts");
+    ASSERT_EQ(doubts.size(), 2U) << doubts.dump(1);
+    EXPECT_EQ(doubts[0].at("kind"), "unlike-radii");
+    EXPECT_NE(doubts[1].at("text").get<std::string>().find("not the diameter"), std::string::npos);
+}
+
 TEST(Doubts, OfThePapersPlugAreSaidBesideAPass) {
     Json input = doubted().at("paper-plug")();
     for (Json& reading : input["correction"]["readings"]) {

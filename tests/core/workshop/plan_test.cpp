@@ -473,8 +473,8 @@ TEST(Plan, AdvisesWhatHelps) {
         // Across the holes, or without any, no depth helps.
         {130, 200, 3000, "The opposite side is outside the sector too: widen the sector"},
         {130, 230, 3000, "Press in heavy metal opposite, or"},
-        {10, 70, 90'000, "The opposite side is outside the sector too: drill deeper or wider"},
-        {10, 230, 90'000, "Press in heavy metal opposite, drill deeper or wider"},
+        {10, 70, 29'000, "The opposite side is outside the sector too: drill deeper or wider"},
+        {10, 230, 29'000, "Press in heavy metal opposite, drill deeper or wider"},
     };
     for (const Row& row : rows) {
         Json input = card();

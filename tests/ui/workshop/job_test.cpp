@@ -350,7 +350,8 @@ TEST_F(JobPageTest, ReadingsBecomeHoles) {
     ASSERT_TRUE(model->solution().correction);
     EXPECT_EQ(rowsOf("The correction planes"), 4) << "a row for each quantity that is known";
     EXPECT_EQ(rowsOf("Holes and slugs"), 2);
-    EXPECT_TRUE(label("troubles").isEmpty()) << label("troubles").toStdString();
+    EXPECT_EQ(label("troubles").count(u"enter the drilling sector"_s), 2);
+    EXPECT_EQ(label("troubles").count(u'\n'), 1) << label("troubles").toStdString();
     const Hole& hole = (*model->solution().correction)[0].holes.at(0);
     EXPECT_NEAR(hole.angle, 75 * degree, 1e-9);
     // Another drill: a word that is none is refused, the drills before it stay.
@@ -720,7 +721,7 @@ TEST_F(JobPageTest, APassBesideAWarningSaysSoOnPageCardAndInTheJournal) {
     EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
     type("diameters_mm", u"9.87"_s);
     EXPECT_EQ(model->verdictShown()->severity, Severity::warning);
-    EXPECT_TRUE(label("verdict").contains(u"A drill of 9.87 mm is unusual."_s));
+    EXPECT_TRUE(label("troubles").contains(u"A drill of 9.87 mm is unusual."_s));
     const QString said = u"PASS, but see the warnings"_s;
     EXPECT_EQ(label("correction"), said);
     EXPECT_TRUE(card().contains(said));
@@ -728,6 +729,36 @@ TEST_F(JobPageTest, APassBesideAWarningSaysSoOnPageCardAndInTheJournal) {
     EXPECT_EQ(jobs().at(0).verdict, u"passes-with-warnings"_s);
     EXPECT_EQ(verdictText(Words(), jobs().at(0).verdict), said);
     EXPECT_TRUE(jobs().at(0).isFinished);
+}
+
+TEST_F(JobPageTest, ReadingsOfAnUnknownBobWeightAreWarnedOfOnPageAndCard) {
+    typeReadings();
+    const QString said = u"The bob weight is unknown."_s;
+    EXPECT_TRUE(label("troubles").contains(said)) << qPrintable(label("troubles"));
+    EXPECT_TRUE(cardText().contains(said));
+    limitTo(3000);
+    EXPECT_TRUE(card().contains(u"PASS, but see the warnings"_s));
+    typeShopCard();
+    EXPECT_FALSE(label("troubles").contains(said));
+}
+
+TEST_F(JobPageTest, AReadingInGramsIsAtTheDrillingRadius) {
+    typeShopCard();
+    type("unbalance_1", u"35 g"_s);
+    EXPECT_EQ(field("unbalance_1")->trouble(),
+              u"Grams need the drilling radius of the plane: enter it first."_s);
+    typeReadings();
+    type("unbalance_1", u"35 g"_s);
+    EXPECT_NEAR(*model->reading(0, 0, false), 35 * 85 * units::gram_mm, 1e-12);
+    EXPECT_EQ(field("unbalance_1")->text(), u"2975"_s);
+    EXPECT_TRUE(field("unbalance_1")->said().startsWith(u"“35 g” at a radius of 85.0"_s))
+        << qPrintable(field("unbalance_1")->said());
+    // Typed without the unit they would pass, and are asked about.
+    limitTo(400);
+    fill({{"unbalance_1", "35"}, {"unbalance_2", "20"}});
+    EXPECT_EQ(verdict(), u"Passes"_s);
+    EXPECT_TRUE(label("troubles").contains(u"enter them with their unit: 35 g."_s))
+        << qPrintable(label("troubles"));
 }
 
 TEST_F(JobPageTest, DrillsAreReadByNumberLetterAndFraction) {
@@ -740,6 +771,11 @@ TEST_F(JobPageTest, DrillsAreReadByNumberLetterAndFraction) {
               0)
         << "all of them are sold";
     const std::vector<double> read{5.1054, 6.5278, 6.35, 31.75, 9.5};
+    EXPECT_EQ(model->input().correction->drill.diameters_mm, read);
+    // A comma between what is no drill may be between two.
+    type("diameters_mm", u"10,12"_s);
+    EXPECT_EQ(find<EntryField>("diameters_mm")->trouble(),
+              u"Must be two numbers or one: enter \"10; 12\" or \"10,12\", got \"10,12\""_s);
     EXPECT_EQ(model->input().correction->drill.diameters_mm, read);
     // A click selects all: the next drill joins no digits.
     auto* drills = find<EntryField>("diameters_mm");
@@ -1099,7 +1135,7 @@ TEST_F(JobPageTest, WhatMayBeWrongIsSaid) {
     typeReadings();
     type("read_at_1", u"500"_s);
     type("read_at_2", u"600"_s);
-    const QString said = label("verdict");
+    const QString said = label("troubles");
     EXPECT_TRUE(said.contains(u"The machine reads far outside the planes"_s)) << qPrintable(said);
     EXPECT_TRUE(said.contains(u"2.3 times"_s)) << qPrintable(said) << " (440 + 540) / 420";
     EXPECT_TRUE(cardText().contains(u"far outside"_s));

@@ -302,7 +302,7 @@ TEST_F(JobCardTest, IsInTheUnitsChosen) {
     painter.end();
     QSettings().clear();
     Preferences::instance().load();
-    EXPECT_TRUE(text.contains(u"V-8 engine: other"_s)) << "as on the page";
+    EXPECT_TRUE(text.contains(u"V-8, 90°"_s)) << "as on the page";
     EXPECT_FALSE(text.contains(u"grams"_s));
     EXPECT_FALSE(text.contains(u"millimetres"_s));
     EXPECT_TRUE(text.contains(boring)) << qPrintable(text);

@@ -12,6 +12,7 @@
 #include "job_page_test.h"
 #include "model/case_document.h"
 #include "shop/checked_field.h"
+#include "shop/scale_input.h"
 #include "v8-plugs/presets.h"
 
 namespace ravnoves {
@@ -74,14 +75,17 @@ TEST_F(PlugsSheetsTest, EnterGoesDownTheSheetsAndOn) {
         for (QWidget* each : fieldsOf(sheet)) {
             // A sheet is entered at a field: a list or a tick would take the next key for a choice.
             const bool isOpen = each->isEnabled() && isThere(each);
+            // What is typed once is not between what is weighed.
+            const bool isPassed =
+                isBegun && isTypedAlone(each) && !isTypedAlone(expected.constLast());
             isBegun = isBegun || (isOpen && qobject_cast<EntryField*>(each) != nullptr);
-            if (isOpen && isBegun) {
+            if (isOpen && isBegun && !isPassed) {
                 expected << each;
             }
         }
     }
     EXPECT_EQ(visited, expected);
-    EXPECT_GT(visited.size(), 90);
+    EXPECT_GT(visited.size(), 80);
     // The last sheet is not left.
     EXPECT_EQ(page.sheets()->currentIndex(), page.sheets()->count() - 1);
     EXPECT_EQ(QApplication::focusWidget(), expected.constLast());

@@ -16,6 +16,13 @@ using namespace v8_plugs;
 
 using units::gram;
 
+TEST_F(PlugsPageTest, EnterPassesOverWhatIsTypedOnce) {
+    type("mass_piston_8", u"562"_s);
+    EXPECT_EQ(page.focusWidget(), field("mass_pin_1"));
+    type("nominal_pin", u"150"_s);
+    EXPECT_EQ(page.focusWidget(), field("spread_pin"));
+}
+
 TEST_F(PlugsPageTest, AReportSaysWhichTypedChangesDoNotCount) {
     type("rod_big_end", u"0.5"_s);
     type("repair_piston_and_rings", u"2"_s);
@@ -53,7 +60,7 @@ TEST_F(PlugsPageTest, WeighInSheetByKeyboard) {
         QTest::keyClicks(QApplication::focusWidget(), QString::number(600 + cylinder));
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
     }
-    EXPECT_EQ(QApplication::focusWidget(), field("nominal_pin"));
+    EXPECT_EQ(QApplication::focusWidget(), field("mass_pin_1"));
     EXPECT_NEAR(*(*model->input().weigh_in)[Part::piston].mass[7], 607 * gram, 1e-12);
     EXPECT_TRUE(label("verdict").contains(u"Piston: range 7.00"_s) ||
                 label("troubles").contains(u"Piston: range 7.00"_s));

@@ -531,8 +531,9 @@ QString WorkshopModel::doubtfulText() const {
 
 QStringList WorkshopModel::notCounted(const Words& words) const {
     QStringList list;
-    for (const Message& message :
-         hasPlugs() ? v8_plugs::not_counted(*plugsInput()) : bob_weights::not_counted(input())) {
+    // What weighed masses replace is grey on its sheet.
+    for (const Message& message : hasPlugs() ? v8_plugs::not_counted(*plugsInput(), false)
+                                             : bob_weights::not_counted(input(), false)) {
         list << words.message(message);
     }
     return list;
@@ -542,13 +543,15 @@ QStringList WorkshopModel::troubles(const Words& words, bool withDoubts) const {
     const bob_weights::Result& result = solution();
     // Where there is no bob weight that is said by itself.
     QStringList list{result.bob_weight ? brokenRule(words, input()) : QString()};
-    // The first of those that block is in the verdict, and so do the warnings where it is one.
-    const bool hasWarnings =
-        withheld().any() || (!withDoubts && solved().verdict.severity != Severity::note);
+    if (isWeightUnknown()) {
+        list << words.translate("BobWeights",
+                                "The bob weight is unknown. Enter the parts, or check the bob "
+                                "weights on the crankpins before drilling.");
+    }
+    // The first of those that block is in the verdict.
     bool isSaid = withDoubts;
     for (const workshop::Doubt& doubt : doubts()) {
-        if (doubt.rule->blocks.any() ? std::exchange(isSaid, true)
-                                     : !hasWarnings && doubt.rule->severity == Severity::warning) {
+        if (doubt.rule->blocks.any() ? std::exchange(isSaid, true) : !withheld().any()) {
             list << words.message(doubt.text);
         }
     }
@@ -883,12 +886,11 @@ Results WorkshopModel::planeResults(const Words& words) const {
             tr("Mass at the drilling radius for this unbalance"), [&](std::size_t i) {
                 return words.cellWithUnit((*planned)[i].grams_at_radius, units::gram, 2);
             });
+    }
+    if (hasHoles(solution())) {
         add(words.translate("BobWeights", "After correction"),
-            tr("Residual after the holes below, with rounded depths"), [&](std::size_t i) {
-                // Of readings that may not hold nothing is known to remain.
-                return unbalance(solution().holds() ? std::optional((*planned)[i].remaining)
-                                                    : std::nullopt);
-            });
+            tr("Residual after the holes below, with rounded depths"),
+            [&](std::size_t i) { return unbalance((*planned)[i].remaining); });
     }
     add(words.translate("BobWeights", "Verdict"),
         tr("By the limit of the plane: as measured → after the correction"), [&](std::size_t i) {
@@ -939,10 +941,11 @@ void addDrilled(ResultRows& rows, const Words& words, const QString& run, const 
                    hole.slug != first->slug;
         });
         QStringList angles;
+        constexpr double printed = 0.01 * units::gram;  // so that the lines add up to it
         double mass = 0.0;
         for (auto hole = first; hole != last; ++hole) {
             angles << degreesOf(words, hole->angle);
-            mass += hole->mass;
+            mass += std::round(hole->mass / printed) * printed;
         }
         rows << ResultRow{run, plane + QStringLiteral(": ") + sizeName(words, isSlug, *first),
                           words.cell(first->depth, units::mm, 1),

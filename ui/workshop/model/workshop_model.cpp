@@ -170,7 +170,7 @@ Json WorkshopScene::write(const Job& input) {
 WorkshopScene::Solved WorkshopScene::solve(const Job& input) {
     Solved solved{workshop::solve(input, false), {}, {}};
     solved.allowed = workshop::allowed(solved.found);
-    solved.verdict = workshop::verdict(input, solved.found);
+    solved.verdict = workshop::verdict(input, solved.found, false);
     return solved;
 }
 
@@ -716,13 +716,17 @@ bool WorkshopModel::isEngineOf(const CaseFile& job) const {
     return !there.plugs && !input().plugs && there.engine == input().engine;
 }
 
+bool WorkshopModel::isWeightUnknown() const {
+    return solution().newest() != nullptr && !bobWeightNow() && !balances_itself(input().engine);
+}
+
 QString WorkshopModel::verdictNow() const {
     const RunResult* newest = solution().newest();
     if (newest == nullptr || (newest->holds() && withheld().any())) {
         return withheld().any() ? stopped : QString();
     }
     return newest->holds() && newest->passes() == true &&
-                   solved().verdict.severity >= Severity::warning
+                   (solved().verdict.severity >= Severity::warning || isWeightUnknown())
                ? passesWithWarnings
                : readWord(*newest, newest->passes(), solution().passes_after());
 }

@@ -291,7 +291,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     void newJob();
     /// What newJob() keeps.
     static QString carriedOver() {
-        return tr("Kept: engine, plugs, factor, machine, planes, drills and limits.");
+        return tr(
+            "Kept: engine, nominal masses, plugs, factor, machine, planes, drills and limits.");
     }
 
   Q_SIGNALS:
@@ -308,6 +309,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
   private:
     void takeShopsMachine(const workshop::Machine& before);
     std::size_t firstRun() const;
+    /// That was on the machine.
+    bool isWeightUnknown() const;
     /// That hangs on the crankpins, doubted or not.
     std::optional<double> bobWeightNow() const { return solved().found.shaft.bob_weight; }
     /// What has nothing in it is not there.
