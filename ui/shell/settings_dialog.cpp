@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScreen>
+#include <QScrollBar>
 #include <QSettings>
 
 #include "numerics/units.h"
@@ -118,6 +119,8 @@ void SettingsDialog::build() {
 
     // With large text all of it may be higher than the screen.
     QScrollArea* area = scrolled(form, content_);
+    area->setMinimumWidth(form->sizeHint().width() +
+                          area->verticalScrollBar()->sizeHint().width() + 4);
     constexpr int besides = 130;  // buttons, title and what a desktop keeps for itself
     area->setFixedHeight(std::min(form->sizeHint().height() + 2,
                                   screen()->availableSize().height() - Theme::withText(besides)));
