@@ -19,7 +19,7 @@ namespace {
 
 constexpr int figureWidth = 660;  ///< pixels, of a plot
 constexpr int narrowWidth = 480;  ///< of one that is high
-constexpr QSize mostOfPicture(660, 270);
+constexpr QSize mostOfPicture(660, 230);
 
 /// A cell's text as a fragment of HTML.
 QString cellHtml(const QString& text) {
