@@ -191,7 +191,6 @@ PartText::PartText(SceneModel* model, std::string_view id, QWidget* parent)
     setTextFormat(Qt::PlainText);
     setFont(Theme::font(Theme::smallSize));
     colourText(this, &Theme::mutedText);
-    setTextInteractionFlags(Qt::TextSelectableByMouse);
 }
 
 void PartText::showEvent(QShowEvent* event) {
@@ -208,6 +207,8 @@ void PartText::showPart(const Content& content) {
     }
     // No unit is broken behind its stroke.
     setText(lines.join(QLatin1Char('\n')).replace(u'/', QStringLiteral("/\u2060")));
+    // Nothing takes no focus.
+    setTextInteractionFlags(lines.isEmpty() ? Qt::NoTextInteraction : Qt::TextSelectableByMouse);
 }
 
 }  // namespace ravnoves
