@@ -263,4 +263,13 @@ Recovery::Found Recovery::leftBehind() {
     return found;
 }
 
+void Recovery::discardOlder() {
+    Locks locks;
+    for (const QFileInfo& left : leftFiles()) {
+        if (!left.fileName().startsWith(session_) && isLeft(left.fileName(), locks)) {
+            QFile::remove(left.filePath());
+        }
+    }
+}
+
 }  // namespace ravnoves

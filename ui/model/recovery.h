@@ -73,6 +73,8 @@ class Recovery : public QObject {
     Found leftBehind();
     /// It was restored and is kept again, or nobody wants it.
     void discard(const RecoveredCase& recovered) { QFile::remove(recovered.file); }
+    /// Nobody wants the older ones.
+    void discardOlder();
 
   Q_SIGNALS:
     /// A case cannot be kept, and why; said once.

@@ -296,11 +296,11 @@ void MainWindow::offerRecovered() {
     });
     connect(dialog, &RecoveryDialog::thrownAway, this,
             [this](const RecoveredCase& recovered) { recovery_->discard(recovered); });
-    if (found.older > 0) {
-        // Once these are done with; queued, as their slots have yet to see to their files.
-        connect(dialog, &QDialog::accepted, this, &MainWindow::offerRecovered,
-                Qt::QueuedConnection);
-    }
+    connect(dialog, &RecoveryDialog::olderThrownAway, recovery_, &Recovery::discardOlder);
+    connect(dialog, &RecoveryDialog::olderWanted, this, [this, dialog] {
+        dialog->close();
+        offerRecovered();
+    });
     dialog->open();
 }
 

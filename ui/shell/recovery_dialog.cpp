@@ -60,6 +60,12 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
             row->setToolTip(0, name);
             row->setToolTip(1, path);
         }
+        if (found.older > 0) {
+            auto* row =
+                new QTreeWidgetItem(list_, {tr("Older cases, not listed: %1").arg(found.older)});
+            row->setCheckState(0, Qt::Unchecked);
+            row->setToolTip(0, tr("Restore these to see the next hundred."));
+        }
         list_->header()->setStretchLastSection(false);
         list_->header()->setSectionResizeMode(0, QHeaderView::Fixed);
         list_->header()->setSectionResizeMode(1, QHeaderView::Stretch);
@@ -89,7 +95,7 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
     };
     if (!cases_.isEmpty()) {
         add("recovery_restore", tr("&Restore"), [this] {
-            QList<RecoveredCase> ticked = takeTicked();
+            QList<RecoveredCase> ticked = takeTicked(&RecoveryDialog::olderWanted);
             // Tabs stand as they stood.
             std::stable_sort(
                 ticked.begin(), ticked.end(),
@@ -102,7 +108,7 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
             if (!mayThrowAway()) {
                 return;
             }
-            for (const RecoveredCase& each : takeTicked()) {
+            for (const RecoveredCase& each : takeTicked(&RecoveryDialog::olderThrownAway)) {
                 Q_EMIT thrownAway(each);
             }
         })->setAutoDefault(false);
@@ -147,12 +153,18 @@ bool RecoveryDialog::mayThrowAway() {
                QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
 }
 
-QList<RecoveredCase> RecoveryDialog::takeTicked() {
+QList<RecoveredCase> RecoveryDialog::takeTicked(void (RecoveryDialog::*older)()) {
     QList<RecoveredCase> ticked;
     for (int row = list_->topLevelItemCount(); row-- > 0;) {
         if (list_->topLevelItem(row)->checkState(0) == Qt::Checked) {
             delete list_->takeTopLevelItem(row);
-            ticked.prepend(cases_.takeAt(row));
+            if (row < cases_.size()) {
+                ticked.prepend(cases_.takeAt(row));
+            } else {
+                // Once the cases themselves are done with.
+                QMetaObject::invokeMethod(
+                    this, [this, older] { (this->*older)(); }, Qt::QueuedConnection);
+            }
         }
     }
     if (list_->topLevelItemCount() == 0) {

@@ -18,6 +18,9 @@ class RecoveryDialog : public QDialog {
   Q_SIGNALS:
     void restored(const RecoveredCase& recovered);
     void thrownAway(const RecoveredCase& recovered);
+    /// Those that are too many to be listed are to be offered next.
+    void olderWanted();
+    void olderThrownAway();
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -25,8 +28,9 @@ class RecoveryDialog : public QDialog {
   private:
     /// Asks, once for all.
     bool mayThrowAway();
-    /// Takes what is ticked out of the list; closes where nothing is left.
-    QList<RecoveredCase> takeTicked();
+    /// Takes what is ticked out of the list: the cases, and where the older ones are ticked their
+    /// line, which `older` follows. Closes where nothing is left.
+    QList<RecoveredCase> takeTicked(void (RecoveryDialog::*older)());
 
     QList<RecoveredCase> cases_;
     QTreeWidget* list_ = nullptr;

@@ -149,6 +149,8 @@ TEST_F(RecoveryTest, OfTwoThousandTheNewestHundredAreOffered) {
         next.discard(each);
     }
     EXPECT_EQ(next.leftBehind().cases.size(), Recovery::most) << "the next hundred";
+    next.discardOlder();
+    EXPECT_EQ(kept().size(), Recovery::most);
     EXPECT_TRUE(QDir(keptIn()).entryList({QStringLiteral("*.lock")}).size() <= 1);
 }
 
