@@ -88,6 +88,7 @@ CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* 
     : QObject(parent),
       model_(model),
       dialogs_(std::move(dialogs)),
+      loaded_(std::make_unique<CaseFile>()),
       sourcesLater_(new QTimer(this)) {
     documents() << this;
     constexpr int delay = 300;  // ms
@@ -103,7 +104,10 @@ CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* 
             Q_EMIT nameChanged();
         }
     });
-    connect(model, &SceneModel::begunAnew, this, [this] { setPath({}, {}); });
+    connect(model, &SceneModel::begunAnew, this, [this] {
+        *loaded_ = {};
+        setPath({}, {});
+    });
     connect(&disk_, &FileOnDisk::stateChanged, this, [this] {
         const FileOnDisk::State state = disk_.state();
         isLastCopy_ = state == FileOnDisk::State::Gone ||
@@ -151,7 +155,9 @@ std::string CaseDocument::asText(const QString& path) const {
 }
 
 bool CaseDocument::names(const QString& path) const {
-    return is_named_by(model_->caseFile(), model_->context(), fsPath(path));
+    const CaseContext folder{fsPath(QFileInfo(path_).absolutePath())};
+    return is_named_by(model_->caseFile(), model_->context(), fsPath(path)) ||
+           (!path_.isEmpty() && is_named_by(*loaded_, folder, fsPath(path)));
 }
 
 QString sourceTrouble(const QString& path) {
@@ -227,8 +233,10 @@ Json* CaseDocument::fileNamedAt(CaseFile& file, const InputError& error) {
 
 void CaseDocument::load(const CaseFile& file, const CaseContext& context) {
     withinMemory([&] {
+        auto loaded = std::make_unique<CaseFile>(file);
         const std::optional<Json> named = namedInput(file);
         model_->loadFile(file, context, named ? &*named : nullptr);
+        loaded_ = std::move(loaded);
     });
     sources_.clear();  // they were read just now
     watchSources();

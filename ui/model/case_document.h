@@ -65,7 +65,7 @@ class CaseDocument : public QObject {
     /// The text of its case for a path, from where files are named; empty: for none.
     /// @throws InputError
     std::string asText(const QString& path) const;
-    /// Whether this is a file that the case names.
+    /// Whether this is a file that the case names, in its present state or as its own file has it.
     bool names(const QString& path) const;
 
     /// A case file, not yet checked by its scene.
@@ -140,6 +140,7 @@ class CaseDocument : public QObject {
     DocumentDialogs dialogs_;
     QString path_;
     QString jobName_;
+    std::unique_ptr<CaseFile> loaded_;  ///< what it was loaded from
     FileOnDisk disk_;
     std::vector<std::unique_ptr<FileOnDisk>> sources_;  ///< that the case reads
     QTimer* sourcesLater_;

@@ -22,6 +22,7 @@
 #include "case-file/text_file.h"
 #include "events.h"
 #include "files.h"
+#include "model/case_sources.h"
 #include "page/refused_entries.h"
 #include "page/scene_page.h"
 #include "pictures/file_dialogs.h"
@@ -412,6 +413,21 @@ TEST_F(SavingTest, EveryPresetsNameGoesWithItsEngine) {
         ASSERT_EQ(applySetting(window, change), QString());
         EXPECT_EQ(model().title(), each.title + u" (changed)"_s);
     }
+}
+
+TEST_F(SavingTest, AFileThatTheSavedCaseReadsIsNotWrittenOver) {
+    const QString table = file("a/момент.csv");
+    const QString path = caseWithTable("a");
+    EXPECT_EQ(sourceTrouble(table), QString());
+    ASSERT_EQ(window.openCase(path), QString());
+    EXPECT_NE(sourceTrouble(table), QString());
+    // The case has numbers of its own now; its file still reads the table.
+    Json input = model().inputJson();
+    input["torque"] =
+        read(QStringLiteral(RAVNOVES_EXAMPLES "/tmz-650d.case.json"))["input"]["torque"];
+    model().loadInput(input, {});
+    EXPECT_FALSE(model().inputJson()["torque"].contains("csv"));
+    EXPECT_NE(sourceTrouble(table), QString());
 }
 
 TEST_F(SavingTest, ACaseWithATableOfItsOwnSurvivesAnotherFolder) {
