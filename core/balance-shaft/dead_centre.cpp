@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "balance-shaft/engine_torque.h"
+#include "balance-shaft/input.h"
 #include "balance-shaft/torque_table.h"
 #include "case-file/decimal.h"
 #include "numerics/constants.h"
@@ -342,6 +344,12 @@ std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
     centre.shift = std::remainder(firing - fit.centre_deg, period) * degree;
     centre.angle = firing * degree - centre.shift;
     return centre;
+}
+
+std::optional<DeadCentre> find_dead_centre(const Input& input) {
+    return input.torque.kind == TorqueSource::Kind::pressure
+               ? find_dead_centre(slider_crank(input), input.torque.trace)
+               : std::nullopt;
 }
 
 }  // namespace ravnoves::balance_shaft

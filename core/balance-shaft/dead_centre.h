@@ -8,6 +8,8 @@
 
 namespace ravnoves::balance_shaft {
 
+struct Input;
+
 /// The firing top dead centre of a pressure trace, found from its compression line.
 struct DeadCentre {
     double angle = 0.0;        ///< in the trace's own angles, rad
@@ -42,5 +44,8 @@ struct DeadCentre {
 std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
                                            const PressureTrace& trace,
                                            std::optional<double> compression_ratio = std::nullopt);
+
+/// The same of the trace that gives the torque; nothing where there is none.
+std::optional<DeadCentre> find_dead_centre(const Input& input);
 
 }  // namespace ravnoves::balance_shaft

@@ -55,10 +55,6 @@ FrontView front_view(const Input& input) {
     return view.at_distance(input.centre_distance);
 }
 
-double half_disc_length(const FrontView& view, double unbalance) {
-    return 1.5 * unbalance / (steel_density * std::pow(view.shaft_swing_radius, 3.0));
-}
-
 FrontView FrontView::at_distance(double distance) const {
     FrontView view = *this;
     view.centre_distance = distance;

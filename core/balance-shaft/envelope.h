@@ -51,10 +51,6 @@ struct FrontView {
 /// half the rod's width also.
 FrontView front_view(const Input& input);
 
-/// How long a steel half disc of the shaft's swing circle must be for the counterweight's
-/// unbalance, m.
-double half_disc_length(const FrontView& view, double unbalance);
-
 /// The sizes of the relieved shaft as the input gives them, else those of the half disc that
 /// front_view() takes for the shaft: a bar with half of it milled away, as long as the bore.
 RelievedShaftSizes relieved_shaft_sizes(const Input& input);

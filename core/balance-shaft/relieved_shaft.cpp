@@ -23,6 +23,10 @@ Number in_mm(double metres) {
 
 }  // namespace
 
+double half_disc_length(double radius, double unbalance, double density) {
+    return unbalance / (2.0 / 3.0 * density * std::pow(radius, 3));
+}
+
 void check_relieved_shaft(const RelievedShaftSizes& sizes) {
     check_fields(sizes, root);
     const int given =
@@ -58,7 +62,7 @@ RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double requ
         shaft.critical_radius = std::cbrt(required / (per_volume * shaft.length));
     }
     if (sizes.diameter) {
-        shaft.critical_length = required / (per_volume * std::pow(shaft.diameter / 2.0, 3));
+        shaft.critical_length = half_disc_length(shaft.diameter / 2.0, required, sizes.density);
     }
     if (!sizes.depth) {
         const double radius = shaft.diameter / 2.0;
@@ -77,7 +81,7 @@ RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double requ
     } else if (!sizes.diameter) {
         const double a = shaft.critical_radius;
         shaft.diameter = shaft.depth + a * a / shaft.depth;
-        shaft.critical_length = required / (per_volume * std::pow(shaft.diameter / 2.0, 3));
+        shaft.critical_length = half_disc_length(shaft.diameter / 2.0, required, sizes.density);
     }
     const double width_square = shaft.depth * (shaft.diameter - shaft.depth);
     shaft.half_width = std::sqrt(width_square);

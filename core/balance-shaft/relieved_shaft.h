@@ -45,6 +45,12 @@ struct RelievedShaft {
     Message note;  ///< what a designer should know of a feasible shaft; may be empty
 };
 
+/// How long a half disc must be to have an unbalance: of a bar half of which is milled away, m.
+/// @param radius     of the bar, m
+/// @param unbalance  kg·m
+/// @param density    kg/m³
+double half_disc_length(double radius, double unbalance, double density = steel_density);
+
 inline constexpr double relieved_shaft_tolerance = 0.01;  ///< of U, where all sizes are given
 
 /// @param required  m₁ ρ₁, kg·m, ≥ 0

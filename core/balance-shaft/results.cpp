@@ -7,7 +7,6 @@
 
 #include "balance-shaft/crank_balance.h"
 #include "balance-shaft/dead_centre.h"
-#include "balance-shaft/engine_torque.h"
 #include "balance-shaft/envelope_study.h"
 #include "balance-shaft/gear_error.h"
 #include "balance-shaft/moments.h"
@@ -426,10 +425,7 @@ void visit_speed_band(ResultVisitor& visitor, const Input& input, const SpeedBan
 
 /// That the compression line puts the dead centre elsewhere; empty where it does not.
 Message dead_centre_note(const Input& input) {
-    if (input.torque.kind != TorqueSource::Kind::pressure) {
-        return {};
-    }
-    const auto centre = find_dead_centre(slider_crank(input), input.torque.trace);
+    const auto centre = find_dead_centre(input);
     const double period = input.cycle_deg() * degree;
     return centre && std::abs(std::remainder(centre->shift - input.torque.trace_shift, period)) >
                          centre->uncertainty

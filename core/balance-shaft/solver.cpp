@@ -278,7 +278,7 @@ void Solver::Prepared::prepare_notes() {
         base.doubts.emplace_back(CORE_TEXT("balance-shaft", "Relieved shaft: %1"),
                                  base.relieved_shaft.reason);
     }
-    const double length = half_disc_length(view, input.unbalance());
+    const double length = half_disc_length(view.shaft_swing_radius, input.unbalance());
     if (!input.relieved_shaft && length > usual_bores * view.cylinder_bore) {
         base.doubts.emplace_back(CORE_TEXT("balance-shaft",
                                            "A steel half disc of the shaft swing radius must be "

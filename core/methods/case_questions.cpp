@@ -4,7 +4,6 @@
 #include <array>
 
 #include "balance-shaft/dead_centre.h"
-#include "balance-shaft/engine_torque.h"
 #include "balance-shaft/method_choices.h"
 #include "balance-shaft/scene.h"
 #include "case-file/field_reader.h"
@@ -46,17 +45,14 @@ std::vector<FieldEntry> fields_of(const Json& input) {
 /// The phase of a pressure trace, as its compression line tells the dead centre.
 std::vector<studies::Varied> phase_of_trace(const Json& input, const CaseContext& context) {
     const balance_shaft::Input read = balance_shaft::read_input(input, context);
-    const balance_shaft::TorqueSource& torque = read.torque;
-    const auto centre = torque.kind == balance_shaft::TorqueSource::Kind::pressure
-                            ? find_dead_centre(slider_crank(read), torque.trace)
-                            : std::nullopt;
+    const auto centre = find_dead_centre(read);
     if (!centre) {
         return {};
     }
     return {{.pointer = "/torque/pressure/crank_angle_shift_deg",
              .spread = studies::Varied::Spread::uniform,
-             .from = (torque.trace_shift - centre->uncertainty) / degree,
-             .to = (torque.trace_shift + centre->uncertainty) / degree}};
+             .from = (read.torque.trace_shift - centre->uncertainty) / degree,
+             .to = (read.torque.trace_shift + centre->uncertainty) / degree}};
 }
 
 }  // namespace
