@@ -40,7 +40,8 @@ struct Metal {
     bool empty() const { return holes.empty() && slugs.empty(); }
 };
 
-/// What was drilled after one run, where the next says that it did something else than it was to.
+/// What was drilled after one run, where the next says that it did something else than it was to:
+/// also that something changed where nothing was drilled.
 struct OtherEffect {
     double expected;         ///< unbalance that it was to leave, kg·m
     double expected_angle;   ///< rad, 0…2π

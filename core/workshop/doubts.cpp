@@ -436,11 +436,7 @@ Messages drilled_otherwise(const DoubtCase& job) {
         if (other) {
             const auto& now = (*runs.back().planes)[i];
             list.emplace_back(
-                runs[runs.size() - 2].drilled[i].empty() && !other->is_in_other_plane
-                    ? CORE_TEXT("workshop",
-                                "%1: %2 instead of %3, but no hole is recorded. Enter the holes "
-                                "drilled, or check crankshaft and machine.")
-                : other->is_in_other_plane
+                other->is_in_other_plane
                     ? CORE_TEXT("workshop",
                                 "%1: residual %2 after drilling instead of %3, as if the holes "
                                 "were in the other plane. Enter the actual plane of each hole.")
@@ -449,6 +445,10 @@ Messages drilled_otherwise(const DoubtCase& job) {
                           "workshop",
                           "%1: drilling increased the unbalance to %2 instead of %3. Mark holes on "
                           "the wrong side, or check whether the machine shows the light spot.")
+                : runs[runs.size() - 2].drilled[i].empty()
+                    ? CORE_TEXT("workshop",
+                                "%1: %2 instead of %3, but no hole is recorded. Enter the holes "
+                                "drilled, or check crankshaft and machine.")
                     : CORE_TEXT("workshop",
                                 "%1: residual %2 after drilling instead of %3. Check the actual "
                                 "holes: angle, depth, zero mark and direction of degrees."),

@@ -104,15 +104,15 @@ Verdict verdict(const Input& input, const Result& result, bool names_warnings) {
                 CORE_TEXT("workshop", "Enter the missing values of engine and parts.")};
     }
     Verdict verdict = undoubted(input, result);
-    bool has_warnings = false;
     for (const Doubt& doubt : result.doubts) {
-        if (doubt.rule->severity == Severity::warning) {
-            has_warnings = true;
-            verdict.warn(names_warnings ? doubt.text : Message());
+        if (doubt.rule->severity != Severity::warning) {
+            continue;
         }
-    }
-    if (has_warnings && !names_warnings) {
-        verdict.warn(CORE_TEXT("workshop", "See the warnings."));
+        if (!names_warnings) {
+            verdict.warn(CORE_TEXT("workshop", "See the warnings."));
+            break;
+        }
+        verdict.warn(doubt.text);
     }
     return verdict;
 }
