@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <algorithm>
+#include <type_traits>
 
 #include "bob-weights/drill_sizes.h"
 #include "bob-weights/fields.h"
@@ -233,8 +234,8 @@ void CorrectionSheet::addHoleRow() {
             hole.state = hole.state == HoleState::wrong_side ? hole.state : HoleState::measured;
         });
     };
-    const auto choiceOf = [&](const Field& field, const char* key, const QStringList& words,
-                              int width) {
+    const auto choiceOf = [&](const Field& field, auto DrilledHole::*member, const char* key,
+                              const QStringList& words, int width, const auto& set) {
         auto* made = new QComboBox(this);
         made->setObjectName(QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(row + 1));
         made->setAccessibleName(fieldName(field));
@@ -244,6 +245,17 @@ void CorrectionSheet::addHoleRow() {
         enlarge(made);
         made->setFont(Theme::font(Theme::smallSize));
         made->setMinimumWidth(Theme::withText(width));  // its words are read whole
+        bind(
+            made,
+            [this, row, member] {
+                const DrilledHole* hole = holeAt(model_->input(), row);
+                return hole != nullptr ? static_cast<int>(hole->*member) : -1;
+            },
+            [set, member, step = fieldName(field)](int place) {
+                set(step, [&](DrilledHole& hole) {
+                    hole.*member = static_cast<std::remove_cvref_t<decltype(hole.*member)>>(place);
+                });
+            });
         return made;
     };
     const auto numberOf = [&](const Field& field, double DrilledHole::*member, const char* key) {
@@ -273,32 +285,14 @@ void CorrectionSheet::addHoleRow() {
     };
     NumberField* depth = numberOf(field::drilled_depth, &DrilledHole::depth, "drilled_depth");
     NumberField* angle = numberOf(field::drilled_angle, &DrilledHole::angle, "drilled_angle");
-    QComboBox* plane = choiceOf(field::drilled_plane, "drilled_plane", {QString(), QString()}, 64);
-    bind(
-        plane,
-        [this, row] {
-            const DrilledHole* hole = holeAt(model_->input(), row);
-            return hole != nullptr ? static_cast<int>(hole->plane) : -1;
-        },
-        [measure](int place) {
-            measure(fieldName(field::drilled_plane),
-                    [&](DrilledHole& hole) { hole.plane = static_cast<PlaneName>(place); });
-        });
+    QComboBox* plane = choiceOf(field::drilled_plane, &DrilledHole::plane, "drilled_plane",
+                                {QString(), QString()}, 64, measure);
     QStringList states;
     for (const Word& word : state_words) {
         states << shownText(word.label);
     }
-    QComboBox* state = choiceOf(field::drilled_state, "drilled_state", states, 118);
-    bind(
-        state,
-        [this, row] {
-            const DrilledHole* hole = holeAt(model_->input(), row);
-            return hole != nullptr ? static_cast<int>(hole->state) : -1;
-        },
-        [change](int place) {
-            change(fieldName(field::drilled_state),
-                   [&](DrilledHole& hole) { hole.state = static_cast<HoleState>(place); });
-        });
+    QComboBox* state =
+        choiceOf(field::drilled_state, &DrilledHole::state, "drilled_state", states, 118, change);
     const QList<QWidget*> widgets{name, ordered(plane), ordered(depth), ordered(angle),
                                   ordered(state)};
     for (int column = 0; column < widgets.size(); ++column) {
