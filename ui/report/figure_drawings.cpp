@@ -65,6 +65,13 @@ void layOut(QWidget* picture) {
     }
 }
 
+/// A picture as large as its shape allows, in the middle.
+void drawInRoom(QWidget* picture, QPainter& painter, const QSize& size) {
+    QRectF room(QPointF(), QSizeF(picture->size()).scaled(size, Qt::KeepAspectRatio));
+    room.moveCenter(QRectF(QPointF(), size).center());
+    drawFigure(picture, painter, room);
+}
+
 }  // namespace
 
 Drawing drawingOf(PlotView* plot) {
@@ -103,11 +110,7 @@ Drawing drawingOf(QWidget* picture) {
     return {picture->accessibleName(), picture->accessibleDescription(), size,
             [picture = QPointer(picture), size](QPainter& painter) {
                 if (picture) {
-                    // Further pictures may have moved it since.
-                    QRectF room(QPointF(),
-                                QSizeF(picture->size()).scaled(size, Qt::KeepAspectRatio));
-                    room.moveCenter(QRectF(QPointF(), size).center());
-                    drawFigure(picture, painter, room);
+                    drawInRoom(picture, painter, size);  // others may have moved it since
                 }
             }};
 }
@@ -116,12 +119,7 @@ Drawing drawingOf(QWidget* picture, const QSize& size) {
     return {picture->accessibleName(), picture->accessibleDescription(), size,
             [picture = QPointer(picture), size](QPainter& painter) {
                 if (picture) {
-                    drawAt(picture, size, [&] {
-                        QRectF room(QPointF(),
-                                    QSizeF(picture->size()).scaled(size, Qt::KeepAspectRatio));
-                        room.moveCenter(QRectF(QPointF(), size).center());
-                        drawFigure(picture, painter, room);
-                    });
+                    drawAt(picture, size, [&] { drawInRoom(picture, painter, size); });
                 }
             }};
 }
