@@ -221,6 +221,12 @@ SweepModel::Ends SweepModel::usualEnds() const {
             std::clamp(turns ? 360.0 : nominal + reach, range.min, range.max)};
 }
 
+SweepModel::Ends SweepModel::wholeEnds() const {
+    const Ends usual = usualEnds();
+    return usual.from ? Ends{ends_.from.value_or(*usual.from), ends_.to.value_or(*usual.to)}
+                      : Ends();
+}
+
 void SweepModel::setWatched(bool watched) {
     watched_ = watched;
     if (!watched) {
@@ -234,9 +240,8 @@ void SweepModel::setWatched(bool watched) {
 void SweepModel::follow() {
     stale_ = true;
     job_->cancel();  // what it finds is of what was before
-    const Ends usual = usualEnds();
-    const double from = ends_.from.value_or(usual.from.value_or(0.0));
-    const bool isEmpty = usual.from && !(from < ends_.to.value_or(*usual.to));
+    const Ends whole = wholeEnds();
+    const bool isEmpty = whole.from && !(*whole.from < *whole.to);
     trouble_ = isEmpty ? tr("“From” must be less than “to”.") : QString();
     Q_EMIT changed();
     if (watched_) {
@@ -246,16 +251,16 @@ void SweepModel::follow() {
 
 void SweepModel::start() {
     later_.stop();
-    const Ends usual = usualEnds();
-    if (!watched_ || !usual.from || result_.empty() || !trouble_.isEmpty()) {
+    const Ends whole = wholeEnds();
+    if (!watched_ || !whole.from || result_.empty() || !trouble_.isEmpty()) {
         return;
     }
     Sweep sweep{.input = input_, .result = result_, .places = {}};
     studies::Study study{.vary = {{.pointer = input_, .spread = studies::Varied::Spread::uniform}},
                          .watch = {{.pointer = result_}},
                          .seed = study_->study().seed};
-    study.vary[0].from = ends_.from.value_or(*usual.from);
-    study.vary[0].to = ends_.to.value_or(*usual.to);
+    study.vary[0].from = *whole.from;
+    study.vary[0].to = *whole.to;
     for (const StudyModel::Input& input : study_->inputs()) {
         if (input.pointer == input_) {
             sweep.nominal = input.nominal;

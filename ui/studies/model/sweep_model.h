@@ -76,6 +76,8 @@ class SweepModel : public QObject {
     void changed();
 
   private:
+    /// Those that hold: of the user, else usualEnds().
+    Ends wholeEnds() const;
     void follow();
     void start();
 
