@@ -79,10 +79,11 @@ NumberField::Reading NumberField::read(const QString& typed) const {
         if (!lever) {
             return {{}, tr("Grams need the drilling radius of the plane: enter it first.")};
         }
-        number = shown(*mass * units::gram * *lever / units::gram_mm);
+        const double unbalance = *mass * units::gram * *lever;
+        number = shown(unbalance / units::gram_mm);
         howRead = tr("“%1” at a radius of %2: %3.")
                       .arg(typed, shownNumber(*lever, units::mm, 1),
-                           shownNumber(*mass * units::gram * *lever, units::gram_mm, 1));
+                           shownNumber(unbalance, units::gram_mm, 1));
     }
     if (!number) {
         return {{}, trouble.isEmpty() ? notANumberText(typed) : trouble};
