@@ -143,11 +143,13 @@ void CorrectionSheet::buildWhatIf() {
     follow([this] { showWhatIf(); });
 }
 
-/// The planes by the machine's names.
+/// The planes by the machine's names, short: they stand beside the word.
 void CorrectionSheet::followPlanes(QComboBox* box) {
     follow([this, box] {
-        for (int i = 0; i < 2; ++i) {
-            box->setItemText(i, model_->planeName(static_cast<std::size_t>(i)));
+        for (std::size_t i = 0; i < 2; ++i) {
+            const std::string& own = model_->input().machine.planes[i];
+            box->setItemText(static_cast<int>(i),
+                             own.empty() ? shownText(plane_words[i].label) : model_->planeName(i));
         }
     });
 }

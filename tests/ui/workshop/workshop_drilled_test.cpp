@@ -110,7 +110,7 @@ TEST_F(DrilledTest, AHoleInTheOtherPlaneCountsThereAndIsTakenBackInOneStep) {
     };
     const std::array there{holesIn(0), holesIn(1)};
     ASSERT_EQ(hole(0).plane, bob_weights::PlaneName::front);
-    EXPECT_EQ(find<QComboBox>("drilled_plane_1")->currentText(), u"Front plane"_s);
+    EXPECT_EQ(find<QComboBox>("drilled_plane_1")->currentText(), u"Front"_s);
     choose("drilled_plane_1", bob_weights::PlaneName::rear);
     EXPECT_EQ(hole(0).plane, bob_weights::PlaneName::rear);
     EXPECT_EQ(hole(0).state, HoleState::measured);
