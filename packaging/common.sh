@@ -85,7 +85,7 @@ build_jobs() {
 }
 
 # configure PRESET [CMAKE-ARGUMENT…]. A build folder that came with a copied checkout names another
-# place on disk, which CMake refuses; it is made anew.
+# place on disk, which CMake rejects; it is made again.
 configure() {
     local preset=$1 cache=$root/build/$1/CMakeCache.txt home
     shift

@@ -6,7 +6,7 @@
 
 namespace ravnoves::test {
 
-/// What an action is refused with; "no error" where it is not.
+/// What an action is rejected with; "no error" where it is not.
 std::string error_of(const auto& action) {
     try {
         action();

@@ -43,7 +43,7 @@ int solve_file(const std::string& case_path, const std::string& result_path, con
                : write_file(result_path, json_text(result, JsonLayout::lines) + "\n");
 }
 
-std::string refusal_of(const LineReader& lines, const char* why) {
+std::string rejection_of(const LineReader& lines, const char* why) {
     return json_text({{"error", why}, {"line", lines.number()}}, JsonLayout::one_line) + '\n';
 }
 
@@ -61,7 +61,7 @@ std::string answer_to(const std::string& line, const LineReader& lines, const Ca
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {  // a bad line is answered in its place
-        return refusal_of(lines, error.what());
+        return rejection_of(lines, error.what());
     }
 }
 
@@ -75,7 +75,7 @@ int solve_batch(const CaseContext& context, const Wanted& wanted) {
             answer = answer_to(line, lines, context, wanted);
         } catch (const std::bad_alloc&) {
             std::string().swap(line);
-            answer = refusal_of(lines, no_memory);
+            answer = rejection_of(lines, no_memory);
         }
         if (const int status = print(answer)) {
             return status;

@@ -99,8 +99,8 @@ std::string without_links(const std::string& path) {
     namespace fs = std::filesystem;
     std::error_code error;
     fs::path file = path;
-    constexpr int most = 40;
-    for (int i = 0; i < most && fs::is_symlink(fs::symlink_status(file, error)); ++i) {
+    constexpr int maximum = 40;
+    for (int i = 0; i < maximum && fs::is_symlink(fs::symlink_status(file, error)); ++i) {
         file = file.parent_path() / fs::read_symlink(file, error);
     }
     const fs::path real = fs::weakly_canonical(file, error);
@@ -245,9 +245,9 @@ class StudyCommand final : public Command {
         const bool slash = first.ec == std::errc{} && first.ptr != end && *first.ptr == '/';
         const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.of) : first;
         if (!slash || second.ec != std::errc{} || second.ptr != end || shard.number < 1 ||
-            shard.number > shard.of || shard.of > studies::most_blocks) {
+            shard.number > shard.of || shard.of > studies::max_blocks) {
             throw CLI::ValidationError("--shard", "must be K/N with K from 1 to N and N at most " +
-                                                      std::to_string(studies::most_blocks) +
+                                                      std::to_string(studies::max_blocks) +
                                                       ", got " + *shard_text_);
         }
         return shard;

@@ -226,7 +226,7 @@ int main(int argc, char** argv) {
     } else if (scene.isEmpty() && paths.isEmpty() && !window.documents().hasCurrent()) {
         window.showScene(ravnoves::sceneList().front().name);
     }
-    QStringList refused;
+    QStringList rejected;
     const bool isMeantAtOnce = isSilent || parser.isSet(setOption) || !scene.isEmpty();
     for (qsizetype i = 0; i < paths.size(); ++i) {
         const QString trouble = window.openCase(paths[i]);
@@ -235,7 +235,7 @@ int main(int argc, char** argv) {
             if (isSilent || parser.isSet(setOption)) {
                 return status;
             }
-            refused << paths[i];  // the window says it, too: nobody may be at the terminal
+            rejected << paths[i];  // the window says it, too: nobody may be at the terminal
             continue;
         }
         if (!isMeantAtOnce) {
@@ -247,7 +247,7 @@ int main(int argc, char** argv) {
                 u"--scene %1 does not match the case (%2)"_s.arg(scene, window.currentScene()));
         }
     }
-    if (!refused.isEmpty() && !window.documents().hasCurrent()) {
+    if (!rejected.isEmpty() && !window.documents().hasCurrent()) {
         window.showStart();
     }
     if (report && paths.size() != 1) {
@@ -283,9 +283,9 @@ int main(int argc, char** argv) {
         return trouble.isEmpty() ? 0 : fail(trouble);
     }
     // A folder full of what crashes have left keeps nobody from starting.
-    QObject::connect(&window, &ravnoves::MainWindow::painted, &window, [&window, refused] {
+    QObject::connect(&window, &ravnoves::MainWindow::painted, &window, [&window, rejected] {
         window.offerRecovered();
-        window.openOrSayWhy(refused);
+        window.openOrSayWhy(rejected);
     });
     return QApplication::exec();
 }

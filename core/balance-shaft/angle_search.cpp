@@ -16,7 +16,7 @@ struct Bound {
 
 /// Minimum of the larger of two sinusoids between their angles: at an end, at a sinusoid's own
 /// minimum or where they cross.
-Bound least_of_larger(const Cut& left, const Cut& right) {
+Bound min_of_larger(const Cut& left, const Cut& right) {
     const auto larger = [&](double alpha) {
         return std::max(left.bound(alpha), right.bound(alpha));
     };
@@ -93,7 +93,7 @@ AngleMinimum minimise_over_angle(const std::function<Cut(double)>& evaluate, dou
     });
     best.alpha = chosen->alpha;
     best.value = chosen->value;
-    constexpr int most_evaluations = 20'000;
+    constexpr int max_evaluations = 20'000;
     while (!open.empty()) {
         const std::array<Cut, 2> interval = open.back();
         open.pop_back();
@@ -102,11 +102,11 @@ AngleMinimum minimise_over_angle(const std::function<Cut(double)>& evaluate, dou
         if ((interval[0].value + interval[1].value - steepest * width) / 2 >= best.value) {
             continue;
         }
-        Bound bound = least_of_larger(interval[0], interval[1]);
+        Bound bound = min_of_larger(interval[0], interval[1]);
         if (bound.value >= best.value - tolerance) {
             continue;
         }
-        if (best.evaluations >= most_evaluations || width < rounding) {
+        if (best.evaluations >= max_evaluations || width < rounding) {
             best.gap = std::max(best.gap, best.value - bound.value);
             continue;
         }

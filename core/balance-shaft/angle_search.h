@@ -41,7 +41,7 @@ struct Cut {
     Sinusoid bound;
 };
 
-/// The least value of a function of α and what is known of the others.
+/// The smallest value of a function of α and what is known of the others.
 struct AngleMinimum {
     double alpha = 0.0;  ///< rad, 0…2π
     double value = 0.0;
@@ -54,7 +54,7 @@ struct AngleMinimum {
 /// gives a sinusoid that lies below the function everywhere. Between two evaluated angles the
 /// larger of their two sinusoids bounds it; the interval is split at that bound's minimum until no
 /// bound lies under the best value. Kinks and several minima need no care, since the bounds are
-/// global. Of angles at the ends that are as good up to rounding it is the least.
+/// global. Of angles at the ends that are as good up to rounding it is the smallest.
 /// @param steepest  Lipschitz constant of the function
 /// @param size      scale of its rounding, also its values
 /// @param within    the angles to choose from, one stretch at least; default: all
@@ -77,7 +77,7 @@ void sweep(const MomentPlane& plane, double amplitude, std::span<const double> a
 /// it everywhere (a range is at least the difference of any two of its values).
 Cut range_cut(const MomentPlane& plane, double amplitude, double alpha);
 
-/// The least range over α, by minimise_over_angle(): |dR/dα| ≤ 2A.
+/// The smallest range over α, by minimise_over_angle(): |dR/dα| ≤ 2A.
 AngleMinimum minimise_range(const MomentPlane& plane, double amplitude,
                             const std::vector<AngleStretch>& within = whole_turn());
 

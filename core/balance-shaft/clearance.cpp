@@ -40,15 +40,15 @@ double distance_from_cylinder(const FrontView& view, double x, double y) {
 
 double nearest_angle(const std::vector<AngleStretch>& stretches, double angle) {
     double found = angle;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const AngleStretch& stretch : stretches) {
         if (wrap_turn(angle - stretch.from) <= stretch.to - stretch.from) {
             return angle;
         }
         for (const double end : {stretch.from, stretch.to}) {
             const double away = std::abs(std::remainder(end - angle, two_pi));
-            if (away < least) {
-                least = away;
+            if (away < minimum) {
+                minimum = away;
                 found = end;
             }
         }
@@ -56,7 +56,7 @@ double nearest_angle(const std::vector<AngleStretch>& stretches, double angle) {
     return found;
 }
 
-double ShaftClearance::least() const {
+double ShaftClearance::minimum() const {
     return std::min({crank, cylinder, rod});
 }
 

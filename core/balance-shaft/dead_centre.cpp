@@ -137,7 +137,7 @@ class CompressionLine {
     }
 
   private:
-    /// The least χ² at a dead centre, over the compression ratio.
+    /// The smallest χ² at a dead centre, over the compression ratio.
     double cost_at(double centre_deg) {
         stroke_part_.clear();
         for (const Bin& bin : used_) {
@@ -214,8 +214,8 @@ class CompressionLine {
         const double rate = exponent * 2.0 * after / clearance;  // −d ln p of the first degree
         const double squeezed = std::pow((1.0 + clearance) / clearance, exponent);
         const double temperature = start_temperature * squeezed * clearance / (1.0 + clearance);
-        constexpr double least = 0.05;
-        return rate / std::max(wall_loss(1e5 * squeezed, temperature), least);
+        constexpr double minimum = 0.05;
+        return rate / std::max(wall_loss(1e5 * squeezed, temperature), minimum);
     }
 
     SliderCrank<double> crank_;
@@ -275,9 +275,9 @@ std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
     };
     std::erase_if(bins, is_outside);
     const bool is_positive = std::ranges::all_of(bins, [](auto& bin) { return bin.pressure > 0; });
-    constexpr double least_rise = 3.0;
+    constexpr double min_rise = 3.0;
     constexpr std::size_t fewest_bins = 30;
-    if (!is_positive || bins.size() < fewest_bins || !(peak > least_rise * bins.front().pressure)) {
+    if (!is_positive || bins.size() < fewest_bins || !(peak > min_rise * bins.front().pressure)) {
         return std::nullopt;
     }
     const Prior log_ratio =

@@ -30,10 +30,10 @@ EnvelopeStudy envelope_study(const Solver& solver, std::size_t angles) {
                                               : study.range[a] < study.range[b];
     });
     study.efficient.assign(angles, false);
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const std::size_t i : order) {
-        if (study.buildable[i] && study.range[i] < least) {
-            least = study.range[i];
+        if (study.buildable[i] && study.range[i] < minimum) {
+            minimum = study.range[i];
             study.efficient[i] = true;
         }
     }

@@ -10,11 +10,11 @@ namespace ravnoves::balance_shaft {
 
 /// What the engine torque does to the speed, against a load that takes its mean.
 ///
-/// The excess energy E(φ) = ∫ (M_id − mean) dφ has the period of the cycle; it is largest and least
-/// where the torque crosses its mean. The excess work ΔE = E_max − E_min turns into speed: with the
-/// moment of inertia J of all that turns evenly, J (ω²_max − ω²_min)/2 = ΔE, so the coefficient of
-/// fluctuation is δ = (ω_max − ω_min)/ω = ΔE/(J ω²) with the mean (ω_max + ω_min)/2 for ω.
-/// Text-book result; the inertia of the reciprocating masses is in M_id and not in J.
+/// The excess energy E(φ) = ∫ (M_id − mean) dφ has the period of the cycle; it is largest and
+/// smallest where the torque crosses its mean. The excess work ΔE = E_max − E_min turns into speed:
+/// with the moment of inertia J of all that turns evenly, J (ω²_max − ω²_min)/2 = ΔE, so the
+/// coefficient of fluctuation is δ = (ω_max − ω_min)/ω = ΔE/(J ω²) with the mean (ω_max + ω_min)/2
+/// for ω. Text-book result; the inertia of the reciprocating masses is in M_id and not in J.
 struct Flywheel {
     double excess_work = 0.0;           ///< ΔE, J
     double max_angle = 0.0;             ///< crank angle of the highest energy (speed), rad

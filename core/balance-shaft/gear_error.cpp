@@ -53,8 +53,8 @@ GearError gear_error(const Solver& solver, double shaft_angle) {
     const double turned = angle + solver.shaft_phase();
     if (result.play > 0.0) {
         const double first = angle - result.play;
-        const AngleMinimum least = minimise_range(solver.plane(), force * distance,
-                                                  {{turned - result.play, turned + result.play}});
+        const AngleMinimum minimum = minimise_range(solver.plane(), force * distance,
+                                                    {{turned - result.play, turned + result.play}});
         // Between these angles the range R lies at most A h²/4 above the larger one beside, since
         // R + A α² is convex: 1e-7 of A where the play is 1°.
         constexpr std::size_t angles = 257;
@@ -65,7 +65,7 @@ GearError gear_error(const Solver& solver, double shaft_angle) {
             at[i] = first + 2.0 * result.play * static_cast<double>(i) / (angles - 1.0);
         }
         solver.sweep(at, range, rms);
-        result.play_range_low = std::min(result.range, least.value);
+        result.play_range_low = std::min(result.range, minimum.value);
         result.play_range_high =
             std::max(result.range, *std::max_element(range.begin(), range.end()));
     }

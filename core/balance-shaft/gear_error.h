@@ -23,7 +23,7 @@ struct GearError {
 
     double play = 0.0;            ///< half of the angle that the play leaves, rad
     double play_force = 0.0;      ///< largest residual force at the ends of the play, N
-    double play_range_low = 0.0;  ///< least and largest ΔM_ups over the play, N·m
+    double play_range_low = 0.0;  ///< smallest and largest ΔM_ups over the play, N·m
     double play_range_high = 0.0;
 
     std::vector<double> crank_angle_deg;  ///< 0 to the end of the cycle, every degree

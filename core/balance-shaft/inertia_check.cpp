@@ -18,7 +18,7 @@ namespace {
 constexpr double from_deg = 15.0;  ///< nearer to the dead centres the gas still works
 constexpr double to_deg = 165.0;
 constexpr std::size_t fewest_rows = 5;
-constexpr double least_lambda = 0.02;
+constexpr double min_lambda = 0.02;
 constexpr double largest_lambda = 0.6;
 
 /// On a crank of radius 1 whose cylinder is offset by K, at an angle φ from top dead centre.
@@ -34,7 +34,7 @@ double unit_torque(double lambda, double relative_offset, double angle) {
 }
 
 /// Where the rod is not known, λ is searched up to what lets the crank turn round.
-double most_lambda(double relative_offset) {
+double max_lambda(double relative_offset) {
     return std::min(largest_lambda, 0.999 / (1.0 + std::abs(relative_offset)));
 }
 
@@ -129,23 +129,23 @@ Fit fit_stroke(const TorqueTable& table, double relative_offset, double begin_de
     } else {
         // A scan first: the residual may have more than one minimum over λ.
         constexpr int scans = 16;
-        const double most = most_lambda(relative_offset);
-        const double step = (most - least_lambda) / scans;
+        const double maximum = max_lambda(relative_offset);
+        const double step = (maximum - min_lambda) / scans;
         int best = 0;
-        double least = residual_at(least_lambda);
+        double minimum = residual_at(min_lambda);
         for (int i = 1; i <= scans; ++i) {
-            const double residual = residual_at(least_lambda + i * step);
-            if (residual < least) {
-                least = residual;
+            const double residual = residual_at(min_lambda + i * step);
+            if (residual < minimum) {
+                minimum = residual;
                 best = i;
             }
         }
         fit.lambda = boost::math::tools::brent_find_minima(
-                         residual_at, std::max(least_lambda, least_lambda + (best - 1) * step),
-                         std::min(most, least_lambda + (best + 1) * step), 30)
+                         residual_at, std::max(min_lambda, min_lambda + (best - 1) * step),
+                         std::min(maximum, min_lambda + (best + 1) * step), 30)
                          .first;
         constexpr double near_bound = 1e-3;
-        fit.at_bound = fit.lambda < least_lambda + near_bound || fit.lambda > most - near_bound;
+        fit.at_bound = fit.lambda < min_lambda + near_bound || fit.lambda > maximum - near_bound;
     }
     const Linear solved = solve_at(fit.lambda);
     fit.residual = solved.residual;

@@ -112,8 +112,8 @@ void check_strokes(const Input& input) {
 void check_rod(const Input& input) {
     const std::string parent = pointer(field::cylinder);
     const double offset = input.cylinder.offset;
-    const double least = input.crank_radius + 2.0 * std::abs(offset);
-    if (!(input.effective_rod_length() > least * (1.0 + 1e-9))) {
+    const double minimum = input.crank_radius + 2.0 * std::abs(offset);
+    if (!(input.effective_rod_length() > minimum * (1.0 + 1e-9))) {
         if (!input.cylinder.rod_length) {
             throw InputError(
                 pointer(field::offset, parent),
@@ -127,7 +127,7 @@ void check_rod(const Input& input) {
             pointer(field::rod_length, parent),
             {CORE_TEXT("balance-shaft",
                        "must be greater than the crank radius plus twice the offset, %1"),
-             shown(field::crank_radius, rounded_to_digits(least, 12))},
+             shown(field::crank_radius, rounded_to_digits(minimum, 12))},
             shown(field::rod_length, input.effective_rod_length()));
     }
 }

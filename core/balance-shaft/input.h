@@ -117,7 +117,7 @@ struct EnvelopeSizes {
     std::optional<double> shaft_swing_radius;  ///< m, circle swept by the shaft; default: a half
                                                ///< disc of steel with m₁ ρ₁, as long as the bore
     std::optional<double> gear_tip_radius;  ///< m; default l/2, the pitch circles in contact
-    double clearance = 2e-3;                ///< m, least gap between the shaft and what it
+    double clearance = 2e-3;                ///< m, smallest gap between the shaft and what it
                                             ///< must not meet
     double wall = 0.0;                      ///< m, clearance and wall around every circle
     bool operator==(const EnvelopeSizes&) const = default;
@@ -130,9 +130,9 @@ struct PlaceLimits {
     std::optional<double> centre_distance_max;  ///< m
     std::optional<double> shaft_angle_from;     ///< rad; where only the other is given 0
     std::optional<double> shaft_angle_to;       ///< rad; where only the other is given 2π
-    std::optional<double> left;                 ///< least x, m
+    std::optional<double> left;                 ///< smallest x, m
     std::optional<double> right;                ///< largest x, m
-    std::optional<double> bottom;               ///< least y, m
+    std::optional<double> bottom;               ///< smallest y, m
     std::optional<double> top;                  ///< largest y, m
     bool operator==(const PlaceLimits&) const = default;
 };

@@ -31,7 +31,7 @@ inline constexpr MethodChoice moment_range_choice{
               "the extremum of a line plus a sine has a closed form, and only the few intervals "
               "that may contain it are solved.")};
 
-/// The angle with the least range: minimise_range().
+/// The angle with the smallest range: minimise_range().
 inline constexpr MethodChoice best_angle_choice{
     "balance-shaft",
     "best-angle",
@@ -43,7 +43,7 @@ inline constexpr MethodChoice best_angle_choice{
               "Sinusoids that bound it from below exclude worse angles, so the optimum is proven, "
               "with fewer evaluations than a scan of 5°.")};
 
-/// The place with the least range: minimise_range().
+/// The place with the smallest range: minimise_range().
 inline constexpr MethodChoice best_position_choice{
     "balance-shaft",
     "best-position",

@@ -77,7 +77,7 @@ MomentPlane::MomentPlane(const PeriodicPiecewise& moment)
     slack_ = 50.0 * epsilon * std::max(up_.peak.abs().maxCoeff(), down_.peak.abs().maxCoeff());
     const FourierPair order = moment.fourier(degree);
     opposed_ = {-order.a, -order.b};
-    least_variance_ = std::max(0.0, moment.variance() - opposed_.squaredNorm() / 2.0);
+    min_variance_ = std::max(0.0, moment.variance() - opposed_.squaredNorm() / 2.0);
 }
 
 void MomentPlane::find_knots(const PeriodicPiecewise& moment) {
@@ -197,8 +197,8 @@ void MomentPlane::search_branch(const Side& side, std::size_t interval, std::siz
     // The second derivative is 2 c₂ + 6 c₃ t − sine.
     const double bend_first = 2.0 * cubic.c2;
     const double bend_last = bend_first + 6.0 * cubic.c3 * width;
-    const double most = std::max(bend_first, bend_last) - std::min(sine, sine_last) + bow;
-    if (most <= 0.0) {
+    const double maximum = std::max(bend_first, bend_last) - std::min(sine, sine_last) + bow;
+    if (maximum <= 0.0) {
         if (rise <= 0.0 || rise_last >= 0.0) {
             return;
         }
@@ -224,8 +224,8 @@ void MomentPlane::search_branch(const Side& side, std::size_t interval, std::siz
         offer(t);
         return;
     }
-    const double least = std::min(bend_first, bend_last) - std::max(sine, sine_last) - bow;
-    if (least >= 0.0) {
+    const double minimum = std::min(bend_first, bend_last) - std::max(sine, sine_last) - bow;
+    if (minimum >= 0.0) {
         return;  // convex: an end is highest
     }
     // sine cos t + slope sin t = A sin(t + phase)

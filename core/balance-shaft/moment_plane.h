@@ -49,10 +49,10 @@ class MomentPlane {
     double mean() const { return mean_; }  ///< of M, N·m
     /// About the mean, (N·m)².
     double variance(const Moment& shaft) const {
-        return least_variance_ + (shaft - opposed_).squaredNorm() / 2.0;
+        return min_variance_ + (shaft - opposed_).squaredNorm() / 2.0;
     }
     double rms(const Moment& shaft) const { return std::sqrt(variance(shaft)); }  ///< N·m
-    /// The shaft with the least RMS: it opposes M's first order.
+    /// The shaft with the smallest RMS: it opposes M's first order.
     const Moment& opposed() const { return opposed_; }
 
   private:
@@ -104,7 +104,7 @@ class MomentPlane {
     double slack_ = 0.0;  ///< rounding of a value of M, N·m
     double mean_;
     Moment opposed_;
-    double least_variance_;
+    double min_variance_;
 };
 
 }  // namespace ravnoves::balance_shaft

@@ -120,7 +120,7 @@ Optimum Moments::best_rms(const MomentMetrics& tipping) const {
     if (forces.moment_amplitude == 0.0) {
         return {std::nullopt, tipping.rms, makes_no_moment};
     }
-    // The variance is least where the shaft's moment opposes M_up's first order.
+    // The variance is smallest where the shaft's moment opposes M_up's first order.
     const MomentPlane::Moment& opposed = plane.opposed();
     if (opposed.norm() > moment_rounding * size_of(tipping)) {
         const double angle = wrap_turn(std::atan2(opposed.x(), opposed.y()) - phase);

@@ -21,7 +21,7 @@ struct Part {
     PlacePolygon where;
     double bound;  ///< of the criterion in it
     double size;   ///< of the polygon's box, half its diagonal, m
-    /// The one of the least bound is searched first, of equals the smallest.
+    /// The one of the smallest bound is searched first, of equals the smallest.
     bool operator<(const Part& other) const {
         return bound != other.bound ? bound > other.bound : size > other.size;
     }
@@ -64,7 +64,7 @@ class Search {
 
     const PlaceLimit* exceeded(const Place& place) const {
         const auto found = std::ranges::find_if(question_.limits, [&](const PlaceLimit& limit) {
-            return limit.criterion(place).value > limit.most * (1.0 + limit_rounding);
+            return limit.criterion(place).value > limit.maximum * (1.0 + limit_rounding);
         });
         return found != question_.limits.end() ? &*found : nullptr;
     }
@@ -99,25 +99,25 @@ class Search {
     bool cut_by_limits(const Place& middle, double r, ShaftPlaces::Cuts& cuts) const {
         for (const PlaceLimit& limit : question_.limits) {
             const Tangent here{middle, limit.criterion(middle)};
-            const double most = limit.most * (1.0 + limit_rounding);
+            const double maximum = limit.maximum * (1.0 + limit_rounding);
             const double bend = here.at.bend * r * r;
-            if (here.at.value - here.at.gradient.norm() * r - bend > most) {
+            if (here.at.value - here.at.gradient.norm() * r - bend > maximum) {
                 return false;
             }
-            cuts.outer.push_back(here.below(most + bend));
-            cuts.inner.push_back(here.below(limit.most));
+            cuts.outer.push_back(here.below(maximum + bend));
+            cuts.inner.push_back(here.below(limit.maximum));
         }
         return true;
     }
 
     static Place lowest(const PlacePolygon& polygon, const Tangent& tangent) {
-        std::size_t least = 0;
+        std::size_t minimum = 0;
         for (std::size_t i = 1; i < polygon.size(); ++i) {
-            if (tangent(polygon[i]) < tangent(polygon[least])) {
-                least = i;
+            if (tangent(polygon[i]) < tangent(polygon[minimum])) {
+                minimum = i;
             }
         }
-        return polygon[least];
+        return polygon[minimum];
     }
 
     /// The lowest of the corners; what exceeds a limit by its curvature is cut off.
@@ -129,7 +129,7 @@ class Search {
             if (limit == nullptr) {
                 break;
             }
-            polygon.cut(Tangent{place, limit->criterion(place)}.below(limit->most));
+            polygon.cut(Tangent{place, limit->criterion(place)}.below(limit->maximum));
             if (polygon.size() == 0) {
                 break;
             }
@@ -138,8 +138,8 @@ class Search {
         return place;
     }
 
-    static double least_of_larger(const PlacePolygon& polygon, const Tangent& one,
-                                  const Tangent& two) {
+    static double min_of_larger(const PlacePolygon& polygon, const Tangent& one,
+                                const Tangent& two) {
         const Place difference = two.at.gradient - one.at.gradient;
         // two − one ≥ 0
         const HalfPlane beyond{difference,
@@ -147,7 +147,7 @@ class Search {
         PlacePolygon above = polygon;
         above.cut(beyond);
         PlacePolygon below = polygon;
-        below.cut({-beyond.normal, -beyond.least});
+        below.cut({-beyond.normal, -beyond.minimum});
         return std::min(above.size() > 0 ? two(lowest(above, two)) : infinite,
                         below.size() > 0 ? one(lowest(below, one)) : infinite);
     }
@@ -177,7 +177,7 @@ class Search {
         // for, step by step.
         double tolerance = question_.tolerance;
         constexpr int many_parts = 2000;
-        constexpr int most_parts = 60'000;
+        constexpr int max_parts = 60'000;
         for (int count = 0; !open.empty(); ++count) {
             if (count >= many_parts && count % 250 == 0) {
                 tolerance *= 4.0;
@@ -190,11 +190,11 @@ class Search {
                 break;  // of the others too
             }
             const double r = part.size;
-            if (count >= most_parts || r < smallest) {
+            if (count >= max_parts || r < smallest) {
                 if (best_.value < infinite) {
                     best_.gap = std::max(best_.gap, best_.value - part.bound);
                 }
-                if (count >= most_parts) {
+                if (count >= max_parts) {
                     break;
                 }
                 continue;
@@ -241,7 +241,7 @@ class Search {
             }
             if (here.at.bend == 0.0) {
                 // The larger of the two tangent planes, as it is on both sides of a kink.
-                bound = std::max(bound, least_of_larger(all, here, there));
+                bound = std::max(bound, min_of_larger(all, here, there));
             }
             if (bound >= best_.value - tolerance) {
                 best_.gap = std::max(best_.gap, best_.value - bound);
@@ -301,9 +301,9 @@ PlaceFound lowest_place(const PlaceQuestion& question) {
     planes.add({-x, 0.0, 0.0}, -1.0);
     planes.add({0.0, -y, 0.0}, -1.0);
     constexpr double exact = 5e-14;
-    constexpr int most_rounds = 500;
+    constexpr int max_rounds = 500;
     Place at(0.0, 0.0);
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         const Planes::Vector vertex = planes.solve();
         best.gap = std::max(0.0, best.value - vertex.z());
         if (best.gap <= exact * best.value || (round > 0 && at == vertex.head<2>())) {

@@ -22,7 +22,7 @@ using PlaceCriterion = std::function<PlaceValue(const Eigen::Vector2d&)>;
 /// Another criterion that a place must not exceed, up to one part in 10⁹.
 struct PlaceLimit {
     PlaceCriterion criterion;
-    double most = 0.0;
+    double maximum = 0.0;
 };
 
 /// What a search needs also.
@@ -35,7 +35,7 @@ struct PlaceQuestion {
     std::optional<Eigen::Vector2d> start;  ///< a place that can be built, where known
 };
 
-/// A place with the least value among those that can be built.
+/// A place with the smallest value among those that can be built.
 struct PlaceFound {
     Eigen::Vector2d place;
     double value = 0.0;
@@ -48,12 +48,12 @@ struct PlaceFound {
 /// shrinks quadratically about the best place. Empty where nothing can be built.
 std::optional<PlaceFound> search_places(const ShaftPlaces& places, const PlaceQuestion& question);
 
-/// The least value of a convex criterion over the whole plane, by cutting planes: the least that
-/// all tangent planes met so far allow is a lower bound. Of the question only criterion, growth and
-/// at_crank count; the gap is a few roundings, or what 500 planes leave.
+/// The smallest value of a convex criterion over the whole plane, by cutting planes: the smallest
+/// that all tangent planes met so far allow is a lower bound. Of the question only criterion,
+/// growth and at_crank count; the gap is a few roundings, or what 500 planes leave.
 PlaceFound lowest_place(const PlaceQuestion& question);
 
-/// The least range over all moments of the shaft, N·m; the place is that moment.
+/// The smallest range over all moments of the shaft, N·m; the place is that moment.
 PlaceFound minimise_range(const MomentPlane& plane);
 
 }  // namespace ravnoves::balance_shaft

@@ -70,9 +70,9 @@ BestPosition PositionStudy::Prepared::best(double weight) const {
         return found({shaft.place(plane.opposed()), 0.0, rounding});
     }
     if (weight >= 1.0) {
-        PlaceFound least = minimise_range(plane);
-        least.place = shaft.place(least.place);
-        return found(least);
+        PlaceFound minimum = minimise_range(plane);
+        minimum.place = shaft.place(minimum.place);
+        return found(minimum);
     }
     return found(lowest_place(question(weight)));
 }
@@ -371,14 +371,14 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
             {size, largest->value, largest->place}};
         for (int k = 0; k < sizes; ++k) {
             std::size_t widest = levels.size();
-            double most = 0.0;
+            double maximum = 0.0;
             for (std::size_t n = 0; n + 1 < levels.size(); ++n) {
                 const double width = levels[n + 1].size - levels[n].size;
                 const double fall = levels[n].value - levels[n + 1].value;
                 const double score = fall / (levels.front().value - levels.back().value) +
                                      width / (size - smallest->value);
-                if (width > narrowest * (size - smallest->value) && fall > 0.0 && score > most) {
-                    most = score;
+                if (width > narrowest * (size - smallest->value) && fall > 0.0 && score > maximum) {
+                    maximum = score;
                     widest = n;
                 }
             }

@@ -28,7 +28,7 @@ struct PositionCriteria {
     double size = 0.0;   ///< m², box of the front view (Envelope: width × height)
 };
 
-/// A place with the least value of a criterion.
+/// A place with the smallest value of a criterion.
 struct BestPosition {
     ShaftPosition position;
     PositionCriteria criteria;
@@ -80,15 +80,15 @@ class PositionStudy {
 
     BestPositions best() const;            ///< over all places
     BestPositions best_buildable() const;  ///< over those that can be built
-    /// The least range_weight × range + (1 − range_weight) × RMS over all places, and among those
-    /// that can be built: empty where none can, or where best() has a reason. The gap is that of
-    /// the sum.
+    /// The smallest range_weight × range + (1 − range_weight) × RMS over all places, and among
+    /// those that can be built: empty where none can, or where best() has a reason. The gap is that
+    /// of the sum.
     /// @param range_weight  0…1
     std::optional<BestPosition> best_sum(double range_weight) const;
     std::optional<BestPosition> best_sum_buildable(double range_weight) const;
     /// Of the places that can be built and have no more than (1 + more) times that least sum, one
-    /// of the least size, to a thousandth of it: where many are as small, the one with the least
-    /// sum of the opposite weight (RMS beside range). The gap is that of the size, m².
+    /// of the smallest size, to a thousandth of it: where many are as small, the one with the
+    /// smallest sum of the opposite weight (RMS beside range). The gap is that of the size, m².
     std::optional<BestPosition> smallest_buildable(double range_weight, double more = 0.01) const;
     /// The same over α at a centre distance, m: of all α, and of those that can be built.
     BestPosition best_at(double centre_distance, double range_weight) const;
@@ -100,7 +100,7 @@ class PositionStudy {
 
     /// Pareto front of range, RMS and size among the places that can be built, ascending size: for
     /// some sizes and some weights of range against RMS (as parts of those without a shaft) the
-    /// place with the least weighted sum, to front_gap of it. Others lie between these.
+    /// place with the smallest weighted sum, to front_gap of it. Others lie between these.
     static constexpr double front_gap = 1e-6;
     std::vector<FrontPosition> front() const { return front(best_buildable()); }
     std::vector<FrontPosition> front(const BestPositions& best_buildable) const;

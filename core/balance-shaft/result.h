@@ -50,7 +50,7 @@ struct AngleSweep {
     std::vector<double> printed_mean_M_ups;  ///< M_upsm: printed_mean_M_s + node mean of M_up
 };
 
-/// The shaft angle with the least value of a criterion.
+/// The shaft angle with the smallest value of a criterion.
 struct Optimum {
     std::optional<double> shaft_angle;  ///< rad, 0…2π; empty: no α is better than another
     double value = 0.0;                 ///< N·m, the criterion there

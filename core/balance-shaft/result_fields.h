@@ -130,8 +130,8 @@ inline constexpr ResultField cylinder_clearance{"cylinder_mm", units::mm, 1,
                                                 CORE_TEXT("balance-shaft", "to the cylinder")};
 inline constexpr ResultField rod_clearance{"rod_mm", units::mm, 1,
                                            CORE_TEXT("balance-shaft", "to the rod")};
-inline constexpr ResultField least_allowed{"least_allowed_mm", units::mm, 1,
-                                           CORE_TEXT("balance-shaft", "minimum allowed")};
+inline constexpr ResultField min_allowed{"least_allowed_mm", units::mm, 1,
+                                         CORE_TEXT("balance-shaft", "minimum allowed")};
 inline constexpr ResultField shaft_swing_radius{
     "shaft_swing_radius_mm", units::mm, 1, CORE_TEXT("balance-shaft", "swing radius of the shaft")};
 inline constexpr ResultField crank_swing_radius{
@@ -362,9 +362,9 @@ inline constexpr ResultField best_rms_angle{"best_rms_shaft_angle_deg", units::d
                                             CORE_TEXT("balance-shaft", "α of the minimum RMS")};
 inline constexpr ResultField best_rms{"best_rms_Nm", units::N_m, 2,
                                       CORE_TEXT("balance-shaft", "minimum RMS")};
-inline constexpr ResultField least_bad{"least_bad", units::none, 3,
-                                       CORE_TEXT("balance-shaft", "Best compromise")};
-inline constexpr ResultField least_bad_buildable{
+inline constexpr ResultField best_compromise{"least_bad", units::none, 3,
+                                             CORE_TEXT("balance-shaft", "Best compromise")};
+inline constexpr ResultField best_compromise_feasible{
     "least_bad_buildable", units::none, 3, CORE_TEXT("balance-shaft", "Best feasible compromise")};
 inline constexpr ResultField range_relative{"range_relative", units::none, 3,
                                             CORE_TEXT("balance-shaft", "range, relative")};

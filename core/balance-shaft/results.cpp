@@ -231,7 +231,7 @@ void visit_clearances(ResultVisitor& visitor, const FrontView& view, double shaf
         visitor.number(key::crank_clearance, free.crank);
         visitor.number(key::cylinder_clearance, free.cylinder);
         visitor.number(key::rod_clearance, free.rod);
-        visitor.number(key::least_allowed, view.clearance);
+        visitor.number(key::min_allowed, view.clearance);
         visitor.number(key::shaft_swing_radius, view.shaft_swing_radius);
         visitor.number(key::crank_swing_radius, view.crank_swing_radius);
         visitor.number(key::rod_width, view.rod_width);
@@ -372,7 +372,7 @@ void visit_compromise(ResultVisitor& visitor, const ResultField& field, const Sp
         const auto one = [&](const ResultField& name, Criterion criterion, Measure measure,
                              const ResultField& value) {
             visitor.object(name, [&] {
-                const auto found = study.least_bad_angle(criterion, measure, within);
+                const auto found = study.best_compromise_angle(criterion, measure, within);
                 visitor.number(key::shaft_angle, found.shaft_angle);
                 visitor.number(value, found.value);
                 visitor.number(key::worst_speed, found.worst_speed);
@@ -409,8 +409,9 @@ void visit_speed_band(ResultVisitor& visitor, const Input& input, const SpeedBan
         column(key::best_range, &Point::best_range);
         column(key::best_rms_angle, &Point::best_rms_angle);
         column(key::best_rms, &Point::best_rms);
-        visit_compromise(visitor, key::least_bad, study, whole_turn());
-        visit_compromise(visitor, key::least_bad_buildable, study, study.buildable().stretches);
+        visit_compromise(visitor, key::best_compromise, study, whole_turn());
+        visit_compromise(visitor, key::best_compromise_feasible, study,
+                         study.buildable().stretches);
         if (band.map) {
             visitor.object(key::map, [&] {
                 constexpr std::size_t angles = 360;

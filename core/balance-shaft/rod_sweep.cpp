@@ -49,8 +49,8 @@ double RodSweep::squares(double x, double y, Column& out) const {
     return out.minCoeff();
 }
 
-/// Where the square of the distance is least within a step of a sample that lies no higher than its
-/// neighbours: it is flat there, so half of a double's digits of the angle are enough.
+/// Where the square of the distance is smallest within a step of a sample that lies no higher than
+/// its neighbours: it is flat there, so half of a double's digits of the angle are enough.
 RodSweep::Rod RodSweep::lowest_beside(Eigen::Index sample, double x, double y) const {
     const double theta = step * static_cast<double>(sample);
     const auto square_at = [&](double angle) { return square(rod_at(angle), x, y); };
@@ -61,14 +61,14 @@ RodSweep::Rod RodSweep::lowest_beside(Eigen::Index sample, double x, double y) c
 
 RodSweep::Nearest RodSweep::nearest(double x, double y) const {
     Column square_at;
-    const double least = squares(x, y, square_at);
-    return nearest(x, y, square_at, least);
+    const double minimum = squares(x, y, square_at);
+    return nearest(x, y, square_at, minimum);
 }
 
 RodSweep::Nearest RodSweep::nearest(double x, double y, const Column& square_at,
-                                    double least) const {
+                                    double minimum) const {
     // A minimum between samples is below them by no more than the rod moves.
-    const double reach = std::sqrt(least) + motion_;
+    const double reach = std::sqrt(minimum) + motion_;
     const double candidate = reach * reach * (1.0 + 1e-12);
     Rod rod{};
     double best = std::numeric_limits<double>::infinity();
@@ -98,22 +98,23 @@ RodSweep::Nearest RodSweep::nearest(double x, double y, const Column& square_at,
 
 std::optional<RodSweep::Nearest> RodSweep::nearer_than(double x, double y, double needed) const {
     Column square_at;
-    const double least = squares(x, y, square_at);
-    if (std::sqrt(least) - motion_ / 2.0 >= needed) {
+    const double minimum = squares(x, y, square_at);
+    if (std::sqrt(minimum) - motion_ / 2.0 >= needed) {
         return std::nullopt;
     }
-    const Nearest found = nearest(x, y, square_at, least);
+    const Nearest found = nearest(x, y, square_at, minimum);
     return found.distance < needed ? std::optional(found) : std::nullopt;
 }
 
 bool RodSweep::is_clear(double x, double y, double needed) const {
     Column square_at;
-    const double least = squares(x, y, square_at);
-    const double distance = std::sqrt(least);
+    const double minimum = squares(x, y, square_at);
+    const double distance = std::sqrt(minimum);
     if (distance < needed) {
         return false;
     }
-    return distance - motion_ / 2.0 >= needed || nearest(x, y, square_at, least).distance >= needed;
+    return distance - motion_ / 2.0 >= needed ||
+           nearest(x, y, square_at, minimum).distance >= needed;
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -41,8 +41,8 @@ class RodSweep {
 
     Rod rod_at(double theta) const;
     Rod lowest_beside(Eigen::Index sample, double x, double y) const;
-    Nearest nearest(double x, double y, const Column& square_at, double least) const;
-    /// Squares of the distances of all samples; returns the least.
+    Nearest nearest(double x, double y, const Column& square_at, double minimum) const;
+    /// Squares of the distances of all samples; returns the smallest.
     double squares(double x, double y, Column& out) const;
 
     SliderCrank<double> crank_;

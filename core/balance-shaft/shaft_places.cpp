@@ -17,19 +17,19 @@ PlacePolygon::PlacePolygon(const PlaceRectangle& rectangle) {
 }
 
 void PlacePolygon::cut(const HalfPlane& by) {
-    std::array<double, most> within;  // filled as far as it is read
+    std::array<double, maximum> within;  // filled as far as it is read
     bool is_cut = false;
     for (std::size_t i = 0; i < size_; ++i) {
-        within[i] = by.normal.dot(corners_[i]) - by.least;
+        within[i] = by.normal.dot(corners_[i]) - by.minimum;
         is_cut = is_cut || !(within[i] >= 0.0);
     }
     if (!is_cut) {
         return;
     }
-    std::array<Eigen::Vector2d, most> kept;
+    std::array<Eigen::Vector2d, maximum> kept;
     std::size_t count = 0;
     const auto put = [&](const Eigen::Vector2d& corner) {
-        if (count < most) {
+        if (count < maximum) {
             kept[count] = corner;
         }
         ++count;
@@ -44,7 +44,7 @@ void PlacePolygon::cut(const HalfPlane& by) {
             put(from + (corners_[next] - from) * (within[i] / (within[i] - within[next])));
         }
     }
-    if (count <= most) {
+    if (count <= maximum) {
         std::copy_n(kept.begin(), count, corners_.begin());
         size_ = count;
     }
@@ -210,22 +210,22 @@ void ShaftPlaces::find_cuts(const PlaceRectangle& rectangle, Cuts& cuts) const {
             return;
         }
         const Eigen::Vector2d n = to / away;
-        const double least = n.dot(middle) + needed - away;
-        cuts.inner.push_back({n, least});
-        cuts.outer.push_back({n, least - r * r / (2.0 * away) - rounding_});
+        const double minimum = n.dot(middle) + needed - away;
+        cuts.inner.push_back({n, minimum});
+        cuts.outer.push_back({n, minimum - r * r / (2.0 * away) - rounding_});
     };
     const double l = middle.norm();
-    const double least_l = nearest_allowed();
-    const double most_l = farthest();
-    if (l + r < least_l - rounding_ || l - r > most_l + rounding_) {
+    const double min_l = nearest_allowed();
+    const double max_l = farthest();
+    if (l + r < min_l - rounding_ || l - r > max_l + rounding_) {
         cuts.is_empty = true;
         return;
     }
-    keep_off({0.0, 0.0}, least_l);
-    if (l + r > most_l && l > 0.0) {
+    keep_off({0.0, 0.0}, min_l);
+    if (l + r > max_l && l > 0.0) {
         const Eigen::Vector2d n = -middle / l;
-        cuts.outer.push_back({n, -most_l - rounding_});
-        cuts.inner.push_back({n, -most_l + r * r / (2.0 * l)});
+        cuts.outer.push_back({n, -max_l - rounding_});
+        cuts.inner.push_back({n, -max_l + r * r / (2.0 * l)});
     }
 
     const double from_cylinder = distance_from_cylinder(view_, middle.x(), middle.y());
@@ -247,7 +247,7 @@ void ShaftPlaces::find_cuts(const PlaceRectangle& rectangle, Cuts& cuts) const {
             std::array<bool, 2> possible{};
             for (std::size_t i = 0; i < 2; ++i) {
                 possible[i] = edges[i].normal.dot(middle) + edges[i].normal.cwiseAbs().dot(half) >=
-                              edges[i].least;
+                              edges[i].minimum;
             }
             const bool needs_both = span <= pi;
             if (needs_both ? !(possible[0] && possible[1]) : !(possible[0] || possible[1])) {
@@ -282,8 +282,8 @@ bool ShaftPlaces::is_blocked(const PlacePolygon& part, const Cuts& cuts) const {
         }
         return true;
     };
-    const auto meets_crank = [least = nearest_allowed() - rounding_](const Eigen::Vector2d& at) {
-        return at.norm() < least;
+    const auto meets_crank = [minimum = nearest_allowed() - rounding_](const Eigen::Vector2d& at) {
+        return at.norm() < minimum;
     };
     const auto meets_cylinder = [&](const Eigen::Vector2d& at) {
         return distance_from_cylinder(view_, at.x(), at.y()) < needed_ - rounding_;
@@ -296,7 +296,7 @@ bool ShaftPlaces::is_blocked(const PlacePolygon& part, const Cuts& cuts) const {
 
 bool ShaftPlaces::mend(Eigen::Vector2d& place) const {
     const double nearest = nearest_allowed();
-    const double most = farthest();
+    const double maximum = farthest();
     constexpr int tries = 12;
     for (int i = 0; i < tries; ++i) {
         const Obstacle met = obstacle(place.x(), place.y());
@@ -319,8 +319,8 @@ bool ShaftPlaces::mend(Eigen::Vector2d& place) const {
             const double l = place.norm();
             if (l < nearest) {
                 push({0.0, 0.0}, nearest);
-            } else if (l > most) {
-                push({0.0, 0.0}, most);
+            } else if (l > maximum) {
+                push({0.0, 0.0}, maximum);
             } else {
                 const std::array<double, 4> box = region(std::numeric_limits<double>::infinity());
                 place.x() = std::clamp(place.x(), box[0], std::max(box[0], box[2]));
@@ -358,11 +358,11 @@ BoxSize ShaftPlaces::box(const Eigen::Vector2d& at) const {
     const Reach shaft = circle(view_.shaft_swing_radius);
     // How far everything reaches in a direction; the cylinder not downwards.
     const auto reach = [&](const Eigen::Vector2d& along, double cylinder) -> Reach {
-        Reach most{along.dot(at) + shaft.value, along + shaft.gradient};
-        if (crank.value > most.value) {
-            most = crank;
+        Reach maximum{along.dot(at) + shaft.value, along + shaft.gradient};
+        if (crank.value > maximum.value) {
+            maximum = crank;
         }
-        return cylinder > most.value ? Reach{cylinder, Eigen::Vector2d(0.0, 0.0)} : most;
+        return cylinder > maximum.value ? Reach{cylinder, Eigen::Vector2d(0.0, 0.0)} : maximum;
     };
     const double wide = view_.cylinder_half_width() + view_.wall;
     const Reach right = reach({1.0, 0.0}, view_.offset + wide);

@@ -13,10 +13,10 @@
 
 namespace ravnoves::balance_shaft {
 
-/// The places v with normal · v ≥ least.
+/// The places v with normal · v ≥ minimum.
 struct HalfPlane {
     Eigen::Vector2d normal;
-    double least = 0.0;
+    double minimum = 0.0;
 };
 
 struct PlaceRectangle {
@@ -36,8 +36,8 @@ class PlacePolygon {
     const Eigen::Vector2d& operator[](std::size_t i) const { return corners_[i]; }
 
   private:
-    static constexpr std::size_t most = 16;
-    std::array<Eigen::Vector2d, most> corners_;
+    static constexpr std::size_t maximum = 16;
+    std::array<Eigen::Vector2d, maximum> corners_;
     std::size_t size_ = 4;
 };
 

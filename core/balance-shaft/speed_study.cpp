@@ -173,9 +173,9 @@ Cut SpeedStudy::cut(const Speed& speed, Criterion criterion, Measure measure, do
 }
 
 /// At every α the largest of these speeds.
-SpeedStudy::AtSpeeds SpeedStudy::least_bad_of(const std::vector<const Speed*>& speeds,
-                                              Criterion criterion, Measure measure,
-                                              const std::vector<AngleStretch>& within) {
+SpeedStudy::AtSpeeds SpeedStudy::best_compromise_of(const std::vector<const Speed*>& speeds,
+                                                    Criterion criterion, Measure measure,
+                                                    const std::vector<AngleStretch>& within) {
     const bool by_range = criterion == Criterion::range;
     double steepest = 0.0;
     double size = 0.0;
@@ -226,7 +226,7 @@ std::optional<SpeedStudy::Speed> SpeedStudy::worst_speed_of(const std::vector<co
                 : twice_covariance_ + 2.0 * q * inertia_variance_;
         return {q, speed.with_shaft(criterion, alpha), speed.without_shaft(criterion), slope};
     };
-    const auto most_between = [](const End& left, const End& right) {
+    const auto max_between = [](const End& left, const End& right) {
         const double at_ends = std::max(left.ratio(), right.ratio());
         // Where the two tangents meet, from the left end.
         const double width = right.q - left.q;
@@ -255,13 +255,13 @@ std::optional<SpeedStudy::Speed> SpeedStudy::worst_speed_of(const std::vector<co
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         open.push_back({ends[i], ends[i + 1]});
     }
-    constexpr int most_evaluations = 2000;
-    for (int evaluations = 0; !open.empty() && evaluations < most_evaluations;) {
+    constexpr int max_evaluations = 2000;
+    for (int evaluations = 0; !open.empty() && evaluations < max_evaluations;) {
         const Interval interval = open.back();
         open.pop_back();
         const double width = interval[1].q - interval[0].q;
         if (width <= exact * interval[1].q ||
-            most_between(interval[0], interval[1]) <= worst.ratio() * (1.0 + exact)) {
+            max_between(interval[0], interval[1]) <= worst.ratio() * (1.0 + exact)) {
             continue;
         }
         const Speed speed = speed_at(std::sqrt(interval[0].q + width / 2.0));
@@ -277,8 +277,8 @@ std::optional<SpeedStudy::Speed> SpeedStudy::worst_speed_of(const std::vector<co
     return found;
 }
 
-SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure measure,
-                                                 std::vector<AngleStretch> within) const {
+SpeedStudy::BestCompromise SpeedStudy::best_compromise_angle(
+    Criterion criterion, Measure measure, std::vector<AngleStretch> within) const {
     if (speeds_.empty()) {
         return {};
     }
@@ -299,9 +299,9 @@ SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure me
     AtSpeeds best;
     double worst = 0.0;
     double worst_speed = 0.0;
-    constexpr int most_rounds = 60;
-    for (int round = 0; round < most_rounds; ++round) {
-        best = least_bad_of(speeds, criterion, measure, within);
+    constexpr int max_rounds = 60;
+    for (int round = 0; round < max_rounds; ++round) {
+        best = best_compromise_of(speeds, criterion, measure, within);
         worst = best.value;
         worst_speed = best.worst_speed;
         if (measure == Measure::absolute) {
@@ -322,7 +322,7 @@ SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure me
         speeds.push_back(&added.emplace_back(*std::move(other)));
     }
     const double bound = best.value - best.gap;
-    LeastBad answer;
+    BestCompromise answer;
     answer.shaft_angle = wrap_turn(best.alpha - phase_);
     answer.value = by_range ? worst : rms_of(worst);
     answer.gap = answer.value - (by_range ? bound : rms_of(bound));

@@ -53,8 +53,9 @@ class SpeedStudy {
         relative,  ///< the criterion over its value without a shaft at the same speed
     };
 
-    /// The angle whose worst speed in the whole band, not only of its points, is the least bad.
-    struct LeastBad {
+    /// The angle whose worst speed in the whole band, not only of its points, is the best
+    /// compromise.
+    struct BestCompromise {
         double shaft_angle = 0.0;  ///< rad, 0…2π
         double value = 0.0;        ///< the measure at the worst speed
         double worst_speed = 0.0;  ///< rad/s
@@ -78,8 +79,8 @@ class SpeedStudy {
     /// at an α its convexity (absolute: an end of the band) or branch and bound (relative). The
     /// study must be complete.
     /// @param within  the angles to choose from, one stretch at least
-    LeastBad least_bad_angle(Criterion criterion, Measure measure,
-                             std::vector<AngleStretch> within = whole_turn()) const;
+    BestCompromise best_compromise_angle(Criterion criterion, Measure measure,
+                                         std::vector<AngleStretch> within = whole_turn()) const;
     const BuildableAngles& buildable() const { return buildable_; }
 
   private:
@@ -109,8 +110,8 @@ class SpeedStudy {
     Speed speed_at(double angular_speed) const;
     static double divisor(const Speed& speed, Criterion criterion, Measure measure);
     static Cut cut(const Speed& speed, Criterion criterion, Measure measure, double alpha);
-    static AtSpeeds least_bad_of(const std::vector<const Speed*>& speeds, Criterion criterion,
-                                 Measure measure, const std::vector<AngleStretch>& within);
+    static AtSpeeds best_compromise_of(const std::vector<const Speed*>& speeds, Criterion criterion,
+                                       Measure measure, const std::vector<AngleStretch>& within);
     std::optional<Speed> worst_speed_of(const std::vector<const Speed*>& speeds,
                                         Criterion criterion, double alpha) const;
 

@@ -456,9 +456,9 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
 }
 
 TwoColumns read_columns(std::string_view text, Measured what, const TableReading& reading) {
-    constexpr double most_turns = 1e5;
+    constexpr double max_turns = 1e5;
     const TwoColumnsRule rule{CORE_TEXT("balance-shaft", "crank angle"), column_of(what).name,
-                              Range::between(-most_turns * turn_deg, most_turns * turn_deg)};
+                              Range::between(-max_turns * turn_deg, max_turns * turn_deg)};
     return read_two_columns(text, rule, reading.layout, reading.columns);
 }
 
@@ -669,9 +669,9 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
     }
     if (what == Measured::pressure && !decided.gauge) {
         const double low = look.low * *reading.unit;
-        constexpr double least_absolute = 0.15 * atmosphere;
+        constexpr double min_absolute = 0.15 * atmosphere;
         const bool says_so = names_gauge_pressure(chosen.heading(1));
-        reading.gauge = says_so || look.lowest < 0.0 || low < least_absolute;
+        reading.gauge = says_so || look.lowest < 0.0 || low < min_absolute;
         if (*reading.gauge && !says_so) {
             proposal.doubts.emplace_back(
                 CORE_TEXT("balance-shaft", "The minimum pressure is %1 %2: gauge pressure?"),

@@ -70,14 +70,14 @@ void check_table(const std::vector<double>& angle, const std::vector<double>& va
     }
     check_ascending(angle, [&](std::size_t i) { return angles + "/" + std::to_string(i); });
     // Rows still closer leave no digits to the slope between them, or let it overflow.
-    constexpr double least_gap_deg = 1e-9;
+    constexpr double min_gap_deg = 1e-9;
     for (std::size_t i = 1; i < angle.size(); ++i) {
-        if (!(angle[i] - angle[i - 1] >= least_gap_deg)) {
+        if (!(angle[i] - angle[i - 1] >= min_gap_deg)) {
             throw InputError(
                 angles + "/" + std::to_string(i),
                 {CORE_TEXT("balance-shaft",
                            "must be at least %1 more than the angle of the row before, %2"),
-                 Number{least_gap_deg, units::degree}, angle[i - 1]},
+                 Number{min_gap_deg, units::degree}, angle[i - 1]},
                 Number{angle[i]});
         }
     }

@@ -64,13 +64,13 @@ std::optional<CompressionFit> fit_compression(const CylinderGas& gas) {
         logarithm.push_back(std::log(pressure.back()));
     }
     constexpr int ratios = 200;
-    constexpr double least_ratio = 4.0;
+    constexpr double min_ratio = 4.0;
     constexpr double largest_ratio = 30.0;
     constexpr double usual_exponent = 1.35;
     CompressionFit fit;
-    double least_residual = 0.0;
+    double min_residual = 0.0;
     for (int k = 0; k <= ratios; ++k) {
-        const double ratio = least_ratio * std::pow(largest_ratio / least_ratio, 1.0 * k / ratios);
+        const double ratio = min_ratio * std::pow(largest_ratio / min_ratio, 1.0 * k / ratios);
         std::vector<double> x;
         std::vector<double> power;
         for (const double v : volume) {
@@ -84,9 +84,9 @@ std::optional<CompressionFit> fit_compression(const CylinderGas& gas) {
             fit.residual = free.residual;
         }
         const LineFit held = fit_line(power, pressure);
-        if (k == 0 || held.residual < least_residual) {
+        if (k == 0 || held.residual < min_residual) {
             fit.missing_pressure = -held.level;
-            least_residual = held.residual;
+            min_residual = held.residual;
         }
     }
     return fit;
@@ -117,9 +117,9 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
     const PressureTrace& trace = input.torque.trace;
     constexpr double atmosphere = 1.0 * units::bar;
     const double peak = gas.indicated().peak_pressure;
-    const double least = *std::min_element(trace.pressure.begin(), trace.pressure.end());
-    constexpr double least_rise = 2.0;
-    if (!(peak > least_rise * least)) {
+    const double minimum = *std::min_element(trace.pressure.begin(), trace.pressure.end());
+    constexpr double min_rise = 2.0;
+    if (!(peak > min_rise * minimum)) {
         return {};  // nothing that has a phase
     }
     const auto rounded = [](double value, int digits) {
@@ -146,7 +146,7 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
 
     // Pressure at the bottom dead centre before compression.
     const double bottom = mean_pressure(gas, 180.0);
-    constexpr double least_bottom = 0.2;  // of the atmosphere; throttled engines reach 0.25
+    constexpr double min_bottom = 0.2;  // of the atmosphere; throttled engines reach 0.25
     constexpr double largest_bottom = 8.0;
     const double parts = bottom / atmosphere;
     const std::optional<CompressionFit> fit = fit_compression(gas);
@@ -154,7 +154,7 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
                                   fit->missing_pressure > 0.6 * atmosphere &&
                                   fit->missing_pressure < 1.5 * atmosphere;
     constexpr double largest_ratio = 300.0;  // of peak to bottom pressure
-    if (lacks_atmosphere || (parts < least_bottom && peak > largest_ratio * bottom)) {
+    if (lacks_atmosphere || (parts < min_bottom && peak > largest_ratio * bottom)) {
         if (input.torque.crankcase_pressure < atmosphere / 2.0) {
             return {};  // both are gauge pressures, so the torque is right
         }
@@ -163,7 +163,7 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
                           "before compression. Read it as gauge pressure (\"gauge\": true)."),
                 rounded(bottom / units::bar, 3)};
     }
-    if (parts > largest_bottom || parts < least_bottom) {
+    if (parts > largest_bottom || parts < min_bottom) {
         // The unit that would make it nearest to an atmosphere.
         Unit likely = trace.unit;
         for (const Unit& unit : {units::pascal, units::kPa, units::psi, units::bar, units::MPa}) {
@@ -185,11 +185,11 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
             rounded(bottom / units::bar, 3), Text{"core", likely.name.data()},
             Text{"core", trace.unit.name.data()}};
     }
-    constexpr double least_exponent = 1.2;
+    constexpr double min_exponent = 1.2;
     constexpr double largest_exponent = 1.48;
     constexpr double largest_residual = 0.02;  // of a curve that is a polytrope
     if (fit && fit->residual < largest_residual &&
-        !(fit->exponent >= least_exponent && fit->exponent <= largest_exponent)) {
+        !(fit->exponent >= min_exponent && fit->exponent <= largest_exponent)) {
         return {CORE_TEXT("balance-shaft",
                           "Polytropic exponent of the compression: %1; usual: 1.25 to 1.42. Check "
                           "the phase of the crank angles and the zero of the pressure."),

@@ -46,10 +46,10 @@ class Planner {
           angle_(angle),
           cut_(cut),
           limits_(limits),
-          least_(limits.depth_step > 0.0
-                     ? limits.depth_step *
-                           std::ceil(limits.smallest_depth / limits.depth_step - 1e-9)
-                     : limits.smallest_depth) {}
+          minimum_(limits.depth_step > 0.0
+                       ? limits.depth_step *
+                             std::ceil(limits.smallest_depth / limits.depth_step - 1e-9)
+                       : limits.smallest_depth) {}
 
     double deepest(double diameter) const { return deepest_hole(diameter, cut_, limits_); }
 
@@ -61,23 +61,23 @@ class Planner {
     /// n holes that take off the target, or as much as they can; nothing where they have no room
     /// or one alone would take off too much.
     std::optional<Pattern> pattern(int n, double diameter) const {
-        const double most = deepest(diameter);
-        if (most < least_ || !fits(n, diameter, least_)) {
+        const double maximum = deepest(diameter);
+        if (maximum < minimum_ || !fits(n, diameter, minimum_)) {
             return std::nullopt;
         }
         // What n holes take off grows with the depth: their unbalance does, and where the spacing
         // grows it costs less than the depth brings as long as the holes are above the axis. It
         // falls alone where a hole has to leap over one of an earlier run.
-        const double room = roomy(n, diameter, most);
+        const double room = roomy(n, diameter, maximum);
         constexpr int steps = 32;
-        double depth = least_;
-        double low = least_;
-        double high = least_;
-        double best = taken(n, diameter, least_);
+        double depth = minimum_;
+        double low = minimum_;
+        double high = minimum_;
+        double best = taken(n, diameter, minimum_);
         bool reaches = best > target_;
         for (int i = 1; i <= steps && !reaches; ++i) {
             low = high;
-            high = least_ + (room - least_) * i / steps;
+            high = minimum_ + (room - minimum_) * i / steps;
             const double there = taken(n, diameter, high);
             reaches = there > target_;
             if (there > best) {
@@ -86,13 +86,13 @@ class Planner {
             }
         }
         if (!reaches) {
-            depth = depth < room ? std::max(least_, stepped(depth)) : room;
+            depth = depth < room ? std::max(minimum_, stepped(depth)) : room;
         } else {
             for (int i = 0; i < 100 && high - low > 1e-12; ++i) {
                 const double middle = 0.5 * (low + high);
                 (taken(n, diameter, middle) > target_ ? high : low) = middle;
             }
-            depth = rounded(n, diameter, 0.5 * (low + high), most);
+            depth = rounded(n, diameter, 0.5 * (low + high), maximum);
         }
         const Removed one = cut_.removed(diameter, depth);
         return Pattern{n, diameter, depth, target_ - taken(n, diameter, depth), n * one.mass};
@@ -155,7 +155,7 @@ class Planner {
         return true;
     }
 
-    /// The least angle from `offset` on at which a hole on either side keeps clear of what is
+    /// The smallest angle from `offset` on at which a hole on either side keeps clear of what is
     /// taken; nothing where none does.
     std::optional<double> clear_of_taken(double offset, double half) const {
         constexpr double rounding = 1e-12;
@@ -184,26 +184,26 @@ class Planner {
     }
 
     /// The deepest that n holes have room for; depth 0 has.
-    double roomy(int n, double diameter, double most) const {
-        if (fits(n, diameter, most)) {
-            return most;
+    double roomy(int n, double diameter, double maximum) const {
+        if (fits(n, diameter, maximum)) {
+            return maximum;
         }
-        double low = least_;
-        double high = most;
+        double low = minimum_;
+        double high = maximum;
         for (int i = 0; i < 60; ++i) {
             const double middle = 0.5 * (low + high);
             (fits(n, diameter, middle) ? low : high) = middle;
         }
-        return std::max(least_, stepped(low));
+        return std::max(minimum_, stepped(low));
     }
 
-    double rounded(int n, double diameter, double depth, double most) const {
+    double rounded(int n, double diameter, double depth, double maximum) const {
         if (limits_.depth_step <= 0.0) {
             return depth;
         }
-        const double below = std::max(least_, stepped(depth));
+        const double below = std::max(minimum_, stepped(depth));
         const double above = below + limits_.depth_step;
-        const bool can = above <= most + 1e-12 && fits(n, diameter, above);
+        const bool can = above <= maximum + 1e-12 && fits(n, diameter, above);
         return can && std::abs(taken(n, diameter, above) - target_) <
                            std::abs(taken(n, diameter, below) - target_)
                    ? above
@@ -214,7 +214,7 @@ class Planner {
     double angle_;
     const Cut& cut_;
     const HoleLimits& limits_;
-    double least_;  ///< depth of a hole, m
+    double minimum_;  ///< depth of a hole, m
 };
 
 }  // namespace
@@ -327,21 +327,21 @@ double edge_beyond(const Cut& cut, const std::pair<double, double>& sector, cons
     if (turn_of(sector.second - sector.first) < rounding) {
         return 0.0;  // all round
     }
-    double most = 0.0;
+    double maximum = 0.0;
     for (const double inwards :
          {turn_of(hole.angle - sector.first), turn_of(sector.second - hole.angle)}) {
         // From the plane of the limit, as in half_width(); a limit a quarter turn away bounds
         // nothing here.
         const double angle = inwards > 2.0 * pi - rounding ? 0.0 : inwards;
         if (angle < 0.5 * pi) {
-            most = std::max(most, cut.axial_wall
-                                      ? 0.5 * hole.diameter -
-                                            cut.lever(hole.diameter, hole.depth) * std::sin(angle)
-                                      : 0.5 * hole.diameter * std::cos(angle) -
-                                            (cut.radius - hole.depth) * std::sin(angle));
+            maximum = std::max(
+                maximum, cut.axial_wall ? 0.5 * hole.diameter -
+                                              cut.lever(hole.diameter, hole.depth) * std::sin(angle)
+                                        : 0.5 * hole.diameter * std::cos(angle) -
+                                              (cut.radius - hole.depth) * std::sin(angle));
         }
     }
-    return most < rounding ? 0.0 : most;
+    return maximum < rounding ? 0.0 : maximum;
 }
 
 HolePlan plan_beside_sector(double target, double angle, const Cut& cut,
@@ -419,7 +419,7 @@ class Deepener {
 
   private:
     static constexpr double rounding = 1e-12;  // kg·m
-    static constexpr int most_candidates = 12;
+    static constexpr int max_candidates = 12;
     using Depths = std::vector<std::size_t>;  // in steps beyond the present depth
 
     struct Each {
@@ -439,12 +439,12 @@ class Deepener {
     void add(const Hole& hole) {
         const double away = std::abs(std::remainder(hole.angle - std::arg(unbalance_), 2.0 * pi));
         const bool may = away <= limits_.maximum_angle && limits_.allows(hole.angle) &&
-                         candidates_ < most_candidates;
-        const double most = may ? deepest_hole(hole.diameter, cut_, limits_) : 0.0;
-        candidates_ += most > hole.depth ? 1 : 0;
-        Each each{hole, std::polar(1.0, hole.angle), step_to(most - hole.depth), {}, {}};
+                         candidates_ < max_candidates;
+        const double maximum = may ? deepest_hole(hole.diameter, cut_, limits_) : 0.0;
+        candidates_ += maximum > hole.depth ? 1 : 0;
+        Each each{hole, std::polar(1.0, hole.angle), step_to(maximum - hole.depth), {}, {}};
         const double now = cut_.removed(hole.diameter, hole.depth).unbalance;
-        for (std::size_t steps = 0; steps == 0 || depth_of(each, steps) <= most + rounding;
+        for (std::size_t steps = 0; steps == 0 || depth_of(each, steps) <= maximum + rounding;
              ++steps) {
             const double depth = depth_of(each, steps);
             each.taken.push_back(cut_.removed(hole.diameter, depth).unbalance - now);
@@ -455,11 +455,11 @@ class Deepener {
 
     /// The step of the depths, or so many of them that no more are tried than there is time for.
     double step_to(double span) const {
-        constexpr double most_steps = 1000.0;
-        const double least = span / most_steps;
+        constexpr double max_steps = 1000.0;
+        const double minimum = span / max_steps;
         return limits_.depth_step > 0.0
-                   ? limits_.depth_step * std::max(1.0, std::ceil(least / limits_.depth_step))
-                   : std::max(0.01e-3, least);
+                   ? limits_.depth_step * std::max(1.0, std::ceil(minimum / limits_.depth_step))
+                   : std::max(0.01e-3, minimum);
     }
 
     double left(const Depths& depths) const {

@@ -115,7 +115,7 @@ double edge_beyond(const Cut& cut, const std::pair<double, double>& sector, cons
 /// tools the one that takes off the least metal. The holes' unbalances add up along the angle, for
 /// they lie symmetrically about it.
 /// @param target     kg·m
-/// @param tolerance  what may be left, kg·m; negative where it is not known: then the least that
+/// @param tolerance  what may be left, kg·m; negative where it is not known: then the smallest that
 ///                   the rounding of the depths allows
 HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const double> diameters,
                     const HoleLimits& limits, double tolerance);

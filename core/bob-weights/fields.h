@@ -42,7 +42,7 @@ inline constexpr Field type{.key = "type",
                             .hint = CORE_TEXT("bob-weights", "Layout of the cylinders."),
                             .words = type_words};
 inline constexpr Field cylinders{.key = "cylinders",
-                                 .range = Range::between(1, most_cylinders),
+                                 .range = Range::between(1, max_cylinders),
                                  .label = CORE_TEXT("bob-weights", "&Cylinders"),
                                  .hint = CORE_TEXT("bob-weights", "Number of cylinders.")};
 inline constexpr Field bank_angle{

@@ -122,9 +122,9 @@ void check_drilled(const std::optional<std::vector<DrilledHole>>& drilled, const
 
 void check_runs(const Correction& correction) {
     const std::string place = correction_place;
-    if (correction.earlier_runs.size() >= most_runs) {
+    if (correction.earlier_runs.size() >= max_runs) {
         throw InputError(place + std::string(field::earlier_runs.key),
-                         {CORE_TEXT("bob-weights", "must be a list of at most %1"), most_runs - 1},
+                         {CORE_TEXT("bob-weights", "must be a list of at most %1"), max_runs - 1},
                          Number{static_cast<double>(correction.earlier_runs.size())});
     }
     check_drilled(correction.record.drilled, place);
@@ -224,10 +224,10 @@ BearingPlaces places_of_bearings(const Input& input) {
         return BearingPlaces::reversed;
     }
     if (const auto& centre = tolerance.centre_of_mass) {
-        const auto [least, most] =
+        const auto [minimum, maximum] =
             std::minmax({*front, *rear, first.value_or(*front), second.value_or(*rear)});
-        return *centre < least || *centre > most ? BearingPlaces::centre_beyond
-                                                 : BearingPlaces::plausible;
+        return *centre < minimum || *centre > maximum ? BearingPlaces::centre_beyond
+                                                      : BearingPlaces::plausible;
     }
     return BearingPlaces::plausible;
 }

@@ -20,8 +20,8 @@ class FieldVisitor;
 /// Angles of the balancing machine count from its zero mark, in one sense for readings and holes.
 namespace ravnoves::bob_weights {
 
-inline constexpr int most_cylinders = 64;
-inline constexpr std::size_t most_runs = 9;  ///< of the machine, the one before drilling included
+inline constexpr int max_cylinders = 64;
+inline constexpr std::size_t max_runs = 9;  ///< of the machine, the one before drilling included
 
 enum class EngineType { v, in_line, boxer };
 

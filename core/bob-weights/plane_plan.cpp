@@ -15,8 +15,8 @@ using Vector = std::complex<double>;
 
 /// Whether a slug adds next to nothing, for its hole takes off nearly as much.
 bool is_light(double slug_density, double density) {
-    constexpr double least = 1.1;
-    return slug_density < least * density;
+    constexpr double minimum = 1.1;
+    return slug_density < minimum * density;
 }
 
 /// Why so much is left.
@@ -195,15 +195,16 @@ class PlanePlanner {
     }
 
     double beyond_sector(const Metal& metal) const {
-        double most = 0.0;
+        double maximum = 0.0;
         for (const auto& [holes, cut] :
              {std::pair(&metal.holes, &cut_), std::pair(&metal.slugs, &into_)}) {
             for (const Hole& hole : *holes) {
-                most =
-                    limits_.sector ? std::max(most, edge_beyond(*cut, *limits_.sector, hole)) : 0.0;
+                maximum = limits_.sector
+                              ? std::max(maximum, edge_beyond(*cut, *limits_.sector, hole))
+                              : 0.0;
             }
         }
-        return most;
+        return maximum;
     }
 
   private:
@@ -374,11 +375,11 @@ PlaneResult plan_plane(Vector unbalance, const Plane& plane, const Correction& c
     result.within_tolerance = shop::is_within(result.remaining, permissible);
     if (result.within_tolerance != true) {
         // Across the holes no depth helps.
-        constexpr double most = 60.0 * degree;
+        constexpr double maximum = 60.0 * degree;
         const bool can_deepen =
             std::any_of(result.holes.begin(), result.holes.end(), [&](const Hole& hole) {
                 return std::abs(std::remainder(hole.angle - result.remaining_angle, 2.0 * pi)) <
-                       most;
+                       maximum;
             });
         result.reason =
             describe(planned.shortfall, result.remaining, result.remaining_angle, plane, correction,

@@ -138,7 +138,7 @@ struct Result {
 };
 
 /// An amplification of more than this is worth a word.
-inline constexpr double most_amplification = 1.5;
+inline constexpr double max_amplification = 1.5;
 
 /// What of the bob weight is missing, by its fields; empty where it is known.
 std::vector<const Field*> missing_for_bob_weight(const Input& input);

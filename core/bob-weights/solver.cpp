@@ -76,12 +76,12 @@ void solve_bob_weight(const Input& input, double factor, Result& result) {
 
 /// Masses that would be grams if they were typed in kilograms.
 void look_for_kilograms(const Input& input, Result& result) {
-    constexpr double least_other = 0.05 * units::gram;  // of locks and oil
+    constexpr double min_other = 0.05 * units::gram;  // of locks and oil
     for (const PartField& part : part_fields()) {
         const auto& typed = input.parts.*part.member;
         std::optional<double> found;
         if (!part.column) {
-            found = typed && *typed > 0.0 && *typed < least_other ? typed : std::nullopt;
+            found = typed && *typed > 0.0 && *typed < min_other ? typed : std::nullopt;
         } else {
             const shop::Weighed alone[] = {typed};
             found = shop::mass_in_kilograms(*part.column, std::nullopt, alone);
@@ -192,14 +192,14 @@ std::array<std::optional<OtherEffect>, 2> other_effects(
         return found;
     }
     const std::array<Vector, 2> meant{effect_of(before.drilled[0]), effect_of(before.drilled[1])};
-    const double most = std::max(std::abs(meant[0]), std::abs(meant[1]));
+    const double maximum = std::max(std::abs(meant[0]), std::abs(meant[1]));
     bool is_in_other_plane = true;
     for (std::size_t i = 0; i < 2; ++i) {
         const Vector was = vector_of((*before.planes)[i]);
         const Vector is = vector_of((*after.planes)[i]);
         const double limit = permissible ? (*permissible)[i] : 0.0;
-        is_in_other_plane =
-            is_in_other_plane && std::abs(is - was - meant[1 - i]) <= std::max(0.5 * most, limit);
+        is_in_other_plane = is_in_other_plane &&
+                            std::abs(is - was - meant[1 - i]) <= std::max(0.5 * maximum, limit);
         const Vector expected = was + meant[i];
         const bool is_drilled = meant[i] != 0.0;
         const double whole = std::abs(is_drilled ? meant[i] : was);
@@ -207,10 +207,10 @@ std::array<std::optional<OtherEffect>, 2> other_effects(
             std::abs(is - expected) <= std::max(0.5 * whole, limit)) {
             continue;
         }
-        found[i] = {std::abs(expected), turn_of(std::arg(expected)),
-                    is_drilled && std::real((is - was) / meant[i]) < -0.5 &&
-                        std::abs(is) > std::abs(was),
-                    false};
+        found[i] = {
+            std::abs(expected), turn_of(std::arg(expected)),
+            is_drilled && std::real((is - was) / meant[i]) < -0.5 && std::abs(is) > std::abs(was),
+            false};
     }
     for (auto& each : found) {
         if (each) {

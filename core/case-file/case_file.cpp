@@ -28,8 +28,8 @@ Message line_and_column(std::string_view text, std::size_t byte) {
 constexpr std::size_t deepest = 100;
 // More than the longest tables of a case and its variants take; each costs ten times its text in
 // memory.
-constexpr std::size_t most_values = 5'000'000;
-constexpr std::size_t most_names = 1000;  // of an object: each is compared with those before it
+constexpr std::size_t max_values = 5'000'000;
+constexpr std::size_t max_names = 1000;  // of an object: each is compared with those before it
 
 /// Builds the document as the library's own parser does, but rejects what that takes in silence: a
 /// key given twice, whose last value would count, and NUL, which cuts the name of a file short.
@@ -61,10 +61,10 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
                         [&](const auto& entry) { return entry.first == level.key; })) {
             throw InputError(pointer(), CORE_TEXT("core", "is given twice"));
         }
-        if (names.size() >= most_names) {
+        if (names.size() >= max_names) {
             levels_.pop_back();
             throw InputError(pointer(),
-                             {CORE_TEXT("core", "must have at most %1 names"), most_names});
+                             {CORE_TEXT("core", "must have at most %1 names"), max_names});
         }
         return true;
     }
@@ -108,8 +108,8 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
     }
     template <typename Value>
     bool put(Value&& value) {
-        if (++values_ > most_values) {
-            throw InputError("", {CORE_TEXT("core", "must have at most %1 values"), most_values});
+        if (++values_ > max_values) {
+            throw InputError("", {CORE_TEXT("core", "must have at most %1 values"), max_values});
         }
         if (levels_.empty()) {
             root_ = std::forward<Value>(value);

@@ -38,9 +38,9 @@ double from_si(const Field& field, double si) {
     const double value = si / field.unit;
     // The digits that nearly every field has: no text is needed to round to them.
     constexpr double millionth = 1e6;
-    constexpr double most = 1e12;  // so many digits in all
+    constexpr double maximum = 1e12;  // so many digits in all
     const double whole = std::nearbyint(value * millionth);
-    if (std::abs(whole) < most && whole / millionth * field.unit == si) {
+    if (std::abs(whole) < maximum && whole / millionth * field.unit == si) {
         return whole / millionth;
     }
     for (const int digits : {12, 15, 16}) {

@@ -152,7 +152,7 @@ int FieldReader::one_of(std::initializer_list<std::string_view> keys, int presen
     }
     if (found < 0 && !is_lenient_) {
         for (const std::string_view key : keys) {
-            reader().refuse_mistyped(key);
+            reader().reject_mistyped(key);
         }
         throw InputError(reader().pointer_to(*keys.begin()),
                          {CORE_TEXT("core", "is required and missing (or %1)"),

@@ -109,12 +109,12 @@ class JsonWriter {
             return;
         }
         const double size = std::abs(value);
-        constexpr double least_plain = 1e-4;
-        constexpr double most_plain = 1e15;
+        constexpr double min_plain = 1e-4;
+        constexpr double max_plain = 1e15;
         constexpr std::size_t longest = 32;
         char* const begin = room(longest);
         char* end = begin;
-        if (size < most_plain && value == std::trunc(value)) {
+        if (size < max_plain && value == std::trunc(value)) {
             if (std::signbit(value)) {
                 *end++ = '-';
             }
@@ -122,7 +122,7 @@ class JsonWriter {
             *end++ = '.';
             *end++ = '0';
         } else {
-            const bool is_plain = size >= least_plain && size < most_plain;
+            const bool is_plain = size >= min_plain && size < max_plain;
             end = std::to_chars(begin, begin + longest, value,
                                 is_plain ? std::chars_format::fixed : std::chars_format::scientific)
                       .ptr;

@@ -164,13 +164,13 @@ const Json& ObjectReader::require(std::string_view key) {
     know(key);
     const auto found = value_.find(key);
     if (found == value_.end()) {
-        refuse_mistyped(key);
+        reject_mistyped(key);
         throw InputError(pointer_to(key), CORE_TEXT("core", "is required and missing"));
     }
     return *found;
 }
 
-void ObjectReader::refuse_mistyped(std::string_view key) const {
+void ObjectReader::reject_mistyped(std::string_view key) const {
     constexpr std::size_t slip = 2;  // letters
     for (const auto& item : value_.items()) {
         const std::string& given = item.key();

@@ -55,7 +55,7 @@ class ObjectReader {
 
     /// Rejects a required key that is missing while one that was not asked for is nearly it, or it
     /// without its unit.
-    void refuse_mistyped(std::string_view key) const;
+    void reject_mistyped(std::string_view key) const;
     /// Rejects any key that was not asked for, with the nearest known key.
     void finish(const Text& unknown = CORE_TEXT("core", "is not a known key")) const;
 

@@ -8,8 +8,8 @@
 namespace ravnoves {
 
 /// The whole file as bytes: the one way in which the programs read a file that they are given. What
-/// might never end is refused: a pipe, a device, a file of the system that makes one wait, one that
-/// takes longer than 20 s.
+/// might never end is rejected: a pipe, a device, a file of the system that makes one wait, one
+/// that takes longer than 20 s.
 /// @throws InputError where it cannot be read, is no such file or is larger than 64 MiB
 std::string read_text_file(const std::filesystem::path& path);
 /// All that comes by an open file or pipe, however long it takes.

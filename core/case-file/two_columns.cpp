@@ -301,11 +301,11 @@ TableView look_at_table(std::string_view text, const TableLayout& decided, std::
 }
 
 std::vector<std::vector<double>> number_columns(std::string_view text, const TableView& view,
-                                                std::size_t most_rows) {
+                                                std::size_t max_rows) {
     std::vector<std::vector<double>> columns(view.columns);
     std::vector<std::string_view> fields;
     Lines lines(text);
-    for (std::size_t i = 0; i < view.header_lines + most_rows && lines.next(); ++i) {
+    for (std::size_t i = 0; i < view.header_lines + max_rows && lines.next(); ++i) {
         if (i < view.header_lines) {
             continue;
         }

@@ -38,7 +38,7 @@ TableView look_at_table(std::string_view text, const TableLayout& decided = {},
 
 /// All columns of a text's rows as numbers, what is none as NaN; at most so many rows.
 std::vector<std::vector<double>> number_columns(std::string_view text, const TableView& view,
-                                                std::size_t most_rows);
+                                                std::size_t max_rows);
 
 /// In place of a first column: the rows are counted from 0.
 inline constexpr std::size_t row_number = static_cast<std::size_t>(-1);

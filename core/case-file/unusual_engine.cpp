@@ -8,7 +8,7 @@ std::vector<Message> unusual_engine_notes(const EngineSizes& engine) {
     constexpr double fastest = 60000 * units::rpm;  // model engines come near it
     constexpr double largest = 10 * units::metre;   // three times those of the largest ships
     constexpr double heaviest = 1e6;                // kg/m³
-    constexpr double least_ratio = 0.06;
+    constexpr double min_ratio = 0.06;
     const auto in_mm = [](double length) { return Number{length / units::mm, units::mm, 4}; };
     std::vector<Message> notes;
     if (engine.angular_speed > fastest) {
@@ -24,7 +24,7 @@ std::vector<Message> unusual_engine_notes(const EngineSizes& engine) {
         notes.emplace_back(CORE_TEXT("core", "Rod length %1 is implausible: check it."),
                            in_mm(engine.rod_length));
     }
-    if (engine.rod_length > 0.0 && radius < least_ratio * engine.rod_length) {
+    if (engine.rod_length > 0.0 && radius < min_ratio * engine.rod_length) {
         notes.emplace_back(
             CORE_TEXT("core",
                       "Crank radius %1 and rod %2 are implausible together: check their units, for "

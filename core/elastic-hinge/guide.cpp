@@ -66,21 +66,21 @@ class BranchScan {
         }
     }
 
-    /// @param least, greatest  radius of the path, m
+    /// @param minimum, greatest  radius of the path, m
     /// @param step  of the grid, rad
-    BranchSummary finish(double least, double greatest, double step) {
+    BranchSummary finish(double minimum, double greatest, double step) {
         for (int each = 0; each < measures; ++each) {
             at(each).sharpen([&](double phi) { return measure(each, shape_.at(branch_, phi)); },
                              step);
         }
         BranchSummary summary;
         summary.exists = true;
-        summary.min_radius = least;
+        summary.min_radius = minimum;
         summary.max_radius = greatest;
-        summary.profile_min_radius = roller_ > 0.0 ? -at(lowest).value : least;
+        summary.profile_min_radius = roller_ > 0.0 ? -at(lowest).value : minimum;
         summary.profile_max_radius = roller_ > 0.0 ? at(highest).value : greatest;
-        const double most_bent = at(bent).value;
-        summary.smallest_curvature_radius = most_bent > 0.0 ? 1.0 / most_bent : greatest;
+        const double max_bent = at(bent).value;
+        summary.smallest_curvature_radius = max_bent > 0.0 ? 1.0 / max_bent : greatest;
         if (const double sharpest = at(against_roller).value;
             sharpest > 0.0 && std::isfinite(1.0 / sharpest)) {
             summary.largest_roller_radius = 1.0 / sharpest;
@@ -190,7 +190,7 @@ double GuideShape::energy(double radius) const {
     return 0.5 * spring_.stiffness * change * change;
 }
 
-double GuideShape::least_given_out() const {
+double GuideShape::min_given_out() const {
     const DemandRange range = design_->range(hinge_);
     return scale_ > 0.0 ? scale_ * range.min : scale_ * range.max;
 }
@@ -282,7 +282,7 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     guide.preload = spring->preload();
 
     const double greatest = std::max(shape->greatest_given_out(), 0.0);
-    const double least = std::min(shape->least_given_out(), 0.0);
+    const double minimum = std::min(shape->min_given_out(), 0.0);
     guide.minimum_preload = std::sqrt(greatest);
     guide.worst_angle = shape->greatest_angle();
     const double square = guide.preload * guide.preload;
@@ -295,7 +295,7 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
 
     const bool exists = greatest <= square + shape->rounding();
     const double lowest = std::sqrt(std::max(square - greatest, 0.0));
-    const double highest = std::sqrt(square - least);
+    const double highest = std::sqrt(square - minimum);
     guide.smallest_deflection = lowest;
     const double half_length = 0.5 * spring->free_length;
 
@@ -348,7 +348,7 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
 
     steepest_error.sharpen(
         [&](double phi) { return wave_effect(shape->at(Branch::stretched, phi)); }, step);
-    guide.relief = highest + lowest > 0.0 ? (greatest - least) / (highest + lowest) : 0.0;
+    guide.relief = highest + lowest > 0.0 ? (greatest - minimum) / (highest + lowest) : 0.0;
     guide.spring_travel = 2.0 * guide.relief;
     guide.largest_spring_force = 2.0 * spring->stiffness * highest;
     guide.smallest_spring_force = 2.0 * spring->stiffness * lowest;

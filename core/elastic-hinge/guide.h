@@ -70,7 +70,7 @@ class GuideShape {
     /// least one makes a guide.
     double rounding() const { return rounding_; }
     /// Least and greatest of given_out() over the turn, m².
-    double least_given_out() const;
+    double min_given_out() const;
     double greatest_given_out() const;
     /// The crank angle of the greatest, rad.
     double greatest_angle() const;

@@ -15,7 +15,7 @@ namespace ravnoves::elastic_hinge {
 
 namespace {
 
-constexpr std::size_t most_points = 500'000;
+constexpr std::size_t max_points = 500'000;
 
 void check_drawing(const Guide& guide, const GuideDrawing& drawing) {
     const BranchSummary& summary =
@@ -86,11 +86,11 @@ class ClosedPolyline {
         if (error <= tolerance_ || depth >= 30) {
             return;
         }
-        if (result_.size() >= most_points) {
+        if (result_.size() >= max_points) {
             throw InputError(
                 CORE_TEXT("elastic-hinge", "chord tolerance"),
                 {CORE_TEXT("elastic-hinge", "is too small for this guide: more than %1 points"),
-                 most_points});
+                 max_points});
         }
         divide(from, a, middle, m, depth + 1);
         result_.push_back(m);
@@ -130,7 +130,7 @@ std::vector<std::string> note_lines(const Guide& guide, const GuideDrawing& draw
         lines.emplace_back("WARNING: roller radius 0, the profile is the path of the centre");
     }
     const double margin = guide.preload - guide.minimum_preload;
-    if (guide.minimum_preload > 0.0 && margin < least_preload_margin) {
+    if (guide.minimum_preload > 0.0 && margin < min_preload_margin) {
         lines.push_back("WARNING: the preload exceeds the minimum by only " +
                         format_number(margin / units::mm, 2));
     }

@@ -29,18 +29,18 @@ std::optional<double> largest_roller(const GuideShape& shape, Branch branch) {
     return sharpest.found ? std::optional(1.0 / sharpest.value) : std::nullopt;
 }
 
-/// The least d_min whose preload √(d_min² + G) is more than the least one, √G, by the margin that
-/// is wanted. G = greatest energy / 2c grows with d_min as c falls: d_min² = m² + 2 m √G, by
+/// The smallest d_min whose preload √(d_min² + G) is more than the smallest one, √G, by the margin
+/// that is wanted. G = greatest energy / 2c grows with d_min as c falls: d_min² = m² + 2 m √G, by
 /// iteration.
 double deflection_with_margin(const GuideWish& wish, double greatest_share) {
     const double margin = wish.preload_margin;
-    double least = margin;
+    double minimum = margin;
     constexpr int enough = 60;  // each takes off three quarters of the error
     for (int i = 0; i < enough; ++i) {
-        const double energy = greatest_share * wish.relief * (2.0 * least + wish.relief);
-        least = std::sqrt(margin * margin + 2.0 * margin * std::sqrt(energy));
+        const double energy = greatest_share * wish.relief * (2.0 * minimum + wish.relief);
+        minimum = std::sqrt(margin * margin + 2.0 * margin * std::sqrt(energy));
     }
-    return least;
+    return minimum;
 }
 
 }  // namespace
@@ -51,17 +51,17 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
     GuideProposal proposal;
     proposal.branch = branch;
     proposal.smallest_spring_length = wish.shortest(free_length);
-    const auto refuse = [&](Message reason) {
+    const auto reject = [&](Message reason) {
         proposal.reason = std::move(reason);
         return proposal;
     };
     if (!design->has_exact_kinematics()) {
-        return refuse(CORE_TEXT("elastic-hinge", "at λ = 1 the mechanism locks: no guide"));
+        return reject(CORE_TEXT("elastic-hinge", "at λ = 1 the mechanism locks: no guide"));
     }
     const DemandRange range = design->range(hinge);
     const double span = range.span();
     if (!(span > 0.0)) {
-        return refuse(
+        return reject(
             CORE_TEXT("elastic-hinge", "the hinge releases no energy: its guide is a circle"));
     }
     const bool reversed = sign == GuideSign::as_printed && hinge != Hinge::rod;
@@ -72,24 +72,24 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
     const double limit = 0.5 * wish.outer_diameter - roller_radius;  // of the roller centre's path
     const double shortest = wish.shortest(free_length);
 
-    // Bounds of the least deflection d_min.
-    const double least_deflection =
+    // Bounds of the smallest deflection d_min.
+    const double min_deflection =
         std::max(0.1 * relief, deflection_with_margin(wish, std::max(0.0, greatest / span)));
-    double low = least_deflection;
+    double low = min_deflection;
     double high = 0.0;
     if (branch == Branch::compressed) {
         low = std::max(low, half - limit);
         high = 0.5 * (free_length - shortest) - relief;
-        if (high < least_deflection) {
-            return refuse({CORE_TEXT("elastic-hinge",
+        if (high < min_deflection) {
+            return reject({CORE_TEXT("elastic-hinge",
                                      "a spring of %1 with a minimum length of %2 has no room for a "
                                      "relief of %3; it must be at least %4 long"),
                            millimetres(free_length), millimetres(shortest), millimetres(relief),
-                           millimetres(shortest + 2.0 * (least_deflection + relief))});
+                           millimetres(shortest + 2.0 * (min_deflection + relief))});
         }
         const double needed = 2.0 * (half - high + roller_radius);
         if (low > high) {
-            return refuse({CORE_TEXT("elastic-hinge",
+            return reject({CORE_TEXT("elastic-hinge",
                                      "a compressed spring of %1 with a minimum length of %2 needs "
                                      "an outer diameter of at least %3 for a relief of %4"),
                            millimetres(free_length), millimetres(shortest), millimetres(needed),
@@ -97,25 +97,25 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         }
     } else {
         high = limit - half - relief;
-        const double needed = 2.0 * (half + least_deflection + relief + roller_radius);
+        const double needed = 2.0 * (half + min_deflection + relief + roller_radius);
         if (low > high) {
-            return refuse({CORE_TEXT("elastic-hinge",
+            return reject({CORE_TEXT("elastic-hinge",
                                      "a stretched spring of %1 with a relief of %2 needs an outer "
                                      "diameter of at least %3"),
                            millimetres(free_length), millimetres(relief), millimetres(needed)});
         }
     }
 
-    const auto spring_for = [&](double least) {
+    const auto spring_for = [&](double minimum) {
         Spring spring;
         spring.free_length = free_length;
-        spring.stiffness = span / (2.0 * relief * (2.0 * least + relief));
-        const double start = std::sqrt(least * least + greatest / (2.0 * spring.stiffness));
+        spring.stiffness = span / (2.0 * relief * (2.0 * minimum + relief));
+        const double start = std::sqrt(minimum * minimum + greatest / (2.0 * spring.stiffness));
         spring.guide_radius_at_zero = branch == Branch::compressed ? half - start : half + start;
         return spring;
     };
-    const auto follows = [&](double least) {
-        const GuideShape shape(design, hinge, spring_for(least), sign);
+    const auto follows = [&](double minimum) {
+        const GuideShape shape(design, hinge, spring_for(minimum), sign);
         const auto roller = largest_roller(shape, branch);
         return !roller || roller_radius <= *roller;
     };
@@ -129,33 +129,33 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         ++first;
     }
     if (first > looks) {
-        return refuse({CORE_TEXT("elastic-hinge",
+        return reject({CORE_TEXT("elastic-hinge",
                                  "a roller of radius %1 undercuts every guide with a relief of %2: "
                                  "use a smaller roller or less relief"),
                        millimetres(roller_radius), millimetres(relief)});
     }
-    double least = look(first);
-    for (double bad = first == 0 ? least : look(first - 1); least - bad > 1e-9 * free_length;) {
-        const double middle = 0.5 * (bad + least);
-        (follows(middle) ? least : bad) = middle;
+    double minimum = look(first);
+    for (double bad = first == 0 ? minimum : look(first - 1); minimum - bad > 1e-9 * free_length;) {
+        const double middle = 0.5 * (bad + minimum);
+        (follows(middle) ? minimum : bad) = middle;
     }
 
-    proposal.spring = spring_for(least);
+    proposal.spring = spring_for(minimum);
     try {
         check_fields(proposal.spring);
     } catch (const InputError&) {
-        return refuse({CORE_TEXT("elastic-hinge", "the required stiffness, %1, is out of range"),
+        return reject({CORE_TEXT("elastic-hinge", "the required stiffness, %1, is out of range"),
                        Number{proposal.spring.stiffness, units::N_per_m}});
     }
-    const double most = least + relief;
+    const double maximum = minimum + relief;
     proposal.found = true;
     proposal.relief = relief;
     proposal.outer_diameter =
-        2.0 * (roller_radius + (branch == Branch::compressed ? half - least : half + most));
+        2.0 * (roller_radius + (branch == Branch::compressed ? half - minimum : half + maximum));
     proposal.smallest_spring_length =
-        branch == Branch::compressed ? free_length - 2.0 * most : free_length + 2.0 * least;
-    proposal.largest_spring_force = 2.0 * proposal.spring.stiffness * most;
-    proposal.largest_spring_energy = 2.0 * proposal.spring.stiffness * most * most;
+        branch == Branch::compressed ? free_length - 2.0 * maximum : free_length + 2.0 * minimum;
+    proposal.largest_spring_force = 2.0 * proposal.spring.stiffness * maximum;
+    proposal.largest_spring_energy = 2.0 * proposal.spring.stiffness * maximum * maximum;
     return proposal;
 }
 

@@ -26,10 +26,10 @@ struct GuideProposal {
 ///
 /// With d = |ℓ₀/2 − ρ| between d_min and d_min + relief and the energy span ΔE that the hinge has
 /// to give out, c = ΔE / (2 relief (2 d_min + relief)): one free number, d_min, is left. The search
-/// takes the least one (which stores the least energy) that keeps a tenth of the relief as preload
-/// at the weakest place and the wanted margin of the preload over the least one, fits into the
-/// outer diameter, keeps the spring longer than its smallest length and lets the roller follow
-/// without undercut.
+/// takes the smallest one (which stores the smallest energy) that keeps a tenth of the relief as
+/// preload at the weakest place and the wanted margin of the preload over the smallest one, fits
+/// into the outer diameter, keeps the spring longer than its smallest length and lets the roller
+/// follow without undercut.
 /// @param free_length    ℓ₀, m
 /// @param roller_radius  m, ≥ 0
 GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hinge, GuideSign sign,

@@ -49,7 +49,7 @@ struct GuideWish {
     double outer_diameter = 0.25;  ///< the profile must fit in, m
     /// m; the spring gets no shorter than that (its solid length). Empty: 0.4 ℓ₀.
     std::optional<double> smallest_spring_length;
-    double preload_margin = 1e-4;  ///< of the preload over the least that the guide needs, m
+    double preload_margin = 1e-4;  ///< of the preload over the smallest that the guide needs, m
 
     /// The shortest that a spring of this free length may get, m.
     double shortest(double free_length) const {

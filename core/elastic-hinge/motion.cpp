@@ -227,12 +227,12 @@ Number turns_of(double angle) {
 /// Near λ = 1 the rod's inertia jumps at the dead centres, and no step is short enough for it; with
 /// waves of the profile's error it is the number of turns.
 void check_work(std::size_t points, const Design& design, const MotionSetup& setup, double turned) {
-    constexpr std::size_t most = 10'000'000;  // a few seconds
+    constexpr std::size_t maximum = 10'000'000;  // a few seconds
     const double lambda = design.mechanism().lambda;
     constexpr double nearly_one = 0.999;
     // The work of the rod's hinge is then an integral at each point.
     const bool integrates = lambda > nearly_one && setup.hinges == HingeSet::crank_and_rod;
-    if (points <= (integrates ? most / 400 : most)) {
+    if (points <= (integrates ? maximum / 400 : maximum)) {
         return;
     }
     if (lambda > nearly_one) {
@@ -441,7 +441,7 @@ class Run {
         take_speed(speed);
     }
 
-    /// Takes the speed where it is greatest or least between two nodes.
+    /// Takes the speed where it is greatest or smallest between two nodes.
     void take_node(const Node& node) {
         const auto last = std::exchange(last_node_, node);
         if (!last || (last->acceleration < 0.0) == (node.acceleration < 0.0)) {
@@ -482,9 +482,9 @@ class Run {
     /// What is read between samples has to be as good as they are.
     void sample(Cell& cell, double end) {
         constexpr double fewest = 8.0;
-        constexpr double most = 1000.0;
+        constexpr double maximum = 1000.0;
         const double parts = std::clamp(
-            std::ceil(std::abs(cell.angle(end) - cell.begin) / sample_angle_), fewest, most);
+            std::ceil(std::abs(cell.angle(end) - cell.begin) / sample_angle_), fewest, maximum);
         take_samples(cell, end, static_cast<int>(parts));
         double error = 0.0;
         double fastest = 0.0;
@@ -501,7 +501,7 @@ class Run {
         const double allowed = 0.25 * std::max(setup_.tolerance, 1e-8) * fastest;
         if (error > allowed) {
             const double finer = std::min(1.1 * std::pow(error / allowed, 0.2), 4.0);
-            take_samples(cell, end, static_cast<int>(std::min(std::ceil(finer * parts), most)));
+            take_samples(cell, end, static_cast<int>(std::min(std::ceil(finer * parts), maximum)));
         }
     }
 
@@ -546,7 +546,7 @@ class Run {
         time_ = motion_.time.back();
         phi_ = motion_.crank_angle.back();
         ++motion_.steps;
-        if (motion_.time.size() >= most_samples && !done_) {
+        if (motion_.time.size() >= max_samples && !done_) {
             motion_.end = MotionEnd::too_slow;
             done_ = true;
         }
@@ -630,7 +630,7 @@ class Run {
         }
     }
 
-    static constexpr std::size_t most_samples = 20'000'000;
+    static constexpr std::size_t max_samples = 20'000'000;
     static constexpr double longest_cell = two_pi / 4.0;
     static constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 

@@ -21,7 +21,7 @@ using ravnoves::result_field::reason;
 namespace key = result_field;
 
 /// Of the hinge's moment: what a profile error may take from a guide that can be made.
-constexpr double most_relative_error = 0.05;
+constexpr double max_relative_error = 0.05;
 
 std::string_view word_of(Branch branch) {
     return branch == Branch::compressed ? "compressed" : "stretched";
@@ -242,7 +242,7 @@ Verdict guide_verdict(const Input& input, const Guide& guide) {
     const Number error{guide.error.amplitude / units::micrometre, units::micrometre, 3};
     const Number spoilt{rounded_to_decimals(guide.error.relative / units::percent, 1),
                         units::percent};
-    if (guide.error.relative > most_relative_error) {
+    if (guide.error.relative > max_relative_error) {
         return {Severity::warning,
                 Message(CORE_TEXT("elastic-hinge",
                                   "The guide cannot be made: its relief is %1, and a profile "
@@ -275,7 +275,7 @@ Verdict verdict(const Input& input, const Result& result) {
                       "The sign is as printed in the paper: the crank does not keep its speed."));
     }
     const double margin = guide.preload - guide.minimum_preload;
-    if (guide.minimum_preload > 0.0 && margin < least_preload_margin) {
+    if (guide.minimum_preload > 0.0 && margin < min_preload_margin) {
         verdict.warn(
             {CORE_TEXT("elastic-hinge", "The preload exceeds the minimum by only %1 of %2."),
              Number{margin / units::mm, units::mm, -2},

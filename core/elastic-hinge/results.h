@@ -20,7 +20,7 @@ void visit_results(ResultVisitor& visitor, const Input& input);
 inline constexpr std::string_view minimum_preload_act = "minimum-preload";
 
 /// Less preload than this beyond the minimum is lost to what is machined and assembled, m.
-inline constexpr double least_preload_margin = 0.05 * units::mm;
+inline constexpr double min_preload_margin = 0.05 * units::mm;
 
 /// What the crank's guide is worth: none; one that cannot be made; one that can.
 Verdict verdict(const Input& input, const Result& result);

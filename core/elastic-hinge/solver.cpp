@@ -46,7 +46,7 @@ bool all_finite(const MechanismCurves& curves) {
     return true;
 }
 
-[[noreturn]] void refuse_extreme() {
+[[noreturn]] void reject_extreme() {
     throw InputError(
         "/input",
         CORE_TEXT("elastic-hinge",
@@ -265,7 +265,7 @@ void check_finite(const Guide& guide) {
           guide.compressed.max_radius, guide.stretched.max_radius,
           guide.compressed.profile_max_radius, guide.stretched.profile_max_radius}) {
         if (!std::isfinite(value)) {
-            refuse_extreme();
+            reject_extreme();
         }
     }
 }
@@ -290,7 +290,7 @@ Result solve(const Input& input, const SolveOptions& options) {
     result.counterweight_mass = mechanism.counterweight_mass;
     result.balancing_mass = result.has_counterweight ? mechanism.balancing_mass() : 0.0;
     if (!std::isfinite(mean) || !std::isfinite(result.balancing_mass)) {
-        refuse_extreme();
+        reject_extreme();
     }
 
     std::vector<AngleState> other_states;
@@ -349,12 +349,12 @@ Result solve(const Input& input, const SolveOptions& options) {
         }
     }
     if (!all_finite(result.curves) || !all_finite(result.side_force_true)) {
-        refuse_extreme();
+        reject_extreme();
     }
     for (const auto* family : {&result.by_speed, &result.by_lambda}) {
         for (const FamilyMember& member : *family) {
             if (!all_finite(member.curves)) {
-                refuse_extreme();
+                reject_extreme();
             }
         }
     }

@@ -96,21 +96,21 @@ std::size_t master_of(std::span<const Cylinder> cylinders, const Throw& pin, std
         return plain.front();
     }
     const auto master = static_cast<std::size_t>(number) - 1;
-    const auto refuse = [&](const Message& why) {
+    const auto reject = [&](const Message& why) {
         throw InputError(pointer, why, Number{static_cast<double>(number)});
     };
     if (master >= cylinders.size()) {
-        refuse({CORE_TEXT("inertia-moments", "must be a cylinder of the table, 1 to %1"),
+        reject({CORE_TEXT("inertia-moments", "must be a cylinder of the table, 1 to %1"),
                 cylinders.size()});
     }
     if (cylinders[master].articulated) {
-        refuse(
+        reject(
             {CORE_TEXT("inertia-moments",
                        "must be a rod on the crankpin; the rod of cylinder %1 is articulated too"),
              number});
     }
     if (std::find(plain.begin(), plain.end(), master) == plain.end()) {
-        refuse(
+        reject(
             {CORE_TEXT("inertia-moments",
                        "must run on the same crankpin (same angle, another direction, less than "
                        "the crank radius away); cylinder %1 runs on the crankpin of cylinders %2"),
@@ -195,14 +195,14 @@ double ArticulatedCrank::across_slope(double theta) const {
 }
 
 double ArticulatedCrank::reach() const {
-    double most = 0.0;
+    double maximum = 0.0;
     for (const double sign : {1.0, -1.0}) {
         const double angle =
             angle_of_greatest([&](double theta) { return sign * across(theta); },
                               [&](double theta) { return sign * across_slope(theta); });
-        most = std::max(most, std::abs(across(angle)));
+        maximum = std::max(maximum, std::abs(across(angle)));
     }
-    return most;
+    return maximum;
 }
 
 std::optional<LockingAngles<double>> ArticulatedCrank::locking_angles() const {

@@ -43,7 +43,7 @@ struct ArticulatedCrank {
     ArticulatedMotion two_term_at(double sin_theta, double cos_theta) const;
 
     double top_dead_centre() const;     ///< θ where s is greatest, rad in −π…π
-    double bottom_dead_centre() const;  ///< θ where s is least, rad in 0…2π
+    double bottom_dead_centre() const;  ///< θ where s is smallest, rad in 0…2π
     double stroke() const;              ///< greatest less least s
 
     /// How far the knuckle pin goes from the cylinder's axis, |Im q − K|: the rod must be longer.

@@ -57,7 +57,7 @@ struct Engine {
 /// Every value of the table rounded to 12 digits in its unit, so that a case file keeps it exactly.
 std::vector<Cylinder> rounded(std::vector<Cylinder> cylinders);
 
-/// The least 1 − λ(1 + |K|): nearer to locking, the exact orders would take more than a million
+/// The smallest 1 − λ(1 + |K|): nearer to locking, the exact orders would take more than a million
 /// samples a turn, and a mechanism counts as locked.
 inline constexpr double nearest_to_locking = 4e-9;
 

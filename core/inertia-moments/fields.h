@@ -93,7 +93,7 @@ inline constexpr Field step{
 /// Of a table; also of a layout.
 inline constexpr Field firing_order{
     .key = "firing_order",
-    .range = Range::between(1, most_cylinders),
+    .range = Range::between(1, max_cylinders),
     .label = CORE_TEXT("inertia-moments", "&Firing order"),
     .hint = CORE_TEXT(
         "inertia-moments",
@@ -170,7 +170,7 @@ inline constexpr Field articulated_length{
     .if_empty = CORE_TEXT("inertia-moments", "the master rod's length minus the knuckle radius")};
 inline constexpr Field master{
     .key = "master",
-    .range = Range::between(0, most_cylinders),
+    .range = Range::between(0, max_cylinders),
     .label = CORE_TEXT("inertia-moments", "Master rod"),
     .hint = CORE_TEXT("inertia-moments",
                       "Articulated rod: number of the cylinder with its master rod."),
@@ -202,7 +202,7 @@ inline constexpr Field layout_type{
 extern const Field layout_name;  ///< its words are the names of the library
 inline constexpr Field layout_cylinders{
     .key = "cylinders",
-    .range = Range::between(1, most_cylinders),
+    .range = Range::between(1, max_cylinders),
     .hint = CORE_TEXT("inertia-moments", "Number of cylinders of a VR engine.")};
 inline constexpr Field included_angle{
     .key = "bank_angle_deg",

@@ -35,10 +35,10 @@ void check_layout(const Layout& layout) {
 
 void check_table(const Input& input) {
     if (input.cylinders.empty() ||
-        input.cylinders.size() > static_cast<std::size_t>(most_cylinders)) {
+        input.cylinders.size() > static_cast<std::size_t>(max_cylinders)) {
         throw InputError(
             "/input/cylinders",
-            {CORE_TEXT("inertia-moments", "must list from 1 to %1 cylinders"), most_cylinders},
+            {CORE_TEXT("inertia-moments", "must list from 1 to %1 cylinders"), max_cylinders},
             Number{static_cast<double>(input.cylinders.size())});
     }
     if (!input.firing_order.empty()) {
@@ -129,13 +129,13 @@ void check_articulated(const Input& input, const Engine& engine) {
 }
 
 void check_end_webs(const EndWebs& webs) {
-    constexpr double least_distance = 1e-6;  // m
+    constexpr double min_distance = 1e-6;  // m
     const double size = std::max(std::abs(webs.front_position), std::abs(webs.rear_position));
     if (!(std::abs(webs.front_position - webs.rear_position) >
-          std::max(1e-9 * size, least_distance))) {
+          std::max(1e-9 * size, min_distance))) {
         throw InputError("/input/counterweights/rear_position_mm",
                          {CORE_TEXT("inertia-moments", "must differ from %1 by more than %2"),
-                          field::front_position.key, least_distance / units::mm},
+                          field::front_position.key, min_distance / units::mm},
                          Number{from_si(field::rear_position, webs.rear_position)});
     }
 }
@@ -222,9 +222,9 @@ void check_input(const Input& input) {
         check_table(input);
         check_locking(input, input.cylinders);
     }
-    if (input.shafts.size() > static_cast<std::size_t>(most_shafts)) {
+    if (input.shafts.size() > static_cast<std::size_t>(max_shafts)) {
         throw InputError("/input/balance_shafts",
-                         {CORE_TEXT("inertia-moments", "must list at most %1 shafts"), most_shafts},
+                         {CORE_TEXT("inertia-moments", "must list at most %1 shafts"), max_shafts},
                          Number{static_cast<double>(input.shafts.size())});
     }
     if (input.end_webs) {

@@ -22,8 +22,8 @@ class FieldVisitor;
 /// moment about the axes is (−M_y, M_x). The roll moment M_z is counter-clockwise.
 namespace ravnoves::inertia_moments {
 
-inline constexpr int most_cylinders = 64;
-inline constexpr int most_shafts = 32;
+inline constexpr int max_cylinders = 64;
+inline constexpr int max_shafts = 32;
 inline constexpr int highest_order = 12;          ///< of the results and of balance shafts
 inline constexpr int highest_two_term_order = 4;  ///< the torque's; forces have orders 1 and 2
 inline constexpr double order_accuracy = 1e-13;   ///< asked of the orders, relative to m R ω²
@@ -52,14 +52,14 @@ struct Cylinder {
 
 /// A layout by name instead of a table; layouts.h turns it into cylinders.
 struct Layout {
-    std::string name = "vr";        ///< "vr" (any number of cylinders) or a name of the library
-    int cylinders = 0;              ///< of "vr"; the library's layouts know theirs
-    double bank_angle = 0.0;        ///< γ, rad, between the banks
-    double offset = 0.0;            ///< e, m: +e in bank 1, −e in bank 2
-    double spacing = 0.0;           ///< a, m, between neighbouring stations along the crank
-    double stagger = 0.0;           ///< m, from bank 1's cylinder to bank 2's at one station
+    std::string name = "vr";  ///< "vr" (any number of cylinders) or a name of the library
+    int cylinders = 0;        ///< of "vr"; the library's layouts know theirs
+    double bank_angle = 0.0;  ///< γ, rad, between the banks
+    double offset = 0.0;      ///< e, m: +e in bank 1, −e in bank 2
+    double spacing = 0.0;     ///< a, m, between neighbouring stations along the crank
+    double stagger = 0.0;     ///< m, from bank 1's cylinder to bank 2's at one station
     std::optional<double> first_position;  ///< z of cylinder 1, m; empty: z = 0 in the middle
-    std::vector<int> firing_order;  ///< numbers from 1
+    std::vector<int> firing_order;         ///< numbers from 1
     bool operator==(const Layout&) const = default;
 };
 

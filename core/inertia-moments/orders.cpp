@@ -135,7 +135,7 @@ std::vector<EngineOrder> add_up(const Engine& engine, int max_order, OrdersOf&& 
     for (std::size_t k = 0; k < result.size(); ++k) {
         result[k].order = static_cast<int>(k) + 1;
     }
-    constexpr double least = order_accuracy / zero_share;
+    constexpr double minimum = order_accuracy / zero_share;
     const double force_unit = engine.force_unit();
     const double torque_unit = force_unit * engine.crank_radius;
     const double couple_unit =
@@ -153,7 +153,7 @@ std::vector<EngineOrder> add_up(const Engine& engine, int max_order, OrdersOf&& 
             const RotatingPair pair = RotatingPair::of(u, force);
             order.force += pair;
             order.moment += {pair.forward * lever, pair.backward * lever};
-            const double scale = std::max(std::abs(force), least * force_unit);
+            const double scale = std::max(std::abs(force), minimum * force_unit);
             order.force_scale += scale;
             order.moment_scale += scale * std::abs(lever);
             Complex roll = -cylinder.offset * force;
@@ -178,7 +178,7 @@ std::vector<EngineOrder> add_up(const Engine& engine, int max_order, OrdersOf&& 
             }
             order.inertia_roll += roll;
             order.reaction_torque += -torque;
-            order.roll_scale += std::max(std::abs(roll) + std::abs(torque), least * torque_unit);
+            order.roll_scale += std::max(std::abs(roll) + std::abs(torque), minimum * torque_unit);
         }
     }
     return result;

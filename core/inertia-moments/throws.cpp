@@ -119,11 +119,11 @@ std::vector<const Throw*> kinds_of_throw(std::span<const Throw> throws) {
 }
 
 Message describe_difference(std::span<const Throw> throws) {
-    const auto [least, most] = std::minmax_element(
+    const auto [minimum, maximum] = std::minmax_element(
         throws.begin(), throws.end(),
         [](const Throw& a, const Throw& b) { return a.cylinders.size() < b.cylinders.size(); });
     return {CORE_TEXT("inertia-moments", "throws with %1 and with %2 rods"),
-            least->cylinders.size(), most->cylinders.size()};
+            minimum->cylinders.size(), maximum->cylinders.size()};
 }
 
 std::vector<Message> articulated_rod_notes(std::span<const Throw> throws,
@@ -135,7 +135,7 @@ std::vector<Message> articulated_rod_notes(std::span<const Throw> throws,
         std::string plane;
         std::size_t count = 0;
         std::string widest;
-        std::size_t most = 0;
+        std::size_t maximum = 0;
         double last = 0.0;
         for (const std::size_t i : each.cylinders) {
             if (cylinders[i].articulated) {
@@ -149,12 +149,12 @@ std::vector<Message> articulated_rod_notes(std::span<const Throw> throws,
             plane += (count == 0 ? "" : ", ") + std::to_string(i + 1);
             ++count;
             last = position;
-            if (count > most) {
-                most = count;
+            if (count > maximum) {
+                maximum = count;
                 widest = plane;
             }
         }
-        if (most >= 3) {
+        if (maximum >= 3) {
             notes.emplace_back(
                 CORE_TEXT("inertia-moments",
                           "Cylinders %1 share a crankpin in one plane but are computed as plain "

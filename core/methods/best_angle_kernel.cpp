@@ -25,7 +25,7 @@ struct ShaftAngles {
     }
 };
 
-/// The α with the least range. The range at an α is prepared as the scene prepares it.
+/// The α with the smallest range. The range at an α is prepared as the scene prepares it.
 struct AngleCase : TorqueCycle {
     std::size_t outputs() const { return 1; }
     double evaluations() const { return 1.0; }
@@ -37,12 +37,12 @@ using Search = double (*)(const ShaftAngles& extrema, double setting);
 double scan(const ShaftAngles& extrema, double step_deg) {
     const int steps = static_cast<int>(std::round(360.0 / step_deg));
     double best = 0.0;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (int i = 0; i < steps; ++i) {
         const double alpha = two_pi * i / steps;
         const double range = extrema.range(alpha);
-        if (range < least) {
-            least = range;
+        if (range < minimum) {
+            minimum = range;
             best = alpha;
         }
     }
@@ -74,10 +74,10 @@ Method<AngleCase> method_of(MethodInfo info, Search search) {
 }
 
 std::vector<Expected> reference(const AngleCase& cycle) {
-    return {{0, TorqueReference(cycle).least_range(), cycle.size()}};
+    return {{0, TorqueReference(cycle).min_range(), cycle.size()}};
 }
 
-/// By how much the range at the angle found exceeds the least one.
+/// By how much the range at the angle found exceeds the smallest one.
 double measure(const AngleCase& cycle, std::span<const double> out,
                const std::vector<Expected>& reference) {
     const Real50 range = TorqueReference(cycle).range(Real50(out[0]));

@@ -14,8 +14,8 @@ namespace {
 using balance_shaft::MomentPlane;
 using Place = Eigen::Vector2d;
 
-/// The place (a, b) of the shaft, in N·m of its moment, with the least range. The range at a place
-/// is prepared as the scene prepares it.
+/// The place (a, b) of the shaft, in N·m of its moment, with the smallest range. The range at a
+/// place is prepared as the scene prepares it.
 struct PlaceCase : TorqueCycle {
     std::size_t outputs() const { return 2; }
     double evaluations() const { return 1.0; }
@@ -33,14 +33,14 @@ Place grid(const MomentPlane& plane, double side) {
     const double reach = reach_of(plane);
     const int steps = static_cast<int>(side);
     Place best(0.0, 0.0);
-    double least = reach;
+    double minimum = reach;
     for (int i = 0; i < steps; ++i) {
         for (int k = 0; k < steps; ++k) {
             const Place at(reach * (2.0 * i / (steps - 1) - 1.0),
                            reach * (2.0 * k / (steps - 1) - 1.0));
             const double range = plane.range(at);
-            if (range < least) {
-                least = range;
+            if (range < minimum) {
+                minimum = range;
                 best = at;
             }
         }
@@ -74,10 +74,10 @@ Run first_order(const PlaceCase& cycle, double) {
 }
 
 std::vector<Expected> reference(const PlaceCase& cycle) {
-    return {{0, TorqueReference(cycle).least_range_of_all(), cycle.size()}};
+    return {{0, TorqueReference(cycle).min_range_of_all(), cycle.size()}};
 }
 
-/// By how much the range at the place found exceeds the least one.
+/// By how much the range at the place found exceeds the smallest one.
 double measure(const PlaceCase& cycle, std::span<const double> out,
                const std::vector<Expected>& reference) {
     const Real50 range = TorqueReference(cycle).range(Real50(out[0]), Real50(out[1]));

@@ -44,7 +44,7 @@ struct Definition {
     /// In the place of the largest |out − expected| / scale, where the error is something else.
     std::function<double(const Case&, std::span<const double>, const std::vector<Expected>&)>
         measure;
-    std::function<Message(const Case&)> refusal;
+    std::function<Message(const Case&)> rejection;
 };
 
 template <typename Case>
@@ -70,8 +70,8 @@ class ProblemOf final : public Problem {
         }
         return static_cast<double>(worst);
     }
-    Message scene_refusal() const override {
-        return definition_->refusal ? definition_->refusal(case_) : Message();
+    Message scene_rejection() const override {
+        return definition_->rejection ? definition_->rejection(case_) : Message();
     }
 
   private:

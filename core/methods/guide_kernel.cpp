@@ -135,7 +135,7 @@ Run dormand_prince(const GuideCase& guide, double tolerance) {
         State x{slope.start()};
         out[0] = x[0];
         stepper.initialize(x, 0.0, two_pi / intervals);
-        constexpr int most_steps = 100'000;
+        constexpr int max_steps = 100'000;
         constexpr double no_step = 1e-15;
         int steps = 0;
         for (std::size_t i = 1; i <= intervals; ++i) {
@@ -145,7 +145,7 @@ Run dormand_prince(const GuideCase& guide, double tolerance) {
                 } catch (const odeint::step_adjustment_error&) {
                     return singular();
                 }
-                if (++steps > most_steps || !(stepper.current_time_step() > no_step) ||
+                if (++steps > max_steps || !(stepper.current_time_step() > no_step) ||
                     !std::isfinite(stepper.current_state()[0])) {
                     return singular();
                 }
@@ -173,8 +173,8 @@ std::vector<Expected> reference(const GuideCase& guide) {
     };
     const Real50 start = energy(Real50(0));
     std::vector<Expected> list;
-    Real50 least = half_length;
-    Real50 most = -half_length;
+    Real50 minimum = half_length;
+    Real50 maximum = -half_length;
     constexpr std::size_t every = 5;  // degrees: the error is as smooth as the guide
     for (std::size_t i = 0; i <= intervals; ++i) {
         if (i % every != 0 && i != guide.hardest) {
@@ -187,11 +187,11 @@ std::vector<Expected> reference(const GuideCase& guide) {
             return {};
         }
         const Real50 radius = half_length - sqrt(square);
-        least = std::min(least, radius);
-        most = std::max(most, radius);
+        minimum = std::min(minimum, radius);
+        maximum = std::max(maximum, radius);
         list.push_back({i, radius, 1.0});
     }
-    const double relief = static_cast<double>(Real50(most - least));
+    const double relief = static_cast<double>(Real50(maximum - minimum));
     for (Expected& expected : list) {
         expected.scale = relief > 0.0 ? relief : 1.0;
     }
@@ -277,14 +277,14 @@ Kernel guide_kernel() {
          dormand_prince},
     };
     const GuideCase paper{preset_zotov()};
-    const double least_preload = scene_guide(paper.input).minimum_preload;
-    const double margin = paper.spring().preload() / least_preload - 1.0;
+    const double min_preload = scene_guide(paper.input).minimum_preload;
+    const double margin = paper.spring().preload() / min_preload - 1.0;
     definition.sweeps = {
         {{"preload", CORE_TEXT("methods", "preload above the minimum, relative"), units::none,
           1e-12, 1e2, Spacing::logarithmic, 1e-12, 1e2, margin},
-         paper_with([least_preload](elastic_hinge::Input& input, double excess) {
+         paper_with([min_preload](elastic_hinge::Input& input, double excess) {
              input.spring->guide_radius_at_zero =
-                 input.spring->free_length / 2.0 - least_preload * (1.0 + excess);
+                 input.spring->free_length / 2.0 - min_preload * (1.0 + excess);
          })},
         {{"stiffness", CORE_TEXT("methods", "stiffness c of the spring"), units::N_per_m, 1e4, 1e12,
           Spacing::logarithmic, 1e5, 1e10, paper.input.spring->stiffness},
@@ -292,11 +292,11 @@ Kernel guide_kernel() {
         {{"stiffness-preloaded", CORE_TEXT("methods", "stiffness c, preload 1.1 times the minimum"),
           units::N_per_m, 1e7, 1e15, Spacing::logarithmic, 1e7, 1e15,
           paper.input.spring->stiffness},
-         paper_with([paper_least = least_preload](elastic_hinge::Input& input, double c) {
+         paper_with([paper_min = min_preload](elastic_hinge::Input& input, double c) {
              constexpr double reserve = 1.1;
              elastic_hinge::Spring& spring = *input.spring;
              spring.guide_radius_at_zero =
-                 spring.free_length / 2.0 - reserve * paper_least * std::sqrt(spring.stiffness / c);
+                 spring.free_length / 2.0 - reserve * paper_min * std::sqrt(spring.stiffness / c);
              spring.stiffness = c;
          })},
         {{"speed", CORE_TEXT("methods", "crank speed ω"), units::rad_per_s, 1.0, 1e4,
@@ -308,7 +308,7 @@ Kernel guide_kernel() {
          paper_with([](elastic_hinge::Input& input, double gap) { input.lambda = 1.0 - gap; })},
     };
     definition.reference = reference;
-    definition.refusal = [](const GuideCase& guide) -> Message {
+    definition.rejection = [](const GuideCase& guide) -> Message {
         try {
             return scene_guide(guide.input).reason.english();
         } catch (const InputError& error) {

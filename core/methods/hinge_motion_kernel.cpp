@@ -162,20 +162,20 @@ using Integrator = Advance (*)(const MotionCase&, const Acceleration&, double se
 Method<MotionCase> integrated(MethodInfo info, Integrator integrator) {
     return {std::move(info), [integrator](const MotionCase& motion, double setting) -> Run {
                 return [&motion, integrator, setting](std::span<double> out) {
-                    Message refusal = why_not(motion);
-                    if (!refusal.empty()) {
-                        return refusal;
+                    Message rejection = why_not(motion);
+                    if (!rejection.empty()) {
+                        return rejection;
                     }
                     const Acceleration acceleration(motion);
                     const Advance advance = integrator(motion, acceleration, setting);
                     TurnState state{0.0, motion.start_speed};
                     double before = 0.0;
-                    for (int part = 1; part <= MotionCase::parts && refusal.empty(); ++part) {
-                        refusal = advance(motion.time(part) - before, state);
+                    for (int part = 1; part <= MotionCase::parts && rejection.empty(); ++part) {
+                        rejection = advance(motion.time(part) - before, state);
                         put(state, part, out);
                         before = motion.time(part);
                     }
-                    return refusal;
+                    return rejection;
                 };
             }};
 }
@@ -211,29 +211,29 @@ Advance dormand_prince(const MotionCase& motion, const Acceleration& f, double t
         odeint::make_dense_output(tolerance * absolute * std::max(1.0, motion.start_speed),
                                   tolerance, odeint::runge_kutta_dopri5<State>());
     stepper.initialize(State{0.0, motion.start_speed}, 0.0, 1e-3 / motion.start_speed);
-    const auto most_steps = static_cast<long>(1e5 * motion.turns);
+    const auto max_steps = static_cast<long>(1e5 * motion.turns);
     const Message lost = CORE_TEXT("methods", "its steps shrink to 0");
-    return [&f, stepper, lost, most_steps, end = 0.0](double seconds,
-                                                      TurnState& x) mutable -> Message {
-        end += seconds;
-        const auto slope = [&f](const State& at, State& rate, double) {
-            rate = {at[1], f(at[0], at[1])};
+    return
+        [&f, stepper, lost, max_steps, end = 0.0](double seconds, TurnState& x) mutable -> Message {
+            end += seconds;
+            const auto slope = [&f](const State& at, State& rate, double) {
+                rate = {at[1], f(at[0], at[1])};
+            };
+            for (long i = 0; stepper.current_time() < end; ++i) {
+                try {
+                    stepper.do_step(slope);
+                } catch (const odeint::step_adjustment_error&) {
+                    return lost;
+                }
+                if (i == max_steps || !std::isfinite(stepper.current_state()[0])) {
+                    return lost;
+                }
+            }
+            State state{};
+            stepper.calc_state(end, state);
+            x = {state[0], state[1]};
+            return {};
         };
-        for (long i = 0; stepper.current_time() < end; ++i) {
-            try {
-                stepper.do_step(slope);
-            } catch (const odeint::step_adjustment_error&) {
-                return lost;
-            }
-            if (i == most_steps || !std::isfinite(stepper.current_state()[0])) {
-                return lost;
-            }
-        }
-        State state{};
-        stepper.calc_state(end, state);
-        x = {state[0], state[1]};
-        return {};
-    };
 }
 
 /// As the scene computes it.
@@ -249,22 +249,22 @@ Motion simulate(const MotionCase& motion, double tolerance) {
 
 Run energy_series(const MotionCase& motion, double tolerance) {
     return [&motion, tolerance](std::span<double> out) {
-        Message refusal = why_not(motion);
-        if (!refusal.empty()) {
-            return refusal;
+        Message rejection = why_not(motion);
+        if (!rejection.empty()) {
+            return rejection;
         }
         try {
             const Motion result = simulate(motion, tolerance);
-            refusal = result.reason;
+            rejection = result.reason;
             // As the scene reads it between its samples.
             for (int part = 1; part <= MotionCase::parts; ++part) {
                 const double time = motion.time(part);
                 put({result.angle_at(time), result.speed_at(time)}, part, out);
             }
         } catch (const std::runtime_error& error) {
-            refusal = error.what();
+            rejection = error.what();
         }
-        return refusal;
+        return rejection;
     };
 }
 
@@ -285,8 +285,8 @@ std::vector<Expected> reference(const MotionCase& motion) {
         Real50 early = angle;
         Real50 late = first + turn * Real50("1.001");
         Real50 step = first + turn * part / MotionCase::parts - angle;
-        constexpr int most = 100;
-        for (int i = 0; i < most; ++i) {
+        constexpr int maximum = 100;
+        for (int i = 0; i < maximum; ++i) {
             time += time_between(speed_at, angle, angle + step);
             angle += step;
             (time < wanted ? early : late) = angle;
@@ -389,7 +389,7 @@ Kernel hinge_motion_kernel() {
          [=](double torque) { return make_motion(paper_lambda, off_design, 5.0, torque); }});
     definition.sweeps.back().info.points = 9;
     definition.reference = reference;
-    definition.refusal = [](const MotionCase& motion) -> Message {
+    definition.rejection = [](const MotionCase& motion) -> Message {
         try {
             elastic_hinge::Input input = motion.input;
             input.motion = elastic_hinge::MotionWish{};

@@ -38,7 +38,7 @@ void put(const CylinderOrders<double>& orders, std::span<double> out) {
 }
 
 /// What the scene says where there is nothing to compare with.
-Message refusal_of(const OrdersCase& problem) {
+Message rejection_of(const OrdersCase& problem) {
     const auto locking =
         inertia_moments::find_locking(problem.crank.crank_radius, problem.crank.lambda(),
                                       {{0.0, 0.0, problem.crank.offset, 0.0}});
@@ -56,11 +56,11 @@ Method<OrdersCase> method_of(MethodInfo info,
                              CylinderOrders<double> (*orders)(const OrdersCase&, double setting)) {
     return {std::move(info), [orders](const OrdersCase& problem, double setting) -> Run {
                 return [&problem, orders, setting](std::span<double> out) {
-                    Message refusal = refusal_of(problem);
-                    if (refusal.empty()) {
+                    Message rejection = rejection_of(problem);
+                    if (rejection.empty()) {
                         put(orders(problem, setting), out);
                     }
-                    return refusal;
+                    return rejection;
                 };
             }};
 }
@@ -69,7 +69,7 @@ Method<OrdersCase> method_of(MethodInfo info,
 /// rod's farthest swings to the other by the double exponential rule: its nodes crowd at the ends
 /// of the halves, where a mechanism near locking has its peaks.
 std::vector<Expected> reference(const OrdersCase& problem) {
-    if (!refusal_of(problem).empty()) {
+    if (!rejection_of(problem).empty()) {
         return {};
     }
     const Real50& half_pi = boost::math::constants::half_pi<Real50>();
@@ -190,7 +190,7 @@ Kernel inertia_orders_kernel() {
          }},
     };
     definition.reference = reference;
-    definition.refusal = refusal_of;
+    definition.rejection = rejection_of;
     return make_kernel(std::move(definition));
 }
 

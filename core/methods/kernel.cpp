@@ -95,17 +95,17 @@ const Kernel* find_kernel(std::string_view id) {
 Result evaluate(const Problem& problem, std::size_t method, std::size_t setting) {
     std::vector<double> out(problem.outputs(), 0.0);
     Result result;
-    result.refusal = problem.prepare(method, setting)(out);
-    if (result.refused()) {
+    result.rejection = problem.prepare(method, setting)(out);
+    if (result.rejected()) {
         return result;
     }
     if (!std::all_of(out.begin(), out.end(), [](double x) { return std::isfinite(x); })) {
-        result.refusal = CORE_TEXT("methods", "gives no finite number");
+        result.rejection = CORE_TEXT("methods", "gives no finite number");
         return result;
     }
     result.error = problem.error(out);
     if (!std::isfinite(result.error)) {
-        result.refusal = CORE_TEXT("methods", "has an error beyond the range of numbers");
+        result.rejection = CORE_TEXT("methods", "has an error beyond the range of numbers");
         result.error = 0.0;
     }
     return result;

@@ -84,7 +84,7 @@ class Problem {
     /// Largest error of the outputs against 50 digits, in the kernel's measure.
     virtual double error(std::span<const double> out) const = 0;
     /// What the scene says instead of numbers for this input, as a sentence; empty where it solves.
-    virtual Message scene_refusal() const = 0;
+    virtual Message scene_rejection() const = 0;
 };
 
 /// A quantity that scenes compute, with all the methods that could compute it.
@@ -115,12 +115,12 @@ const Kernel* find_kernel(std::string_view id);
 /// What became of one run.
 struct Result {
     double error = 0.0;  ///< in the kernel's measure; meaningless where rejected
-    Message refusal;     ///< why there are no numbers; empty where there are
-    bool refused() const { return !refusal.empty(); }
+    Message rejection;   ///< why there are no numbers; empty where there are
+    bool rejected() const { return !rejection.empty(); }
 };
 
-/// Runs a method once and compares. Outputs that are not finite are a refusal too, so that nothing
-/// but numbers reaches a chart.
+/// Runs a method once and compares. Outputs that are not finite are a rejection too, so that
+/// nothing but numbers reaches a chart.
 Result evaluate(const Problem& problem, std::size_t method, std::size_t setting);
 
 }  // namespace ravnoves::methods

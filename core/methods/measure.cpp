@@ -43,14 +43,14 @@ Timing time_run(const Run& run, std::size_t outputs, double evaluations,
     std::size_t repeats = 1;
     double warm = seconds_of(run, out, repeats);
     while (warm < options.batch_seconds) {
-        constexpr double most_growth = 64.0;
+        constexpr double max_growth = 64.0;
         const double growth =
-            std::clamp(1.5 * options.batch_seconds / std::max(warm, 1e-9), 2.0, most_growth);
+            std::clamp(1.5 * options.batch_seconds / std::max(warm, 1e-9), 2.0, max_growth);
         repeats = static_cast<std::size_t>(std::ceil(static_cast<double>(repeats) * growth));
         warm = seconds_of(run, out, repeats);
     }
     constexpr int fewest = 3;
-    const int batches = std::clamp(static_cast<int>(options.most_seconds / warm), fewest,
+    const int batches = std::clamp(static_cast<int>(options.max_seconds / warm), fewest,
                                    std::max(options.batches, fewest));
     std::vector<double> times;
     times.reserve(static_cast<std::size_t>(batches));
@@ -74,7 +74,7 @@ std::optional<double> WorkPrecision::order(std::size_t method) const {
     std::vector<double> slopes;
     const WorkPoint* last = nullptr;
     for (const WorkPoint& point : points) {
-        if (point.method != method || point.result.refused() || point.result.error < rounding ||
+        if (point.method != method || point.result.rejected() || point.result.error < rounding ||
             point.result.error > too_coarse) {
             continue;
         }
@@ -116,7 +116,7 @@ WorkPrecision measure_work(const Kernel& kernel, std::size_t sweep, double value
 std::vector<StabilityCurve::Span> StabilityCurve::failing(double tolerance) const {
     std::vector<Span> spans;
     for (std::size_t i = 0; i < results.size(); ++i) {
-        if (!results[i].refused() && results[i].error <= tolerance) {
+        if (!results[i].rejected() && results[i].error <= tolerance) {
             continue;
         }
         if (!spans.empty() && spans.back().last + 1 == i) {
@@ -186,12 +186,12 @@ Message failing_text(const StabilityMap& map, const StabilityCurve& curve, doubl
         }
         return {CORE_TEXT("methods", "%1 to %2"), number(span.first), number(span.last)};
     };
-    constexpr std::size_t most = 3;
+    constexpr std::size_t maximum = 3;
     Message text = words(spans.front());
-    for (std::size_t k = 1; k < std::min(spans.size(), most); ++k) {
+    for (std::size_t k = 1; k < std::min(spans.size(), maximum); ++k) {
         text = joined(std::move(text), words(spans[k]));
     }
-    return spans.size() > most ? Message(Text{"", "%1 …"}, std::move(text)) : text;
+    return spans.size() > maximum ? Message(Text{"", "%1 …"}, std::move(text)) : text;
 }
 
 }  // namespace ravnoves::methods

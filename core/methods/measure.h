@@ -27,7 +27,7 @@ struct Timing {
 struct MeasureOptions {
     double batch_seconds = 2e-4;   ///< a batch lasts at least so long…
     int batches = 15;              ///< …and is repeated so often
-    double most_seconds = 0.25;    ///< of one point; then there are fewer batches, at least 3
+    double max_seconds = 0.25;     ///< of one point; then there are fewer batches, at least 3
     std::size_t sweep_points = 0;  ///< of a stability curve; 0: as many as its sweep says
 };
 

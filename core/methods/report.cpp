@@ -33,7 +33,7 @@ MethodRow make_row(const WorkPrecision& work, std::span<const StabilityMap* cons
     row.result = point.result;
     row.order = work.order(point.method);
     row.in_use = point.method == kernel.chosen_method() && point.setting == kernel.chosen_setting();
-    row.holds = !point.result.refused() && point.result.error <= kernel.choice.tolerance;
+    row.holds = !point.result.rejected() && point.result.error <= kernel.choice.tolerance;
     for (const StabilityMap* const map : maps) {
         if (const StabilityCurve* const curve = curve_of(*map, point.method, point.setting)) {
             row.fails.push_back({map->sweep, failing_text(*map, *curve, kernel.choice.tolerance)});
@@ -84,10 +84,10 @@ Verdict verdict(const KernelReport& report) {
         faster += row.holds && row.timing.median < used->timing.median ? 1 : 0;
     }
     const Message name(Text{"", "%1, %2"}, report.method(*used).title, report.setting(*used));
-    if (used->result.refused()) {
-        return {
-            Severity::note,
-            {CORE_TEXT("methods", "In use: %1. No values here: %2."), name, used->result.refusal}};
+    if (used->result.rejected()) {
+        return {Severity::note,
+                {CORE_TEXT("methods", "In use: %1. No values here: %2."), name,
+                 used->result.rejection}};
     }
     if (!used->holds) {
         return {Severity::warning,
@@ -179,7 +179,7 @@ std::string write_text(const KernelReport& report) {
                    report.method(row).title.english, report.setting(row).english(),
                    plain_digits(row.timing.median),
                    plain_digits(row.timing.low) + "…" + plain_digits(row.timing.high),
-                   row.result.refused() ? "refused" : digits(row.result.error),
+                   row.result.rejected() ? "refused" : digits(row.result.error),
                    row.order ? format_number(*row.order, 2) : "",
                    failing_summary(kernel, row, SweepName::id).english()});
     }
@@ -218,10 +218,10 @@ std::string write_csv(std::span<const KernelReport> reports) {
                  report.method(row).id, report.setting(row).english(), row.in_use ? "yes" : "no",
                  format_number(kernel.choice.tolerance), format_number(row.timing.median),
                  format_number(row.timing.low), format_number(row.timing.high),
-                 row.result.refused() ? "" : format_number(row.result.error),
+                 row.result.rejected() ? "" : format_number(row.result.error),
                  optional_number(row.order), row.holds ? "yes" : "no",
                  failing_summary(kernel, row, SweepName::id).english(),
-                 row.result.refusal.english(), report.method(row).limits.english});
+                 row.result.rejection.english(), report.method(row).limits.english});
         }
     }
     return text;

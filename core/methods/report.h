@@ -77,7 +77,7 @@ std::string choice_paragraph(const Kernel& kernel);
 /// The report as aligned text (UTF-8): title, table, paragraph.
 std::string write_text(const KernelReport& report);
 /// As CSV with a header, one line per method and setting: kernel, sweep, value, method, setting,
-/// in_use, tolerance, median_ns, low_ns, high_ns, error, order, holds, fails, refusal,
+/// in_use, tolerance, median_ns, low_ns, high_ns, error, order, holds, fails, rejection,
 /// limits. Empty where there is none; decimal point, full precision.
 std::string write_csv(std::span<const KernelReport> reports);
 

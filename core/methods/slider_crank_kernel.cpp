@@ -24,7 +24,7 @@ struct Turn {
     }
 };
 
-Message refusal_of(const Turn& turn) {
+Message rejection_of(const Turn& turn) {
     return turn.crank.locks()
                ? CORE_TEXT("methods", "the mechanism locks: the crank cannot make a turn")
                : Text{};
@@ -75,7 +75,7 @@ Run prepare_series(const Turn& turn, double terms) {
         for (std::size_t i = 0; i < Turn::points; ++i) {
             put(out, i, by_series(turn.crank, terms, nodes.node_sin()[i], nodes.node_cos()[i]));
         }
-        return refusal_of(turn);
+        return rejection_of(turn);
     };
 }
 
@@ -86,7 +86,7 @@ Run prepare_exact(const Turn& turn) {
         for (std::size_t i = 0; i < Turn::points; ++i) {
             put(out, i, crank.at(static_cast<Scalar>(Turn::angle(i))));
         }
-        return refusal_of(turn);
+        return rejection_of(turn);
     };
 }
 
@@ -96,11 +96,11 @@ Run prepare_table(const Turn& turn) {
     std::vector<Scalar> sine(nodes.node_sin().begin(), nodes.node_sin().end());
     std::vector<Scalar> cosine(nodes.node_cos().begin(), nodes.node_cos().end());
     return [crank = in<Scalar>(turn.crank), sine = std::move(sine), cosine = std::move(cosine),
-            refusal = refusal_of(turn)](std::span<double> out) {
+            rejection = rejection_of(turn)](std::span<double> out) {
         for (std::size_t i = 0; i < sine.size(); ++i) {
             put(out, i, crank.at(sine[i], cosine[i]));
         }
-        return refusal;
+        return rejection;
     };
 }
 
@@ -202,7 +202,7 @@ Kernel slider_crank_kernel() {
          }},
     };
     definition.reference = reference;
-    definition.refusal = [](const Turn& turn) {
+    definition.rejection = [](const Turn& turn) {
         const auto locking = inertia_moments::find_locking(
             turn.crank.crank_radius, turn.crank.lambda(), {{0.0, 0.0, turn.crank.offset, 0.0}});
         return locking ? inertia_moments::describe(*locking) : Message();

@@ -176,8 +176,8 @@ TorqueReference::Range TorqueReference::range_with_slopes(const Real50& a, const
              candidates(static_cast<double>(a), static_cast<double>(b), sign)) {
             const Piece<Real50>& piece = exact_[one.piece];
             Real50 t(one.t);
-            constexpr int most = 8;
-            for (int i = 0; one.interior && i < most; ++i) {
+            constexpr int maximum = 8;
+            for (int i = 0; one.interior && i < maximum; ++i) {
                 const Real50 angle = (piece.start + t) * degree;
                 const Real50 c = cos(angle);
                 const Real50 s = sin(angle);
@@ -228,7 +228,7 @@ double TorqueReference::plain_range(double alpha) const {
     return range;
 }
 
-Real50 TorqueReference::least_range() const {
+Real50 TorqueReference::min_range() const {
     constexpr int angles = 1440;
     std::vector<double> scan;
     for (int i = 0; i < angles; ++i) {
@@ -236,7 +236,7 @@ Real50 TorqueReference::least_range() const {
     }
     const double steepest = 2.0 * std::abs(amplitude_) * two_pi / angles;  // over one step
     const double best = *std::min_element(scan.begin(), scan.end());
-    Real50 least = range(Real50(0));
+    Real50 minimum = range(Real50(0));
     for (int i = 0; i < angles; ++i) {
         const auto at = [&](int k) {
             return scan[static_cast<std::size_t>((k + angles) % angles)];
@@ -252,24 +252,24 @@ Real50 TorqueReference::least_range() const {
         for (int k = 0; k < halvings; ++k) {
             const Real50 alpha = (from + to) / 2;
             const Range here = range_at(alpha);
-            least = std::min(least, here.range);
+            minimum = std::min(minimum, here.range);
             (here.by_cos * cos(alpha) < here.by_sin * sin(alpha) ? from : to) = alpha;
         }
     }
-    return least;
+    return minimum;
 }
 
-Real50 TorqueReference::least_range_of_all() const {
+Real50 TorqueReference::min_range_of_all() const {
     // The range is convex in a and b, and no best place is farther than the range without shaft.
     Real50 a(0);
     Real50 b(0);
     Range here = range_with_slopes(a, b);
-    Real50 least = here.range;
+    Real50 minimum = here.range;
     Real50 aa = here.range * here.range;  // the ellipse's matrix
     Real50 ab(0);
     Real50 bb = aa;
-    constexpr int most = 1000;
-    for (int i = 0; i < most; ++i) {
+    constexpr int maximum = 1000;
+    for (int i = 0; i < maximum; ++i) {
         const Real50 step_a = aa * here.by_cos + ab * here.by_sin;
         const Real50 step_b = ab * here.by_cos + bb * here.by_sin;
         const Real50 square = here.by_cos * step_a + here.by_sin * step_b;
@@ -284,9 +284,9 @@ Real50 TorqueReference::least_range_of_all() const {
         ab = (4 * ab - 8 * step_a * step_b / square / 3) / 3;
         bb = (4 * bb - 8 * step_b * step_b / square / 3) / 3;
         here = range_with_slopes(a, b);
-        least = std::min(least, here.range);
+        minimum = std::min(minimum, here.range);
     }
-    return least;
+    return minimum;
 }
 
 }  // namespace ravnoves::methods

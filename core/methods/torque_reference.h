@@ -28,8 +28,8 @@ class TorqueReference {
     Real50 range(const Real50& a, const Real50& b) const;
     /// Of M_up + A sin(φ + α).
     Real50 range(const Real50& alpha) const { return range_at(alpha).range; }
-    Real50 least_range() const;         ///< over all α
-    Real50 least_range_of_all() const;  ///< over all a and b
+    Real50 min_range() const;         ///< over all α
+    Real50 min_range_of_all() const;  ///< over all a and b
 
   private:
     /// The curve between two rows, by the distance t from the left one in degrees.

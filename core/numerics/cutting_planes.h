@@ -57,14 +57,14 @@ class CuttingPlanes {
             // v stays in the planes but one; that one leaves whose factor falls to 0 first.
             const Vector rates = rows_.transpose().solve(planes_[entering].a);
             int leaving = -1;
-            Scalar least(0);
+            Scalar minimum(0);
             for (int k = 0; k < N; ++k) {
                 if (rates[k] > rounding) {
                     const Scalar ratio = factors_[k] / rates[k];
-                    if (leaving < 0 || ratio < least ||
-                        (ratio == least && rates[k] > rates[leaving])) {
+                    if (leaving < 0 || ratio < minimum ||
+                        (ratio == minimum && rates[k] > rates[leaving])) {
                         leaving = k;
-                        least = ratio;
+                        minimum = ratio;
                     }
                 }
             }

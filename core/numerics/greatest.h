@@ -24,13 +24,13 @@ struct Greatest {
             return;
         }
         constexpr int half_the_digits = 26;
-        const auto [at, least] = boost::math::tools::brent_find_minima(
+        const auto [at, minimum] = boost::math::tools::brent_find_minima(
             [&](double x) {
                 const double y = -f(x);
                 return std::isfinite(y) ? y : std::numeric_limits<double>::max();
             },
             place - step, place + step, half_the_digits);
-        take(-least, at);
+        take(-minimum, at);
     }
 };
 

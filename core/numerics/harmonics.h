@@ -34,7 +34,7 @@ struct TransformLength {
 /// @param longest    upper limit of the length
 inline TransformLength transform_length(double decay, int max_order, double tolerance,
                                         std::size_t longest = std::size_t{1} << 20U) {
-    const double least = 2.0 * max_order + 2.0;  // Nyquist
+    const double minimum = 2.0 * max_order + 2.0;  // Nyquist
     if (!(decay > 0.0)) {
         return {longest, false};
     }
@@ -45,7 +45,7 @@ inline TransformLength transform_length(double decay, int max_order, double tole
     for (int round = 0; round < 3; ++round) {
         k = (need + 2.0 * std::log(k)) / decay + 1.0;
     }
-    const double samples = std::max(least, std::ceil(max_order + k));
+    const double samples = std::max(minimum, std::ceil(max_order + k));
     if (!(samples <= static_cast<double>(longest))) {
         return {longest, false};
     }

@@ -26,7 +26,7 @@ struct TrigonometricMoments {
             return;
         }
         constexpr int terms = 12;
-        const double least = std::numeric_limits<double>::epsilon() * d / 1000;
+        const double minimum = std::numeric_limits<double>::epsilon() * d / 1000;
         double even = 2 * d;         // 2 (−1)ʲ d^(2j+1) / (2j)!
         double odd = 2 * d * d * d;  // 2 (−1)ʲ d^(2j+3) / (2j+1)!
         for (int j = 0; j < terms; ++j) {
@@ -35,7 +35,7 @@ struct TrigonometricMoments {
             cos_2 += even * d * d / (n + 3);
             sin_1 += odd / (n + 3);
             sin_3 += odd * d * d / (n + 5);
-            if (n > 0 && -even < least && even < least) {
+            if (n > 0 && -even < minimum && even < minimum) {
                 break;  // short pieces need few terms
             }
             even *= -d * d / ((n + 1) * (n + 2));

@@ -74,28 +74,28 @@ RAVNOVES_KERNEL void set_all(Lanes& to, double value) {
     to = value - Lanes{};
 }
 template <typename Lanes>
-RAVNOVES_KERNEL void raise(Lanes& most, const Lanes& value) {
-    most = value > most ? value : most;
+RAVNOVES_KERNEL void raise(Lanes& maximum, const Lanes& value) {
+    maximum = value > maximum ? value : maximum;
 }
 template <typename Lanes>
-RAVNOVES_KERNEL void lower(Lanes& least, const Lanes& value) {
-    least = value < least ? value : least;
+RAVNOVES_KERNEL void lower(Lanes& minimum, const Lanes& value) {
+    minimum = value < minimum ? value : minimum;
 }
 template <typename Lanes>
 RAVNOVES_KERNEL double greatest(const Lanes& of) {
-    double most = of[0];
+    double maximum = of[0];
     for (std::size_t i = 1; i < lanes_of<Lanes>; ++i) {
-        most = of[i] > most ? of[i] : most;
+        maximum = of[i] > maximum ? of[i] : maximum;
     }
-    return most;
+    return maximum;
 }
 template <typename Lanes>
-RAVNOVES_KERNEL double least(const Lanes& of) {
-    double least = of[0];
+RAVNOVES_KERNEL double minimum(const Lanes& of) {
+    double minimum = of[0];
     for (std::size_t i = 1; i < lanes_of<Lanes>; ++i) {
-        least = of[i] < least ? of[i] : least;
+        minimum = of[i] < minimum ? of[i] : minimum;
     }
-    return least;
+    return minimum;
 }
 
 }  // namespace ravnoves

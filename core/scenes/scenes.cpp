@@ -148,7 +148,7 @@ std::vector<Preset<Json>> written() {
 
 /// A scene by what each of them has.
 template <typename Input, auto solve, auto left_out, auto presets, auto read, auto check,
-          typename Results = AnewResults<Input>>
+          typename Results = FreshResults<Input>>
 SceneSolver scene(std::string_view name, Text title = {}, Text summary = {}) {
     return {.name = name,
             .title = title,

@@ -18,8 +18,8 @@ namespace ravnoves {
 
 /// Visits each input's results again.
 template <typename Input>
-struct AnewResults {
-    explicit AnewResults(std::span<const std::string> /*varied*/) {}
+struct FreshResults {
+    explicit FreshResults(std::span<const std::string> /*varied*/) {}
     void visit(ResultVisitor& visitor, const Input& input) { visit_results(visitor, input); }
 };
 

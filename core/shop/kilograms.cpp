@@ -11,7 +11,7 @@ namespace ravnoves::shop {
 namespace {
 
 /// No such part of a car or truck weighs less, kg; in kilograms each does.
-double least_mass(Part part) {
+double min_mass(Part part) {
     return (part == Part::rings || part == Part::shells ? 2.0 : 5.0) * units::gram;
 }
 
@@ -19,15 +19,15 @@ double least_mass(Part part) {
 
 std::optional<double> mass_in_kilograms(Part part, const std::optional<double>& nominal,
                                         std::span<const Weighed> masses) {
-    const double least = least_mass(part);
-    if (nominal && *nominal < least) {
+    const double minimum = min_mass(part);
+    if (nominal && *nominal < minimum) {
         return nominal;
     }
     for (const Weighed& mass : masses) {
         if (!mass || *mass == 0.0) {
             continue;
         }
-        if (*mass < least || (nominal && *mass <= 0.01 * *nominal)) {
+        if (*mass < minimum || (nominal && *mass <= 0.01 * *nominal)) {
             return mass;
         }
         if (nominal && *nominal <= 0.01 * *mass) {
@@ -80,18 +80,18 @@ std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
             continue;
         }
         const double usual = median(others);
-        const double most = others.size() < 3 ? 3.0 : 1.1;
+        const double maximum = others.size() < 3 ? 3.0 : 1.1;
         const double away = std::abs(std::log(*masses[i] / usual));
-        constexpr double least_scatter = 1e-4;  // of a mass: what scales read
-        constexpr double most_score = 6.0;
-        constexpr double least_away = 0.01;
+        constexpr double min_scatter = 1e-4;  // of a mass: what scales read
+        constexpr double max_score = 6.0;
+        constexpr double min_away = 0.01;
         std::optional<double> score;
         if (others.size() >= 3) {
             score = std::abs(*masses[i] - usual) /
-                    std::max(robust_scatter(others, usual), least_scatter * usual);
+                    std::max(robust_scatter(others, usual), min_scatter * usual);
         }
-        if (away <= std::log(most)) {
-            if (score && *score > most_score && away > least_away) {
+        if (away <= std::log(maximum)) {
+            if (score && *score > max_score && away > min_away) {
                 scattered.push_back({i, *masses[i], usual, score});
             }
             continue;
@@ -111,10 +111,10 @@ std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
                                        [](const Weighed& mass) { return mass && *mass > 0.0; });
     // Parts of another make differ by less from the others; more than a third of them are another
     // kind, and no slips.
-    constexpr double least_repeated = 0.03;
+    constexpr double min_repeated = 0.03;
     if (scattered.size() > 1) {
         std::erase_if(scattered, [](const OddMass& each) {
-            return std::abs(std::log(each.mass / each.usual)) <= least_repeated;
+            return std::abs(std::log(each.mass / each.usual)) <= min_repeated;
         });
     }
     if (!found && 3 * std::ssize(scattered) <= weighed) {

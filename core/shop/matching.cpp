@@ -328,13 +328,13 @@ std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rule
     matched.goal = rules.goal;
     matched.spacing_known = task.spacing_known;
     if (rules.goal == MatchingGoal::fewest_moves && !rules.permitted_spread) {
-        matched.goal = MatchingGoal::least_spread;
+        matched.goal = MatchingGoal::min_spread;
         matched.remark = CORE_TEXT(
             "matching",
             "The permitted range of the crankpins is missing: they are made as equal as possible.");
     }
-    if (rules.goal == MatchingGoal::least_shaking && !task.no_shaking.empty()) {
-        matched.goal = MatchingGoal::least_spread;
+    if (rules.goal == MatchingGoal::min_shaking && !task.no_shaking.empty()) {
+        matched.goal = MatchingGoal::min_spread;
         matched.remark = {
             CORE_TEXT(
                 "matching",
@@ -343,7 +343,7 @@ std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rule
     }
     const SetSearch by_spread = search_of_spread(task, rules);
     SetSearch search =
-        matched.goal == MatchingGoal::least_shaking ? search_of_shaking(task, rules) : by_spread;
+        matched.goal == MatchingGoal::min_shaking ? search_of_shaking(task, rules) : by_spread;
     // A scale reads to hundredths of a gram: a microgram of rounding is no violation.
     constexpr double rounding = 1e-9;
     const bool has_limit = matched.goal == MatchingGoal::fewest_moves;

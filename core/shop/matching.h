@@ -87,8 +87,8 @@ struct Matched {
     double spread_before = 0.0;
     std::optional<Shaking> shaking_before;
     std::optional<Shaking> shaking;
-    MatchingGoal goal = MatchingGoal::least_spread;  ///< that was followed
-    bool proven = true;                              ///< no placing is better by the goal
+    MatchingGoal goal = MatchingGoal::min_spread;  ///< that was followed
+    bool proven = true;                            ///< no placing is better by the goal
     Message remark;  ///< why it is not the goal asked for, or why that is not reached
     bool spacing_known = false;
 };

@@ -13,9 +13,9 @@ namespace ravnoves::shop {
 
 /// What the matching of weighed parts aims at.
 enum class MatchingGoal {
-    least_spread,  ///< of the crankpins' weights
+    min_spread,    ///< of the crankpins' weights
     fewest_moves,  ///< that bring the crankpins within the permitted spread
-    least_shaking  ///< first-order forces at the ends of the crankshaft
+    min_shaking    ///< first-order forces at the ends of the crankshaft
 };
 
 /// Where a set may go.
@@ -26,7 +26,7 @@ enum class PartMoves { with_set, stays };
 /// How weighed parts are matched: pistons with their pins and rings, and rods with their shells,
 /// change places.
 struct MatchingRules {
-    MatchingGoal goal = MatchingGoal::least_spread;
+    MatchingGoal goal = MatchingGoal::min_spread;
     SetMoves pistons = SetMoves::anywhere;
     PartMoves pins = PartMoves::with_set;
     PartMoves rings = PartMoves::with_set;

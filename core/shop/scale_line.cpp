@@ -191,8 +191,8 @@ class LineReader {
             plain += is_point ? '.' : c;
             line_.remove_prefix(1);
         }
-        constexpr int most_digits = 12;
-        if (digits == 0 || digits > most_digits) {
+        constexpr int max_digits = 12;
+        if (digits == 0 || digits > max_digits) {
             return false;
         }
         std::from_chars(plain.data(), plain.data() + plain.size(), said_.number);

@@ -19,15 +19,15 @@ using From = std::array<std::vector<int>, 2>;
 using Values = std::vector<double>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t most_placings = 40'320;  // 8!
+constexpr std::size_t max_placings = 40'320;  // 8!
 // Additions in the search by exchanges.
 constexpr long few_exchanges = 4'000'000;
 constexpr long many_exchanges = 40'000'000;
 
 double size_of(std::span<const double> sum, SetSearch::Size size) {
     if (size == SetSearch::Size::spread) {
-        const auto [least, most] = std::minmax_element(sum.begin(), sum.end());
-        return sum.empty() ? 0.0 : *most - *least;
+        const auto [minimum, maximum] = std::minmax_element(sum.begin(), sum.end());
+        return sum.empty() ? 0.0 : *maximum - *minimum;
     }
     double squares = 0.0;
     for (const double each : sum) {
@@ -58,9 +58,9 @@ struct Rank {
 /// Compares as the search wants it; sizes that differ by rounding are the same.
 bool is_better(const SetSearch& search, const Rank& rank, const Rank& best) {
     const double size = std::max(rank.size, search.enough);
-    const double least = std::max(best.size, search.enough);
-    if (std::abs(size - least) > search.rounding) {
-        return size < least;
+    const double minimum = std::max(best.size, search.enough);
+    if (std::abs(size - minimum) > search.rounding) {
+        return size < minimum;
     }
     return rank.moved != best.moved ? rank.moved < best.moved
                                     : rank.size < best.size - search.rounding;
@@ -156,7 +156,7 @@ class Exchanges {
 
 std::size_t placings_of(const SetKind& kind) {
     std::size_t count = 1;
-    for (auto at = kind.group.begin(); at != kind.group.end() && count <= most_placings; ++at) {
+    for (auto at = kind.group.begin(); at != kind.group.end() && count <= max_placings; ++at) {
         count *= static_cast<std::size_t>(std::count(kind.group.begin(), at + 1, *at));
     }
     return count;
@@ -272,18 +272,18 @@ std::array<Key, 2> widest_keys(const SetSearch& search, const Placings& placings
     for (std::size_t i = 0; i < search.dimensions; ++i) {
         for (std::size_t k = is_spread ? i + 1 : 0; k < (is_spread ? search.dimensions : 1); ++k) {
             const Key key{i, is_spread ? std::optional(k) : std::nullopt};
-            double least = infinity;
-            double most = -infinity;
+            double minimum = infinity;
+            double maximum = -infinity;
             for (const Placings::Each& each : placings.list) {
-                least = std::min(least, key(placings.sum(each)));
-                most = std::max(most, key(placings.sum(each)));
+                minimum = std::min(minimum, key(placings.sum(each)));
+                maximum = std::max(maximum, key(placings.sum(each)));
             }
-            if (most - least > widths[0]) {
+            if (maximum - minimum > widths[0]) {
                 keys = {key, keys[0]};
-                widths = {most - least, widths[0]};
-            } else if (most - least > widths[1]) {
+                widths = {maximum - minimum, widths[0]};
+            } else if (maximum - minimum > widths[1]) {
                 keys[1] = key;
-                widths[1] = most - least;
+                widths[1] = maximum - minimum;
             }
         }
     }
@@ -293,19 +293,19 @@ std::array<Key, 2> widest_keys(const SetSearch& search, const Placings& placings
 /// The size of two placings together; infinity as soon as it is known to be beyond the limit.
 double size_within(double limit, const double* a, const double* b, const SetSearch& search) {
     double squares = 0.0;
-    double least = infinity;
-    double most = -infinity;
+    double minimum = infinity;
+    double maximum = -infinity;
     for (std::size_t i = 0; i < search.dimensions; ++i) {
         const double sum = a[i] + b[i];
         squares += sum * sum;
-        least = std::min(least, sum);
-        most = std::max(most, sum);
-        if (search.size == SetSearch::Size::spread ? most - least > limit
+        minimum = std::min(minimum, sum);
+        maximum = std::max(maximum, sum);
+        if (search.size == SetSearch::Size::spread ? maximum - minimum > limit
                                                    : squares > limit * limit) {
             return infinity;
         }
     }
-    return search.size == SetSearch::Size::spread ? std::max(0.0, most - least)
+    return search.size == SetSearch::Size::spread ? std::max(0.0, maximum - minimum)
                                                   : std::sqrt(squares);
 }
 
@@ -354,7 +354,7 @@ SetsFound find_placing(const SetSearch& search) {
     }
     const bool can_try_all =
         std::all_of(search.kinds.begin(), search.kinds.end(),
-                    [](const SetKind& kind) { return placings_of(kind) <= most_placings; });
+                    [](const SetKind& kind) { return placings_of(kind) <= max_placings; });
     From best = as_it_is;
     Exchanges exchanges(search, can_try_all ? few_exchanges : many_exchanges);
     Rank rank = exchanges.improve(best);  // the fewest move from what is fitted now

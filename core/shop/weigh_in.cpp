@@ -13,8 +13,8 @@ namespace ravnoves::shop {
 std::optional<ColumnStatistics> statistics(std::span<const Weighed> masses,
                                            const std::optional<double>& permitted_spread) {
     ColumnStatistics result{0, 0.0, 0.0, -1, -1, true};
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
+    double minimum = std::numeric_limits<double>::infinity();
+    double maximum = -minimum;
     for (std::size_t i = 0; i < masses.size(); ++i) {
         if (!masses[i]) {
             continue;
@@ -22,12 +22,12 @@ std::optional<ColumnStatistics> statistics(std::span<const Weighed> masses,
         const double mass = *masses[i];
         ++result.count;
         result.mean += mass;
-        if (mass > most) {
-            most = mass;
+        if (mass > maximum) {
+            maximum = mass;
             result.heaviest = static_cast<int>(i);
         }
-        if (mass < least) {
-            least = mass;
+        if (mass < minimum) {
+            minimum = mass;
             result.lightest = static_cast<int>(i);
         }
     }
@@ -35,7 +35,7 @@ std::optional<ColumnStatistics> statistics(std::span<const Weighed> masses,
         return std::nullopt;
     }
     result.mean /= result.count;
-    result.spread = most - least;
+    result.spread = maximum - minimum;
     // A scale reads to hundredths of a gram: a microgram of rounding is no violation.
     constexpr double rounding = 1e-9;
     result.within_permitted = !permitted_spread || result.spread <= *permitted_spread + rounding;

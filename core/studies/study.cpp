@@ -12,8 +12,8 @@ namespace ravnoves::studies {
 
 namespace {
 
-constexpr std::size_t most_varied = 1000;
-constexpr std::size_t most_watched = 32;
+constexpr std::size_t max_varied = 1000;
+constexpr std::size_t max_watched = 32;
 
 constexpr std::array methods{
     Word{"linear", CORE_TEXT("studies", "Linear")},
@@ -37,13 +37,13 @@ void check_pointer(const std::string& key, const std::string& place) {
     }
 }
 
-std::uint64_t whole(ObjectReader& reader, const char* key, std::uint64_t least, std::uint64_t most,
-                    std::uint64_t usual) {
+std::uint64_t whole(ObjectReader& reader, const char* key, std::uint64_t minimum,
+                    std::uint64_t maximum, std::uint64_t usual) {
     if (!reader.has(key)) {
         return usual;
     }
     const Json& value = reader.raw(key);
-    std::uint64_t number = most + 1;
+    std::uint64_t number = maximum + 1;
     if (value.is_number_integer() && value.get<std::int64_t>() >= 0) {
         number = value.get<std::uint64_t>();
     } else if (value.is_number_float() && value.get<double>() >= 0.0 &&
@@ -51,17 +51,17 @@ std::uint64_t whole(ObjectReader& reader, const char* key, std::uint64_t least, 
                std::floor(value.get<double>()) == value.get<double>()) {
         number = static_cast<std::uint64_t>(value.get<double>());  // 1e6
     }
-    if (number < least || number > most) {
+    if (number < minimum || number > maximum) {
         throw InputError(reader.pointer_to(key),
                          {CORE_TEXT("core", "must be a whole number from %1 to %2"),
-                          std::to_string(least), std::to_string(most)},
+                          std::to_string(minimum), std::to_string(maximum)},
                          show(value));
     }
     return number;
 }
 
 /// Methods of older cases.
-void refuse_former_method(ObjectReader& reader) {
+void reject_former_method(ObjectReader& reader) {
     // The library compares a value with a text by a copy that may not fail.
     const auto* const text = reader.raw("method").get_ptr<const std::string*>();
     const std::string_view method = text != nullptr ? std::string_view(*text) : std::string_view();
@@ -116,7 +116,7 @@ Varied read_varied(const std::string& pointer, ObjectReader reader) {
         varied.spread = Spread::uniform;
         if (reader.has("steps")) {
             varied.spread = Spread::grid;
-            varied.steps = reader.integer("steps", 2, static_cast<int>(most_grid_points));
+            varied.steps = reader.integer("steps", 2, static_cast<int>(max_grid_points));
             varied.values = spaced(varied.from, varied.to, varied.steps);
         }
     }
@@ -132,14 +132,14 @@ Varied read_varied(const std::string& pointer, ObjectReader reader) {
 
 /// An object of pointers; each must differ from the others.
 template <typename Read>
-auto read_each(ObjectReader& reader, const char* key, bool half_filled, std::size_t most,
+auto read_each(ObjectReader& reader, const char* key, bool half_filled, std::size_t maximum,
                Read read) {
     std::vector<decltype(read(std::string(), reader.object(key)))> all;
     ObjectReader object = reader.object(key);
     const auto keys = object.keys();
-    if ((keys.empty() && !half_filled) || keys.size() > most) {
+    if ((keys.empty() && !half_filled) || keys.size() > maximum) {
         throw InputError(object.pointer(),
-                         {CORE_TEXT("studies", "must have from 1 to %1 pointers"), most},
+                         {CORE_TEXT("studies", "must have from 1 to %1 pointers"), maximum},
                          Number{static_cast<double>(keys.size())});
     }
     for (const std::string& pointer : keys) {
@@ -181,9 +181,9 @@ void check_grid(const Study& study, bool method_is_given) {
                          first ? CORE_TEXT("studies", "must be \"grid\" with listed values")
                                : CORE_TEXT("studies", "must not be \"grid\" without a grid"));
     }
-    if (first && study.points() > most_grid_points) {
+    if (first && study.points() > max_grid_points) {
         throw InputError("/study/vary", {CORE_TEXT("studies", "must make at most %1 points"),
-                                         std::to_string(most_grid_points)});
+                                         std::to_string(max_grid_points)});
     }
 }
 
@@ -209,7 +209,7 @@ std::uint64_t Study::points() const {
     std::uint64_t product = 1;
     for (const Varied& varied : vary) {
         product *= varied.values.size();
-        if (product > most_grid_points) {
+        if (product > max_grid_points) {
             return product;
         }
     }
@@ -237,16 +237,16 @@ std::optional<double> upper_across_zero(const Watched& watched) {
 Study read_study(const Json& json, bool half_filled) {
     ObjectReader reader(json, "/study");
     Study study;
-    study.vary = read_each(reader, "vary", half_filled, most_varied, read_varied);
-    study.watch = read_each(reader, "watch", half_filled, most_watched, read_watched);
+    study.vary = read_each(reader, "vary", half_filled, max_varied, read_varied);
+    study.watch = read_each(reader, "watch", half_filled, max_watched, read_watched);
     const bool given = reader.has("method");
     const bool is_grid = !study.vary.empty() && study.vary.front().spread == Varied::Spread::grid;
     study.method = is_grid ? Method::grid : Method::sobol;
     if (given) {
-        refuse_former_method(reader);
+        reject_former_method(reader);
         study.method = static_cast<Method>(reader.choice("method", method_words()));
     }
-    study.samples = whole(reader, "samples", 1, most_samples, study.samples);
+    study.samples = whole(reader, "samples", 1, max_samples, study.samples);
     study.seed = whole(reader, "seed", 0, (std::uint64_t{1} << 63) - 1, study.seed);
     reader.finish();
     check_grid(study, given);

@@ -70,8 +70,8 @@ struct Study {
     friend bool operator==(const Study&, const Study&) = default;
 };
 
-inline constexpr std::uint64_t most_samples = 1'000'000'000;
-inline constexpr std::uint64_t most_grid_points = 1'000'000;
+inline constexpr std::uint64_t max_samples = 1'000'000'000;
+inline constexpr std::uint64_t max_grid_points = 1'000'000;
 
 /// @param half_filled  nothing needs to be varied or watched yet
 /// @throws InputError that names the JSON pointer below /study

@@ -42,7 +42,7 @@ Json write_basis(const Basis& basis) {
     Json json = {{"laws", Json::array()},
                  {"values", Json::array()},
                  {"distances", basis.distances},
-                 {"refused", write_refusals(basis.refusals)}};
+                 {"refused", write_rejections(basis.rejections)}};
     for (const Law& law : basis.laws) {
         json["laws"].push_back({law.normal, law.mean, law.deviation, law.low, law.high});
     }
@@ -67,7 +67,7 @@ Json write_basis(const Basis& basis) {
 Basis read_basis(const Json& json, const Study& study) {
     Basis basis;
     basis.distances = json.at("distances").get<std::vector<double>>();
-    basis.refusals = read_refusals(json.at("refused"));
+    basis.rejections = read_rejections(json.at("refused"));
     const bool grid = study.method == Method::grid;
     for (std::size_t j = 0; j < study.vary.size() && !grid; ++j) {
         const Json& law = json.at("laws").at(j);
@@ -217,10 +217,10 @@ std::optional<Message> note_of_linear(const Part& part, std::size_t w,
                                       const Taylor::Propagated& linear) {
     const double distance = part.basis.distances[w];
     // A tenth of the deviation moves a mean by some hundredths of it at most.
-    const double least =
+    const double minimum =
         std::max(0.1 * linear.deviation, 1e-9 * std::abs(*part.basis.expansions[w].value)) +
         3.0 * linear.deviation_error;
-    if (!(distance > least)) {
+    if (!(distance > minimum)) {
         return std::nullopt;
     }
     return Message{CORE_TEXT("studies",
@@ -233,13 +233,13 @@ std::optional<Message> note_of_linear(const Part& part, std::size_t w,
 /// Where sensitivities are vague, their largest standard error.
 std::optional<double> vague_sensitivities(const Statistics& found) {
     constexpr double large = 0.1;
-    double most = 0.0;
+    double maximum = 0.0;
     for (const auto* list : {&found.first_order, &found.total}) {
         for (const auto& each : *list) {
-            most = each ? std::max(most, each->error) : most;
+            maximum = each ? std::max(maximum, each->error) : maximum;
         }
     }
-    return most > large ? std::optional(most) : std::nullopt;
+    return maximum > large ? std::optional(maximum) : std::nullopt;
 }
 
 }  // namespace
@@ -266,12 +266,12 @@ std::vector<Note> noted(const Part& part) {
     if (part.study.method == Method::grid) {
         return notes;
     }
-    if (linear_study && !basis.refusals.empty()) {
+    if (linear_study && !basis.rejections.empty()) {
         notes.push_back(
             {{CORE_TEXT(
                   "studies",
                   "%1 of %2 trial samples cannot be solved; the linear answer does not show that."),
-              std::to_string(count_of(basis.refusals)), std::to_string(tried_samples)}});
+              std::to_string(count_of(basis.rejections)), std::to_string(tried_samples)}});
     }
     if (!linear_study && part.tally.solved() < 2) {
         notes.push_back({CORE_TEXT("studies", "A standard deviation needs two solved samples.")});
@@ -280,13 +280,14 @@ std::vector<Note> noted(const Part& part) {
     for (std::size_t w = 0; w < part.study.watch.size(); ++w) {
         const std::string& name = part.study.watch[w].pointer;
         const auto linear = basis.expansions[w].propagated(basis.laws);
-        const auto most = linear_study ? std::nullopt
-                                       : vague_sensitivities(part.tally.statistics(w, part.blocks));
-        if (most) {
+        const auto maximum = linear_study
+                                 ? std::nullopt
+                                 : vague_sensitivities(part.tally.statistics(w, part.blocks));
+        if (maximum) {
             notes.push_back({{CORE_TEXT("studies",
                                         "The samples are too few for the sensitivities of %1: "
                                         "standard errors up to %2."),
-                              name, Number{*most, {}, 2}}});
+                              name, Number{*maximum, {}, 2}}});
         }
         if (!linear) {
             notes.push_back({{CORE_TEXT("studies",
@@ -360,7 +361,7 @@ Part read_part(Json json) {
         }
         part.study = read_study(json.at("study"));
         part.shards = std::clamp<std::uint64_t>(
-            static_cast<std::uint64_t>(whole_of(json.at("shards"))), 1, most_blocks);
+            static_cast<std::uint64_t>(whole_of(json.at("shards"))), 1, max_blocks);
         part.shard = std::clamp<std::uint64_t>(
             static_cast<std::uint64_t>(whole_of(json.at("shard"))), 1, part.shards);
         part.basis = read_basis(json.at("basis"), part.study);
@@ -391,21 +392,21 @@ Part read_part(Json json) {
     }
 }
 
-std::vector<Refusal> refusals_of(const Part& part) {
+std::vector<Rejection> rejections_of(const Part& part) {
     const bool linear = part.study.method == Method::linear;
-    std::vector<Refusal> list;
-    for (const auto& [kind, refusal] : linear ? part.basis.refusals : part.tally.refusals()) {
-        list.push_back(refusal);
+    std::vector<Rejection> list;
+    for (const auto& [kind, rejection] : linear ? part.basis.rejections : part.tally.rejections()) {
+        list.push_back(rejection);
     }
     std::stable_sort(list.begin(), list.end(),
-                     [](const Refusal& a, const Refusal& b) { return a.count > b.count; });
+                     [](const Rejection& a, const Rejection& b) { return a.count > b.count; });
     return list;
 }
 
 Json write_results(const Part& part) {
     const Study& study = part.study;
     const bool grid = study.method == Method::grid;
-    std::uint64_t refused = 0;
+    std::uint64_t rejected = 0;
     const std::uint64_t samples = study.method == Method::linear ? tried_samples : part.done();
     Json json = {{"format", study_format},
                  {"version", study_version},
@@ -418,12 +419,12 @@ Json write_results(const Part& part) {
     json["method"] = method_words()[static_cast<std::size_t>(study.method)].word;
     json["samples"] = samples;
     Json reasons = Json::array();
-    for (const Refusal& refusal : refusals_of(part)) {
-        refused += refusal.count;
+    for (const Rejection& rejection : rejections_of(part)) {
+        rejected += rejection.count;
         reasons.push_back(
-            {{"reason", refusal.reason.message().english()}, {"count", refusal.count}});
+            {{"reason", rejection.reason.message().english()}, {"count", rejection.count}});
     }
-    json["solved"] = samples - refused;
+    json["solved"] = samples - rejected;
     json["refused"] = std::move(reasons);
     if (is_sampled(study.method)) {
         json["seed"] = study.seed;

@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t most_first_samples = 4096;
+constexpr std::uint64_t max_first_samples = 4096;
 constexpr std::uint64_t pairs_per_input = 16'384;
 /// Points at which an expansion is asked for its percentiles.
 constexpr std::uint64_t expansion_points = 16'384;
@@ -29,7 +29,7 @@ std::uint64_t points_of(const Study& study) {
 
 /// Of these the bins are made.
 std::uint64_t first_samples_of(const Study& study) {
-    return study.method == Method::grid ? 0 : std::min(points_of(study), most_first_samples);
+    return study.method == Method::grid ? 0 : std::min(points_of(study), max_first_samples);
 }
 
 /// Stands for the scene once it is expanded.
@@ -86,14 +86,14 @@ class Worker {
         const FirstSamples* first = part_.first.get();
         if (first != nullptr && sample < first->reasons.size()) {
             if (!first->reasons[sample].empty()) {
-                tally.refuse(sample, first->reasons[sample]);
+                tally.reject(sample, first->reasons[sample]);
                 return;
             }
             sampler_.point(sample, u_);
             std::copy_n(first->values.begin() + static_cast<std::ptrdiff_t>(sample * y_.size()),
                         y_.size(), y_.begin());
         } else if (!solve(sample, y_)) {
-            tally.refuse(sample, reason());
+            tally.reject(sample, reason());
             return;
         }
         tally.add(block, sample, u_, y_);
@@ -116,7 +116,7 @@ class Worker {
             rest /= values.size();
         }
         if (!response_->evaluate(x_, y_)) {
-            tally.refuse(point, reason());
+            tally.reject(point, reason());
         }
         row.assign(x_.begin(), x_.end());
         for (const double value : y_) {
@@ -184,8 +184,8 @@ CountingPlan counting_plan(const Watched& watched, std::optional<double> nominal
     const double middle = 0.5 * low + 0.5 * high;
     const double span = high - low;
     constexpr double fineness = 6e-5;
-    const double least = std::max(std::abs(middle), 1e-6) * 0x1p-44;
-    const double width = std::max(span * fineness, least);
+    const double minimum = std::max(std::abs(middle), 1e-6) * 0x1p-44;
+    const double width = std::max(span * fineness, minimum);
     plan.width = std::ldexp(1.0, std::ilogb(width));
     plan.low =
         (std::floor(middle / plan.width) - 0.5 * static_cast<double>(bin_count)) * plan.width;
@@ -204,14 +204,14 @@ std::shared_ptr<FirstSamples> take_first(const Problem& problem, const Part& par
     std::atomic<std::uint64_t> next{0};
     std::atomic<bool> stopped{false};
     const auto work = [&](std::size_t i) {
-        auto told = Clock::now();
+        auto reported = Clock::now();
         for (std::uint64_t k = next++; k < count && !stopped; k = next++) {
             if (!workers[i]->solve(k, std::span(first->values).subspan(k * watched, watched))) {
                 first->reasons[k] = workers[i]->reason();
             }
             constexpr auto often = std::chrono::milliseconds(50);
-            if (i == 0 && goes_on && Clock::now() - told > often) {
-                told = Clock::now();
+            if (i == 0 && goes_on && Clock::now() - reported > often) {
+                reported = Clock::now();
                 stopped =
                     !goes_on(static_cast<double>(k) / static_cast<double>(count + part.size()));
             }
@@ -247,7 +247,7 @@ void try_expansions(Response& response, const Study& study, std::span<const doub
             x[j] = basis.laws[j].at(x[j]);
         }
         if (!response.evaluate(x, y)) {
-            refuse(basis.refusals, i, response.reason());
+            reject(basis.rejections, i, response.reason());
             continue;
         }
         expansions.evaluate(x, expected);
@@ -255,7 +255,7 @@ void try_expansions(Response& response, const Study& study, std::span<const doub
             basis.distances[w] += std::pow(difference(y[w], expected[w], periods[w]), 2);
         }
     }
-    const auto solved = static_cast<double>(tried_samples - count_of(basis.refusals));
+    const auto solved = static_cast<double>(tried_samples - count_of(basis.rejections));
     for (double& each : basis.distances) {
         each = solved == 0.0 ? 0.0 : std::sqrt(each / solved);
     }
@@ -315,7 +315,7 @@ std::uint64_t Part::done() const {
 
 std::vector<Block> blocks_of(const Study& study, std::uint64_t shard, std::uint64_t shards) {
     const std::uint64_t points = points_of(study);
-    const std::uint64_t count = std::min(points, most_blocks);
+    const std::uint64_t count = std::min(points, max_blocks);
     std::vector<Block> blocks;
     for (std::uint64_t b = count * (shard - 1) / shards; b < count * shard / shards; ++b) {
         const std::uint64_t from = points * b / count;
@@ -452,15 +452,15 @@ void PartMerger::add(Part part, const std::string& name) {
 Part PartMerger::finish() {
     std::string missing;
     std::uint64_t count = 0;
-    constexpr std::uint64_t most_named = 20;
+    constexpr std::uint64_t max_named = 20;
     const std::string shards = "/" + std::to_string(names_.size());
     for (std::size_t k = 0; k < names_.size(); ++k) {
-        if (names_[k].empty() && ++count <= most_named) {
+        if (names_[k].empty() && ++count <= max_named) {
             missing += (missing.empty() ? "" : ", ") + std::to_string(k + 1) + shards;
         }
     }
     if (count != 0) {
-        missing += count > most_named ? ", …" : "";
+        missing += count > max_named ? ", …" : "";
         throw InputError("", {CORE_TEXT("studies",
                                         "%1 of %2 parts are missing; run them again: "
                                         "--shard %3"),

@@ -56,7 +56,7 @@ struct Basis {
     std::vector<CountingPlan> plan;
     // Some samples try the expansions:
     std::vector<double> distances;  ///< root mean square of the values' from the expansions
-    Refusals refusals;
+    Rejections rejections;
 };
 
 /// The watched values of a study's first samples, from which the basis was made.
@@ -87,7 +87,7 @@ struct Part {
 };
 
 /// A study has so many blocks, or as many as it has samples; a shard is whole blocks.
-inline constexpr std::uint64_t most_blocks = 1024;
+inline constexpr std::uint64_t max_blocks = 1024;
 /// Those of a shard, nothing done.
 std::vector<Block> blocks_of(const Study& study, std::uint64_t shard, std::uint64_t shards);
 /// Samples that the expansions are tried by.
@@ -141,7 +141,7 @@ struct Note {
 std::vector<Note> noted(const Part& part);
 
 /// Why samples were rejected, the most frequent first.
-std::vector<Refusal> refusals_of(const Part& part);
+std::vector<Rejection> rejections_of(const Part& part);
 
 /// The "ravnoves-study" document; of a part that is not done yet, of its samples so far.
 Json write_results(const Part& part);

@@ -20,7 +20,7 @@ namespace {
 /// Of the inputs, for the first-order sensitivity; a power of two.
 constexpr std::size_t slice_count = 64;
 /// Beyond, the slices would take more memory than all else.
-constexpr std::size_t most_slice_lists = 1000;
+constexpr std::size_t max_slice_lists = 1000;
 constexpr std::size_t below = bin_count;
 constexpr std::size_t above = bin_count + 1;
 
@@ -29,8 +29,8 @@ double square(double x) {
 }
 
 /// From the centre, in widths of bins: so that 10⁹ of them add up exactly.
-std::int64_t places(const CountingPlan& plan, double distance, double most) {
-    return std::llround(std::clamp(distance / plan.width, -most, most));
+std::int64_t places(const CountingPlan& plan, double distance, double maximum) {
+    return std::llround(std::clamp(distance / plan.width, -maximum, maximum));
 }
 
 template <typename Counts>
@@ -115,7 +115,7 @@ Sums& Sums::operator+=(const Sums& more) {
 
 Tally::Tally(std::vector<CountingPlan> plan, std::size_t inputs)
     : plan_(std::move(plan)), inputs_(inputs), values_(plan_.size()) {
-    const bool slices = inputs * plan_.size() <= most_slice_lists;
+    const bool slices = inputs * plan_.size() <= max_slice_lists;
     slice_counts_.resize(slices ? inputs * replicates * slice_count : 0);
     pair_counts_.resize(inputs * replicates);
     for (Value& value : values_) {
@@ -194,39 +194,39 @@ void Tally::add(const Tally& other) {
     solved_ += other.solved_;
     add_each(slice_counts_, other.slice_counts_);
     add_each(pair_counts_, other.pair_counts_);
-    for (const auto& [kind, more] : other.refusals_) {
-        Refusal& refusal = refusals_[kind];
-        if (refusal.count == 0 || more.first < refusal.first) {
-            refusal.first = more.first;
-            refusal.reason = more.reason;
+    for (const auto& [kind, more] : other.rejections_) {
+        Rejection& rejection = rejections_[kind];
+        if (rejection.count == 0 || more.first < rejection.first) {
+            rejection.first = more.first;
+            rejection.reason = more.reason;
         }
-        refusal.count += more.count;
+        rejection.count += more.count;
     }
 }
 
-std::uint64_t count_of(const Refusals& refusals) {
+std::uint64_t count_of(const Rejections& rejections) {
     std::uint64_t count = 0;
-    for (const auto& [kind, refusal] : refusals) {
-        count += refusal.count;
+    for (const auto& [kind, rejection] : rejections) {
+        count += rejection.count;
     }
     return count;
 }
 
-void refuse(Refusals& refusals, std::uint64_t sample, const Reason& reason) {
-    Refusal& refusal = refusals[without_numbers(reason.message().english())];
-    if (refusal.count == 0 || sample < refusal.first) {
-        refusal.first = sample;
-        refusal.reason = reason;
+void reject(Rejections& rejections, std::uint64_t sample, const Reason& reason) {
+    Rejection& rejection = rejections[without_numbers(reason.message().english())];
+    if (rejection.count == 0 || sample < rejection.first) {
+        rejection.first = sample;
+        rejection.reason = reason;
     }
-    ++refusal.count;
+    ++rejection.count;
 }
 
-Json write_refusals(const Refusals& refusals) {
+Json write_rejections(const Rejections& rejections) {
     Json list = Json::array();
-    for (const auto& [kind, refusal] : refusals) {
-        list.push_back({{"reason", refusal.reason.message().english()},
-                        {"count", refusal.count},
-                        {"first", refusal.first}});
+    for (const auto& [kind, rejection] : rejections) {
+        list.push_back({{"reason", rejection.reason.message().english()},
+                        {"count", rejection.count},
+                        {"first", rejection.first}});
     }
     return list;
 }
@@ -235,15 +235,15 @@ std::int64_t whole_of(const Json& json) {
     return json.get_ref<const Json::number_integer_t&>();
 }
 
-Refusals read_refusals(const Json& json) {
-    Refusals refusals;
+Rejections read_rejections(const Json& json) {
+    Rejections rejections;
     for (const Json& each : json) {
         const auto text = each.at("reason").get<std::string>();
-        refusals[without_numbers(text)] = {static_cast<std::uint64_t>(whole_of(each.at("count"))),
-                                           static_cast<std::uint64_t>(whole_of(each.at("first"))),
-                                           {{}, text}};
+        rejections[without_numbers(text)] = {static_cast<std::uint64_t>(whole_of(each.at("count"))),
+                                             static_cast<std::uint64_t>(whole_of(each.at("first"))),
+                                             {{}, text}};
     }
-    return refusals;
+    return rejections;
 }
 
 /// Within a bin the values are taken to lie evenly.
@@ -377,7 +377,7 @@ void Tally::set_sensitivities(std::size_t watched, const Replicates& whole,
                               Statistics& found) const {
     const Value& value = values_[watched];
     const double width = plan_[watched].width;
-    constexpr std::int64_t least_pairs = 64;
+    constexpr std::int64_t min_pairs = 64;
     constexpr std::uint64_t for_slices = 256;
     constexpr std::uint64_t for_all_slices = 4096;
     const std::size_t joined = solved_ >= for_all_slices ? 1 : 4;
@@ -410,7 +410,7 @@ void Tally::set_sensitivities(std::size_t watched, const Replicates& whole,
         }
         const std::span counts = std::span(pair_counts_).subspan(j * replicates, replicates);
         const std::span pairs = std::span(value.pairs).subspan(j * replicates, replicates);
-        if (std::accumulate(counts.begin(), counts.end(), std::int64_t{0}) >= least_pairs) {
+        if (std::accumulate(counts.begin(), counts.end(), std::int64_t{0}) >= min_pairs) {
             found.total[j] = known(jackknife([&](std::size_t left_out) {
                 double count = 0.0;
                 double sum = 0.0;
@@ -446,7 +446,7 @@ std::vector<std::uint64_t> Tally::histogram(std::size_t watched, double from, do
 
 Json Tally::write() const {
     Json json = {{"solved", solved_},
-                 {"refused", write_refusals(refusals_)},
+                 {"refused", write_rejections(rejections_)},
                  {"slice_counts", write_counts(slice_counts_)},
                  {"pair_counts", write_counts(pair_counts_)},
                  {"values", Json::array()}};
@@ -464,7 +464,7 @@ Json Tally::write() const {
 Tally Tally::read(const Json& json, std::vector<CountingPlan> plan, std::size_t inputs) {
     Tally tally(std::move(plan), inputs);
     tally.solved_ = static_cast<std::uint64_t>(whole_of(json.at("solved")));
-    tally.refusals_ = read_refusals(json.at("refused"));
+    tally.rejections_ = read_rejections(json.at("refused"));
     read_counts(json.at("slice_counts"), tally.slice_counts_);
     read_counts(json.at("pair_counts"), tally.pair_counts_);
     for (std::size_t w = 0; w < tally.values_.size(); ++w) {

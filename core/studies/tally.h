@@ -55,21 +55,21 @@ struct Statistics {
 };
 
 /// Why samples were rejected, alike but for the numbers in it.
-struct Refusal {
+struct Rejection {
     std::uint64_t count = 0;
     std::uint64_t first = 0;  ///< the sample that the reason is of
     Reason reason;
 };
 
 /// By the English reason without its numbers.
-using Refusals = std::map<std::string, Refusal>;
-std::uint64_t count_of(const Refusals& refusals);
-void refuse(Refusals& refusals, std::uint64_t sample, const Reason& reason);
-Json write_refusals(const Refusals& refusals);
+using Rejections = std::map<std::string, Rejection>;
+std::uint64_t count_of(const Rejections& rejections);
+void reject(Rejections& rejections, std::uint64_t sample, const Reason& reason);
+Json write_rejections(const Rejections& rejections);
 /// A whole number of a part. A float beyond its range would have no conversion.
 /// @throws Json::exception  where it is another kind of value
 std::int64_t whole_of(const Json& json);
-Refusals read_refusals(const Json& json);
+Rejections read_rejections(const Json& json);
 
 /// Sums of solved samples of one watched value, about the plan's centre.
 struct Sums {
@@ -106,8 +106,8 @@ class Tally {
     /// @param u  the sample in the unit cube
     void add(Block& block, std::uint64_t sample, std::span<const double> u,
              std::span<const double> y);
-    void refuse(std::uint64_t sample, const Reason& reason) {
-        studies::refuse(refusals_, sample, reason);
+    void reject(std::uint64_t sample, const Reason& reason) {
+        studies::reject(rejections_, sample, reason);
     }
     /// Two samples that differ in one input alone.
     void add_pair(std::uint64_t sample, std::size_t input, std::span<const double> y,
@@ -116,7 +116,7 @@ class Tally {
     void add(const Tally& other);
 
     std::uint64_t solved() const { return solved_; }
-    const Refusals& refusals() const { return refusals_; }
+    const Rejections& rejections() const { return rejections_; }
     /// Of at least one solved sample.
     /// @param blocks  with all samples that were counted
     Statistics statistics(std::size_t watched, std::span<const Block> blocks) const;
@@ -152,7 +152,7 @@ class Tally {
     std::uint64_t solved_ = 0;
     Counts slice_counts_;
     Counts pair_counts_;
-    Refusals refusals_;
+    Rejections rejections_;
 };
 
 /// The text with its numbers left out: rejections of one kind read the same.

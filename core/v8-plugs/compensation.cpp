@@ -208,8 +208,8 @@ Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mas
     return advice;
 }
 
-Message describe_action(const Option& option, double least, double greatest) {
-    Number from = in_grams(least);
+Message describe_action(const Option& option, double minimum, double greatest) {
+    Number from = in_grams(minimum);
     const Number to = in_grams(greatest);
     if (Message(from) == Message(to)) {
         return action(option, to);

@@ -163,7 +163,7 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
                  double tolerance);
 /// What an option asks for in the imperative, with so much off each plug, kg; from one mass to
 /// another where they read differently.
-Message describe_action(const Option& option, double least, double greatest);
+Message describe_action(const Option& option, double minimum, double greatest);
 /// Why an option does not work (residual beyond the tolerance); empty where it does.
 Message describe_failure(const Option& option, double tolerance);
 /// "works", within which tolerance it does, or why it does not.

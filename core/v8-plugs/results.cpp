@@ -33,12 +33,12 @@ void visit_bob_weight(ResultVisitor& visitor, const ResultField& field, const Bo
 
 void visit_shift_effect(ResultVisitor& visitor, const ShiftEffect& effect, double tolerance) {
     visitor.word(key::from, effect.planned ? "bore" : "range");
-    visitor.numbers(key::shift, {effect.least_shift, effect.greatest_shift});
-    visitor.numbers(key::unbalance, {effect.least, effect.greatest});
+    visitor.numbers(key::shift, {effect.min_shift, effect.greatest_shift});
+    visitor.numbers(key::unbalance, {effect.minimum, effect.greatest});
     visitor.number(key::residual_unbalance, effect.residual_unbalance);
     visitor.flag(key::beyond_tolerance, std::abs(effect.residual_unbalance) > tolerance);
-    // For the shifts in their order: the least asks for most.
-    visitor.numbers(key::corrected_reduction, {effect.greatest_reduction, effect.least_reduction});
+    // For the shifts in their order: the smallest asks for most.
+    visitor.numbers(key::corrected_reduction, {effect.greatest_reduction, effect.min_reduction});
     if (effect.depth) {
         visitor.number(key::corrected_depth, effect.depth);
     }

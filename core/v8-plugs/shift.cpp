@@ -55,28 +55,28 @@ std::optional<ShiftEffect> shift_effect(const Option& option, double tolerance,
         // The body's own shift; what is cut off counts at its radius, whatever the plug weighs.
         const Boring boring =
             plan_boring(setup->plug, setup->limits, option.reduction, setup->density);
-        effect.least_shift = effect.greatest_shift = boring.shift;
-        effect.least = effect.greatest = 2.0 * option.reduction * boring.cut_distance;
+        effect.min_shift = effect.greatest_shift = boring.shift;
+        effect.minimum = effect.greatest = 2.0 * option.reduction * boring.cut_distance;
     } else {
-        effect.least_shift = smallest_shift;
+        effect.min_shift = smallest_shift;
         effect.greatest_shift = largest_shift;
-        effect.least = shift_unbalance(plug, smallest_shift);
+        effect.minimum = shift_unbalance(plug, smallest_shift);
         effect.greatest = shift_unbalance(plug, largest_shift);
     }
-    const double one = option.residual_unbalance - effect.least;
+    const double one = option.residual_unbalance - effect.minimum;
     const double other = option.residual_unbalance - effect.greatest;
     effect.residual_unbalance = std::abs(one) > std::abs(other) ? one : other;
     effect.matters = option.feasible && std::abs(effect.residual_unbalance) > tolerance;
     if (setup) {
-        effect.least_reduction = effect.greatest_reduction = bored_reduction(option, *setup);
+        effect.min_reduction = effect.greatest_reduction = bored_reduction(option, *setup);
         const Boring boring =
-            plan_boring(setup->plug, setup->limits, effect.least_reduction, setup->density);
+            plan_boring(setup->plug, setup->limits, effect.min_reduction, setup->density);
         if (boring.limit == Boring::Limit::none) {
             effect.depth = boring.depth;
         }
     } else {
-        effect.least_reduction = shifted_reduction(option, effect.greatest_shift);
-        effect.greatest_reduction = shifted_reduction(option, effect.least_shift);
+        effect.min_reduction = shifted_reduction(option, effect.greatest_shift);
+        effect.greatest_reduction = shifted_reduction(option, effect.min_shift);
     }
     return effect;
 }
@@ -98,18 +98,18 @@ Message describe(const ShiftEffect& effect, double tolerance) {
                                 "%4 in the paper: the residual is up to %1, permissible %2."),
                       beyond, allowed, Number{smallest_shift / units::mm, units::mm, 0, true},
                       Number{largest_shift / units::mm, units::mm});
-    const Number least = shop::in_grams(effect.least_reduction);
+    const Number minimum = shop::in_grams(effect.min_reduction);
     if (!effect.planned) {
         return two_sentences(
             neglect,
             {CORE_TEXT("V8", "Enter the plug's sizes and the cutter, or take off %1 to %2 each."),
-             least, shop::in_grams(effect.greatest_reduction)});
+             minimum, shop::in_grams(effect.greatest_reduction)});
     }
     if (!effect.depth) {
-        return two_sentences(neglect, {CORE_TEXT("V8", "Take off %1 each."), least});
+        return two_sentences(neglect, {CORE_TEXT("V8", "Take off %1 each."), minimum});
     }
     return two_sentences(neglect, {CORE_TEXT("V8", "Bore to %1 from the face, %2 off each plug."),
-                                   Number{*effect.depth / units::mm, units::mm, -2}, least});
+                                   Number{*effect.depth / units::mm, units::mm, -2}, minimum});
 }
 
 }  // namespace ravnoves::v8_plugs

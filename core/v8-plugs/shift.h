@@ -11,10 +11,10 @@ namespace ravnoves::v8_plugs {
 /// crank axis, which the method neglects (2): so much more than it counts is compensated. From the
 /// bore that is planned, or for the range of shifts that the paper gives.
 struct ShiftEffect {
-    bool planned = false;         ///< from the bore; then least and greatest are the same
-    double least_shift = 0.0;     ///< Δr, m
+    bool planned = false;         ///< from the bore; then smallest and largest are the same
+    double min_shift = 0.0;       ///< Δr, m
     double greatest_shift = 0.0;  ///< m
-    double least = 0.0;           ///< compensated beyond what the method counts, kg·m
+    double minimum = 0.0;         ///< compensated beyond what the method counts, kg·m
     double greatest = 0.0;        ///< kg·m
     /// What is left on a crankpin with it, the worse of both ends, kg·m; negative: too much is
     /// compensated.
@@ -23,8 +23,8 @@ struct ShiftEffect {
     /// tolerance.
     bool matters = false;
     /// What to take off one plug so that with the shift nothing is left over, kg; within the limit
-    /// of the plug. For the greatest and for the least shift.
-    double least_reduction = 0.0;
+    /// of the plug. For the greatest and for the smallest shift.
+    double min_reduction = 0.0;
     double greatest_reduction = 0.0;
     std::optional<double> depth;  ///< of the bore for that, from the face, m; where planned
 

@@ -108,8 +108,8 @@ std::array<double, crankpin_count> crankpin_excess(const WeighIn& sheet, double 
 }
 
 double spread(const std::array<double, crankpin_count>& totals) {
-    const auto [least, most] = std::minmax_element(totals.begin(), totals.end());
-    return *most - *least;
+    const auto [minimum, maximum] = std::minmax_element(totals.begin(), totals.end());
+    return *maximum - *minimum;
 }
 
 shop::Crank crank_of(const WeighIn& sheet) {

@@ -90,11 +90,11 @@ Messages kilograms(const DoubtCase& job) {
             mass);
     }
     if (job.plugs_input != nullptr) {
-        constexpr double least = 20 * units::gram;  // the sums of parts that weigh 5 g and more
+        constexpr double minimum = 20 * units::gram;  // the sums of parts that weigh 5 g and more
         const v8_plugs::Engine& engine = job.plugs_input->engine;
         for (const auto member :
              {&v8_plugs::Engine::reciprocating_mass, &v8_plugs::Engine::rotating_mass}) {
-            if (engine.*member && *(engine.*member) < least) {
+            if (engine.*member && *(engine.*member) < minimum) {
                 add(member == &v8_plugs::Engine::rotating_mass
                         ? CORE_TEXT("bob-weights", "Rotating mass")
                         : CORE_TEXT("bob-weights", "Reciprocating mass"),
@@ -120,9 +120,9 @@ Messages odd_mass(const DoubtCase& job) {
                               name, cylinders(odd->cylinders()), in_grams(odd->mass),
                               in_grams(odd->usual));
         } else if (odd->score) {
-            constexpr double most = 10.0;
+            constexpr double maximum = 10.0;
             list.emplace_back(
-                *odd->score > most
+                *odd->score > maximum
                     ? CORE_TEXT("workshop",
                                 "%1: cylinder %2 weighs %3, the others about %4; the deviation is "
                                 "more than %5 times their scatter. Weigh it again or match the "
@@ -131,7 +131,7 @@ Messages odd_mass(const DoubtCase& job) {
                                 "%1: cylinder %2 weighs %3, the others about %4; the deviation is "
                                 "%5 times their scatter. Weigh it again or match the parts."),
                 name, odd->cylinder + 1, in_grams(odd->mass), in_grams(odd->usual),
-                Number{std::min(*odd->score, most), units::none, -1, false, true});
+                Number{std::min(*odd->score, maximum), units::none, -1, false, true});
         } else {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: cylinder %2 weighs %3, the others about %4. Weigh it "
@@ -310,11 +310,11 @@ Messages unequal_crankpins(const DoubtCase& job) {
     if (0.5 * v8_plugs::spread(excess) * radius <= job.plugs_input->tolerance) {
         return {};
     }
-    const auto [least, most] = std::minmax_element(excess.begin(), excess.end());
+    const auto [minimum, maximum] = std::minmax_element(excess.begin(), excess.end());
     return {{CORE_TEXT("workshop",
                        "The crankpins are unequal: their excess is %1 to %2, and the plugs are for "
                        "the mean. Move the sets or match the parts first."),
-             in_grams(*least), in_grams(*most)}};
+             in_grams(*minimum), in_grams(*maximum)}};
 }
 
 /// Parts of one engine are matched to less than this part of their mass.
@@ -349,13 +349,13 @@ Messages spread_of_parts(const DoubtCase& job) {
 Messages unlike_halves(const DoubtCase& job) {
     const auto& reciprocating = job.shaft.reciprocating;
     const auto& rotating = job.shaft.rotating;
-    constexpr double least = 0.4;
-    constexpr double most = 4.0;
+    constexpr double minimum = 0.4;
+    constexpr double maximum = 4.0;
     if (!reciprocating || !rotating || !(*rotating > 0.0) || !(*reciprocating > 0.0)) {
         return {};
     }
     const double ratio = *reciprocating / *rotating;
-    if (ratio >= least && ratio <= most) {
+    if (ratio >= minimum && ratio <= maximum) {
         return {};
     }
     return {{CORE_TEXT("workshop",
@@ -492,10 +492,10 @@ Messages rotor_mass(const DoubtCase& job) {
     if (!mass) {
         return {};
     }
-    const double most = job.input.engine.cylinders > 2 ? 25.0 : 100.0;
+    const double maximum = job.input.engine.cylinders > 2 ? 25.0 : 100.0;
     const double weights = job.shaft.bob_weight.value_or(0.0) * job.input.engine.crankpins();
     const Number shown{*mass, units::kg, 0};
-    if (shop::is_mass_in_grams(mass) || (weights > 0.0 && *mass > most * weights)) {
+    if (shop::is_mass_in_grams(mass) || (weights > 0.0 && *mass > maximum * weights)) {
         return {{CORE_TEXT("workshop",
                            "A crankshaft of %1 is too heavy for this engine. Correct its mass in "
                            "kilograms."),
@@ -512,12 +512,12 @@ Messages rotor_mass(const DoubtCase& job) {
 
 /// No crankshaft has its centre of mass that far off its axis.
 Messages great_reading(const DoubtCase& job) {
-    constexpr double most = 1.0 * units::mm;
+    constexpr double maximum = 1.0 * units::mm;
     Messages list;
     const auto& mass = is_by_grade(job) ? job.input.tolerance->rotor_mass : std::nullopt;
     for (std::size_t i = 0; mass && job.shaft.newest() != nullptr && i < 2; ++i) {
         const auto unbalance = job.shaft.newest()->unbalances()[i];
-        if (unbalance && *unbalance > most * *mass) {
+        if (unbalance && *unbalance > maximum * *mass) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: %2 is implausible for a crankshaft of %3. Check the "
                                         "unit of the reading and the calibration of the machine."),
@@ -566,12 +566,12 @@ Messages plane_radius(const DoubtCase& job) {
     if (!job.input.correction || !crank) {
         return list;
     }
-    constexpr double least = 0.8;
-    constexpr double most = 3.0;
+    constexpr double minimum = 0.8;
+    constexpr double maximum = 3.0;
     const auto& planes = job.input.correction->planes;
     for (std::size_t i = 0; i < planes.size() && i < 2; ++i) {
         const auto& radius = planes[i].radius;
-        if (radius && (*radius < least * *crank || *radius > most * *crank)) {
+        if (radius && (*radius < minimum * *crank || *radius > maximum * *crank)) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: a drilling radius of %2 does not match a crank radius "
                                         "of %3. Enter the radius, not the diameter."),
@@ -610,8 +610,8 @@ Messages unlike_radii(const DoubtCase& job) {
         return list;
     }
     const auto* planes = both_planes(job, [](const auto& plane) { return plane.radius; });
-    constexpr double most = 1.8;
-    if (planes == nullptr || !differ(*(*planes)[0].radius, *(*planes)[1].radius, most) ||
+    constexpr double maximum = 1.8;
+    if (planes == nullptr || !differ(*(*planes)[0].radius, *(*planes)[1].radius, maximum) ||
         !plane_radius(job).empty()) {
         return {};
     }
@@ -661,7 +661,7 @@ Messages reading_in_grams(const DoubtCase& job) {
 
 Messages amplification(const DoubtCase& job) {
     const auto& times = job.shaft.amplification;
-    if (!times || *times <= bob_weights::most_amplification) {
+    if (!times || *times <= bob_weights::max_amplification) {
         return {};
     }
     return {{CORE_TEXT("workshop",

@@ -48,15 +48,15 @@ void check_plugs(const Input& input) {
                                    "is allowed only for a V of 8 cylinders at 90° with two rods on "
                                    "a crankpin and no split"));
     }
-    const auto refuse = [](const Field& field) {
+    const auto reject = [](const Field& field) {
         throw InputError("/input/" + std::string(field.key),
                          CORE_TEXT("workshop", "must be left out with plugs"));
     };
     if (!(input.parts == bob_weights::Parts{})) {
-        refuse(bob_weights::field::parts);
+        reject(bob_weights::field::parts);
     }
     if (!(input.factor == bob_weights::Factor{})) {
-        refuse(bob_weights::field::factor);
+        reject(bob_weights::field::factor);
     }
     v8_plugs::check_method(*whole_plugs(input), "/input/plugs/");
 }

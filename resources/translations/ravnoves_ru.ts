@@ -14370,7 +14370,7 @@ but no position is feasible</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::RefusedEntries</name>
+    <name>ravnoves::RejectedEntries</name>
     <message>
         <source>&amp;Stay</source>
         <translation>&amp;Остаться</translation>
@@ -14385,7 +14385,7 @@ but no position is feasible</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::RefusingTable</name>
+    <name>ravnoves::RejectingTable</name>
     <message>
         <source>Also not accepted: %1</source>
         <translation>Также не принято: %1</translation>

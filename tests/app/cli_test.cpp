@@ -67,10 +67,10 @@ TEST_F(CommandLine, BadInputIsOneLineAndLeavesTheResultFileAsItWas) {
     write("case.json", bad.dump());
     write("result.json", "kept");
     const Outcome outcome = run("solve case.json -o result.json");
-    expect_refused(outcome, "case.json: /input/crank_radius_mm: must be ");
+    expect_rejected(outcome, "case.json: /input/crank_radius_mm: must be ");
     EXPECT_NE(outcome.err.find(", got -46\n"), std::string::npos) << outcome.err;
     EXPECT_EQ(read_all(folder / "result.json"), "kept");
-    expect_refused(run("solve case.json -o new.json"), "case.json: /input/crank_radius_mm: ");
+    expect_rejected(run("solve case.json -o new.json"), "case.json: /input/crank_radius_mm: ");
     EXPECT_FALSE(fs::exists(folder / "new.json"));
 }
 
@@ -79,8 +79,8 @@ TEST_F(CommandLine, NeverWritesTheResultOverTheCase) {
     write("case.json", text);
     fs::create_symlink("case.json", folder / "link.json");
     for (const char* name : {"case.json", "./case.json", "link.json"}) {
-        expect_refused(run("solve case.json -o " + std::string(name)),
-                       std::string(name) + ": is the case itself");
+        expect_rejected(run("solve case.json -o " + std::string(name)),
+                        std::string(name) + ": is the case itself");
     }
     EXPECT_TRUE(read_all(folder / "case.json") == text);
 }
@@ -99,80 +99,80 @@ TEST_F(CommandLine, NeverWritesTheResultOverAFileThatTheCaseReads) {
     fs::create_hard_link(folder / "study/case.json", folder / "hard.json");
     for (const std::string name : {"study/torque.csv", "study/../study/torque.csv", "link.csv",
                                    "link-to-link.csv", "hard.csv"}) {
-        expect_refused(run("solve study/case.json -o " + name),
-                       name + ": is a file that the case reads");
+        expect_rejected(run("solve study/case.json -o " + name),
+                        name + ": is a file that the case reads");
         EXPECT_TRUE(fs::equivalent(folder / name, folder / "study/torque.csv")) << name;
     }
-    expect_refused(run("solve study/case.json -o hard.json"), "hard.json: is the case itself");
+    expect_rejected(run("solve study/case.json -o hard.json"), "hard.json: is the case itself");
     measured["input"]["torque"] = {
         {"pressure", {{"csv", "../hard.csv"}, {"bore_mm", 95.5}, {"rod_length_mm", 150}}}};
     write("study/pressure.json", measured.dump());
-    expect_refused(run("solve study/pressure.json -o study/torque.csv"),
-                   "study/torque.csv: is a file that the case reads");
+    expect_rejected(run("solve study/pressure.json -o study/torque.csv"),
+                    "study/torque.csv: is a file that the case reads");
     EXPECT_EQ(read_all(folder / "study/torque.csv"), table);
     EXPECT_TRUE(read_all(folder / "study/case.json") == text);
 }
 
-TEST_F(CommandLine, RefusesAnEnvelopeThatIsNotOurs) {
+TEST_F(CommandLine, RejectsAnEnvelopeThatIsNotOurs) {
     Json newer = example();
     newer["version"] = 2;
     write("newer.json", newer.dump());
-    expect_refused(run("solve newer.json"), "newer.json: /version: must be at most 1");
+    expect_rejected(run("solve newer.json"), "newer.json: /version: must be at most 1");
 
     Json stranger = example();
     stranger["scene"] = "balance-shafts";
     write("stranger.json", stranger.dump());
     const Outcome outcome = run("solve stranger.json");
-    expect_refused(outcome, "stranger.json: /scene: must be one of ");
+    expect_rejected(outcome, "stranger.json: /scene: must be one of ");
     EXPECT_NE(outcome.err.find("\"balance-shaft\""), std::string::npos) << outcome.err;
 
     Json other = example();
     other["format"] = "something-else";
     write("other.json", other.dump());
-    expect_refused(run("solve other.json"), "other.json: /format: must be ");
+    expect_rejected(run("solve other.json"), "other.json: /format: must be ");
 
     // A result is not a case.
     write("case.json", example().dump());
     ASSERT_EQ(run("solve case.json -o result.json").status, 0);
-    expect_refused(run("solve result.json"), "result.json: /format: must be ");
+    expect_rejected(run("solve result.json"), "result.json: /format: must be ");
 }
 
-TEST_F(CommandLine, RefusesFilesThatHoldNoCase) {
-    expect_refused(run("solve missing.json"), "missing.json: cannot be read: ");
-    expect_refused(run("solve ."), ".: must be a file, not a folder");
+TEST_F(CommandLine, RejectsFilesThatHoldNoCase) {
+    expect_rejected(run("solve missing.json"), "missing.json: cannot be read: ");
+    expect_rejected(run("solve ."), ".: must be a file, not a folder");
     write("empty.json", "");
-    expect_refused(run("solve empty.json"), "empty.json: is empty");
+    expect_rejected(run("solve empty.json"), "empty.json: is empty");
     write("cut.json", example().dump(2).substr(0, 200));
-    expect_refused(run("solve cut.json"), "cut.json: line ");
+    expect_rejected(run("solve cut.json"), "cut.json: line ");
     write("binary.json", std::string("\x7f\x45\x4c\x46\x00\x01\xff\xfe\n\n\0", 11));
-    expect_refused(run("solve binary.json"), "binary.json: line 1, column 1: ");
+    expect_rejected(run("solve binary.json"), "binary.json: line 1, column 1: ");
     write("list.json", "[1, 2]");
-    expect_refused(run("solve list.json"), "list.json: must be an object, got ");
+    expect_rejected(run("solve list.json"), "list.json: must be an object, got ");
     write("huge.json", R"({"format": "ravnoves-case", "version": 1e999})");
-    expect_refused(run("solve huge.json"), "huge.json: ");
+    expect_rejected(run("solve huge.json"), "huge.json: ");
     write("deep.json", std::string(100000, '[') + std::string(100000, ']'));
-    expect_refused(run("solve deep.json"), "deep.json: is nested more than 100 levels deep");
+    expect_rejected(run("solve deep.json"), "deep.json: is nested more than 100 levels deep");
 }
 
 // Each of them would be waited for, or read, for ever.
-TEST_F(CommandLine, RefusesPipesAndDevicesAtOnce) {
+TEST_F(CommandLine, RejectsPipesAndDevicesAtOnce) {
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
     write("case.json", example().dump());
     Json piped = example();
     const std::string not_a_file = "must be a file, not a pipe or a device\n";
     for (const std::string name : {"pipe", "/dev/zero"}) {
-        expect_refused(run("solve " + name, "", "true | timeout 300 "), name + ": " + not_a_file);
+        expect_rejected(run("solve " + name, "", "true | timeout 300 "), name + ": " + not_a_file);
     }
     for (const std::string name : {"pipe", "/dev/zero"}) {
         piped["input"]["torque"] = {{"csv", name}};
         write("piped.json", piped.dump());
-        expect_refused(run("solve piped.json", "", "timeout 300 "),
-                       "piped.json: /input/torque/csv: " + name + ": " + not_a_file);
+        expect_rejected(run("solve piped.json", "", "timeout 300 "),
+                        "piped.json: /input/torque/csv: " + name + ": " + not_a_file);
     }
     piped["input"]["torque"] = {{"csv", "."}};
     write("piped.json", piped.dump());
-    expect_refused(run("solve piped.json"),
-                   "piped.json: /input/torque/csv: .: must be a file, not a folder\n");
+    expect_rejected(run("solve piped.json"),
+                    "piped.json: /input/torque/csv: .: must be a file, not a folder\n");
 }
 
 TEST_F(CommandLine, ReadsStandardInputAsACase) {
@@ -188,9 +188,9 @@ TEST_F(CommandLine, ReadsStandardInputAsACase) {
         EXPECT_EQ(run("solve " + name, "", "cat case.json | ").out, solved);
         EXPECT_EQ(run("solve " + name + " -o r.json", text).status, 0);
         EXPECT_EQ(read_all(folder / "r.json"), solved);
-        expect_refused(run("solve " + name, "{"), name + ": line 1");
-        expect_refused(run("solve " + name, "", "head -c 68000000 /dev/zero | "),
-                       name + ": must be at most 64 MiB");
+        expect_rejected(run("solve " + name, "{"), name + ": line 1");
+        expect_rejected(run("solve " + name, "", "head -c 68000000 /dev/zero | "),
+                        name + ": must be at most 64 MiB");
     }
 }
 
@@ -206,8 +206,8 @@ TEST_F(CommandLine, ShowsNamesOfFilesPrintable) {
 }
 
 TEST_F(CommandLine, BatchSaysThatStandardInputCannotBeRead) {
-    expect_refused(run("solve --batch < ."), "ravnoves-cli: standard input cannot be read: ");
-    expect_refused(run("solve --batch <&-"), "ravnoves-cli: standard input cannot be read: ");
+    expect_rejected(run("solve --batch < ."), "ravnoves-cli: standard input cannot be read: ");
+    expect_rejected(run("solve --batch <&-"), "ravnoves-cli: standard input cannot be read: ");
 }
 
 // 100 MB in 300 MB of memory: the line is not held. A sanitizer itself takes more.
@@ -227,16 +227,16 @@ TEST_F(CommandLine, BatchAnswersALineThatIsTooLongAndGoesOn) {
     EXPECT_EQ(Json::parse(lines[1]).at("scene"), "balance-shaft");
 }
 
-TEST_F(CommandLine, RefusesAPlaceThatCannotBeWritten) {
+TEST_F(CommandLine, RejectsAPlaceThatCannotBeWritten) {
     write("case.json", example().dump());
-    expect_refused(run("solve case.json -o no/such/folder/result.json"),
-                   "no/such/folder/result.json: cannot be written: ");
+    expect_rejected(run("solve case.json -o no/such/folder/result.json"),
+                    "no/such/folder/result.json: cannot be written: ");
     fs::create_directory(folder / "folder");
-    expect_refused(run("solve case.json -o folder"), "folder: cannot be written");
-    expect_refused(run("solve case.json -o /dev/full"), "/dev/full: cannot be written");
+    expect_rejected(run("solve case.json -o folder"), "folder: cannot be written");
+    expect_rejected(run("solve case.json -o /dev/full"), "/dev/full: cannot be written");
     const std::string unwritten = "ravnoves-cli: standard output cannot be written";
-    expect_refused(run("--help > /dev/full"), unwritten);
-    expect_refused(run("solve --help > /dev/full"), unwritten);
+    expect_rejected(run("--help > /dev/full"), unwritten);
+    expect_rejected(run("solve --help > /dev/full"), unwritten);
     // Nothing half-written stays behind.
     for (const auto& entry : fs::directory_iterator(folder)) {
         EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();
@@ -299,13 +299,13 @@ TEST_F(CommandLine, OnlyWhatIsAskedForIsPrintedUnderItsOwnPath) {
               (Json{{"range_Nm", whole["best_position_buildable"]["range"]["range_Nm"]}}));
 }
 
-TEST_F(CommandLine, OnlyRefusesWhatTheResultHasNot) {
+TEST_F(CommandLine, OnlyRejectsWhatTheResultHasNot) {
     write("case.json", example().dump());
-    expect_refused(run("solve case.json --only /relieved_shaft"),
-                   "case.json: /result/relieved_shaft: must be a value that the result has\n");
+    expect_rejected(run("solve case.json --only /relieved_shaft"),
+                    "case.json: /result/relieved_shaft: must be a value that the result has\n");
     for (const char* pointer : {"optimum", "''", "/a~2b"}) {
-        expect_refused(run(std::string("solve case.json --only ") + pointer),
-                       "--only: must be a JSON pointer below the result");
+        expect_rejected(run(std::string("solve case.json --only ") + pointer),
+                        "--only: must be a JSON pointer below the result");
     }
     const auto lines = lines_of(
         run("solve --batch --only /no,/such", example().dump() + "\n" + example().dump()).out);
@@ -341,12 +341,12 @@ TEST_F(CommandLine, BatchReadsNoFilesOfOtherFolders) {
     // A case that one names oneself may.
     write("service/case.json", named.dump());
     EXPECT_EQ(run("solve service/case.json").status, 0);
-    expect_refused(run("solve service/case.json --allow-files"), "ravnoves-cli: ");
+    expect_rejected(run("solve service/case.json --allow-files"), "ravnoves-cli: ");
 }
 
 TEST_F(CommandLine, BatchTakesNoFiles) {
-    expect_refused(run("solve --batch case.json"), "ravnoves-cli: ");
-    expect_refused(run("solve --batch -o result.json"), "ravnoves-cli: ");
+    expect_rejected(run("solve --batch case.json"), "ravnoves-cli: ");
+    expect_rejected(run("solve --batch -o result.json"), "ravnoves-cli: ");
     const Outcome empty = run("solve --batch");
     EXPECT_EQ(empty.status, 0);
     EXPECT_EQ(empty.out + empty.err, "");
@@ -356,14 +356,14 @@ TEST_F(CommandLine, MistakesInTheCommandAreOneLineThatSaysWhatToDo) {
     for (const char* arguments : {"", "slove case.json", "solve", "solve one.json two.json",
                                   "solve case.json --no-such-option", "solve case.json -o"}) {
         const Outcome outcome = run(arguments);
-        expect_refused(outcome, "ravnoves-cli: ");
+        expect_rejected(outcome, "ravnoves-cli: ");
         EXPECT_NE(outcome.err.find("--help"), std::string::npos) << outcome.err;
     }
     EXPECT_NE(run("slove case.json").err.find("slove"), std::string::npos);
 }
 
-// Whatever takes a value refuses an empty one, and what is no value of it.
-TEST_F(CommandLine, EveryOptionRefusesNonsense) {
+// Whatever takes a value rejects an empty one, and what is no value of it.
+TEST_F(CommandLine, EveryOptionRejectsNonsense) {
     write("case.json", example().dump());
     int tried = 0;
     for (const std::string command : {"solve", "study", "methods", "validate"}) {
@@ -388,7 +388,7 @@ TEST_F(CommandLine, EveryOptionRefusesNonsense) {
             }
         }
         if (takes_case) {
-            expect_refused(run(command + " ''"), "ravnoves-cli: CASE: must name a file");
+            expect_rejected(run(command + " ''"), "ravnoves-cli: CASE: must name a file");
         }
     }
     EXPECT_GE(tried, 3 * 8);
@@ -437,24 +437,24 @@ TEST_F(CommandLine, BadTorqueFilesNameLineAndColumn) {
     beside["input"]["torque"] = {{"csv", "torque.csv"}};
     write("case.json", beside.dump());
     const std::string start = "case.json: /input/torque/csv: torque.csv: ";
-    expect_refused(run("solve case.json"), start + "cannot be read: ");
+    expect_rejected(run("solve case.json"), start + "cannot be read: ");
     write("torque.csv", "0;0\n180;1,5\n100;2\n720;0\n");
-    expect_refused(run("solve case.json"), start +
-                                               "line 3, column 1: must be greater than the angle "
-                                               "of the row before, 180, got 100");
+    expect_rejected(run("solve case.json"), start +
+                                                "line 3, column 1: must be greater than the angle "
+                                                "of the row before, 180, got 100");
 }
 
 // The rod's length, R/λ, was infinite: an internal error.
-TEST_F(CommandLine, RefusesARodWithoutEnd) {
+TEST_F(CommandLine, RejectsARodWithoutEnd) {
     Json radial = Json::parse(read_all(fs::path(RAVNOVES_EXAMPLES) / "radial-9.case.json"));
     radial["input"]["lambda"] = 1e-308;
     write("radial.json", radial.dump());
-    expect_refused(run("solve radial.json"),
-                   "radial.json: /input/lambda: must be at least 1e-09, got 1e-308\n");
+    expect_rejected(run("solve radial.json"),
+                    "radial.json: /input/lambda: must be at least 1e-09, got 1e-308\n");
 }
 
-// Work without end is refused at the input that asks for it, after some seconds of the processor.
-TEST_F(CommandLine, RefusesCasesThatTakeTooMuchWork) {
+// Work without end is rejected at the input that asks for it, after some seconds of the processor.
+TEST_F(CommandLine, RejectsCasesThatTakeTooMuchWork) {
     const char* const some_seconds = "ulimit -t 120; ";
     Json many = example();
     Json& masses = many["input"]["reciprocating_masses_kg"];
@@ -463,24 +463,24 @@ TEST_F(CommandLine, RefusesCasesThatTakeTooMuchWork) {
         masses["part " + std::to_string(i)] = 1e-5;
     }
     write("many.json", many.dump());
-    expect_refused(run("solve many.json", "", some_seconds),
-                   "many.json: /input/reciprocating_masses_kg: must have at most 1000 names\n");
+    expect_rejected(run("solve many.json", "", some_seconds),
+                    "many.json: /input/reciprocating_masses_kg: must have at most 1000 names\n");
 
     Json motion = Json::parse(read_all(fs::path(RAVNOVES_EXAMPLES) / "zotov-as-printed.case.json"));
     motion["input"]["kinematics"] = "exact";
     motion["input"]["lambda"] = 0.9999999999999999;
     motion["input"]["motion"] = Json::object();
     write("locked.json", motion.dump());
-    expect_refused(run("solve locked.json", "", some_seconds),
-                   "locked.json: /input/lambda: must be further from 1 for a motion: ");
+    expect_rejected(run("solve locked.json", "", some_seconds),
+                    "locked.json: /input/lambda: must be further from 1 for a motion: ");
     motion["input"]["lambda"] = 0.3;
     motion["input"]["profile_error_um"] = 5;
     motion["input"]["profile_error_waves"] = 1000;
     motion["input"]["motion"] = {
         {"turns", 1000}, {"crank_torque_Nm", 1}, {"with_profile_error", true}};
     write("waves.json", motion.dump());
-    expect_refused(run("solve waves.json", "", some_seconds),
-                   "waves.json: /input/motion/turns: must be less for this motion: ");
+    expect_rejected(run("solve waves.json", "", some_seconds),
+                    "waves.json: /input/motion/turns: must be less for this motion: ");
 }
 
 // A file's name is bytes to us: Cyrillic, spaces and quotes are the user's business.

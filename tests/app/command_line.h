@@ -74,7 +74,7 @@ class CommandLine : public ::testing::Test {
     }
 
     /// One line on standard error that starts with the file, nothing on standard output, status 2.
-    static void expect_refused(const Outcome& outcome, const std::string& start) {
+    static void expect_rejected(const Outcome& outcome, const std::string& start) {
         EXPECT_EQ(outcome.status, 2);
         EXPECT_EQ(outcome.out, "");
         EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;

@@ -20,8 +20,8 @@ run() {
     status=0
     "$program" "$@" >out 2>err </dev/null || status=$?
 }
-# refused WORDS ARGUMENT...: ends with 2, one line on standard error that holds WORDS, no picture.
-refused() {
+# rejected WORDS ARGUMENT...: ends with 2, one line on standard error that holds WORDS, no picture.
+rejected() {
     local words=$1
     shift
     rm -f page.png
@@ -35,8 +35,8 @@ is_png() { [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' ')" = 89504e470d0a1a0a ];
 # The width and the height that the picture's header states.
 size_of() { od -An -tu1 -j16 -N8 "$1" | awk '{ print $3 * 256 + $4 "x" $7 * 256 + $8 }'; }
 
-refused "There is no display"
-refused "There is no display" "$case_file"
+rejected "There is no display"
+rejected "There is no display" "$case_file"
 
 run --version
 [ $status = 0 ] || fault "--version ends with $status"
@@ -69,38 +69,38 @@ if command -v xvfb-run >/dev/null && command -v xauth >/dev/null; then
     cmp first.png page.png || fault "the page differs between X and offscreen"
 fi
 
-refused "missing.json" --screenshot page.png --case missing.json
+rejected "missing.json" --screenshot page.png --case missing.json
 head -c 100 "$program" >binary.json
-refused "binary.json" --screenshot page.png --case binary.json
+rejected "binary.json" --screenshot page.png --case binary.json
 sed 's/"crank_radius_mm": 46/"crank_radius_mm": -46/' "$case_file" >bad.json
-refused "bad.json: /input/crank_radius_mm: must be greater than 0, got -46" \
+rejected "bad.json: /input/crank_radius_mm: must be greater than 0, got -46" \
     --screenshot page.png --case bad.json
-refused "balance-shaft" --screenshot page.png --scene balance-shafts
-refused "--size" --screenshot page.png --size 12
+rejected "balance-shaft" --screenshot page.png --scene balance-shafts
+rejected "--size" --screenshot page.png --size 12
 for scale in nan 1e9 0 100 3 1.5 abc 2x ''; do
-    refused "--scale: must be 1 or 2" --screenshot page.png --scale "$scale"
+    rejected "--scale: must be 1 or 2" --screenshot page.png --scale "$scale"
 done
-refused "--size" --screenshot page.png --size 999999x999999
-refused "--theme" --screenshot page.png --theme blue
-refused "--theme: must be light, dark or system, got" --screenshot page.png --theme ""
-refused "--language: must be one of en, ru, got xx" --screenshot page.png --language xx
-refused "--language" --screenshot page.png --language ""
-# Whatever takes a value refuses an empty one.
+rejected "--size" --screenshot page.png --size 999999x999999
+rejected "--theme" --screenshot page.png --theme blue
+rejected "--theme: must be light, dark or system, got" --screenshot page.png --theme ""
+rejected "--language: must be one of en, ru, got xx" --screenshot page.png --language xx
+rejected "--language" --screenshot page.png --language ""
+# Whatever takes a value rejects an empty one.
 "$program" --help >help
 mapfile -t takes_value < <(sed -nE 's/^ +(--[a-z]+) <.*/\1/p' help)
 [ ${#takes_value[@]} -ge 10 ] || fault "--help lists ${#takes_value[@]} options with a value"
 for option in "${takes_value[@]}"; do
     [ "$option" = --screenshot ] && other=(--scene start) || other=(--screenshot page.png)
-    refused "$option" "${other[@]}" "$option" ""
-    refused "$option" "${other[@]}" "$option="
+    rejected "$option" "${other[@]}" "$option" ""
+    rejected "$option" "${other[@]}" "$option="
 done
-refused "case: must not be empty" --screenshot page.png ""
-refused "--scale: needs --screenshot" --report page.pdf --scale 2 "$case_file"
-refused "--report: excludes --screenshot" --screenshot page.png --report page.pdf "$case_file"
-refused "--set" --screenshot page.png --set shaft_angle_deg
-refused "no_such_key" --screenshot page.png --set no_such_key=1
-refused "no/such/folder/page.png" --screenshot no/such/folder/page.png
-refused "no-such-option" --screenshot page.png --no-such-option
+rejected "case: must not be empty" --screenshot page.png ""
+rejected "--scale: needs --screenshot" --report page.pdf --scale 2 "$case_file"
+rejected "--report: excludes --screenshot" --screenshot page.png --report page.pdf "$case_file"
+rejected "--set" --screenshot page.png --set shaft_angle_deg
+rejected "no_such_key" --screenshot page.png --set no_such_key=1
+rejected "no/such/folder/page.png" --screenshot no/such/folder/page.png
+rejected "no-such-option" --screenshot page.png --no-such-option
 
 [ $faults = 0 ] || {
     printf '%d faults\n' "$faults"

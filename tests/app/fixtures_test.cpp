@@ -81,7 +81,7 @@ TEST_F(Fixtures, AStudyGivesWhatItGave) {
     }
 }
 
-TEST_F(Fixtures, PartsOfOtherVersionsAreRefused) {
+TEST_F(Fixtures, PartsOfOtherVersionsAreRejected) {
     const Outcome outcome = run("study --merge two-stroke.part-*.json");
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.err,

@@ -99,8 +99,8 @@ TEST_F(InheritedState, ClosedDescriptorsGoToNoFile) {
             << command << outcome.err;
     }
     for (const char* command : {"solve -", "study -"}) {
-        expect_refused(run(std::string(command) + " <&-"), "-: cannot be read");
-        expect_refused(run(std::string(command) + " < ."), "-: cannot be read");
+        expect_rejected(run(std::string(command) + " <&-"), "-: cannot be read");
+        expect_rejected(run(std::string(command) + " < ."), "-: cannot be read");
     }
 }
 

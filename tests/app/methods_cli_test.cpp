@@ -82,21 +82,21 @@ TEST_F(CommandLine, MethodsPrintsAKernelsTableAndWhy) {
 TEST_F(CommandLine, AnUnknownKernelGetsTheListOfThem) {
     write("table.csv", "kept");
     const Outcome outcome = run("methods --kernel slider --csv table.csv");
-    expect_refused(outcome, "ravnoves-cli: --kernel: must be one of ");
+    expect_rejected(outcome, "ravnoves-cli: --kernel: must be one of ");
     for (const methods::Kernel& kernel : methods::kernels()) {
         EXPECT_TRUE(says(outcome.err, kernel.id)) << outcome.err;
     }
     EXPECT_TRUE(says(outcome.err, ", got slider")) << outcome.err;
     EXPECT_EQ(read_all(folder / "table.csv"), "kept");
-    expect_refused(run("methods --kernel ''"), "ravnoves-cli: --kernel: must be one of ");
+    expect_rejected(run("methods --kernel ''"), "ravnoves-cli: --kernel: must be one of ");
 }
 
 /// Said before anything is measured, so the answer comes at once and alone.
 TEST_F(CommandLine, ATableThatCannotBeWrittenIsSaidFirst) {
     for (const char* command : {"validate", "methods --kernel best-angle"}) {
         const std::string start(command);
-        expect_refused(run(start + " --csv no/such/table.csv"), "no/such/table.csv: cannot be ");
-        expect_refused(run(start + " --csv ."), ".: must be a file");
+        expect_rejected(run(start + " --csv no/such/table.csv"), "no/such/table.csv: cannot be ");
+        expect_rejected(run(start + " --csv ."), ".: must be a file");
     }
     EXPECT_EQ(run("validate --csv /dev/full").status, 2);
 }
@@ -117,10 +117,11 @@ TEST_F(CommandLine, MethodsOfACaseSaysWhatContributesToItsResults) {
     };
     const std::string change = format_number(std::abs(range("other.json") - range("case.json")), 3);
     EXPECT_TRUE(says(table.out, "  " + change + "  /interpolation: periodic-cubic")) << table.out;
-    expect_refused(run("methods --case case.json --kernel guide"), "ravnoves-cli: ");
+    expect_rejected(run("methods --case case.json --kernel guide"), "ravnoves-cli: ");
     other["input"]["crank_radius_mm"] = -1;
     write("other.json", other.dump());
-    expect_refused(run("methods --case other.json"), "other.json: /input/crank_radius_mm: must be");
+    expect_rejected(run("methods --case other.json"),
+                    "other.json: /input/crank_radius_mm: must be");
 }
 
 TEST_F(CommandLine, HelpOfMethodsNamesTheKernels) {

@@ -99,20 +99,20 @@ TEST_F(StudyCommandLine, ShardsAreTheWholeToTheLastDigit) {
     }
     EXPECT_TRUE(run("study --merge part2 part3 part1").out == run("study case.json").out);
     EXPECT_LT(fs::file_size(folder / "part1"), 64U * 1024U);
-    expect_refused(run("study --merge part1 part3"),
-                   "--merge: 1 of 3 parts are missing; run them again: --shard 2/3");
+    expect_rejected(run("study --merge part1 part3"),
+                    "--merge: 1 of 3 parts are missing; run them again: --shard 2/3");
     write("other.json", study_case(601).dump());
     run("study other.json --shard 2/3 -o part2");
-    expect_refused(run("study --merge part1 part2 part3"),
-                   "part2: is a part of another case than part1");
+    expect_rejected(run("study --merge part1 part2 part3"),
+                    "part2: is a part of another case than part1");
     std::string changed = read_all(folder / "part3");
     changed[changed.find("\"min\":") + 7] = '9';
     write("part3", changed);
-    expect_refused(
+    expect_rejected(
         run("study --merge part1 part3"),
         "part3: /sha256: is not the checksum of the part: the part was changed; run it again");
     write("part2", "{}");
-    expect_refused(run("study --merge part1 part2"), "part2: /format: is required");
+    expect_rejected(run("study --merge part1 part2"), "part2: /format: is required");
 }
 
 TEST_F(StudyCommandLine, GoesOnWhereItWasInterrupted) {
@@ -135,7 +135,7 @@ TEST_F(StudyCommandLine, GoesOnWhereItWasInterrupted) {
     ASSERT_TRUE(
         interrupted([&](const Outcome&) { return fs::exists(folder / "r.json.unfinished"); }));
     EXPECT_FALSE(fs::exists(folder / "r.json"));
-    expect_refused(run("study --merge r.json.unfinished"), "r.json.unfinished: is not finished (");
+    expect_rejected(run("study --merge r.json.unfinished"), "r.json.unfinished: is not finished (");
     const auto done = [&] {
         int count = 0;
         const Json left = Json::parse(read_all(folder / "r.json.unfinished"));
@@ -153,11 +153,11 @@ TEST_F(StudyCommandLine, GoesOnWhereItWasInterrupted) {
         Json other = document;
         other[Json::json_pointer(place)] = value;
         write("other.json", other.dump());
-        expect_refused(run("study other.json -o r.json"),
-                       "r.json.unfinished: belongs to another study, or to this one before its "
-                       "case changed; move it or choose another file");
+        expect_rejected(run("study other.json -o r.json"),
+                        "r.json.unfinished: belongs to another study, or to this one before its "
+                        "case changed; move it or choose another file");
     }
-    expect_refused(run("study case.json -o r.json --shard 1/2"), "r.json.unfinished: belongs to");
+    expect_rejected(run("study case.json -o r.json --shard 1/2"), "r.json.unfinished: belongs to");
     EXPECT_TRUE(read_all(folder / "r.json.unfinished") == left);
     // On a disk without room for more it is that file that is named.
     EXPECT_TRUE(interrupted(
@@ -176,8 +176,8 @@ TEST_F(StudyCommandLine, OneOutputIsOfOneStudyAtATime) {
     fs::create_symlink("r.json", folder / "link.json");
     fs::create_directory_symlink(".", folder / "here");
     for (const std::string name : {"r.json", "link.json", "here/r.json", "here/link.json"}) {
-        expect_refused(run("study case.json -o " + name),
-                       name + ": is being written by another study; choose another file");
+        expect_rejected(run("study case.json -o " + name),
+                        name + ": is being written by another study; choose another file");
     }
     ::close(held);
     EXPECT_EQ(run("study case.json -o r.json").status, 0);
@@ -190,8 +190,8 @@ TEST_F(StudyCommandLine, LeavesWhatAnotherLeftThere) {
     write("case.json", study_case().dump());
     for (const char* name : {"r.json.unfinished", "r.json.unfinished.lock"}) {
         write(name, "my notes");
-        expect_refused(run("study case.json -o r.json"),
-                       name + std::string(": is not what an interrupted study leaves, and would"));
+        expect_rejected(run("study case.json -o r.json"),
+                        name + std::string(": is not what an interrupted study leaves, and would"));
         EXPECT_EQ(read_all(folder / name), "my notes");
         fs::remove(folder / name);
     }
@@ -210,13 +210,13 @@ TEST_F(StudyCommandLine, WritesOverNoStudyOfAnotherCase) {
     other["input"]["crank_radius_mm"] = 47;
     write("other.json", other.dump());
     for (const char* options : {"", " --shard 1/2"}) {
-        expect_refused(run(std::string("study other.json -o r.json") + options),
-                       "r.json: has the study of another case, or of this one before it "
-                       "changed; move it or choose another file");
+        expect_rejected(run(std::string("study other.json -o r.json") + options),
+                        "r.json: has the study of another case, or of this one before it "
+                        "changed; move it or choose another file");
         EXPECT_EQ(read_all(folder / "r.json"), finished);
         EXPECT_FALSE(fs::exists(folder / "r.json.unfinished"));
     }
-    // Its own it writes anew, and over what is no study.
+    // Its own it writes again, and over what is no study.
     EXPECT_EQ(run("study case.json -o r.json").status, 0);
     EXPECT_EQ(read_all(folder / "r.json"), finished);
     for (const char* text : {"my notes", "[1]", "{\"format\": 1}"}) {
@@ -251,16 +251,17 @@ TEST_F(StudyCommandLine, BadStudiesAreOneLine) {
         return run("study case.json");
     };
     write("case.json", example().dump());
-    expect_refused(run("study case.json"), "case.json: /study: is required and missing");
-    expect_refused(with("/study/vary/~1crank_radius", {{"plus_minus", 1}}),
-                   "case.json: /study/vary/~1crank_radius: must point to a number of the input");
-    expect_refused(with("/study/watch/~1metrics~1M_up", Json::object()),
-                   "case.json: /study/watch/~1metrics~1M_up: must point to a number of the result");
-    expect_refused(with("/study/watch/~1metric", Json::object()),
-                   "case.json: /study/watch/~1metric: must be a value that the result has");
-    expect_refused(with("/study/vary/~1crank_radius_mm", {{"plus_minus", 1e200}}),
-                   "case.json: /study/vary/~1crank_radius_mm: must scatter less");
-    expect_refused(with("/input/crank_radius_mm", -46), "case.json: /input/crank_radius_mm: must");
+    expect_rejected(run("study case.json"), "case.json: /study: is required and missing");
+    expect_rejected(with("/study/vary/~1crank_radius", {{"plus_minus", 1}}),
+                    "case.json: /study/vary/~1crank_radius: must point to a number of the input");
+    expect_rejected(
+        with("/study/watch/~1metrics~1M_up", Json::object()),
+        "case.json: /study/watch/~1metrics~1M_up: must point to a number of the result");
+    expect_rejected(with("/study/watch/~1metric", Json::object()),
+                    "case.json: /study/watch/~1metric: must be a value that the result has");
+    expect_rejected(with("/study/vary/~1crank_radius_mm", {{"plus_minus", 1e200}}),
+                    "case.json: /study/vary/~1crank_radius_mm: must scatter less");
+    expect_rejected(with("/input/crank_radius_mm", -46), "case.json: /input/crank_radius_mm: must");
     EXPECT_EQ(run("study").status, 2);
     EXPECT_EQ(run("study case.json --shard 4/3").status, 2);
     EXPECT_EQ(run("study case.json --shard 1/1025").status, 2);

@@ -73,9 +73,9 @@ PROGRAMS = [
 def scenes_of(program):
     """As the program lists them: a name that none has makes it say all."""
     with tempfile.TemporaryDirectory() as home:
-        refused = subprocess.run([program, "--screenshot", os.devnull, "--scene", "?"],
+        rejected = subprocess.run([program, "--screenshot", os.devnull, "--scene", "?"],
                                  env=environment(home, {}), stderr=subprocess.PIPE, text=True).stderr
-    listed = re.search(r"must be one of (.*), got \?", refused).group(1).split(", ")
+    listed = re.search(r"must be one of (.*), got \?", rejected).group(1).split(", ")
     return [scene for scene in listed if scene != "start"]
 
 

@@ -1,4 +1,4 @@
-// A case file: solved, or refused in words; never another exception, NaN or infinity.
+// A case file: solved, or rejected in words; never another exception, NaN or infinity.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         }
         studies::problem_of(file, context);
     } catch (const InputError&) {
-        // refused in words
+        // rejected in words
     }
     return 0;
 }

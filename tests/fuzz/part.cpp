@@ -1,5 +1,5 @@
-// A part of a study: refused in words, or it is put together and has finite results. Its sum is made
-// to fit, or nothing but the sum would be tried.
+// A part of a study: rejected in words, or it is put together and has finite results. Its sum is
+// made to fit, or nothing but the sum would be tried.
 
 #include <cstddef>
 #include <cstdint>
@@ -33,7 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             std::abort();
         }
     } catch (const InputError&) {
-        // refused in words
+        // rejected in words
     }
     return 0;
 }

@@ -1,4 +1,4 @@
-// Text on the clipboard, pasted into each table that takes numbers: written whole or refused in
+// Text on the clipboard, pasted into each table that takes numbers: written whole or rejected in
 // words. What stands there then is a case that can be solved, and undo brings back what stood.
 
 #include <cstddef>
@@ -28,9 +28,9 @@ void paste(SceneModel& model, const std::function<QString()>& write) {
     const Json before = model.inputJson();
     const std::string study = model.study();
     const int steps = model.history()->index();
-    const bool isRefused = !write().isEmpty();
+    const bool isRejected = !write().isEmpty();
     const Json after = model.inputJson();
-    require(!isRefused || (after == before && model.study() == study),
+    require(!isRejected || (after == before && model.study() == study),
             "what is refused changes nothing");
     require(not_finite(model.resultJson()) == nullptr, "results are numbers");
     CaseContext nowhere;
@@ -43,7 +43,7 @@ void paste(SceneModel& model, const std::function<QString()>& write) {
     model.history()->clear();
 }
 
-/// A model for all inputs: to make one anew for each takes longer than what is looked at.
+/// A model for all inputs: to make one for each takes longer than what is looked at.
 struct Pages {
     Pages() { plugs.setHasPlugs(true); }
 
@@ -85,10 +85,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     paste(pages.single, [&] { return pages.torque.pasteBlock(row, column % 2, cells); });
-    pages.torque.forgetRefused();
-    paste(pages.shaft, [&] {
-        return pages.weights.paste(row, column, readTextTable(text, EmptyLine::gap));
-    });
+    pages.torque.forgetRejected();
+    paste(pages.shaft,
+          [&] { return pages.weights.paste(row, column, readTextTable(text, EmptyLine::gap)); });
     paste(pages.plugs, [&] {
         return pages.weightsWithPlugs.paste(row, column, readTextTable(text, EmptyLine::gap));
     });

@@ -1,5 +1,5 @@
 // Cases whose numbers are anything that JSON can hold. Each is an example with some numbers, or
-// all, replaced, over 600 orders of magnitude or near what stood there: it is solved or refused in
+// all, replaced, over 600 orders of magnitude or near what stood there: it is solved or rejected in
 // words, in less than five seconds of the processor, and no NaN or infinity comes out.
 
 #include <algorithm>
@@ -88,7 +88,7 @@ std::vector<Example> read_examples(const std::vector<std::filesystem::path>& fol
 
 struct Count {
     int solved = 0;
-    int refused = 0;
+    int rejected = 0;
     double slowest_s = 0.0;
 };
 
@@ -102,7 +102,7 @@ std::string try_case(const Json& document, Count& count) {
         }
         ++count.solved;
     } catch (const InputError& error) {
-        ++count.refused;
+        ++count.rejected;
         if (std::string(error.what()).find("/input") == std::string::npos) {
             fault = error.what() + std::string(": refused without a place");
         }
@@ -141,7 +141,7 @@ int run(const std::vector<std::filesystem::path>& folders, int cases, unsigned s
             }
         }
         std::printf("%-16s %d solved, %d refused, slowest %.2f s\n", scene.c_str(), count.solved,
-                    count.refused, count.slowest_s);
+                    count.rejected, count.slowest_s);
         std::fflush(stdout);
     }
     if (scenes.empty()) {

@@ -1,5 +1,5 @@
-// A table of torque or pressure as a file or a clipboard has it: read or refused, and what was read
-// reads back the same.
+// A table of torque or pressure as a file or a clipboard has it: read or rejected, and what was
+// read reads back the same.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,13 +21,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             std::abort();
         }
     } catch (const InputError&) {
-        // refused in words
+        // rejected in words
     }
     try {
         const auto trace = balance_shaft::parse_pressure_trace(text).trace;
         balance_shaft::check_pressure_trace(trace, "");
     } catch (const InputError&) {
-        // refused in words
+        // rejected in words
     }
     // As a case names the columns.
     for (const auto& [angle, value] :
@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             const auto table = balance_shaft::parse_torque_table(text, reading).table;
             balance_shaft::check_torque_table(table, "");
         } catch (const InputError&) {
-            // refused in words
+            // rejected in words
         }
     }
     for (const auto what : {balance_shaft::Measured::torque, balance_shaft::Measured::pressure}) {
@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 balance_shaft::find_dead_centre({0.046, 0.150, 0.0}, trace);
             }
         } catch (const InputError&) {
-            // refused in words
+            // rejected in words
         }
     }
     return 0;

@@ -63,7 +63,7 @@ inline void showAt(QWidget& widget, const QSize& size) {
     QApplication::processEvents();
 }
 
-/// Points at a place of a widget until what it says there holds: a view made anew under the
+/// Points at a place of a widget until what it says there holds: a view made again under the
 /// pointer reads nothing until the pointer moves again, and its place may be another.
 template <typename Place, typename Holds>
 bool pointUntil(QWidget* widget, Place place, Holds holds) {

@@ -14,7 +14,7 @@
 #include "balance-shaft/torque_source_editor.h"
 #include "page/mechanism_picture.h"
 #include "page/part_views.h"
-#include "page/refused_verdict.h"
+#include "page/rejected_verdict.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
@@ -30,7 +30,7 @@ namespace ravnoves {
 using Criterion = BalanceShaftModel::Criterion;
 
 BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
-    : ScenePage(parent), model_(takeOver<BalanceShaftModel>(kept)) {
+    : ScenePage(parent), model_(adopt<BalanceShaftModel>(kept)) {
     QTabWidget* inputs = buildInputs();
     verdict_ = new VerdictLine(this);
     connect(verdict_, &VerdictLine::acted, this, &BalanceShaftPage::doVerdictAct);
@@ -44,11 +44,11 @@ BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
 
     connect(model_, &SceneModel::changed, this, &BalanceShaftPage::showBest);
     for (const auto signal :
-         {&SceneModel::changed, &SceneModel::shownChanged, &SceneModel::refusedInChanged}) {
+         {&SceneModel::changed, &SceneModel::shownChanged, &SceneModel::rejectedInChanged}) {
         connect(model_, signal, this, &BalanceShaftPage::showVerdict);
     }
     connect(model_, &SceneModel::shownChanged, angle_, &FieldSlider::follow);
-    connect(model_, &BalanceShaftModel::refused, this, &ScenePage::status);
+    connect(model_, &BalanceShaftModel::rejected, this, &ScenePage::status);
     showBest();
     showVerdict();
 }
@@ -141,7 +141,7 @@ void BalanceShaftPage::showBest() {
 }
 
 void BalanceShaftPage::showVerdict() {
-    const Verdict verdict = withRefused(model_->verdict(), *model_);
+    const Verdict verdict = withRejected(model_->verdict(), *model_);
     verdict_->show(verdict,
                    verdict.act == balance_shaft::move_trace_act   ? tr("Shift the trace by &360°")
                    : verdict.act == balance_shaft::best_range_act ? tr("&Use the best feasible α")

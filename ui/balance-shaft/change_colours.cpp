@@ -8,8 +8,8 @@
 #include <cmath>
 #include <utility>
 
-#include "plot/plot_painter.h"
 #include "pictures/model/stroke.h"
+#include "plot/plot_painter.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
 
@@ -181,8 +181,8 @@ void paintChangeKey(QPainter& painter, const std::vector<double>& levels, const 
         return false;
     };
     QFont font = Theme::font(Theme::smallSize);
-    constexpr int least = 8;  // pixels
-    while (font.pixelSize() > least && meet(QFontMetricsF(font))) {
+    constexpr int minimum = 8;  // pixels
+    while (font.pixelSize() > minimum && meet(QFontMetricsF(font))) {
         font.setPixelSize(font.pixelSize() - 1);
     }
     painter.setFont(font);

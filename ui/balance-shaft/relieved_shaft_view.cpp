@@ -14,7 +14,7 @@
 #include "balance-shaft/model/relieved_shaft_model.h"
 #include "model/reference_case.h"
 #include "page/part_views.h"
-#include "page/refused_entries.h"
+#include "page/rejected_entries.h"
 #include "pictures/file_dialogs.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -209,8 +209,8 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     upper->add(answerPanel, 1);
 
     auto* drawing = new RelievedShaftDrawing(model, this);
-    constexpr int leastDrawing = 150;
-    drawing->setMinimumHeight(Theme::withText(leastDrawing));
+    constexpr int minDrawing = 150;
+    drawing->setMinimumHeight(Theme::withText(minDrawing));
     column->addWidget(drawing, 1);
 
     connect(model, &SceneModel::changed, this, &RelievedShaftView::showFeasible);
@@ -264,7 +264,7 @@ void RelievedShaftView::showFeasible() {
 }
 
 void RelievedShaftView::chooseFile() {
-    if (!goOnWithoutRefused(this, tr("Export drawing"))) {
+    if (!goOnWithoutRejected(this, tr("Export drawing"))) {
         return;
     }
     const QString path =

@@ -27,8 +27,8 @@ void drawDashedCircle(QPainter& painter, const QPointF& middle, double radius, d
         return;
     }
     const auto count = static_cast<int>(turn / period);
-    constexpr int most = 2000;  // the rest is far outside
-    const int drawn = std::min(count, most);
+    constexpr int maximum = 2000;  // the rest is far outside
+    const int drawn = std::min(count, maximum);
     const double step = two_pi / drawn;
     const double half = 0.5 * step * dash / period;
     QList<QLineF> dashes;

@@ -69,8 +69,8 @@ void ShaftMapLabels::addContours(const ChangeContours& field, const std::vector<
     // In a small map every second or third line has its number, that of no change in any case.
     const double room =
         area_.width() * area_.height() / (Theme::withText(120) * Theme::withText(80));
-    const auto most = static_cast<std::size_t>(std::max(3.0, room));
-    const std::size_t each = std::max<std::size_t>(1, (contours.size() + most - 1) / most);
+    const auto maximum = static_cast<std::size_t>(std::max(3.0, room));
+    const std::size_t each = std::max<std::size_t>(1, (contours.size() + maximum - 1) / maximum);
     const auto zero = static_cast<std::size_t>(
         std::find_if(contours.begin(), contours.end(),
                      [](const auto& contour) { return contour.level == 0.0; }) -

@@ -251,11 +251,11 @@ std::size_t nearestPoint(const PlotView& plot, std::string_view curve, double x,
     const PlotCurve& points = plot.data().curves[*plot.data().find(curve)];
     const QPointF place = plot.toPixel(x, y);
     std::size_t nearest = 0;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < points.x.size(); ++i) {
         const QPointF away = plot.toPixel(points.x[i], points.y[i]) - place;
-        if (const double distance = std::hypot(away.x(), away.y()); distance < least) {
-            least = distance;
+        if (const double distance = std::hypot(away.x(), away.y()); distance < minimum) {
+            minimum = distance;
             nearest = i;
         }
     }

@@ -60,11 +60,11 @@ QWidget* SpeedView::buildWords() {
     answer->setFont(Theme::font());
     colourText(answer, &Theme::text);
     row->addWidget(answer, 1);
-    goLeastBad_ = new QPushButton(tr("Apply"), panel);
-    goLeastBad_->setAccessibleName(tr("Apply the best compromise α"));
-    goLeastBad_->setToolTip(goLeastBad_->accessibleName());
-    connect(goLeastBad_, &QPushButton::clicked, study_, &SpeedStudyModel::goToLeastBad);
-    row->addWidget(goLeastBad_);
+    goBestCompromise_ = new QPushButton(tr("Apply"), panel);
+    goBestCompromise_->setAccessibleName(tr("Apply the best compromise α"));
+    goBestCompromise_->setToolTip(goBestCompromise_->accessibleName());
+    connect(goBestCompromise_, &QPushButton::clicked, study_, &SpeedStudyModel::goToBestCompromise);
+    row->addWidget(goBestCompromise_);
     rebuild_ =
         TorqueSourceEditor::rebuildButton(model_, QStringLiteral("rebuild_torque_here"), panel);
     row->addWidget(rebuild_);
@@ -135,9 +135,9 @@ void SpeedView::showStudy() {
     load_->setToolTip(study_->hasLoad()
                           ? QString()
                           : tr("The load can be changed for a computed cycle (Torque tab)."));
-    goLeastBad_->setVisible(study_->isSolved());
+    goBestCompromise_->setVisible(study_->isSolved());
     rebuild_->setVisible(!study_->isSolved() && model_->canRebuildTorque());
-    charts_->setVisible(!study_->isRefused());
+    charts_->setVisible(!study_->isRejected());
 }
 
 }  // namespace ravnoves

@@ -14,7 +14,7 @@
 #include "elastic-hinge/hinge_tabs.h"
 #include "page/mechanism_picture.h"
 #include "page/part_views.h"
-#include "page/refused_verdict.h"
+#include "page/rejected_verdict.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
 #include "widgets/field_slider.h"
@@ -31,7 +31,7 @@ using elastic_hinge::Kinematics;
 using elastic_hinge::Spring;
 
 ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
-    : ScenePage(parent), model_(takeOver<ElasticHingeModel>(kept)) {
+    : ScenePage(parent), model_(adopt<ElasticHingeModel>(kept)) {
     QWidget* inputs = buildInputs();
     plots_ = new HingeTabs(model_, this);
     verdict_ = new VerdictLine(this);
@@ -45,9 +45,9 @@ ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
 
     connect(model_, &SceneModel::changed, this, &ElasticHingePage::showAnswer);
     connect(model_, &ElasticHingeModel::viewChanged, this, &ElasticHingePage::showAnimated);
-    connect(model_, &ElasticHingeModel::refused, this, &ScenePage::status);
+    connect(model_, &ElasticHingeModel::rejected, this, &ScenePage::status);
     connect(model_, &ElasticHingeModel::springBegun, this, &ScenePage::status);
-    connect(model_, &SceneModel::refusedInChanged, this, &ElasticHingePage::showAnswer);
+    connect(model_, &SceneModel::rejectedInChanged, this, &ElasticHingePage::showAnswer);
     showAnswer();
     showAnimated();
 }
@@ -67,8 +67,8 @@ QWidget* ElasticHingePage::buildSliders() {
         return std::pair(0.05, model_->input().kinematics == Kinematics::series ? 1.0 : 0.99);
     };
     const auto radiusEnds = [this] {
-        const double most = model_->input().spring.value_or(Spring()).free_length / units::mm;
-        return std::pair(std::min(1.0, 0.005 * most), most);
+        const double maximum = model_->input().spring.value_or(Spring()).free_length / units::mm;
+        return std::pair(std::min(1.0, 0.005 * maximum), maximum);
     };
     const auto hasSpring = [this] { return model_->input().spring.has_value(); };
     const auto hasCounterweight = [this] { return model_->input().rod_counterweight.has_value(); };
@@ -166,7 +166,7 @@ QWidget* ElasticHingePage::buildAnswer() {
 }
 
 void ElasticHingePage::showAnswer() {
-    const Verdict verdict = withRefused(model_->verdict(), *model_);
+    const Verdict verdict = withRejected(model_->verdict(), *model_);
     verdict_->show(verdict, verdict.act.empty() ? QString() : tr("Use this pre&load"));
 }
 

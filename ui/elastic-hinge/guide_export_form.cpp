@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "elastic-hinge/fields.h"
-#include "page/refused_entries.h"
+#include "page/rejected_entries.h"
 #include "pictures/file_dialogs.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
@@ -111,7 +111,7 @@ QString GuideExportForm::exportTo(const QString& path) {
 }
 
 void GuideExportForm::ask(const QString& suffix) {
-    if (!goOnWithoutRefused(this, tr("Export guide"))) {
+    if (!goOnWithoutRejected(this, tr("Export guide"))) {
         return;
     }
     QList<FileFormat> formats{dxfFormat(), csvFormat()};

@@ -25,8 +25,8 @@ using elastic_hinge::Motion;
 
 HingeTabs::HingeTabs(ElasticHingeModel* model, QWidget* parent)
     : QTabWidget(parent), model_(model) {
-    constexpr int least = 300;  // designed pixels in which titles and texts can be read
-    setMinimumWidth(Theme::withText(least));
+    constexpr int minimum = 300;  // designed pixels in which titles and texts can be read
+    setMinimumWidth(Theme::withText(minimum));
     setDocumentMode(true);
     addGuides();
     addAnglePlots(addTab("rod-hinge", HingePlots::tr("R&od hinge")),

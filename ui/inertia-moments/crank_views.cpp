@@ -193,13 +193,13 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(QPen(theme.border(), 2.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(centre, radius, radius);
-    double least = result.firing.front().interval;
-    double most = least;
+    double minimum = result.firing.front().interval;
+    double maximum = minimum;
     for (const FiringEvent& event : result.firing) {
-        least = std::min(least, event.interval);
-        most = std::max(most, event.interval);
+        minimum = std::min(minimum, event.interval);
+        maximum = std::max(maximum, event.interval);
     }
-    const bool even = most - least < 0.05 * degree;
+    const bool even = maximum - minimum < 0.05 * degree;
     constexpr double atOnce = 0.05 * degree;
     for (const FiringEvent& event : result.firing) {
         if (event.interval < atOnce) {
@@ -237,10 +237,10 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
     painter.setFont(Theme::font(Theme::smallSize));
     painter.setPen(theme.mutedText());
     painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignLeft,
-                     even ? tr("even, every %1°").arg(fixedNumber(least / degree, 0, QLocale()))
+                     even ? tr("even, every %1°").arg(fixedNumber(minimum / degree, 0, QLocale()))
                           : tr("uneven, %1° to %2°")
-                                .arg(fixedNumber(least / degree, 1, QLocale()),
-                                     fixedNumber(most / degree, 1, QLocale())));
+                                .arg(fixedNumber(minimum / degree, 1, QLocale()),
+                                     fixedNumber(maximum / degree, 1, QLocale())));
     std::vector<int> order;
     for (const FiringEvent& event : result.firing) {
         order.push_back(event.cylinder);

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "inertia-moments/cylinder_editor.h"
-#include "page/refused_verdict.h"
+#include "page/rejected_verdict.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
@@ -15,14 +15,14 @@
 namespace ravnoves {
 
 InertiaMomentsPage::InertiaMomentsPage(QWidget* parent, SceneModel* kept)
-    : ScenePage(parent), model_(takeOver<InertiaMomentsModel>(kept)) {
+    : ScenePage(parent), model_(adopt<InertiaMomentsModel>(kept)) {
     QTabWidget* inputs = makeInputs();
     sliders_ = new EngineSliders(model_, this);
     answer_ = new InertiaMomentsAnswer(model_, this);
     verdict_ = new VerdictLine(this);
-    const auto showVerdict = [this] { verdict_->show(withRefused(model_->verdict(), *model_)); };
+    const auto showVerdict = [this] { verdict_->show(withRejected(model_->verdict(), *model_)); };
     connect(model_, &SceneModel::changed, verdict_, showVerdict);
-    connect(model_, &SceneModel::refusedInChanged, verdict_, showVerdict);
+    connect(model_, &SceneModel::rejectedInChanged, verdict_, showVerdict);
     showVerdict();
     QVBoxLayout* column = columnIn(this);
     column->addWidget(verdict_);
@@ -37,7 +37,7 @@ InertiaMomentsPage::InertiaMomentsPage(QWidget* parent, SceneModel* kept)
                         this),
         1);
 
-    connect(model_, &SceneModel::refused, this, &ScenePage::status);
+    connect(model_, &SceneModel::rejected, this, &ScenePage::status);
     addShaftsAction();
 }
 

@@ -46,10 +46,10 @@ PlotView::Axis sweepAxis(const SweepInfo& sweep) {
     return axis;
 }
 
-constexpr double least = 1e-18;  ///< a smaller error is drawn here
+constexpr double minimum = 1e-18;  ///< a smaller error is drawn here
 
 double drawn(const Result& result) {
-    return std::max(result.error, least);
+    return std::max(result.error, minimum);
 }
 
 /// A half step of the sweep's scale around a run of values, so that a single one has a width.
@@ -101,12 +101,12 @@ void MethodPlots::resizeEvent(QResizeEvent* event) {
 }
 
 std::pair<double, double> MethodPlots::decadesOf(const MethodMeasurement& shown) {
-    double least = shown.kernel().choice.tolerance;
-    double most = least;
+    double minimum = shown.kernel().choice.tolerance;
+    double maximum = minimum;
     const auto take = [&](const Result& result) {
-        if (!result.refused()) {
-            least = std::min(least, drawn(result));
-            most = std::max(most, drawn(result));
+        if (!result.rejected()) {
+            minimum = std::min(minimum, drawn(result));
+            maximum = std::max(maximum, drawn(result));
         }
     };
     for (const WorkPoint& point : shown.work.points) {
@@ -115,8 +115,8 @@ std::pair<double, double> MethodPlots::decadesOf(const MethodMeasurement& shown)
     for (const StabilityCurve& curve : shown.map->curves) {
         std::for_each(curve.results.begin(), curve.results.end(), take);
     }
-    return {std::pow(10.0, std::floor(std::log10(least))),
-            std::pow(10.0, std::ceil(std::log10(most)))};
+    return {std::pow(10.0, std::floor(std::log10(minimum))),
+            std::pow(10.0, std::ceil(std::log10(maximum)))};
 }
 
 void MethodPlots::setUpCurves(const Kernel& kernel) {
@@ -172,7 +172,7 @@ void MethodPlots::showMeasurement() {
         showFailing();
     } else {
         // Nothing yet: the frame of what is to come.
-        errors_ = {least, 1.0};
+        errors_ = {minimum, 1.0};
         setUpCurves(model_->kernel());
         work_->setXAxis({tr("time of one evaluation"), 1.0, 1e6, false, true, timeText});
         showErrors(work_, tr("error"));
@@ -216,7 +216,7 @@ void MethodPlots::showWork(const MethodMeasurement& shown) {
         std::vector<double> x, y;
         QStringList texts;
         for (const WorkPoint& point : shown.work.points) {
-            if (point.method != method || point.result.refused()) {
+            if (point.method != method || point.result.rejected()) {
                 continue;
             }
             x.push_back(point.timing.median);
@@ -250,8 +250,8 @@ void MethodPlots::showStability(const MethodMeasurement& shown) {
     for (const StabilityCurve& curve : map.curves) {
         std::vector<double> errors;
         for (const Result& result : curve.results) {
-            errors.push_back(result.refused() ? std::numeric_limits<double>::quiet_NaN()
-                                              : drawn(result));
+            errors.push_back(result.rejected() ? std::numeric_limits<double>::quiet_NaN()
+                                               : drawn(result));
         }
         stability_->setCurve(static_cast<int>(curve.method), map.values, std::move(errors));
     }

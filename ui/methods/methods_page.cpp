@@ -79,7 +79,7 @@ QString paragraph(const QString& heading, const QString& text) {
 }  // namespace
 
 MethodsPage::MethodsPage(QWidget* parent, SceneModel* kept)
-    : ScenePage(parent), model_(takeOver<MethodsModel>(kept)) {
+    : ScenePage(parent), model_(adopt<MethodsModel>(kept)) {
     auto* left = new QWidget(this);
     QVBoxLayout* column = columnIn(left);
     column->addWidget(buildChoice());
@@ -415,9 +415,9 @@ void MethodsPage::showTable() {
                 .arg(timeText(row.timing.low), timeText(row.timing.high)));
         table_->item(i, Error)->setForeground(row.holds ? theme.good() : theme.error());
         table_->item(i, Error)->setToolTip(
-            row.result.refused() ? tr("rejected: %1").arg(methodText(row.result.refusal))
-            : row.holds          ? tr("Within the tolerance")
-                                 : tr("Beyond the tolerance"));
+            row.result.rejected() ? tr("rejected: %1").arg(methodText(row.result.rejection))
+            : row.holds           ? tr("Within the tolerance")
+                                  : tr("Beyond the tolerance"));
     }
     if (tableOf_ != &kernel) {
         tableOf_ = &kernel;

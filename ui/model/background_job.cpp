@@ -104,7 +104,7 @@ void BackgroundJob::run(const std::shared_ptr<std::atomic<bool>>& stop) {
 void BackgroundJob::post(std::function<void()> telling) {
     {
         const std::lock_guard lock(mutex_);
-        told_.push_back(std::move(telling));
+        reports_.push_back(std::move(telling));
     }
     QMetaObject::invokeMethod(this, &BackgroundJob::tell, Qt::QueuedConnection);
 }
@@ -115,11 +115,11 @@ void BackgroundJob::tell() {
         std::function<void()> telling;
         {
             const std::lock_guard lock(mutex_);
-            if (told_.empty()) {
+            if (reports_.empty()) {
                 return;
             }
-            telling = std::move(told_.front());
-            told_.erase(told_.begin());
+            telling = std::move(reports_.front());
+            reports_.erase(reports_.begin());
         }
         telling();
     }

@@ -68,7 +68,7 @@ class BackgroundJob : public QObject {
     bool running_ = false;
     std::mutex mutex_;  ///< of work_ and told_
     Work work_;         ///< to be run
-    std::vector<std::function<void()>> told_;
+    std::vector<std::function<void()>> reports_;
     std::thread thread_;  ///< of one run
 };
 

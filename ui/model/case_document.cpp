@@ -104,7 +104,7 @@ CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* 
             Q_EMIT nameChanged();
         }
     });
-    connect(model, &SceneModel::begunAnew, this, [this] {
+    connect(model, &SceneModel::restarted, this, [this] {
         *loaded_ = {};
         setPath({}, {});
     });
@@ -406,7 +406,7 @@ bool CaseDocument::saveElsewhere(const QString& trouble) {
 bool CaseDocument::mayGo() {
     disk_.check();
     if (!needsSaving()) {
-        return !dialogs_.leaveRefused || dialogs_.leaveRefused();
+        return !dialogs_.leaveRejected || dialogs_.leaveRejected();
     }
     const DocumentDialogs::Answer answer = dialogs_.saveChanges(!path_.isEmpty());
     return answer == DocumentDialogs::Answer::Save ? save()

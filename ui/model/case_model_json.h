@@ -54,7 +54,7 @@ void CaseModel<Scene>::loadFile(const CaseFile& file, const CaseContext& context
              {input, title, QString::fromStdString(file.notes), kept, context.directory,
               variantsOf(file), file.study.is_null() ? std::string() : file.study.dump()});
     } catch (const InputError& error) {
-        throw RefusedInput(error, explain(error));
+        throw RejectedInput(error, explain(error));
     }
 }
 
@@ -68,7 +68,7 @@ void CaseModel<Scene>::loadInput(const Json& json, const CaseContext& context,
         retitle(next);
         load(name, std::move(next));
     } catch (const InputError& error) {
-        throw RefusedInput(error, explain(error));
+        throw RejectedInput(error, explain(error));
     }
 }
 

@@ -57,18 +57,18 @@ QString mixedDecimalSigns(const std::vector<QStringList>& cells) {
 }
 
 void SaidTroubles::add(const QString& line) {
-    constexpr int most = 3;
-    if (lines_.size() < most) {
+    constexpr int maximum = 3;
+    if (lines_.size() < maximum) {
         lines_ << line;
     } else {
         ++more_;
     }
 }
 
-QString SaidTroubles::text(const QString& besides) const {
+QString SaidTroubles::text(const QString& others) const {
     QStringList all = lines_;
     if (more_ > 0) {
-        all << besides.arg(more_);
+        all << others.arg(more_);
     }
     return all.join(QLatin1Char('\n'));
 }

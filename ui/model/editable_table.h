@@ -31,7 +31,7 @@ class SaidTroubles {
   public:
     void add(const QString& line);
     /// @param besides  says how many more there are, %1
-    QString text(const QString& besides) const;
+    QString text(const QString& others) const;
 
   private:
     QStringList lines_;
@@ -62,13 +62,13 @@ class EditableTable : public QAbstractTableModel {
     virtual QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) = 0;
 
     /// True where this cell holds what was rejected, or the table is rejected as a whole.
-    virtual bool canTakeBackRefused(const QModelIndex& at) const {
+    virtual bool canTakeBackRejected(const QModelIndex& at) const {
         return at.data(TroubleRole).toBool();
     }
     /// Takes that back; of a whole table what was typed last.
-    virtual void takeBackRefused(const QModelIndex& /*at*/) {}
+    virtual void takeBackRejected(const QModelIndex& /*at*/) {}
     /// The model holds another state as a whole: nothing is rejected any more.
-    virtual void forgetRefused() {}
+    virtual void forgetRejected() {}
 
     /// The model of the case that the cells belong to; null where there is none.
     virtual SceneModel* scene() const { return nullptr; }

@@ -50,12 +50,12 @@ FieldNames namesOf(const SceneModel& model) {
 /// Six, as what was computed or converted needs; more where two numbers would look equal, or one
 /// needs them before its point.
 int digitsOf(double now, double was) {
-    constexpr double mostInSix = 1e6;
+    constexpr double maxInSix = 1e6;
     constexpr int all = 17;
     const auto shown = [](double value, int digits) {
         return formNumber(value, QLocale::c(), digits);
     };
-    int digits = std::max(std::abs(now), std::abs(was)) < mostInSix ? 6 : 10;
+    int digits = std::max(std::abs(now), std::abs(was)) < maxInSix ? 6 : 10;
     while (digits < all && shown(now, digits) == shown(was, digits)) {
         ++digits;
     }
@@ -193,8 +193,8 @@ QString nameByDifferences(SceneModel& model) {
         return layout;
     }
     const auto differences = inputDifferences(model, model.variantInput(model.reference()));
-    constexpr std::size_t most = 3;
-    if (differences.empty() || differences.size() > most) {
+    constexpr std::size_t maximum = 3;
+    if (differences.empty() || differences.size() > maximum) {
         return {};
     }
     QStringList values;

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int keepDelay = 400;  // ms
 constexpr int sessionLength = 32;
-constexpr qint64 mostRead = 32'000'000;  // bytes of what is left
+constexpr qint64 maxRead = 32'000'000;  // bytes of what is left
 const QString keptEnding = QStringLiteral(".json");
 const QString lockEnding = QStringLiteral(".lock");
 const QString damagedEnding = QStringLiteral(".damaged");
@@ -224,14 +224,14 @@ Recovery::Found Recovery::leftBehind() {
     Locks locks;
     const QDir folder(folder_);
     // Those that killed programs have left go with it.
-    for (const QString& name : folder.entryList({QLatin1Char('*') + lockEnding}).mid(0, most)) {
+    for (const QString& name : folder.entryList({QLatin1Char('*') + lockEnding}).mid(0, maximum)) {
         isLeft(name, locks);
     }
     isLocked();
     qint64 read = 0;
     int files = 0;
     for (const QFileInfo& left : leftFiles()) {
-        if (files >= most || read >= mostRead) {
+        if (files >= maximum || read >= maxRead) {
             ++found.older;
             continue;
         }

@@ -68,7 +68,7 @@ class Recovery : public QObject {
         QStringList damaged;         ///< files that cannot be read, where they lie now
         QStringList newer;           ///< files of a newer program, left to it
     };
-    static constexpr int most = 100;
+    static constexpr int maximum = 100;
     /// What programs have left that run no longer. Nobody else is offered it while this one runs.
     Found leftBehind();
     /// It was restored and is kept again, or nobody wants it.

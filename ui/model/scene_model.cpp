@@ -39,7 +39,7 @@ void SceneModel::beginEditing() {
     editing_ = true;
 }
 
-void SceneModel::endEditing(bool isRefused) {
+void SceneModel::endEditing(bool isRejected) {
     const bool isStep = isTyped();
     if (std::exchange(editing_, false)) {
         finishDrag();
@@ -48,8 +48,8 @@ void SceneModel::endEditing(bool isRefused) {
             Q_EMIT historyChanged();
         }
     }
-    if (!isRefused) {
-        sayRefused({});
+    if (!isRejected) {
+        sayRejected({});
     }
 }
 
@@ -89,13 +89,13 @@ int SceneModel::stepOf(const QString& name) {
 }
 
 void SceneModel::undo() {
-    if (!hasRefused()) {
+    if (!hasRejected()) {
         history_.undo();
         finishDrag();
     }
     Q_EMIT broughtIn();
-    if (!std::exchange(refusedIn_, {}).isEmpty()) {
-        Q_EMIT refusedInChanged();
+    if (!std::exchange(rejectedIn_, {}).isEmpty()) {
+        Q_EMIT rejectedInChanged();
     }
 }
 
@@ -105,10 +105,10 @@ void SceneModel::redo() {
     Q_EMIT broughtIn();
 }
 
-void SceneModel::sayRefused(const QString& why) {
-    if (saidRefused_ || !why.isEmpty()) {
-        saidRefused_ = !why.isEmpty();
-        Q_EMIT refused(why);
+void SceneModel::sayRejected(const QString& why) {
+    if (saidRejected_ || !why.isEmpty()) {
+        saidRejected_ = !why.isEmpty();
+        Q_EMIT rejected(why);
     }
 }
 
@@ -120,24 +120,24 @@ Json SceneModel::placeJson() const {
     return nullptr;
 }
 
-void SceneModel::noteRefused(QObject* where, bool isRefused) {
-    if (!isRefused) {
-        const bool isNewest = hasRefused() && where == refusedIn_.last();
-        forgetRefusedIn(where);
+void SceneModel::noteRejected(QObject* where, bool isRejected) {
+    if (!isRejected) {
+        const bool isNewest = hasRejected() && where == rejectedIn_.last();
+        forgetRejectedIn(where);
         if (isNewest) {
-            sayRefused({});  // what was said of it
+            sayRejected({});  // what was said of it
         }
         return;
     }
-    refusedIn_.removeOne(where);
-    refusedIn_.append(where);
-    connect(where, &QObject::destroyed, this, &SceneModel::forgetRefusedIn, Qt::UniqueConnection);
-    Q_EMIT refusedInChanged();
+    rejectedIn_.removeOne(where);
+    rejectedIn_.append(where);
+    connect(where, &QObject::destroyed, this, &SceneModel::forgetRejectedIn, Qt::UniqueConnection);
+    Q_EMIT rejectedInChanged();
 }
 
-void SceneModel::forgetRefusedIn(QObject* where) {
-    if (refusedIn_.removeOne(where)) {
-        Q_EMIT refusedInChanged();
+void SceneModel::forgetRejectedIn(QObject* where) {
+    if (rejectedIn_.removeOne(where)) {
+        Q_EMIT rejectedInChanged();
     }
 }
 
@@ -164,8 +164,8 @@ CaseFile SceneModel::caseFile() const {
 }
 
 QString SceneModel::explain(const InputError& error) const {
-    if (const auto* refused = dynamic_cast<const RefusedInput*>(&error)) {
-        return refused->said();
+    if (const auto* rejected = dynamic_cast<const RejectedInput*>(&error)) {
+        return rejected->said();
     }
     return FieldNames({fields(), describedFields()}).errorText(error);
 }

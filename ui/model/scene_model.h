@@ -178,8 +178,8 @@ class SceneModel : public QObject {
 
     /// A widget says whether something that is rejected is in it now. That is in no history, and
     /// newer than all that is: undo takes it back first, wherever it stands.
-    void noteRefused(QObject* where, bool isRefused);
-    bool hasRefused() const { return !refusedIn_.isEmpty(); }
+    void noteRejected(QObject* where, bool isRejected);
+    bool hasRejected() const { return !rejectedIn_.isEmpty(); }
 
     QUndoStack* history() { return &history_; }
     const QUndoStack* history() const { return &history_; }
@@ -201,8 +201,8 @@ class SceneModel : public QObject {
     // An editing of a field, from its first key to Enter, Escape or the loss of the focus: what is
     // typed shows its effect at once, and all of it is one step of the history.
     void beginEditing();
-    /// @param isRefused  what was typed still is there, rejected: so does the reason
-    void endEditing(bool isRefused = false);
+    /// @param isRejected  what was typed still is there, rejected: so does the reason
+    void endEditing(bool isRejected = false);
     bool isEditing() const { return editing_; }
     /// True where the editing has changed the input.
     bool isTyped() const;
@@ -233,9 +233,9 @@ class SceneModel : public QObject {
     /// What there is to undo, to redo or to save.
     void historyChanged();
     /// Whether something that is rejected stands anywhere.
-    void refusedInChanged();
+    void rejectedInChanged();
     /// A change was rejected; empty when that is over.
-    void refused(const QString& why);
+    void rejected(const QString& why);
     /// The variants, or which of them is the reference.
     void variantsChanged();
     void studyChanged();
@@ -244,7 +244,7 @@ class SceneModel : public QObject {
     /// What parts show is new, though neither input nor view is: a job has come to its end.
     void shownChanged();
     /// Another job came onto the sheet: what it holds is of no file.
-    void begunAnew();
+    void restarted();
     /// It holds another state as a whole: undone, redone, loaded, a preset, a variant. Unlike a
     /// change of one value, that ends what was typed and rejected in any field.
     void broughtIn();
@@ -269,7 +269,7 @@ class SceneModel : public QObject {
     /// Something else than the editing changes the input: what is typed after it are steps as any.
     void leaveEditing() { editing_ = false; }
     /// Says why a change is rejected; with nothing, that it no longer matters.
-    void sayRefused(const QString& why);
+    void sayRejected(const QString& why);
     // For setViewOption().
     /// @throws InputError for what is no number
     static double readNumber(const QString& key, const QString& value);
@@ -286,7 +286,7 @@ class SceneModel : public QObject {
     void setNotes(const QString& notes) { notes_ = notes; }
 
   private:
-    void forgetRefusedIn(QObject* where);
+    void forgetRejectedIn(QObject* where);
 
     QString title_;
     QString notes_;
@@ -297,10 +297,10 @@ class SceneModel : public QObject {
     QString lastName_;
     bool moved_ = false;
     bool editing_ = false;
-    bool saidRefused_ = false;
+    bool saidRejected_ = false;
     CaseContext context_;
     ReferenceCase* referenceCase_ = nullptr;  ///< from when it is asked for
-    QList<QObject*> refusedIn_;               ///< the newest last
+    QList<QObject*> rejectedIn_;              ///< the newest last
     QUndoStack history_;
 };
 

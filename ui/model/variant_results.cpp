@@ -86,18 +86,18 @@ ResultCell against(ResultCell cell, const ResultCell* reference) {
 void markBest(ResultRow& row) {
     std::vector<double> values;
     for (const ResultCell& cell : row) {
-        if (const ResultNumber* number = cell.number(); number != nullptr && cell.isLeastBest) {
+        if (const ResultNumber* number = cell.number(); number != nullptr && cell.isSmallerBetter) {
             values.push_back(std::abs(number->value));
         }
     }
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const auto [minimum, maximum] = std::minmax_element(values.begin(), values.end());
     constexpr double rounding = 1e-9;
-    if (values.size() < 2 || *most - *least <= rounding * *most) {
+    if (values.size() < 2 || *maximum - *minimum <= rounding * *maximum) {
         return;
     }
     for (ResultCell& cell : row) {
         const ResultNumber* number = cell.number();
-        if (number != nullptr && std::abs(number->value) - *least <= rounding * *most) {
+        if (number != nullptr && std::abs(number->value) - *minimum <= rounding * *maximum) {
             cell.isBest = true;
         }
     }

@@ -15,7 +15,7 @@ struct VariantResults {
     /// the page; last what else differs of other layouts. Each with its difference from the
     /// reference (the present one, where there is none).
     Results results;
-    QStringList troubles;  ///< of variants: refused, or of a file that has changed
+    QStringList troubles;  ///< of variants: rejected, or of a file that has changed
 };
 VariantResults variantResults(const SceneModel& model);
 

@@ -74,7 +74,7 @@ class ScenePage : public QWidget {
   protected:
     /// The model that a page before this one has left, else a new one.
     template <typename Model, typename... Arguments>
-    Model* takeOver(SceneModel* kept, Arguments&&... arguments) {
+    Model* adopt(SceneModel* kept, Arguments&&... arguments) {
         if (kept == nullptr) {
             kept = new Model(std::forward<Arguments>(arguments)..., this);
         }

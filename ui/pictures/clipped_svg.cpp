@@ -200,8 +200,9 @@ class ClippedSvg::Engine : public QPaintEngine {
         // Its edge runs through pixels: drawn again in smaller ones.
         constexpr double finer = 2.0;
         const auto pixels = [dense = finer * scale()](double shown, double own) {
-            constexpr double most = 4096.0;
-            return static_cast<int>(std::ceil(std::clamp(std::max(dense * shown, own), 1.0, most)));
+            constexpr double maximum = 4096.0;
+            return static_cast<int>(
+                std::ceil(std::clamp(std::max(dense * shown, own), 1.0, maximum)));
         };
         QImage cut(
             pixels(seen.width(), part.width()), pixels(seen.height(), part.height()),

@@ -64,10 +64,10 @@ PlotTitle::PlotTitle(const QString& title, double width) {
 
 PlotPainter::PlotPainter(PlotData& data) : data_(data) {}
 
-void PlotPainter::layout(const QSizeF& size, const Margins& least, bool& axesStale) {
+void PlotPainter::layout(const QSizeF& size, const Margins& minimum, bool& axesStale) {
     const bool resized = laidOut_ != size;
     laidOut_ = size;
-    layoutArea(size, least);
+    layoutArea(size, minimum);
     const std::array placed{
         data_.area.x(), data_.area.y(), data_.area.width(), data_.area.height(), data_.x.low,
         data_.x.high,   data_.left.low, data_.left.high,    data_.right.low,     data_.right.high};
@@ -124,10 +124,10 @@ void PlotPainter::chooseColumns(PlotScale& x, double pixels) const {
         data_.locale);
 }
 
-void PlotPainter::layoutArea(const QSizeF& size, const Margins& least) {
+void PlotPainter::layoutArea(const QSizeF& size, const Margins& minimum) {
     const Margins own = margins(size);
-    const double left = std::max(own.left, least.left);
-    const double right = std::max(own.right, least.right);
+    const double left = std::max(own.left, minimum.left);
+    const double right = std::max(own.right, minimum.right);
     data_.area = QRectF(left, data_.headerHeight + topGap(),
                         std::max(20.0, size_.width() - left - right), heightOfArea());
     data_.flatRoom = size_.width() - 2.0 * titleGap;

@@ -46,9 +46,9 @@ class PlotPainter {
     /// What the axes need in a picture of this size.
     Margins margins(const QSizeF& size);
     /// Places everything in a picture of this size below the header: scales, margins, ticks, lines.
-    /// @param least  the chart leaves as much room
+    /// @param minimum  the chart leaves as much room
     /// @param axesStale  the axes have changed; set where this moves them
-    void layout(const QSizeF& size, const Margins& least, bool& axesStale);
+    void layout(const QSizeF& size, const Margins& minimum, bool& axesStale);
     /// Title, image, bands, grid, axes, the reference's curves.
     void paintAxes(QPainter& painter);
     void paintCurves(QPainter& painter) const;
@@ -63,7 +63,7 @@ class PlotPainter {
         QColor colour;
     };
 
-    void layoutArea(const QSizeF& size, const Margins& least);
+    void layoutArea(const QSizeF& size, const Margins& minimum);
     double heightOfArea() const;
     /// The step of x in so many pixels.
     void chooseColumns(PlotScale& x, double pixels) const;

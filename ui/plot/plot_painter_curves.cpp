@@ -20,7 +20,7 @@ using plot::Side;
 namespace {
 
 /// A dashed curve on a wider one: its dashes, as long as the gaps that show the other, clear the
-/// ground on both sides. So both are told apart whatever their colours. In widths of the curve.
+/// ground on both sides. So both are distinguished whatever their colours. In widths of the curve.
 constexpr double cleared = 2.3;
 constexpr double dashOnAnother = 5.0;
 

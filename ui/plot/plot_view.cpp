@@ -373,7 +373,7 @@ void PlotView::layoutHeader() {
 void PlotView::layoutChart() {
     layoutHeader();
     data_.locale = locale();
-    PlotPainter::Margins most;
+    PlotPainter::Margins maximum;
     for (PlotView* other : stack_) {
         if (!other->data_.x.spec.title.isEmpty()) {
             data_.xName = other->data_.x.spec.title;
@@ -381,10 +381,10 @@ void PlotView::layoutChart() {
         if (!other->isHidden() && other->width() == width()) {
             other->data_.locale = other->locale();
             const PlotPainter::Margins theirs = other->painter_->margins(other->size());
-            most = {std::max(most.left, theirs.left), std::max(most.right, theirs.right)};
+            maximum = {std::max(maximum.left, theirs.left), std::max(maximum.right, theirs.right)};
         }
     }
-    painter_->layout(size(), most, axesStale_);
+    painter_->layout(size(), maximum, axesStale_);
     // What stands over or under this one follows, unless it is to be laid out anyway.
     for (PlotView* other : stack_) {
         if (!other->chartStale_ && other->width() == width() &&

@@ -223,8 +223,8 @@ CaseParts caseParts(ScenePage& page, const Patience& patience) {
     waitFor(page, patience, jobPatienceMs);
     if (bands != nullptr) {
         bands->findAll();
-        const QObject told;
-        QObject::connect(bands->job(), &BackgroundJob::progress, &told, [&](double part) {
+        const QObject reported;
+        QObject::connect(bands->job(), &BackgroundJob::progress, &reported, [&](double part) {
             patience.tell(ReportWords::tr("Samples of the tolerances"), part);
         });
         waitFor(page, patience, jobPatienceMs);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int figureWidth = 660;  ///< pixels, of a plot
 constexpr int narrowWidth = 480;  ///< of one that is high
-constexpr QSize mostOfPicture(660, 230);
+constexpr QSize maxOfPicture(660, 230);
 
 /// A cell's text as a fragment of HTML.
 QString cellHtml(const QString& text) {
@@ -105,7 +105,7 @@ Drawing drawingOf(QWidget* picture) {
         layOut(picture);
     }
     constexpr double larger = 1.4;  // its letters are those of a window
-    const QSize size = picture->size().scaled(mostOfPicture.boundedTo(larger * picture->size()),
+    const QSize size = picture->size().scaled(maxOfPicture.boundedTo(larger * picture->size()),
                                               Qt::KeepAspectRatio);
     return {picture->accessibleName(), picture->accessibleDescription(), size,
             [picture = QPointer(picture), size](QPainter& painter) {

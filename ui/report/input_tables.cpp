@@ -40,8 +40,8 @@ QString numberText(double number, const ShownUnit& unit = {}) {
                               : shownFormNumber(unit.factor * number, QLocale(), converted);
 }
 
-constexpr std::size_t few = 12;           ///< values that are in one cell
-constexpr std::size_t mostPrinted = 400;  ///< rows of a longer list; beyond them its bounds
+constexpr std::size_t few = 12;          ///< values that are in one cell
+constexpr std::size_t maxPrinted = 400;  ///< rows of a longer list; beyond them its bounds
 
 bool isNumbers(const Json& value) {
     return value.is_array() && std::all_of(value.begin(), value.end(),
@@ -107,15 +107,15 @@ class Inputs {
     /// Few values as they are, many by their number and bounds.
     static QString listText(const Json& list, const ShownUnit& unit) {
         if (list.size() > few && isNumbers(list)) {
-            double least = list.front().get<double>();
-            double most = least;
+            double minimum = list.front().get<double>();
+            double maximum = minimum;
             for (const Json& each : list) {
-                least = std::min(least, each.get<double>());
-                most = std::max(most, each.get<double>());
+                minimum = std::min(minimum, each.get<double>());
+                maximum = std::max(maximum, each.get<double>());
             }
             return ReportWords::tr("%1 values, %2 … %3")
                 .arg(list.size())
-                .arg(numberText(least, unit), numberText(most, unit));
+                .arg(numberText(minimum, unit), numberText(maximum, unit));
         }
         QStringList texts;
         for (const Json& each : list) {
@@ -153,17 +153,17 @@ class Inputs {
     void numberLists(const Json& json, const std::string& pointer) {
         std::map<std::size_t, std::vector<std::string>> byLength;
         for (const auto& [key, value] : json.items()) {
-            if (isNumbers(value) && value.size() > few && value.size() <= mostPrinted) {
+            if (isNumbers(value) && value.size() > few && value.size() <= maxPrinted) {
                 byLength[value.size()].push_back(key);
             }
         }
         for (const auto& [length, keys] : byLength) {
-            constexpr std::size_t mostColumns = 8;
-            constexpr std::size_t leastRows = 8;
+            constexpr std::size_t maxColumns = 8;
+            constexpr std::size_t minRows = 8;
             const bool isCounted = keys.size() == 1;  // a list alone: which value it is
             const std::size_t columns = keys.size() + (isCounted ? 1 : 0);
-            const std::size_t parts = std::clamp<std::size_t>(mostColumns / columns, 1,
-                                                              (length + leastRows - 1) / leastRows);
+            const std::size_t parts =
+                std::clamp<std::size_t>(maxColumns / columns, 1, (length + minRows - 1) / minRows);
             const std::size_t rows = (length + parts - 1) / parts;
             Table table;
             QStringList names;

@@ -57,7 +57,7 @@ class RichText {
     /// On one line.
     double natural() const { return std::ceil(document_->idealWidth()) + 1.0; }
     /// Of the longest word.
-    double least() const {
+    double minimum() const {
         QTextOption option = document_->defaultTextOption();
         option.setWrapMode(QTextOption::WordWrap);
         const std::unique_ptr<QTextDocument> copy(document_->clone());
@@ -177,17 +177,17 @@ class Strips {
 
 /// Widths of columns that fit into the page: all as wide as they like where there is room, else
 /// narrow columns first and the rest shared by those that can wrap.
-std::vector<double> shared(const std::vector<double>& natural, const std::vector<double>& least) {
+std::vector<double> shared(const std::vector<double>& natural, const std::vector<double>& minimum) {
     const double room = width - cellGap * static_cast<double>(natural.size() - 1);
     std::vector<double> widths = natural;
     const double wanted = std::accumulate(natural.begin(), natural.end(), 0.0);
     if (wanted <= room) {
         return widths;
     }
-    const double needed = std::accumulate(least.begin(), least.end(), 0.0);
+    const double needed = std::accumulate(minimum.begin(), minimum.end(), 0.0);
     if (needed >= room) {
         for (std::size_t i = 0; i < widths.size(); ++i) {
-            widths[i] = least[i] * room / needed;
+            widths[i] = minimum[i] * room / needed;
         }
         return widths;
     }
@@ -198,13 +198,13 @@ std::vector<double> shared(const std::vector<double>& natural, const std::vector
         const double limit = 0.5 * (low + high);
         double sum = 0.0;
         for (std::size_t i = 0; i < widths.size(); ++i) {
-            widths[i] = std::min(natural[i], std::max(least[i], limit));
+            widths[i] = std::min(natural[i], std::max(minimum[i], limit));
             sum += widths[i];
         }
         (sum > room ? high : low) = limit;
     }
     for (std::size_t i = 0; i < widths.size(); ++i) {
-        widths[i] = std::min(natural[i], std::max(least[i], low));
+        widths[i] = std::min(natural[i], std::max(minimum[i], low));
     }
     return widths;
 }
@@ -240,7 +240,7 @@ void Strips::operator()(const Table& table) {
         text(table.caption.toHtmlEscaped(), 11, false, pale, 9.0, true);
     }
     std::vector<double> natural(columns, 8.0);
-    std::vector<double> least(columns, 8.0);
+    std::vector<double> minimum(columns, 8.0);
     const auto cellsOf = [&](const QStringList& texts, bool bold) {
         std::vector<Cell> cells;
         for (qsizetype i = 0; i < texts.size(); ++i) {
@@ -252,9 +252,9 @@ void Strips::operator()(const Table& table) {
                 const auto column = static_cast<std::size_t>(i);
                 natural[column] = std::max(natural[column], cells.back().words.natural());
                 // Numbers stay whole.
-                least[column] =
-                    std::max(least[column], number && !bold ? cells.back().words.natural()
-                                                            : cells.back().words.least());
+                minimum[column] =
+                    std::max(minimum[column], number && !bold ? cells.back().words.natural()
+                                                              : cells.back().words.minimum());
             }
         }
         return cells;
@@ -264,7 +264,7 @@ void Strips::operator()(const Table& table) {
         rows.push_back(cellsOf(row, row.size() == 1 && columns > 1));
     }
     std::vector<Cell> head = cellsOf(table.headings, true);
-    std::vector<double> widths = shared(natural, least);
+    std::vector<double> widths = shared(natural, minimum);
     // Short tables do not tear their columns apart; the last column ends where its words do.
     int number = -1;
     if (!head.empty()) {

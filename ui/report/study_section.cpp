@@ -163,7 +163,7 @@ void addTolerances(Report& report, SceneModel& model, const Patience& patience) 
                                              .toHtmlEscaped(),
                                          Paragraph::Kind::Muted});
     }
-    for (const auto& [reason, count] : study.refused()) {
+    for (const auto& [reason, count] : study.rejected()) {
         report.items.push_back(Paragraph{ReportWords::tr("Rejected: %1 × %2")
                                              .arg(QLocale().toString(qulonglong(count)), reason)
                                              .toHtmlEscaped(),
@@ -172,8 +172,8 @@ void addTolerances(Report& report, SceneModel& model, const Patience& patience) 
     for (const QString& note : study.notes()) {
         report.items.push_back(Paragraph{note.toHtmlEscaped(), Paragraph::Kind::Warning});
     }
-    constexpr std::size_t most = 4;
-    for (std::size_t i = 0; i < std::min(most, answers->values.size()); ++i) {
+    constexpr std::size_t maximum = 4;
+    for (std::size_t i = 0; i < std::min(maximum, answers->values.size()); ++i) {
         report.items.push_back(tornadoOf(study, answers->values[i]));
     }
 }

@@ -15,7 +15,7 @@ struct CaseTab {
 };
 
 /// The bar of the open cases. Which of them have a tab it is told; in which order is the user's.
-/// With one tab there is no bar. It scrolls before its titles are too short to be told apart.
+/// With one tab there is no bar. It scrolls before its titles are too short to be distinguished.
 class CaseTabs : public QTabBar {
     Q_OBJECT
 

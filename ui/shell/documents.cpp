@@ -138,9 +138,9 @@ OpenDocument& Documents::add(std::size_t scene, int id) {
             Q_EMIT historyChanged();
         }
     });
-    connect(model, &SceneModel::refusedInChanged, this, [this, &added] {
+    connect(model, &SceneModel::rejectedInChanged, this, [this, &added] {
         if (&added == current_) {
-            Q_EMIT refusedInChanged();
+            Q_EMIT rejectedInChanged();
         }
     });
     connect(added.document, &CaseDocument::nameChanged, this, [this, &added] {
@@ -307,10 +307,10 @@ void Documents::showTab(int tab) {
 }
 
 void Documents::openLater(const QStringList& paths) {
-    constexpr std::size_t most = 200;  // a bar of more takes long, and nobody finds one there
+    constexpr std::size_t maximum = 200;  // a bar of more takes long, and nobody finds one there
     int left = 0;
     for (const QString& path : paths) {
-        if (later_.size() >= most) {
+        if (later_.size() >= maximum) {
             ++left;
             continue;
         }

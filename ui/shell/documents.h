@@ -110,7 +110,7 @@ class Documents : public QWidget {
     void titleChanged();
     void historyChanged();
     /// Something that is rejected is in the current one, or does not any more.
-    void refusedInChanged();
+    void rejectedInChanged();
     /// A line for the status bar; empty: what the scene is for.
     void status(const QString& text);
     void saved(const QString& path);

@@ -24,7 +24,7 @@
 #include <utility>
 
 #include "model/recovery.h"
-#include "page/refused_entries.h"
+#include "page/rejected_entries.h"
 #include "page/scene_page.h"
 #include "pictures/file_dialogs.h"
 #include "pictures/picture_file.h"
@@ -70,7 +70,7 @@ MainWindow::MainWindow(First first) {
     connect(documents_, &Documents::currentAsked, this, &MainWindow::leaveStart);
     connect(documents_, &Documents::lastClosed, this, &MainWindow::showStart);
     connect(documents_, &Documents::titleChanged, this, &MainWindow::updateTitle);
-    connect(documents_, &Documents::refusedInChanged, this, &MainWindow::updateHistoryActions);
+    connect(documents_, &Documents::rejectedInChanged, this, &MainWindow::updateHistoryActions);
     connect(documents_, &Documents::historyChanged, this, [this] {
         updateHistoryActions();
         if (!isAtStart()) {
@@ -369,9 +369,9 @@ void MainWindow::updateHistoryActions() {
     const SceneModel& model = *currentPage()->model();
     const QUndoStack& history = *model.history();
     // What is rejected is in no history; undo takes it back.
-    const bool isRefused = model.hasRefused();
-    show(undo_, isRefused || history.canUndo(), tr("&Undo"),
-         isRefused ? QString() : history.undoText());
+    const bool isRejected = model.hasRejected();
+    show(undo_, isRejected || history.canUndo(), tr("&Undo"),
+         isRejected ? QString() : history.undoText());
     show(redo_, history.canRedo(), tr("&Redo"), history.redoText());
 }
 
@@ -446,10 +446,10 @@ void MainWindow::openOrSayWhy(QStringList paths) {
     documents_->openLater(paths);
     troubles.removeAll(QString());
     if (!troubles.isEmpty()) {
-        constexpr qsizetype most = 10;
+        constexpr qsizetype maximum = 10;
         QMessageBox::warning(this, tr("Open case"),
-                             troubles.mid(0, most).join(QLatin1Char('\n')) +
-                                 (troubles.size() > most ? QStringLiteral("\n…") : QString()));
+                             troubles.mid(0, maximum).join(QLatin1Char('\n')) +
+                                 (troubles.size() > maximum ? QStringLiteral("\n…") : QString()));
     }
 }
 
@@ -487,7 +487,7 @@ QString MainWindow::writeReport(const QString& path, const Patience& patience) {
 }
 
 void MainWindow::exportReport() {
-    if (!goOnWithoutRefused(currentPage(), tr("Report"))) {
+    if (!goOnWithoutRejected(currentPage(), tr("Report"))) {
         return;
     }
     ReportDialog dialog(this);

@@ -133,7 +133,7 @@ bool RecoveryDialog::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool RecoveryDialog::mayThrowAway() {
-    constexpr qsizetype most = 8;  // a box has room for
+    constexpr qsizetype maximum = 8;  // a box has room for
     QStringList ticked;
     for (int row = 0; row < list_->topLevelItemCount(); ++row) {
         if (list_->topLevelItem(row)->checkState(0) == Qt::Checked) {
@@ -141,8 +141,8 @@ bool RecoveryDialog::mayThrowAway() {
         }
     }
     const qsizetype count = ticked.size();
-    if (count > most) {
-        ticked = ticked.mid(0, most) << QStringLiteral("…");
+    if (count > maximum) {
+        ticked = ticked.mid(0, maximum) << QStringLiteral("…");
     }
     return count > 0 &&
            QMessageBox::question(

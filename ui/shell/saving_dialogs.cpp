@@ -4,7 +4,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
-#include "page/refused_entries.h"
+#include "page/rejected_entries.h"
 #include "page/scene_page.h"
 #include "pictures/file_dialogs.h"
 #include "shell/documents.h"
@@ -82,14 +82,14 @@ class SavingDialogs {
                                                   : Overwrite::No;
     }
 
-    bool goOnWithout() const { return goOnWithoutRefused(document_->page, tr("Save case")); }
+    bool goOnWithout() const { return goOnWithoutRejected(document_->page, tr("Save case")); }
 
-    bool leaveRefused() const {
-        if (refusedEntries(document_->page).isEmpty()) {
+    bool leaveRejected() const {
+        if (rejectedEntries(document_->page).isEmpty()) {
             return true;
         }
         documents_->bringToFront(*document_);
-        return goOnWithoutRefused(document_->page, tr("Close case"));
+        return goOnWithoutRejected(document_->page, tr("Close case"));
     }
 
   private:
@@ -109,8 +109,8 @@ DocumentDialogs savingDialogs(Documents& documents, OpenDocument& document) {
     dialogs.saveInPlace = [ask] { return ask.saveInPlace(); };
     dialogs.elsewhere = [ask](const QString& trouble) { return ask.elsewhere(trouble); };
     dialogs.overwrite = [ask](const QString& path) { return ask.overwrite(path); };
-    dialogs.goOnWithoutRefused = [ask] { return ask.goOnWithout(); };
-    dialogs.leaveRefused = [ask] { return ask.leaveRefused(); };
+    dialogs.goOnWithoutRejected = [ask] { return ask.goOnWithout(); };
+    dialogs.leaveRejected = [ask] { return ask.leaveRejected(); };
     return dialogs;
 }
 

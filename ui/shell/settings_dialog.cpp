@@ -106,7 +106,7 @@ void SettingsDialog::build() {
               });
 
     Choices digits{{tr("automatic"), 0}};
-    for (int count = Preferences::fewestDigits; count <= Preferences::mostDigits; ++count) {
+    for (int count = Preferences::fewestDigits; count <= Preferences::maxDigits; ++count) {
         digits.append({tr("%1 significant digits").arg(count), count});
     }
     addChoice("digits", tr("&Digits of results"),
@@ -119,11 +119,11 @@ void SettingsDialog::build() {
 
     // With large text all of it may be higher than the screen.
     QScrollArea* area = scrolled(form, content_);
-    area->setMinimumWidth(form->sizeHint().width() +
-                          area->verticalScrollBar()->sizeHint().width() + 4);
-    constexpr int besides = 130;  // buttons, title and what a desktop keeps for itself
+    area->setMinimumWidth(form->sizeHint().width() + area->verticalScrollBar()->sizeHint().width() +
+                          4);
+    constexpr int reserve = 130;  // buttons, title and what a desktop keeps for itself
     area->setFixedHeight(std::min(form->sizeHint().height() + 2,
-                                  screen()->availableSize().height() - Theme::withText(besides)));
+                                  screen()->availableSize().height() - Theme::withText(reserve)));
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, content_);
     buttons->button(QDialogButtonBox::Close)->setIcon({});  // black on black in the dark theme

@@ -24,8 +24,8 @@ ScaleButton::ScaleButton(QWidget* parent) : QToolButton(parent), reader_(new Sca
     connect(reader_, &ScaleReader::lineRead, this,
             [this](const QByteArray& /*raw*/, const ScaleLine& line) {
                 showLine(line);
-                if (!reader_->refusal().isEmpty()) {
-                    Q_EMIT status(reader_->refusal());
+                if (!reader_->rejection().isEmpty()) {
+                    Q_EMIT status(reader_->rejection());
                 }
             });
     connect(reader_, &ScaleReader::weighed, this, [this](const ScaleLine& line) {

@@ -203,8 +203,9 @@ void ScaleDialog::showConnection() {
 }
 
 void ScaleDialog::showLine(const QByteArray& raw, const ScaleLine& line) {
-    const bool isRefused = line.kind == ScaleLine::Kind::garbled && !reader_->refusal().isEmpty();
-    const QString meaning = isRefused ? reader_->refusal() : meaningOf(line);
+    const bool isRejected =
+        line.kind == ScaleLine::Kind::garbled && !reader_->rejection().isEmpty();
+    const QString meaning = isRejected ? reader_->rejection() : meaningOf(line);
     lines_->appendPlainText(shownLine(raw) + QStringLiteral("  →  ") + meaning);
     // The first weight shows what the last digit is.
     if (line.kind == ScaleLine::Kind::stable && !resolution_->value() &&

@@ -197,7 +197,7 @@ QString SweepView::bestText() const {
             .arg(withUnit(shownFormNumber(unit.factor * sweep.best->size, QLocale(), 5), unit.name),
                  shownFormNumber(input.factor * sweep.best->x, QLocale(), 5),
                  percentText(sweep.best->built));
-    return sweep.best->built < Sweep::leastBuilt ? few + QLatin1Char(' ') + best : best;
+    return sweep.best->built < Sweep::minBuilt ? few + QLatin1Char(' ') + best : best;
 }
 
 void SweepView::showCurves() {

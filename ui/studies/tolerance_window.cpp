@@ -51,11 +51,11 @@ namespace {
 
 /// Room to type in, and for what is there.
 void fitTyped(QTableView* view, const std::vector<int>& columns) {
-    constexpr int least = 72;
+    constexpr int minimum = 72;
     const QAbstractItemView* cells = view;
     for (const int column : columns) {
         view->horizontalHeader()->resizeSection(
-            column, std::max(Theme::withText(least), cells->sizeHintForColumn(column) + 1));
+            column, std::max(Theme::withText(minimum), cells->sizeHintForColumn(column) + 1));
     }
 }
 
@@ -93,8 +93,9 @@ ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     setObjectName(QStringLiteral("tolerances"));
     constexpr QSize roomy(1120, 680);
     const QScreen* on = parent != nullptr ? parent->screen() : screen();
-    const QSize most = on->availableSize() - QSize(40, 60);
-    resize(QSize(Theme::withText(roomy.width()), Theme::withText(roomy.height())).boundedTo(most));
+    const QSize maximum = on->availableSize() - QSize(40, 60);
+    resize(
+        QSize(Theme::withText(roomy.width()), Theme::withText(roomy.height())).boundedTo(maximum));
     auto* row = new QVBoxLayout(this);
     auto* parts = new QSplitter(this);
     parts->addWidget(makeInputs());
@@ -135,7 +136,7 @@ void ToleranceWindow::addKeys() {
     for (const TableEditor* editor : {inputs_, watched_}) {
         connect(scene, &SceneModel::broughtIn,
                 qobject_cast<EditableTable*>(editor->view()->model()),
-                &EditableTable::forgetRefused);
+                &EditableTable::forgetRejected);
         editor->view()->installEventFilter(this);
     }
 }
@@ -144,7 +145,7 @@ bool ToleranceWindow::eventFilter(QObject* object, QEvent* event) {
     const int key = event->type() == QEvent::KeyPress ? static_cast<QKeyEvent*>(event)->key() : 0;
     if (key == Qt::Key_Escape) {
         // In a table it gives up what is typed, or was rejected; it does not close the window.
-        (object == inputs_->view() ? inputs_ : watched_)->takeBackRefused();
+        (object == inputs_->view() ? inputs_ : watched_)->takeBackRejected();
         return true;
     }
     if (key == Qt::Key_Delete && object == watched_->view()) {
@@ -232,18 +233,18 @@ QWidget* ToleranceWindow::makeInputs() {
             [this](const QVariant& pointer) { watch(pointer.toString().toStdString()); });
     column->addWidget(watchable_);
     watched_ = edit(new WatchTable(model_), tr("Results to watch"),
-                    tr("Remove the selected results"), {WatchTable::Least, WatchTable::Most});
+                    tr("Remove the selected results"), {WatchTable::Minimum, WatchTable::Maximum});
     column->addWidget(watched_, 2);
     for (TableEditor* table : {inputs_, watched_}) {
         page_->addTable(table);
     }
     // Where it comes and goes nothing moves: a click goes where it was meant to. What is more than
     // its lines scrolls.
-    refused_ = new TroubleLine(holder);
-    refused_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    QScrollArea* lines = scrolled(refused_, holder);
+    rejected_ = new TroubleLine(holder);
+    rejected_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    QScrollArea* lines = scrolled(rejected_, holder);
     constexpr int shownLines = 4;
-    lines->setFixedHeight(shownLines * QFontMetrics(refused_->font()).lineSpacing() + 2);
+    lines->setFixedHeight(shownLines * QFontMetrics(rejected_->font()).lineSpacing() + 2);
     column->addWidget(lines);
     for (const std::size_t table : {0U, 1U}) {
         const TableEditor* editor = table == 0 ? inputs_ : watched_;
@@ -252,8 +253,8 @@ QWidget* ToleranceWindow::makeInputs() {
                     troubles_[table] = trouble;
                     QStringList all(troubles_.begin(), troubles_.end());
                     all.removeAll(QString());
-                    refused_->say(all.join(QLatin1Char('\n')));
-                    refused_->setToolTip(refused_->text());
+                    rejected_->say(all.join(QLatin1Char('\n')));
+                    rejected_->setToolTip(rejected_->text());
                     if (table == 0) {
                         showAnswers();  // they are without what is rejected
                     }
@@ -277,8 +278,8 @@ QWidget* ToleranceWindow::makeAnswers() {
         return box;
     };
     method_ = chooser(tr("M&ethod"), "method");
-    constexpr int leastChooser = 90;  // they give way where the text is large
-    method_->setMinimumWidth(Theme::withText(leastChooser));
+    constexpr int minChooser = 90;  // they give way where the text is large
+    method_->setMinimumWidth(Theme::withText(minChooser));
     for (const studies::Method method :
          {studies::Method::sobol, studies::Method::monte_carlo, studies::Method::linear}) {
         const auto number = static_cast<std::size_t>(method);
@@ -289,7 +290,7 @@ QWidget* ToleranceWindow::makeAnswers() {
         model_->setMethod(static_cast<studies::Method>(method_->currentData().toInt()));
     });
     samples_ = chooser(tr("&Samples"), "samples");
-    samples_->setMinimumWidth(Theme::withText(leastChooser));
+    samples_->setMinimumWidth(Theme::withText(minChooser));
     connect(samples_, &QComboBox::activated, this,
             [this](int index) { model_->setSamples(samples_->itemData(index).toULongLong()); });
     row->addStretch();
@@ -305,8 +306,8 @@ QWidget* ToleranceWindow::makeAnswers() {
     connect(bands, &QCheckBox::toggled, &ToleranceSwitch::instance(), &ToleranceSwitch::setOn);
     connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, bands, &QCheckBox::setChecked);
     auto* progress = new JobProgress(model_->job(), tr("Progress"), holder);
-    constexpr int leastProgress = 60;  // beside long words
-    progress->setMinimumWidth(Theme::withText(leastProgress));
+    constexpr int minProgress = 60;  // beside long words
+    progress->setMinimumWidth(Theme::withText(minProgress));
     auto* below = new QHBoxLayout;
     below->addWidget(bands, 1);
     below->addWidget(progress);
@@ -361,9 +362,9 @@ QWidget* ToleranceWindow::makeFound() {
     });
     constexpr int shownRows = 4;
     table_->setShownRows(shownRows);
-    constexpr int leastHeight = 60;  // further rows scroll
-    table_->setMinimumHeight(Theme::withText(leastHeight));
-    table_->setWordWrap(true);  // names that begin alike are told apart by their ends
+    constexpr int minHeight = 60;  // further rows scroll
+    table_->setMinimumHeight(Theme::withText(minHeight));
+    table_->setWordWrap(true);  // names that begin alike are distinguished by their ends
     growRowsWithWords(*table_);
     column->addWidget(table_, 2);
     words_ = captionLabel({}, holder);
@@ -384,9 +385,9 @@ QWidget* ToleranceWindow::makeFound() {
     tabs_->addTab(histogram_, tr("Histogram"));
     sweep_ = new SweepView(model_, tabs_);
     addScrolledTab(tabs_, sweep_, QStringLiteral("sweep"), tr("Sweep"));
-    constexpr int leastTab = 220;  // narrower than what is in it, it scrolls sideways
+    constexpr int minTab = 220;  // narrower than what is in it, it scrolls sideways
     for (QScrollArea* tab : tabs_->findChildren<QScrollArea*>()) {
-        tab->setMinimumWidth(Theme::withText(leastTab));
+        tab->setMinimumWidth(Theme::withText(minTab));
     }
     column->addWidget(tabs_, 5);
     return holder;
@@ -410,7 +411,7 @@ void ToleranceWindow::watch(const std::string& pointer) {
     QTableView* view = watched_->view();
     if (at != watch.end()) {
         view->setCurrentIndex(
-            view->model()->index(static_cast<int>(at - watch.begin()), WatchTable::Least));
+            view->model()->index(static_cast<int>(at - watch.begin()), WatchTable::Minimum));
     }
     view->setFocus();
 }
@@ -462,11 +463,11 @@ void ToleranceWindow::showFound() {
     fitTitles(tabs_);
     QStringList lines;
     ResultRows rows;
-    const QStringList refused =
-        static_cast<const ScatterTable*>(inputs_->view()->model())->refusedNames();
-    if (!refused.isEmpty()) {
+    const QStringList rejected =
+        static_cast<const ScatterTable*>(inputs_->view()->model())->rejectedNames();
+    if (!rejected.isEmpty()) {
         lines << tr("Out of date: these tolerances were not accepted: %1.")
-                     .arg(refused.join(QStringLiteral(", ")));
+                     .arg(rejected.join(QStringLiteral(", ")));
     }
     if (const QString gone = model_->goneMethod(); !gone.isEmpty()) {
         lines << tr("The method of this case, %1, is no longer available. Sobol points are used; "
@@ -493,17 +494,17 @@ void ToleranceWindow::showFound() {
         if (studies::is_sampled(model_->study().method)) {
             lines << tr("Samples solved: %1").arg(QLocale().toString(answers->solved));
         }
-        for (const auto& [reason, count] : model_->refused()) {
+        for (const auto& [reason, count] : model_->rejected()) {
             lines << tr("Rejected: %1 × %2").arg(QLocale().toString(count), reason);
         }
         lines << model_->notes();
     }
     const Theme& theme = Theme::instance();
     QPalette ink = table_->palette();
-    ink.setColor(QPalette::Text, !refused.isEmpty()  ? theme.warning()
+    ink.setColor(QPalette::Text, !rejected.isEmpty() ? theme.warning()
                                  : model_->isStale() ? theme.mutedText()
                                                      : theme.text());
-    colourText(words_, refused.isEmpty() ? &Theme::mutedText : &Theme::warning);
+    colourText(words_, rejected.isEmpty() ? &Theme::mutedText : &Theme::warning);
     table_->setPalette(ink);
     table_->setRows(rows);
     for (int row = 0; row < rows.size(); ++row) {

@@ -73,7 +73,7 @@ class ToleranceWindow : public QDialog {
     QPushButton* use_ = nullptr;
     ResultTable* table_ = nullptr;
     QLabel* words_ = nullptr;
-    TroubleLine* refused_ = nullptr;
+    TroubleLine* rejected_ = nullptr;
     std::array<QString, 2> troubles_;  ///< of inputs and of watched results
     TornadoView* tornado_ = nullptr;
     PlotView* histogram_ = nullptr;

@@ -22,8 +22,8 @@ QString errorText(const std::exception& error) {
         input != nullptr && byPointer) {
         return messageText(input->message());
     }
-    if (const auto* refused = dynamic_cast<const RefusedInput*>(&error)) {
-        return refused->said();
+    if (const auto* rejected = dynamic_cast<const RejectedInput*>(&error)) {
+        return rejected->said();
     }
     const auto* input = dynamic_cast<const InputError*>(&error);
     return input == nullptr ? QString::fromUtf8(error.what()) : FieldNames().errorText(*input);

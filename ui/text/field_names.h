@@ -49,9 +49,9 @@ class FieldNames {
 };
 
 /// An input that a model rejects, with what the window says of it.
-class RefusedInput : public InputError {
+class RejectedInput : public InputError {
   public:
-    RefusedInput(const InputError& error, QString said)
+    RejectedInput(const InputError& error, QString said)
         : InputError(error), said_(std::move(said)) {}
 
     const QString& said() const noexcept { return said_; }

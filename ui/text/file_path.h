@@ -16,8 +16,8 @@ inline std::filesystem::path fsPath(const QString& path) {
 /// "ЗМЗ-53 № 1234/56" is "ЗМЗ-53_1234_56". Empty where nothing stays.
 inline QString asFileName(const QString& text) {
     static const QRegularExpression other(QStringLiteral("[^\\p{L}\\p{N}-]+"));
-    constexpr qsizetype most = 60;  // a system counts bytes, 255 at most
-    QString name = text.trimmed().replace(other, QStringLiteral("_")).left(most);
+    constexpr qsizetype maximum = 60;  // a system counts bytes, 255 at most
+    QString name = text.trimmed().replace(other, QStringLiteral("_")).left(maximum);
     static const QRegularExpression around(QStringLiteral("^[_-]+|[_-]+$"));
     return name.remove(around);
 }

@@ -64,11 +64,11 @@ QString formNumber(double value, const QLocale& locale, int significant) {
 }
 
 QString writtenOut(double value, const QLocale& locale, int significant) {
-    constexpr double least = 1e-9;
-    constexpr double most = 1e15;
+    constexpr double minimum = 1e-9;
+    constexpr double maximum = 1e15;
     const QString text = formNumber(value, locale, significant);
-    if (!text.contains(locale.exponential(), Qt::CaseInsensitive) || std::abs(value) < least ||
-        std::abs(value) >= most) {
+    if (!text.contains(locale.exponential(), Qt::CaseInsensitive) || std::abs(value) < minimum ||
+        std::abs(value) >= maximum) {
         return text;
     }
     const int first = static_cast<int>(std::floor(std::log10(std::abs(value))));

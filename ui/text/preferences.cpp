@@ -24,7 +24,7 @@ Preferences& Preferences::instance() {
 
 void Preferences::load() {
     const int digits = QSettings().value(digitsKey, 0).toInt();
-    digits_ = digits < fewestDigits ? 0 : std::min(digits, mostDigits);
+    digits_ = digits < fewestDigits ? 0 : std::min(digits, maxDigits);
     for (std::size_t i = 0; i < units_.size(); ++i) {
         const int chosen = QSettings().value(unitsKey(i), 0).toInt();
         units_[i] = chosen >= 0 && chosen <= static_cast<int>(Units::OunceInch)

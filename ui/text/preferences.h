@@ -22,7 +22,7 @@ class Preferences : public QObject {
     int digits() const { return digits_; }
     void setDigits(int digits);
     static constexpr int fewestDigits = 3;
-    static constexpr int mostDigits = 8;
+    static constexpr int maxDigits = 8;
 
     /// What can be shown in other units than its own.
     enum Quantity { Length, Mass, Torque, Force, Speed, Unbalance };
@@ -44,8 +44,8 @@ class Preferences : public QObject {
     /// The code of the language in use; empty: the desktop's.
     QString language() const;
     void setLanguage(const QString& code);
-    /// Something else has changed that shows only in what is made anew, for example the size of the
-    /// text.
+    /// Something else has changed that shows only in what is made again, for example the size of
+    /// the text.
     void tell() { Q_EMIT changed(); }
 
   Q_SIGNALS:

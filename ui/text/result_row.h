@@ -49,9 +49,10 @@ struct ResultCell {
 
     QString text;
     QVector<ResultNumber> numbers;
-    QString pattern;           ///< of two
-    bool isLeastBest = false;  ///< of several designs the one with the smallest number is the best
-    bool isBest = false;       ///< it is that one
+    QString pattern;  ///< of two
+    bool isSmallerBetter =
+        false;            ///< of several designs the one with the smallest number is the best
+    bool isBest = false;  ///< it is that one
     std::optional<ShownDifference> fromOther = {};  ///< as it differs from that of another design
 
     /// With a star where it is the best.

@@ -58,8 +58,8 @@ const Change* changeOf(const auto& isOwn) {
 
 /// Kilograms that are wanted as they are.
 bool staysInKilograms(const Field& field) {
-    constexpr double leastOfRotors = 0.1;  // kg; parts may weigh next to nothing
-    return field.unit.name == units::kg.name && field.range.min >= leastOfRotors &&
+    constexpr double minOfRotors = 0.1;  // kg; parts may weigh next to nothing
+    return field.unit.name == units::kg.name && field.range.min >= minOfRotors &&
            Preferences::instance().units(Preferences::Mass) == System::Gram;
 }
 

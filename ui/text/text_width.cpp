@@ -6,14 +6,14 @@
 namespace ravnoves {
 
 qreal textWidth(const QFont& font, const QString& text) {
-    constexpr qsizetype most = 8192;  // texts; a long day's are fewer
+    constexpr qsizetype maximum = 8192;  // texts; a long day's are fewer
     static QHash<QFont, QHash<QString, qreal>> measured;
     static qsizetype count = 0;
     QString shape = text;
     for (QChar& sign : shape) {
         sign = sign.isDigit() ? QLatin1Char('0') : sign;
     }
-    if (count > most) {
+    if (count > maximum) {
         measured.clear();
         count = 0;
     }

@@ -242,7 +242,7 @@ namespace {
 
 /// A decimal comma whose fraction ends in 0 is hardly one: "8,10" is 8 and 10, or 8.1.
 /// @param isUsual  only then
-void refuseEitherNumbers(const QString& word, const Message& where, bool isUsual) {
+void rejectEitherNumbers(const QString& word, const Message& where, bool isUsual) {
     static const QRegularExpression either(QStringLiteral("^([-−+]?\\d+)[,б](\\d+)(?!\\d)"));
     const auto match = either.match(word);
     if (!match.hasMatch() || (isUsual && !match.captured(2).endsWith(QLatin1Char('0')))) {
@@ -274,7 +274,7 @@ std::vector<double> readNumberList(const QString& typed, const Field& field, con
     std::vector<double> values;
     for (const QString& word : whole.split(between, Qt::SkipEmptyParts)) {
         auto value = readTypedNumber(word, shown.name).value;
-        refuseEitherNumbers(
+        rejectEitherNumbers(
             word, where,
             named == nullptr || !value || named->is_usual(*value / shown.factor * field.unit));
         const auto si = named != nullptr ? named->find(word.toStdString()) : std::nullopt;

@@ -44,8 +44,9 @@ class ThemedIconEngine : public QIconEngine {
         QPainter painter(&pixmap);
         paint(&painter, QRect(QPoint(), size), mode, state);
         painter.end();
-        constexpr std::size_t most = 4;  // a button's states; of a theme or a scale before no more
-        if (drawn_.size() == most) {
+        constexpr std::size_t maximum =
+            4;  // a button's states; of a theme or a scale before no more
+        if (drawn_.size() == maximum) {
             drawn_.erase(drawn_.begin());
         }
         drawn_.push_back({colour, pixmap});

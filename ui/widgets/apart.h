@@ -5,8 +5,8 @@
 namespace ravnoves {
 
 /// Holds a label whose text changes at every step of a drag. No layout stands between them: the
-/// page is laid out anew only where the text takes another height, and under a hand that drags only
-/// where it takes more.
+/// page is laid out again only where the text takes another height, and under a hand that drags
+/// only where it takes more.
 class Apart : public QWidget {
     Q_OBJECT
 

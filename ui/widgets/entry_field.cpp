@@ -35,7 +35,7 @@ EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
             readText();
         }
         if (!trouble_.isEmpty() && model_ != nullptr) {
-            model_->noteRefused(this, true);  // another text is rejected now
+            model_->noteRejected(this, true);  // another text is rejected now
         }
     });
     connect(this, &QLineEdit::editingFinished, this, [this] {
@@ -49,9 +49,9 @@ EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
 
 void EntryField::setModel(SceneModel* model) {
     model_ = model;
-    connect(model, &SceneModel::refused, this, [this](const QString& why) {
+    connect(model, &SceneModel::rejected, this, [this](const QString& why) {
         if (isPassing_) {
-            refusal_ = why;
+            rejection_ = why;
         }
     });
     connect(model, &SceneModel::changed, this, [this] {
@@ -149,7 +149,7 @@ void EntryField::setTrouble(const QString& trouble, bool isOfModel) {
         return;
     }
     if (model_ != nullptr) {
-        model_->noteRefused(this, !trouble.isEmpty());
+        model_->noteRejected(this, !trouble.isEmpty());
     }
     sayTrouble(trouble);
 }

@@ -11,12 +11,12 @@ namespace ravnoves {
 /// The base of every field that reads a value out of typed text.
 ///
 /// The value follows while one types, but only a whole valid text counts: as soon as the text is
-/// refused, the value from before the editing holds again. A refused text is never thrown away and
-/// never becomes another value by itself: it stays, with a red frame and with trouble() as text,
-/// until it is corrected, Escape brings the old value back, or another value is set. Escape undoes
-/// the whole editing since it was saved, valid values on the way as well. Other values may mend
-/// what the model rejected: while they change, trouble() says so, and once they are given the text
-/// is tried again, as a step of its own.
+/// rejected, the value from before the editing holds again. A rejected text is never thrown away
+/// and never becomes another value by itself: it stays, with a red frame and with trouble() as
+/// text, until it is corrected, Escape brings the old value back, or another value is set. Escape
+/// undoes the whole editing since it was saved, valid values on the way as well. Other values may
+/// mend what the model rejected: while they change, trouble() says so, and once they are given the
+/// text is tried again, as a step of its own.
 ///
 /// A click that gives it the focus selects all of it, as Tab does: what is typed then takes its
 /// place, and joins no digits. The next click sets the cursor.
@@ -91,7 +91,7 @@ class EntryField : public QLineEdit {
         isPassing_ = true;
         passing();
         isPassing_ = false;
-        return std::exchange(refusal_, {});
+        return std::exchange(rejection_, {});
     }
     /// Makes tooltip and description again.
     void describe();
@@ -111,7 +111,7 @@ class EntryField : public QLineEdit {
     QString trouble_;
     QString note_;  ///< that a text was cut
     QString howRead_;
-    QString refusal_;
+    QString rejection_;
     QString shown_;  ///< text of the value that was shown last
     bool editing_ = false;
     bool isEntered_ = false;  ///< by a click that is not over
@@ -190,7 +190,7 @@ class ValueEntry : public EntryField {
         const Reading reading = read(text().trimmed());
         sayHowRead(reading.howRead);
         if (!reading.trouble.isEmpty()) {
-            refuse(reading.trouble);
+            reject(reading.trouble);
             return;
         }
         setTrouble({});
@@ -198,17 +198,17 @@ class ValueEntry : public EntryField {
             bringBack();
         } else if (!same(reading.value, value_)) {
             value_ = reading.value;
-            const QString refusal = passedOn([this] { passOn(); });
-            if (refusal.isEmpty()) {
+            const QString rejection = passedOn([this] { passOn(); });
+            if (rejection.isEmpty()) {
                 isTaken_ = true;
             } else {
-                refuse(refusal, true);
+                reject(rejection, true);
             }
         }
     }
 
   private:
-    void refuse(const QString& why, bool isOfModel = false) {
+    void reject(const QString& why, bool isOfModel = false) {
         bringBack();
         if (isEditing()) {
             setTrouble(why, isOfModel);

@@ -58,7 +58,7 @@ FieldSlider::FieldSlider(SceneModel* model, const char* pointer, const SliderSca
     connect(this, &ValueSlider::released, model, &SceneModel::finishDrag);
     connect(slider(), &QSlider::sliderReleased, this, &FieldSlider::follow);
     connect(model, &SceneModel::changed, this, &FieldSlider::follow);
-    connect(model, &SceneModel::refused, this, [this](const QString& why) {
+    connect(model, &SceneModel::rejected, this, [this](const QString& why) {
         if (box()->isEditing()) {
             setBesideTyped(own_.read());
         } else if (!why.isEmpty() && value() != own_.read()) {

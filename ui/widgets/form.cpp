@@ -193,7 +193,7 @@ QComboBox* Form::choice(const char* pointer, std::function<QString(int)> write) 
     }
     current_->addWidget(shownText(entry.field.label), box, {}, fieldHint(entry.field));
     auto* trouble = new TroubleLine(current_);
-    trouble->setObjectName(box->objectName() + QStringLiteral("Refused"));
+    trouble->setObjectName(box->objectName() + QStringLiteral("Rejected"));
     current_->addWide(trouble);
     if (!write) {
         write = [this, place = entry.pointer, name = fieldName(entry.field)](int value) {
@@ -273,7 +273,7 @@ void Form::showAll() {
     }
 }
 
-QStringList Form::refused() const {
+QStringList Form::rejected() const {
     QStringList list;
     for (const EntryField* field : findChildren<EntryField*>()) {
         if (!field->trouble().isEmpty()) {

@@ -72,7 +72,7 @@ class Form : public QWidget {
     void follow(std::function<void()> show);
 
     /// Entries that are rejected now: "Crank radius r, mm: The value must be greater than 0 mm."
-    QStringList refused() const;
+    QStringList rejected() const;
 
   protected:
     SceneModel* model() const { return model_; }

@@ -45,9 +45,9 @@ class Scrolled final : public QScrollArea {
     }
 
     QSize minimumSizeHint() const override {
-        constexpr int leastHeight = 60;
+        constexpr int minHeight = 60;
         const int bar = verticalScrollBar()->sizeHint().width();
-        return {widget()->minimumSizeHint().width() + bar + 2, Theme::withText(leastHeight)};
+        return {widget()->minimumSizeHint().width() + bar + 2, Theme::withText(minHeight)};
     }
 
   protected:
@@ -207,9 +207,9 @@ class NamedRow final : public QWidget {
     }
 
     QSize minimumSizeHint() const override {
-        const int least =
+        const int minimum =
             std::max(name_->minimumSizeHint().width(), field_->minimumSizeHint().width());
-        return {least, QWidget::minimumSizeHint().height()};
+        return {minimum, QWidget::minimumSizeHint().height()};
     }
 
   protected:
@@ -233,9 +233,9 @@ class NamedRow final : public QWidget {
         // What one types in scrolls: it leaves the name one line.
         const bool isText = qobject_cast<const QLineEdit*>(field_) != nullptr;
         const int whole = std::max(widthFor(field_), numbers);
-        const int least = std::max(numbers, field_->minimumWidth());
+        const int minimum = std::max(numbers, field_->minimumWidth());
         const int wanted =
-            isText ? std::clamp(width() - words - Theme::space, least, std::max(whole, least))
+            isText ? std::clamp(width() - words - Theme::space, minimum, std::max(whole, minimum))
                    : whole;
         const bool folded = width() < words + Theme::space + wanted;
         if (folded != folded_) {

@@ -98,11 +98,11 @@ NumberField::Reading NumberField::read(const QString& typed) const {
     if (!range_.contains(*number)) {
         return {{}, tr("The value %1.").arg(rangeText(range_, unit_))};
     }
-    constexpr double mostThousands = 100'000.0;  // of any quantity that is typed so
+    constexpr double maxThousands = 100'000.0;  // of any quantity that is typed so
     const double thousand = 1000.0 * *number;
     const bool isEither =
-        saysHowRead_ && !unit_.isEmpty() && thousand <= mostThousands &&
-        range_.contains(thousand) && typed.back().isDigit() &&
+        saysHowRead_ && !unit_.isEmpty() && thousand <= maxThousands && range_.contains(thousand) &&
+        typed.back().isDigit() &&
         may_have_thousands(
             QString(typed).replace(QLatin1Char('.'), QLatin1Char(',')).toStdString());
     constexpr int digits = 15;  // 2 in are 50.8 mm, not 50.799999999999997

@@ -29,12 +29,12 @@ class GroupBar : public QTabBar {
 };
 
 /// 0 for none.
-int leastWidth(const QWidget* widget) {
+int minWidth(const QWidget* widget) {
     return widget != nullptr ? std::max(widget->minimumWidth(), widget->minimumSizeHint().width())
                              : 0;
 }
 
-int leastHeight(const QWidget* widget) {
+int minHeight(const QWidget* widget) {
     return std::max(widget->minimumHeight(), widget->minimumSizeHint().height());
 }
 
@@ -45,11 +45,11 @@ PageColumns::PageColumns(const Parts& parts, QWidget* parent)
       parts_(parts),
       grid_(new QGridLayout(this)),
       results_(scrolled(parts.results, this)),
-      resultsWidth_(leastWidth(parts.results) + results_->verticalScrollBar()->sizeHint().width() +
+      resultsWidth_(minWidth(parts.results) + results_->verticalScrollBar()->sizeHint().width() +
                     2),
-      inputsLeast_(leastWidth(parts.inputs)),
-      inputsAlone_(parts.narrowest > 0 ? parts.narrowest : inputsLeast_),
-      inputsMost_(parts.inputs->maximumWidth()) {
+      inputsMin_(minWidth(parts.inputs)),
+      inputsAlone_(parts.narrowest > 0 ? parts.narrowest : inputsMin_),
+      inputsMax_(parts.inputs->maximumWidth()) {
     grid_->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     grid_->setSpacing(Theme::space);
     placeTop(false);
@@ -73,11 +73,11 @@ int PageColumns::inputsWidth() {
 }
 
 PageColumns::Fold PageColumns::foldFor(int width) const {
-    const int two = inputsLeast_ + 3 * Theme::space;
+    const int two = inputsMin_ + 3 * Theme::space;
     if (parts_.plots == nullptr) {
         return width >= two + resultsWidth_ ? Fold::None : Fold::Plots;
     }
-    const int plots = std::max(leastWidth(parts_.plots), leastWidth(parts_.top));
+    const int plots = std::max(minWidth(parts_.plots), minWidth(parts_.top));
     const int roomy = std::max(Theme::withText(plotsWidth), plots);
     if (width >= two + roomy + resultsWidth_ + Theme::space) {
         return Fold::None;
@@ -115,7 +115,7 @@ void PageColumns::arrange() {
 void PageColumns::foldResults(bool folded) {
     if (folded) {
         grid_->removeWidget(results_);
-        most_ = results_->maximumWidth();
+        maximum_ = results_->maximumWidth();
         results_->setMinimumWidth(0);
         results_->setMaximumWidth(QWIDGETSIZE_MAX);
         parts_.tabs->addTab(results_, tr("Results"));
@@ -123,16 +123,16 @@ void PageColumns::foldResults(bool folded) {
         parts_.tabs->removeTab(parts_.tabs->indexOf(results_));
         grid_->addWidget(results_, 1, 2);
         results_->setMinimumWidth(resultsWidth_);
-        results_->setMaximumWidth(most_);
+        results_->setMaximumWidth(maximum_);
         results_->show();
     }
     grid_->setColumnStretch(2, folded ? 0 : parts_.resultShare);
 }
 
 void PageColumns::foldPlots(bool folded) {
-    parts_.inputs->setMaximumWidth(folded ? QWIDGETSIZE_MAX : inputsMost_);
-    if (inputsAlone_ < inputsLeast_) {
-        parts_.inputs->setMinimumWidth(folded ? inputsAlone_ : inputsLeast_);
+    parts_.inputs->setMaximumWidth(folded ? QWIDGETSIZE_MAX : inputsMax_);
+    if (inputsAlone_ < inputsMin_) {
+        parts_.inputs->setMinimumWidth(folded ? inputsAlone_ : inputsMin_);
     }
     grid_->setColumnStretch(0, folded ? 1 : 0);
     if (parts_.plots == nullptr) {
@@ -157,8 +157,7 @@ void PageColumns::resizeEvent(QResizeEvent* event) {
 QSize PageColumns::minimumSizeHint() const {
     const QSize all = QWidget::minimumSizeHint();
     const int narrowest =
-        std::max({inputsAlone_, leastWidth(parts_.plots), leastWidth(parts_.top)}) +
-        2 * Theme::space;
+        std::max({inputsAlone_, minWidth(parts_.plots), minWidth(parts_.top)}) + 2 * Theme::space;
     return {std::min(all.width(), narrowest), all.height()};
 }
 
@@ -240,14 +239,14 @@ void FittedTabs::showGroup() {
 int FittedTabs::barHeight() const {
     int highest = 0;
     for (int i = 0; i < count(); ++i) {
-        highest = std::max(highest, leastHeight(widget(i)));
+        highest = std::max(highest, minHeight(widget(i)));
     }
     return QTabWidget::minimumSizeHint().height() - highest;
 }
 
 QSize FittedTabs::minimumSizeHint() const {
     const QSize all = QTabWidget::minimumSizeHint();
-    return count() == 0 ? all : QSize(all.width(), barHeight() + leastHeight(currentWidget()));
+    return count() == 0 ? all : QSize(all.width(), barHeight() + minHeight(currentWidget()));
 }
 
 bool FittedTabs::hasHeightForWidth() const {

@@ -54,10 +54,10 @@ class PageColumns : public QWidget {
     QGridLayout* grid_;
     QScrollArea* results_;
     int resultsWidth_;  ///< that they need beside the plots
-    int inputsLeast_;   ///< width that they need
+    int inputsMin_;     ///< width that they need
     int inputsAlone_;   ///< … where they stand alone
-    int inputsMost_;
-    int most_ = 0;
+    int inputsMax_;
+    int maximum_ = 0;
     Fold fold_ = Fold::None;
 };
 

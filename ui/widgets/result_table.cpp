@@ -31,8 +31,8 @@ namespace ravnoves {
 namespace {
 
 constexpr int padding = 9;
-constexpr int leastPadding = 6;    ///< what a cell leaves beside its text
-constexpr int leastOfWords = 110;  ///< designed pixels
+constexpr int minPadding = 6;    ///< what a cell leaves beside its text
+constexpr int minOfWords = 110;  ///< designed pixels
 /// Of a cell: its difference, absolute and percent.
 constexpr int differenceRole = Qt::UserRole + 1;
 /// Of a cell: its ±.
@@ -59,25 +59,25 @@ int smallHeight() {
 
 /// Decimals with which two digits of the larger side are shown.
 int decimalsOf(const ResultTable::Spread& spread) {
-    const double most = std::max(spread.below, spread.above);
-    return std::clamp(1 - static_cast<int>(std::floor(std::log10(most))), 0, 9);
+    const double maximum = std::max(spread.below, spread.above);
+    return std::clamp(1 - static_cast<int>(std::floor(std::log10(maximum))), 0, 9);
 }
 
 /// So many digits that two of the larger side say something, beside this number.
 QString spreadText(const ResultTable::Spread& spread, const ResultNumber& number) {
-    const double most = std::max(spread.below, spread.above);
-    const double least = std::min(spread.below, spread.above);
+    const double maximum = std::max(spread.below, spread.above);
+    const double minimum = std::min(spread.below, spread.above);
     const int decimals = std::min(decimalsOf(spread), number.decimals.value_or(9) + 1);
-    if (most < 0.5 * std::pow(10.0, -decimals)) {
+    if (maximum < 0.5 * std::pow(10.0, -decimals)) {
         return QStringLiteral("± 0");  // far less than the number's last digit
     }
     const auto shown = [&](double size) {
-        return most < 1e-9 || most >= 1e9               ? formNumber(size, QLocale(), 2)
+        return maximum < 1e-9 || maximum >= 1e9         ? formNumber(size, QLocale(), 2)
                : size < 0.5 * std::pow(10.0, -decimals) ? QStringLiteral("0")
                                                         : fixedDecimals(size, decimals, QLocale());
     };
     constexpr double alike = 0.1;
-    return least < 0.0 || most - least < alike * most
+    return minimum < 0.0 || maximum - minimum < alike * maximum
                ? QStringLiteral("± ") + shown(0.5 * (spread.below + spread.above))
                : QStringLiteral("+%1 −%2").arg(shown(spread.above), shown(spread.below));
 }
@@ -400,7 +400,7 @@ int ResultTable::wantedWidth(int column) const {
             width = std::max(width, qCeil(textWidth(smallFont(), line)));
         }
     }
-    return width + (isSmall(*this) ? leastPadding : padding);
+    return width + (isSmall(*this) ? minPadding : padding);
 }
 
 void ResultTable::fitColumns() {
@@ -421,7 +421,7 @@ void ResultTable::fitColumns() {
             if (stretched_.contains(column)) {
                 // Words that are long end in dots rather than take the numbers' room.
                 const int whole = width;
-                width = std::min(width, std::max(Theme::withText(leastOfWords), 2 * room / 5));
+                width = std::min(width, std::max(Theme::withText(minOfWords), 2 * room / 5));
                 cut += whole - width;
             } else if (grows) {
                 width = std::max(width, columnWidth(column));
@@ -435,25 +435,25 @@ void ResultTable::fitColumns() {
         room_ = static_cast<Room>(static_cast<int>(room_) + 1);
     }
     // Before the numbers scroll, words end in dots sooner.
-    const int least = Theme::withText(leastOfWords);
+    const int minimum = Theme::withText(minOfWords);
     int spare = 0;
     int visibleColumns = 0;
     for (int column = 0; column < columnCount(); ++column) {
         visibleColumns += isColumnHidden(column) ? 0 : 1;
         const int width = widths[static_cast<std::size_t>(column)];
-        spare += stretched_.contains(column) ? std::max(0, width - least) : 0;
+        spare += stretched_.contains(column) ? std::max(0, width - minimum) : 0;
     }
     for (int column = 0; column < columnCount() && sum - spare <= room; ++column) {
         int& width = widths[static_cast<std::size_t>(column)];
-        if (stretched_.contains(column) && sum > room && width > least) {
-            const int given = std::min(sum - room, width - least);
+        if (stretched_.contains(column) && sum > room && width > minimum) {
+            const int given = std::min(sum - room, width - minimum);
             width -= given;
             sum -= given;
             spare -= given;
         }
     }
     // Nor do they scroll where closer they have room.
-    const int closer = isSmall(*this) ? 0 : padding - leastPadding;
+    const int closer = isSmall(*this) ? 0 : padding - minPadding;
     if (sum > room && sum - closer * visibleColumns <= room) {
         for (int column = 0; column < columnCount(); ++column) {
             const int given = isColumnHidden(column) ? 0 : std::min(sum - room, closer);

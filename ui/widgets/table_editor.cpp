@@ -83,7 +83,7 @@ TableEditor::TableEditor(EditableTable* table, const QString& name, const QStrin
     });
     const auto note = [this] {
         if (SceneModel* scene = table_->scene(); scene != nullptr) {
-            scene->noteRefused(this, !trouble_.isEmpty());
+            scene->noteRejected(this, !trouble_.isEmpty());
         }
     };
     connect(table_, &EditableTable::troubleChanged, this, [this, note](const QString& trouble) {
@@ -160,14 +160,14 @@ void TableEditor::paste() {
     }
 }
 
-bool TableEditor::takeBackRefused() {
+bool TableEditor::takeBackRejected() {
     const QModelIndex at = view_->currentIndex();
     const int row = at.row();
     const int column = at.column();
-    if (!table_->canTakeBackRefused(at)) {
+    if (!table_->canTakeBackRejected(at)) {
         return false;
     }
-    table_->takeBackRefused(at);
+    table_->takeBackRejected(at);
     if (!view_->currentIndex().isValid() && row >= 0) {  // the whole table was shown again
         view_->setCurrentIndex(table_->index(row, column));
     }
@@ -177,7 +177,7 @@ bool TableEditor::takeBackRefused() {
 bool TableEditor::eventFilter(QObject* watched, QEvent* event) {
     if (watched == view_ && event->type() == QEvent::ShortcutOverride &&
         static_cast<QKeyEvent*>(event)->matches(QKeySequence::Undo) &&
-        table_->canTakeBackRefused(view_->currentIndex())) {
+        table_->canTakeBackRejected(view_->currentIndex())) {
         event->accept();  // then it comes as a key
         return true;
     }
@@ -194,7 +194,7 @@ bool TableEditor::eventFilter(QObject* watched, QEvent* event) {
         } else if (isCopy) {
             copy();
         } else if (key->matches(QKeySequence::Undo) || key->key() == Qt::Key_Escape) {
-            return takeBackRefused();
+            return takeBackRejected();
         } else if (key->key() == Qt::Key_Delete) {
             removeSelected();
         } else {

@@ -36,7 +36,7 @@ class TableEditor : public QWidget {
     /// What was typed and is rejected now, as text; empty where nothing is.
     QString trouble() const { return trouble_; }
     /// Undo and Escape are the table's while its present cell is rejected, else the document's.
-    bool takeBackRefused();
+    bool takeBackRejected();
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -20,7 +20,7 @@ namespace ravnoves {
 
 namespace {
 
-constexpr int leastSlider = 116;  ///< designed pixels with which a slider can be used
+constexpr int minSlider = 116;  ///< designed pixels with which a slider can be used
 
 }  // namespace
 
@@ -109,7 +109,7 @@ QString ValueSlider::trouble() const {
 
 void ValueSlider::setModel(SceneModel* model) {
     box_->setModel(model);
-    connect(model, &SceneModel::refused, this, [this](const QString& why) {
+    connect(model, &SceneModel::rejected, this, [this](const QString& why) {
         if (isPassing_ && !box_->isEditing()) {
             trouble_->say(why);
         }
@@ -125,8 +125,7 @@ int ValueSlider::widthInOneRow() const {
     const auto wide = [](const QWidget* widget) {
         return widget->minimumWidth() > 0 ? widget->minimumWidth() : widget->sizeHint().width();
     };
-    return wide(label_) + Theme::withText(leastSlider) + wide(box_) + wide(unit_) +
-           3 * Theme::space;
+    return wide(label_) + Theme::withText(minSlider) + wide(box_) + wide(unit_) + 3 * Theme::space;
 }
 
 QSize ValueSlider::sizeHint() const {
@@ -136,7 +135,7 @@ QSize ValueSlider::sizeHint() const {
 QSize ValueSlider::minimumSizeHint() const {
     const int inTwo = label_->minimumSizeHint().width() + box_->minimumWidth() +
                       unit_->sizeHint().width() + 2 * Theme::space;
-    return {std::max(inTwo, Theme::withText(leastSlider)), grid_->minimumSize().height()};
+    return {std::max(inTwo, Theme::withText(minSlider)), grid_->minimumSize().height()};
 }
 
 void ValueSlider::resizeEvent(QResizeEvent* event) {

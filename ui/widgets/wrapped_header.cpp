@@ -9,9 +9,9 @@ namespace ravnoves {
 
 namespace {
 
-constexpr int leastMargins = 6;  ///< pixels beside a heading
+constexpr int minMargins = 6;  ///< pixels beside a heading
 int margins() {
-    return std::max(leastMargins, Theme::withText(leastMargins));
+    return std::max(minMargins, Theme::withText(minMargins));
 }
 
 /// Where a heading may go on: no sign and no unit stands alone.
@@ -57,7 +57,7 @@ int WrappedHeader::widthOf(const QString& heading, bool wraps) const {
     for (const QString& part : parts) {
         width = std::max(width, fontMetrics().horizontalAdvance(part));
     }
-    return width + margins() - leastMargins;
+    return width + margins() - minMargins;
 }
 
 QStringList WrappedHeader::linesOf(int section) const {

@@ -44,10 +44,10 @@ void drawShop(CardPage& page, const Shop& shop) {
 
 }  // namespace
 
-QString WorkshopCard::otherRefusedText() const {
-    QStringList others = refused_;
-    others.removeIf([this](const QString& each) { return refusedOfResult_.contains(each); });
-    return refusedNote(words_, others);
+QString WorkshopCard::otherRejectedText() const {
+    QStringList others = rejected_;
+    others.removeIf([this](const QString& each) { return rejectedOfResult_.contains(each); });
+    return rejectedNote(words_, others);
 }
 
 double WorkshopCard::goOn(CardPage& page) const {

@@ -198,7 +198,7 @@ void MachineSheet::buildRuns() {
     const auto [grid, trouble] = this->grid({QString(), unit, degrees, unit, degrees});
     followNames(grid, {{1, 0}, {2, 0}, {3, 1}, {4, 1}}, {unit, degrees, unit, degrees});
     QList<QList<QWidget*>> rows;
-    for (std::size_t run = 0; run < most_runs; ++run) {
+    for (std::size_t run = 0; run < max_runs; ++run) {
         const int at = grid->rowCount();
         auto* label = new QLabel(WorkshopModel::runName(words, run));
         label->setFont(Theme::font(Theme::smallSize));

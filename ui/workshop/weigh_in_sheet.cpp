@@ -26,7 +26,7 @@ namespace {
 constexpr int cellHeight = 30;  // all of the sheet has to be seen on 800 lines
 constexpr int cellWidth = 44;
 constexpr int titleColumn = 73;  // the longest word of its titles, in Russian
-constexpr int mostRows = 16;     // further cylinders come by pasting a column
+constexpr int maxRows = 16;      // further cylinders come by pasting a column
 
 }  // namespace
 
@@ -34,7 +34,7 @@ WeighInSheet::WeighInSheet(WorkshopModel* model, QWidget* parent)
     : WorkshopSheet(model, parent),
       table_(model),
       trouble_(new TroubleLine(this)),
-      rows_(WeighInTable::firstCylinder + mostRows) {
+      rows_(WeighInTable::firstCylinder + maxRows) {
     column()->setSpacing(Theme::space);
     addSource();
     addWeights();
@@ -72,10 +72,10 @@ void WeighInSheet::addSource() {
     line(Theme::smallSize, noPairs);
     line(Theme::smallSize, [this] {
         const int cylinders = model_->input().engine.cylinders;
-        return cylinders > mostRows
+        return cylinders > maxRows
                    ? tr("The sheet shows %1 of %2 cylinders. Paste a column of a spreadsheet for "
                         "all, or type the means on sheet 2.")
-                         .arg(mostRows)
+                         .arg(maxRows)
                          .arg(cylinders)
                    : QString();
     });
@@ -293,7 +293,7 @@ void WeighInSheet::addGoal() {
             }
         };
         ask(moves, goal == shop::MatchingGoal::fewest_moves);
-        ask(shaking, goal == shop::MatchingGoal::least_shaking);
+        ask(shaking, goal == shop::MatchingGoal::min_shaking);
     });
 }
 

@@ -61,7 +61,7 @@ WorkshopAnswer::WorkshopAnswer(WorkshopModel* model, QWidget* parent)
     column->addWidget(weight_);
     column->addStretch();
     connect(model_, &SceneModel::changed, this, &WorkshopAnswer::showAnswer);
-    setRefused({});
+    setRejected({});
 }
 
 QLabel* WorkshopAnswer::say(QVBoxLayout* column, const char* id, int pixelSize, Ink ink,
@@ -77,7 +77,7 @@ QWidget* WorkshopAnswer::buildHead() {
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);
     say(column, "correction", Theme::displaySize);
     say(column, "headline", Theme::displaySize);
-    say(column, "refused", Theme::baseSize, &Theme::warning, true);
+    say(column, "rejected", Theme::baseSize, &Theme::warning, true);
     say(column, "hang", Theme::titleSize);
     say(column, "factor", Theme::baseSize);
     say(column, "limits", Theme::baseSize);
@@ -196,8 +196,8 @@ QWidget* WorkshopAnswer::buildCorrection() {
     return panel;
 }
 
-void WorkshopAnswer::setRefused(const QStringList& refused) {
-    sayOrHide(said_["refused"], refusedNote(Words(), refused));
+void WorkshopAnswer::setRejected(const QStringList& rejected) {
+    sayOrHide(said_["rejected"], rejectedNote(Words(), rejected));
     showAnswer();
 }
 
@@ -215,7 +215,7 @@ void WorkshopAnswer::showAnswer() {
     }
     const bool known = model_->solution().bob_weight.has_value();
     const bool isStopped = model_->withheld().bob_weight;
-    const bool isStale = !said_.at("refused")->text().isEmpty();
+    const bool isStale = !said_.at("rejected")->text().isEmpty();
     // What is still missing is no sentence for the display size.
     QLabel* headline = said_.at("headline");
     headline->setFont(

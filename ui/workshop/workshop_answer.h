@@ -22,7 +22,7 @@ class WorkshopAnswer : public QWidget {
     explicit WorkshopAnswer(WorkshopModel* model, QWidget* parent = nullptr);
 
     /// Entries that the form rejects now: the answer is that of the values before them.
-    void setRefused(const QStringList& refused);
+    void setRejected(const QStringList& rejected);
     /// Beside the sheets of machine and correction their answer is the first, and the bob weight's
     /// is left out.
     void setOfMachine(bool isOfMachine);

@@ -145,7 +145,7 @@ Block runBlock(const Words& words, const WorkshopModel& model) {
     }
     const std::size_t rows = first + 4;
     const std::array<EarlierReading, 2> none{};
-    for (const std::size_t end = std::min(std::max(rows, run + 1), first + most_runs); run < end;
+    for (const std::size_t end = std::min(std::max(rows, run + 1), first + max_runs); run < end;
          ++run) {
         add(run, none);
     }
@@ -155,10 +155,10 @@ Block runBlock(const Words& words, const WorkshopModel& model) {
 /// Which set goes to which cylinder, and apart from it what to take off the parts who want them
 /// closer; nothing where nothing is to be done, or there are more cylinders than columns.
 std::vector<Block> matchingBlocks(const Words& words, const WorkshopModel& model) {
-    constexpr std::size_t mostCylinders = 16;
+    constexpr std::size_t maxCylinders = 16;
     constexpr double nameWidth = 42.0;
     const auto cylinders = static_cast<std::size_t>(model.input().engine.cylinders);
-    if (cylinders > mostCylinders) {
+    if (cylinders > maxCylinders) {
         return {};
     }
     std::vector<CardTable::Column> columns{{nameWidth, Qt::AlignLeft}};
@@ -199,10 +199,10 @@ std::vector<Block> weightBlocks(const Words& words, const WorkshopModel& model) 
     if (!sheet || sheet->is_empty()) {
         return {};
     }
-    constexpr std::size_t most = 12;
+    constexpr std::size_t maximum = 12;
     constexpr double nameWidth = 34.0;
     const auto cylinders = static_cast<std::size_t>(engine.cylinders);
-    const std::size_t tables = (cylinders + most - 1) / most;
+    const std::size_t tables = (cylinders + maximum - 1) / maximum;
     const std::size_t each = (cylinders + tables - 1) / tables;
     std::vector<Block> blocks;
     for (std::size_t first = 0; first < cylinders; first += each) {
@@ -371,10 +371,10 @@ double WorkshopCard::head(CardPage& page, double y) const {
 double WorkshopCard::notes(CardPage& page, double y) const {
     const QString notes = QString::fromStdString(model_.input().job.notes).simplified();
     constexpr double lineStep = 6.5;
-    constexpr double leastToWrite = 9.0;
+    constexpr double minToWrite = 9.0;
     // More than a line is set smaller.
     const double points = page.textWidth(notes, 8.5) <= cardWidth ? 8.5 : 7.2;
-    if (notes.isEmpty() && page.end() - y < leastToWrite) {
+    if (notes.isEmpty() && page.end() - y < minToWrite) {
         return y;
     }
     // The heading is not left alone.
@@ -415,7 +415,7 @@ double WorkshopCard::answer(CardPage& page, double y) const {
     constexpr double large = 20.0;
     constexpr double largest = 26.0;
     const workshop::Withheld withheld = model_.withheld();
-    const bool isDoubtful = withheld.any() || !refusedText().isEmpty();
+    const bool isDoubtful = withheld.any() || !rejectedText().isEmpty();
     const QString verdict = withheld.any() ? QString() : verdictText(words_, model_.verdictNow());
     const QColor& colour = isDoubtful ? CardPage::amber : CardPage::ink;
     const bool isKnown = model_.solution().bob_weight.has_value();
@@ -427,7 +427,7 @@ double WorkshopCard::answer(CardPage& page, double y) const {
         more << model_.placedText(words_);
     }
     more.removeAll(QString());
-    QStringList warnings = QStringList{refusedText()} + model_.troubles(words_, true);
+    QStringList warnings = QStringList{rejectedText()} + model_.troubles(words_, true);
     warnings.removeAll(QString());
     const auto content = [&](double from) {
         double at = from;
@@ -546,7 +546,7 @@ void WorkshopCard::draw(CardPage& page) const {
     for (const Block& block : machine) {
         place(block);
     }
-    y = page.flow(y + 1.0, otherRefusedText(), notePoints, CardPage::amber);
+    y = page.flow(y + 1.0, otherRejectedText(), notePoints, CardPage::amber);
     y = notes(page, y + gap);
 
     std::vector<Block> parts;

@@ -46,9 +46,9 @@ class WorkshopCard {
     void setShop(const Shop& shop) { shop_ = shop; }
     /// Entries that the form rejects: the card is of the values before them, and says so.
     /// @param ofResult  those of them that the answer depends on
-    void setRefused(const QStringList& refused, const QStringList& ofResult) {
-        refused_ = refused;
-        refusedOfResult_ = ofResult;
+    void setRejected(const QStringList& rejected, const QStringList& ofResult) {
+        rejected_ = rejected;
+        rejectedOfResult_ = ofResult;
     }
 
   private:
@@ -57,9 +57,9 @@ class WorkshopCard {
     /// @return where what goes on begins, mm
     double goOn(CardPage& page) const;
     /// Empty where nothing is rejected that the answer depends on.
-    QString refusedText() const { return refusedNote(words_, refusedOfResult_); }
+    QString rejectedText() const { return rejectedNote(words_, rejectedOfResult_); }
     /// The same of all other entries.
-    QString otherRefusedText() const;
+    QString otherRejectedText() const;
     // What returns a number returns where the block ends, mm.
     double head(CardPage& page, double y) const;
     double answer(CardPage& page, double y) const;
@@ -71,8 +71,8 @@ class WorkshopCard {
     const WorkshopModel& model_;
     Words words_;
     Shop shop_;
-    QStringList refused_;
-    QStringList refusedOfResult_;
+    QStringList rejected_;
+    QStringList rejectedOfResult_;
 };
 
 }  // namespace ravnoves

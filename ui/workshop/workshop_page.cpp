@@ -19,8 +19,8 @@
 #include <atomic>
 
 #include "model/background_job.h"
-#include "page/refused_entries.h"
-#include "page/refused_verdict.h"
+#include "page/rejected_entries.h"
+#include "page/rejected_verdict.h"
 #include "pictures/file_dialogs.h"
 #include "shop/model/verdict.h"
 #include "shop/scale_input.h"
@@ -60,7 +60,7 @@ WorkshopPage::WorkshopPage(QWidget* parent, SceneModel* kept)
     : WorkshopPage(Journal::defaultPath(), parent, kept) {}
 
 WorkshopPage::WorkshopPage(const QString& journalPath, QWidget* parent, SceneModel* kept)
-    : ScenePage(parent), model_(takeOver<WorkshopModel>(kept, journalPath)) {
+    : ScenePage(parent), model_(adopt<WorkshopModel>(kept, journalPath)) {
     QVBoxLayout* column = columnIn(this, 0);
     banner_ = new JournalBanner(desk(), this);
     column->addWidget(banner_);
@@ -103,7 +103,7 @@ WorkshopPage::WorkshopPage(const QString& journalPath, QWidget* parent, SceneMod
     showPlugs();
     showVerdict();
     beginSheets();
-    connect(model(), &SceneModel::begunAnew, this, &WorkshopPage::beginSheets);
+    connect(model(), &SceneModel::restarted, this, &WorkshopPage::beginSheets);
     connect(sheets_, &QTabWidget::currentChanged, this, [this](int sheet) {
         const WorkshopSheet* form = forms_.value(sheet);
         if (form == nullptr) {
@@ -130,7 +130,7 @@ WorkshopPage::WorkshopPage(const QString& journalPath, QWidget* parent, SceneMod
         }
         banner_->say(said);
     });
-    connect(model(), &SceneModel::begunAnew, this, [this] { banner_->say({}); });
+    connect(model(), &SceneModel::restarted, this, [this] { banner_->say({}); });
 }
 
 SceneModel* WorkshopPage::model() {
@@ -149,8 +149,8 @@ void WorkshopPage::setActive(bool active) {
 }
 
 void WorkshopPage::showVerdict() {
-    const Verdict verdict = isRefused_ ? withRefused(model_->verdictShown().value(), *model_)
-                                       : model_->verdictShown().value();
+    const Verdict verdict = isRejected_ ? withRejected(model_->verdictShown().value(), *model_)
+                                        : model_->verdictShown().value();
     verdict_->show(verdict, verdict.act == workshop::swap_ends_act ? tr("Swap the rod ends")
                             : verdict.act == workshop::drilled_act ? tr("Correct the drilled holes")
                                                                    : QString());
@@ -168,8 +168,9 @@ void WorkshopPage::doVerdictAct() {
 }
 
 QString WorkshopPage::resultsAsText() const {
-    const QString refused = refusedNote(Words(), refusedInputs(this));
-    return (refused.isEmpty() ? refused : refused + QLatin1Char('\n')) + ScenePage::resultsAsText();
+    const QString rejected = rejectedNote(Words(), rejectedInputs(this));
+    return (rejected.isEmpty() ? rejected : rejected + QLatin1Char('\n')) +
+           ScenePage::resultsAsText();
 }
 
 void WorkshopPage::addSheet(WorkshopSheet* form, const QString& title) {
@@ -184,9 +185,9 @@ void WorkshopPage::addSheet(WorkshopSheet* form, const QString& title) {
         if (auto* entry = qobject_cast<EntryField*>(field)) {
             connect(entry, &EntryField::troubleChanged, this, [this, tab] {
                 markTab(tab);
-                const QStringList refused = refusedInputs(this);
-                isRefused_ = !refused.isEmpty();
-                answer_->setRefused(refused);
+                const QStringList rejected = rejectedInputs(this);
+                isRejected_ = !rejected.isEmpty();
+                answer_->setRejected(rejected);
                 showVerdict();
             });
         }
@@ -205,9 +206,9 @@ void WorkshopPage::markTab(int tab) {
     // A tab that hides a rejected entry says so, or readings that may not hold.
     const WorkshopSheet* form = forms_.at(tab);
     const Theme& theme = Theme::instance();
-    const QColor colour = !form->refused().isEmpty() ? theme.error()
-                          : form->isDoubtful()       ? theme.warning()
-                                                     : QColor();
+    const QColor colour = !form->rejected().isEmpty() ? theme.error()
+                          : form->isDoubtful()        ? theme.warning()
+                                                      : QColor();
     if (colour != sheets_->tabBar()->tabTextColor(tab)) {
         sheets_->tabBar()->setTabTextColor(tab, colour);
     }
@@ -389,8 +390,8 @@ void WorkshopPage::openJournal() {
     desk()->openJournal();
 }
 
-bool WorkshopPage::refusedEntriesAreKnown() {
-    return goOnWithoutRefused(this, tr("Entries not accepted"));
+bool WorkshopPage::rejectedEntriesAreKnown() {
+    return goOnWithoutRejected(this, tr("Entries not accepted"));
 }
 
 std::optional<bool> WorkshopPage::askToSave() {
@@ -416,7 +417,7 @@ bool WorkshopPage::leaveJob() {
     const QString name = model()->jobName();
     QStringList said{name.isEmpty() ? tr("Save the job on the sheet in the journal?")
                                     : tr("Save the job “%1” in the journal?").arg(name),
-                     refusedWords(this)};
+                     rejectedWords(this)};
     said.removeAll(QString());
     QMessageBox box(QMessageBox::Question, tr("Unsaved job"), said.join(QStringLiteral("\n\n")),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
@@ -431,7 +432,7 @@ bool WorkshopPage::leaveJob() {
 
 bool WorkshopPage::mayReplaceJob() {
     const bool isAsked = hasUnsavedJob();
-    return leaveJob() && (isAsked || refusedEntriesAreKnown());
+    return leaveJob() && (isAsked || rejectedEntriesAreKnown());
 }
 
 void WorkshopPage::backUp() {
@@ -485,12 +486,12 @@ WorkshopCard WorkshopPage::card() {
     const Shop shop = Shop::kept();
     banner_->say(shop.trouble());
     made.setShop(shop);
-    made.setRefused(refusedEntries(this), refusedInputs(this));
+    made.setRejected(rejectedEntries(this), rejectedInputs(this));
     return made;
 }
 
 bool WorkshopPage::saveJob(bool isFinished) {
-    return refusedEntriesAreKnown() && store(isFinished);
+    return rejectedEntriesAreKnown() && store(isFinished);
 }
 
 bool WorkshopPage::store(bool isFinished) {
@@ -499,7 +500,7 @@ bool WorkshopPage::store(bool isFinished) {
     }
     bool saved = false;
     // What is not what is on the sheet is no finished job.
-    const QString text = desk()->saveJob(&saved, isFinished && refusedEntries(this).isEmpty());
+    const QString text = desk()->saveJob(&saved, isFinished && rejectedEntries(this).isEmpty());
     Q_EMIT status(saved ? text : QString());
     if (saved) {
         banner_->say({});
@@ -625,7 +626,7 @@ void WorkshopPage::paintCard(QPrinter* printer) {
 }
 
 void WorkshopPage::previewCard() {
-    if (!refusedEntriesAreKnown()) {
+    if (!rejectedEntriesAreKnown()) {
         return;
     }
     QPrinter printer(QPrinter::HighResolution);
@@ -639,7 +640,7 @@ void WorkshopPage::previewCard() {
 }
 
 void WorkshopPage::printCard() {
-    if (!refusedEntriesAreKnown()) {
+    if (!rejectedEntriesAreKnown()) {
         return;
     }
     QPrinter printer(QPrinter::HighResolution);
@@ -657,7 +658,7 @@ QString WorkshopPage::writeCard(const QString& file) {
 }
 
 void WorkshopPage::exportCard() {
-    if (!refusedEntriesAreKnown()) {
+    if (!rejectedEntriesAreKnown()) {
         return;
     }
     const QString name = asFileName(model()->jobName());

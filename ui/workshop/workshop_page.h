@@ -79,7 +79,7 @@ class WorkshopPage : public ScenePage {
     /// The same, where another job is to come onto the sheet: rejected entries go with this one.
     bool mayReplaceJob();
     /// Says which entries were rejected. @return false where the user goes back to them
-    bool refusedEntriesAreKnown();
+    bool rejectedEntriesAreKnown();
     /// @return false where it is not saved
     bool saveJob(bool isFinished);
     bool store(bool isFinished);
@@ -113,7 +113,7 @@ class WorkshopPage : public ScenePage {
     QList<WorkshopSheet*> forms_;  // in the order of the tabs
     QSet<int> unseen_;             ///< sheets that nobody has looked at since the job came
     bool journalTried_ = false;
-    bool isRefused_ = false;  ///< an entry that results depend on
+    bool isRejected_ = false;  ///< an entry that results depend on
     QList<QAction*> actions_;
 };
 

@@ -134,7 +134,7 @@ void WorkshopSheet::text(const char* pointer, int longest) {
 void WorkshopSheet::checked(const Field& description, const CheckedText& text) {
     auto* field = ordered(new CheckedField(
         [text](const QString& typed) {
-            return text.normal(typed).isEmpty() ? text.refusal(typed) : QString();
+            return text.normal(typed).isEmpty() ? text.rejection(typed) : QString();
         },
         current()));
     field->setObjectName(QString::fromStdString(std::string(description.key)));

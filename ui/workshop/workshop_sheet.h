@@ -55,7 +55,7 @@ class WorkshopSheet : public Form {
         /// The text in the form that is kept; empty where it has none.
         std::function<QString(const QString& typed)> normal;
         /// Says why a text is rejected.
-        std::function<QString(const QString& typed)> refusal;
+        std::function<QString(const QString& typed)> rejection;
         std::function<QString()> read;
         /// Makes it a step of the history of that name.
         std::function<void(const QString& name, const QString& normal)> write;

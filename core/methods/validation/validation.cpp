@@ -104,8 +104,8 @@ std::string ValidationRow::difference_text() const {
         return "";
     }
     // Against a number beside nothing a share says nothing.
-    constexpr double most = 10.0;
-    if (std::abs(*difference) >= most) {
+    constexpr double maximum = 10.0;
+    if (std::abs(*difference) >= maximum) {
         const int decimals = static_cast<int>(std::lround(-std::log10(last_digit)));
         const std::string text = fixed_decimals(*ours - printed, std::max(decimals, 0));
         return (*ours > printed ? "+" : "") + text + (unit.empty() ? "" : " " + unit);

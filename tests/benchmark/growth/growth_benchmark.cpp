@@ -51,9 +51,9 @@ double processor_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// The least of some runs, each of at least a few milliseconds.
+/// The smallest of some runs, each of at least a few milliseconds.
 double seconds_of(const Work& work) {
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (int run = 0; run < 3; ++run) {
         const double begin = processor_seconds();
         int times = 0;
@@ -63,9 +63,9 @@ double seconds_of(const Work& work) {
             ++times;
             taken = processor_seconds() - begin;
         } while (taken < 5e-3);
-        least = std::min(least, taken / times);
+        minimum = std::min(minimum, taken / times);
     }
-    return least;
+    return minimum;
 }
 
 /// The slope of log time over log size, by least squares.
@@ -177,8 +177,8 @@ std::vector<Growth> all_growths() {
          [](int size) -> Work {
              return [study = balance_shaft::SpeedStudy(
                          diesel(), {1000.0 * units::rpm, 4000.0 * units::rpm, size, false})] {
-                 study.least_bad_angle(balance_shaft::SpeedStudy::Criterion::range,
-                                       balance_shaft::SpeedStudy::Measure::relative);
+                 study.best_compromise_angle(balance_shaft::SpeedStudy::Criterion::range,
+                                             balance_shaft::SpeedStudy::Measure::relative);
              };
          }},
         {"samples of a study", {1000, 10'000, 100'000}, 1.0, study_of},

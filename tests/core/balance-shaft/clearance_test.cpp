@@ -112,10 +112,10 @@ TEST(BuildableAngles, AreThoseWithEnoughClearance) {
         ASSERT_FALSE(buildable.stretches.empty()) << buildable.reason.english();
         EXPECT_TRUE(buildable.reason.empty());
         for (double angle = 0.0; angle < 360.0; angle += 0.5) {
-            const double least = shaft_clearance(view, angle * degree).least();
-            if (std::abs(least - view.clearance) > 1e-9) {
-                EXPECT_EQ(buildable.contains(angle * degree), least >= view.clearance) << angle;
-                EXPECT_EQ(buildable.contains((angle - 360.0) * degree), least >= view.clearance);
+            const double minimum = shaft_clearance(view, angle * degree).minimum();
+            if (std::abs(minimum - view.clearance) > 1e-9) {
+                EXPECT_EQ(buildable.contains(angle * degree), minimum >= view.clearance) << angle;
+                EXPECT_EQ(buildable.contains((angle - 360.0) * degree), minimum >= view.clearance);
             }
         }
         for (const AngleStretch& stretch : buildable.stretches) {
@@ -123,7 +123,7 @@ TEST(BuildableAngles, AreThoseWithEnoughClearance) {
                 continue;
             }
             for (const double end : {stretch.from, stretch.to}) {
-                EXPECT_NEAR(shaft_clearance(view, end).least(), view.clearance, 1e-10);
+                EXPECT_NEAR(shaft_clearance(view, end).minimum(), view.clearance, 1e-10);
                 EXPECT_TRUE(buildable.contains(end));
             }
         }

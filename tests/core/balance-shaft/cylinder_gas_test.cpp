@@ -355,40 +355,42 @@ TEST(ComputedTorque, CasesRoundTrip) {
     EXPECT_GT(solve(read).M_up.range, 0.0);
 }
 
-TEST(ComputedTorque, BadCyclesAreRefused) {
-    const auto refusal = [](const std::string& patch) { return test::refusal(diesel(), patch); };
-    EXPECT_EQ(refusal(R"({"torque": {"cycle": {"compression_ratio": 1}}})"),
+TEST(ComputedTorque, BadCyclesAreRejected) {
+    const auto rejection = [](const std::string& patch) {
+        return test::rejection(diesel(), patch);
+    };
+    EXPECT_EQ(rejection(R"({"torque": {"cycle": {"compression_ratio": 1}}})"),
               "/input/torque/cycle/compression_ratio: must be greater than 1 and at most 100, got "
               "1");
-    EXPECT_EQ(refusal(R"({"torque": {"cycle": {"indicated_mean_effective_pressure_bar": 7}}})"),
+    EXPECT_EQ(rejection(R"({"torque": {"cycle": {"indicated_mean_effective_pressure_bar": 7}}})"),
               "/input/torque/cycle: must have either heat_J or "
               "indicated_mean_effective_pressure_bar, got both");
-    EXPECT_EQ(refusal(R"({"torque": {"cycle": {"heat_J": null}}})"),
+    EXPECT_EQ(rejection(R"({"torque": {"cycle": {"heat_J": null}}})"),
               "/input/torque/cycle: must have either heat_J or "
               "indicated_mean_effective_pressure_bar, got neither");
-    EXPECT_EQ(refusal(R"({"cylinder": {"rod_length_mm": 46}})"),
+    EXPECT_EQ(rejection(R"({"cylinder": {"rod_length_mm": 46}})"),
               "/input/cylinder/rod_length_mm: must be greater than the crank radius plus twice the "
               "offset, 46, got 46");
     for (const std::string key : {"rod_length_mm", "bore_mm"}) {
-        EXPECT_EQ(refusal(R"({"cylinder": {")" + key + R"(": null}})"),
+        EXPECT_EQ(rejection(R"({"cylinder": {")" + key + R"(": null}})"),
                   "/input/cylinder/" + key +
                       ": is required with a pressure trace or a computed cycle, and missing");
     }
-    EXPECT_EQ(refusal(R"({"torque": {"cycle": {"combustion_start_deg": 440,
+    EXPECT_EQ(rejection(R"({"torque": {"cycle": {"combustion_start_deg": 440,
                           "combustion_duration_deg": 101}}})"),
               "/input/torque/cycle/combustion_duration_deg: must end the combustion before the "
               "bottom dead centre at 540°, got 541°");
-    EXPECT_EQ(refusal(R"({"torque": {"cycle": {"combustion_start_deg": -8}}})"),
+    EXPECT_EQ(rejection(R"({"torque": {"cycle": {"combustion_start_deg": -8}}})"),
               "/input/torque/cycle/combustion_start_deg: must be from 270 to 450, got -8");
-    EXPECT_EQ(refusal(R"({"cylinder": {"bore": 1}})"),
+    EXPECT_EQ(rejection(R"({"cylinder": {"bore": 1}})"),
               "/input/cylinder/bore: is not a known key; the nearest is \"bore_mm\"");
-    EXPECT_EQ(refusal(R"({"cylinder": {"bore_mm": 1e-3}})"),
+    EXPECT_EQ(rejection(R"({"cylinder": {"bore_mm": 1e-3}})"),
               "/input/cylinder/bore_mm: must make a displacement from 1e-6 cm³ to 1e9 cm³, "
               "got 7.22566e-08 cm³");
-    EXPECT_EQ(refusal(R"({"torque": {"csv": "x.csv"}})"),
+    EXPECT_EQ(rejection(R"({"torque": {"csv": "x.csv"}})"),
               "/input/torque: must have one of: crank_angle_deg with torque_Nm, csv, pressure, "
               "cycle, got more than one of them");
-    EXPECT_EQ(refusal(R"({"torque": {"cycle": null, "cycles": {}}})"),
+    EXPECT_EQ(rejection(R"({"torque": {"cycle": null, "cycles": {}}})"),
               "/input/torque/cycles: is not a known key; the nearest is \"cycle\"");
 }
 

@@ -59,15 +59,15 @@ TEST(EnvelopeStudyTest, EfficientAnglesAreThoseThatNothingBeats) {
         }
     }
     EXPECT_GT(efficient, 1);
-    // The least range of what can be built is always among them.
-    std::size_t least = 240;
+    // The smallest range of what can be built is always among them.
+    std::size_t minimum = 240;
     for (std::size_t i = 0; i < 240; ++i) {
-        if (study.buildable[i] && (least == 240 || study.range[i] < study.range[least])) {
-            least = i;
+        if (study.buildable[i] && (minimum == 240 || study.range[i] < study.range[minimum])) {
+            minimum = i;
         }
     }
-    ASSERT_LT(least, 240U);
-    EXPECT_TRUE(study.efficient[least]);
+    ASSERT_LT(minimum, 240U);
+    EXPECT_TRUE(study.efficient[minimum]);
 }
 
 }  // namespace

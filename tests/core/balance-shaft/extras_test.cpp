@@ -108,8 +108,8 @@ TEST(GearErrorTest, TheBandHoldsEveryPlaceOfTheShaft) {
 }
 
 TEST(GearErrorTest, ThePlayRangeIsThatOfEveryPlaceNotOfSome) {
-    // The least range of the paper's engine, 1066.7458 N·m at 50.651°, lies inside this play; the
-    // least of 17 places was 1066.94 N·m.
+    // The smallest range of the paper's engine, 1066.7458 N·m at 50.651°, lies inside this play;
+    // the least of 17 places was 1066.94 N·m.
     Input input = preset_tmz_650d();
     input.shaft_angle = 48.0 * degree;
     input.gears = {40, 0, 6e-3};
@@ -141,7 +141,7 @@ TEST(GearErrorTest, ThePlayRangeIsThatOfEveryPlaceNotOfSome) {
     }
 }
 
-TEST(Gears, ReadWrittenAndRefused) {
+TEST(Gears, ReadWrittenAndRejected) {
     Input input = preset_tmz_650d();
     input.gears = {36, -2, 0.1e-3};
     input.crank_share = 0.6;
@@ -149,7 +149,7 @@ TEST(Gears, ReadWrittenAndRefused) {
     EXPECT_EQ(read_input(write_input(input), {}).crank_share, 0.6);
     for (const char* patch : {R"({"gears": {"shifted_teeth": 36}})", R"({"gears": {"teeth": 3}})",
                               R"({"crank_share": 1.5})"}) {
-        EXPECT_NE(test::refusal(input, patch), "no error");
+        EXPECT_NE(test::rejection(input, patch), "no error");
     }
 }
 

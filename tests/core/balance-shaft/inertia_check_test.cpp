@@ -235,7 +235,7 @@ TEST(InertiaCheck, SaysNothingWhereTheFitLeavesMuchOrEndsOnABound) {
               std::string::npos);
 }
 
-TEST(InertiaCheck, ATorqueOfAnotherRodIsToldHoweverFarItIsOff) {
+TEST(InertiaCheck, ATorqueOfAnotherRodIsReportedHoweverFarItIsOff) {
     Input input = preset_tmz_650d();
     for (const double rod : {0.046 / 0.5, 0.046 / 0.2, 0.046 / 0.09}) {
         input.cylinder.rod_length = rod;

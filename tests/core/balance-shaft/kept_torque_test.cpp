@@ -107,21 +107,21 @@ TEST(KeptTorque, CrankcasePressureStaysWhileTheTraceIsNotThere) {
     EXPECT_EQ(write_kept(input), kept);
 }
 
-TEST(KeptTorque, RefusalsNameThePlace) {
-    const auto refusal = [](const char* kept) {
+TEST(KeptTorque, RejectionsNameThePlace) {
+    const auto rejection = [](const char* kept) {
         Input input = preset_tmz_650d();
         return test::error_of([&] { read_kept(parse_json(kept), {}, input); });
     };
-    EXPECT_EQ(refusal(R"({"torques": {}})"),
+    EXPECT_EQ(rejection(R"({"torques": {}})"),
               "/kept/torques: is not a known key; the nearest is \"torque\"");
-    EXPECT_EQ(refusal(R"({"torque": 1})"), "/kept/torque: must be an object, got 1");
-    EXPECT_EQ(refusal(R"({"torque": {"csv": 3}})"), "/kept/torque/csv: must be a text, got 3");
-    EXPECT_EQ(refusal(R"({"torque": {"cycle": {"compression_ratio": 1}}})"),
+    EXPECT_EQ(rejection(R"({"torque": 1})"), "/kept/torque: must be an object, got 1");
+    EXPECT_EQ(rejection(R"({"torque": {"csv": 3}})"), "/kept/torque/csv: must be a text, got 3");
+    EXPECT_EQ(rejection(R"({"torque": {"cycle": {"compression_ratio": 1}}})"),
               "/kept/torque/cycle/compression_ratio: must be greater than 1 and at most 100, got "
               "1");
-    EXPECT_NE(refusal(R"({"torque": {"crank_angle_deg": [0, 720], "torque_Nm": [0]}})"),
+    EXPECT_NE(rejection(R"({"torque": {"crank_angle_deg": [0, 720], "torque_Nm": [0]}})"),
               "no error");
-    EXPECT_EQ(refusal("{}"), "no error");
+    EXPECT_EQ(rejection("{}"), "no error");
 }
 
 }  // namespace

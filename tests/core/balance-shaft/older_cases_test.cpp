@@ -45,7 +45,7 @@ TEST(OlderCases, SizesOfTheCylinderAreGathered) {
     EXPECT_EQ(table.variants[0].input, Json({{"cylinder", {{"rod_length_mm", 140}}}}));
 }
 
-TEST(OlderCases, SizesThatDifferAreRefusedWithBothPlaces) {
+TEST(OlderCases, SizesThatDifferAreRejectedWithBothPlaces) {
     EXPECT_EQ(test::error_of([] { older(R"({"input": {"envelope": {"cylinder_bore_mm": 90}}})"); }),
               "/input/envelope/cylinder_bore_mm: must be 95.5 as in /input/torque/cycle/bore_mm, "
               "or be left out, got 90");
@@ -65,18 +65,18 @@ TEST(OlderCases, StudiesVaryTheSizesWhereTheyAreNow) {
               R"("/crank_radius_mm":{"plus_minus":0.1}})");
 }
 
-TEST(OlderCases, TwoSpreadsOfOneSizeAreRefusedUnlessTheyAreTheSame) {
-    const auto refusal = [](const char* study) { return test::error_of([&] { older(study); }); };
-    EXPECT_EQ(refusal(R"({"study": {"vary": {"/torque/cycle/bore_mm": {"plus_minus": 0.1},
+TEST(OlderCases, TwoSpreadsOfOneSizeAreRejectedUnlessTheyAreTheSame) {
+    const auto rejection = [](const char* study) { return test::error_of([&] { older(study); }); };
+    EXPECT_EQ(rejection(R"({"study": {"vary": {"/torque/cycle/bore_mm": {"plus_minus": 0.1},
                                              "/cylinder/bore_mm": {"plus_minus": 0.2}}}})"),
               "/study/vary/~1cylinder~1bore_mm: must be {\"plus_minus\":0.1} as in "
               "/study/vary/~1torque~1cycle~1bore_mm, or be left out, got {\"plus_minus\":0.2}");
-    EXPECT_EQ(refusal(R"({"study": {"vary": {"/torque/cycle/bore_mm": {"plus_minus": 0.1},
+    EXPECT_EQ(rejection(R"({"study": {"vary": {"/torque/cycle/bore_mm": {"plus_minus": 0.1},
                                              "/cylinder/bore_mm": {"plus_minus": 0.1}}}})"),
               "no error");
 }
 
-TEST(OlderCases, ANullIsRefusedWhereItWouldBeNow) {
+TEST(OlderCases, ANullIsRejectedWhereItWouldBeNow) {
     Json document = {{"format", case_format},
                      {"version", 1},
                      {"scene", "balance-shaft"},

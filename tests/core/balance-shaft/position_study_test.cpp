@@ -42,14 +42,14 @@ struct FoldedSamples {
         }
     }
     double range(double a, double b) const {
-        double most = -1e300;
-        double least = 1e300;
+        double maximum = -1e300;
+        double minimum = 1e300;
         for (std::size_t i = 0; i < cos.size(); ++i) {
             const double sine = a * cos[i] + b * sin[i];
-            most = std::max(most, upper[i] + sine);
-            least = std::min(least, lower[i] + sine);
+            maximum = std::max(maximum, upper[i] + sine);
+            minimum = std::min(minimum, lower[i] + sine);
         }
-        return most - least;
+        return maximum - minimum;
     }
 };
 
@@ -189,7 +189,7 @@ TEST(PositionStudyTest, noPlaceOfAFineGridBeatsTheBestOf1000Torques) {
         const PositionStudy study(solver);
         const BestPositions best = study.best();
         ASSERT_TRUE(best.range && best.rms);
-        const double least = best.range->criteria.range;
+        const double minimum = best.range->criteria.range;
         EXPECT_LE(best.range->gap, 1e-11 * study.range_without()) << seed;
         const FoldedSamples samples(solver);
         // The best lies within |m| ≤ the range without a shaft; the range there moves by at most
@@ -204,8 +204,8 @@ TEST(PositionStudyTest, noPlaceOfAFineGridBeatsTheBestOf1000Torques) {
             }
         }
         const double missed = 2.0 * 1.5 * reach * degree * degree / 8.0;
-        EXPECT_GE(found, least - missed) << seed;
-        EXPECT_LE(found, least + 2.0 * step / std::numbers::sqrt2) << seed;
+        EXPECT_GE(found, minimum - missed) << seed;
+        EXPECT_LE(found, minimum + 2.0 * step / std::numbers::sqrt2) << seed;
         // And none of a grid about the best, as fine as you like.
         const double force = solver.counterweight_force();
         for (const double fine : {1e-2, 1e-4, 1e-6}) {
@@ -213,7 +213,7 @@ TEST(PositionStudyTest, noPlaceOfAFineGridBeatsTheBestOf1000Torques) {
                 const double dx = fine * reach * std::cos(pi * i / 4) / force;
                 const double dy = fine * reach * std::sin(pi * i / 4) / force;
                 const ShaftPosition& at = best.range->position;
-                EXPECT_GE(study.at({at.x + dx, at.y + dy}).range, least - 1e-11 * reach);
+                EXPECT_GE(study.at({at.x + dx, at.y + dy}).range, minimum - 1e-11 * reach);
             }
         }
     }
@@ -398,11 +398,11 @@ TEST(PositionStudyTest, anObstacleIsWhatTheClearancesSay) {
             const ShaftPosition at{-0.2 + 0.4 * i / 59.0, -0.2 + 0.5 * k / 59.0};
             const ShaftClearance free =
                 shaft_clearance(view.at_distance(at.centre_distance()), at.shaft_angle());
-            const double least = view.clearance;
-            const Obstacle expected = free.crank < least      ? Obstacle::crank
-                                      : free.cylinder < least ? Obstacle::cylinder
-                                      : free.rod < least      ? Obstacle::rod
-                                                              : Obstacle::none;
+            const double minimum = view.clearance;
+            const Obstacle expected = free.crank < minimum      ? Obstacle::crank
+                                      : free.cylinder < minimum ? Obstacle::cylinder
+                                      : free.rod < minimum      ? Obstacle::rod
+                                                                : Obstacle::none;
             EXPECT_EQ(study.obstacle(at), expected) << at.x << " " << at.y;
             EXPECT_EQ(study.obstacle_reason(at).empty(), expected == Obstacle::none);
             ++seen[static_cast<std::size_t>(expected)];
@@ -519,7 +519,7 @@ TEST(PositionStudyTest, limitsAreChecked) {
         {R"({"shaft_angle_from_deg": 360})",
          "shaft_angle_from_deg: must be less than 360°, got 360"}};
     for (const auto& [limits, said] : cases) {
-        EXPECT_EQ(refusal(preset_tmz_650d(), R"({"place_limits": )" + limits + "}"),
+        EXPECT_EQ(rejection(preset_tmz_650d(), R"({"place_limits": )" + limits + "}"),
                   said == "no error" ? said : "/input/place_limits/" + said);
     }
 }
@@ -537,7 +537,7 @@ TEST(PositionStudyTest, theResultHoldsTheBestPlaces) {
     EXPECT_EQ(result_json({}, solver, solver.result()), json);
 }
 
-TEST(PositionStudyTest, theLeastSumHasNoBetterPlaceOnAGridOrOnItsCircle) {
+TEST(PositionStudyTest, theMinSumHasNoBetterPlaceOnAGridOrOnItsCircle) {
     const PositionStudy study{Solver(preset_tmz_650d())};
     for (const double weight : {0.15, 0.5, 0.85}) {
         const auto sum = [&](const PositionCriteria& of) {
@@ -547,23 +547,23 @@ TEST(PositionStudyTest, theLeastSumHasNoBetterPlaceOnAGridOrOnItsCircle) {
         const auto built = study.best_sum_buildable(weight);
         ASSERT_TRUE(free && built);
         EXPECT_EQ(study.obstacle(built->position), Obstacle::none);
-        double least = sum(study.at({}));
-        double least_built = std::numeric_limits<double>::infinity();
+        double minimum = sum(study.at({}));
+        double min_built = std::numeric_limits<double>::infinity();
         constexpr int nodes = 120;
         for (int i = 0; i <= nodes; ++i) {
             for (int k = 0; k <= nodes; ++k) {
                 const ShaftPosition at{-0.15 + 0.3 * i / nodes, -0.15 + 0.3 * k / nodes};
                 const double here = sum(study.at(at));
-                least = std::min(least, here);
-                if (here < least_built && study.obstacle(at) == Obstacle::none) {
-                    least_built = here;
+                minimum = std::min(minimum, here);
+                if (here < min_built && study.obstacle(at) == Obstacle::none) {
+                    min_built = here;
                 }
             }
         }
-        EXPECT_LE(sum(free->criteria), least);
-        EXPECT_GT(sum(free->criteria), 0.99 * least);
-        EXPECT_LE(sum(built->criteria), least_built);
-        EXPECT_GT(sum(built->criteria), 0.98 * least_built);
+        EXPECT_LE(sum(free->criteria), minimum);
+        EXPECT_GT(sum(free->criteria), 0.99 * minimum);
+        EXPECT_LE(sum(built->criteria), min_built);
+        EXPECT_GT(sum(built->criteria), 0.98 * min_built);
         EXPECT_LT(free->gap, 1e-7);
         EXPECT_LT(built->gap, 1e-6);
         // On its own circle the best place is the best of the circle.
@@ -590,10 +590,10 @@ TEST(PositionStudyTest, theSmallestGoodPlaceIsGoodAndNoneSmallerIs) {
                 SCOPED_TRACE(testing::Message() << limited << ' ' << weight << ' ' << more);
                 const auto found = study.smallest_buildable(weight, more);
                 ASSERT_TRUE(found);
-                const double most = (1.0 + more) * sum(weight, best->criteria);
+                const double maximum = (1.0 + more) * sum(weight, best->criteria);
                 const double other = sum(1.0 - weight, found->criteria);
                 EXPECT_EQ(study.obstacle(found->position), Obstacle::none);
-                EXPECT_LE(sum(weight, found->criteria), most * (1.0 + 1e-8));
+                EXPECT_LE(sum(weight, found->criteria), maximum * (1.0 + 1e-8));
                 EXPECT_LE(found->criteria.size, (1.0 + 2.1e-3) * best->criteria.size);
                 EXPECT_LE(found->gap, 2.1e-3 * best->criteria.size);
                 // On circles about the best place, closer and closer.
@@ -604,7 +604,7 @@ TEST(PositionStudyTest, theSmallestGoodPlaceIsGoodAndNoneSmallerIs) {
                             best->position.x + reach * std::cos(k * 2.0 * degree),
                             best->position.y + reach * std::sin(k * 2.0 * degree)};
                         const PositionCriteria there = study.at(at);
-                        if (study.obstacle(at) != Obstacle::none || sum(weight, there) > most) {
+                        if (study.obstacle(at) != Obstacle::none || sum(weight, there) > maximum) {
                             continue;
                         }
                         EXPECT_GE(there.size, found->criteria.size - found->gap - 1e-12);
@@ -624,7 +624,7 @@ TEST(PositionStudyTest, theSmallestGoodPlaceIsGoodAndNoneSmallerIs) {
               "range unchanged, RMS unchanged, box 20.0 % larger");
 }
 
-TEST(PositionStudyTest, theBestAngleOfACircleIsTheLeastOfAScanOfIt) {
+TEST(PositionStudyTest, theBestAngleOfACircleIsTheMinOfAScanOfIt) {
     Input input = preset_tmz_650d();
     input.place_limits.right = 0.07;
     const PositionStudy study{Solver(input)};
@@ -633,22 +633,22 @@ TEST(PositionStudyTest, theBestAngleOfACircleIsTheLeastOfAScanOfIt) {
             const auto sum = [&](const PositionCriteria& of) {
                 return weight * of.range + (1.0 - weight) * of.rms;
             };
-            double least = std::numeric_limits<double>::infinity();
-            double least_built = least;
+            double minimum = std::numeric_limits<double>::infinity();
+            double min_built = minimum;
             for (int i = 0; i < 7200; ++i) {
                 const ShaftPosition at = ShaftPosition::at(l, i * 0.05 * degree);
                 const double here = sum(study.at(at));
-                least = std::min(least, here);
-                if (here < least_built && study.obstacle(at) == Obstacle::none) {
-                    least_built = here;
+                minimum = std::min(minimum, here);
+                if (here < min_built && study.obstacle(at) == Obstacle::none) {
+                    min_built = here;
                 }
             }
-            EXPECT_LE(sum(study.best_at(l, weight).criteria), least + 1e-9);
+            EXPECT_LE(sum(study.best_at(l, weight).criteria), minimum + 1e-9);
             const auto built = study.best_buildable_at(l, weight);
-            ASSERT_EQ(built.has_value(), std::isfinite(least_built)) << l;
+            ASSERT_EQ(built.has_value(), std::isfinite(min_built)) << l;
             if (built) {
-                EXPECT_LE(sum(built->criteria), least_built + 1e-9);
-                EXPECT_GT(sum(built->criteria), least_built - 1.0);
+                EXPECT_LE(sum(built->criteria), min_built + 1e-9);
+                EXPECT_GT(sum(built->criteria), min_built - 1.0);
             }
         }
     }

@@ -88,18 +88,18 @@ TEST(RelievedShaft, TheCriticalSizesAreThoseOfHalfABar) {
     EXPECT_NE(beyond.note.english().find("More than half"), std::string::npos);
 }
 
-TEST(RelievedShaft, BadSizesAreRefusedAndImpossibleOnesAreAResult) {
-    const auto refusal = [](const RelievedShaftSizes& sizes) {
+TEST(RelievedShaft, BadSizesAreRejectedAndImpossibleOnesAreAResult) {
+    const auto rejection = [](const RelievedShaftSizes& sizes) {
         return error_of([&] { design_relieved_shaft(sizes, needed); });
     };
-    EXPECT_EQ(refusal({0.05, std::nullopt, std::nullopt}),
+    EXPECT_EQ(rejection({0.05, std::nullopt, std::nullopt}),
               "/input/relieved_shaft: must have two of diameter_mm, depth_mm and length_mm, got 1");
-    EXPECT_EQ(refusal({0.05, 0.05, std::nullopt}),
+    EXPECT_EQ(rejection({0.05, 0.05, std::nullopt}),
               "/input/relieved_shaft/depth_mm: must be less than the diameter, 50, got 50");
-    EXPECT_EQ(refusal({-0.05, 0.01, std::nullopt})
+    EXPECT_EQ(rejection({-0.05, 0.01, std::nullopt})
                   .rfind("/input/relieved_shaft/diameter_mm: must be from 0.001 to 100000", 0),
               0U);
-    EXPECT_EQ(refusal({std::nan(""), 0.01, std::nullopt}).rfind("/input/relieved_shaft/", 0), 0U);
+    EXPECT_EQ(rejection({std::nan(""), 0.01, std::nullopt}).rfind("/input/relieved_shaft/", 0), 0U);
     EXPECT_FALSE(design_relieved_shaft({0.05, 0.01, std::nullopt}, 0.0).feasible);
     for (const double required : {5e-324, 1e-200, 1e99}) {
         for (const RelievedShaftSizes& sizes :

@@ -73,7 +73,7 @@ TEST(BalanceShaftCase, TheVerdictSaysChangesAsTheyAreRounded) {
 }
 
 /// The error of the example with a patch (RFC 7396: null takes a key away) on its input.
-std::string refusal(const std::string& patch) {
+std::string rejection(const std::string& patch) {
     Json input = example();
     input.merge_patch(parse_json(patch));
     return error_of([&] { read_input(input, {}); });
@@ -102,7 +102,7 @@ TEST(BalanceShaftInput, RoundTripKeepsTheNumbersAsTyped) {
     }
 }
 
-TEST(BalanceShaftInput, EveryFieldRefusesWhatItCannotBe) {
+TEST(BalanceShaftInput, EveryFieldRejectsWhatItCannotBe) {
     const std::pair<const char*, const char*> cases[] = {
         {R"({"crank_radius_mm": -46})", "crank_radius_mm: must be greater than 0, got -46"},
         {R"({"angular_speed_rad_s": 0})", "angular_speed_rad_s: must be greater than 0, got 0"},
@@ -137,7 +137,7 @@ TEST(BalanceShaftInput, EveryFieldRefusesWhatItCannotBe) {
          "interpolation: must be one of \"linear\", \"periodic-cubic\", got \"cubic\""},
         {R"({"crank_radius_mm": "46"})", "crank_radius_mm: must be a number, got \"46\""}};
     for (const auto& [patch, error] : cases) {
-        EXPECT_EQ(refusal(patch), std::string("/input/") + error);
+        EXPECT_EQ(rejection(patch), std::string("/input/") + error);
     }
 }
 
@@ -161,11 +161,11 @@ TEST(BalanceShaftInput, AMassIsAFieldByItsName) {
 }
 
 TEST(BalanceShaftInput, UnknownKeysNameTheNearest) {
-    EXPECT_EQ(refusal(R"({"shaft_angel_deg": 45})"),
+    EXPECT_EQ(rejection(R"({"shaft_angel_deg": 45})"),
               "/input/shaft_angel_deg: is not a known key; the nearest is \"shaft_angle_deg\"");
-    EXPECT_EQ(refusal(R"({"torque": {"torque_nm": [0]}})"),
+    EXPECT_EQ(rejection(R"({"torque": {"torque_nm": [0]}})"),
               "/input/torque/torque_nm: is not a known key; the nearest is \"torque_Nm\"");
-    EXPECT_EQ(refusal(R"({"envelope": {"wal_mm": 1}})"),
+    EXPECT_EQ(rejection(R"({"envelope": {"wal_mm": 1}})"),
               "/input/envelope/wal_mm: is not a known key; the nearest is \"wall_mm\"");
 }
 
@@ -194,31 +194,31 @@ TEST(BalanceShaftInput, TorqueTables) {
                                      "torque_Nm": [0, null, 0]}})",
          "torque/torque_Nm/1: must be a number, got null"}};
     for (const auto& [patch, error] : cases) {
-        EXPECT_EQ(refusal(patch), std::string("/input/") + error);
+        EXPECT_EQ(rejection(patch), std::string("/input/") + error);
     }
 }
 
-TEST(BalanceShaftInput, NotFiniteValuesOfAProgramAreRefusedToo) {
-    const auto refusal_of = [](const auto& change) {
+TEST(BalanceShaftInput, NotFiniteValuesOfAProgramAreRejectedToo) {
+    const auto rejection_of = [](const auto& change) {
         Input input = preset_tmz_650d();
         change(input);
         return error_of([&] { solve(input); });
     };
     const double nan = std::nan("");
-    EXPECT_EQ(refusal_of([&](Input& i) { i.crank_radius = nan; }),
+    EXPECT_EQ(rejection_of([&](Input& i) { i.crank_radius = nan; }),
               "/input/crank_radius_mm: must be greater than 0, got not a number");
-    EXPECT_EQ(refusal_of([&](Input& i) { i.angular_speed = INFINITY; }),
+    EXPECT_EQ(rejection_of([&](Input& i) { i.angular_speed = INFINITY; }),
               "/input/angular_speed_rad_s: must be greater than 0, got infinity");
-    EXPECT_EQ(refusal_of([&](Input& i) { i.shaft_angle = nan; }),
+    EXPECT_EQ(rejection_of([&](Input& i) { i.shaft_angle = nan; }),
               "/input/shaft_angle_deg: must be from -3600 to 3600, got not a number");
-    EXPECT_EQ(refusal_of([&](Input& i) { i.reciprocating_masses[1].mass = nan; }),
+    EXPECT_EQ(rejection_of([&](Input& i) { i.reciprocating_masses[1].mass = nan; }),
               "/input/reciprocating_masses_kg/pin: must be at least 0, got not a number");
-    EXPECT_EQ(refusal_of([&](Input& i) { i.torque.table.torque[3] = nan; }),
+    EXPECT_EQ(rejection_of([&](Input& i) { i.torque.table.torque[3] = nan; }),
               "/input/torque/torque_Nm/3: must be from -1000000000000 to 1000000000000, got not a "
               "number");
-    EXPECT_EQ(refusal_of([&](Input& i) { i.torque.table = {}; }),
+    EXPECT_EQ(rejection_of([&](Input& i) { i.torque.table = {}; }),
               "/input/torque/crank_angle_deg: must have at least 3 numbers, got 0");
-    EXPECT_EQ(refusal_of([&](Input& i) { i.reciprocating_masses.clear(); }),
+    EXPECT_EQ(rejection_of([&](Input& i) { i.reciprocating_masses.clear(); }),
               "/input/reciprocating_masses_kg: must add up to more than 0 and to a finite mass, "
               "got 0");
 }
@@ -265,30 +265,30 @@ TEST(BalanceShaftInput, WhatIsTooLargeIsNamedAtItsOwnPlace) {
 }
 
 // Each ended in an internal error or in no end at all.
-TEST(BalanceShaftInput, RefusesSizesThatNoEngineHas) {
+TEST(BalanceShaftInput, RejectsSizesThatNoEngineHas) {
     const std::string shaft = "/input/relieved_shaft/";
-    EXPECT_EQ(refusal(R"({"relieved_shaft": {"diameter_mm": 1e-110, "length_mm": 400}})"),
+    EXPECT_EQ(rejection(R"({"relieved_shaft": {"diameter_mm": 1e-110, "length_mm": 400}})"),
               shaft + "diameter_mm: must be from 0.001 to 100000, got 1e-110");
-    EXPECT_EQ(refusal(R"({"relieved_shaft": {"diameter_mm": 50, "length_mm": 1e-300}})"),
+    EXPECT_EQ(rejection(R"({"relieved_shaft": {"diameter_mm": 50, "length_mm": 1e-300}})"),
               shaft + "length_mm: must be from 0.001 to 100000, got 1e-300");
-    EXPECT_EQ(refusal(R"({"relieved_shaft": {"depth_mm": 1e-110, "length_mm": 400}})"),
+    EXPECT_EQ(rejection(R"({"relieved_shaft": {"depth_mm": 1e-110, "length_mm": 400}})"),
               shaft + "depth_mm: must be from 1e-06 to 100000, got 1e-110");
     for (const char* value : {"1e-300", "1e-150", "1e+20"}) {
         EXPECT_EQ(
-            refusal(R"({"crank_radius_mm": )" + std::string(value) + "}"),
+            rejection(R"({"crank_radius_mm": )" + std::string(value) + "}"),
             "/input/crank_radius_mm: must be from 0.001 to 1000000, got " + std::string(value));
     }
-    EXPECT_EQ(refusal(R"({"centre_distance_mm": 1e20})"),
+    EXPECT_EQ(rejection(R"({"centre_distance_mm": 1e20})"),
               "/input/centre_distance_mm: must be from 0 to 1000000, got 1e+20");
-    EXPECT_EQ(refusal(R"({"angular_speed_rad_s": 1e-300})"),
+    EXPECT_EQ(rejection(R"({"angular_speed_rad_s": 1e-300})"),
               "/input/angular_speed_rad_s: must be from 1e-06 to 10000000, got 1e-300");
-    EXPECT_EQ(refusal(R"({"speed_band": {"from_rpm": 1e-9, "to_rpm": 3600}})"),
+    EXPECT_EQ(rejection(R"({"speed_band": {"from_rpm": 1e-9, "to_rpm": 3600}})"),
               "/input/speed_band/from_rpm: must be at least 0.1, got 1e-09");
 }
 
 class CsvBesideTheCase : public testing::Test {
   protected:
-    std::string refusal_with(const std::string& text) const {
+    std::string rejection_with(const std::string& text) const {
         write_text_file(folder_ / "torque.csv", text);
         return error_of([&] { read_input(input(), CaseContext{folder_}); });
     }
@@ -312,42 +312,42 @@ TEST_F(CsvBesideTheCase, GivesTheSameEngine) {
     EXPECT_EQ(written.size(), 2U);
 }
 
-TEST_F(CsvBesideTheCase, AnotherFileUnderItsNameIsTold) {
+TEST_F(CsvBesideTheCase, AnotherFileUnderItsNameIsReported) {
     TorqueTable table = preset_tmz_650d().torque.table;
     write_text_file(folder_ / "torque.csv", write_torque_table(table));
     Json json = input();
     json["torque"] = write_input(read_input(json, CaseContext{folder_})).at("torque");
-    const auto is_told = [&] {
+    const auto is_reported = [&] {
         const auto notes = solve(read_input(json, CaseContext{folder_})).notes;
         return std::any_of(notes.begin(), notes.end(), [](const Message& note) {
             return note.english().starts_with("torque.csv has changed since this case was made");
         });
     };
-    EXPECT_FALSE(is_told());
+    EXPECT_FALSE(is_reported());
     std::string sum = json["torque"]["csv_sha256"];
     std::transform(sum.begin(), sum.end(), sum.begin(),
                    [](unsigned char digit) { return static_cast<char>(std::toupper(digit)); });
     json["torque"]["csv_sha256"] = sum;
-    EXPECT_FALSE(is_told()) << "in capitals";
+    EXPECT_FALSE(is_reported()) << "in capitals";
     for (double& torque : table.torque) {
         torque *= 1.3;
     }
     write_text_file(folder_ / "torque.csv", write_torque_table(table));
-    EXPECT_TRUE(is_told());
+    EXPECT_TRUE(is_reported());
     // Saving what was opened does not hide it.
     json["torque"] = write_input(read_input(json, CaseContext{folder_})).at("torque");
-    EXPECT_TRUE(is_told());
+    EXPECT_TRUE(is_reported());
     json["torque"].erase("csv_sha256");
-    EXPECT_FALSE(is_told()) << "a case without a sum is of the file as it is";
+    EXPECT_FALSE(is_reported()) << "a case without a sum is of the file as it is";
 }
 
 TEST_F(CsvBesideTheCase, ErrorsNameFileLineAndColumn) {
-    EXPECT_EQ(refusal_with("0;0\n180;x\n720;0\n"),
+    EXPECT_EQ(rejection_with("0;0\n180;x\n720;0\n"),
               "/input/torque/csv: torque.csv: line 2, column 2: must be a finite number, got "
               "\"x\"");
-    EXPECT_EQ(refusal_with(std::string("\0\1\2\3", 4)),
+    EXPECT_EQ(rejection_with(std::string("\0\1\2\3", 4)),
               "/input/torque/csv: torque.csv: line 1: must be text; this looks like a binary file");
-    EXPECT_EQ(refusal_with(""),
+    EXPECT_EQ(rejection_with(""),
               "/input/torque/csv: torque.csv: the torque table must have at least 3 rows, got 0");
     EXPECT_EQ(error_of([&] { read_input(input("absent.csv"), CaseContext{folder_}); }),
               "/input/torque/csv: absent.csv: cannot be read: No such file or directory");

@@ -47,7 +47,7 @@ TEST(ShaftPlacesTest, nothingCanBeBuiltInWhatIsCutOffOrBlocked) {
             const Eigen::Vector2d at = within(part, random);
             bool is_cut = false;
             for (const HalfPlane& line : cuts.outer) {
-                is_cut = is_cut || line.normal.dot(at) < line.least;
+                is_cut = is_cut || line.normal.dot(at) < line.minimum;
             }
             cut_off += is_cut ? 1 : 0;
             if (is_blocked || is_cut) {
@@ -77,7 +77,7 @@ TEST(ShaftPlacesTest, aPolygonIsWhatItsHalfPlanesLeave) {
             const Eigen::Vector2d at = within(polygon, random);
             EXPECT_TRUE(((at - box.middle).cwiseAbs().array() <= box.half.array() + 1e-12).all());
             for (const HalfPlane& line : lines) {
-                EXPECT_GE(line.normal.dot(at), line.least - 1e-12);
+                EXPECT_GE(line.normal.dot(at), line.minimum - 1e-12);
             }
         }
     }
@@ -113,19 +113,19 @@ TEST(RodSweepTest, theNearestRodIsThatOfBruteForce) {
         const double x = coordinate(random);
         const double y = coordinate(random);
         const RodSweep::Nearest found = rods.nearest(x, y);
-        double least = 1e300;
+        double minimum = 1e300;
         constexpr int angles = 20000;
         for (int k = 0; k < angles; ++k) {
             const double theta = two_pi * k / angles;
             const double pin_x = crank.crank_radius * std::sin(theta);
             const double pin_y = crank.crank_radius * std::cos(theta);
-            least = std::min(
-                least,
+            minimum = std::min(
+                minimum,
                 rods.square({pin_x, pin_y, crank.offset - pin_x, crank.at(theta).s - pin_y}, x, y));
         }
         // Beside the nearest of the angles the square is less by no more than the second order.
-        EXPECT_LE(found.distance * found.distance, least + 1e-15);
-        EXPECT_GE(found.distance * found.distance, least - 1e-8);
+        EXPECT_LE(found.distance * found.distance, minimum + 1e-15);
+        EXPECT_GE(found.distance * found.distance, minimum - 1e-8);
         EXPECT_NEAR(std::hypot(found.x - x, found.y - y), found.distance, 1e-12);
         EXPECT_NEAR(rods.square(found.rod, x, y), found.distance * found.distance, 1e-12);
         EXPECT_TRUE(rods.is_clear(x, y, found.distance));

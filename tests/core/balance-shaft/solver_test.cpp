@@ -191,24 +191,24 @@ TEST_P(AnyCycle, BestAnglesBeatADenseSearch) {
     const Solver solver(input());
     const Result result = solver.result();
     constexpr int angles = 2400;
-    double least_range = 1e300;
-    double least_rms = 1e300;
+    double min_range = 1e300;
+    double min_rms = 1e300;
     double best_rms_angle = 0.0;
     for (int i = 0; i < angles; ++i) {
         const double alpha = two_pi * i / angles;
-        least_range = std::min(least_range, solver.range(alpha));
-        if (solver.rms(alpha) < least_rms) {
-            least_rms = solver.rms(alpha);
+        min_range = std::min(min_range, solver.range(alpha));
+        if (solver.rms(alpha) < min_rms) {
+            min_rms = solver.rms(alpha);
             best_rms_angle = alpha;
         }
     }
     // Exact: never above the search; and not below it by more than |dR/dα| ≤ 2A allows.
     const double step = two_pi / angles;
-    EXPECT_LE(result.best_range.value, least_range + 1e-9);
-    EXPECT_GE(result.best_range.value, least_range - 2.0 * result.moment_amplitude * step / 2.0);
+    EXPECT_LE(result.best_range.value, min_range + 1e-9);
+    EXPECT_GE(result.best_range.value, min_range - 2.0 * result.moment_amplitude * step / 2.0);
     EXPECT_NEAR(solver.range(*result.best_range.shaft_angle), result.best_range.value, 1e-9);
-    EXPECT_LE(result.best_rms.value, least_rms + 1e-9);
-    EXPECT_NEAR(result.best_rms.value, least_rms, 1e-3 * least_rms);
+    EXPECT_LE(result.best_rms.value, min_rms + 1e-9);
+    EXPECT_NEAR(result.best_rms.value, min_rms, 1e-3 * min_rms);
     EXPECT_LE(angular_distance(*result.best_rms.shaft_angle, best_rms_angle), step);
     EXPECT_NEAR(solver.rms(*result.best_rms.shaft_angle), result.best_rms.value, 1e-9);
     // A local proof: no neighbour is better.
@@ -392,7 +392,7 @@ TEST(BalanceShaft, ASecondOrderTorqueHasNoBestRmsAngle) {
     EXPECT_TRUE(result.best_range.shaft_angle);
 }
 
-TEST(BalanceShaft, MovingTheShaftEqualsSolvingAnew) {
+TEST(BalanceShaft, MovingTheShaftEqualsSolvingAgain) {
     Input input = preset_tmz_650d();
     const Solver solver(input);
     Result moved = solver.result();
@@ -448,7 +448,7 @@ TEST(BalanceShaft, ExtremeFiniteInputsGiveNumbersOrWords) {
         [](Input& input, double size) { input.centre_distance = size; },
         [](Input& input, double size) { input.torque.table.torque[5] = size; },
         [](Input& input, double size) { input.cylinder.rod_length = size; }};
-    int refused = 0;
+    int rejected = 0;
     int solved = 0;
     for (const double size : {5e-324, 1e-300, 1e-150, 1e-30, 1e30, 1e150, 1e300, 1.7e308}) {
         for (std::size_t which = 0; which < std::size(inputs); ++which) {
@@ -461,11 +461,11 @@ TEST(BalanceShaft, ExtremeFiniteInputsGiveNumbersOrWords) {
                 ++solved;
             } catch (const InputError& error) {
                 EXPECT_EQ(std::string(error.what()).rfind("/input/", 0), 0U) << error.what();
-                ++refused;
+                ++rejected;
             }
         }
     }
-    EXPECT_GT(refused, 10);
+    EXPECT_GT(rejected, 10);
     EXPECT_GT(solved, 10);
 }
 

@@ -61,7 +61,7 @@ TEST(SpeedStudy, EverySpeedIsTheEngineSolvedAtThatSpeed) {
     }
 }
 
-TEST(SpeedStudy, TheLeastBadAngleIsTheMinimaxOfADenseMap) {
+TEST(SpeedStudy, TheBestCompromiseAngleIsTheMinimaxOfADenseMap) {
     const Input input = diesel();
     const SpeedStudy study(input, band(1500, 4200, 12));
     ASSERT_FALSE(study.buildable().stretches.empty());
@@ -74,7 +74,7 @@ TEST(SpeedStudy, TheLeastBadAngleIsTheMinimaxOfADenseMap) {
                                                  std::pair(Criterion::rms, Measure::absolute),
                                                  std::pair(Criterion::rms, Measure::relative)}) {
             const bool by_range = criterion == Criterion::range;
-            double least = 1e300;
+            double minimum = 1e300;
             for (std::size_t i = 0; i < angles; ++i) {
                 if (built && !study.buildable().contains(map->shaft_angle_deg[i] * degree)) {
                     continue;
@@ -86,12 +86,12 @@ TEST(SpeedStudy, TheLeastBadAngleIsTheMinimaxOfADenseMap) {
                     const double without = by_range ? point.range_without : point.rms_without;
                     worst = std::max(worst, measure == Measure::absolute ? value : value / without);
                 }
-                least = std::min(least, worst);
+                minimum = std::min(minimum, worst);
             }
-            const auto found = study.least_bad_angle(criterion, measure, within);
+            const auto found = study.best_compromise_angle(criterion, measure, within);
             EXPECT_TRUE(!built || study.buildable().contains(found.shaft_angle));
-            EXPECT_LE(found.value, least * (1.0 + 1e-9));
-            EXPECT_GE(found.value, least * 0.99);
+            EXPECT_LE(found.value, minimum * (1.0 + 1e-9));
+            EXPECT_GE(found.value, minimum * 0.99);
             EXPECT_LE(found.gap, 1e-9 * found.value);
             // The worst speed is one at which the value is reached.
             Input at_worst = input;
@@ -108,7 +108,7 @@ TEST(SpeedStudy, TheLeastBadAngleIsTheMinimaxOfADenseMap) {
     }
 }
 
-TEST(SpeedStudy, TheLeastBadAngleCoversTheBandAndNotOnlyItsPoints) {
+TEST(SpeedStudy, TheBestCompromiseAngleCoversTheBandAndNotOnlyItsPoints) {
     const Input input = diesel();
     // Few points: the worst speed of the relative measures may lie between them.
     const SpeedStudy coarse(input, band(1200, 4500, 2));
@@ -143,14 +143,14 @@ TEST(SpeedStudy, TheLeastBadAngleCoversTheBandAndNotOnlyItsPoints) {
     };
     for (const Criterion criterion : {Criterion::range, Criterion::rms}) {
         for (const Measure measure : {Measure::absolute, Measure::relative}) {
-            const auto found = coarse.least_bad_angle(criterion, measure);
+            const auto found = coarse.best_compromise_angle(criterion, measure);
             EXPECT_LE(found.gap, 1e-9 * found.value);
-            EXPECT_NEAR(fine.least_bad_angle(criterion, measure).value, found.value,
+            EXPECT_NEAR(fine.best_compromise_angle(criterion, measure).value, found.value,
                         1e-8 * found.value);
         }
     }
     for (const Criterion criterion : {Criterion::range, Criterion::rms}) {
-        const auto found = coarse.least_bad_angle(criterion, Measure::relative);
+        const auto found = coarse.best_compromise_angle(criterion, Measure::relative);
         const double brute = worst_ratio(criterion, found.shaft_angle);
         EXPECT_LE(brute, found.value * (1.0 + 1e-9));
         EXPECT_GE(brute, found.value * (1.0 - 1e-5));
@@ -162,9 +162,9 @@ TEST(SpeedStudy, ABandOfOneSpeedHasThatSpeedsBestAngle) {
     input.angular_speed = 3000.0 * units::rpm;
     const SpeedStudy study(input, band(3000, 3000, 2));
     const Result result = solve(input);
-    EXPECT_NEAR(study.least_bad_angle(Criterion::range, Measure::absolute).value,
+    EXPECT_NEAR(study.best_compromise_angle(Criterion::range, Measure::absolute).value,
                 result.best_range.value, 1e-9);
-    EXPECT_NEAR(study.least_bad_angle(Criterion::rms, Measure::relative).shaft_angle,
+    EXPECT_NEAR(study.best_compromise_angle(Criterion::rms, Measure::relative).shaft_angle,
                 *result.best_rms.shaft_angle, 1e-5);
 }
 
@@ -200,9 +200,9 @@ TEST(SpeedStudy, CanBeCancelledAndReportsItsProgress) {
 
 TEST(SpeedStudy, ATableIsTakenToOtherSpeedsOnlyWhereItBelongsToItsMasses) {
     const Input paper = preset_tmz_650d();
-    const SpeedStudy refused(paper, band(2000, 4000, 5));
-    EXPECT_FALSE(refused.is_complete());
-    EXPECT_EQ(refused.reason().english().rfind("The torque does not match masses and speed", 0),
+    const SpeedStudy rejected(paper, band(2000, 4000, 5));
+    EXPECT_FALSE(rejected.is_complete());
+    EXPECT_EQ(rejected.reason().english().rfind("The torque does not match masses and speed", 0),
               0U);
     Input with_band = paper;
     with_band.speed_band = band(2000, 4000, 5);
@@ -227,18 +227,19 @@ TEST(SpeedStudy, IsPrintedByACase) {
     EXPECT_EQ(result.at("map").at("range_Nm").size(), 4U);
     EXPECT_EQ(result.at("map").at("range_Nm").at(0).size(), 360U);
     EXPECT_TRUE(result.at("least_bad").at("range").contains("worst_speed_rpm"));
-    const auto refusal = [&](const std::string& patch) {
-        return test::refusal(read_input(json, {}), R"({"speed_band": )" + patch + "}");
+    const auto rejection = [&](const std::string& patch) {
+        return test::rejection(read_input(json, {}), R"({"speed_band": )" + patch + "}");
     };
-    EXPECT_EQ(refusal(R"({"from_rpm": 0})"),
+    EXPECT_EQ(rejection(R"({"from_rpm": 0})"),
               "/input/speed_band/from_rpm: must be greater than 0, got 0");
     EXPECT_EQ(
-        refusal(R"({"to_rpm": 1000})"),
+        rejection(R"({"to_rpm": 1000})"),
         "/input/speed_band/to_rpm: must be at least the minimum speed of the band, 2000, got 1000");
-    EXPECT_EQ(refusal(R"({"speeds": 1})"),
+    EXPECT_EQ(rejection(R"({"speeds": 1})"),
               "/input/speed_band/speeds: must be a whole number from 2 to 1000, got 1");
-    EXPECT_EQ(refusal(R"({"to_rpm": 1e300})").rfind("/input/speed_band/to_rpm: must be at most", 0),
-              0U);
+    EXPECT_EQ(
+        rejection(R"({"to_rpm": 1e300})").rfind("/input/speed_band/to_rpm: must be at most", 0),
+        0U);
 }
 
 }  // namespace

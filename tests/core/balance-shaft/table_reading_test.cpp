@@ -266,32 +266,32 @@ TEST(TableReading, ACaseNamesColumnsUnitAndGauge) {
         const auto pressure = read_input(other, context).torque.trace.pressure;
         EXPECT_EQ(*std::max_element(pressure.begin(), pressure.end()), 59 * units::bar) << name;
     }
-    const auto refusal = [&](const char* key, const Json& value) {
+    const auto rejection = [&](const char* key, const Json& value) {
         Json other = json;
         other["torque"]["pressure"][key] = value;
         return test::error_of([&] { read_input(other, context); });
     };
     const std::string place = "/input/torque/pressure/";
-    EXPECT_EQ(refusal("columns", {1}),
+    EXPECT_EQ(rejection("columns", {1}),
               place +
                   "columns: must be two numbers from 1 or two headings: of the crank angle and "
                   "of the value, got [1]");
-    EXPECT_EQ(refusal("columns", {5, 14}),
+    EXPECT_EQ(rejection("columns", {5, 14}),
               place + "csv: p.csv: line 2: must have at least 14 columns, got 13 columns");
-    EXPECT_EQ(refusal("columns", {"1", "0"}),
+    EXPECT_EQ(rejection("columns", {"1", "0"}),
               place + "csv: p.csv: must have a column of values: columns count from 1, got 0");
-    EXPECT_EQ(refusal("columns", {"0", "0"}), refusal("columns", {"1", "0"}));
-    EXPECT_TRUE(refusal("columns", {"CA", 8})
+    EXPECT_EQ(rejection("columns", {"0", "0"}), rejection("columns", {"1", "0"}));
+    EXPECT_TRUE(rejection("columns", {"CA", 8})
                     .starts_with(place + "csv: p.csv: must have a column with the heading \"CA\", "
                                          "got \""));
-    EXPECT_EQ(refusal("unit", "mmHg"), place +
-                                           "unit: must be one of \"bar\", \"kPa\", \"MPa\", "
-                                           "\"psi\", \"mbar\", \"Pa\", got \"mmHg\"");
-    EXPECT_EQ(refusal("gauge", 1), place + "gauge: must be true or false, got 1");
-    EXPECT_NE(refusal("gauge", nullptr), "no error");
+    EXPECT_EQ(rejection("unit", "mmHg"), place +
+                                             "unit: must be one of \"bar\", \"kPa\", \"MPa\", "
+                                             "\"psi\", \"mbar\", \"Pa\", got \"mmHg\"");
+    EXPECT_EQ(rejection("gauge", 1), place + "gauge: must be true or false, got 1");
+    EXPECT_NE(rejection("gauge", nullptr), "no error");
 }
 
-TEST(TableReading, CyclesOfATwoStrokeAreToldByTheirValues) {
+TEST(TableReading, CyclesOfATwoStrokeAreReportedByTheirValues) {
     const SyntheticEngine two = test::synthetic_engines()[10];
     ASSERT_EQ(two.strokes, 2);
     EXPECT_EQ(parse_pressure_trace(file_as(two, {.cycles = 6})).strokes, 2);
@@ -492,7 +492,7 @@ TEST(TableReading, TurnsOfATorqueOfATwoStrokeAreAveraged) {
 }
 
 // Each row of the first cycle would be looked for in each of the others.
-TEST(TableReading, AFirstCycleOfManyRowsBeforeManyOfFewIsRefusedAtOnce) {
+TEST(TableReading, AFirstCycleOfManyRowsBeforeManyOfFewIsRejectedAtOnce) {
     std::string text;
     for (int i = 0; i < 100'000; ++i) {
         text += cell_text(0.007 * i, false) + ";1\n";

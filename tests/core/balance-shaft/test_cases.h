@@ -26,7 +26,7 @@ inline std::filesystem::path data_folder() {
 using ravnoves::test::error_of;
 
 /// What is said of an input that a patch of its case changes; "no error" where it is solved.
-inline std::string refusal(const Input& input, const std::string& patch) {
+inline std::string rejection(const Input& input, const std::string& patch) {
     Json json = write_input(input);
     json.merge_patch(parse_json(patch));
     return error_of([&] { Solver(read_input(json, {})); });

@@ -11,7 +11,7 @@ using test::error_of;
 
 const TorqueTable small{{0, 180, 360, 540, 720}, {0, -90.5, 893, 30, 0}};
 
-std::string refusal_of_text(const std::string& text) {
+std::string rejection_of_text(const std::string& text) {
     return error_of([&] { parse_torque_table(text); });
 }
 
@@ -65,10 +65,10 @@ TEST(ParsedTorqueTable, KnowsRadians) {
     EXPECT_EQ(one_turn.table.crank_angle_deg.back(), 360.0);
     EXPECT_TRUE(parse_torque_table("угол, рад;M\n0;1\n3.14159;2\n6.28319;1\n").in_radians);
     // The header and the span must agree.
-    EXPECT_EQ(refusal_of_text("phi [rad];M\n0;1\n180;2\n720;1\n"),
+    EXPECT_EQ(rejection_of_text("phi [rad];M\n0;1\n180;2\n720;1\n"),
               "line 4, column 1: the angles must span 720° (or 360°, or 4π or 2π in radians), the "
               "last row repeating the first, got 720 rad");
-    EXPECT_NE(refusal_of_text("phi [deg];M\n0;1\n3.14159;2\n6.28319;1\n"), "no error");
+    EXPECT_NE(rejection_of_text("phi [deg];M\n0;1\n3.14159;2\n6.28319;1\n"), "no error");
     // Not a unit: "radius", "grad".
     EXPECT_FALSE(parse_torque_table("crank radius 46;M\n0;1\n180;2\n720;1\n").in_radians);
 }
@@ -81,14 +81,14 @@ TEST(ParsedTorqueTable, KeepsAnyStartOfTheCycle) {
 // The name of the file may stand in a case that somebody else wrote.
 TEST(ParsedTorqueTable, NoLineOfAFileThatIsNoTableIsQuoted) {
     const std::string two_columns = "line 3: must have two columns, crank angle and torque";
-    EXPECT_EQ(refusal_of_text("root:x:0\ndaemon:x:1\nbin:x:2\n"), two_columns);
-    EXPECT_EQ(refusal_of_text("user\nlogin\n12:secret\n"), two_columns);
-    EXPECT_EQ(refusal_of_text("user\nlogin\nname;secret\n"),
+    EXPECT_EQ(rejection_of_text("root:x:0\ndaemon:x:1\nbin:x:2\n"), two_columns);
+    EXPECT_EQ(rejection_of_text("user\nlogin\n12:secret\n"), two_columns);
+    EXPECT_EQ(rejection_of_text("user\nlogin\nname;secret\n"),
               "line 3, column 1: must be a finite number");
-    EXPECT_EQ(refusal_of_text("user\nlogin\n1;infantry\n"),
+    EXPECT_EQ(rejection_of_text("user\nlogin\n1;infantry\n"),
               "line 3, column 2: must be a finite number");
     // After a row that is one, what is wrong in another is said.
-    EXPECT_EQ(refusal_of_text("0;0\n180;one\n720;0\n"),
+    EXPECT_EQ(rejection_of_text("0;0\n180;one\n720;0\n"),
               "line 2, column 2: must be a finite number, got \"one\"");
 }
 
@@ -123,65 +123,67 @@ TEST(ParsedTorqueTable, ErrorsNameLineAndColumn) {
          "line 1, column 1: must not separate columns by commas and use decimal commas at once; "
          "separate the columns by semicolons, got \"0,5,1,5\""}};
     for (const auto& [text, error] : cases) {
-        EXPECT_EQ(refusal_of_text(text), error);
+        EXPECT_EQ(rejection_of_text(text), error);
     }
 }
 
 TEST(ParsedTorqueTable, ACommaBetweenThousandsIsNotTakenForADecimalOne) {
     EXPECT_EQ(
-        refusal_of_text("0\t-81.5\n360\t1,893\n720\t-81.5\n"),
+        rejection_of_text("0\t-81.5\n360\t1,893\n720\t-81.5\n"),
         "line 2, column 2: must have the decimal sign of the numbers above: all points or all "
         "commas, and nothing between thousands, got \"1,893\"");
-    EXPECT_EQ(refusal_of_text("0;1,500\n360;2.5\n720;1,500\n").substr(0, 17), "line 2, column 2:");
-    EXPECT_EQ(refusal_of_text("0;1,5\n360;2.5\n720;1,5\n"), "no error");
-    EXPECT_EQ(refusal_of_text("0\t-81,5\n360\t1,893\n720\t-81,5\n"), "no error");
+    EXPECT_EQ(rejection_of_text("0;1,500\n360;2.5\n720;1,500\n").substr(0, 17),
+              "line 2, column 2:");
+    EXPECT_EQ(rejection_of_text("0;1,5\n360;2.5\n720;1,5\n"), "no error");
+    EXPECT_EQ(rejection_of_text("0\t-81,5\n360\t1,893\n720\t-81,5\n"), "no error");
     // Among whole numbers it can be either.
-    EXPECT_EQ(refusal_of_text("0\t-81\n360\t1,893\n720\t-81\n"),
+    EXPECT_EQ(rejection_of_text("0\t-81\n360\t1,893\n720\t-81\n"),
               "line 2, column 2: must be unambiguous: its comma may divide thousands or be a "
               "decimal sign, as no other number of the column has one, got \"1,893\"");
-    EXPECT_EQ(refusal_of_text("0\t0\n360\t1,893\n720\t0\n"), "no error");
-    EXPECT_EQ(refusal_of_text("0\t1,250\n360\t1,893\n720\t1,250\n"), "no error");
-    EXPECT_EQ(refusal_of_text("0\t-81\n180\t12,5\n360\t1,893\n720\t-81\n"), "no error");
+    EXPECT_EQ(rejection_of_text("0\t0\n360\t1,893\n720\t0\n"), "no error");
+    EXPECT_EQ(rejection_of_text("0\t1,250\n360\t1,893\n720\t1,250\n"), "no error");
+    EXPECT_EQ(rejection_of_text("0\t-81\n180\t12,5\n360\t1,893\n720\t-81\n"), "no error");
 }
 
 TEST(ParsedTorqueTable, WhatIsNoNumberIsQuotedAsItStands) {
-    EXPECT_EQ(refusal_of_text("0\t0\n360\t\xE2\x88\x92\xE2\x88\x92"
-                              "5\n720\t0\n"),
+    EXPECT_EQ(rejection_of_text("0\t0\n360\t\xE2\x88\x92\xE2\x88\x92"
+                                "5\n720\t0\n"),
               "line 2, column 2: must be a finite number, got \"−−5\"");
-    EXPECT_EQ(refusal_of_text("0\t0\n360\tпять\n720\t0\n"),
+    EXPECT_EQ(rejection_of_text("0\t0\n360\tпять\n720\t0\n"),
               "line 2, column 2: must be a finite number, got \"пять\"");
     // Of another code page.
-    EXPECT_EQ(refusal_of_text("0\t0\n360\t\xEF\xFF\n720\t0\n"),
+    EXPECT_EQ(rejection_of_text("0\t0\n360\t\xEF\xFF\n720\t0\n"),
               "line 2, column 2: must be a finite number, got \"\uFFFD\uFFFD\"");
 }
 
 TEST(ParsedTorqueTable, ATableThatEndsEarlyIsSaidAsSuch) {
-    EXPECT_EQ(refusal_of_text("0;0\n360;2\n705;-79.2\n")
+    EXPECT_EQ(rejection_of_text("0;0\n360;2\n705;-79.2\n")
                   .find("line 3, column 1: the angles must span 720°"),
               0U);
 }
 
-TEST(ParsedTorqueTable, RefusesWhatIsNoTable) {
-    EXPECT_EQ(refusal_of_text(""), "the torque table must have at least 3 rows, got 0");
-    EXPECT_EQ(refusal_of_text("\n\n  \n"), "the torque table must have at least 3 rows, got 0");
-    EXPECT_EQ(refusal_of_text("phi;M\n"), "the torque table must have at least 3 rows, got 0");
-    EXPECT_EQ(refusal_of_text("0;0\n"), "the torque table must have at least 3 rows, got 1");
-    EXPECT_EQ(refusal_of_text("0;0\n720;0\n"), "the torque table must have at least 3 rows, got 2");
-    EXPECT_EQ(refusal_of_text(std::string("\x7F"
-                                          "ELF\2\1\1\0\0\0",
-                                          10)),
+TEST(ParsedTorqueTable, RejectsWhatIsNoTable) {
+    EXPECT_EQ(rejection_of_text(""), "the torque table must have at least 3 rows, got 0");
+    EXPECT_EQ(rejection_of_text("\n\n  \n"), "the torque table must have at least 3 rows, got 0");
+    EXPECT_EQ(rejection_of_text("phi;M\n"), "the torque table must have at least 3 rows, got 0");
+    EXPECT_EQ(rejection_of_text("0;0\n"), "the torque table must have at least 3 rows, got 1");
+    EXPECT_EQ(rejection_of_text("0;0\n720;0\n"),
+              "the torque table must have at least 3 rows, got 2");
+    EXPECT_EQ(rejection_of_text(std::string("\x7F"
+                                            "ELF\2\1\1\0\0\0",
+                                            10)),
               "line 1: must be text; this looks like a binary file");
-    EXPECT_EQ(refusal_of_text(std::string("0;0\n\0\1\2", 7)),
+    EXPECT_EQ(rejection_of_text(std::string("0;0\n\0\1\2", 7)),
               "line 2: must be text; this looks like a binary file");
-    EXPECT_NE(refusal_of_text("just\nsome\nprose\n"), "no error");
+    EXPECT_NE(rejection_of_text("just\nsome\nprose\n"), "no error");
 }
 
-TEST(ParsedTorqueTable, TwentyThousandRowsAreReadAndMoreAreRefused) {
+TEST(ParsedTorqueTable, TwentyThousandRowsAreReadAndMoreAreRejected) {
     const TorqueTable table = test::random_table(7, largest_torque_table);
     std::string text = write_torque_table(table);
     EXPECT_EQ(parse_torque_table(text).table, table);
     text = write_torque_table(test::random_table(7, largest_torque_table + 1));
-    EXPECT_EQ(refusal_of_text(text),
+    EXPECT_EQ(rejection_of_text(text),
               "a cycle must have at most 20000 rows: use larger steps, got 20001");
 }
 
@@ -208,7 +210,7 @@ TEST(TorqueTableCheck, NamesThePointer) {
               "last row repeating the first, got 540°");
 }
 
-TEST(BalanceShaftTorqueTable, RowsTooCloseForASlopeAreRefused) {
+TEST(BalanceShaftTorqueTable, RowsTooCloseForASlopeAreRejected) {
     TorqueTable table{{0.0, 1e-12, 300.0, 720.0}, {10.0, -10.0, 5.0, 10.0}};
     EXPECT_EQ(error_of([&] { check_torque_table(table, "/input/torque"); }),
               "/input/torque/crank_angle_deg/1: must be at least 1e-09° more than the angle of the "
@@ -217,7 +219,7 @@ TEST(BalanceShaftTorqueTable, RowsTooCloseForASlopeAreRefused) {
     EXPECT_NO_THROW(check_torque_table(table, "/input/torque"));
 }
 
-TEST(TorqueTable, PascalsWithoutAUnitAreToldSo) {
+TEST(TorqueTable, PascalsWithoutAUnitAreReportedSo) {
     const std::string rows = "\n0;101325\n180;101325\n360;6e6\n540;3e5\n720;101325\n";
     EXPECT_EQ(error_of([&] { parse_pressure_trace("deg;p" + rows); }),
               "line 2, column 2: must be from 0 to 100000 in bar, the default without a unit in "

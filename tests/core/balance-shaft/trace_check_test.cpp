@@ -170,7 +170,7 @@ TEST(TraceCheck, AWrongPhaseIsNoticed) {
     EXPECT_NE(turn.find("shift the trace by one turn"), std::string::npos) << turn;
 }
 
-TEST(TraceCheck, ATurnOffIsMendedByTheShift) {
+TEST(TraceCheck, ATurnOffIsCorrectedByTheShift) {
     Input input = traced(diesel(), {.late_deg = 360.0});
     EXPECT_TRUE(peaks_a_turn_off(input, *cylinder_gas(input)));
     input.torque.trace_shift = two_pi;

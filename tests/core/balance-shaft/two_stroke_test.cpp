@@ -198,14 +198,14 @@ TEST(TwoStroke, TheCycleIsContinuousAndItsWorkThatOfItsTorque) {
             EXPECT_NEAR(result.curves.crank_angle_deg.back(), 360.0, 1e-12);
         }
     }
-    const auto refusal = [](const std::string& patch) {
-        return test::refusal(two_stroke(), R"({"torque": {"cycle": )" + patch + "}}");
+    const auto rejection = [](const std::string& patch) {
+        return test::rejection(two_stroke(), R"({"torque": {"cycle": )" + patch + "}}");
     };
-    EXPECT_EQ(refusal(R"({"ports_open_deg": 120})"), "no error");
-    EXPECT_EQ(refusal(R"({"combustion_duration_deg": 130})"),
+    EXPECT_EQ(rejection(R"({"ports_open_deg": 120})"), "no error");
+    EXPECT_EQ(rejection(R"({"combustion_duration_deg": 130})"),
               "/input/torque/cycle/combustion_duration_deg: must end the combustion before the "
               "ports open at 470°, got 482°");
-    EXPECT_EQ(refusal(R"({"ports_open_deg": 62, "combustion_start_deg": 280})"),
+    EXPECT_EQ(rejection(R"({"ports_open_deg": 62, "combustion_start_deg": 280})"),
               "/input/torque/cycle/combustion_start_deg: must be after the ports have closed, "
               "298°, got 280°");
 }

@@ -114,7 +114,7 @@ TEST(Vectors, AreCarriedOverWithForceAndMoment) {
     }
 }
 
-/// Angle between two neighbours whose wall is still the least.
+/// Angle between two neighbours whose wall is still the smallest.
 std::optional<double> hole_spacing(const Cut& cut, double diameter, double depth, double wall) {
     const auto half = half_width(cut, diameter, depth, wall);
     return half ? std::optional(2.0 * *half) : std::nullopt;
@@ -136,15 +136,15 @@ double wall_between(const Cut& cut, const Hole& first, const Hole& second) {
         }
         return points;
     };
-    double least = 1.0;
+    double minimum = 1.0;
     const double angle = std::abs(std::remainder(second.angle - first.angle, 2.0 * pi));
     const auto other = outline(second, angle, -1.0);
     for (const auto& a : outline(first, 0.0, 1.0)) {
         for (const auto& b : other) {
-            least = std::min(least, std::abs(a - b));
+            minimum = std::min(minimum, std::abs(a - b));
         }
     }
-    return least;
+    return minimum;
 }
 
 TEST(Spacing, LeavesTheWallAndNoMore) {
@@ -179,11 +179,11 @@ TEST(Plan, TakesOffTheVectorWithAsFewHolesAsCanBe) {
         EXPECT_EQ(plan.shortfall, Shortfall::none) << target;
         EXPECT_LT(std::abs(sum_of(plan) - std::polar(target * gram_mm, 0.7)), 1e-6 * gram_mm);
         // By brute force: no drill does it with one hole less, though they lay all in one place.
-        double most = 0.0;
+        double maximum = 0.0;
         for (const double diameter : drills) {
-            most = std::max(most, rim.removed(diameter, usual.maximum_depth).unbalance);
+            maximum = std::max(maximum, rim.removed(diameter, usual.maximum_depth).unbalance);
         }
-        EXPECT_GE(most * static_cast<double>(plan.holes.size()), target * gram_mm);
+        EXPECT_GE(maximum * static_cast<double>(plan.holes.size()), target * gram_mm);
         if (plan.holes.size() == 1) {
             EXPECT_NEAR(plan.holes[0].angle, 0.7, 1e-12);
         }
@@ -334,18 +334,18 @@ TEST(Plan, KeepsWholeHolesInTheSector) {
     HoleLimits limits = usual;
     limits.sector = {-7 * degree, 90 * degree};
     const auto beyond = [&](const HolePlan& plan) {
-        double most = 0.0;
+        double maximum = 0.0;
         for (const Hole& hole : plan.holes) {
             // By the corners of the hole at its bottom.
             for (const double side : {-0.5, 0.5}) {
                 const auto corner = std::complex(rim.radius - hole.depth, side * hole.diameter) *
                                     std::polar(1.0, hole.angle - limits.sector->first);
-                most = std::max(most, -corner.imag());
+                maximum = std::max(maximum, -corner.imag());
             }
-            EXPECT_NEAR(std::max(most, 0.0), std::max(most, edge_beyond(rim, *limits.sector, hole)),
-                        1e-9);
+            EXPECT_NEAR(std::max(maximum, 0.0),
+                        std::max(maximum, edge_beyond(rim, *limits.sector, hole)), 1e-9);
         }
-        return most;
+        return maximum;
     };
     // Of ⌀ 12 mm half lies 5° beside the middle, of ⌀ 8 mm 3° at the rim and 5° at 35 mm.
     int whole = 0;
@@ -364,8 +364,8 @@ TEST(Plan, KeepsWholeHolesInTheSector) {
 
 TEST(Plan, KeepsWholeHolesInAnySector) {
     std::mt19937 random(5);
-    const auto any = [&](double least, double most) {
-        return std::uniform_real_distribution(least, most)(random);
+    const auto any = [&](double minimum, double maximum) {
+        return std::uniform_real_distribution(minimum, maximum)(random);
     };
     int drilled = 0;
     for (int i = 0; i < 200; ++i) {
@@ -393,7 +393,7 @@ TEST(Plan, KeepsWholeHolesInAnySector) {
     EXPECT_GT(drilled, 100);
 }
 
-TEST(Plan, BesideTheSectorLeavesLeast) {
+TEST(Plan, BesideTheSectorLeavesMinimum) {
     HoleLimits limits = usual;
     limits.sector = {70 * degree, 140 * degree};
     for (const double angle : {20.0, 55.0, 69.0, 141.0, 170.0, 200.0}) {

@@ -16,7 +16,7 @@ Json envelope(const char* more = "{}") {
     return document;
 }
 
-std::string refusal(const Json& document) {
+std::string rejection(const Json& document) {
     return test::error_of([&] { read_case(document, {"s"}); });
 }
 
@@ -45,34 +45,34 @@ TEST(CaseFileTest, WhatIsEmptyIsLeftOut) {
               envelope());
 }
 
-TEST(CaseFileTest, RefusalsNamePlaceRuleAndFinding) {
-    EXPECT_EQ(refusal(envelope(R"({"notes": 3})")), "/notes: must be a text, got 3");
-    EXPECT_EQ(refusal(envelope(R"({"study": []})")), "/study: must be an object, got []");
-    EXPECT_EQ(refusal(envelope(R"({"kept": 1})")), "/kept: must be an object, got 1");
-    EXPECT_EQ(refusal(envelope(R"({"reference": "A"})")),
+TEST(CaseFileTest, RejectionsNamePlaceRuleAndFinding) {
+    EXPECT_EQ(rejection(envelope(R"({"notes": 3})")), "/notes: must be a text, got 3");
+    EXPECT_EQ(rejection(envelope(R"({"study": []})")), "/study: must be an object, got []");
+    EXPECT_EQ(rejection(envelope(R"({"kept": 1})")), "/kept: must be an object, got 1");
+    EXPECT_EQ(rejection(envelope(R"({"reference": "A"})")),
               "/reference: must be the name of a variant, got \"A\"");
-    EXPECT_EQ(refusal(envelope(R"({"variants": {}})")), "/variants: must be a list, got {}");
-    EXPECT_EQ(refusal(envelope(R"({"variants": [7]})")), "/variants/0: must be an object, got 7");
-    EXPECT_EQ(refusal(envelope(R"({"variants": [{"input": {}}]})")),
+    EXPECT_EQ(rejection(envelope(R"({"variants": {}})")), "/variants: must be a list, got {}");
+    EXPECT_EQ(rejection(envelope(R"({"variants": [7]})")), "/variants/0: must be an object, got 7");
+    EXPECT_EQ(rejection(envelope(R"({"variants": [{"input": {}}]})")),
               "/variants/0/name: is required and missing");
-    EXPECT_EQ(refusal(envelope(R"({"variants": [{"name": "", "input": {}}]})")),
+    EXPECT_EQ(rejection(envelope(R"({"variants": [{"name": "", "input": {}}]})")),
               "/variants/0/name: must not be empty");
-    EXPECT_EQ(refusal(envelope(R"({"variants": [{"name": "A", "input": {}},
+    EXPECT_EQ(rejection(envelope(R"({"variants": [{"name": "A", "input": {}},
                                                 {"name": "A", "input": {}}]})")),
               "/variants/1/name: must differ from the names of the other variants, got \"A\"");
-    EXPECT_EQ(refusal(envelope(R"({"variants": [{"name": "A", "input": 1}]})")),
+    EXPECT_EQ(rejection(envelope(R"({"variants": [{"name": "A", "input": 1}]})")),
               "/variants/0/input: must be an object, got 1");
-    EXPECT_EQ(refusal(envelope(R"({"variants": [{"name": "A", "input": {}, "nam": 1}]})")),
+    EXPECT_EQ(rejection(envelope(R"({"variants": [{"name": "A", "input": {}, "nam": 1}]})")),
               "/variants/0/nam: is not a known key; the nearest is \"name\"");
-    EXPECT_EQ(refusal(envelope(R"({"note": ""})")),
+    EXPECT_EQ(rejection(envelope(R"({"note": ""})")),
               "/note: is not a known key; the nearest is \"notes\"");
 }
 
-TEST(CaseFileTest, ANewerVersionIsRefusedInWords) {
-    EXPECT_EQ(refusal(envelope(R"({"version": 2})")),
+TEST(CaseFileTest, ANewerVersionIsRejectedInWords) {
+    EXPECT_EQ(rejection(envelope(R"({"version": 2})")),
               "/version: must be at most 1 (a newer program wrote this case; update to open it), "
               "got 2");
-    EXPECT_EQ(refusal(envelope(R"({"tolerances_of_drawing": {}})")),
+    EXPECT_EQ(rejection(envelope(R"({"tolerances_of_drawing": {}})")),
               "/tolerances_of_drawing: is not a known key (a newer program may have written this "
               "case; update to open it)");
 }

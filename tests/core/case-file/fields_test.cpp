@@ -93,7 +93,7 @@ Sample sample() {
     return s;
 }
 
-std::string refusal(const char* json) {
+std::string rejection(const char* json) {
     return test::error_of([&] { read_fields<Sample>(Json::parse(json)); });
 }
 
@@ -112,26 +112,26 @@ TEST(Fields, WhatIsWrittenReadsBackToTheSameInput) {
     EXPECT_EQ(read_fields<Sample>(json), sample());
 }
 
-TEST(Fields, RefusalsNamePlaceRuleAndFinding) {
-    EXPECT_EQ(refusal(R"({"length_mm":-46,"speed_rpm":1})"),
+TEST(Fields, RejectionsNamePlaceRuleAndFinding) {
+    EXPECT_EQ(rejection(R"({"length_mm":-46,"speed_rpm":1})"),
               "/input/length_mm: must be greater than 0, got -46");
-    EXPECT_EQ(refusal(R"({"length_mm":1})"),
+    EXPECT_EQ(rejection(R"({"length_mm":1})"),
               "/input/speed_rpm: is required and missing (or speed_rad_s)");
-    EXPECT_EQ(refusal(R"({"length_mm":1,"speed":1})"),
+    EXPECT_EQ(rejection(R"({"length_mm":1,"speed":1})"),
               "/input/speed_rpm: is required and missing; found: \"speed\"");
-    EXPECT_EQ(refusal(R"({"length_mm":1,"speed_rpm":1,"speed_rad_s":1})"),
+    EXPECT_EQ(rejection(R"({"length_mm":1,"speed_rpm":1,"speed_rad_s":1})"),
               "/input/speed_rad_s: must be left out if speed_rpm is given");
-    EXPECT_EQ(refusal(R"({"length_mm":1,"speed_rpm":1,"teeth":5})"),
+    EXPECT_EQ(rejection(R"({"length_mm":1,"speed_rpm":1,"teeth":5})"),
               "/input/teeth: must be a whole number from 6 to 1000, got 5");
-    EXPECT_EQ(refusal(R"({"length_mm":1,"speed_rpm":1,"colour":"blue"})"),
+    EXPECT_EQ(rejection(R"({"length_mm":1,"speed_rpm":1,"colour":"blue"})"),
               "/input/colour: must be one of \"red\", \"green\", got \"blue\"");
-    EXPECT_EQ(refusal(R"({"length_mm":1,"speed_rpm":1,"parts":[{"mass_g":1},{}]})"),
+    EXPECT_EQ(rejection(R"({"length_mm":1,"speed_rpm":1,"parts":[{"mass_g":1},{}]})"),
               "/input/parts/1/mass_g: is required and missing");
-    EXPECT_EQ(refusal(R"({"length_mm":1,"speed_rpm":1,"depht_mm":1})"),
+    EXPECT_EQ(rejection(R"({"length_mm":1,"speed_rpm":1,"depht_mm":1})"),
               "/input/depht_mm: is not a known key; the nearest is \"depth_mm\"");
 }
 
-TEST(Fields, TheCheckRefusesWhatTheReaderRefuses) {
+TEST(Fields, TheCheckRejectsWhatTheReaderRejects) {
     Sample bad = sample();
     bad.parts[1].mass = -0.2;
     EXPECT_THROW(

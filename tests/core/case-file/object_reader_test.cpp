@@ -25,7 +25,7 @@ TEST(ObjectReader, NamesPointerRuleAndFinding) {
 }
 
 TEST(ObjectReader, UnknownKeyNamesTheNearest) {
-    const auto refused = [](const char* input, std::initializer_list<const char*> known) {
+    const auto rejected = [](const char* input, std::initializer_list<const char*> known) {
         const Json json = parse_json(input);
         ObjectReader reader(json, "/input");
         for (const char* key : known) {
@@ -33,28 +33,28 @@ TEST(ObjectReader, UnknownKeyNamesTheNearest) {
         }
         return error_of([&] { reader.finish(); });
     };
-    EXPECT_EQ(refused(R"({"crank_radus_mm": 46})", {"crank_radius_mm", "lambda"}),
+    EXPECT_EQ(rejected(R"({"crank_radus_mm": 46})", {"crank_radius_mm", "lambda"}),
               "/input/crank_radus_mm: is not a known key; the nearest is \"crank_radius_mm\"");
     // The unit is left out.
-    EXPECT_EQ(refused(R"({"gravity": 9.81})", {"gravity_m_s2", "cavity"}),
+    EXPECT_EQ(rejected(R"({"gravity": 9.81})", {"gravity_m_s2", "cavity"}),
               "/input/gravity: is not a known key; the nearest is \"gravity_m_s2\"");
 }
 
 TEST(ObjectReader, AMissingKeyNamesWhatIsNearlyIt) {
-    const auto refused = [](const char* input) {
+    const auto rejected = [](const char* input) {
         const Json json = parse_json(input);
         ObjectReader reader(json, "/input");
         reader.has("rod_length_mm");
         return error_of([&] { reader.number("crank_radius_mm", Range::greater_than(0)); });
     };
     const std::string missing = "/input/crank_radius_mm: is required and missing";
-    EXPECT_EQ(refused(R"({"crank_radius": 46})"), missing + "; found: \"crank_radius\"");
-    EXPECT_EQ(refused(R"({"crank_radus_mm": 46})"), missing + "; found: \"crank_radus_mm\"");
-    EXPECT_EQ(refused(R"({"rod_length_mm": 46, "crank": 1})"), missing);
-    EXPECT_EQ(refused("{}"), missing);
+    EXPECT_EQ(rejected(R"({"crank_radius": 46})"), missing + "; found: \"crank_radius\"");
+    EXPECT_EQ(rejected(R"({"crank_radus_mm": 46})"), missing + "; found: \"crank_radus_mm\"");
+    EXPECT_EQ(rejected(R"({"rod_length_mm": 46, "crank": 1})"), missing);
+    EXPECT_EQ(rejected("{}"), missing);
 }
 
-TEST(ObjectReader, RefusesAnythingButAnObject) {
+TEST(ObjectReader, RejectsAnythingButAnObject) {
     const Json list = Json::array({1});
     EXPECT_EQ(error_of([&] { ObjectReader(list, "/input"); }),
               "/input: must be an object, got [1]");
@@ -68,7 +68,7 @@ TEST(ParseJson, SyntaxErrorsNameLineAndColumn) {
     EXPECT_NE(error_of([] { parse_json(std::string_view("\0\1\2\377", 4)); }), "no error");
 }
 
-TEST(ParseJson, RefusesNestingThatWouldExhaustTheStack) {
+TEST(ParseJson, RejectsNestingThatWouldExhaustTheStack) {
     const std::size_t levels = 1'000'000;
     const std::string deep = std::string(levels, '[') + std::string(levels, ']');
     EXPECT_EQ(error_of([&] { parse_json(deep); }), "is nested more than 100 levels deep");
@@ -81,7 +81,7 @@ TEST(ParseJson, RefusesNestingThatWouldExhaustTheStack) {
     EXPECT_TRUE(parse_json(allowed).is_array());
 }
 
-TEST(ParseJson, RefusesKeysGivenTwice) {
+TEST(ParseJson, RejectsKeysGivenTwice) {
     EXPECT_EQ(error_of([] { parse_json(R"({"a": 1, "b": [{}, {"c": 1, "d": 2, "c": 1}]})"); }),
               "/b/1/c: is given twice");
     EXPECT_EQ(error_of([] { parse_json(R"({"a/b": {}, "a\u002fb": 2})"); }),
@@ -102,7 +102,7 @@ TEST(ParseJson, RefusesKeysGivenTwice) {
     EXPECT_EQ(parse_json(" 3 ").dump(), "3");
 }
 
-TEST(ParseJson, RefusesNulAndSaysWhere) {
+TEST(ParseJson, RejectsNulAndSaysWhere) {
     EXPECT_EQ(error_of([] { parse_json(std::string_view("{\n\"a\": 1}\0, \"b\"", 16)); }),
               "line 2, column 8: must not contain the character NUL");
     EXPECT_EQ(error_of([] { parse_json(R"({"a": [1, "t.csv\u0000.json"]})"); }),
@@ -113,7 +113,7 @@ TEST(ParseJson, RefusesNulAndSaysWhere) {
               "/a/1: contains a number that is too large for this program");
 }
 
-TEST(ParseJson, RefusesMoreValuesThanAnyCaseHas) {
+TEST(ParseJson, RejectsMoreValuesThanAnyCaseHas) {
     std::string zeros = "[0";
     for (int i = 0; i < 5'000'000; ++i) {
         zeros += ",0";
@@ -121,7 +121,7 @@ TEST(ParseJson, RefusesMoreValuesThanAnyCaseHas) {
     EXPECT_EQ(error_of([&] { parse_json(zeros + "]"); }), "must have at most 5000000 values");
 }
 
-TEST(ParseJson, RefusesMoreNamesThanAnyObjectHas) {
+TEST(ParseJson, RejectsMoreNamesThanAnyObjectHas) {
     std::string text = "{\"a\": {";
     for (int i = 0; i < 300'000; ++i) {
         text += (i == 0 ? "\"" : ",\"") + std::to_string(i) + "\":1";
@@ -159,14 +159,14 @@ TEST(SetInputValue, MakesWhatIsMissingButNoGapInAList) {
     set_input_value(input, "/a/2", 5);
     set_input_value(input, "/d/e~1f", "x");
     EXPECT_EQ(input.dump(), R"({"a":[1,{"b":4},5],"c":3,"d":{"e/f":"x"}})");
-    const auto refusal = [&](const char* pointer) {
+    const auto rejection = [&](const char* pointer) {
         return error_of([&] { set_input_value(input, pointer, 1); });
     };
     // 900 million numbers would be made first.
-    EXPECT_EQ(refusal("/a/900000000"),
+    EXPECT_EQ(rejection("/a/900000000"),
               "/input/a/900000000: is not in the list, which has 3 elements");
-    EXPECT_EQ(refusal("/a/x"), "/input/a/x: is not in the list, which has 3 elements");
-    EXPECT_EQ(refusal("/c/d"), "/input/c/d: is not a known key");
+    EXPECT_EQ(rejection("/a/x"), "/input/a/x: is not in the list, which has 3 elements");
+    EXPECT_EQ(rejection("/c/d"), "/input/c/d: is not a known key");
     EXPECT_EQ(input.at("a").size(), 3U);
 }
 

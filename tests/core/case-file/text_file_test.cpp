@@ -99,7 +99,7 @@ TEST_F(TextFile, APipeIsWrittenWhereSomebodyReadsIt) {
 }
 
 /// /proc/kmsg is a file to who asks, and makes its reader wait for the kernel's next message.
-TEST_F(TextFile, WhatNeverEndsIsRefused) {
+TEST_F(TextFile, WhatNeverEndsIsRejected) {
     ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
     for (const fs::path& endless : {path_, fs::path("/dev/zero"), fs::path("/proc/kmsg")}) {
         const std::string why = test::error_of([&] { read_text_file(endless); });

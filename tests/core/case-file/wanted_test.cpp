@@ -54,7 +54,7 @@ TEST(Wanted, SaysInOneShortLineWhatIsNotThere) {
     }
 }
 
-TEST(Wanted, RefusesWhatIsNoPointerOrNotThere) {
+TEST(Wanted, RejectsWhatIsNoPointerOrNotThere) {
     for (const char* pointer : {"", "a", "/~2"}) {
         EXPECT_THROW(Wanted({pointer}), InputError) << pointer;
     }

@@ -59,7 +59,7 @@ Drawing read_back(const std::string& text) {
 }
 
 double distance_to_polyline(const PlanePoint& p, const std::vector<PlanePoint>& points) {
-    double least = 1e300;
+    double minimum = 1e300;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const PlanePoint& a = points[i];
         const PlanePoint& b = points[(i + 1) % points.size()];
@@ -67,9 +67,9 @@ double distance_to_polyline(const PlanePoint& p, const std::vector<PlanePoint>& 
         const double dy = b.y - a.y;
         const double u =
             std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-        least = std::min(least, std::hypot(p.x - a.x - u * dx, p.y - a.y - u * dy));
+        minimum = std::min(minimum, std::hypot(p.x - a.x - u * dx, p.y - a.y - u * dy));
     }
-    return least;
+    return minimum;
 }
 
 Guide deep_guide(Branch branch) {
@@ -201,7 +201,7 @@ TEST(ElasticHingeExportOfTheRod, UsesTheHingesOwnAngle) {
     EXPECT_TRUE(read_back(guide_dxf(guide, drawing)).polylines.at("PROFILE").closed);
 }
 
-TEST(ElasticHingeExportRefusals, SayWhy) {
+TEST(ElasticHingeExportRejections, SayWhy) {
     Input input = preset_zotov();
     input.spring->guide_radius_at_zero = 0.0999;
     const Guide none = solve(input).crank_guide;
@@ -223,7 +223,7 @@ TEST(ElasticHingeExportRefusals, SayWhy) {
               "step: must be from 0.01 to 90°, got 0.005°");
 }
 
-TEST(ElasticHingeExportRefusals, NumbersKeepTheirPointInALocaleWithCommas) {
+TEST(ElasticHingeExportRejections, NumbersKeepTheirPointInALocaleWithCommas) {
     const std::string plain = guide_dxf(deep_guide(Branch::compressed), {});
     bool found = false;
     for (const char* name : {"ru_RU.UTF-8", "ru_RU.utf8", "de_DE.UTF-8", "de_DE.utf8"}) {

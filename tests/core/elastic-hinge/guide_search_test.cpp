@@ -69,7 +69,7 @@ TEST(ElasticHingeSearchLimits, SmallDiameterForcesMorePreload) {
     EXPECT_GT(narrow.largest_spring_energy, wide.largest_spring_energy);
 }
 
-TEST(ElasticHingeSearchLimits, TheImpossibleIsRefusedWithASize) {
+TEST(ElasticHingeSearchLimits, TheImpossibleIsRejectedWithASize) {
     const Result result = solve(preset_zotov());
     const GuideProposal tight =
         search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::compressed, 0.2, 0.0,
@@ -107,21 +107,21 @@ TEST(ElasticHingeSearchLimits, ABigRollerGetsASmootherGuideOrNone) {
         const GuideProposal small = search(1e-4);
         ASSERT_TRUE(small.found) << small.reason.english();
         bool smoother = false;
-        bool refused = false;
+        bool rejected = false;
         for (double roller = 0.001; roller < 0.15; roller *= 1.02) {
             const GuideProposal proposal = search(roller);
             if (!proposal.found) {
-                refused = true;
+                rejected = true;
                 continue;
             }
-            EXPECT_FALSE(refused) << "a bigger roller cannot be easier";
+            EXPECT_FALSE(rejected) << "a bigger roller cannot be easier";
             Input input = preset_zotov();
             input.spring = proposal.spring;
             input.roller_radius = roller * (1 - 1e-6);
             EXPECT_FALSE(solve(input).crank_guide.summary().undercut) << roller;
             smoother |= proposal.largest_spring_energy > 1.01 * small.largest_spring_energy;
         }
-        EXPECT_TRUE(refused);
+        EXPECT_TRUE(rejected);
         // Preload smooths a stretched spring's guide; a compressed one's is pulled into the middle.
         EXPECT_EQ(smoother, branch == Branch::stretched);
     }

@@ -135,7 +135,7 @@ TEST(ElasticHingeGuide, SlopeAndSecondDerivativeAreThoseOfTheRadius) {
     }
 }
 
-TEST(ElasticHingeGuide, TooLittlePreloadIsRefusedWithWhatWouldDo) {
+TEST(ElasticHingeGuide, TooLittlePreloadIsRejectedWithWhatWouldDo) {
     Input input = preset_zotov();
     input.spring->guide_radius_at_zero = 0.0995;  // 0.5 mm of the 0.6 mm that are needed
     const Result result = solve(input);
@@ -186,7 +186,7 @@ TEST(ElasticHingeGuide, UnloadedSpringWorksAsPrintedOnlyAndAlmost) {
     EXPECT_TRUE(solve(input).crank_guide.feasible);
 }
 
-TEST(ElasticHingeGuide, SpringPressedToNothingIsRefused) {
+TEST(ElasticHingeGuide, SpringPressedToNothingIsRejected) {
     Input input = preset_zotov();
     input.guide_sign = GuideSign::as_printed;  // stores the 14 J on top of what it has
     input.spring = Spring{3000.0, 0.2, 0.001};
@@ -318,7 +318,7 @@ TEST(ElasticHingeGuide, NoNumberDependsOnTheSamples) {
 }
 
 // Near locking all happens within a degree: by brute force on angles that crowd there.
-TEST(ElasticHingeGuide, LeastPreloadHoldsNearLocking) {
+TEST(ElasticHingeGuide, MinimumPreloadHoldsNearLocking) {
     for (const double lambda : {0.9, 0.999, 0.99999}) {
         Input input = preset_zotov();
         input.lambda = lambda;
@@ -330,15 +330,15 @@ TEST(ElasticHingeGuide, LeastPreloadHoldsNearLocking) {
             const double inertia = reduced_inertia(m, s, c, rod_angle_exact(lambda, s, c)).value;
             return 0.5 * inertia * square + potential_amplitude(m) * s;
         };
-        double most = energy(0.0);
+        double maximum = energy(0.0);
         for (const double centre : {0.0, 0.5 * pi, pi, 1.5 * pi}) {
             for (int i = -20000; i <= 20000; ++i) {
                 const double x = i / 20000.0;
-                most = std::max(most, energy(centre + 0.25 * pi * x * x * x));
+                maximum = std::max(maximum, energy(centre + 0.25 * pi * x * x * x));
             }
         }
-        const double least = std::sqrt((most - energy(0.0)) / (2.0 * input.spring->stiffness));
-        EXPECT_NEAR(solve(input).crank_guide.minimum_preload, least, 1e-8 * least) << lambda;
+        const double minimum = std::sqrt((maximum - energy(0.0)) / (2.0 * input.spring->stiffness));
+        EXPECT_NEAR(solve(input).crank_guide.minimum_preload, minimum, 1e-8 * minimum) << lambda;
     }
 }
 

@@ -138,23 +138,23 @@ TEST(ElasticHingeMotion, RippleIsThatOfTheEnergyIntegral) {
         return reduced_inertia(m, s, c, rod_angle_exact(m.lambda, s, c)).value;
     };
     const double begin = inertia(0.0) * 1e4;
-    double least = 1e9;
-    double most = 0.0;
+    double minimum = 1e9;
+    double maximum = 0.0;
     constexpr int n = 400000;
     for (int i = 0; i < n; ++i) {
         const double phi = two_pi * i / n;
         const double speed =
             std::sqrt((begin - 2.0 * potential_amplitude(m) * std::sin(phi)) / inertia(phi));
-        least = std::min(least, speed);
-        most = std::max(most, speed);
+        minimum = std::min(minimum, speed);
+        maximum = std::max(maximum, speed);
     }
     MotionSetup setup;
     setup.start_speed = 100.0;
     setup.turns = 1.0;
     setup.samples_per_turn = 36;
     const Motion motion = simulate(result.design, result.crank_guide, setup);
-    EXPECT_NEAR(motion.min_speed, least, 1e-7);
-    EXPECT_NEAR(motion.max_speed, most, 1e-7);
+    EXPECT_NEAR(motion.min_speed, minimum, 1e-7);
+    EXPECT_NEAR(motion.max_speed, maximum, 1e-7);
     EXPECT_DOUBLE_EQ(motion.ripple, (motion.max_speed - motion.min_speed) / motion.mean_speed);
 }
 
@@ -444,7 +444,7 @@ TEST(ElasticHingeMotion, IsAsGoodBetweenItsSamplesAsAtThem) {
     }
 }
 
-TEST(ElasticHingeMotion, RefusesWhatCannotMove) {
+TEST(ElasticHingeMotion, RejectsWhatCannotMove) {
     Input input = preset_zotov();
     input.spring->guide_radius_at_zero = 0.0999;
     EXPECT_NE(test::error_of([&] { run(input, HingeSet::crank); }).find("/input/spring"),

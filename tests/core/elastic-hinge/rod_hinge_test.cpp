@@ -237,9 +237,9 @@ TEST(ElasticHingeRod, BothHingesTogetherKeepTheEnergy) {
 TEST(ElasticHingeRod, AtLambdaOneTheSeriesIsStillDrawn) {
     Input input = preset_zotov();
     input.lambda = 1.0;
-    const std::string refusal = test::error_of([&] { solve(input); });
-    EXPECT_EQ(refusal.find("/input/lambda: must be less than 1"), 0U) << refusal;
-    EXPECT_NE(refusal.find("locks"), std::string::npos);
+    const std::string rejection = test::error_of([&] { solve(input); });
+    EXPECT_EQ(rejection.find("/input/lambda: must be less than 1"), 0U) << rejection;
+    EXPECT_NE(rejection.find("locks"), std::string::npos);
 
     input.kinematics = Kinematics::series;
     const Result result = solve(input);

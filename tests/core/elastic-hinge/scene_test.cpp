@@ -64,15 +64,15 @@ TEST(ElasticHingeCase, WritesWhatItReads) {
     EXPECT_EQ(read_input(write_input(flat)), flat);
 }
 
-TEST(ElasticHingeCase, APreloadOfExactlyTheLeastIsFeasible) {
+TEST(ElasticHingeCase, APreloadOfExactlyTheMinimumIsFeasible) {
     for (const char* name : {"zotov-energy", "zotov-as-printed", "zotov-counterweight"}) {
         Json json = ravnoves::test::example(name).input;
         const auto guide = [&] { return solve_scene(json, {}).at("guide"); };
-        const double least = guide().at("minimum_preload_mm").get<double>();
+        const double minimum = guide().at("minimum_preload_mm").get<double>();
         for (const double side : {-1.0, 1.0}) {
-            json["spring"]["guide_radius_at_zero_mm"] = 100.0 + side * least;
+            json["spring"]["guide_radius_at_zero_mm"] = 100.0 + side * minimum;
             EXPECT_TRUE(guide().at("feasible").get<bool>()) << name << side;
-            json["spring"]["guide_radius_at_zero_mm"] = 100.0 + side * least * (1 - 1e-6);
+            json["spring"]["guide_radius_at_zero_mm"] = 100.0 + side * minimum * (1 - 1e-6);
             EXPECT_FALSE(guide().at("feasible").get<bool>()) << name << side;
         }
     }

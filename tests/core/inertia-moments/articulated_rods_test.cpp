@@ -64,7 +64,7 @@ Input without_articulated(Input input) {
     return input;
 }
 
-// ------------------------------------------------------------- the closure, written here anew
+// ------------------------------------------------------------- the closure, written here again
 
 using Point = std::array<Real50, 2>;
 
@@ -326,16 +326,16 @@ TEST(ArticulatedRods, TwoTermFormIsRightToTheSecondOrder) {
                                std::polar(0.7, 0.15),
                                1.0 / lambda - 0.5,
                                -0.15};
-        double most = 0.0;
+        double maximum = 0.0;
         for (int k = 0; k < 200; ++k) {
             const double theta = two_pi * k / 200;
             const auto exact = crank.at(std::sin(theta), std::cos(theta)).piston;
             const auto two_term = crank.two_term_at(std::sin(theta), std::cos(theta)).piston;
-            most =
-                std::max(most, std::abs(exact.s - two_term.s) + std::abs(exact.ds - two_term.ds) +
-                                   std::abs(exact.d2s - two_term.d2s));
+            maximum = std::max(maximum, std::abs(exact.s - two_term.s) +
+                                            std::abs(exact.ds - two_term.ds) +
+                                            std::abs(exact.d2s - two_term.d2s));
         }
-        return most;
+        return maximum;
     };
     EXPECT_LT(error_at(0.01), 1e-5);
     EXPECT_NEAR(error_at(0.04) / error_at(0.02), 8.0, 0.8);
@@ -580,12 +580,12 @@ TEST(ArticulatedRods, BadInputIsNamedByItsField) {
         if (expected.starts_with("3/")) {
             expected.replace(0, 1, "/input/cylinders/2/articulated");
         }
-        const std::string said = test::refusal_of(json);
+        const std::string said = test::rejection_of(json);
         EXPECT_EQ(said.substr(0, expected.size()), expected) << said;
     }
 }
 
-TEST(ArticulatedRods, LockingIsRefusedInWords) {
+TEST(ArticulatedRods, LockingIsRejectedInWords) {
     Input input = star(5, 0.25, 0.75);
     input.cylinders[1].articulated->rod_length = 0.2;
     const double reach =
@@ -595,7 +595,7 @@ TEST(ArticulatedRods, LockingIsRefusedInWords) {
     EXPECT_THROW(static_cast<void>(solve(input)), InputError);  // its orders need too many samples
     input.cylinders[1].articulated->rod_length = 0.9 * reach;
     Json json = write_input(input);
-    const std::string why = test::refusal_of(json);
+    const std::string why = test::rejection_of(json);
     EXPECT_EQ(why.find("/input/cylinders/1/articulated/rod_length_mm: must leave the articulated "
                        "rod longer than "),
               0U)
@@ -617,13 +617,13 @@ TEST(ArticulatedRods, LockingIsRefusedInWords) {
     // A rod that reaches its piston nowhere, and one whose length is not given.
     input.cylinders[1].articulated->rod_length.reset();
     input.cylinders[1].articulated->knuckle_radius = 0.27;
-    EXPECT_EQ(test::refusal_of(write_input(input))
+    EXPECT_EQ(test::rejection_of(write_input(input))
                   .find("/input/cylinders/1/articulated/knuckle_radius_mm: must leave"),
               0U);
     input.cylinders[1].articulated->knuckle_radius = 0.06;
     input.cylinders[1].articulated->knuckle_angle = 3.0;
     input.cylinders[1].offset = 1.0;
-    EXPECT_NE(test::refusal_of(write_input(input)).find("is not possible"), std::string::npos);
+    EXPECT_NE(test::rejection_of(write_input(input)).find("is not possible"), std::string::npos);
 }
 
 // A second cylinder in the direction of another is on a crankpin of its own; the rods that follow

@@ -64,7 +64,7 @@ inline double size(const Harmonic<double>& h) {
     return amplitude(h);
 }
 
-inline std::string refusal_of(const Json& json) {
+inline std::string rejection_of(const Json& json) {
     return ravnoves::test::error_of([&] { solve_scene(json, {}); });
 }
 

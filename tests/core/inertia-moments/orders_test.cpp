@@ -307,8 +307,8 @@ TEST(ExactOrders, LongRodsAreHarmonic) {
     EXPECT_NEAR(result.exact.order(2).force.vertical().cos, 1e-9 * unit, 1e-13 * unit);
 }
 
-/// Orders of m R ω² by quadrature in 30 digits: right up to the bound, and refused beyond it.
-TEST(ExactOrders, AreRightUpToLockingOrRefusedWithTheBound) {
+/// Orders of m R ω² by quadrature in 30 digits: right up to the bound, and rejected beyond it.
+TEST(ExactOrders, AreRightUpToLockingOrRejectedWithTheBound) {
     Input input = single(1.0, 1.0, 0.0);
     input.lambda = 1.0 - 1e-8;
     const Result near = solve(input);

@@ -112,7 +112,7 @@ TEST(CaseIo, LayoutAndItsTableAreTheSameEngine) {
     EXPECT_NEAR(x, y, 1e-11 * std::abs(x));
 }
 
-TEST(CaseIo, RefusesWithPointerRuleAndFinding) {
+TEST(CaseIo, RejectsWithPointerRuleAndFinding) {
     Json json = vr5_json();
     json["crank_radius_mm"] = -46;
     EXPECT_EQ(error_in(json), "/input/crank_radius_mm: must be greater than 0, got -46");
@@ -186,7 +186,7 @@ TEST(CaseIo, TheRodsLengthStandsForLambda) {
         << error_in(json);
 }
 
-TEST(CaseIo, LockingMechanismsAreRefusedWithTheAngle) {
+TEST(CaseIo, LockingMechanismsAreRejectedWithTheAngle) {
     Json json = vr5_json();
     json["lambda"] = 0.9;
     json["layout"]["offset_mm"] = 10;

@@ -127,15 +127,15 @@ TEST(Throws, AMassForEachThrowNeedsThrowsThatAreAlike) {
     EXPECT_DOUBLE_EQ(solved.at("throws").at(0).at("rotating_mass_kg").get<double>(), 1.6);
     EXPECT_DOUBLE_EQ(solved.at("throws").at(1).at("rotating_mass_kg").get<double>(), 0.8);
     json["rotating_mass_per_throw_kg"] = 1.2;
-    EXPECT_EQ(test::refusal_of(json),
+    EXPECT_EQ(test::rejection_of(json),
               "/input/rotating_mass_per_throw_kg: must be left out if rotating_mass_kg is given");
     json.erase("rotating_mass_kg");
     EXPECT_EQ(
-        test::refusal_of(json),
+        test::rejection_of(json),
         "/input/rotating_mass_per_throw_kg: must be given for one cylinder (rotating_mass_kg) if "
         "the throws carry different numbers of rods, got throws with 1 and with 2 rods");
     json["cylinders"].erase(2);
-    EXPECT_EQ(test::refusal_of(json), "no error");
+    EXPECT_EQ(test::rejection_of(json), "no error");
     // In any order of the keys.
     EXPECT_EQ(nlohmann::json(write_input(read_input(json))), nlohmann::json(json));
 }
@@ -233,11 +233,11 @@ TEST(TwoStrokes, FireWhenTheyComeToTheTop) {
     EXPECT_TRUE(solve(table).firing.empty());
 }
 
-TEST(TwoStrokes, OthersAreRefused) {
+TEST(TwoStrokes, OthersAreRejected) {
     Json json = write_input(engine_of("i3"));
     for (const int strokes : {1, 3, 5}) {
         json["strokes"] = strokes;
-        EXPECT_EQ(test::refusal_of(json),
+        EXPECT_EQ(test::rejection_of(json),
                   "/input/strokes: must be 2 or 4, got " + std::to_string(strokes));
     }
     json["strokes"] = 2;

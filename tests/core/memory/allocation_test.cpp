@@ -120,11 +120,11 @@ void expect_survives(const Read& read) {
     const std::size_t allocations = scarcity.taken;
     ASSERT_GT(allocations, 0U);
     // Of many, some: the first ones, where all begins, and every so many-th.
-    constexpr std::size_t most = 400;
-    const std::size_t step = 1 + allocations / most;
+    constexpr std::size_t maximum = 400;
+    const std::size_t step = 1 + allocations / maximum;
     int failed = 0;
     for (const bool for_good : {false, true}) {
-        for (std::size_t n = 1; n <= allocations; n += n < most / 4 ? 1 : step) {
+        for (std::size_t n = 1; n <= allocations; n += n < maximum / 4 ? 1 : step) {
             const auto found = read_with(read, n, for_good);
             failed += found ? 0 : 1;
             EXPECT_TRUE(!found || *found == *expected) << n << " of " << allocations;

@@ -55,8 +55,8 @@ void expect_differences(const CaseFile& file, Kind kind, const std::string& poin
             expected = std::max(expected, std::abs(change));
         }
         const Contribution* contribution = find(doubt, kind, pointer);
-        const double least = find(doubt, Kind::rounding, "")->change.value();
-        ASSERT_EQ(contribution != nullptr, expected > least) << doubt.result.pointer;
+        const double minimum = find(doubt, Kind::rounding, "")->change.value();
+        ASSERT_EQ(contribution != nullptr, expected > minimum) << doubt.result.pointer;
         if (contribution != nullptr) {
             EXPECT_NEAR(*contribution->change, expected, 1e-12 * std::abs(*doubt.result.si))
                 << doubt.result.pointer;
@@ -198,7 +198,7 @@ TEST(CaseBudget, IsSaidInTheUnitsOfTheCaseFile) {
     EXPECT_TRUE(says(text, "rounding")) << text;
 }
 
-TEST(CaseBudget, ACaseThatIsRefusedIsNamed) {
+TEST(CaseBudget, ACaseThatIsRejectedIsNamed) {
     CaseFile shaft = test::example("tmz-650d");
     shaft.input["crank_radius_mm"] = -1;
     EXPECT_TRUE(says(test::error_of([&] { case_budget(shaft, {}); }), "/input/crank_radius_mm: "));

@@ -71,9 +71,9 @@ TEST_P(EveryKernel, TheMethodInUseHoldsItsTolerance) {
             const auto problem = kernel.problem(sweep, value);
             const Result result =
                 evaluate(*problem, kernel.chosen_method(), kernel.chosen_setting());
-            EXPECT_EQ(result.refusal.english(), "") << info.id << " = " << value;
+            EXPECT_EQ(result.rejection.english(), "") << info.id << " = " << value;
             EXPECT_LE(result.error, kernel.choice.tolerance) << info.id << " = " << value;
-            EXPECT_EQ(problem->scene_refusal(), "") << info.id << " = " << value;
+            EXPECT_EQ(problem->scene_rejection(), "") << info.id << " = " << value;
         }
     }
 }
@@ -87,12 +87,12 @@ TEST_P(EveryKernel, BeyondItsRangeTheProgramSaysSo) {
                 continue;
             }
             const auto problem = kernel.problem(sweep, value);
-            if (!problem->scene_refusal().empty()) {
+            if (!problem->scene_rejection().empty()) {
                 continue;
             }
             const Result result =
                 evaluate(*problem, kernel.chosen_method(), kernel.chosen_setting());
-            EXPECT_TRUE(result.refused() || result.error <= kernel.choice.tolerance)
+            EXPECT_TRUE(result.rejected() || result.error <= kernel.choice.tolerance)
                 << info.id << " = " << value << ": error " << result.error;
         }
     }
@@ -135,13 +135,14 @@ TEST_P(EveryKernel, NothingCheaperWouldHaveHeld) {
             for (Candidate& candidate : cheaper) {
                 if (!candidate.failed) {
                     const Result result = evaluate(*hard, candidate.method, candidate.setting);
-                    candidate.failed = result.refused() || result.error > kernel.choice.tolerance;
+                    candidate.failed = result.rejected() || result.error > kernel.choice.tolerance;
                 }
             }
         }
     }
     for (Candidate& candidate : cheaper) {
-        // It may look cheaper because something else ran on the machine: the least of each counts.
+        // It may look cheaper because something else ran on the machine: the smallest of each
+        // counts.
         const auto looks_cheaper = [&] { return candidate.cost < margin * cost_in_use; };
         for (int again = 0; !candidate.failed && looks_cheaper() && again < 200; ++again) {
             candidate.cost = std::min(candidate.cost, cost(candidate.method, candidate.setting));

@@ -28,14 +28,14 @@ TEST(Measure, ALongRunGetsFewerBatches) {
         return std::string();
     };
     const Timing timing =
-        time_run(busy, 1, 1.0, {.batch_seconds = 1e-6, .batches = 1000, .most_seconds = 1e-9});
+        time_run(busy, 1, 1.0, {.batch_seconds = 1e-6, .batches = 1000, .max_seconds = 1e-9});
     EXPECT_EQ(timing.batches, 3);
     EXPECT_GE(runs, 4);  // one to warm up
 }
 
 /// The orders of convergence that theory gives, found from the errors.
 TEST(Measure, FindsTheOrdersOfTheory) {
-    const MeasureOptions quick{.batch_seconds = 1e-9, .batches = 3, .most_seconds = 1e-9};
+    const MeasureOptions quick{.batch_seconds = 1e-9, .batches = 3, .max_seconds = 1e-9};
     const auto order = [&](const char* kernel_id, const char* sweep, double value,
                            const char* method) {
         const Kernel& kernel = *find_kernel(kernel_id);
@@ -54,7 +54,7 @@ TEST(Measure, CancelsAndTellsHowFarItIs) {
         parts.push_back(part);
         return part < 0.5;
     };
-    const MeasureOptions quick{.batch_seconds = 1e-9, .batches = 3, .most_seconds = 1e-9};
+    const MeasureOptions quick{.batch_seconds = 1e-9, .batches = 3, .max_seconds = 1e-9};
     EXPECT_THROW(static_cast<void>(measure_work(kernel, 0, 0.3, quick, until_half)), Cancelled);
     EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
     EXPECT_GE(parts.back(), 0.5);

@@ -14,7 +14,7 @@ namespace ravnoves::methods {
 namespace {
 
 constexpr MeasureOptions quick{
-    .batch_seconds = 1e-9, .batches = 3, .most_seconds = 1e-9, .sweep_points = 5};
+    .batch_seconds = 1e-9, .batches = 3, .max_seconds = 1e-9, .sweep_points = 5};
 
 TEST(MethodsReport, HasARowForEveryMethodAndSetting) {
     const Kernel& kernel = *find_kernel("cycle-mean");
@@ -29,7 +29,7 @@ TEST(MethodsReport, HasARowForEveryMethodAndSetting) {
               1);
     std::size_t with_limit = 0;
     for (const MethodRow& row : report.rows) {
-        EXPECT_EQ(row.holds, !row.result.refused() && row.result.error <= kernel.choice.tolerance);
+        EXPECT_EQ(row.holds, !row.result.rejected() && row.result.error <= kernel.choice.tolerance);
         EXPECT_GT(row.timing.median, 0.0);
         with_limit += row.fails.empty() ? 0 : 1;
         if (row.in_use) {
@@ -118,7 +118,7 @@ TEST(MethodsReport, TextAndCsvHoldTheSameRows) {
         EXPECT_EQ(fields[column("kernel")], "moment-range");
         EXPECT_EQ(fields[column("setting")], report.setting(row).english());
         EXPECT_EQ(std::stod(fields[column("median_ns")]), row.timing.median);
-        EXPECT_EQ(fields[column("error")].empty(), row.result.refused());
+        EXPECT_EQ(fields[column("error")].empty(), row.result.rejected());
         EXPECT_EQ(fields[column("in_use")], row.in_use ? "yes" : "no");
         EXPECT_EQ(fields[column("limits")], report.method(row).limits.english);
     }

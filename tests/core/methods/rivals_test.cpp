@@ -21,7 +21,7 @@ Result result_of(const char* kernel_id, const char* sweep, double value, const c
 double reached(const char* kernel_id, const char* sweep, double value, const char* method,
                const char* setting) {
     const Result result = result_of(kernel_id, sweep, value, method, setting);
-    EXPECT_EQ(result.refusal.english(), "") << kernel_id << " " << method << " " << setting;
+    EXPECT_EQ(result.rejection.english(), "") << kernel_id << " " << method << " " << setting;
     return result.error;
 }
 

@@ -1,5 +1,5 @@
 /// The scenes at the limits of their inputs, through the door that users have: a case in, a finite
-/// answer or a worded refusal out.
+/// answer or a worded rejection out.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ Json solved(const Json& document) {
     return answer.at("result");
 }
 
-std::string refusal(const Json& document) {
+std::string rejection(const Json& document) {
     return test::error_of([&] { solved(document); });
 }
 
@@ -50,10 +50,10 @@ TEST(SceneLimits, HingeOfARodAsLongAsTheCrank) {
     }
     Json locked = write_case(test::example("zotov-energy"));
     locked["input"]["lambda"] = 1.0;
-    EXPECT_TRUE(says(refusal(locked), "/input/lambda: ")) << refusal(locked);
+    EXPECT_TRUE(says(rejection(locked), "/input/lambda: ")) << rejection(locked);
     // The series does not know of the locking: it answers, in finite numbers.
     locked["input"]["kinematics"] = "series";
-    EXPECT_EQ(refusal(locked), "no error");
+    EXPECT_EQ(rejection(locked), "no error");
 }
 
 TEST(SceneLimits, LayoutUpToLocking) {
@@ -64,19 +64,19 @@ TEST(SceneLimits, LayoutUpToLocking) {
         const double limit = radius * (1.0 / lambda - 1.0);
         for (const double share : {0.0, 0.5, 1.0 - 1e-2, 1.0 - 1e-4}) {
             document["input"]["layout"]["offset_mm"] = share * limit;
-            EXPECT_EQ(refusal(document), "no error") << lambda << " " << share;
+            EXPECT_EQ(rejection(document), "no error") << lambda << " " << share;
         }
         for (const double share : {1.0 + 1e-9, 2.0, 1e6}) {
             document["input"]["layout"]["offset_mm"] = share * limit;
-            const std::string text = refusal(document);
+            const std::string text = rejection(document);
             EXPECT_TRUE(says(text, "/input/") && (says(text, "lock") || says(text, "not possible")))
                 << lambda << " " << share << ": " << text;
         }
     }
 }
 
-/// Energy ½ c (2 × preload)²: the least preload falls with the root of the stiffness, and a spring
-/// too soft for the preload it has is refused with a reason.
+/// Energy ½ c (2 × preload)²: the smallest preload falls with the root of the stiffness, and a
+/// spring too soft for the preload it has is rejected with a reason.
 TEST(SceneLimits, SpringStiffnessOverEightDecades) {
     Json document = write_case(test::example("zotov-energy"));
     Json& spring = document["input"]["spring"];
@@ -86,19 +86,19 @@ TEST(SceneLimits, SpringStiffnessOverEightDecades) {
     const double unit =
         solved(document).at("guide").at("minimum_preload_mm").get<double>() * std::sqrt(printed);
     int feasible = 0;
-    int refused = 0;
+    int rejected = 0;
     for (double stiffness = 1e3; stiffness < 2e11; stiffness *= 10.0) {
         spring["stiffness_N_m"] = stiffness;
         const Json guide = solved(document).at("guide");
-        const double least = guide.at("minimum_preload_mm");
-        EXPECT_NEAR(least * std::sqrt(stiffness) / unit, 1.0, 1e-9) << stiffness;
+        const double minimum = guide.at("minimum_preload_mm");
+        EXPECT_NEAR(minimum * std::sqrt(stiffness) / unit, 1.0, 1e-9) << stiffness;
         const bool possible = guide.at("feasible").get<bool>();
-        EXPECT_EQ(possible, least <= preload) << stiffness;
+        EXPECT_EQ(possible, minimum <= preload) << stiffness;
         EXPECT_EQ(guide.at("reason").get<std::string>().empty(), possible) << stiffness;
-        (possible ? feasible : refused) += 1;
+        (possible ? feasible : rejected) += 1;
     }
     EXPECT_GE(feasible, 5);
-    EXPECT_GE(refused, 1);
+    EXPECT_GE(rejected, 1);
 }
 
 // ------------------------------------------------------- what a scene declares is what it runs

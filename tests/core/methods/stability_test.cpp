@@ -23,28 +23,28 @@ constexpr bool slow = true;
 constexpr bool slow = false;
 #endif
 
-/// Error of a method and setting at a value of a sweep; infinite where it refuses.
+/// Error of a method and setting at a value of a sweep; infinite where it rejects.
 double error_of(const char* kernel_id, const char* sweep, double value, const char* method,
                 const char* setting) {
     const Kernel& kernel = *find_kernel(kernel_id);
     const std::size_t m = kernel.find_method(method);
     const Result result = evaluate(*kernel.problem(kernel.find_sweep(sweep), value), m,
                                    kernel.find_setting(m, setting));
-    return result.refused() ? std::numeric_limits<double>::infinity() : result.error;
+    return result.rejected() ? std::numeric_limits<double>::infinity() : result.error;
 }
 
-std::string refusal_of(const char* kernel_id, const char* sweep, double value, const char* method,
-                       const char* setting) {
+std::string rejection_of(const char* kernel_id, const char* sweep, double value, const char* method,
+                         const char* setting) {
     const Kernel& kernel = *find_kernel(kernel_id);
     const std::size_t m = kernel.find_method(method);
     return evaluate(*kernel.problem(kernel.find_sweep(sweep), value), m,
                     kernel.find_setting(m, setting))
-        .refusal.english();
+        .rejection.english();
 }
 
-std::string scene_refusal(const char* kernel_id, const char* sweep, double value) {
+std::string scene_rejection(const char* kernel_id, const char* sweep, double value) {
     const Kernel& kernel = *find_kernel(kernel_id);
-    return kernel.problem(kernel.find_sweep(sweep), value)->scene_refusal().english();
+    return kernel.problem(kernel.find_sweep(sweep), value)->scene_rejection().english();
 }
 
 TEST(Stability, TheLastSettingOfAMethodIsItsFinest) {
@@ -52,14 +52,14 @@ TEST(Stability, TheLastSettingOfAMethodIsItsFinest) {
         const auto problem = kernel.problem(0, kernel.sweeps[0].present);
         for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
             const MethodInfo& info = kernel.methods[method];
-            double least = std::numeric_limits<double>::infinity();
+            double minimum = std::numeric_limits<double>::infinity();
             Result result;
             for (std::size_t setting = 0; setting < info.settings.size(); ++setting) {
                 result = evaluate(*problem, method, setting);
-                least = result.refused() ? least : std::min(least, result.error);
+                minimum = result.rejected() ? minimum : std::min(minimum, result.error);
             }
-            if (std::isfinite(least)) {
-                EXPECT_LE(result.error, 3.0 * least + 1e-15) << kernel.id << ", " << info.id;
+            if (std::isfinite(minimum)) {
+                EXPECT_LE(result.error, 3.0 * minimum + 1e-15) << kernel.id << ", " << info.id;
             }
         }
     }
@@ -91,20 +91,20 @@ TEST(SliderCrankStability, FloatLosesTheAngle) {
     EXPECT_GT(error_of("slider-crank", "locking", 0.735, "exact", "float"), 1e-8);
 }
 
-TEST(SliderCrankStability, AtLockingTheSceneRefusesInWords) {
+TEST(SliderCrankStability, AtLockingTheSceneRejectsInWords) {
     for (const double lambda : {1.0, 1.2, 1e3}) {
-        EXPECT_TRUE(says(scene_refusal("slider-crank", "locking", 1.0 - lambda), "locks"))
+        EXPECT_TRUE(says(scene_rejection("slider-crank", "locking", 1.0 - lambda), "locks"))
             << lambda;
-        EXPECT_TRUE(
-            says(refusal_of("slider-crank", "locking", 1.0 - lambda, "exact", "double"), "locks"));
-        EXPECT_TRUE(says(
-            refusal_of("inertia-orders", "locking", 1.0 - lambda, "transform-by-accuracy", "1e-13"),
-            "locks"));
+        EXPECT_TRUE(says(rejection_of("slider-crank", "locking", 1.0 - lambda, "exact", "double"),
+                         "locks"));
+        EXPECT_TRUE(says(rejection_of("inertia-orders", "locking", 1.0 - lambda,
+                                      "transform-by-accuracy", "1e-13"),
+                         "locks"));
     }
-    EXPECT_TRUE(says(scene_refusal("slider-crank", "offset", 0.0), "locks"));
-    EXPECT_EQ(scene_refusal("slider-crank", "locking", 0.0001), "");
-    EXPECT_TRUE(says(scene_refusal("guide", "locking", 0.0), "lambda"));
-    EXPECT_TRUE(says(scene_refusal("hinge-motion", "locking", 0.0), "lambda"));
+    EXPECT_TRUE(says(scene_rejection("slider-crank", "offset", 0.0), "locks"));
+    EXPECT_EQ(scene_rejection("slider-crank", "locking", 0.0001), "");
+    EXPECT_TRUE(says(scene_rejection("guide", "locking", 0.0), "lambda"));
+    EXPECT_TRUE(says(scene_rejection("hinge-motion", "locking", 0.0), "lambda"));
 }
 
 // ------------------------------------------------------------------------------------ orders
@@ -118,8 +118,8 @@ TEST(OrderStability, AShortTransformFoldsHighOrdersOntoLowOnes) {
               1e-12);
 }
 
-/// Right to its digits as near to locking as the scene takes it, and refused beyond.
-TEST(OrderStability, HoldsUpToWhereTheSceneRefuses) {
+/// Right to its digits as near to locking as the scene takes it, and rejected beyond.
+TEST(OrderStability, HoldsUpToWhereTheSceneRejects) {
     for (const double gap : {1e-6, 1e-8, 5e-9}) {
         EXPECT_LT(error_of("inertia-orders", "locking", gap, "transform-by-accuracy", "1e-13"),
                   1e-11)
@@ -127,10 +127,10 @@ TEST(OrderStability, HoldsUpToWhereTheSceneRefuses) {
     }
     for (const double gap : {3e-9, 1e-10}) {
         EXPECT_TRUE(
-            says(refusal_of("inertia-orders", "locking", gap, "transform-by-accuracy", "1e-13"),
+            says(rejection_of("inertia-orders", "locking", gap, "transform-by-accuracy", "1e-13"),
                  "locks"))
             << gap;
-        EXPECT_TRUE(says(scene_refusal("inertia-orders", "locking", gap), "locks")) << gap;
+        EXPECT_TRUE(says(scene_rejection("inertia-orders", "locking", gap), "locks")) << gap;
     }
 }
 
@@ -194,13 +194,13 @@ TEST(AngleStability, FindsOneOfTwoEqualMinimaOnTheirKinks) {
 // -------------------------------------------------------------------------------------- guide
 
 TEST(GuideStability, WithTheSpringUnloadedAtTheStartThereIsNoGuide) {
-    // ρ₀ = ℓ₀/2: the preload is 0, 100 % below the least one.
-    const std::string reason = scene_refusal("guide", "preload", -1.0);
+    // ρ₀ = ℓ₀/2: the preload is 0, 100 % below the smallest one.
+    const std::string reason = scene_rejection("guide", "preload", -1.0);
     EXPECT_TRUE(says(reason, "preload")) << reason;
     for (const auto& [method, setting] :
          {std::pair{"closed-form", "free of cancellation"}, std::pair{"printed-form", "(3)"},
           std::pair{"rk4", "360 steps"}, std::pair{"dormand-prince", "1e-10"}}) {
-        EXPECT_NE(refusal_of("guide", "preload", -1.0, method, setting), "") << method;
+        EXPECT_NE(rejection_of("guide", "preload", -1.0, method, setting), "") << method;
     }
 }
 
@@ -229,7 +229,7 @@ TEST(GuideStability, CrankSpeedOverFourDecades) {
     for (const double speed : {1.0, 10.0, 100.0, 1000.0}) {
         EXPECT_LT(error_of("guide", "speed", speed, "closed-form", "free of cancellation"), 1e-10);
     }
-    EXPECT_TRUE(says(scene_refusal("guide", "speed", 1e4), "preload"));
+    EXPECT_TRUE(says(scene_rejection("guide", "speed", 1e4), "preload"));
 }
 
 // ------------------------------------------------------------------------------------- motion
@@ -261,7 +261,7 @@ TEST(MotionStability, TenThousandTurns) {
     // Fixed steps of order 4 lose energy turn by turn.
     EXPECT_GT(drift(many, "rk4", "45 steps a turn"),
               3.0 * drift(many / 10.0, "rk4", "45 steps a turn"));
-    EXPECT_TRUE(says(scene_refusal("hinge-motion", "turns", 1e4), "/input/motion/turns"));
+    EXPECT_TRUE(says(scene_rejection("hinge-motion", "turns", 1e4), "/input/motion/turns"));
 }
 
 TEST(MotionStability, AFixedStepIsLostNearLocking) {
@@ -271,7 +271,7 @@ TEST(MotionStability, AFixedStepIsLostNearLocking) {
 
 // ----------------------------------------------------------------------------- extreme inputs
 
-/// A finite answer or a worded refusal, never a NaN: every method of every kernel.
+/// A finite answer or a worded rejection, never a NaN: every method of every kernel.
 TEST(ExtremeInputs, EveryMethodAnswersInNumbersOrWords) {
     constexpr double extremes[] = {5e-324, 1e-300, 1e300, 0.0, -1.0};
     // Counts of rows, points and turns are no physical quantities: such problems would be empty or
@@ -291,7 +291,7 @@ TEST(ExtremeInputs, EveryMethodAnswersInNumbersOrWords) {
                     EXPECT_NO_THROW(result = evaluate(*problem, method, 0))
                         << kernel.id << " " << kernel.sweeps[sweep].id << " = " << value << " "
                         << kernel.methods[method].id;
-                    EXPECT_TRUE(result.refused() || std::isfinite(result.error))
+                    EXPECT_TRUE(result.rejected() || std::isfinite(result.error))
                         << kernel.id << " " << kernel.sweeps[sweep].id << " = " << value << " "
                         << kernel.methods[method].id;
                 }

@@ -54,10 +54,10 @@ TEST(TorqueReference, AFineSplineOfASineIsThatSine) {
 }
 
 /// A fine scan of samples of the paper's engine finds no smaller range, and comes near to it.
-TEST(TorqueReference, NoSampledRangeIsSmallerThanTheLeast) {
+TEST(TorqueReference, NoSampledRangeIsSmallerThanTheMinimum) {
     const TorqueCycle cycle = paper_cycle();
     const auto moment = cycle.interpolant();
-    const double least = static_cast<double>(TorqueReference(cycle).least_range());
+    const double minimum = static_cast<double>(TorqueReference(cycle).min_range());
     double sampled = 1e300;
     for (int k = 0; k < 7200; ++k) {
         const double alpha = two_pi * k / 7200.0;
@@ -70,8 +70,8 @@ TEST(TorqueReference, NoSampledRangeIsSmallerThanTheLeast) {
         }
         sampled = std::min(sampled, high - low);
     }
-    EXPECT_NEAR(sampled, least, 0.2);
-    EXPECT_NEAR(least, 1066.745810132836, 1e-9);
+    EXPECT_NEAR(sampled, minimum, 0.2);
+    EXPECT_NEAR(minimum, 1066.745810132836, 1e-9);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST(PeriodicIntegral, ErrorFallsWithTheSixthPowerOfTheStep) {
     EXPECT_LT(before, 5e-8);
 }
 
-TEST(PeriodicIntegral, TooFewSamplesAreRefused) {
+TEST(PeriodicIntegral, TooFewSamplesAreRejected) {
     EXPECT_THROW(cumulative_periodic_integral(std::vector<double>(5), 1.0), std::logic_error);
 }
 

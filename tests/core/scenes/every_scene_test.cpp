@@ -36,7 +36,7 @@ struct Scene {
     std::function<Json(const Json& input, bool& same)> rewrite;
     std::function<std::vector<FieldEntry>()> describe;
     std::function<std::vector<FieldEntry>(const Json& input)> list;
-    /// Sets a field of the input by its pointer and lists the fields again; nothing where refused.
+    /// Sets a field of the input by its pointer and lists the fields again; nothing where rejected.
     std::function<std::vector<FieldEntry>(const Json& input, const FieldEntry& entry)> set;
 };
 
@@ -110,7 +110,7 @@ class EveryScene : public testing::TestWithParam<std::filesystem::path> {
         return *std::find_if(scenes().begin(), scenes().end(),
                              [&](const Scene& each) { return each.name == file.scene; });
     }
-    std::optional<InputError> refusal(const Json& input) const {
+    std::optional<InputError> rejection(const Json& input) const {
         try {
             bool same = false;
             scene().rewrite(input, same);
@@ -205,7 +205,7 @@ TEST_P(EveryScene, OffersTheNearestForAMisspeltKey) {
             const std::string misspelt = item.key() + "x";
             Json input = file.input;
             input[Json::json_pointer(pointer)][misspelt] = item.value();
-            const auto error = refusal(input);
+            const auto error = rejection(input);
             ASSERT_TRUE(error) << pointer << "/" << misspelt;
             EXPECT_EQ(error->where(), "/input" + pointer + "/" + misspelt);
             EXPECT_NE(error->allowed().find("the nearest is \"" + item.key() + "\""),
@@ -223,7 +223,7 @@ TEST_P(EveryScene, NamesWhatIsMissing) {
         for (const auto& item : object.items()) {
             Json input = file.input;
             input[Json::json_pointer(pointer)].erase(item.key());
-            if (const auto error = refusal(input)) {
+            if (const auto error = rejection(input)) {
                 // At the key, or at one that may stand in its place.
                 EXPECT_TRUE(error->where().starts_with("/input" + pointer)) << error->what();
                 missing += error->allowed().find("is required") != std::string::npos ? 1 : 0;
@@ -233,11 +233,11 @@ TEST_P(EveryScene, NamesWhatIsMissing) {
     EXPECT_GT(missing, 0);
 }
 
-TEST_P(EveryScene, RefusesAValueOfAnotherKind) {
+TEST_P(EveryScene, RejectsAValueOfAnotherKind) {
     for (const auto& item : file.input.items()) {
         Json input = file.input;
         input[item.key()] = item.value().is_array() ? Json(true) : Json::array({Json::array()});
-        const auto error = refusal(input);
+        const auto error = rejection(input);
         ASSERT_TRUE(error) << item.key();
         EXPECT_TRUE(error->where().starts_with("/input/" + item.key())) << error->what();
     }

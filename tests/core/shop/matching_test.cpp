@@ -89,7 +89,7 @@ int moved_by(const From& from) {
     return moved;
 }
 
-/// Every placing that the rules allow: the least spread and shaking, the fewest moves within the
+/// Every placing that the rules allow: the smallest spread and shaking, the fewest moves within the
 /// permitted spread.
 struct BruteForce {
     double spread = std::numeric_limits<double>::infinity();
@@ -139,7 +139,7 @@ TEST_F(Matching, EqualsBruteForce) {
         EXPECT_TRUE(allows(at, rules.pistons, equal.pistons));
         EXPECT_TRUE(allows(at, rules.rods, equal.rods));
         EXPECT_EQ(equal.moved, moved_by({equal.pistons, equal.rods}));
-        rules.goal = MatchingGoal::least_shaking;
+        rules.goal = MatchingGoal::min_shaking;
         EXPECT_NEAR(at.matched().shaking->ends, brute.ends, 1e-15) << round;
         rules.goal = MatchingGoal::fewest_moves;
         const Matched few = at.matched();
@@ -170,8 +170,8 @@ TEST_F(Matching, EqualsBruteForce) {
 }
 
 TEST_F(Matching, OfEightCylindersIsProvenAndBeatsRandomOnes) {
-    constexpr MatchingGoal goals[] = {MatchingGoal::least_spread, MatchingGoal::fewest_moves,
-                                      MatchingGoal::least_shaking};
+    constexpr MatchingGoal goals[] = {MatchingGoal::min_spread, MatchingGoal::fewest_moves,
+                                      MatchingGoal::min_shaking};
     for (const MatchingGoal goal : goals) {
         for (const double step : {0.0, 1.0, 10.0}) {
             Case at = made(8, step);
@@ -184,10 +184,10 @@ TEST_F(Matching, OfEightCylindersIsProvenAndBeatsRandomOnes) {
             for (int trial = 0; trial < 2000; ++trial) {
                 std::shuffle(from[0].begin(), from[0].end(), random);
                 std::shuffle(from[1].begin(), from[1].end(), random);
-                if (goal == MatchingGoal::least_shaking) {
+                if (goal == MatchingGoal::min_shaking) {
                     ASSERT_LE(best.shaking->ends,
                               shaking_of(at.task(), at.sheet.matching, from)->ends + 1e-14);
-                } else if (goal == MatchingGoal::least_spread) {
+                } else if (goal == MatchingGoal::min_spread) {
                     ASSERT_LE(best.spread,
                               crankpin_spread(at.task(), at.sheet.matching, from) + 1e-14);
                 }
@@ -210,7 +210,7 @@ TEST_F(Matching, LeavesPartsThatAreWellPlaced) {
     best = at.matched();
     EXPECT_NEAR(best.spread, 0.0, 1e-15);
     EXPECT_EQ(best.moved, 2);
-    // What cannot be mended is left.
+    // What cannot be corrected is left.
     *at.sheet[Part::piston].mass[2] += 2 * gram;
     EXPECT_EQ(at.matched().moved, 0);
 }
@@ -268,11 +268,11 @@ TEST_F(Matching, ShakingIsTheForceOfTheDifferencesOverATurn) {
 
 TEST_F(Matching, OfManyCylindersSaysWhatItDoesNotProve) {
     Case at = made(12);
-    for (const MatchingGoal goal : {MatchingGoal::least_spread, MatchingGoal::least_shaking}) {
+    for (const MatchingGoal goal : {MatchingGoal::min_spread, MatchingGoal::min_shaking}) {
         at.sheet.matching.goal = goal;
         const Matched best = at.matched();
         EXPECT_FALSE(best.proven);
-        const bool by_spread = goal == MatchingGoal::least_spread;
+        const bool by_spread = goal == MatchingGoal::min_spread;
         EXPECT_LT(by_spread ? best.spread : best.shaking->ends,
                   0.3 * (by_spread ? best.spread_before : best.shaking_before->ends));
     }
@@ -294,8 +294,8 @@ double by_plain_exchanges(const Case& at, int starts, std::mt19937& random) {
     const MatchingTask task = at.task();
     const MatchingRules& rules = at.sheet.matching;
     const auto size = [&](const From& from) {
-        return rules.goal == MatchingGoal::least_shaking ? shaking_of(task, rules, from)->ends
-                                                         : crankpin_spread(task, rules, from);
+        return rules.goal == MatchingGoal::min_shaking ? shaking_of(task, rules, from)->ends
+                                                       : crankpin_spread(task, rules, from);
     };
     double best = std::numeric_limits<double>::infinity();
     for (int start = 0; start < starts; ++start) {
@@ -330,10 +330,10 @@ double by_plain_exchanges(const Case& at, int starts, std::mt19937& random) {
 TEST_F(Matching, OfManyCylindersIsNoWorseThanPlainExchanges) {
     for (const int cylinders : {10, 12, 16, 20}) {
         Case at = made(cylinders, cylinders == 16 ? 0.1 : 0.0);
-        for (const MatchingGoal goal : {MatchingGoal::least_spread, MatchingGoal::least_shaking}) {
+        for (const MatchingGoal goal : {MatchingGoal::min_spread, MatchingGoal::min_shaking}) {
             at.sheet.matching.goal = goal;
             const Matched best = at.matched();
-            const bool by_spread = goal == MatchingGoal::least_spread;
+            const bool by_spread = goal == MatchingGoal::min_spread;
             EXPECT_LE(by_spread ? best.spread : best.shaking->ends,
                       by_plain_exchanges(at, 3, random) + 1e-12)
                 << cylinders;
@@ -383,12 +383,12 @@ TEST_F(Matching, WhatIsJustPermittedStays) {
 TEST_F(Matching, SaysWhatAGoalLacks) {
     Case at = made(8);
     at.sheet.matching.goal = MatchingGoal::fewest_moves;
-    EXPECT_EQ(at.matched().goal, MatchingGoal::least_spread);
+    EXPECT_EQ(at.matched().goal, MatchingGoal::min_spread);
     EXPECT_NE(at.matched().remark.english().find("is missing"), std::string::npos);
-    at.sheet.matching.goal = MatchingGoal::least_shaking;
+    at.sheet.matching.goal = MatchingGoal::min_shaking;
     at.crank.angles.clear();
     const Matched best = at.matched();
-    EXPECT_EQ(best.goal, MatchingGoal::least_spread);
+    EXPECT_EQ(best.goal, MatchingGoal::min_spread);
     EXPECT_FALSE(best.shaking);
     EXPECT_NE(best.remark.english().find("4 angles"), std::string::npos);
     for (auto& column : at.sheet.columns) {

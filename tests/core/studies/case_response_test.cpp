@@ -84,7 +84,7 @@ TEST(TypedResponse, GivesTheNumbersOfTheWholeSolution) {
     }
 }
 
-TEST(TypedResponse, RefusesAsTheWholeSolutionDoes) {
+TEST(TypedResponse, RejectsAsTheWholeSolutionDoes) {
     CaseFile file = example("tmz-650d");
     const std::array<std::string, 1> varied{"/crank_radius_mm"};
     const std::array<std::string, 1> watched{"/metrics/M_ups/range_Nm"};

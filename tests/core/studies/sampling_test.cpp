@@ -155,7 +155,7 @@ TEST(Tally, TakesAPairOfAnglesByTheShorterWay) {
 }
 
 TEST(Tally, BarsHoldAllSamples) {
-    // A seventh of the samples is one value, the least of all; a thousandth lies far off.
+    // A seventh of the samples is one value, the smallest of all; a thousandth lies far off.
     const auto bars_of = [](double offset, double period) {
         Tally tally({{.low = offset - 2.0, .width = 0.0078125, .centre = offset, .period = period}},
                     1);

@@ -25,11 +25,11 @@ using test::error_of;
 
 constexpr std::array sampled_words{"monte-carlo", "sobol"};
 
-std::string refusal(const Json& study) {
+std::string rejection(const Json& study) {
     return test::error_of([&] { read_study(study); });
 }
 
-TEST(Study, ReadsWhatItWritesAndRefusesTheRest) {
+TEST(Study, ReadsWhatItWritesAndRejectsTheRest) {
     const Json study = {{"vary",
                          {{"/a", {{"plus_minus", 0.02}}},
                           {"/b/c", {{"normal_sd", 2}}},
@@ -39,13 +39,13 @@ TEST(Study, ReadsWhatItWritesAndRefusesTheRest) {
                         {"method", "monte-carlo"},
                         {"samples", 1'000'000'000},
                         {"seed", 9'223'372'036'854'775'807}};
-    EXPECT_EQ(refusal(study), "no error");
+    EXPECT_EQ(rejection(study), "no error");
     EXPECT_EQ(write_study(read_study(study)).flatten().size(), study.flatten().size());
     EXPECT_EQ(read_study(write_study(read_study(study))), read_study(study));
     const auto with = [&](const char* pointer, const Json& value) {
         Json changed = study;
         changed[Json::json_pointer(pointer)] = value;
-        return refusal(changed);
+        return rejection(changed);
     };
     EXPECT_EQ(with("/samples", 0),
               "/study/samples: must be a whole number from 1 to 1000000000, got 0");
@@ -307,16 +307,16 @@ TEST(Study, SensitivitiesOfAnAngleDoNotSeeItsZero) {
     }
 }
 
-TEST(Study, CountsRefusalsByTheirReasons) {
+TEST(Study, CountsRejectionsByTheirReasons) {
     const Part part =
         whole(problem(normal_study(1, "monte-carlo", 1000, 5), {0.0}, [](auto x, auto y) {
             y[0] = x[0];
             return x[0] < 1.0;
         }));
-    ASSERT_EQ(part.tally.refusals().size(), 1U);
-    EXPECT_EQ(part.tally.refusals().begin()->first, "/x: must be less than #");
-    EXPECT_EQ(part.tally.solved() + count_of(part.tally.refusals()), 1000U);
-    EXPECT_NEAR(static_cast<double>(count_of(part.tally.refusals())), 158.7, 3.0 * 11.6);
+    ASSERT_EQ(part.tally.rejections().size(), 1U);
+    EXPECT_EQ(part.tally.rejections().begin()->first, "/x: must be less than #");
+    EXPECT_EQ(part.tally.solved() + count_of(part.tally.rejections()), 1000U);
+    EXPECT_NEAR(static_cast<double>(count_of(part.tally.rejections())), 158.7, 3.0 * 11.6);
     EXPECT_LT(statistics(part).max, 1.0);
 }
 
@@ -347,11 +347,12 @@ TEST(Study, SaysWhereTheLinearAnswerFails) {
                 << method;
         }
     }
-    const std::string refused = note("linear", [](auto x, auto y) {
+    const std::string rejected = note("linear", [](auto x, auto y) {
         y[0] = x[0];
         return x[0] > -1.5;
     });
-    EXPECT_NE(refused.find(" of 64 trial samples cannot be solved"), std::string::npos) << refused;
+    EXPECT_NE(rejected.find(" of 64 trial samples cannot be solved"), std::string::npos)
+        << rejected;
     const std::string isolated = note("linear", [](auto x, auto y) {
         y[0] = x[0];
         return x[0] == 0.0;
@@ -386,17 +387,17 @@ TEST(Study, SaysHowFarItIs) {
         return true;
     });
     double last = 0.0;
-    int told = 0;
+    int reported = 0;
     const auto goes_on = [&](double done) {
         EXPECT_GE(done, last);
         EXPECT_LE(done, 1.0);
         last = done;
-        ++told;
+        ++reported;
         return true;
     };
     // One thread, which sleeps longer than it may be silent, whatever the machine does beside it.
     Part part = begin_part(slow, 1, 1, 1, goes_on);
-    EXPECT_GE(told, 2);
+    EXPECT_GE(reported, 2);
     EXPECT_LT(last, 0.7);
     run_part(slow, part, 2, [&](const Part& now) { return goes_on(share_done(now)); });
     EXPECT_EQ(last, 1.0);
@@ -504,7 +505,7 @@ constexpr std::array some_parts{std::pair("sobol", true),        std::pair("sobo
                                 std::pair("grid", false),        std::pair("linear", true)};
 class ChangedPart : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(ChangedPart, IsRefused) {
+TEST_P(ChangedPart, IsRejected) {
     const auto& [method, finished] = some_parts[GetParam()];
     const Json written = written_part(method, finished);
     EXPECT_EQ(write_part(read_part(written)), written);
@@ -545,8 +546,8 @@ TEST_P(ChangedPart, IsRefused) {
 
 INSTANTIATE_TEST_SUITE_P(Parts, ChangedPart, testing::Range<std::size_t>(0, some_parts.size()));
 
-/// What is changed in its text: a part is refused, or it is the same part.
-TEST(Study, ACharacterThatWasChangedIsRefusedOrMeansNothing) {
+/// What is changed in its text: a part is rejected, or it is the same part.
+TEST(Study, ACharacterThatWasChangedIsRejectedOrMeansNothing) {
     const std::string written = written_part("sobol", false).dump();
     const CounterRandom random(2);
     for (std::uint64_t i = 0; i < 1000; ++i) {
@@ -567,7 +568,7 @@ TEST(Study, AReasonMayBeOfAnyLength) {
     EXPECT_EQ(error_of([&] { read_part(signed_part(part)); }), "no error");
 }
 
-TEST(Study, RefusalsOfOneKindReadTheSameWithoutNumbers) {
+TEST(Study, RejectionsOfOneKindReadTheSameWithoutNumbers) {
     for (const auto& [text, plain] :
          {std::pair("/x0: must be at most 2.5, got -3.1e-7", "/x0: must be at most #, got #"),
           std::pair("5 of 6. -7", "# of # #"), std::pair("rod_2 lacks --8e", "rod_2 lacks -#e"),
@@ -576,7 +577,7 @@ TEST(Study, RefusalsOfOneKindReadTheSameWithoutNumbers) {
     }
 }
 
-TEST(Study, PartsOfOtherVersionsAreRefused) {
+TEST(Study, PartsOfOtherVersionsAreRejected) {
     Json old = written_part("sobol", true);
     old["version"] = 1;
     EXPECT_EQ(error_of([&] { read_part(old); }),

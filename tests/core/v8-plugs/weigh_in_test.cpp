@@ -50,8 +50,8 @@ TEST(WeighInSheet, MeanOfTheCrankpinsIsTheMethodsExcess) {
         EXPECT_NEAR(std::accumulate(after.begin(), after.end(), 0.0) / crankpin_count, excess,
                     1e-12);
         const auto spread = [](const auto& totals) {
-            const auto [least, most] = std::minmax_element(totals.begin(), totals.end());
-            return *most - *least;
+            const auto [minimum, maximum] = std::minmax_element(totals.begin(), totals.end());
+            return *maximum - *minimum;
         };
         EXPECT_NEAR(spread(after), best.spread, 1e-12);
         EXPECT_LE(spread(after), spread(by_crankpin) + 1e-15);

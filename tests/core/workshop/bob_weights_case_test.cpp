@@ -417,16 +417,16 @@ TEST(Tolerance, IsSharedByTheDistances) {
     const auto outboard = limits();
     EXPECT_LT(outboard[0] + outboard[1], whole);
     // By brute force over phases no bearing gets more than its share, and one gets all of it.
-    double most = 0.0;
+    double maximum = 0.0;
     const double share = (0.4 - 0.28) / 0.2;
     for (int i = 0; i < 360; ++i) {
         const std::array<std::complex<double>, 2> left{outboard[0],
                                                        std::polar(outboard[1], i * degree)};
         const auto there = carried_over(left, planes, {0.2, 0.4});
-        most = std::max({most, std::abs(there[0]) / (share * whole),
-                         std::abs(there[1]) / ((1 - share) * whole)});
+        maximum = std::max({maximum, std::abs(there[0]) / (share * whole),
+                            std::abs(there[1]) / ((1 - share) * whole)});
     }
-    EXPECT_NEAR(most, 1.0, 1e-12);
+    EXPECT_NEAR(maximum, 1.0, 1e-12);
     for (const auto& grade : shop::balance_grades()) {
         EXPECT_FALSE(grade.use.empty());
     }

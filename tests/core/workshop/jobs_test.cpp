@@ -163,7 +163,7 @@ TEST(Job, OfASheetHalfFilledSaysWhatIsMissing) {
     }
 }
 
-TEST(Job, RefusesWhatDoesNotGoTogether) {
+TEST(Job, RejectsWhatDoesNotGoTogether) {
     EXPECT_EQ(error_of(plugs_card()), "no error");
     struct Row {
         const char* pointer;

@@ -96,25 +96,25 @@ bool keeps_walls(const State& state, const std::vector<double>& depths) {
     return true;
 }
 
-/// The least that any depths leave.
-double least_left(const State& state, std::vector<double>& depths) {
+/// The smallest that any depths leave.
+double min_left(const State& state, std::vector<double>& depths) {
     const std::size_t i = depths.size();
     if (i == state.holes.size()) {
         return keeps_walls(state, depths) ? left_by(state, depths) : INFINITY;
     }
-    double least = INFINITY;
+    double minimum = INFINITY;
     const Hole& hole = state.holes[i];
     const double away = std::abs(std::remainder(hole.angle - std::arg(state.unbalance), 2.0 * pi));
-    const double most =
+    const double maximum =
         away <= state.limits.maximum_angle
             ? std::min(state.limits.maximum_depth, state.cut.radius - state.cut.cone(hole.diameter))
             : hole.depth;
-    for (double depth = hole.depth; depth <= most + 1e-9; depth += state.limits.depth_step) {
+    for (double depth = hole.depth; depth <= maximum + 1e-9; depth += state.limits.depth_step) {
         depths.push_back(depth);
-        least = std::min(least, least_left(state, depths));
+        minimum = std::min(minimum, min_left(state, depths));
         depths.pop_back();
     }
-    return least;
+    return minimum;
 }
 
 Json front_of(const Json& input) {
@@ -146,10 +146,10 @@ TEST(Deepening, RemovesTheDifferenceAndNoDepthsLeaveLess) {
         }
         EXPECT_TRUE(keeps_walls(state, depths)) << i;
         std::vector<double> tried;
-        const double least = least_left(state, tried);
+        const double minimum = min_left(state, tried);
         const double left = left_by(state, depths);
-        // What is enough is within the steps; what is not is the least.
-        EXPECT_LE(left, plan.is_enough ? std::max(steps, least) : least + 1e-9) << i;
+        // What is enough is within the steps; what is not is the smallest.
+        EXPECT_LE(left, plan.is_enough ? std::max(steps, minimum) : minimum + 1e-9) << i;
         EXPECT_LE(left, std::abs(state.unbalance)) << i;
     }
     EXPECT_GT(deepened, 100);

@@ -398,7 +398,7 @@ TEST(BadInput, EveryEngineValueMissingNegativeOrAbsurd) {
     }
 }
 
-TEST(BadInput, DenormalsGiveFiniteAnswersOrAreRefused) {
+TEST(BadInput, DenormalsGiveFiniteAnswersOrAreRejected) {
     for (const EngineField& field : engine_fields()) {
         Json input = example();
         input["engine"][std::string(field.field.key)] = std::numeric_limits<double>::denorm_min();

@@ -27,7 +27,7 @@ inline Json solved_bob_weights_case(const Json& input) {
     return result_json({}, read_bob_weights_case(input));
 }
 
-/// What a reader, or one that solves what it has read, refuses.
+/// What a reader, or one that solves what it has read, rejects.
 inline std::string error_of(const Json& input, Json (*solved)(const Json&) = test::solved) {
     return ravnoves::test::error_of([&] { solved(input); });
 }

@@ -220,15 +220,15 @@ TEST(SpeedStudyModel, AnswersForTheInputThatIsThere) {
     for (std::size_t row = 0; row < 5; ++row) {  // 360° is 0°
         EXPECT_EQ(map.changes[row * map.columns], map.changes[(row + 1) * map.columns - 1]);
     }
-    study.goToLeastBad();
-    EXPECT_NEAR(model.shaftAngleDeg(), study.leastBadDeg(), 1e-9);
+    study.goToBestCompromise();
+    EXPECT_NEAR(model.shaftAngleDeg(), study.bestCompromiseDeg(), 1e-9);
     const QString answer = study.answer();
     model.setSpeedCriterion(By::rms);
     EXPECT_NE(study.answer(), answer);
     EXPECT_NE(study.map().changes, map.changes);
     model.setSpeedCriterion(By::range);
 
-    // The shaft's angle solves nothing anew; neither does an input that comes back meanwhile.
+    // The shaft's angle solves nothing again; neither does an input that comes back meanwhile.
     model.setShaftAngleDeg(10.0);
     study.need();
     EXPECT_FALSE(study.job()->isRunning());

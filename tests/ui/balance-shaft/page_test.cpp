@@ -100,9 +100,9 @@ TEST_F(BalanceShaftPageTest, TextsThatCameWhileItWasHiddenAreWhole) {
     EXPECT_GT(longer, 0);
 }
 
-/// Another field mends what was refused: the words say so, and once that is given the text is tried
-/// again as a step of its own.
-TEST_F(BalanceShaftPageTest, ARefusedTextIsTriedAgainWhenItsCauseIsGone) {
+/// Another field mends what was rejected: the words say so, and once that is given the text is
+/// tried again as a step of its own.
+TEST_F(BalanceShaftPageTest, ARejectedTextIsTriedAgainWhenItsCauseIsGone) {
     NumberField* from = field("shaft_angle_from_deg");
     NumberField* to = field("shaft_angle_to_deg");
     type(from, QStringLiteral("200"));
@@ -263,7 +263,7 @@ TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {
     table->setData(table->index(25, 1), QStringLiteral("900"), Qt::EditRole);
     EXPECT_NEAR(model->result().M_up.min, -900.0, 1e-9);
     EXPECT_TRUE(table->trouble().isEmpty());
-    // Every cell that is refused is marked, whichever row it is in, and said up to a few.
+    // Every cell that is rejected is marked, whichever row it is in, and said up to a few.
     const auto isMarked = [&](int row, int column) {
         return table->index(row, column).data(EditableTable::TroubleRole).toBool();
     };
@@ -300,7 +300,7 @@ TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {
     table->setData(table->index(30, 0), QStringLiteral("700"), Qt::EditRole);
     EXPECT_TRUE(isMarked(30, 0));
     EXPECT_FALSE(isMarked(31, 0));
-    table->takeBackRefused(table->index(30, 0));
+    table->takeBackRejected(table->index(30, 0));
     EXPECT_EQ(table->index(30, 0).data().toString(), angle);
     EXPECT_TRUE(table->trouble().isEmpty());
     EXPECT_FALSE(isMarked(30, 0));
@@ -313,8 +313,8 @@ TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {
                 table->trouble().contains(QStringLiteral("Row 31:")))
         << table->trouble().toStdString();
     EXPECT_EQ(model->input().torque.table.crank_angle_deg[7], 107.0);
-    table->takeBackRefused(table->index(0, 0));
-    table->takeBackRefused(table->index(30, 0));
+    table->takeBackRejected(table->index(0, 0));
+    table->takeBackRejected(table->index(30, 0));
     EXPECT_TRUE(table->trouble().isEmpty()) << table->trouble().toStdString();
     // The ends are one instant of the cycle, in a pasted cell too.
     EXPECT_EQ(table->paste(0, 1, {{QStringLiteral("-90")}}), QString());
@@ -335,7 +335,7 @@ TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {
     EXPECT_NEAR(model->result().M_up.rms, rms, 1e-9);
 }
 
-TEST_F(BalanceShaftPageTest, ARefusedCellIsTheNewestThingToUndo) {
+TEST_F(BalanceShaftPageTest, ARejectedCellIsTheNewestThingToUndo) {
     QAction undo;
     undo.setShortcut(QKeySequence::Undo);
     page.addAction(&undo);
@@ -427,7 +427,7 @@ TEST_F(BalanceShaftPageTest, TableTakesASpreadsheet) {
         QItemSelectionModel::ClearAndSelect);
     QTest::keyClick(view, Qt::Key_C, Qt::ControlModifier);
     EXPECT_EQ(QApplication::clipboard()->text(), QStringLiteral("45\t-1\n60\t-2\n"));
-    // A cycle that is refused is not put among the rows of this one.
+    // A cycle that is rejected is not put among the rows of this one.
     const QString below = view->model()->index(5, 1).data().toString();
     QApplication::clipboard()->setText(
         QStringLiteral("0\t-81\n180\t40\n360\t1,893\n540\t40\n720\t-81\n"));
@@ -509,9 +509,9 @@ TEST_F(BalanceShaftPageTest, WhatIsAssumedIsGreyAndHasItsNumber) {
     EXPECT_TRUE(bore->placeholderText().contains(QStringLiteral("80")));
 }
 
-TEST_F(BalanceShaftPageTest, StrokesThatTheTableDoesNotFitAreRefusedInWords) {
+TEST_F(BalanceShaftPageTest, StrokesThatTheTableDoesNotFitAreRejectedInWords) {
     auto* strokes = test::named<QComboBox>(page, "strokes");
-    auto* why = test::named<QLabel>(page, "strokesRefused");
+    auto* why = test::named<QLabel>(page, "strokesRejected");
     EXPECT_TRUE(why->isHidden());
     strokes->setFocus();
     QTest::keyClick(strokes, Qt::Key_Up);

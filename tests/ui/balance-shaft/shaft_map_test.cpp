@@ -386,15 +386,15 @@ TEST_F(ShaftMapTest, ChartsGoToTheirPlaces) {
     EXPECT_TRUE(model->result().is_buildable);
     const double range = model->result().M_ups.range;
     EXPECT_GE(range, study.best_at(length(), 1.0).criteria.range - 1e-6);
-    double least = 1e300;
+    double minimum = 1e300;
     for (int i = 0; i < 7200; ++i) {
         const Position place = Position::at(length(), i * 0.05 * degree);
         if (study.obstacle(place) == Obstacle::none) {
-            least = std::min(least, study.at(place).range);
+            minimum = std::min(minimum, study.at(place).range);
         }
     }
-    EXPECT_LE(range, least + 1e-6);
-    EXPECT_GE(range, least - 0.5);
+    EXPECT_LE(range, minimum + 1e-6);
+    EXPECT_GE(range, minimum - 0.5);
     EXPECT_EQ(model->history()->count(), 1);
 
     view->charts()->setCurrentWidget(sizes);

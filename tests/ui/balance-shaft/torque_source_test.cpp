@@ -266,7 +266,7 @@ TEST_F(TorqueSourceTest, ABlockOfTwoColumnsIsAnglesAndTorquesAtEitherColumn) {
     EXPECT_EQ(text(3, TorqueTableModel::CrankAngle), angle);
     EXPECT_EQ(text(3, TorqueTableModel::Torque), QStringLiteral("111"));
     EXPECT_EQ(text(4, TorqueTableModel::Torque), QStringLiteral("112"));
-    // What has no room is refused in words.
+    // What has no room is rejected in words.
     const auto before = model->input().torque.table;
     EXPECT_TRUE(
         paste(3, QStringLiteral("9000\t7\n9001\t8\n")).contains(QStringLiteral("2 columns")));
@@ -276,7 +276,7 @@ TEST_F(TorqueSourceTest, ABlockOfTwoColumnsIsAnglesAndTorquesAtEitherColumn) {
     EXPECT_EQ(model->input().torque.table, before);
 }
 
-TEST_F(TorqueSourceTest, OfABlockUndoTakesFirstWhatIsRefused) {
+TEST_F(TorqueSourceTest, OfABlockUndoTakesFirstWhatIsRejected) {
     TableEditor& editor = *source->tableEditor();
     const auto before = model->input().torque.table;
     page.findChild<QTabWidget*>()->setCurrentWidget(source);

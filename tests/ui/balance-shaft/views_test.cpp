@@ -90,7 +90,7 @@ TEST_F(BalanceShaftViewsTest, OrdersFollowTheShaft) {
     EXPECT_EQ(*plot->valueAt(1, 0.5), half);
 }
 
-TEST_F(BalanceShaftViewsTest, TheDrawingForTheShopAsksAboutWhatIsRefused) {
+TEST_F(BalanceShaftViewsTest, TheDrawingForTheShopAsksAboutWhatIsRejected) {
     auto* view = open<RelievedShaftView>();
     auto* density = test::named<NumberField>(*view, "density_kg_m3");
     density->setFocus();
@@ -150,7 +150,7 @@ TEST_F(BalanceShaftViewsTest, ATwoStrokeHasPlotsOfOneTurn) {
         strokes->setCurrentIndex(strokes->findData(number));
         Q_EMIT strokes->activated(strokes->currentIndex());
     };
-    // The paper's table is one of 720°: refused, and the choice says so by staying.
+    // The paper's table is one of 720°: rejected, and the choice says so by staying.
     choose(2);
     EXPECT_EQ(model->input().strokes, 4);
     EXPECT_EQ(strokes->currentData(), 4);
@@ -211,7 +211,7 @@ TEST_F(BalanceShaftViewsTest, AToothOutShowsInTheMoment) {
                 1e-6 * amplitude);
 }
 
-TEST_F(BalanceShaftViewsTest, GearsThatCannotBeAreRefusedInTheirField) {
+TEST_F(BalanceShaftViewsTest, GearsThatCannotBeAreRejectedInTheirField) {
     openPlot("gear-moment");
     auto* teeth = test::named<NumberField>(page, "teeth");
     auto* shifted = test::named<NumberField>(page, "shifted_teeth");

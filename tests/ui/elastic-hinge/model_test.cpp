@@ -93,7 +93,7 @@ TEST(ElasticHingeModel, SaysThatThePapersGuideIsNoDesign) {
     EXPECT_TRUE(verdictOf(model).contains(QStringLiteral("undercut")));
 }
 
-TEST(ElasticHingeModel, TooLittlePreloadIsMended) {
+TEST(ElasticHingeModel, TooLittlePreloadIsCorrected) {
     for (const double radius : {0.0995, 0.1005}) {
         ElasticHingeModel model;
         model.edit(QStringLiteral("rho"),
@@ -109,9 +109,9 @@ TEST(ElasticHingeModel, TooLittlePreloadIsMended) {
         EXPECT_EQ(model.result().crank_guide.branch == elastic_hinge::Branch::compressed,
                   radius < 0.1);
         // There is nothing more to mend.
-        const Json mended = model.inputJson();
+        const Json corrected = model.inputJson();
         model.takeMinimumPreload();
-        EXPECT_EQ(model.inputJson(), mended);
+        EXPECT_EQ(model.inputJson(), corrected);
     }
 }
 
@@ -151,11 +151,11 @@ TEST(ElasticHingeModel, MotionsComeFromTheWorkerThread) {
     waitForMotions(model);
     EXPECT_EQ(model.motions()->crank->end, elastic_hinge::MotionEnd::reversed);
     EXPECT_TRUE(model.motionsText().contains(QStringLiteral("reverses")));
-    bool told = false;
+    bool reported = false;
     for (const ResultRow& row : model.quantities().rows) {
-        told = told || row[1] == QStringLiteral("reverses");
+        reported = reported || row[1] == QStringLiteral("reverses");
     }
-    EXPECT_TRUE(told);
+    EXPECT_TRUE(reported);
 
     // Where the guide does not exist only the bare mechanism moves.
     model.edit(QStringLiteral("rho"), [](auto& input) {

@@ -223,7 +223,7 @@ TEST_F(ElasticHingePageTest, MassesMayBeGivenForWeights) {
     type(find<NumberField>("gravity_with_masses"), QStringLiteral("0"));
     EXPECT_EQ(model->input().gravity, 0.0);
     EXPECT_TRUE(model->inputJson().contains("masses_kg"));
-    // Weights without gravity are refused, and the choice shows it.
+    // Weights without gravity are rejected, and the choice shows it.
     QSignalSpy status(&page, &ScenePage::status);
     choose("masses_given_as", 0);
     EXPECT_EQ(status.size(), 1);
@@ -268,7 +268,7 @@ TEST_F(ElasticHingePageTest, LambdaOneIsDrawnBySeriesOnly) {
     EXPECT_TRUE(plotOf("rod-moment")->valueAt(0, 90.0).has_value());
     bringPlots("crank-moment");
     EXPECT_FALSE(plotOf("crank-moment")->valueAt(0, 90.0).has_value());
-    // Back to the exact kinematics is refused at λ = 1, and the choice shows it.
+    // Back to the exact kinematics is rejected at λ = 1, and the choice shows it.
     choose("kinematics", 0);
     EXPECT_EQ(find<QComboBox>("kinematics")->currentIndex(), 1);
 }
@@ -308,7 +308,7 @@ TEST_F(ElasticHingePageTest, PlotsHoldThePapersFigures) {
     EXPECT_GT(high, 0.9);
 }
 
-TEST_F(ElasticHingePageTest, AMissingGuideIsShownAsAGapAndMended) {
+TEST_F(ElasticHingePageTest, AMissingGuideIsShownAsAGapAndCorrected) {
     typeInBox("guide_radius_at_zero_mm", QStringLiteral("99.5"));
     PlotView* relief = plotOf("relief");
     EXPECT_TRUE(relief->valueAt(0, 20.0).has_value());
@@ -442,7 +442,7 @@ TEST_F(ElasticHingePageTest, ExportsAsTheFormIsSet) {
     EXPECT_EQ(read_text_file(csv.toStdString()), text);  // what was there stays
 }
 
-TEST_F(ElasticHingePageTest, AnExportAsksAboutEntriesThatAreRefused) {
+TEST_F(ElasticHingePageTest, AnExportAsksAboutEntriesThatAreRejected) {
     bringForm("export");
     type(find<NumberField>("step_deg"), QStringLiteral("-5"));
     QString asked;

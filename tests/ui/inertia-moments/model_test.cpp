@@ -163,25 +163,25 @@ TEST(InertiaMomentsModel, ATableScalesItsBanksAndOffsets) {
     EXPECT_NEAR(model.result().firing[2].interval / degree, 144.0, 1e-9);
 }
 
-TEST(InertiaMomentsModel, LockingIsRefusedWithTheAngleAndTheOldInputHolds) {
+TEST(InertiaMomentsModel, LockingIsRejectedWithTheAngleAndTheOldInputHolds) {
     InertiaMomentsModel model;
-    QSignalSpy refused(&model, &InertiaMomentsModel::refused);
+    QSignalSpy rejected(&model, &InertiaMomentsModel::rejected);
     const Json before = model.inputJson();
     const QString why = model.edit(QStringLiteral("λ"), [](Input& input) { input.lambda = 0.9; });
     EXPECT_TRUE(why.contains(QStringLiteral("locks"))) << why.toStdString();
     // sin θ = −(L − e)/R with L = 50, e = 12.51, R = 45 mm.
     const double forward = 180.0 + std::asin((50.0 - 12.51) / 45.0) / degree;
     EXPECT_TRUE(why.contains(QString::number(forward, 'f', 1))) << why.toStdString();
-    EXPECT_EQ(refused.size(), 1);
+    EXPECT_EQ(rejected.size(), 1);
     EXPECT_EQ(model.inputJson(), before);
     EXPECT_EQ(model.history()->count(), 0);
     // The offset's slider ends before it.
-    const auto [least, most] = model.offsetLimitsMm();
-    model.setOffsetMm(most);
-    model.setOffsetMm(least);
-    ASSERT_EQ(refused.size(), 2);
-    EXPECT_EQ(refused.last().at(0).toString(), QString());  // nothing is wrong any more
-    EXPECT_NEAR(model.offsetMm(), least, 1e-9);
+    const auto [minimum, maximum] = model.offsetLimitsMm();
+    model.setOffsetMm(maximum);
+    model.setOffsetMm(minimum);
+    ASSERT_EQ(rejected.size(), 2);
+    EXPECT_EQ(rejected.last().at(0).toString(), QString());  // nothing is wrong any more
+    EXPECT_NEAR(model.offsetMm(), minimum, 1e-9);
 }
 
 TEST(InertiaMomentsModel, ShaftsSwitchedOnCancelTheirOrder) {

@@ -155,7 +155,7 @@ TEST_F(InertiaMomentsPageTest, AnotherSpacingKeepsTheEngineInTheMiddle) {
     EXPECT_EQ(model->history()->count(), steps + 1) << "one step brings both back";
 }
 
-TEST_F(InertiaMomentsPageTest, WhatFieldsMakeTogetherIsRefusedInWords) {
+TEST_F(InertiaMomentsPageTest, WhatFieldsMakeTogetherIsRejectedInWords) {
     // A mechanism that locks: the status line names the angle, the case stays.
     QSignalSpy status(&page, &ScenePage::status);
     const Json before = model->inputJson();
@@ -352,7 +352,7 @@ TEST_F(InertiaMomentsPageTest, ArticulatedRodsAreEditedInTheTable) {
                                 Qt::EditRole));
     EXPECT_TRUE(cell(0, CylinderTableModel::Position).data(EditableTable::TroubleRole).toBool());
     EXPECT_EQ(model->input().cylinders.at(0).axial_position, before);
-    table->takeBackRefused(cell(0, CylinderTableModel::Position));
+    table->takeBackRejected(cell(0, CylinderTableModel::Position));
     // A block from a spreadsheet, with an empty cell for what follows.
     view->setCurrentIndex(cell(1, CylinderTableModel::KnuckleRadius));
     QApplication::clipboard()->setText(QStringLiteral("35\t\t140\t1\n"));
@@ -389,7 +389,7 @@ TEST_F(InertiaMomentsPageTest, ARadialOfTheListHasArticulatedRods) {
                   ->headerData(3, Qt::Vertical, Qt::ToolTipRole)
                   .toString(),
               QStringLiteral("Top dead centre 3.303° from its axis, stroke 175.19\u00A0mm"));
-    // A rigid rod for all is refused in words.
+    // A rigid rod for all is rejected in words.
     auto* rigid = page.findChild<QCheckBox*>(QStringLiteral("rigid_rod"));
     QSignalSpy status(&page, &ScenePage::status);
     rigid->click();
@@ -402,8 +402,8 @@ TEST_F(InertiaMomentsPageTest, ARadialOfTheListHasArticulatedRods) {
     EXPECT_EQ(model->layoutName(), QStringLiteral("table"));
 }
 
-// What is refused is named by row and column as they are read, while the text stands in its cell.
-TEST_F(InertiaMomentsPageTest, ARefusedCellIsNamedUntilItIsMended) {
+// What is rejected is named by row and column as they are read, while the text stands in its cell.
+TEST_F(InertiaMomentsPageTest, ARejectedCellIsNamedUntilItIsCorrected) {
     model->chooseLayout(QStringLiteral("radial-9"));
     tab("cylinders");
     CylinderTableModel* table = page.cylinderEditor()->tableModel();
@@ -588,12 +588,12 @@ TEST_F(InertiaMomentsPageTest, CylindersAreEditedAsATable) {
     EXPECT_FALSE(table->setData(table->index(1, CylinderTableModel::Offset), QStringLiteral("x"),
                                 Qt::EditRole));
     EXPECT_FALSE(trouble.last().at(0).toString().isEmpty());
-    // What was refused stays where it was typed.
-    const auto refused = table->index(1, CylinderTableModel::Offset);
+    // What was rejected stays where it was typed.
+    const auto rejected = table->index(1, CylinderTableModel::Offset);
     EXPECT_TRUE(table->setData(table->index(2, CylinderTableModel::CrankpinAngle),
                                QStringLiteral("100"), Qt::EditRole));
-    EXPECT_EQ(refused.data().toString(), QStringLiteral("x"));
-    EXPECT_TRUE(refused.data(EditableTable::TroubleRole).toBool());
+    EXPECT_EQ(rejected.data().toString(), QStringLiteral("x"));
+    EXPECT_TRUE(rejected.data(EditableTable::TroubleRole).toBool());
     // An offset at which cylinder 1 locks.
     EXPECT_FALSE(table->setData(table->index(0, CylinderTableModel::Offset), QStringLiteral("150"),
                                 Qt::EditRole));
@@ -796,7 +796,7 @@ TEST_F(InertiaMomentsPageTest, TheRodsLengthMayStandForLambda) {
     EXPECT_EQ(model->input().lambda, 0.333333);
     type(ratio, QStringLiteral("0.25"));
     EXPECT_NEAR(model->input().rod_length(), 0.2, 1e-12);
-    // What cannot be is refused in its field.
+    // What cannot be is rejected in its field.
     type(length, QStringLiteral("40"));
     EXPECT_NEAR(model->input().rod_length(), 0.2, 1e-12);
     EXPECT_EQ(model->inputJson().count("lambda"), 1U);

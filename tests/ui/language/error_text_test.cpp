@@ -117,7 +117,7 @@ void expectWords(const QString& said) {
     EXPECT_FALSE(said.contains(code)) << said.toStdString();
 }
 
-struct Refusals {
+struct Rejections {
     int count = 0;
     std::vector<std::pair<std::string, InputError>> all{};
 
@@ -145,7 +145,7 @@ struct Refusals {
 };
 
 TEST_F(ErrorText, OfEveryBadCaseIsRussian) {
-    Refusals refusals;
+    Rejections rejections;
     for (const auto& file : test::example_files()) {
         const Json good = parse_json(read_text_file(file));
         if (good.at("scene") == "workshop") {
@@ -158,21 +158,21 @@ TEST_F(ErrorText, OfEveryBadCaseIsRussian) {
                  {Json("word"), Json(-1.5), Json(1e90), Json::array(), Json{{"strange", 1}}}) {
                 Json bad = good;
                 bad[place] = wrong;
-                refusals.tryCase(bad);
+                rejections.tryCase(bad);
             }
             if (!place.empty() && good[place.parent_pointer()].is_object()) {
                 Json bad = good;
                 bad[place.parent_pointer()].erase(place.back());
-                refusals.tryCase(bad);
+                rejections.tryCase(bad);
                 bad[place.parent_pointer()][place.back() + "x"] = 1;
-                refusals.tryCase(bad);
+                rejections.tryCase(bad);
             }
         }
     }
-    EXPECT_GT(refusals.count, 500);
-    refusals.expectInWords();
+    EXPECT_GT(rejections.count, 500);
+    rejections.expectInWords();
     installLanguage(u"en"_s);
-    refusals.expectInWords();
+    rejections.expectInWords();
 }
 
 TEST_F(ErrorText, OfABadTableIsRussian) {

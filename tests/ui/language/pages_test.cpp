@@ -288,7 +288,7 @@ TEST_F(RussianWindow, HasHelpInRussianOnEveryTopic) {
     }
 }
 
-TEST_F(RussianWindow, SaysWhyAnExportIsRefused) {
+TEST_F(RussianWindow, SaysWhyAnExportIsRejected) {
     MethodsPage page;
     const QString trouble = page.exportTo(u"/dev/null/methods.csv"_s);
     EXPECT_TRUE(trouble.contains(u"не удалось записать"_s)) << trouble.toStdString();

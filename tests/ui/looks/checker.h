@@ -105,10 +105,10 @@ class Checker {
             needs(bar, bar->width(), wanted, u"all tabs"_s);
         } else if (const auto* table = qobject_cast<const QTableView*>(widget)) {
             const QHeaderView* header = table->horizontalHeader();
-            constexpr int least = 24;
+            constexpr int minimum = 24;
             for (int i = 0; i < header->count(); ++i) {
                 if (!header->isSectionHidden(i)) {
-                    needs(table, header->sectionSize(i), least, u"column %1"_s.arg(i));
+                    needs(table, header->sectionSize(i), minimum, u"column %1"_s.arg(i));
                 }
             }
             needs(table, table->verticalHeader()->defaultSectionSize(),
@@ -180,8 +180,8 @@ class Checker {
 
     void lookAtUse(QWidget* widget) {
         if (const auto* slider = qobject_cast<const QSlider*>(widget)) {
-            constexpr int least = 110;
-            needs(slider, slider->width(), least, u"a hand"_s);
+            constexpr int minimum = 110;
+            needs(slider, slider->width(), minimum, u"a hand"_s);
         } else if (auto* plot = qobject_cast<PlotView*>(widget)) {
             plot->grab();  // lays it out
             needs(plot, static_cast<int>(plot->plotArea().width()), 90, u"the chart's width"_s);

@@ -50,13 +50,13 @@ class Dialogs : public ::testing::TestWithParam<std::tuple<std::string, Screen, 
                 continue;
             }
             ++seen_;
-            const QSize least = dialog->minimumSizeHint().expandedTo(dialog->minimumSize());
+            const QSize minimum = dialog->minimumSizeHint().expandedTo(dialog->minimumSize());
             const std::string name =
                 (QString(dialog->windowTitle()) + u" ("_s +
                  QString::fromLatin1(dialog->metaObject()->className()).section(u"::"_s, -1) + u')')
                     .toStdString();
-            EXPECT_LE(least.width(), screen.width()) << name;
-            EXPECT_LE(least.height(), screen.height()) << name;
+            EXPECT_LE(minimum.width(), screen.width()) << name;
+            EXPECT_LE(minimum.height(), screen.height()) << name;
             dialog->resize(dialog->size().boundedTo(screen));
             QApplication::processEvents();
             QApplication::processEvents();

@@ -56,7 +56,7 @@ TEST(MethodsModel, SettingsAreChecked) {
     EXPECT_EQ(model.kernel().id, "guide");
     EXPECT_EQ(model.sweep().id, "locking");
     EXPECT_EQ(model.value(), 0.1);
-    const auto refused = [&](const char* key, const char* value, const char* allowed) {
+    const auto rejected = [&](const char* key, const char* value, const char* allowed) {
         try {
             model.setByKey(QString::fromLatin1(key), QString::fromLatin1(value));
             ADD_FAILURE() << key;
@@ -66,10 +66,10 @@ TEST(MethodsModel, SettingsAreChecked) {
             EXPECT_NE(error.allowed().find(allowed), std::string::npos) << error.what();
         }
     };
-    refused("kernel", "giude", "hinge-motion");
-    refused("sweep", "offset", "stiffness");
-    refused("value", "1.5", "to 0.99");
-    refused("value", "nan", "to 0.99");
+    rejected("kernel", "giude", "hinge-motion");
+    rejected("sweep", "offset", "stiffness");
+    rejected("value", "1.5", "to 0.99");
+    rejected("value", "nan", "to 0.99");
     EXPECT_EQ(model.value(), 0.1);
 }
 
@@ -130,7 +130,7 @@ TEST(CaseBudgetModel, ShowsEachLeadingResultWithWhatChangesIt) {
     EXPECT_EQ(model.verdict().severity, Severity::note);
     const QStringList leftOut = model.leftOut();
     EXPECT_EQ(leftOut.count(QStringLiteral("The crankshaft is rigid.")), 1);
-    // A case that is refused is named in the window's words.
+    // A case that is rejected is named in the window's words.
     open = openExample("tmz-650d");
     open->file.input["crank_radius_mm"] = -1;
     load(open);
@@ -239,8 +239,8 @@ TEST(MethodsModel, EndsCleanlyWhileMeasuring) {
     EXPECT_LT(time->seconds(), 3.0);
 }
 
-TEST(MethodsModel, RefusesNothingSilently) {
-    // At this speed the spring stores too little: every method refuses, in words.
+TEST(MethodsModel, RejectsNothingSilently) {
+    // At this speed the spring stores too little: every method rejects, in words.
     MethodsModel model;
     model.setKernel(kernelIndex(model, "guide"));
     model.setSweep(model.kernel().find_sweep("speed"));
@@ -248,11 +248,11 @@ TEST(MethodsModel, RefusesNothingSilently) {
     measureNow(model);
     ASSERT_NE(model.shown(), nullptr);
     for (const auto& row : model.shown()->report.rows) {
-        EXPECT_TRUE(row.result.refused() || std::isfinite(row.result.error));
-        EXPECT_TRUE(!row.result.refused() || !row.holds);
+        EXPECT_TRUE(row.result.rejected() || std::isfinite(row.result.error));
+        EXPECT_TRUE(!row.result.rejected() || !row.holds);
     }
     EXPECT_TRUE(std::any_of(model.shown()->report.rows.begin(), model.shown()->report.rows.end(),
-                            [](const auto& row) { return row.result.refused(); }));
+                            [](const auto& row) { return row.result.rejected(); }));
 }
 
 }  // namespace

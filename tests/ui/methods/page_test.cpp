@@ -148,7 +148,7 @@ TEST_F(MethodsPageTest, ALongTableLeavesTheChartsTheirRoom) {
     }
 }
 
-TEST_F(MethodsPageTest, WhatIsRefusedIsInTheTableAlone) {
+TEST_F(MethodsPageTest, WhatIsRejectedIsInTheTableAlone) {
     choose("kernel", 5);
     model->setSweep(model->kernel().find_sweep("speed"));
     model->setValue(1e4);  // the spring stores too little
@@ -156,7 +156,7 @@ TEST_F(MethodsPageTest, WhatIsRefusedIsInTheTableAlone) {
     const QString csv = find<PlotView>("work_plot")->dataAsCsv();
     int row = 0;
     for (const auto& point : model->shown()->work.points) {
-        EXPECT_TRUE(point.result.refused());
+        EXPECT_TRUE(point.result.rejected());
         EXPECT_FALSE(csv.contains(CsvFormat().number(point.timing.median)));
         EXPECT_EQ(page.table()->item(row++, 3)->text(), QStringLiteral("rejected"));
     }

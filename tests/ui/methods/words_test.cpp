@@ -34,14 +34,14 @@ std::vector<Message> kernelTexts() {
         }
         for (std::size_t i = 0; i < kernel.sweeps.size(); ++i) {
             texts.emplace_back(kernel.sweeps[i].title);
-            // What the methods say where they refuse: at the ends, where it is hardest.
+            // What the methods say where they reject: at the ends, where it is hardest.
             for (const double value : {kernel.sweeps[i].from, kernel.sweeps[i].to}) {
                 if (kernel.id == "hinge-motion" && kernel.sweeps[i].id == "turns") {
-                    continue;  // thousands of turns refuse nothing
+                    continue;  // thousands of turns reject nothing
                 }
                 const auto problem = kernel.problem(i, value);
                 for (std::size_t m = 0; m < kernel.methods.size(); ++m) {
-                    texts.push_back(methods::evaluate(*problem, m, 0).refusal);
+                    texts.push_back(methods::evaluate(*problem, m, 0).rejection);
                 }
             }
         }

@@ -1,4 +1,4 @@
-// What CaseModel does for every scene: change, refuse, merge, undo, load.
+// What CaseModel does for every scene: change, reject, merge, undo, load.
 
 #include <gtest/gtest.h>
 
@@ -46,22 +46,22 @@ TEST_F(CaseModelTest, NoChangeIsNoStepAndIsNotSolved) {
     EXPECT_FALSE(model.history()->canUndo());
 }
 
-TEST_F(CaseModelTest, WhatIsRefusedChangesNothingAndSaysWhy) {
-    QSignalSpy refused(&model, &SceneModel::refused);
+TEST_F(CaseModelTest, WhatIsRejectedChangesNothingAndSaysWhy) {
+    QSignalSpy rejected(&model, &SceneModel::rejected);
     const QString why = model.set("square", -1.0);
     EXPECT_TRUE(why.contains(QStringLiteral("negative"))) << why.toStdString();
-    ASSERT_EQ(refused.size(), 1);
-    EXPECT_EQ(refused[0][0].toString(), why);
+    ASSERT_EQ(rejected.size(), 1);
+    EXPECT_EQ(rejected[0][0].toString(), why);
     EXPECT_EQ(model.input().square, 4.0);
     EXPECT_EQ(model.root(), 2.0);
     EXPECT_EQ(changes.size(), 0);
     EXPECT_FALSE(model.history()->canUndo());
-    // What comes next is not taken for what was refused.
+    // What comes next is not taken for what was rejected.
     EXPECT_EQ(model.set("square", 16.0), QString());
     EXPECT_EQ(model.root(), 4.0);
 }
 
-TEST_F(CaseModelTest, WhatNeedsTooMuchMemoryIsRefusedInWords) {
+TEST_F(CaseModelTest, WhatNeedsTooMuchMemoryIsRejectedInWords) {
     const QString why = model.set("square", 1e300);
     EXPECT_TRUE(why.contains(QStringLiteral("memory"))) << why.toStdString();
     EXPECT_EQ(model.root(), 2.0);
@@ -210,18 +210,18 @@ TEST_F(CaseModelTest, TheTitleGoesBackWithItsStep) {
     EXPECT_EQ(model.title(), QStringLiteral("Sixteen"));
 }
 
-TEST_F(CaseModelTest, ARefusalIsOverWithTheNextChange) {
-    QSignalSpy refused(&model, &SceneModel::refused);
+TEST_F(CaseModelTest, ARejectionIsOverWithTheNextChange) {
+    QSignalSpy rejected(&model, &SceneModel::rejected);
     const QString why = model.step("square", -1.0);
     EXPECT_FALSE(why.contains(QLatin1Char('/'))) << why.toStdString();  // no JSON pointer
     model.step("square", 9.0);
     model.step("square", 16.0);
-    ASSERT_EQ(refused.size(), 2);
-    EXPECT_EQ(refused[0][0].toString(), why);
-    EXPECT_EQ(refused[1][0].toString(), QString());
+    ASSERT_EQ(rejected.size(), 2);
+    EXPECT_EQ(rejected[0][0].toString(), why);
+    EXPECT_EQ(rejected[1][0].toString(), QString());
 }
 
-TEST_F(CaseModelTest, UndoAndRedoSolveAnew) {
+TEST_F(CaseModelTest, UndoAndRedoSolveAgain) {
     model.set("square", 9.0);
     model.set("square", 16.0);
     solves();
@@ -261,7 +261,7 @@ TEST_F(CaseModelTest, WhatCannotBeLoadedChangesNothing) {
     }
 }
 
-TEST_F(CaseModelTest, LoadingWhatIsThereIsNoStepButIsTold) {
+TEST_F(CaseModelTest, LoadingWhatIsThereIsNoStepButIsReported) {
     model.loadDefault();
     EXPECT_EQ(model.loads, 1);
     EXPECT_EQ(changes.size(), 1);

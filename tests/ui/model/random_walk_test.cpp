@@ -189,7 +189,7 @@ class RandomWalk : public ::testing::Test {
 
 TEST_F(RandomWalk, LosesNoTypedNumber) {
     std::map<Kind, int> kinds;
-    std::size_t most = 0;
+    std::size_t maximum = 0;
     for (int step = 0; step < 500 && !HasFailure(); ++step) {
         SCOPED_TRACE(step);
         const int before = model.history()->index();
@@ -211,7 +211,7 @@ TEST_F(RandomWalk, LosesNoTypedNumber) {
             }
         }
         ++kinds[model.input().torque.kind];
-        most = std::max(most, now().present.size());
+        maximum = std::max(maximum, now().present.size());
         expectAll(model, now().present);
         ASSERT_EQ(static_cast<std::size_t>(model.variants().size()), now().variants.size());
         for (int i = 0; i < model.variants().size(); ++i) {
@@ -227,7 +227,7 @@ TEST_F(RandomWalk, LosesNoTypedNumber) {
         }
     }
     EXPECT_EQ(kinds.size(), 3U) << "each source was in use";
-    EXPECT_GE(most, std::size(fields));
+    EXPECT_GE(maximum, std::size(fields));
     while (model.history()->index() > first) {
         model.undo();
         expectAll(model, now().present);

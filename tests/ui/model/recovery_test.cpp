@@ -141,16 +141,16 @@ TEST_F(RecoveryTest, OfTwoThousandTheNewestHundredAreOffered) {
     const test::ProcessorTime time;
     const Recovery::Found found = next.leftBehind();
     EXPECT_LT(time.seconds(), 2.0);
-    EXPECT_EQ(found.cases.size(), Recovery::most);
-    EXPECT_EQ(found.older, 2000 - Recovery::most);
+    EXPECT_EQ(found.cases.size(), Recovery::maximum);
+    EXPECT_EQ(found.older, 2000 - Recovery::maximum);
     EXPECT_EQ(kept().size(), 2000) << "nothing goes unasked";
     for (const RecoveredCase& each : found.cases) {
         EXPECT_EQ(each.place, 17);
         next.discard(each);
     }
-    EXPECT_EQ(next.leftBehind().cases.size(), Recovery::most) << "the next hundred";
+    EXPECT_EQ(next.leftBehind().cases.size(), Recovery::maximum) << "the next hundred";
     next.discardOlder();
-    EXPECT_EQ(kept().size(), Recovery::most);
+    EXPECT_EQ(kept().size(), Recovery::maximum);
     EXPECT_TRUE(QDir(keptIn()).entryList({QStringLiteral("*.lock")}).size() <= 1);
 }
 

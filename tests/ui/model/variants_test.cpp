@@ -1,4 +1,4 @@
-// Inputs kept beside the present one: history, file, and what is refused.
+// Inputs kept beside the present one: history, file, and what is rejected.
 
 #include "model/variants.h"
 
@@ -108,10 +108,10 @@ TEST_F(VariantsTest, ChoosingAReferenceIsNoChangeOfTheCase) {
     model.keepVariant();
     model.keepVariant();
     model.history()->setClean();
-    QSignalSpy told(&model, &SceneModel::variantsChanged);
+    QSignalSpy reported(&model, &SceneModel::variantsChanged);
     model.chooseReference(0);
     model.chooseReference(0);
-    EXPECT_EQ(told.size(), 1);
+    EXPECT_EQ(reported.size(), 1);
     EXPECT_FALSE(model.hasChanges());
     model.set("square", 9.0);
     model.chooseReference(-1);
@@ -180,7 +180,7 @@ TEST_F(VariantsTest, GoWithTheCaseThroughItsFile) {
     EXPECT_TRUE(other.variants().isEmpty());
 }
 
-TEST_F(VariantsTest, AnInputThatIsRefusedStaysWithItsReason) {
+TEST_F(VariantsTest, AnInputThatIsRejectedStaysWithItsReason) {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("v.case.json"));
     model.keepVariant();

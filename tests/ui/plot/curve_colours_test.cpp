@@ -1,6 +1,7 @@
-// The colours of curves are told apart by all eyes: normal ones, and those without one of the three
-// kinds of cones, after G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, A physiologically-based
-// model for simulation of color vision deficiency, IEEE TVCG 15 (2009), severity 1.0.
+// The colours of curves are distinguished by all eyes: normal ones, and those without one of the
+// three kinds of cones, after G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, A
+// physiologically-based model for simulation of color vision deficiency, IEEE TVCG 15 (2009),
+// severity 1.0.
 
 #include <gtest/gtest.h>
 
@@ -93,7 +94,7 @@ class CurveColours : public ::testing::TestWithParam<Theme::Mode> {
     Theme& theme = Theme::instance();
 };
 
-TEST_P(CurveColours, AreToldApartByAllEyes) {
+TEST_P(CurveColours, AreDistinguishableByAllEyes) {
     constexpr double clear = 15.0;  // ΔE; 2.3 is just noticed between patches that touch
     EXPECT_NEAR(difference(Qt::white, Qt::black, eyes[0]), 100.0, 1e-3);
     EXPECT_LT(difference(QColor(0xb35900), QColor(0x8a6d00), eyes[2]), 5.0);  // two browns

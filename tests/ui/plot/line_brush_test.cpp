@@ -56,18 +56,18 @@ double meanDifference(const QImage& a, const QImage& b) {
 }
 
 /// Of any channel of any pixel.
-int mostDifference(const QImage& a, const QImage& b) {
-    int most = 0;
+int maxDifference(const QImage& a, const QImage& b) {
+    int maximum = 0;
     for (int y = 0; y < a.height(); ++y) {
         for (int x = 0; x < a.width(); ++x) {
             const QColor one = a.pixelColor(x, y);
             const QColor two = b.pixelColor(x, y);
-            most =
-                std::max({most, std::abs(one.red() - two.red()),
+            maximum =
+                std::max({maximum, std::abs(one.red() - two.red()),
                           std::abs(one.green() - two.green()), std::abs(one.blue() - two.blue())});
         }
     }
-    return most;
+    return maximum;
 }
 
 /// By a painter, with so many pixels to a unit of the paper.
@@ -191,7 +191,7 @@ TEST(LineBrush, LinesOfSeveralPensAreThoseOfEach) {
             paintLines(painter, {each});
         }
     });
-    EXPECT_LE(mostDifference(together, apart), 2);
+    EXPECT_LE(maxDifference(together, apart), 2);
     EXPECT_GT(together.pixelColor(120, 75).blue(), 60);  // the last one over the red one
     EXPECT_GT(meanDifference(together, paper()), 20.0);
 }
@@ -341,7 +341,7 @@ TEST(PaintShapes, AreAlikeOnAPictureAndOnALayer) {
             };
             const QImage onto = painted(false);
             const QImage layer = painted(true);
-            EXPECT_LE(mostDifference(onto, layer), 2) << scale << ' ' << alpha;
+            EXPECT_LE(maxDifference(onto, layer), 2) << scale << ' ' << alpha;
         }
     }
 }

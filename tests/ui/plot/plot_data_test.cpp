@@ -25,7 +25,7 @@ using Starts = std::vector<std::size_t>;
 TEST(PlotScale, HasFewTicksWhateverTheData) {
     constexpr double subnormal = 5e-324;
     constexpr double huge = std::numeric_limits<double>::max();
-    for (const auto& [least, most] :
+    for (const auto& [minimum, maximum] :
          std::initializer_list<std::pair<double, double>>{{0.0, 0.0},
                                                           {-1e-17, 1e-17},
                                                           {0.0, 1e-17},
@@ -44,9 +44,9 @@ TEST(PlotScale, HasFewTicksWhateverTheData) {
         for (const bool degrees : {false, true}) {
             PlotScale scale;
             scale.spec.degrees = degrees;
-            scale.fit(least, most);
+            scale.fit(minimum, maximum);
             scale.chooseStep(600.0, 40.0);
-            const std::string what = std::to_string(least) + " " + std::to_string(most);
+            const std::string what = std::to_string(minimum) + " " + std::to_string(maximum);
             ASSERT_LT(scale.low, scale.high) << what;
             ASSERT_GT(scale.step, 0.0) << what;
             EXPECT_LE((scale.high - scale.low) / scale.step, 50.0) << what;
@@ -55,11 +55,11 @@ TEST(PlotScale, HasFewTicksWhateverTheData) {
             EXPECT_NE(scale.high - 1e-3 * scale.step, scale.high) << what;
             EXPECT_LE(scale.tickText(scale.high, QLocale::c()).size(), 24) << what;
         }
-        if (most > 0.0) {
+        if (maximum > 0.0) {
             PlotScale scale;
             scale.spec.logarithmic = true;
-            scale.fit(std::max(least, subnormal), most);
-            EXPECT_LE(scale.ticks(600.0, 40.0).size(), 50U) << least << " " << most;
+            scale.fit(std::max(minimum, subnormal), maximum);
+            EXPECT_LE(scale.ticks(600.0, 40.0).size(), 50U) << minimum << " " << maximum;
         }
     }
 }
@@ -91,7 +91,7 @@ TEST(AxisTitle, LosesWordsAndNeverItsUnit) {
     EXPECT_TRUE(cut.endsWith(QStringLiteral("…, Н"))) << cut.toStdString();
 }
 
-TEST(LabelPlaces, ChoosesWhereLeastIsDrawn) {
+TEST(LabelPlaces, ChoosesWhereMinimumIsDrawn) {
     LabelPlaces places(QRectF(10, 10, 200, 100));
     places.addLine({10, 60}, {210, 60});
     places.addLine({-1e9, 20}, {1e9, 20});  // far beyond it

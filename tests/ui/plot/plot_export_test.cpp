@@ -295,7 +295,7 @@ TEST_F(PlotExportTest, EveryFigureHasTheMenuAndTheKeyboardReachesIt) {
     EXPECT_FALSE(test::contentOf(file("a.svg")).contains("<polyline"));
 }
 
-/// A page that is written larger than it is on the screen holds its plots drawn anew.
+/// A page that is written larger than it is on the screen holds its plots drawn again.
 TEST_F(PlotExportTest, InAnEnlargedPictureOfItsPageAPlotIsSharp) {
     constexpr int times = 3;
     QImage ofPage(plot.size() * times, QImage::Format_RGB32);

@@ -313,7 +313,7 @@ TEST_F(PlotViewTest, AWordStandsOverTheLineOfThePresentValue) {
     EXPECT_GT(at(ink.top() - 1.0).lightness(), at(ink.bottom() + 12.0).lightness() + 40);
 }
 
-TEST_F(PlotViewTest, ALimitOutOfSightIsToldAtTheEdge) {
+TEST_F(PlotViewTest, ALimitOutOfSightIsReportedAtTheEdge) {
     plot.setLines({{.at = 900.0,
                     .orientation = Qt::Vertical,
                     .text = QStringLiteral("at most"),

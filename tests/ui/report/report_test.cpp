@@ -368,7 +368,7 @@ TEST_F(ReportInWindow, SolvesTheSamplesOfAllTabsOnceAndSaysHowFarItIs) {
     EXPECT_FALSE(page->isBusy());
 }
 
-TEST_F(ReportInWindow, RefusesWhatCannotBeWrittenAndLeavesNothing) {
+TEST_F(ReportInWindow, RejectsWhatCannotBeWrittenAndLeavesNothing) {
     ASSERT_EQ(window.openCase(example()), QString());
     EXPECT_TRUE(window.writeReport(file(u"report.doc"_s)).contains(u".pdf"_s));
     EXPECT_TRUE(window.writeReport(file(u"none/report.pdf"_s)).contains(u"none/report.pdf"_s));
@@ -540,20 +540,20 @@ TEST_F(ReportInWindow, TheProgramWritesItWithoutAWindow) {
 }
 
 TEST_F(ReportInWindow, TheProgramSaysWhyItWritesNone) {
-    const auto refused = [&](const QStringList& arguments, const QString& word) {
+    const auto rejected = [&](const QStringList& arguments, const QString& word) {
         const auto [status, error] = run(arguments);
         EXPECT_EQ(status, 2) << arguments.join(u' ').toStdString();
         EXPECT_TRUE(error.contains(word)) << error.toStdString();
         EXPECT_EQ(error.count(u'\n'), 1) << error.toStdString();
     };
-    refused({u"--report"_s, file(u"a.txt"_s), u"--case"_s, example()}, u".pdf or .html"_s);
-    refused({u"--report"_s, file(u"a.pdf"_s)}, u"--case"_s);
-    refused({u"--screenshot"_s, file(u"a.case.json"_s), u"--case"_s, example()}, u".png"_s);
-    refused({u"--report"_s, file(u"a.pdf"_s), u"--case"_s, file(u"none.json"_s)}, u"none.json"_s);
-    refused({u"--report"_s, u"/proc/a.pdf"_s, u"--case"_s, example()}, u"/proc/a.pdf"_s);
+    rejected({u"--report"_s, file(u"a.txt"_s), u"--case"_s, example()}, u".pdf or .html"_s);
+    rejected({u"--report"_s, file(u"a.pdf"_s)}, u"--case"_s);
+    rejected({u"--screenshot"_s, file(u"a.case.json"_s), u"--case"_s, example()}, u".png"_s);
+    rejected({u"--report"_s, file(u"a.pdf"_s), u"--case"_s, file(u"none.json"_s)}, u"none.json"_s);
+    rejected({u"--report"_s, u"/proc/a.pdf"_s, u"--case"_s, example()}, u"/proc/a.pdf"_s);
     if (QFile::exists(u"/dev/full"_s)) {
         QFile::link(u"/dev/full"_s, file(u"full.pdf"_s));
-        refused({u"--report"_s, file(u"full.pdf"_s), u"--case"_s, example()}, u"full.pdf"_s);
+        rejected({u"--report"_s, file(u"full.pdf"_s), u"--case"_s, example()}, u"full.pdf"_s);
         QFile::remove(file(u"full.pdf"_s));
         for (const QString& asked : {u"--help"_s, u"--version"_s}) {
             const auto [status, error] = run({asked}, u"/dev/full"_s);

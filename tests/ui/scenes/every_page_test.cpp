@@ -129,7 +129,7 @@ class EveryPage : public ::testing::TestWithParam<std::string> {
 class EveryCase : public EveryPage {};
 
 /// Where all colours are one, as in print, two curves of a legend differ by dash, marker or width.
-TEST_P(EveryPage, CurvesAreToldApartWithoutColours) {
+TEST_P(EveryPage, CurvesAreDistinguishableWithoutColours) {
     using plot::Shape;
     test::openExample(model());
     int pairs = 0;
@@ -162,7 +162,7 @@ TEST_P(EveryPage, CurvesAreToldApartWithoutColours) {
     EXPECT_EQ(pairs > 0, !page->findChildren<PlotView*>().isEmpty());
 }
 
-/// A page that was there when the theme changed says it in the colours of one that is made anew.
+/// A page that was there when the theme changed says it in the colours of one that is made again.
 TEST_P(EveryPage, LabelsFollowTheTheme) {
     const auto fill = [](ScenePage& of) {
         test::openExample(*of.model());
@@ -354,7 +354,7 @@ TEST_P(EveryPage, ItsPictureAndPlotsTurnOneCrank) {
     EXPECT_GT(plots, 0);
 }
 
-/// Counts what is asked to be laid out anew.
+/// Counts what is asked to be laid out again.
 class LayoutRequests final : public QObject {
   public:
     LayoutRequests() { qApp->installEventFilter(this); }
@@ -367,7 +367,7 @@ class LayoutRequests final : public QObject {
     }
 };
 
-/// A layout that asks for itself anew keeps a core busy as long as the window is open.
+/// A layout that asks for itself again keeps a core busy as long as the window is open.
 TEST_P(EveryPage, RestsWhenNothingHappens) {
     onEveryTab([&] {
         ASSERT_TRUE(QTest::qWaitFor([&] { return !page->isBusy(); }, 60'000));
@@ -496,8 +496,8 @@ TEST_P(EveryCase, WhatWasTypedIsUndoneByKeys) {
     EXPECT_EQ(model().history()->count(), 0);
 }
 
-TEST_P(EveryPage, ARefusedTextIsKeptAndSaidWhyAndIsNoNumber) {
-    int refused = 0;
+TEST_P(EveryPage, ARejectedTextIsKeptAndSaidWhyAndIsNoNumber) {
+    int rejected = 0;
     forEachField([&](NumberField& field) {
         const Json before = model().inputJson();
         const int steps = model().history()->index();
@@ -520,7 +520,7 @@ TEST_P(EveryPage, ARefusedTextIsKeptAndSaidWhyAndIsNoNumber) {
                 EXPECT_EQ(model().inputJson(), before);
                 continue;
             }
-            ++refused;
+            ++rejected;
             const QString why = field.trouble();
             const auto keeps = [&] {
                 EXPECT_EQ(field.text(), text);
@@ -538,7 +538,7 @@ TEST_P(EveryPage, ARefusedTextIsKeptAndSaidWhyAndIsNoNumber) {
             EXPECT_FALSE(says(why)) << qPrintable(why);
         }
     });
-    EXPECT_GT(refused, 0);
+    EXPECT_GT(rejected, 0);
 }
 
 TEST_P(EveryPage, WheelChangesNothingWhereNobodyWent) {
@@ -647,7 +647,7 @@ TEST_P(EveryCase, ComesBackFromItsFile) {
     EXPECT_GT(opened, 0);
 }
 
-TEST_P(EveryPage, TakesInATableWhatItCopiedAndRefusesOtherText) {
+TEST_P(EveryPage, TakesInATableWhatItCopiedAndRejectsOtherText) {
     for (TableEditor* table : page->findChildren<TableEditor*>()) {
         if (table->view()->model()->rowCount() == 0) {
             continue;

@@ -67,10 +67,10 @@ class FocusOnPage : public ::testing::TestWithParam<std::tuple<std::string, Them
 };
 
 TEST_P(FocusOnPage, IsSeenAtEveryStopAndComesRound) {
-    constexpr int most = 400;
+    constexpr int maximum = 400;
     QSet<QWidget*> stops;
     std::string names;
-    for (int turn = 0; turn < most; ++turn) {
+    for (int turn = 0; turn < maximum; ++turn) {
         QTest::keyClick(
             QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : &window,
             Qt::Key_Tab);
@@ -92,7 +92,7 @@ TEST_P(FocusOnPage, IsSeenAtEveryStopAndComesRound) {
             << "the focus is hardly seen on " << describe(stop);
     }
     EXPECT_GT(stops.size(), 5) << names;
-    EXPECT_LT(stops.size(), most);
+    EXPECT_LT(stops.size(), maximum);
 }
 
 INSTANTIATE_TEST_SUITE_P(

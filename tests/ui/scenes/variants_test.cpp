@@ -365,7 +365,7 @@ TEST(VariantsSideBySide, HaveTheRowsThatAnyOfThemHas) {
     EXPECT_FALSE(table.asText().contains(u"Ripple"_s));
 }
 
-TEST(VariantsSideBySide, OfOneThatIsRefusedNothingIsShown) {
+TEST(VariantsSideBySide, OfOneThatIsRejectedNothingIsShown) {
     const auto page = test::makePage("elastic-hinge");
     SceneModel& model = *page->model();
     CaseFile file = model.caseFile();
@@ -524,7 +524,7 @@ TEST(VariantsSideBySide, NameLayoutsAndSayWhichTheyAre) {
     EXPECT_TRUE(table.item(1, 0)->text().contains(u"1\u2002M"_s)) << qPrintable(table.asText());
 }
 
-TEST_P(EveryPagesVariants, AReferenceThatIsRefusedSaysWhy) {
+TEST_P(EveryPagesVariants, AReferenceThatIsRejectedSaysWhy) {
     model().keepVariant();
     CaseFile file{GetParam(), "", model().inputJson()};
     Json bad = model().inputJson();
@@ -539,15 +539,15 @@ TEST_P(EveryPagesVariants, AReferenceThatIsRefusedSaysWhy) {
     EXPECT_TRUE(said.last().at(0).toString().contains(model().variantTrouble(0)));
 }
 
-TEST_P(EveryPagesVariants, AnotherReferenceIsToldOnce) {
+TEST_P(EveryPagesVariants, AnotherReferenceIsReportedOnce) {
     model().keepVariant();
     changeByKeys();
     model().keepVariant();
-    QSignalSpy told(&model().referenceCase(), &ReferenceCase::changed);
+    QSignalSpy reported(&model().referenceCase(), &ReferenceCase::changed);
     model().chooseReference(0);
-    EXPECT_EQ(told.size(), 1);
+    EXPECT_EQ(reported.size(), 1);
     model().chooseReference(-1);
-    EXPECT_EQ(told.size(), 2);
+    EXPECT_EQ(reported.size(), 2);
 }
 
 TEST_P(EveryPagesVariants, APageThatGoesLeavesNothingBehind) {

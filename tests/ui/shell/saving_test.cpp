@@ -23,7 +23,7 @@
 #include "events.h"
 #include "files.h"
 #include "model/case_sources.h"
-#include "page/refused_entries.h"
+#include "page/rejected_entries.h"
 #include "page/scene_page.h"
 #include "pictures/file_dialogs.h"
 #include "processor_time.h"
@@ -72,8 +72,8 @@ class SavingTest : public ::testing::Test {
     void press(Qt::Key key, Qt::KeyboardModifiers more = {}) {
         test::pressIn(window, key, Qt::ControlModifier | more);
     }
-    /// Types what a field of the page in front refuses.
-    void refuse(const char* name, const char* text) {
+    /// Types what a field of the page in front rejects.
+    void reject(const char* name, const char* text) {
         auto* field = test::named<NumberField>(*window.currentPage(), name);
         field->setFocus();
         field->selectAll();
@@ -171,7 +171,7 @@ TEST_F(SavingTest, OfAPastedMegabyteTitleAndNotesTakeWhatSuitsThem) {
     EXPECT_EQ(model().title().size(), 200);
 }
 
-TEST_F(SavingTest, UndoTakesBackARefusedEntryWhereNothingElseIsToUndo) {
+TEST_F(SavingTest, UndoTakesBackARejectedEntryWhereNothingElseIsToUndo) {
     auto* field = test::named<NumberField>(*window.currentPage(), "crank_radius_mm");
     QAction* undo = test::actionOfKeys(window, QKeySequence::Undo);
     const QString shown = field->text();
@@ -187,9 +187,9 @@ TEST_F(SavingTest, UndoTakesBackARefusedEntryWhereNothingElseIsToUndo) {
     EXPECT_EQ(field->trouble(), QString());
     EXPECT_EQ(field->text(), shown);
     EXPECT_FALSE(undo->isEnabled());
-    // All that is refused, wherever it stands; then what was changed before it.
+    // All that is rejected, wherever it stands; then what was changed before it.
     ASSERT_EQ(model().editField("/crank_radius_mm", 50.0, u"r"_s), QString());
-    refuse("speed_rpm", "abc");
+    reject("speed_rpm", "abc");
     auto* table = window.currentPage()->findChild<TableEditor*>();
     table->view()->model()->setData(table->view()->model()->index(5, 1), QStringLiteral("x"));
     undo->trigger();
@@ -201,7 +201,7 @@ TEST_F(SavingTest, UndoTakesBackARefusedEntryWhereNothingElseIsToUndo) {
     EXPECT_FALSE(undo->isEnabled());
 }
 
-TEST_F(SavingTest, RefusedCellsAreSaidAndTakenBackLikeEntries) {
+TEST_F(SavingTest, RejectedCellsAreSaidAndTakenBackLikeEntries) {
     auto* table = window.currentPage()->findChild<TableEditor*>();
     ASSERT_NE(table, nullptr);
     QAbstractItemModel* cells = table->view()->model();
@@ -222,10 +222,10 @@ TEST_F(SavingTest, RefusedCellsAreSaidAndTakenBackLikeEntries) {
     EXPECT_TRUE(table->trouble().isEmpty());
 }
 
-TEST_F(SavingTest, ClosingAsksWhereNothingButARefusedEntryStands) {
+TEST_F(SavingTest, ClosingAsksWhereNothingButARejectedEntryStands) {
     const QString path = caseWithTable("a");
     ASSERT_EQ(window.openCase(path), QString());
-    refuse("crank_radius_mm", "-5");
+    reject("crank_radius_mm", "-5");
     ASSERT_FALSE(window.isWindowModified());
     answer("Stay");
     press(Qt::Key_W);
@@ -292,13 +292,13 @@ TEST_F(SavingTest, NotesTypedAreNotLostByEscape) {
     EXPECT_EQ(model().notes(), QStringLiteral("one\ntwo"));
 }
 
-TEST_F(SavingTest, RefusedEntriesAreSaidBeforeTheCaseIsWritten) {
+TEST_F(SavingTest, RejectedEntriesAreSaidBeforeTheCaseIsWritten) {
     const QString path = caseWithTable("a");
     ASSERT_EQ(window.openCase(path), QString());
     const std::string before = read_text_file(fsPath(path));
-    refuse("crank_radius_mm", "abc");
-    refuse("speed_rpm", "");
-    refuse("backlash_mm", "-5");  // on a tab that is not in front
+    reject("crank_radius_mm", "abc");
+    reject("speed_rpm", "");
+    reject("backlash_mm", "-5");  // on a tab that is not in front
     answer("Stay");
     press(Qt::Key_S);
     ASSERT_EQ(asked.size(), 1);
@@ -325,7 +325,7 @@ TEST_F(SavingTest, RefusedEntriesAreSaidBeforeTheCaseIsWritten) {
     EXPECT_TRUE(window.statusBar()->currentMessage().contains(QStringLiteral("new.case.json")));
 }
 
-TEST_F(SavingTest, AnotherStateOfTheCaseEndsWhatWasRefused) {
+TEST_F(SavingTest, AnotherStateOfTheCaseEndsWhatWasRejected) {
     const QString path = caseWithTable("a");
     ASSERT_EQ(window.openCase(path), QString());
     const auto radius = [this] {
@@ -337,25 +337,25 @@ TEST_F(SavingTest, AnotherStateOfTheCaseEndsWhatWasRefused) {
         EXPECT_EQ(radius()->trouble(), QString());
     };
     ASSERT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=70")), QString());
-    refuse("crank_radius_mm", "abc");
+    reject("crank_radius_mm", "abc");
     // Another value alone does not.
     ASSERT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=80")), QString());
     EXPECT_EQ(radius()->text(), QStringLiteral("abc"));
-    // What is refused is the newest: undo takes back that alone.
+    // What is rejected is the newest: undo takes back that alone.
     const int steps = model().history()->index();
     press(Qt::Key_Z);
     isBack();
     EXPECT_EQ(model().history()->index(), steps);
     press(Qt::Key_Z);
     EXPECT_EQ(model().history()->index(), steps - 1);
-    refuse("crank_radius_mm", "");
+    reject("crank_radius_mm", "");
     press(Qt::Key_Y);
     isBack();
     model().keepVariant();
-    refuse("crank_radius_mm", "abc");
+    reject("crank_radius_mm", "abc");
     EXPECT_EQ(model().swapVariant(0), QString());
     isBack();
-    refuse("crank_radius_mm", "abc");
+    reject("crank_radius_mm", "abc");
     EXPECT_EQ(window.documents().current().document->reload(), QString());
     isBack();
 }

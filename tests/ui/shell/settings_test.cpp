@@ -61,7 +61,7 @@ class Settings : public ::testing::Test {
             const int before = box->currentIndex();
             QTest::keyClick(box, before < wanted ? Qt::Key_Down : Qt::Key_Up);
             QApplication::processEvents();
-            // What was chosen may have made the dialog anew.
+            // What was chosen may have made the dialog again.
             box = test::named<QComboBox>(*dialog, name);
             ASSERT_NE(box->currentIndex(), before) << name;
         }
@@ -186,7 +186,7 @@ TEST_F(Settings, EveryPageIsTheSameAfterTheLanguageWasChangedThereAndBack) {
     }
 }
 
-TEST_F(Settings, AnEditingEndsWithItsValueWhenThePageIsMadeAnew) {
+TEST_F(Settings, AnEditingEndsWithItsValueWhenThePageIsMadeAgain) {
     window.showScene(u"balance-shaft"_s);
     auto* field = onPage<NumberField>("crank_radius_mm");
     field->setFocus();

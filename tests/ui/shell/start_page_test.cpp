@@ -233,7 +233,7 @@ TEST(StartOfTheProgram, MakesNoPageBeforeOneIsAskedFor) {
     EXPECT_TRUE(window.isAtStart());
     EXPECT_TRUE(window.documents().all().empty());
     EXPECT_EQ(window.windowTitle(), u"Ravnoves"_s);
-    // Another language makes the window anew, and still no page.
+    // Another language makes the window again, and still no page.
     Preferences::instance().setLanguage(u"ru"_s);
     QApplication::processEvents();
     EXPECT_TRUE(window.isAtStart());

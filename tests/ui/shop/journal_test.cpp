@@ -284,7 +284,7 @@ TEST_F(JournalTest, OfManyDraftsTheNewestHundredAreLookedAt) {
     EXPECT_EQ(drafts.constFirst().session, u"2000"_s);
 }
 
-TEST_F(JournalTest, WithSomethingOfAnotherProgramInItIsRefused) {
+TEST_F(JournalTest, WithSomethingOfAnotherProgramInItIsRejected) {
     const QStringList viewOfJobs{
         u"ALTER TABLE job RENAME TO kept"_s,
         u"CREATE VIEW job AS WITH RECURSIVE n(id) AS (SELECT 1 UNION ALL SELECT id + 1 FROM n)"
@@ -336,7 +336,7 @@ TEST_F(JournalTest, ADatabaseOfAnotherProgramKeepsItsBytes) {
 }
 
 /// In its place, or where SQLite looks for what belongs to it: neither is waited for.
-TEST_F(JournalTest, APipeIsRefused) {
+TEST_F(JournalTest, APipeIsRejected) {
     for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
         const QString file = path(u"pipe.sqlite"_s);
         if (*suffix != 0) {

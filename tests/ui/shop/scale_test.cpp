@@ -152,7 +152,7 @@ TEST_F(ScaleTest, WeightsGoDownTheSheet) {
     ASSERT_TRUE(comes([&] { return focus() == "mass_piston_5"; }));
     EXPECT_NEAR(value("mass_piston_4"), 566.9904625, 1e-9);
 
-    // A weight that the field refuses leaves it as it is.
+    // A weight that the field rejects leaves it as it is.
     scale.send("S S      0.00 g\r\n");
     EXPECT_TRUE(says(u"not accepted"_s));
     EXPECT_EQ(field("mass_piston_5")->text(), QString());
@@ -404,7 +404,7 @@ TEST_F(OtherScaleTest, IsTakenAtOnceAfterTheFirstWasUnplugged) {
     plugAnother();
     ASSERT_TRUE(send("580\r\n"));
     EXPECT_EQ(weights.constLast(), 580.0);
-    EXPECT_EQ(reader()->refusal(), QString());
+    EXPECT_EQ(reader()->rejection(), QString());
 }
 
 TEST_F(OtherScaleTest, SaysWhichLinesAreAwaited) {
@@ -420,7 +420,7 @@ TEST_F(OtherScaleTest, SaysWhichLinesAreAwaited) {
     // A line of its form is taken as before, and the reason is gone.
     ASSERT_TRUE(send("S S    570.00 g\r\n"));
     EXPECT_EQ(weights.constLast(), 570.0);
-    EXPECT_EQ(reader()->refusal(), QString());
+    EXPECT_EQ(reader()->rejection(), QString());
     ASSERT_TRUE(send("569.00 g\r\n"));
     EXPECT_TRUE(said.contains(u"“S S    570.00 g”"_s)) << said.toStdString();
 
@@ -431,8 +431,8 @@ TEST_F(OtherScaleTest, SaysWhichLinesAreAwaited) {
     EXPECT_EQ(weights.constLast(), 571.0);
     ASSERT_TRUE(send("572.00\r\n"));
     EXPECT_EQ(weights.constLast(), 571.0);
-    EXPECT_TRUE(shown->toPlainText().endsWith(reader()->refusal())) << "the list says why";
-    EXPECT_FALSE(reader()->refusal().isEmpty());
+    EXPECT_TRUE(shown->toPlainText().endsWith(reader()->rejection())) << "the list says why";
+    EXPECT_FALSE(reader()->rejection().isEmpty());
     shown->window()->close();
 }
 

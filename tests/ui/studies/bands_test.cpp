@@ -205,8 +205,8 @@ TEST_F(Bands, RestBeforeTheUnitsChange) {
     const auto* bands = page->findChild<ToleranceBands*>();
     ASSERT_TRUE(QTest::qWaitFor([&] { return bands->job()->isRunning(); }));
     Preferences& preferences = Preferences::instance();
-    QObject told;
-    QObject::connect(&preferences, &Preferences::changed, &told,
+    QObject reported;
+    QObject::connect(&preferences, &Preferences::changed, &reported,
                      [&] { EXPECT_FALSE(bands->job()->isRunning()); });
     preferences.setUnits(Preferences::Length, Preferences::Units::Imperial);
     EXPECT_FALSE(bands->job()->isRunning());

@@ -20,7 +20,7 @@
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "events.h"
-#include "page/refused_entries.h"
+#include "page/rejected_entries.h"
 #include "page/scene_page.h"
 #include "plot/plot_view.h"
 #include "report/patience.h"
@@ -156,19 +156,24 @@ TEST_F(TolerancesInOtherUnits, AreTypedAndShownInThese) {
     scatter("/centre_distance_mm", u"0.05"_s);
     watch("/moment_amplitude_Nm");
     const auto limit = [&] {
-        return tolerances->watched()->view()->model()->index(0, WatchTable::Most).data().toString();
+        return tolerances->watched()
+            ->view()
+            ->model()
+            ->index(0, WatchTable::Maximum)
+            .data()
+            .toString();
     };
-    type(tolerances->watched(), 0, WatchTable::Most, u"1234.5678"_s);
+    type(tolerances->watched(), 0, WatchTable::Maximum, u"1234.5678"_s);
     EXPECT_NEAR(study().watch[0].max.value(), 1234.5678 / perNm, 1e-6);
     const auto stored = study().watch[0].max;
-    type(tolerances->watched(), 0, WatchTable::Most, limit());
+    type(tolerances->watched(), 0, WatchTable::Maximum, limit());
     EXPECT_EQ(study().watch[0].max, stored) << "what is shown stands for all its digits";
-    type(tolerances->watched(), 0, WatchTable::Most, u"600 Nm"_s);
+    type(tolerances->watched(), 0, WatchTable::Maximum, u"600 Nm"_s);
     EXPECT_NEAR(study().watch[0].max.value(), 600.0, 1e-6);
     EXPECT_EQ(limit(), QLocale().toString(600.0 * perNm, 'g', 6));
-    type(tolerances->watched(), 0, WatchTable::Most, u"6 kg"_s);
+    type(tolerances->watched(), 0, WatchTable::Maximum, u"6 kg"_s);
     EXPECT_NEAR(study().watch[0].max.value(), 600.0, 1e-6) << "no torque";
-    tolerances->watched()->takeBackRefused();
+    tolerances->watched()->takeBackRejected();
     waitForAnswer();
     const double nominal = *tolerances->model()->answers()->values.at(0).nominal * perNm;
     const auto* table = the<ResultTable>();
@@ -251,7 +256,7 @@ TEST_F(Tolerances, ResultsAreNamedWithTheUnitsOfTheirKeys) {
 TEST_F(Tolerances, AreStepsOfTheHistoryAndStayInTheCase) {
     scatter("/crank_radius_mm", u"s 0.01"_s);
     watch("/metrics/M_ups/range_Nm");
-    type(tolerances->watched(), 0, WatchTable::Most, u"1100"_s);
+    type(tolerances->watched(), 0, WatchTable::Maximum, u"1100"_s);
     EXPECT_EQ(study().watch.at(0).max, 1100.0);
     const CaseFile file = scene().caseFile();
     EXPECT_EQ(studies::read_study(file.study), study());
@@ -269,7 +274,7 @@ TEST_F(Tolerances, AreStepsOfTheHistoryAndStayInTheCase) {
     EXPECT_EQ(study().watch.at(0).max, 1100.0);
 }
 
-TEST_F(Tolerances, AStudyThatIsRefusedStaysUntilItIsCleared) {
+TEST_F(Tolerances, AStudyThatIsRejectedStaysUntilItIsCleared) {
     CaseFile file = scene().caseFile();
     file.study = {{"vary", {{"/crank_radius_mm", {{"plus", 1}}}}}, {"watch", Json::object()}};
     scene().loadFile(file, scene().context(), nullptr);
@@ -294,7 +299,7 @@ TEST_F(Tolerances, TheCommandLineFindsTheSame) {
     ASSERT_FALSE(model.answers()->values.at(0).within);
     const double limit = *model.answers()->values.at(0).mean;
     QAbstractItemModel* table = tolerances->watched()->view()->model();
-    ASSERT_TRUE(table->setData(table->index(0, WatchTable::Most), formNumber(limit, QLocale())));
+    ASSERT_TRUE(table->setData(table->index(0, WatchTable::Maximum), formNumber(limit, QLocale())));
     waitForAnswer();
     studies::Problem problem = studies::problem_of(scene().caseFile(), scene().context());
     ASSERT_TRUE(problem.study.watch.at(0).max);
@@ -330,7 +335,7 @@ TEST_F(Tolerances, WhereTheLinearAnswerFailsItIsMarked) {
     EXPECT_FALSE(linear->toolTip().contains(u"/shaft_angle_deg"_s));  // by its name
 }
 
-TEST_F(Tolerances, WhatIsNoToleranceIsRefusedInWords) {
+TEST_F(Tolerances, WhatIsNoToleranceIsRejectedInWords) {
     QSignalSpy trouble(qobject_cast<EditableTable*>(tolerances->inputs()->view()->model()),
                        &EditableTable::troubleChanged);
     scatter("/crank_radius_mm", u"abc"_s);
@@ -342,7 +347,7 @@ TEST_F(Tolerances, WhatIsNoToleranceIsRefusedInWords) {
     scatter("/crank_radius_mm", u"0.02"_s);
     EXPECT_EQ(study().vary.size(), 1U);
     EXPECT_TRUE(trouble.last().at(0).toString().isEmpty());
-    // Every one that is refused is named, and the answer says that it is without them.
+    // Every one that is rejected is named, and the answer says that it is without them.
     watch("/metrics/M_ups/range_Nm");
     waitForAnswer();
     const auto ink = [&] { return the<ResultTable>()->palette().color(QPalette::Text); };
@@ -363,7 +368,7 @@ TEST_F(Tolerances, WhatIsNoToleranceIsRefusedInWords) {
     EXPECT_TRUE(table->index(5, ScatterTable::Scatter).data(EditableTable::TroubleRole).toBool());
     EXPECT_TRUE(
         table->index(5, ScatterTable::Scatter).data(Qt::ToolTipRole).toString().contains(u"q5"_s));
-    table->forgetRefused();
+    table->forgetRejected();
     scatter("/crank_radius_mm", u"abc"_s);
     scatter("/centre_distance_mm", u"0.1"_s);
     EXPECT_TRUE(trouble.last().at(0).toString().contains(u"abc"_s));
@@ -372,20 +377,20 @@ TEST_F(Tolerances, WhatIsNoToleranceIsRefusedInWords) {
     EXPECT_EQ(ink(), Theme::instance().text());
 }
 
-TEST_F(Tolerances, EscapeAndUndoEndWhatIsRefusedAndLeaveTheWindow) {
+TEST_F(Tolerances, EscapeAndUndoEndWhatIsRejectedAndLeaveTheWindow) {
     QTableView* view = tolerances->inputs()->view();
-    const auto* refused = static_cast<const ScatterTable*>(view->model());
+    const auto* rejected = static_cast<const ScatterTable*>(view->model());
     scatter("/crank_radius_mm", u"abc"_s);
-    ASSERT_EQ(refused->refusedNames().size(), 1);
+    ASSERT_EQ(rejected->rejectedNames().size(), 1);
     QTest::keyClick(view, Qt::Key_Escape);
-    EXPECT_TRUE(refused->refusedNames().isEmpty());
+    EXPECT_TRUE(rejected->rejectedNames().isEmpty());
     QTest::keyClick(view, Qt::Key_Escape);
     EXPECT_TRUE(tolerances->isVisible()) << "there is nothing more to give up";
     scatter("/crank_radius_mm", u"0.02"_s);
     scatter("/centre_distance_mm", u"xyz"_s);
-    ASSERT_EQ(refused->refusedNames().size(), 1);
+    ASSERT_EQ(rejected->rejectedNames().size(), 1);
     scene().undo();  // by the menu of the window
-    EXPECT_TRUE(refused->refusedNames().isEmpty());
+    EXPECT_TRUE(rejected->rejectedNames().isEmpty());
     QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     QTest::keyClick(view, Qt::Key_F2);
     auto* typing = view->findChild<QLineEdit*>();
@@ -396,23 +401,23 @@ TEST_F(Tolerances, EscapeAndUndoEndWhatIsRefusedAndLeaveTheWindow) {
     EXPECT_EQ(study().vary.size(), 1U);
 }
 
-TEST_F(Tolerances, WhatIsNoLimitStaysAndIsRefusedInWords) {
+TEST_F(Tolerances, WhatIsNoLimitStaysAndIsRejectedInWords) {
     watch("/metrics/M_ups/range_Nm");
     const QAbstractItemModel* table = tolerances->watched()->view()->model();
     const auto text = [&](int column) { return table->index(0, column).data().toString(); };
     const auto isRed = [&](int column) {
         return table->index(0, column).data(EditableTable::TroubleRole).toBool();
     };
-    type(tolerances->watched(), 0, WatchTable::Least, u"abc"_s);
-    EXPECT_EQ(text(WatchTable::Least), u"abc"_s);
-    EXPECT_TRUE(isRed(WatchTable::Least));
-    type(tolerances->watched(), 0, WatchTable::Most, u"100"_s);
-    EXPECT_TRUE(isRed(WatchTable::Least)) << "still no number";
-    type(tolerances->watched(), 0, WatchTable::Least, u"200"_s);
-    EXPECT_TRUE(isRed(WatchTable::Least)) << "above the upper limit";
+    type(tolerances->watched(), 0, WatchTable::Minimum, u"abc"_s);
+    EXPECT_EQ(text(WatchTable::Minimum), u"abc"_s);
+    EXPECT_TRUE(isRed(WatchTable::Minimum));
+    type(tolerances->watched(), 0, WatchTable::Maximum, u"100"_s);
+    EXPECT_TRUE(isRed(WatchTable::Minimum)) << "still no number";
+    type(tolerances->watched(), 0, WatchTable::Minimum, u"200"_s);
+    EXPECT_TRUE(isRed(WatchTable::Minimum)) << "above the upper limit";
     EXPECT_FALSE(study().watch[0].min);
-    type(tolerances->watched(), 0, WatchTable::Most, u"300"_s);
-    EXPECT_FALSE(isRed(WatchTable::Least));
+    type(tolerances->watched(), 0, WatchTable::Maximum, u"300"_s);
+    EXPECT_FALSE(isRed(WatchTable::Minimum));
     EXPECT_EQ(study().watch[0].min, 200.0);
     EXPECT_EQ(study().watch[0].max, 300.0);
 }
@@ -444,7 +449,7 @@ TEST_F(Tolerances, NothingIsWatchedByTheWay) {
     QApplication::processEvents();
     const QModelIndex at = tolerances->watched()->view()->currentIndex();
     ASSERT_TRUE(at.isValid());
-    EXPECT_EQ(at.column(), WatchTable::Least);
+    EXPECT_EQ(at.column(), WatchTable::Minimum);
     EXPECT_NE(study().watch[static_cast<std::size_t>(at.row())].pointer, "/metrics/M_ups/range_Nm");
 }
 
@@ -454,9 +459,9 @@ TEST_F(Tolerances, WhatHasTwoMeaningsIsAskedFor) {
                     .contains(u"may be 1000 or 1:"_s));
     EXPECT_TRUE(study().vary.empty());
     watch("/metrics/M_ups/range_Nm");
-    type(tolerances->watched(), 0, WatchTable::Most, u"1,100"_s);
+    type(tolerances->watched(), 0, WatchTable::Maximum, u"1,100"_s);
     EXPECT_FALSE(study().watch[0].max);
-    type(tolerances->watched(), 0, WatchTable::Most, u"1,1"_s);
+    type(tolerances->watched(), 0, WatchTable::Maximum, u"1,1"_s);
     EXPECT_EQ(study().watch[0].max, 1.1);
     // Limits of an angle across 0° are written a turn on.
     watch("/optimum/range/shaft_angle_deg");
@@ -574,24 +579,24 @@ TEST_F(Tolerances, LimitsAreWrittenAndClearedAsOneStep) {
     QTableView* view = tolerances->watched()->view();
     const auto* history = scene().history();
     int step = history->index();
-    type(tolerances->watched(), 0, WatchTable::Least, u"abc"_s);
-    view->setCurrentIndex(view->model()->index(0, WatchTable::Least));
+    type(tolerances->watched(), 0, WatchTable::Minimum, u"abc"_s);
+    view->setCurrentIndex(view->model()->index(0, WatchTable::Minimum));
     QGuiApplication::clipboard()->setText(u"1\t2\n3\t4\n"_s);
     QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
     EXPECT_EQ(study().watch[1].max, 4.0);
     EXPECT_EQ(history->index(), ++step);
     EXPECT_EQ(tolerances->watched()->trouble(), QString()) << "the block stands in its place";
-    view->selectionModel()->select(
-        {view->model()->index(0, WatchTable::Least), view->model()->index(1, WatchTable::Most)},
-        QItemSelectionModel::ClearAndSelect);
+    view->selectionModel()->select({view->model()->index(0, WatchTable::Minimum),
+                                    view->model()->index(1, WatchTable::Maximum)},
+                                   QItemSelectionModel::ClearAndSelect);
     QTest::keyClick(view, Qt::Key_Delete);
     EXPECT_FALSE(study().watch[0].min || study().watch[1].max);
     EXPECT_EQ(history->index(), ++step);
-    // A limit that lets one stand that was refused before.
-    type(tolerances->watched(), 0, WatchTable::Most, u"2"_s);
-    type(tolerances->watched(), 0, WatchTable::Least, u"5"_s);
+    // A limit that lets one stand that was rejected before.
+    type(tolerances->watched(), 0, WatchTable::Maximum, u"2"_s);
+    type(tolerances->watched(), 0, WatchTable::Minimum, u"5"_s);
     step = history->index();
-    type(tolerances->watched(), 0, WatchTable::Most, u"6"_s);
+    type(tolerances->watched(), 0, WatchTable::Maximum, u"6"_s);
     EXPECT_EQ(study().watch[0].min, 5.0);
     EXPECT_EQ(history->index(), step + 1);
     tolerances->watched()->table()->removeRowRange(0, 2);
@@ -605,14 +610,14 @@ TEST_F(Tolerances, WhatCannotBeSolvedIsCountedByReasonsInWords) {
     scatter("/reciprocating_masses_kg/rings", u"s 0.5"_s);
     watch("/metrics/M_ups/range_Nm");
     waitForAnswer();
-    std::uint64_t refused = 0;
-    for (const auto& [reason, count] : tolerances->model()->refused()) {
+    std::uint64_t rejected = 0;
+    for (const auto& [reason, count] : tolerances->model()->rejected()) {
         EXPECT_FALSE(reason.contains(u'/')) << reason.toStdString();
         EXPECT_TRUE(reason.contains(u':')) << reason.toStdString();
-        refused += count;
+        rejected += count;
     }
-    EXPECT_GT(refused, 0U);
-    EXPECT_EQ(tolerances->model()->answers()->solved + refused, study().samples);
+    EXPECT_GT(rejected, 0U);
+    EXPECT_EQ(tolerances->model()->answers()->solved + rejected, study().samples);
     for (const QString& note : tolerances->model()->notes()) {
         EXPECT_FALSE(note.contains(u"/input"_s)) << note.toStdString();
     }
@@ -637,9 +642,9 @@ TEST_F(Tolerances, AGridIsOfTheCommandLine) {
 
 TEST_F(Tolerances, DeleteClearsALimitAloneAndKeysUndoIt) {
     watch("/metrics/M_ups/range_Nm");
-    type(tolerances->watched(), 0, WatchTable::Most, u"1100"_s);
+    type(tolerances->watched(), 0, WatchTable::Maximum, u"1100"_s);
     QTableView* view = tolerances->watched()->view();
-    view->setCurrentIndex(view->model()->index(0, WatchTable::Most));
+    view->setCurrentIndex(view->model()->index(0, WatchTable::Maximum));
     QTest::keyClick(view, Qt::Key_Delete);
     ASSERT_EQ(study().watch.size(), 1U);
     EXPECT_FALSE(study().watch[0].max);
@@ -802,16 +807,16 @@ TEST_F(Tolerances, TheRobustAngleIsTheLowestOfTheSweepThatCanBeBuilt) {
     const Sweep& sweep = *model.sweep();
     EXPECT_EQ(sweep.places.back().x, 360.0);
     ASSERT_TRUE(sweep.best);
-    double most = 0.0;
-    double least = 1.0;
+    double maximum = 0.0;
+    double minimum = 1.0;
     for (const Sweep::Place& place : sweep.places) {
-        most = std::max(most, place.built);
-        least = std::min(least, place.built);
+        maximum = std::max(maximum, place.built);
+        minimum = std::min(minimum, place.built);
     }
-    EXPECT_LT(least, most);
-    EXPECT_GE(sweep.best->built, std::min(most, Sweep::leastBuilt));
+    EXPECT_LT(minimum, maximum);
+    EXPECT_GE(sweep.best->built, std::min(maximum, Sweep::minBuilt));
     for (const Sweep::Place& place : sweep.places) {
-        EXPECT_TRUE(place.built < std::min(most, Sweep::leastBuilt) ||
+        EXPECT_TRUE(place.built < std::min(maximum, Sweep::minBuilt) ||
                     place.high >= sweep.best->high);
     }
     // Near the best angle of the inputs as they are.
@@ -960,24 +965,24 @@ TEST(ToleranceWindowSize, FitsASmallScreenWhateverItShows) {
             each->show();
         }
         QApplication::processEvents();
-        const QSize least = window.minimumSizeHint();
-        EXPECT_LE(least.width(), 1000);
-        EXPECT_LE(least.height(), 700);
+        const QSize minimum = window.minimumSizeHint();
+        EXPECT_LE(minimum.width(), 1000);
+        EXPECT_LE(minimum.height(), 700);
     }
     Theme::instance().setTextScale(1.0);
 }
 
-TEST_F(Tolerances, WhatIsRefusedIsSaidBeforeTheCaseIsSaved) {
-    EXPECT_TRUE(refusedEntries(window.currentPage()).isEmpty());
+TEST_F(Tolerances, WhatIsRejectedIsSaidBeforeTheCaseIsSaved) {
+    EXPECT_TRUE(rejectedEntries(window.currentPage()).isEmpty());
     scatter("/crank_radius_mm", u"abc"_s);
     watch("/metrics/M_ups/range_Nm");
-    type(tolerances->watched(), 0, WatchTable::Least, u"much"_s);
-    const QStringList refused = refusedEntries(window.currentPage());
-    ASSERT_EQ(refused.size(), 2);
-    EXPECT_TRUE(refused[0].startsWith(u"Inputs and their tolerances: Crank radius"_s))
-        << refused[0].toStdString();
-    EXPECT_TRUE(refused[1].startsWith(u"Results to watch: "_s)) << refused[1].toStdString();
-    EXPECT_TRUE(refusedInputs(window.currentPage()).isEmpty());
+    type(tolerances->watched(), 0, WatchTable::Minimum, u"much"_s);
+    const QStringList rejected = rejectedEntries(window.currentPage());
+    ASSERT_EQ(rejected.size(), 2);
+    EXPECT_TRUE(rejected[0].startsWith(u"Inputs and their tolerances: Crank radius"_s))
+        << rejected[0].toStdString();
+    EXPECT_TRUE(rejected[1].startsWith(u"Results to watch: "_s)) << rejected[1].toStdString();
+    EXPECT_TRUE(rejectedInputs(window.currentPage()).isEmpty());
 }
 
 TEST_F(Tolerances, AreShownWithTheirUnits) {

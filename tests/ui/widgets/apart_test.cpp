@@ -10,7 +10,7 @@
 namespace ravnoves {
 namespace {
 
-/// Counts how often the page around the label is laid out anew.
+/// Counts how often the page around the label is laid out again.
 class LayoutCount : public QWidget {
   public:
     using QWidget::QWidget;
@@ -108,7 +108,7 @@ TEST_F(ApartTest, ATextThatComesWhileThePageIsHiddenGetsItsRoom) {
     page_.show();
     QApplication::processEvents();
     EXPECT_EQ(label_->height(), height);
-    // Nothing is laid out anew for a text that is as it was.
+    // Nothing is laid out again for a text that is as it was.
     settle();
     page_.hide();
     page_.show();

@@ -60,8 +60,8 @@ TEST_F(FileDialogsTest, TheSuffixTypedDecidesElseTheFormatChosen) {
     EXPECT_EQ(completed("PLOT.PNG", 1), QStringLiteral("PLOT.PNG"));
     EXPECT_EQ(completed("engine 4.25"), QStringLiteral("engine 4.25.png"));
     EXPECT_EQ(completed("Двигатель.вариант"), QStringLiteral("Двигатель.вариант.png"));
-    for (const char* refused : {"plot.jpg", "plot.pdf", "plot.csv", "x.y.JPEG"}) {
-        EXPECT_EQ(completed(refused), QString()) << refused;
+    for (const char* rejected : {"plot.jpg", "plot.pdf", "plot.csv", "x.y.JPEG"}) {
+        EXPECT_EQ(completed(rejected), QString()) << rejected;
     }
     const QList<FileFormat> cases{{QStringLiteral("case.json"), QStringLiteral("Case")}};
     const auto named = [&](const char* name) {
@@ -88,7 +88,7 @@ TEST_F(FileDialogsTest, AsksBeforeItReplacesAlsoWhereTheProgramAddsTheSuffix) {
     EXPECT_EQ(ask(), QString());  // and gives up
 }
 
-TEST_F(FileDialogsTest, AFormatThatCannotBeWrittenIsRefusedInWords) {
+TEST_F(FileDialogsTest, AFormatThatCannotBeWrittenIsRejectedInWords) {
     typed = QStringList{file("plot.jpg"), file("plot.svg")};
     answer({QMessageBox::Ok});
     EXPECT_EQ(ask(), file("plot.svg"));

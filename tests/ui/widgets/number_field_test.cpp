@@ -116,7 +116,7 @@ TEST_F(NumberFieldTest, ArrowsGoToTheNextWholeNumber) {
     EXPECT_EQ(field.text(), QStringLiteral("1"));
 }
 
-TEST_F(NumberFieldTest, RefusesInWordsAndKeepsTheLastValue) {
+TEST_F(NumberFieldTest, RejectsInWordsAndKeepsTheLastValue) {
     QSignalSpy edited(&field, &NumberField::valueEdited);
     QTest::keyClicks(&field, QStringLiteral("-3"));
     EXPECT_EQ(field.value(), 46.0);
@@ -134,7 +134,7 @@ TEST_F(NumberFieldTest, RefusesInWordsAndKeepsTheLastValue) {
     EXPECT_EQ(edited.last().at(0).value<std::optional<double>>(), 46.0);
 }
 
-TEST_F(NumberFieldTest, RefusedTextStaysUntilAnotherValueIsSet) {
+TEST_F(NumberFieldTest, RejectedTextStaysUntilAnotherValueIsSet) {
     QLineEdit other(&box);
     other.setGeometry(0, 40, 120, 30);
     other.show();
@@ -201,7 +201,7 @@ TEST_F(NumberFieldTest, EscapeUndoesTheWholeEditing) {
     EXPECT_FALSE(field.isEditing());
 }
 
-TEST_F(NumberFieldTest, WhatIsTypedAfterARefusedEnterTakesItsPlace) {
+TEST_F(NumberFieldTest, WhatIsTypedAfterARejectedEnterTakesItsPlace) {
     QTest::keyClicks(&field, QStringLiteral("5 85"));
     QTest::keyClick(&field, Qt::Key_Return);
     EXPECT_FALSE(field.trouble().isEmpty());

@@ -131,7 +131,7 @@ TEST(Drawing, AnArrowThatWouldLeaveThePictureGoesBackAlongItsLine) {
     }
 }
 
-int namesTold = 0;
+int namesReported = 0;
 
 TEST(ScrolledForm, TellsItsNameWhenItChangesAndNotAtEverySize) {
     auto* label = new QLabel(u"Title"_s);
@@ -139,7 +139,7 @@ TEST(ScrolledForm, TellsItsNameWhenItChangesAndNotAtEverySize) {
     QScrollArea* area = scrolled(label, &parent);
     QAccessible::setActive(true);
     const auto before = QAccessible::installUpdateHandler([](QAccessibleEvent* event) {
-        namesTold += event->type() == QAccessible::NameChanged ? 1 : 0;
+        namesReported += event->type() == QAccessible::NameChanged ? 1 : 0;
     });
     test::showAt(parent, {300, 200});
     for (int width = 200; width < 260; width += 10) {
@@ -147,7 +147,7 @@ TEST(ScrolledForm, TellsItsNameWhenItChangesAndNotAtEverySize) {
         QApplication::processEvents();
     }
     EXPECT_EQ(area->accessibleName(), u"Title"_s);
-    EXPECT_LE(namesTold, 1);
+    EXPECT_LE(namesReported, 1);
     QAccessible::installUpdateHandler(before);
     QAccessible::setActive(false);
 }

@@ -181,7 +181,7 @@ TEST(WideResultTable, TwoScrollBarsThatWouldCallForOneAnotherComeToAnEnd) {
     EXPECT_EQ(table.rowCount(), 14);
 }
 
-TEST(WideResultTable, NamesThatBeginAlikeAreToldApart) {
+TEST(WideResultTable, NamesThatBeginAlikeAreDistinguishable) {
     ResultTable table;
     table.setColumns({u"Option"_s, u"constant, g"_s, u"slope"_s, u"limit, g"_s, u"remove, g"_s});
     table.setRows(

@@ -72,7 +72,7 @@ TEST(Unbroken, KeepsNumbersSymbolsAndTheirWordsTogether) {
     EXPECT_EQ(shown(u"of 8 grams, as I said"_s), u"of 8 grams, as I said"_s);
 }
 
-TEST_F(ShownUnits, OfAFieldIsWhatIsWrittenReadAndRefused) {
+TEST_F(ShownUnits, OfAFieldIsWhatIsWrittenReadAndRejected) {
     FormSection section({});
     NumberField* field = section.addNumber(radius);
     test::showAt(section, {300, 80});

@@ -53,14 +53,14 @@ TEST(Panel, LooksAlikeHoweverItIsPainted) {
                 painter.setBrush(theme.panel());
                 painter.drawRoundedRect(QRectF(panel).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
             });
-            int most = 0;
+            int maximum = 0;
             for (int y = 0; y < ours.height(); ++y) {
                 for (int x = 0; x < ours.width(); ++x) {
-                    most = std::max(most,
-                                    std::abs(qGray(ours.pixel(x, y)) - qGray(whole.pixel(x, y))));
+                    maximum = std::max(
+                        maximum, std::abs(qGray(ours.pixel(x, y)) - qGray(whole.pixel(x, y))));
                 }
             }
-            EXPECT_LE(most, 2) << ratio;
+            EXPECT_LE(maximum, 2) << ratio;
             EXPECT_NE(ours, painted([](QPainter&) {}));
         }
     }
@@ -108,12 +108,12 @@ TEST_F(Style, OutlinesAndSelectedTextAreSeen) {
         QCheckBox box;
         box.resize(20, 20);
         const QImage drawn = box.grab().toImage();
-        double most = 1.0;
+        double maximum = 1.0;
         for (int x = 0; x < drawn.width(); ++x) {
-            most =
-                std::max(most, contrast(drawn.pixelColor(x, drawn.height() / 2), theme.window()));
+            maximum = std::max(maximum,
+                               contrast(drawn.pixelColor(x, drawn.height() / 2), theme.window()));
         }
-        EXPECT_GE(most, 2.7);
+        EXPECT_GE(maximum, 2.7);
     }
 }
 
@@ -155,7 +155,7 @@ TEST_F(Style, AChoiceHasRoomForItsEntryAtEveryTextSize) {
     }
 }
 
-/// A program that paints all day: what Fusion keeps of a picture is found again, not kept anew.
+/// A program that paints all day: what Fusion keeps of a picture is found, not kept twice.
 TEST_F(Style, PaintingAgainKeepsNothing) {
     QSlider slider(Qt::Horizontal);
     QComboBox combo;

@@ -12,9 +12,9 @@
 namespace ravnoves {
 namespace {
 
-class ValueSliderRefusal : public ::testing::Test {
+class ValueSliderRejection : public ::testing::Test {
   protected:
-    ValueSliderRefusal() {
+    ValueSliderRejection() {
         auto* column = new QVBoxLayout(&window);
         column->addWidget(&slider);
         column->addWidget(&other);
@@ -22,7 +22,7 @@ class ValueSliderRefusal : public ::testing::Test {
         test::showAt(window, {500, 120});
         window.activateWindow();
     }
-    ~ValueSliderRefusal() override {
+    ~ValueSliderRejection() override {
         slider.setParent(nullptr);
         other.setParent(nullptr);
     }
@@ -32,7 +32,7 @@ class ValueSliderRefusal : public ::testing::Test {
     QWidget window;
 };
 
-TEST_F(ValueSliderRefusal, SaysWhyUnderTheRowUntilAnotherValueIsGiven) {
+TEST_F(ValueSliderRejection, SaysWhyUnderTheRowUntilAnotherValueIsGiven) {
     test::type(slider.box(), QStringLiteral("400"));
     EXPECT_EQ(slider.value(), 45.0);
     EXPECT_TRUE(slider.trouble().contains(QStringLiteral("360"))) << slider.trouble().toStdString();
@@ -46,7 +46,7 @@ TEST_F(ValueSliderRefusal, SaysWhyUnderTheRowUntilAnotherValueIsGiven) {
     EXPECT_EQ(slider.trouble(), QString());
 }
 
-TEST_F(ValueSliderRefusal, GoesWhenTheSliderMoves) {
+TEST_F(ValueSliderRejection, GoesWhenTheSliderMoves) {
     test::type(slider.box(), QStringLiteral("-3"));
     QTest::keyClick(slider.box(), Qt::Key_Tab);
     EXPECT_FALSE(slider.trouble().isEmpty());
@@ -55,7 +55,7 @@ TEST_F(ValueSliderRefusal, GoesWhenTheSliderMoves) {
     EXPECT_EQ(slider.trouble(), QString());
 }
 
-TEST_F(ValueSliderRefusal, ComesAndGoesWhileNoButtonIsDown) {
+TEST_F(ValueSliderRejection, ComesAndGoesWhileNoButtonIsDown) {
     const auto room = [&] { return slider.sizeHint().height(); };
     const int before = room();
     QTest::mousePress(&other, Qt::LeftButton);
@@ -76,7 +76,7 @@ TEST_F(ValueSliderRefusal, ComesAndGoesWhileNoButtonIsDown) {
     EXPECT_EQ(room(), before);
 }
 
-TEST_F(ValueSliderRefusal, EscapeTakesBackTheTextAndWhatIsSaidOfIt) {
+TEST_F(ValueSliderRejection, EscapeTakesBackTheTextAndWhatIsSaidOfIt) {
     const QString before = slider.box()->text();
     test::type(slider.box(), QStringLiteral("400"));
     QTest::keyClick(slider.box(), Qt::Key_Escape);
@@ -108,7 +108,7 @@ TEST(ValueSliderUnits, ConvertsAsNumberFieldsDo) {
     EXPECT_TRUE(slider.trouble().contains(QStringLiteral("“kg”")));
 }
 
-TEST_F(ValueSliderRefusal, KeepsASliderThatCanBeUsedWhereTheRowIsNarrow) {
+TEST_F(ValueSliderRejection, KeepsASliderThatCanBeUsedWhereTheRowIsNarrow) {
     for (const int width : {150, 200, 260, 400}) {
         test::showAt(window, {width, 140});
         EXPECT_GE(slider.slider()->width(), 110) << width;

@@ -216,9 +216,9 @@ class JobPageTest : public ::testing::Test {
         return label("verdict").section(end, 0, 0);
     }
     /// What the job card prints, in English.
-    QString card(const QStringList& refused = {}) {
+    QString card(const QStringList& rejected = {}) {
         WorkshopCard made(*model, Words(QStringLiteral("en")));
-        made.setRefused(refused, refused);
+        made.setRejected(rejected, rejected);
         onCard = {};
         test::Recorder recorder({2100, 2970}, onCard);
         QPainter painter(&recorder);

@@ -76,7 +76,7 @@ TEST_F(JobPageTest, NoTextOfTheCardIsDroppedHoweverMuchThereIsToSay) {
     typeShopCard();
     typeReadings();
     model->edit(u"runs"_s, [](workshop::Input& input) {
-        input.correction->earlier_runs.resize(most_runs - 1);
+        input.correction->earlier_runs.resize(max_runs - 1);
         for (int i = 0; i < 900; ++i) {
             input.job.notes += "note" + std::to_string(i) + ' ';
         }
@@ -354,7 +354,7 @@ TEST_F(JobPageTest, ReadingsBecomeHoles) {
     EXPECT_EQ(label("troubles").count(u'\n'), 1) << label("troubles").toStdString();
     const Hole& hole = (*model->solution().correction)[0].holes.at(0);
     EXPECT_NEAR(hole.angle, 75 * degree, 1e-9);
-    // Another drill: a word that is none is refused, the drills before it stay.
+    // Another drill: a word that is none is rejected, the drills before it stay.
     type("diameters_mm", u"8 wide"_s);
     // The name of the field stands before it already.
     EXPECT_EQ(test::named<EntryField>(page, "diameters_mm")->trouble(),
@@ -485,10 +485,10 @@ TEST_F(JobPageTest, PartsAreMatchedByTheRulesOfTheSheet) {
           {"service_speed_rpm", "6000"}});
     EXPECT_EQ(rowsOf("Effect of the matching"), 6);
     type("crankpin_angles_deg", u"0; 180; 180"_s);
-    EXPECT_EQ(placing().goal, shop::MatchingGoal::least_spread);
+    EXPECT_EQ(placing().goal, shop::MatchingGoal::min_spread);
     EXPECT_TRUE(label("weigh_in_summary").contains(u"4 angles of the crankpins"_s));
     type("crankpin_angles_deg", u"0 180 180 0"_s);
-    EXPECT_EQ(placing().goal, shop::MatchingGoal::least_shaking);
+    EXPECT_EQ(placing().goal, shop::MatchingGoal::min_shaking);
     EXPECT_LT(placing().shaking->ends, placing().shaking_before->ends);
     // The weights move as the parts do, which keep their numbers.
     const auto wanted = placing();
@@ -654,7 +654,7 @@ TEST_F(JobPageTest, ReadingsHoldForTheirBobWeightAlone) {
           {"mass_piston_1", "590"},
           {"mass_piston_2", "592"}});
     EXPECT_EQ(verdict(), u"STOP"_s);
-    // A technician who knows better says so; or the machine reads anew.
+    // A technician who knows better says so; or the machine reads again.
     show(MachineTab);
     ASSERT_TRUE(hold->isVisibleTo(&page));
     QTest::mouseClick(hold, Qt::LeftButton);
@@ -1198,7 +1198,7 @@ TEST_F(JobPageTest, PlanesAtOnePlaceAreNamedAsTheFormNamesThem) {
     typeReadings();
     type("position_2", u"60"_s);
     const QString said =
-        field("position_2")->trouble() + label("headline") + label("troubles") + label("refused");
+        field("position_2")->trouble() + label("headline") + label("troubles") + label("rejected");
     EXPECT_TRUE(said.contains(u"Rear plane, position: must differ"_s)) << qPrintable(said);
 }
 
@@ -1222,21 +1222,21 @@ TEST_F(JobPageTest, WhatIsZeroNeedsNoAngle) {
     EXPECT_EQ(field("angle_1")->placeholderText(), u"required"_s);
 }
 
-TEST_F(JobPageTest, ARefusedDateLeavesTheAnswerUpToDate) {
+TEST_F(JobPageTest, ARejectedDateLeavesTheAnswerUpToDate) {
     typeShopCard();
     type("date", u"31.02.2024"_s);
     EXPECT_FALSE(find<CheckedField>("date")->trouble().isEmpty());
-    EXPECT_TRUE(label("refused").isEmpty()) << qPrintable(label("refused"));
+    EXPECT_TRUE(label("rejected").isEmpty()) << qPrintable(label("rejected"));
     EXPECT_FALSE(isAmber("headline"));
     type("date", u"2024-02-29"_s);
     EXPECT_TRUE(find<CheckedField>("date")->trouble().isEmpty());
 }
 
-TEST_F(JobPageTest, ARefusedEntryMakesTheAnswerStale) {
+TEST_F(JobPageTest, ARejectedEntryMakesTheAnswerStale) {
     typeShopCard();
     type("engine_number", u"53"_s);
     type("piston", u"58x"_s);
-    EXPECT_TRUE(label("refused").contains(u"One piston"_s)) << qPrintable(label("refused"));
+    EXPECT_TRUE(label("rejected").contains(u"One piston"_s)) << qPrintable(label("rejected"));
     EXPECT_TRUE(isAmber("headline"));
     EXPECT_TRUE(label("verdict").startsWith(u"Results use the value before the red entry."_s));
     EXPECT_FALSE(find<QLabel>("headline")->font().bold());
@@ -1251,7 +1251,7 @@ TEST_F(JobPageTest, ARefusedEntryMakesTheAnswerStale) {
     ASSERT_EQ(jobs().size(), 1);
     EXPECT_FALSE(jobs().at(0).isFinished);
     type("piston", u"583.9"_s);
-    EXPECT_TRUE(label("refused").isEmpty());
+    EXPECT_TRUE(label("rejected").isEmpty());
     EXPECT_FALSE(label("verdict").contains(u"red entry"_s));
     EXPECT_FALSE(isAmber("headline"));
     EXPECT_FALSE(page.sheets()->tabBar()->tabTextColor(PartsTab).isValid());
@@ -1382,7 +1382,7 @@ TEST_F(JobPageTest, WhatIsDrilledStaysInSight) {
     EXPECT_TRUE(label("troubles").contains(corrected));
     type("angle_1", u"75"_s);
     EXPECT_FALSE(label("troubles").contains(corrected));
-    // Nor do they where the next run is emptied and typed anew.
+    // Nor do they where the next run is emptied and typed again.
     typeRun(1, {{}, {}, {}, {}});
     EXPECT_EQ(model->newestRun(), 0u);
     model->loadInput(model->inputJson(), {});

@@ -65,7 +65,7 @@ class JobCardTest : public ::testing::Test {
 
     /// The numbers of the first row that begins with the text and has as many, after it.
     static std::vector<double> numbers(const QStringList& rows, const QString& start,
-                                       std::size_t least = 0) {
+                                       std::size_t minimum = 0) {
         for (const QString& row : rows) {
             const qsizetype at = row.indexOf(start);
             // A title begins its row; a name in a sentence does not.
@@ -84,7 +84,7 @@ class JobCardTest : public ::testing::Test {
                 text.replace(u'−', u'-').replace(u',', u'.');
                 found.push_back(text.toDouble());
             }
-            if (found.size() >= least) {
+            if (found.size() >= minimum) {
                 return found;  // a warning may begin so, too
             }
         }

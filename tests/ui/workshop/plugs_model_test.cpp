@@ -273,7 +273,7 @@ TEST_F(PlugsModelTest, ShiftOfThePlannedBoreIsSaid) {
     const auto& effect = *model.plugs()->shift_that_matters();
     const auto two = [](double value, Unit unit) { return Words().number(value, unit, 2); };
     EXPECT_EQ(model.adviceText(), u"Take %1 off each of the 8 steel plugs."_s.arg(
-                                      two(effect.least_reduction, units::gram)));
+                                      two(effect.min_reduction, units::gram)));
     EXPECT_TRUE(
         model.boringText().endsWith(u"to %1 from the face."_s.arg(two(*effect.depth, units::mm))))
         << qPrintable(model.boringText());
@@ -408,7 +408,7 @@ TEST_F(PlugsModelTest, OwnEnginesAreKept) {
     EXPECT_FALSE(later.input().plugs->engine.has_new_plug);
     EXPECT_FALSE(later.ownEngineChanged());
     EXPECT_TRUE(later.hasOwnEngine(u" камаз-740 "_s));
-    // Renamed: the sheet follows; a name that is taken is refused.
+    // Renamed: the sheet follows; a name that is taken is rejected.
     EXPECT_FALSE(later.renameEngine(u"КамАЗ-740"_s, u"6 l"_s).isEmpty());
     EXPECT_EQ(later.renameEngine(u"КамАЗ-740"_s, u"КамАЗ-7403"_s), QString());
     EXPECT_EQ(later.input().plugs->engine.name, "КамАЗ-7403");

@@ -109,7 +109,7 @@ TEST_F(PlugsPageTest, AZeroThatWasTypedIsSomethingThatIsKnown) {
     EXPECT_TRUE(label("advice").startsWith(u"Missing for the plugs: changes of mass"_s));
 }
 
-TEST_F(PlugsPageTest, WhatWasRefusedGoesWithItsJob) {
+TEST_F(PlugsPageTest, WhatWasRejectedGoesWithItsJob) {
     type("customer", u"Smith"_s);
     const auto answer = [](QMessageBox::StandardButton button, QString& said) {
         whenModal<QMessageBox>([button, &said](QMessageBox* box) {
@@ -150,7 +150,7 @@ TEST_F(PlugsPageTest, WhatWasRefusedGoesWithItsJob) {
     EXPECT_EQ(model->desk()->openJob(first), QString());
     EXPECT_TRUE(field("reciprocating_mass_g")->trouble().isEmpty());
     EXPECT_EQ(field("reciprocating_mass_g")->text(), QString());
-    EXPECT_FALSE(model->hasRefused());
+    EXPECT_FALSE(model->hasRejected());
 }
 
 TEST_F(PlugsPageTest, APlugThatCannotBeMadeIsNoAnswer) {

@@ -1,4 +1,4 @@
-// The sheets of the page: their fields, the way through them and what they refuse.
+// The sheets of the page: their fields, the way through them and what they reject.
 
 #include <QCheckBox>
 #include <QClipboard>

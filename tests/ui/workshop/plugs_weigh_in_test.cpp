@@ -145,7 +145,7 @@ TEST_F(PlugsPageTest, FittedPistonsStayAndWhatTheEngineFeelsIsMadeSmall) {
     }
     const shop::Matched placing = model->plugs()->assignment.value();
     EXPECT_EQ(placing.pistons, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
-    EXPECT_EQ(placing.goal, shop::MatchingGoal::least_shaking);
+    EXPECT_EQ(placing.goal, shop::MatchingGoal::min_shaking);
     EXPECT_LT(placing.shaking->ends, placing.shaking_before->ends);
     EXPECT_TRUE(label("weigh_in_summary").contains(u"enter the cylinder spacing"_s))
         << qPrintable(label("weigh_in_summary"));

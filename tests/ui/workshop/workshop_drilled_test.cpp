@@ -81,13 +81,13 @@ TEST_F(DrilledTest, AMeasuredAngleAndDepthCount) {
     EXPECT_EQ(find<QComboBox>("drilled_state_1")->currentIndex(),
               static_cast<int>(HoleState::measured));
     EXPECT_NE(plan(), before);
-    // A refused depth stands where any refused entry does.
+    // A rejected depth stands where any rejected entry does.
     const double planned = hole(0).depth;
     type("drilled_depth_1", u"5x"_s);
-    EXPECT_FALSE(label("refused").isEmpty());
+    EXPECT_FALSE(label("rejected").isEmpty());
     EXPECT_EQ(hole(0).depth, planned);
     type("drilled_depth_1", u"4.5"_s);
-    EXPECT_TRUE(label("refused").isEmpty());
+    EXPECT_TRUE(label("rejected").isEmpty());
     EXPECT_NEAR(hole(0).depth, 4.5 * units::mm, 1e-12);
     EXPECT_TRUE(std::ranges::any_of(drilled().holes, [](const bob_weights::Hole& each) {
         return std::abs(each.depth - 4.5 * units::mm) < 1e-12 &&

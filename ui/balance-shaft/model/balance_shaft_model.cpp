@@ -330,7 +330,7 @@ Results BalanceShaftModel::criteria() const {
     const auto row = [&](const QString& name, double MomentMetrics::*value,
                          const ResultCell& change, const QString& tip) {
         ResultCell ups = moment(result().M_ups.*value);
-        ups.isLeastBest = value == &MomentMetrics::range || value == &MomentMetrics::rms;
+        ups.isSmallerBetter = value == &MomentMetrics::range || value == &MomentMetrics::rms;
         return ResultRow(
             {name, moment(result().M_up.*value), moment(result().M_s.*value), ups, change}, tip);
     };

@@ -14,29 +14,29 @@ namespace {
 /// Equal steps where the shaft helps; where it harms 1, 2, 5, 10 … times as much, for there the
 /// field has no end.
 std::vector<double> levelsOf(const std::vector<double>& changes) {
-    const auto [least, most] = std::minmax_element(changes.begin(), changes.end());
+    const auto [minimum, maximum] = std::minmax_element(changes.begin(), changes.end());
     std::vector<double> found{0.0};
     constexpr double smallest = 1e-4;  // less is nothing
     double step = 0.0;
-    if (*least < -smallest) {
-        step = niceStep(-*least, 5);
-        for (int i = 1; - step * i > *least; ++i) {
+    if (*minimum < -smallest) {
+        step = niceStep(-*minimum, 5);
+        for (int i = 1; - step * i > *minimum; ++i) {
             found.insert(found.begin(), -step * i);
         }
     }
-    constexpr int mostSteps = 6;
+    constexpr int maxSteps = 6;
     std::vector<double> above;
-    const double first = std::max(step, 1e-3 * *most);
+    const double first = std::max(step, 1e-3 * *maximum);
     double power = std::pow(10.0, std::floor(std::log10(std::max(first, smallest))));
-    while (power < *most) {
+    while (power < *maximum) {
         for (const double factor : {1.0, 2.0, 5.0}) {
-            if (factor * power >= 0.999 * first && factor * power < *most) {
+            if (factor * power >= 0.999 * first && factor * power < *maximum) {
                 above.push_back(factor * power);
             }
         }
         power *= 10.0;
     }
-    const auto kept = std::min<std::ptrdiff_t>(mostSteps, std::ssize(above));
+    const auto kept = std::min<std::ptrdiff_t>(maxSteps, std::ssize(above));
     found.insert(found.end(), above.end() - kept, above.end());
     return found;
 }

@@ -76,7 +76,7 @@ ImportModel::Look ImportModel::lookAt(const std::string& text, Measured what,
     look.lines = look_at_table(text, {view.separator, decided.layout.decimal_comma, 0},
                                view.header_lines + shown_rows)
                      .rows;
-    look.columns = static_cast<int>(std::min(view.columns, std::size_t{most_columns}));
+    look.columns = static_cast<int>(std::min(view.columns, std::size_t{max_columns}));
     if (!goesOn(0.1)) {
         return look;
     }

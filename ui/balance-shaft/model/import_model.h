@@ -48,9 +48,9 @@ class ImportModel : public QObject {
     /// The first lines as they are there, those of the header above the others.
     const std::vector<std::vector<std::string>>& lines() const { return look_.lines; }
     int headerLines() const { return static_cast<int>(reading().layout.header_lines.value_or(0)); }
-    /// At most most_columns.
+    /// At most max_columns.
     int columns() const { return look_.columns; }
-    static constexpr int most_columns = 1000;  ///< that a case can name
+    static constexpr int max_columns = 1000;  ///< that a case can name
     QString heading(int column) const;
     /// The decimal sign; nothing where the numbers leave it open.
     std::optional<bool> decimalComma() const;

@@ -117,13 +117,13 @@ Figure distances(const BalanceShaftModel& model) {
         valuesOf(best, &ShaftMap::Criteria::size, units::cm2.to_si));
     // Both axes from 0, on one line.
     const auto fromZero = [&](const char* id) {
-        double most = 0.0;
+        double maximum = 0.0;
         for (const Figure::Curve& curve : figure.curves) {
             for (std::size_t i = 0; curve.id == id && i < curve.y.size(); ++i) {
-                most = std::max(most, std::isnan(curve.y[i]) ? 0.0 : curve.y[i]);
+                maximum = std::max(maximum, std::isnan(curve.y[i]) ? 0.0 : curve.y[i]);
             }
         }
-        return most > 0.0 ? std::optional(std::pair(0.0, most)) : std::nullopt;
+        return maximum > 0.0 ? std::optional(std::pair(0.0, maximum)) : std::nullopt;
     };
     figure.leftRange = fromZero("range");
     figure.rightRange = fromZero("size");
@@ -173,15 +173,15 @@ Figure front(const BalanceShaftModel& model) {
     Figure::Curve all;
     Figure::Curve efficient;
     std::vector<ShaftMap::Position> positions;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const balance_shaft::FrontPosition& place : mapOf(model)->front) {
         positions.push_back(place.position);
         all.x.push_back(place.criteria.size / units::cm2);
         all.y.push_back(change(place.criteria));
-        if (all.y.back() < least) {  // sizes ascend
-            least = all.y.back();
+        if (all.y.back() < minimum) {  // sizes ascend
+            minimum = all.y.back();
             efficient.x.push_back(all.x.back());
-            efficient.y.push_back(least);
+            efficient.y.push_back(minimum);
         }
     }
     // The axis holds the present place too, whose point is hollow where it cannot be built.

@@ -54,7 +54,7 @@ PlaceCriterion::Position PlaceCriterion::shortened(const Study& study, const Pos
     const double alpha = std::floor(parts * exact.shaft_angle() / degree);
     const bool canBeBuilt = isBuildable(exact);
     Position best = exact;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (int i = keepsDistance ? 0 : 1 - around; i <= (keepsDistance ? 0 : around); ++i) {
         for (int k = 1 - around; k <= around; ++k) {
             const Position at = Position::at(std::max(l + i, 0.0) / parts * units::mm,
@@ -62,8 +62,8 @@ PlaceCriterion::Position PlaceCriterion::shortened(const Study& study, const Pos
             if (isBuildable(at) != canBeBuilt) {
                 continue;
             }
-            if (const double value = valueOf(study, study.at(at)); value < least) {
-                least = value;
+            if (const double value = valueOf(study, study.at(at)); value < minimum) {
+                minimum = value;
                 best = at;
             }
         }

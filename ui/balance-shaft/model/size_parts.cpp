@@ -40,12 +40,13 @@ Figure sizes(const BalanceShaftModel& model) {
 Figure rangeOverSize(const BalanceShaftModel& model) {
     const balance_shaft::EnvelopeStudy& study = model.envelopeStudy();
     const std::vector<double> area = closedTurn(study.area, units::cm2);
-    const auto [least, most] = std::minmax_element(area.begin(), area.end());
-    const double pad = std::max(0.04 * (*most - *least), 1e-6);
+    const auto [minimum, maximum] = std::minmax_element(area.begin(), area.end());
+    const double pad = std::max(0.04 * (*maximum - *minimum), 1e-6);
     Figure figure;
     figure.title = SizeWords::tr("Range and overall size, α along the curve");
-    figure.x = {
-        .title = SizeWords::tr("width × height, cm²"), .min = *least - pad, .max = *most + pad};
+    figure.x = {.title = SizeWords::tr("width × height, cm²"),
+                .min = *minimum - pad,
+                .max = *maximum + pad};
     figure.left = {.title = SizeWords::tr("ΔMᵤₚₛ, N·m")};
 
     std::vector<double> built = study.range;

@@ -79,7 +79,7 @@ Figure bestAngles(const BalanceShaftModel& model) {
         SpeedWords::tr("α of the minimum range at each speed"), curves.rangeAngle);
     add("RMS", SpeedWords::tr("RMS"), Role::Rms,
         SpeedWords::tr("α of the minimum RMS at each speed"), curves.rmsAngle);
-    const double best = study->leastBadDeg();
+    const double best = study->bestCompromiseDeg();
     figure.lines = {
         {.at = best,
          .role = Role::Best,
@@ -111,7 +111,7 @@ Figure speedMap(const BalanceShaftModel& model) {
     return figure;
 }
 
-Notes leastBad(const BalanceShaftModel& model) {
+Notes bestCompromise(const BalanceShaftModel& model) {
     const SpeedStudyModel* study = model.speedStudy();
     return study != nullptr ? Notes::of(Severity::note, study->answer()) : Notes{};
 }
@@ -122,7 +122,7 @@ constexpr std::array speedMakers{
     PartMaker<BalanceShaftModel>{{.id = "speed-map", .tab = "speed", .hasBand = false},
                                  made<speedMap>},
     PartMaker<BalanceShaftModel>{{.id = "least-bad", .tab = "speed", .hasBand = false},
-                                 made<leastBad>},
+                                 made<bestCompromise>},
 };
 
 }  // namespace

@@ -70,8 +70,8 @@ SpeedStudyModel::Study SpeedStudyModel::studyOf(const Input& input, const SpeedB
     result.map = study->map(mapAngles, [&](double part) { return progress(0.3 + 0.6 * part); });
     const auto among = [&](const std::vector<balance_shaft::AngleStretch>& angles) {
         constexpr auto relative = SpeedStudy::Measure::relative;
-        return Best{study->least_bad_angle(Criterion::range, relative, angles),
-                    study->least_bad_angle(Criterion::rms, relative, angles)};
+        return Best{study->best_compromise_angle(Criterion::range, relative, angles),
+                    study->best_compromise_angle(Criterion::rms, relative, angles)};
     };
     result.ofAll = among(balance_shaft::whole_turn());
     const auto& stretches = study->buildable().stretches;
@@ -150,9 +150,9 @@ ChangeContours SpeedStudyModel::mapOf(const SpeedStudy::Map& studied) const {
         QRectF(0.0, lowest, 360.0, points.back().angular_speed / units::rpm - lowest));
 }
 
-void SpeedStudyModel::goToLeastBad() {
+void SpeedStudyModel::goToBestCompromise() {
     model_->finishDrag();
-    model_->setShaftAngleDeg(leastBadDeg());
+    model_->setShaftAngleDeg(bestCompromiseDeg());
     model_->finishDrag();
 }
 
@@ -168,8 +168,8 @@ QString SpeedStudyModel::answer() const {
                     : tr("Choose a pressure trace or a computed cycle on the Torque tab."));
     }
     const QLocale locale;
-    const LeastBad& best = leastBad();
-    const LeastBad& ofAll = byRange() ? study_.ofAll.range : study_.ofAll.rms;
+    const BestCompromise& best = bestCompromise();
+    const BestCompromise& ofAll = byRange() ? study_.ofAll.range : study_.ofAll.rms;
     QString other;
     if (buildable().stretches.empty()) {
         other = tr(" No position is feasible.");

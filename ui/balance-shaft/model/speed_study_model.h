@@ -52,14 +52,14 @@ class SpeedStudyModel : public QObject {
     /// False before the first study, and where none can be made of this input.
     bool isSolved() const { return map_.has_value(); }
     /// None can be made of this input; answer() says why.
-    bool isRefused() const { return study_.study != nullptr && !isSolved(); }
+    bool isRejected() const { return study_.study != nullptr && !isSolved(); }
 
     // Of what is solved.
     const balance_shaft::BuildableAngles& buildable() const { return study_.study->buildable(); }
     Curves curves() const;
     /// α that is the best compromise by the criterion, °.
-    double leastBadDeg() const { return leastBad().shaft_angle / degree; }
-    void goToLeastBad();
+    double bestCompromiseDeg() const { return bestCompromise().shaft_angle / degree; }
+    void goToBestCompromise();
 
     /// The best compromise α in a sentence; why there is none.
     QString answer() const;
@@ -79,11 +79,11 @@ class SpeedStudyModel : public QObject {
     void mapChanged();
 
   private:
-    using LeastBad = balance_shaft::SpeedStudy::LeastBad;
+    using BestCompromise = balance_shaft::SpeedStudy::BestCompromise;
     /// By range and by RMS.
     struct Best {
-        LeastBad range;
-        LeastBad rms;
+        BestCompromise range;
+        BestCompromise rms;
     };
     struct Study {
         std::shared_ptr<const balance_shaft::SpeedStudy> study;
@@ -95,7 +95,9 @@ class SpeedStudyModel : public QObject {
     static Study studyOf(const balance_shaft::Input& input, const balance_shaft::SpeedBand& band,
                          const std::function<bool(double)>& progress);
     bool byRange() const { return model_->speedCriterion() == Criterion::range; }
-    const LeastBad& leastBad() const { return byRange() ? study_.best.range : study_.best.rms; }
+    const BestCompromise& bestCompromise() const {
+        return byRange() ? study_.best.range : study_.best.rms;
+    }
     void take(Study study, const QString& trouble);
     ChangeContours mapOf(const balance_shaft::SpeedStudy::Map& studied) const;
 

@@ -87,9 +87,9 @@ QString misplaced(const TorqueTable& table, const std::pair<int, int>& place) {
 }  // namespace
 
 TorqueTableModel::TorqueTableModel(BalanceShaftModel* model, QObject* parent)
-    : RefusingTable(parent), model_(model) {
+    : RejectingTable(parent), model_(model) {
     connect(model_, &SceneModel::changed, this, &TorqueTableModel::follow);
-    connect(model_, &SceneModel::broughtIn, this, &TorqueTableModel::forgetRefused);
+    connect(model_, &SceneModel::broughtIn, this, &TorqueTableModel::forgetRejected);
     follow();
 }
 
@@ -115,8 +115,8 @@ QString TorqueTableModel::held(int row, int column) const {
     return QString::number(numberAt(table(), Place(row, column)), 'g', 17);
 }
 
-QString TorqueTableModel::refusedText(const Cell& cell, const Refused& refused) const {
-    return tr("Row %1: %2").arg(rowOf(cell) + 1).arg(refused.why);
+QString TorqueTableModel::rejectedText(const Cell& cell, const Rejected& rejected) const {
+    return tr("Row %1: %2").arg(rowOf(cell) + 1).arg(rejected.why);
 }
 
 QString TorqueTableModel::ownText(const Place& place) const {
@@ -134,8 +134,8 @@ void TorqueTableModel::put(Texts texts) {
             texts.emplace(other, typed->second);
         }
     }
-    for (const Cell& cell : refusedCells()) {
-        texts.emplace(Place(rowOf(cell), cell.second), refused().at(cell).text);
+    for (const Cell& cell : rejectedCells()) {
+        texts.emplace(Place(rowOf(cell), cell.second), rejected().at(cell).text);
     }
     Texts rejected;  // why
     TorqueTable all = own;
@@ -167,12 +167,12 @@ void TorqueTableModel::put(Texts texts) {
     }
     for (const auto& [place, text] : texts) {
         const auto why = rejected.find(place);
-        setRefused(place.first, place.second, text,
-                   why != rejected.end()    ? why->second
-                   : text == ownText(place) ? QString()
-                                            : trouble);
+        setRejected(place.first, place.second, text,
+                    why != rejected.end()    ? why->second
+                    : text == ownText(place) ? QString()
+                                             : trouble);
     }
-    Q_EMIT troubleChanged(RefusingTable::trouble());
+    Q_EMIT troubleChanged(RejectingTable::trouble());
     Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, Torque));
 }
 
@@ -229,7 +229,7 @@ void TorqueTableModel::replaceBy(const TorqueTable& table) {
     if (!(table == this->table()) || model_->input().torque.has_changed()) {
         take(table);
     }
-    forgetRefused();
+    forgetRejected();
 }
 
 /// Whether the first cells of a block are angles of this cycle that grow.
@@ -279,7 +279,7 @@ QVariant TorqueTableModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount()) {
         return {};
     }
-    if (const QVariant kept = refusedData(index, role); kept.isValid()) {
+    if (const QVariant kept = rejectedData(index, role); kept.isValid()) {
         return kept;
     }
     switch (role) {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "balance-shaft/torque_table.h"
-#include "model/refusing_table.h"
+#include "model/rejecting_table.h"
 
 namespace ravnoves {
 
@@ -16,7 +16,7 @@ class BalanceShaftModel;
 /// The torque table of a case. A text that leaves it no cycle stays rejected in its cell, and is
 /// tried again with each other one. The first and the last row are one instant of the cycle: a
 /// torque typed in one goes to the other.
-class TorqueTableModel final : public RefusingTable {
+class TorqueTableModel final : public RejectingTable {
     Q_OBJECT
 
   public:
@@ -24,7 +24,7 @@ class TorqueTableModel final : public RefusingTable {
 
     explicit TorqueTableModel(BalanceShaftModel* model, QObject* parent = nullptr);
 
-    using RefusingTable::trouble;
+    using RejectingTable::trouble;
     void insertRowBelow(int row) override;
     void removeRowRange(int first, int count) override;
     /// Replaces the whole table by text from a spreadsheet, in the unit that the column shows where
@@ -45,7 +45,7 @@ class TorqueTableModel final : public RefusingTable {
   protected:
     std::string rowName(int row) const override;
     QString held(int row, int column) const override;
-    QString refusedText(const Cell& cell, const Refused& refused) const override;
+    QString rejectedText(const Cell& cell, const Rejected& rejected) const override;
 
   private:
     using Place = std::pair<int, int>;  ///< row and column

@@ -336,7 +336,7 @@ void ElasticHingeModel::takeMinimumPreload() {
         return;
     }
     const double preload = guide.minimum_preload + std::max(0.01 * guide.minimum_preload,
-                                                            elastic_hinge::least_preload_margin);
+                                                            elastic_hinge::min_preload_margin);
     const double side = guide.branch == Branch::compressed ? -1.0 : 1.0;
     finishDrag();
     edit(tr("Minimum preload of the guide"), [&](Input& input) {
@@ -373,7 +373,7 @@ Results ElasticHingeModel::quantities() const {
     if (with > 0.0 && std::isfinite(reduction)) {
         sideForce.text += QStringLiteral(" (÷ ") + number(reduction, 1) + QLatin1Char(')');
     }
-    sideForce.isLeastBest = true;
+    sideForce.isSmallerBetter = true;
     const Unit weight = input().masses_as_weights ? units::newton : units::kg;
     const double counterweight =
         result().counterweight_mass * (input().masses_as_weights ? input().gravity : 1.0);

@@ -20,12 +20,12 @@ void GuidePicture::Path::add(const PlanePoint& point, double radius) {
 }
 
 double GuidePicture::Path::reach() const {
-    double most = 0.0;
+    double maximum = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i) {
         const double radius = std::hypot(x[i], y[i]);
-        most = std::isfinite(radius) ? std::max(most, radius) : most;
+        maximum = std::isfinite(radius) ? std::max(maximum, radius) : maximum;
     }
-    return most;
+    return maximum;
 }
 
 const std::vector<double>& GuidePicture::radii(Branch branch) const {

@@ -106,9 +106,9 @@ Figure guides(const ElasticHingeModel& model) {
                          std::size_t point) { return pointText(model, branch, point); }},
             drawn.path(branches[i]), toScale.path(branches[i]));
     }
-    const double most = reach > 0.0 ? 1.12 * reach : 130.0;
-    figure.x = {.title = HingePlots::tr("x, mm"), .min = -most, .max = most};
-    figure.leftRange = std::pair(-most, most);
+    const double maximum = reach > 0.0 ? 1.12 * reach : 130.0;
+    figure.x = {.title = HingePlots::tr("x, mm"), .min = -maximum, .max = maximum};
+    figure.leftRange = std::pair(-maximum, maximum);
     return figure;
 }
 

@@ -64,7 +64,7 @@ std::optional<double> given(const Cylinder& cylinder, int column) {
 void setCell(Cylinder& cylinder, int row, int column, const QString& text) {
     const Field& field = fieldOf(column);
     const ShownUnit unit = shownUnit(field.unit);
-    const auto refuse = [&](const Message& rule, const Message& found) {
+    const auto reject = [&](const Message& rule, const Message& found) {
         throw InputError("/input/cylinders/" + std::to_string(row) + pointerOf(column), rule,
                          found);
     };
@@ -72,18 +72,18 @@ void setCell(Cylinder& cylinder, int row, int column, const QString& text) {
     if (!isOfRod(column) || !text.isEmpty()) {
         const auto typed = readTypedNumber(text, unit.name).value;
         if (!typed) {
-            refuse(CORE_TEXT("core", "must be a number"), quoted_list({text.toStdString()}));
+            reject(CORE_TEXT("core", "must be a number"), quoted_list({text.toStdString()}));
         }
         const auto thousands = readWithThousands(text, unit.name);
         if (thousands && field.range.contains(*thousands / unit.factor)) {
-            refuse(thousandsTrouble(text, unit.name).toStdString(), {});
+            reject(thousandsTrouble(text, unit.name).toStdString(), {});
         }
         constexpr int exact = 12;  // what is shown and read again is the same
         const double own =
             unit.factor == 1.0 ? *typed : rounded_to_digits(*typed / unit.factor, exact);
         const bool isWhole = column != Table::Master || own == std::round(own);
         if (!field.range.contains(own) || !isWhole) {
-            refuse(column == Table::Master ? field.range.whole_number_message()
+            reject(column == Table::Master ? field.range.whole_number_message()
                                            : field.range.message(field.unit),
                    Number{*typed});
         }
@@ -94,7 +94,7 @@ void setCell(Cylinder& cylinder, int row, int column, const QString& text) {
     } else if (!isOfRod(column) || column == Table::KnuckleRadius || cylinder.articulated) {
         set_field(cylinder, pointerOf(column), value);
     } else if (!text.isEmpty()) {
-        refuse(CORE_TEXT("inertia-moments", "must be empty: this rod runs on the crankpin"), {});
+        reject(CORE_TEXT("inertia-moments", "must be empty: this rod runs on the crankpin"), {});
     }
 }
 
@@ -125,12 +125,12 @@ void renumberMasters(std::vector<Cylinder>& cylinders, int from, int by) {
 }  // namespace
 
 CylinderTableModel::CylinderTableModel(InertiaMomentsModel* model, QObject* parent)
-    : RefusingTable(parent), model_(model) {
+    : RejectingTable(parent), model_(model) {
     connect(model_, &SceneModel::changed, this, [this] {
         strokes_.clear();
         follow();
     });
-    connect(model_, &SceneModel::broughtIn, this, &CylinderTableModel::forgetRefused);
+    connect(model_, &SceneModel::broughtIn, this, &CylinderTableModel::forgetRejected);
     follow();
 }
 
@@ -217,7 +217,7 @@ QVariant CylinderTableModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount() || index.column() >= columnCount()) {
         return {};
     }
-    if (const QVariant kept = refusedData(index, role); kept.isValid()) {
+    if (const QVariant kept = rejectedData(index, role); kept.isValid()) {
         return kept;
     }
     const bool usual = isUsual(index.row(), index.column());
@@ -254,7 +254,7 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
     const auto row = static_cast<std::size_t>(index.row());
     const QString text = value.toString().trimmed();
     const std::pair cell(index.row(), index.column());
-    setRefused(cell.first, cell.second, {}, {});
+    setRejected(cell.first, cell.second, {}, {});
     // A cell of the table changes columns too: it must not look at the index afterwards.
     const QString why = model_->edit(tr("Cylinder %1").arg(index.row() + 1), [&](Input& input) {
         setCell(model_->tableOf(input).at(row), cell.first, cell.second, text);
@@ -263,7 +263,7 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
     if (why.isEmpty()) {
         model_->sayTrouble({});
     } else {
-        setRefused(cell.first, cell.second, text, why);
+        setRejected(cell.first, cell.second, text, why);
     }
     if (cell.second < columnCount()) {
         const QModelIndex at = this->index(cell.first, cell.second);
@@ -277,9 +277,9 @@ SceneModel* CylinderTableModel::scene() const {
     return model_;
 }
 
-void CylinderTableModel::takeBackRefused(const QModelIndex& at) {
+void CylinderTableModel::takeBackRejected(const QModelIndex& at) {
     model_->sayTrouble({});
-    RefusingTable::takeBackRefused(at);
+    RejectingTable::takeBackRejected(at);
 }
 
 QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
@@ -364,8 +364,8 @@ void CylinderTableModel::removeRowRange(int first, int count) {
 
 QString CylinderTableModel::pasteBlock(int row, int column, const std::vector<QStringList>& cells) {
     const std::size_t first = static_cast<std::size_t>(row);
-    if (first + cells.size() > static_cast<std::size_t>(inertia_moments::most_cylinders)) {
-        return tr("At most %1 cylinders.").arg(inertia_moments::most_cylinders);
+    if (first + cells.size() > static_cast<std::size_t>(inertia_moments::max_cylinders)) {
+        return tr("At most %1 cylinders.").arg(inertia_moments::max_cylinders);
     }
     const int wide = std::min<int>(columnCount(), TopDeadCentre);
     QString why = model_->edit(tr("Paste cylinders"), [&](Input& input) {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/refusing_table.h"
+#include "model/rejecting_table.h"
 
 namespace ravnoves {
 
@@ -15,7 +15,7 @@ class InertiaMomentsModel;
 /// it into a table of its own. A knuckle radius makes a rod articulated, an empty one puts it back
 /// on the crankpin; what else is empty follows from the other values and is shown in italics. So
 /// are, where rods are articulated, top dead centres and strokes.
-class CylinderTableModel final : public RefusingTable {
+class CylinderTableModel final : public RejectingTable {
     Q_OBJECT
 
   public:
@@ -43,7 +43,7 @@ class CylinderTableModel final : public RefusingTable {
     void insertRowBelow(int row) override;
     void removeRowRange(int first, int count) override;
     /// Rows that are missing are added.
-    void takeBackRefused(const QModelIndex& at) override;
+    void takeBackRejected(const QModelIndex& at) override;
     SceneModel* scene() const override;
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 

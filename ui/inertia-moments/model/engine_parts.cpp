@@ -335,9 +335,9 @@ Figure hodograph(const Result& result, bool force) {
         isBalanced(result, force) ? turnOf(result.remaining_curves, force, nothing) : Trace());
     const auto span = [](const std::pair<double, double>& of) { return of.second - of.first; };
     // Rounding of a balanced engine is not a picture.
-    const double least = std::max(1e3 * roundingOf(result.unbalanced.order(1), force), 1e-9);
-    if (std::max(span(x), span(y)) <= least) {
-        const double reach = std::max(1.0, least);
+    const double minimum = std::max(1e3 * roundingOf(result.unbalanced.order(1), force), 1e-9);
+    if (std::max(span(x), span(y)) <= minimum) {
+        const double reach = std::max(1.0, minimum);
         x = y = {-reach, reach};
     }
     // As much room on either axis: both have one scale.

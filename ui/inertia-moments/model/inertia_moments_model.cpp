@@ -348,7 +348,7 @@ void InertiaMomentsModel::setBankAngleDeg(double angle) {
             input.layout->bank_angle = std::clamp(angle, 0.0, 180.0) * degree;
             return;
         }
-        // Not quite to 0: from there the banks could not be told apart any more.
+        // Not quite to 0: from there the banks could not be distinguished any more.
         const double wanted = std::clamp(angle, 0.1, 360.0) * degree;
         const auto [low, high] = extent(input.cylinders, &Cylinder::bank_angle);
         const double middle = 0.5 * (low + high);
@@ -377,8 +377,8 @@ bool InertiaMomentsModel::canChangeOffset() const {
 std::pair<double, double> InertiaMomentsModel::offsetLimitsMm() const {
     const double reach = (input().rod_length() - input().crank_radius) / units::mm;
     const double radius = input().crank_radius / units::mm;
-    const double most = std::floor(std::min(0.98 * reach, radius) * 10.0) / 10.0;
-    const double high = std::max(most, std::abs(offsetMm()));
+    const double maximum = std::floor(std::min(0.98 * reach, radius) * 10.0) / 10.0;
+    const double high = std::max(maximum, std::abs(offsetMm()));
     // A table's offsets keep their signs; at 0 they would lose them.
     return {input().layout ? -high : std::min(0.1, high), high};
 }
@@ -412,7 +412,7 @@ std::pair<double, double> InertiaMomentsModel::referenceLimitsMm() const {
 
 void InertiaMomentsModel::addShaft() {
     edit(tr("Add shaft"), [](Input& input) {
-        if (input.shafts.size() >= static_cast<std::size_t>(inertia_moments::most_shafts)) {
+        if (input.shafts.size() >= static_cast<std::size_t>(inertia_moments::max_shafts)) {
             return;
         }
         Shaft shaft;

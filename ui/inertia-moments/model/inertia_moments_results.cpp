@@ -272,7 +272,7 @@ Results InertiaMomentsModel::remainingResults() const {
     const auto cells = [](double was, double is, double scale, const Unit& unit) {
         const bool isZero = !(was > inertia_moments::zero_share * scale);
         ResultCell left = figure(is, scale, unit);
-        left.isLeastBest = true;
+        left.isSmallerBetter = true;
         return QVector<ResultCell>{figure(was, scale, unit), left,
                                    isZero ? ResultCell(dash) : percent(is / was)};
     };

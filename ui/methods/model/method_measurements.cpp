@@ -16,7 +16,7 @@ MeasureOptions optionsOf(MeasurementEffort effort) {
     if (effort == MeasurementEffort::quick) {
         options.batch_seconds = 1e-4;
         options.batches = 9;
-        options.most_seconds = 0.03;
+        options.max_seconds = 0.03;
     }
     return options;
 }

@@ -81,8 +81,8 @@ QString errorNumber(double error) {
 }
 
 QString resultText(const methods::Result& result) {
-    return result.refused() ? QCoreApplication::translate("ravnoves::MethodWords", "rejected")
-                            : errorNumber(result.error);
+    return result.rejected() ? QCoreApplication::translate("ravnoves::MethodWords", "rejected")
+                             : errorNumber(result.error);
 }
 
 }  // namespace ravnoves

@@ -73,8 +73,8 @@ Json MethodsModel::resultJson() const {
                        {"setting", method.settings[row.setting].label.english()},
                        {"in_use", row.in_use},
                        {"median_ns", row.timing.median}};
-            if (row.result.refused()) {
-                entry["refusal"] = row.result.refusal.english();
+            if (row.result.rejected()) {
+                entry["refusal"] = row.result.rejection.english();
             } else {
                 entry["error"] = row.result.error;
             }

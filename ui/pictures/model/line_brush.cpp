@@ -65,12 +65,12 @@ double less(double a, double b) {
 }
 
 /// A whole number within 0 and `most`, cut off.
-int wholeWithin(double value, double most) {
-    return static_cast<int>(less(greater(value, 0.0), most));
+int wholeWithin(double value, double maximum) {
+    return static_cast<int>(less(greater(value, 0.0), maximum));
 }
-/// The same of the least whole number that is no less.
-int wholeUpWithin(double value, double most) {
-    const double within = less(greater(value, 0.0), most);
+/// The same of the smallest whole number that is no less.
+int wholeUpWithin(double value, double maximum) {
+    const double within = less(greater(value, 0.0), maximum);
     const int whole = static_cast<int>(within);
     return whole + static_cast<int>(whole < within);
 }
@@ -190,14 +190,14 @@ std::pair<double, double> LineBrush::stretchSeen(const QPointF& from, const QPoi
                                                  double length) const {
     double enters = 0.0;
     double leaves = length;
-    const auto within = [&](double at, double speed, double most) {
+    const auto within = [&](double at, double speed, double maximum) {
         const double room = half_ + 1.0;
         if (std::abs(speed) < tiny) {
-            leaves = at < -room || at > most + room ? 0.0 : leaves;
+            leaves = at < -room || at > maximum + room ? 0.0 : leaves;
             return;
         }
         const double one = (-room - at) / speed;
-        const double other = (most + room - at) / speed;
+        const double other = (maximum + room - at) / speed;
         enters = std::max(enters, std::min(one, other));
         leaves = std::min(leaves, std::max(one, other));
     };
@@ -296,11 +296,11 @@ void LineBrush::markSegment(const QPointF& from, const QPointF& to, const QPoint
         }
         markEnds(left, begin);
         // As pixelStep() has it, but cut off as a whole number, and below by what is there.
-        const double most = 255.0 * reach + 0.5;
+        const double maximum = 255.0 * reach + 0.5;
         const double across = 255.0 * (y * ux + zero * uy);
         const double perColumn = 255.0 * uy;
         for (int column = begin; column < stop; ++column) {
-            const int step = static_cast<int>(most - std::abs(across - column * perColumn));
+            const int step = static_cast<int>(maximum - std::abs(across - column * perColumn));
             cover[column] =
                 static_cast<std::uint8_t>(std::max<int>(cover[column], std::min(step, 255)));
         }

@@ -124,11 +124,11 @@ struct Polygon {
         }
     }
     double distance(double x, double y) const {
-        double most = -infinite;
+        double maximum = -infinite;
         for (const Side& side : sides) {
-            most = std::max(most, side.distance(x, y));
+            maximum = std::max(maximum, side.distance(x, y));
         }
-        return most;
+        return maximum;
     }
     Stretch row(double y, double distance) const { return within(sides, y, distance); }
     QRectF box() const { return bounds; }

@@ -46,8 +46,9 @@ QRectF seenPart(const QPainter& painter, const std::vector<QPolygonF>& onDevice,
 
 /// None where it would be too large, as what lies far outside is.
 std::optional<Overlay> overlayFor(const QRectF& box) {
-    constexpr double most = 4e6;  // pixels
-    if (!(box.width() * box.height() < most) || !(box.width() < most) || !(box.height() < most)) {
+    constexpr double maximum = 4e6;  // pixels
+    if (!(box.width() * box.height() < maximum) || !(box.width() < maximum) ||
+        !(box.height() < maximum)) {
         return std::nullopt;
     }
     const QRect whole = box.toAlignedRect();

@@ -9,10 +9,10 @@ namespace ravnoves {
 namespace {
 
 constexpr double cell = 4.0;  // pixels
-constexpr int mostCells = 2000;
+constexpr int maxCells = 2000;
 
 int cellsOf(double pixels) {
-    return std::clamp(static_cast<int>(std::ceil(pixels / cell)), 1, mostCells);
+    return std::clamp(static_cast<int>(std::ceil(pixels / cell)), 1, maxCells);
 }
 
 /// The part of a line within a rectangle; false where there is none.
@@ -99,8 +99,8 @@ double LabelPlaces::coveredBy(double length) {
 }
 
 double LabelPlaces::covered(const QRectF& label) const {
-    const auto index = [](double pixels, int most) {
-        return std::clamp(static_cast<int>(std::floor(pixels / cell)), 0, most - 1);
+    const auto index = [](double pixels, int maximum) {
+        return std::clamp(static_cast<int>(std::floor(pixels / cell)), 0, maximum - 1);
     };
     const int left = index(label.left() - area_.left(), columns_);
     const int right = index(label.right() - area_.left(), columns_);
@@ -133,18 +133,18 @@ QRectF LabelPlaces::moved(QRectF label) const {
 
 QRectF LabelPlaces::place(std::span<const QRectF> places) {
     QRectF best;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     // A place farther down the list must be better by something, so that labels stay where they
     // are wanted and rest while curves move a little.
     constexpr double wish = 0.15;
     double wished = 0.0;
     for (const QRectF& each : places) {
-        if (least <= wished) {
+        if (minimum <= wished) {
             break;
         }
         const QRectF label = moved(each);
-        if (const double costs = covered(label) + wished; costs < least) {
-            least = costs;
+        if (const double costs = covered(label) + wished; costs < minimum) {
+            minimum = costs;
             best = label;
         }
         wished += wish;

@@ -152,9 +152,9 @@ void includeGhosts(const PlotData& data, Side side, PlotScale& follower) {
     for (const PlotCurve& curve : data.curves) {
         const PlotCurve* ghost = curve.style.side == side ? data.ghostOf(curve) : nullptr;
         if (ghost != nullptr) {
-            const auto [least, most] = std::minmax_element(ghost->y.begin(), ghost->y.end());
-            follower.low = std::min(follower.low, *least);
-            follower.high = std::max(follower.high, *most);
+            const auto [minimum, maximum] = std::minmax_element(ghost->y.begin(), ghost->y.end());
+            follower.low = std::min(follower.low, *minimum);
+            follower.high = std::max(follower.high, *maximum);
         }
     }
     const double pad = follower.spec.logarithmic ? 0.0 : 0.04 * (follower.high - follower.low);
@@ -194,8 +194,8 @@ void PlotData::fitScales() {
     }
     for (const Side side : {Side::Left, Side::Right}) {
         PlotScale& follower = scale(side);
-        double least = std::numeric_limits<double>::infinity();
-        double most = -least;
+        double minimum = std::numeric_limits<double>::infinity();
+        double maximum = -minimum;
         for (const PlotCurve& curve : curves) {
             if (follower.fixed || !curve.shown || curve.style.side != side) {
                 continue;
@@ -205,18 +205,18 @@ void PlotData::fitScales() {
                     const auto [low, high] = std::minmax_element(each->y.begin(), each->y.end());
                     const bool fromZero =
                         curve.style.shape == Shape::Bars && !follower.spec.logarithmic;
-                    least = std::min({least, *low, fromZero ? 0.0 : *low});
-                    most = std::max({most, *high, fromZero ? 0.0 : *high});
+                    minimum = std::min({minimum, *low, fromZero ? 0.0 : *low});
+                    maximum = std::max({maximum, *high, fromZero ? 0.0 : *high});
                 }
             }
             for (std::size_t i = 0; showsSpread(curve) && i < curve.x.size(); ++i) {
                 const double low = curve.y[i] - curve.below[i];
                 const double high = curve.y[i] + curve.above[i];
-                least = follower.holds(low) ? std::min(least, low) : least;
-                most = follower.holds(high) ? std::max(most, high) : most;
+                minimum = follower.holds(low) ? std::min(minimum, low) : minimum;
+                maximum = follower.holds(high) ? std::max(maximum, high) : maximum;
             }
         }
-        follower.fit(least, most, steady);
+        follower.fit(minimum, maximum, steady);
         if (both && follower.fixed && reference->scale(side).fixed) {
             follower.low = std::min(follower.low, reference->scale(side).fixed->first);
             follower.high = std::max(follower.high, reference->scale(side).fixed->second);
@@ -309,9 +309,9 @@ std::vector<QPolygonF> PlotData::shadesOf(const PlotCurve& curve) const {
         std::vector<QPointF> low;
         std::vector<QPointF> high;
         for (; from < to; ++from) {
-            const auto [least, most] = spreadAt(curve, from);
-            low.push_back(toPixel(curve.x[from], least, curve.style.side));
-            high.push_back(toPixel(curve.x[from], most, curve.style.side));
+            const auto [minimum, maximum] = spreadAt(curve, from);
+            low.push_back(toPixel(curve.x[from], minimum, curve.style.side));
+            high.push_back(toPixel(curve.x[from], maximum, curve.style.side));
         }
         QPolygonF shade = thinPolyline(high);
         const QPolygonF foot = thinPolyline(low);

@@ -29,33 +29,33 @@ double PlotScale::number(double value) const {
     return spec.factor == 1.0 ? value : rounded_to_digits(spec.factor * value, 12);
 }
 
-void PlotScale::fit(double least, double most, bool steady) {
+void PlotScale::fit(double minimum, double maximum, bool steady) {
     if (fixed) {
         std::tie(low, high) = *fixed;
         return;
     }
-    if (!(least <= most)) {
+    if (!(minimum <= maximum)) {
         return;
     }
     if (spec.logarithmic) {
         constexpr double smallest = 1e-300;  // as scaled() has it
         constexpr double largest = 1e300;
-        least = std::clamp(least, smallest, largest);
-        most = std::clamp(most, smallest, largest);
-        low = std::pow(10.0, std::floor(std::log10(least)));
-        high = std::pow(10.0, std::ceil(std::log10(most)));
+        minimum = std::clamp(minimum, smallest, largest);
+        maximum = std::clamp(maximum, smallest, largest);
+        low = std::pow(10.0, std::floor(std::log10(minimum)));
+        high = std::pow(10.0, std::ceil(std::log10(maximum)));
         if (low == high) {
             high *= 10.0;
         }
         return;
     }
-    if (steady && least >= low && most <= high && most - least > 0.5 * (high - low)) {
+    if (steady && minimum >= low && maximum <= high && maximum - minimum > 0.5 * (high - low)) {
         return;
     }
-    const double pad = 0.04 * (most - least);
+    const double pad = 0.04 * (maximum - minimum);
     std::tie(low, high) =
-        niceInterval(spec.factor * (least < 0.0 || least > pad ? least - pad : least),
-                     spec.factor * (most > 0.0 || most < -pad ? most + pad : most), 6);
+        niceInterval(spec.factor * (minimum < 0.0 || minimum > pad ? minimum - pad : minimum),
+                     spec.factor * (maximum > 0.0 || maximum < -pad ? maximum + pad : maximum), 6);
     low /= spec.factor;
     high /= spec.factor;
 }

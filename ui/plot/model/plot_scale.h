@@ -62,10 +62,10 @@ struct PlotScale {
         return unscaled(start + fraction * (scaled(high) - start));
     }
 
-    /// Shows data from least to most. Without data (least > most) it stays.
+    /// Shows data from minimum to maximum. Without data (minimum > maximum) it stays.
     /// @param steady  stays too while the data fit and fill more than half of it: under a hand that
     ///   drags, axes that follow each step are not to be read, and take half of each frame
-    void fit(double least, double most, bool steady = false);
+    void fit(double minimum, double maximum, bool steady = false);
     /// Keeps to this interval, with a little room.
     /// @return whether that is news; an interval that is none is rejected
     bool fix(double min, double max);

@@ -12,7 +12,7 @@ using plot::Shape;
 
 namespace {
 
-constexpr std::size_t mostCurves = 8;  ///< of a longer list nobody keeps the first in mind
+constexpr std::size_t maxCurves = 8;  ///< of a longer list nobody keeps the first in mind
 
 QString said(const char* text) {
     return QCoreApplication::translate("ravnoves::PlotSentence", text);
@@ -40,24 +40,24 @@ QString nameOf(const PlotScale& scale) {
 QString curveSentence(const PlotData& data, const PlotCurve& curve) {
     const Spoken x{data.x, data.locale};
     const Spoken y{data.scale(curve.style.side), data.locale};
-    const auto [least, most] = std::minmax_element(curve.y.begin(), curve.y.end());
+    const auto [minimum, maximum] = std::minmax_element(curve.y.begin(), curve.y.end());
     const auto at = [&](auto place) {
         return curve.x[static_cast<std::size_t>(place - curve.y.begin())];
     };
     const bool hasPoints = curve.style.shape == Shape::Points || curve.style.shape == Shape::Rings;
     if (curve.y.size() == 1) {
         return said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "%1 at %2"))
-            .arg(y.withUnit(*least), x.withUnit(curve.x.front()));
+            .arg(y.withUnit(*minimum), x.withUnit(curve.x.front()));
     }
-    if (y.number(*least) == y.number(*most)) {
+    if (y.number(*minimum) == y.number(*maximum)) {
         return said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "constant, %1"))
-            .arg(y.withUnit(*least));
+            .arg(y.withUnit(*minimum));
     }
     if (!curve.ascending) {
         const auto [first, last] = std::minmax_element(curve.x.begin(), curve.x.end());
         return said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence",
                                       "across from %1 to %2, up from %3 to %4"))
-            .arg(x.number(*first), x.withUnit(*last), y.number(*least), y.withUnit(*most));
+            .arg(x.number(*first), x.withUnit(*last), y.number(*minimum), y.withUnit(*maximum));
     }
     const bool rises = std::is_sorted(curve.y.begin(), curve.y.end());
     if (!hasPoints && (rises || std::is_sorted(curve.y.rbegin(), curve.y.rend()))) {
@@ -69,7 +69,8 @@ QString curveSentence(const PlotData& data, const PlotCurve& curve) {
                  x.withUnit(curve.x.back()));
     }
     return said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "from %1 at %2 to %3 at %4"))
-        .arg(y.number(*least), x.withUnit(at(least)), y.withUnit(*most), x.withUnit(at(most)));
+        .arg(y.number(*minimum), x.withUnit(at(minimum)), y.withUnit(*maximum),
+             x.withUnit(at(maximum)));
 }
 
 }  // namespace
@@ -86,7 +87,7 @@ QString plotSentence(const PlotData& data) {
         if (!curve.shown || curve.y.empty()) {
             continue;
         }
-        if (static_cast<std::size_t>(curves.size()) == mostCurves) {
+        if (static_cast<std::size_t>(curves.size()) == maxCurves) {
             ++left;
             continue;
         }
@@ -114,7 +115,7 @@ QString plotSentence(const PlotData& data) {
     }
     QStringList marks;
     for (const plot::Mark& mark : data.marks) {
-        if (!mark.text.isEmpty() && static_cast<std::size_t>(marks.size()) < mostCurves) {
+        if (!mark.text.isEmpty() && static_cast<std::size_t>(marks.size()) < maxCurves) {
             QString text = mark.text;
             marks << text.replace(QLatin1Char('\n'), QStringLiteral(", "));
         }

@@ -41,9 +41,9 @@ double readableStep(double low, double high, int wanted, bool degrees) {
         return degrees ? niceAngleStep(high - low, ticks) : niceStep(high - low, ticks);
     };
     constexpr double rounding = 1e-9;
-    constexpr int most = 4;  // times as many as wanted: by then two must lie in any interval
+    constexpr int maximum = 4;  // times as many as wanted: by then two must lie in any interval
     double step = choose(wanted);
-    for (int ticks = wanted + 1; ticks <= most * wanted; ++ticks) {
+    for (int ticks = wanted + 1; ticks <= maximum * wanted; ++ticks) {
         if (std::floor(high / step + rounding) - std::ceil(low / step - rounding) >= 1.0) {
             break;
         }
@@ -60,9 +60,9 @@ std::pair<double, double> niceInterval(double min, double max, int wanted) {
     max = std::clamp(max, -largest, largest);
     const double size = std::max(std::abs(min), std::abs(max));
     // What is less is rounding, and no axis can number it.
-    constexpr double least = 1e-9;
+    constexpr double minimum = 1e-9;
     constexpr double zero = 1e-12;
-    if (!(max - min > least * size)) {
+    if (!(max - min > minimum * size)) {
         const double pad = size > zero ? 0.1 * size : 1.0;
         min -= pad;
         max += pad;

@@ -85,7 +85,7 @@ QStringList remarks(const Words& words, const Shown& shown) {
     if (!matched.remark.empty()) {
         list << words.message(matched.remark);
     }
-    const bool byShaking = matched.goal == MatchingGoal::least_shaking;
+    const bool byShaking = matched.goal == MatchingGoal::min_shaking;
     if (!matched.proven) {
         list << words.translate("Matching",
                                 "Too many combinations to try all: this is the best found.");

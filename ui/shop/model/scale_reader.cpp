@@ -39,7 +39,7 @@ ScaleReader::ScaleReader(QObject* parent) : QObject(parent) {
     connect(&half_, &QTimer::timeout, this, [this] {
         if (lines_.is_half()) {
             // Said as it is, not read: half a number is another number.
-            refusal_.clear();
+            rejection_.clear();
             Q_EMIT lineRead(QByteArray::fromStdString(lines_.drop()), {});
         }
     });
@@ -149,11 +149,11 @@ void ScaleReader::read() {
 void ScaleReader::take(const std::string& raw) {
     ScaleLine line = shop::parse_scale_line(raw, settings_.unit());
     // One scale has one form: what says less of itself than the lines before is not whole.
-    refusal_.clear();
+    rejection_.clear();
     const QByteArray bytes = QByteArray::fromStdString(raw);
     if (line.has_weight() && line.form < form_) {
         line.kind = ScaleLine::Kind::garbled;
-        refusal_ =
+        rejection_ =
             tr("Expected lines such as “%1”, got “%2”. For another scale open Edit ▸ Scale….")
                 .arg(shownLine(fullest_), shownLine(bytes));
     } else if (line.has_weight()) {

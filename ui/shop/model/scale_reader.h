@@ -31,7 +31,7 @@ class ScaleReader : public QObject {
     QString trouble() const { return trouble_; }
     /// Why the weight read last is not used: a line such as that before is awaited, which says more
     /// of itself. Empty where there is no such reason.
-    const QString& refusal() const { return refusal_; }
+    const QString& rejection() const { return rejection_; }
 
   Q_SIGNALS:
     /// It was connected or has gone: isConnected() and trouble() say which.
@@ -61,7 +61,7 @@ class ScaleReader : public QObject {
     shop::ScaleLines lines_;
     shop::ScaleLine::Form form_ = shop::ScaleLine::Form::number;
     QByteArray fullest_;  ///< the last line of form_
-    QString refusal_;
+    QString rejection_;
     bool hasTail_ = false;  ///< the connection was lost within a line: its end may come first
     shop::PartByPart parts_;
     QElapsedTimer sinceLast_;

@@ -69,11 +69,11 @@ QString verdictText(const Words& words, const QString& verdict) {
     return known != nullptr ? words.translate("Workshop", known->text) : QString();
 }
 
-QString refusedNote(const Words& words, const QStringList& refused) {
-    return refused.isEmpty()
+QString rejectedNote(const Words& words, const QStringList& rejected) {
+    return rejected.isEmpty()
                ? QString()
                : words.translate("JobCard", "Result outdated: entries not accepted: %1")
-                     .arg(refused.join(QLatin1Char(' ')));
+                     .arg(rejected.join(QLatin1Char(' ')));
 }
 
 }  // namespace ravnoves

@@ -44,7 +44,7 @@ enum class VerdictKind {
 };
 VerdictKind verdictKind(const QString& verdict);
 /// That what is said is of the values before entries that a form rejects; empty without such.
-QString refusedNote(const Words& words, const QStringList& refused);
+QString rejectedNote(const Words& words, const QStringList& rejected);
 
 /// A verdict's word as page, card and journal say it: "fails → passes" is measured → after
 /// correction.

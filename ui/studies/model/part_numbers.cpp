@@ -151,7 +151,7 @@ PartSpread PartNumbers::spreadOf(const Figure& figure, std::size_t from,
     std::size_t at = from;
     for (const Figure::Curve& curve : figure.curves) {
         PartSpread::Curve found;
-        double most = 0.0;
+        double maximum = 0.0;
         double largest = 0.0;
         for (std::size_t i = 0; i < curve.x.size(); ++i, ++at) {
             if (!std::isfinite(curve.x[i]) || !std::isfinite(nominal_[at])) {
@@ -160,11 +160,11 @@ PartSpread PartNumbers::spreadOf(const Figure& figure, std::size_t from,
             const bool isKnown = std::isfinite(sides.below[at]);
             found.below.push_back(isKnown ? sides.below[at] : 0.0);
             found.above.push_back(isKnown ? sides.above[at] : 0.0);
-            most = std::max(most, std::abs(nominal_[at]));
+            maximum = std::max(maximum, std::abs(nominal_[at]));
             largest = std::max(largest, 0.5 * (found.below.back() + found.above.back()));
         }
         // A line that goes up and down, or to and fro, has no width along y.
-        if (largest > rounding * most && (isAscending(curve.x) || !isLine(curve))) {
+        if (largest > rounding * maximum && (isAscending(curve.x) || !isLine(curve))) {
             spread.curves.emplace(curve.id, std::move(found));
         }
     }

@@ -50,14 +50,15 @@ StudyAnswer answerOf(const studies::Part& part, std::size_t place) {
         answer.withinLow = found.share_low;
         answer.withinHigh = found.share_high;
     }
-    const auto told = [isSampled](const std::vector<std::optional<studies::Estimate>>& all,
-                                  std::size_t j) {
+    const auto reported = [isSampled](const std::vector<std::optional<studies::Estimate>>& all,
+                                      std::size_t j) {
         return isSampled && j < all.size() && all[j] ? std::optional(all[j]->value) : std::nullopt;
     };
     for (std::size_t j = 0; j < part.study.vary.size(); ++j) {
-        const double alone = told(found.first_order, j).value_or(linear ? linear->shares[j] : 0.0);
+        const double alone =
+            reported(found.first_order, j).value_or(linear ? linear->shares[j] : 0.0);
         answer.shares.push_back({part.study.vary[j].pointer, alone,
-                                 std::max(alone, told(found.total, j).value_or(alone))});
+                                 std::max(alone, reported(found.total, j).value_or(alone))});
     }
     if (isSampled) {
         addHistogram(answer, part, place, found.percentiles.front(), found.percentiles.back());
@@ -77,8 +78,9 @@ QString StudyAnswer::text(const std::optional<double>& number, double factor) co
         constexpr int digits = 7;
         return shownFormNumber(factor * *number, QLocale(), digits);
     }
-    constexpr int most = 12;
-    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(spread))), 0, most);
+    constexpr int maximum = 12;
+    const int decimals =
+        std::clamp(1 - static_cast<int>(std::floor(std::log10(spread))), 0, maximum);
     return fixedDecimals(factor * *number, decimals, QLocale());
 }
 
@@ -96,7 +98,7 @@ QString StudyAnswer::withinText() const {
 StudyAnswers answersOf(const studies::Part& part) {
     StudyAnswers answers{.values = {},
                          .solved = part.tally.solved(),
-                         .refused = studies::refusals_of(part),
+                         .rejected = studies::rejections_of(part),
                          .notes = {}};
     for (std::size_t place = 0; place < part.study.watch.size(); ++place) {
         answers.values.push_back(answerOf(part, place));

@@ -36,7 +36,7 @@ struct StudyAnswer {
 struct StudyAnswers {
     std::vector<StudyAnswer> values;
     std::uint64_t solved = 0;
-    std::vector<studies::Refusal> refused;
+    std::vector<studies::Rejection> rejected;
     std::vector<Message> notes;
 };
 

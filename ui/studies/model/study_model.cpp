@@ -159,7 +159,7 @@ Range StudyModel::rangeOf(const std::string& pointer) const {
 void StudyModel::readStudy() {
     trouble_.clear();
     goneMethod_.clear();
-    isRefused_ = false;
+    isRejected_ = false;
     study_ = freshStudy();
     if (scene_->study().empty()) {
         return;
@@ -174,8 +174,8 @@ void StudyModel::readStudy() {
     } catch (const InputError& error) {
         trouble_ = scene_->explain(error);
     }
-    isRefused_ = !trouble_.isEmpty();
-    if (isRefused_) {
+    isRejected_ = !trouble_.isEmpty();
+    if (isRejected_) {
         study_ = freshStudy();
         trouble_ += QLatin1Char('\n') + tr("To use tolerances here, undo or clear the study by "
                                            "“Typical tolerances”, “Remove all”.");
@@ -269,11 +269,11 @@ QString StudyModel::failure(const StudyAnswer& answer) const {
     return answer.fails ? named(messageText(*answer.fails)) : QString();
 }
 
-std::vector<std::pair<QString, std::uint64_t>> StudyModel::refused() const {
+std::vector<std::pair<QString, std::uint64_t>> StudyModel::rejected() const {
     std::vector<std::pair<QString, std::uint64_t>> all;
     if (answers_) {
-        for (const studies::Refusal& refusal : answers_->refused) {
-            all.emplace_back(reasonText(refusal.reason), refusal.count);
+        for (const studies::Rejection& rejection : answers_->rejected) {
+            all.emplace_back(reasonText(rejection.reason), rejection.count);
         }
     }
     return all;
@@ -314,7 +314,7 @@ void StudyModel::start() {
             return each.isGone && each.pointer == varied.pointer;
         });
     });
-    if (study.vary.empty() || study.watch.empty() || isRefused_) {
+    if (study.vary.empty() || study.watch.empty() || isRejected_) {
         job_->cancel();
         show(std::nullopt, trouble_);
         return;

@@ -77,7 +77,8 @@ class StudyModel : public QObject {
     static constexpr double machinedMm = 0.05;
     /// Gives every input of a kind its usual scatter: masses and lengths these, all ± 1 %.
     void take(Preset preset);
-    /// Nothing scatters and nothing is watched; what the case had is gone, one that is refused too.
+    /// Nothing scatters and nothing is watched; what the case had is gone, one that is rejected
+    /// too.
     void clear();
     void watch(const std::string& pointer);
     void unwatch(const std::vector<std::string>& pointers);
@@ -104,7 +105,7 @@ class StudyModel : public QObject {
     /// Why the linear answer of a value fails; empty where it holds.
     QString failure(const StudyAnswer& answer) const;
     /// Why samples were rejected, as text, and how many.
-    std::vector<std::pair<QString, std::uint64_t>> refused() const;
+    std::vector<std::pair<QString, std::uint64_t>> rejected() const;
     /// They are of what was before, and newer ones are on the way.
     bool isStale() const { return stale_; }
     /// The text with names of inputs and results in the place of pointers.
@@ -141,8 +142,8 @@ class StudyModel : public QObject {
     std::optional<StudyAnswers> answers_;
     QString trouble_;
     QString goneMethod_;
-    bool isRefused_ = false;  ///< the case's study cannot be read, and stays until it is cleared
-    int solutions_ = -1;      ///< of the scene, at the last look
+    bool isRejected_ = false;  ///< the case's study cannot be read, and stays until it is cleared
+    int solutions_ = -1;       ///< of the scene, at the last look
     mutable std::map<std::string, ResultName> names_;  ///< of results
     mutable int namedOf_ = -1;                         ///< solutions_ when they were looked up
     bool stale_ = false;

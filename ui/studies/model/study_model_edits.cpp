@@ -5,7 +5,7 @@
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "model/refusing_table.h"
+#include "model/rejecting_table.h"
 #include "model/scene_model.h"
 #include "studies/model/result_words.h"
 #include "studies/model/study_model.h"
@@ -75,7 +75,7 @@ QString StudyModel::nominalText(const Input& input) {
 }
 
 QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>>& texts) {
-    if (isRefused_) {
+    if (isRejected_) {
         return trouble_;
     }
     Study next = study_;
@@ -86,7 +86,7 @@ QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>
             troubles.add(texts.size() > 1 ? inputName(pointer) + QStringLiteral(": ") + why : why);
         }
     }
-    QString all = troubles.text(RefusingTable::tr("Also not accepted: %1"));
+    QString all = troubles.text(RejectingTable::tr("Also not accepted: %1"));
     if (all.isEmpty()) {
         change(tr("Tolerance"), next);
     }
@@ -216,7 +216,7 @@ QString StudyModel::readLimit(const std::string& pointer, const QString& text,
 }
 
 QString StudyModel::setLimits(const std::vector<Watched>& limits) {
-    if (isRefused_) {
+    if (isRejected_) {
         return trouble_;
     }
     Study next = study_;
@@ -249,7 +249,7 @@ void StudyModel::setSamples(std::uint64_t samples) {
 }
 
 void StudyModel::change(const QString& name, Study next) {
-    if (isRefused_ || next == study_) {
+    if (isRejected_ || next == study_) {
         return;  // nothing replaces what was not understood
     }
     const bool isEmpty = next.vary.empty() && next.watch.empty();

@@ -10,7 +10,7 @@
 namespace ravnoves {
 
 StudyTable::StudyTable(StudyModel* model, QStringList headings, QObject* parent)
-    : RefusingTable(parent), model_(model), headings_(std::move(headings)) {
+    : RejectingTable(parent), model_(model), headings_(std::move(headings)) {
     connect(model_, &StudyModel::changed, this, &StudyTable::follow);
 }
 
@@ -33,7 +33,7 @@ QVariant StudyTable::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount()) {
         return {};
     }
-    if (const QVariant kept = refusedData(index, role); kept.isValid()) {
+    if (const QVariant kept = rejectedData(index, role); kept.isValid()) {
         return kept;
     }
     if (role == Qt::TextAlignmentRole) {
@@ -51,7 +51,7 @@ bool StudyTable::setData(const QModelIndex& index, const QVariant& value, int ro
         return false;
     }
     const QString why = write(index.row(), index.column(), {{value.toString()}});
-    setRefused(index.row(), index.column(), value.toString(), why);
+    setRejected(index.row(), index.column(), value.toString(), why);
     Q_EMIT troubleChanged(trouble());
     Q_EMIT dataChanged(index, index);
     return why.isEmpty();
@@ -69,10 +69,10 @@ QString StudyTable::pasteBlock(int row, int column, const std::vector<QStringLis
     return why;
 }
 
-QStringList StudyTable::refusedNames() const {
+QStringList StudyTable::rejectedNames() const {
     QStringList names;
     for (int row = 0; row < rowCount(); ++row) {
-        for (const Cell& cell : refusedCells()) {
+        for (const Cell& cell : rejectedCells()) {
             if (cell.first == rowName(row)) {
                 names << text(row, Name, false);
             }
@@ -81,13 +81,13 @@ QStringList StudyTable::refusedNames() const {
     return names;
 }
 
-QString StudyTable::refusedText(const Cell& cell, const Refused& refused) const {
+QString StudyTable::rejectedText(const Cell& cell, const Rejected& rejected) const {
     for (int row = 0; row < rowCount(); ++row) {
         if (rowName(row) == cell.first) {
-            return text(row, Name, false) + QStringLiteral(": ") + refused.why;
+            return text(row, Name, false) + QStringLiteral(": ") + rejected.why;
         }
     }
-    return refused.why;
+    return rejected.why;
 }
 
 ScatterTable::ScatterTable(StudyModel* model, QObject* parent)
@@ -193,18 +193,18 @@ QString WatchTable::text(int row, int column, bool /*isEdited*/) const {
     const studies::Watched& shown = watched(row);
     return column == Name
                ? model_->resultName(shown.pointer).withUnit()
-               : model_->limitText(shown.pointer, column == Least ? shown.min : shown.max);
+               : model_->limitText(shown.pointer, column == Minimum ? shown.min : shown.max);
 }
 
 bool WatchTable::setData(const QModelIndex& index, const QVariant& value, int role) {
-    const int other = index.column() == Least ? Most : Least;
-    if (index.isValid() && refused().contains({rowName(index.row()), other})) {
+    const int other = index.column() == Minimum ? Maximum : Minimum;
+    if (index.isValid() && rejected().contains({rowName(index.row()), other})) {
         // It may be beside what is typed now, as one step.
-        QStringList both{text(index.row(), Least, true), text(index.row(), Most, true)};
+        QStringList both{text(index.row(), Minimum, true), text(index.row(), Maximum, true)};
         both[other - 1] = this->index(index.row(), other).data(Qt::EditRole).toString();
         both[index.column() - 1] = value.toString();
-        if (write(index.row(), Least, {both}).isEmpty()) {
-            setTaken(index.row(), Least, {both});
+        if (write(index.row(), Minimum, {both}).isEmpty()) {
+            setTaken(index.row(), Minimum, {both});
             return true;
         }
     }
@@ -229,7 +229,7 @@ QString WatchTable::write(int row, int column, const std::vector<QStringList>& c
                 continue;
             }
             const QString why = model_->readLimit(limit.pointer, line[i],
-                                                  column + i == Least ? limit.min : limit.max);
+                                                  column + i == Minimum ? limit.min : limit.max);
             if (!why.isEmpty()) {
                 troubles.add(cells.size() > 1 ? text(row, Name, false) + QStringLiteral(": ") + why
                                               : why);
@@ -238,7 +238,7 @@ QString WatchTable::write(int row, int column, const std::vector<QStringList>& c
         limits.push_back(limit);
         ++row;
     }
-    QString all = troubles.text(RefusingTable::tr("Also not accepted: %1"));
+    QString all = troubles.text(RejectingTable::tr("Also not accepted: %1"));
     return all.isEmpty() ? model_->setLimits(limits) : all;
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "model/refusing_table.h"
+#include "model/rejecting_table.h"
 #include "studies/model/study_model.h"
 
 namespace ravnoves {
 
 /// Rows of a study: names, and cells that are typed. What is typed or pasted is one step, all of it
 /// or nothing.
-class StudyTable : public RefusingTable {
+class StudyTable : public RejectingTable {
     Q_OBJECT
 
   public:
@@ -16,7 +16,7 @@ class StudyTable : public RefusingTable {
     SceneModel* scene() const final { return model_->scene(); }
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
     /// What rows with a text that is rejected are called.
-    QStringList refusedNames() const;
+    QStringList rejectedNames() const;
 
     int columnCount(const QModelIndex& parent = {}) const final;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -36,7 +36,7 @@ class StudyTable : public RefusingTable {
     StudyModel* model_;
 
   private:
-    QString refusedText(const Cell& cell, const Refused& refused) const override;
+    QString rejectedText(const Cell& cell, const Rejected& rejected) const override;
 
     QStringList headings_;
 };
@@ -72,7 +72,7 @@ class WatchTable final : public StudyTable {
     Q_OBJECT
 
   public:
-    enum Column { Least = 1, Most };
+    enum Column { Minimum = 1, Maximum };
 
     explicit WatchTable(StudyModel* model, QObject* parent = nullptr);
 

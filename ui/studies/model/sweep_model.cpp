@@ -124,7 +124,7 @@ class Sweeper {
     std::vector<std::vector<double>> inputs_;  ///< of each sample; the first is the one swept
 };
 
-/// Where the 95 % amount is least, of the places at which so many of the samples can be built.
+/// Where the 95 % amount is smallest, of the places at which so many of the samples can be built.
 std::optional<Sweep::Place> bestOf(const std::vector<Sweep::Place>& places, double built) {
     std::optional<Sweep::Place> best;
     for (const Sweep::Place& place : places) {
@@ -145,11 +145,11 @@ Sweep computed(Sweep sweep, const studies::Problem& problem, bool tellsBuilt,
     Sweeper sweeper(problem, tellsBuilt, progress);
     double done = static_cast<double>(places) / (places + rounds * finer);
     sweep.places = sweeper.at(studies::spaced(from, to, places), {0.0, done});
-    double most = 0.0;
+    double maximum = 0.0;
     for (const Sweep::Place& place : sweep.places) {
-        most = std::max(most, place.built);
+        maximum = std::max(maximum, place.built);
     }
-    const double built = std::min(most, Sweep::leastBuilt);
+    const double built = std::min(maximum, Sweep::minBuilt);
     sweep.best = bestOf(sweep.places, built);
     double step = (to - from) / (places - 1);
     for (int round = 0; round < rounds && sweep.best && !sweep.places.empty(); ++round) {

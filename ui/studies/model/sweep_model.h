@@ -25,7 +25,7 @@ struct Sweep {
         double built = 0.0;  ///< share of the samples that could be solved, and can be built
     };
     /// So many samples at least can be built at the best place.
-    static constexpr double leastBuilt = 0.95;
+    static constexpr double minBuilt = 0.95;
 
     std::string input;  ///< pointers
     std::string result;
@@ -33,7 +33,7 @@ struct Sweep {
     double half = 0.0;  ///< of the input's ±; 0 where it has none
     std::optional<double> nominalResult = {};
     std::vector<Place> places;
-    /// Where the 95 % amount is least, and so many samples can be built, or as many as anywhere;
+    /// Where the 95 % amount is smallest, and so many samples can be built, or as many as anywhere;
     /// between the places.
     std::optional<Place> best = {};
 };

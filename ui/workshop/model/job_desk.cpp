@@ -134,7 +134,7 @@ void JobDesk::replaceJob(qint64 id, int revision, const std::function<void()>& t
 
 void JobDesk::beginJob(const std::function<void()>& take) {
     replaceJob(0, 0, take);
-    Q_EMIT model_->begunAnew();
+    Q_EMIT model_->restarted();
 }
 
 QByteArray JobDesk::formText() const {
@@ -346,7 +346,7 @@ QString JobDesk::takeJob(qint64 id, bool isCopy) {
     }
     QString trouble = takeForm(job->form, job->id, job->revision, isCopy);
     if (trouble.isEmpty()) {
-        Q_EMIT model_->begunAnew();
+        Q_EMIT model_->restarted();
     }
     return trouble;
 }

@@ -85,7 +85,7 @@ QString WorkshopModel::adviceText(const Words& words) const {
     QString said;
     if (const ShiftEffect* effect = plugs()->shift_that_matters()) {
         // What can be done, not what the method alone would have.
-        said = words.message(describe_action(*plugs()->advice->option, effect->least_reduction,
+        said = words.message(describe_action(*plugs()->advice->option, effect->min_reduction,
                                              effect->greatest_reduction));
     } else if (plugs()->unbalanced_mass) {
         said = words.message(describe(*plugs()->advice, *plugs()->unbalanced_mass,

@@ -460,12 +460,12 @@ std::vector<long> tenthsOf(const bob_weights::Result& result) {
     while (left != 0 && !tenths.empty()) {
         const long step = left > 0 ? 1 : -1;
         std::size_t nearest = 0;
-        double most = -1.0;
+        double maximum = -1.0;
         for (std::size_t i = 0; i < tenths.size(); ++i) {
             const double short_by = static_cast<double>(step) * (result.lines[i].product() / tenth -
                                                                  static_cast<double>(tenths[i]));
-            if (short_by > most) {
-                most = short_by;
+            if (short_by > maximum) {
+                maximum = short_by;
                 nearest = i;
             }
         }
@@ -934,8 +934,8 @@ ResultCell massCell(const Words& words, double mass, bool isSlug) {
 void addDrilled(ResultRows& rows, const Words& words, const QString& run, const QString& plane,
                 const std::vector<Hole>& holes, bool isSlug) {
     for (auto first = holes.begin(); first != holes.end();) {
-        constexpr std::ptrdiff_t most = 4;
-        const auto end = first + std::min(most, holes.end() - first);
+        constexpr std::ptrdiff_t maximum = 4;
+        const auto end = first + std::min(maximum, holes.end() - first);
         const auto last = std::find_if(first, end, [&](const Hole& hole) {
             return hole.diameter != first->diameter || hole.depth != first->depth ||
                    hole.slug != first->slug;

@@ -100,12 +100,12 @@ Figure compensation(const WorkshopModel& model) {
         if (!option) {
             continue;
         }
-        const double most = option->max_reduction / gram;
-        curve.x = {0.0, most};
+        const double maximum = option->max_reduction / gram;
+        curve.x = {0.0, maximum};
         curve.y = {option->constant / gram, option->maximum / gram};
-        marks.push_back({most, option->maximum / gram, words.digits(option->maximum, gram, 2),
+        marks.push_back({maximum, option->maximum / gram, words.digits(option->maximum, gram, 2),
                          series(static_cast<int>(id))});
-        reach = std::max(reach, most);
+        reach = std::max(reach, maximum);
         lowest = std::min(lowest, option->constant / gram);
         highest = std::max(highest, option->maximum / gram);
     }

@@ -8,8 +8,8 @@
 namespace ravnoves {
 
 /// The verdict of a page; while an entry is rejected it says that it is of the value before.
-inline Verdict withRefused(Verdict verdict, const SceneModel& model) {
-    if (model.hasRefused()) {
+inline Verdict withRejected(Verdict verdict, const SceneModel& model) {
+    if (model.hasRejected()) {
         verdict.severity = std::max(verdict.severity, Severity::warning);
         verdict.text =
             Message(Text{"", "%1 %2"},

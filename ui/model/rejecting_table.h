@@ -10,18 +10,18 @@ namespace ravnoves {
 
 /// A table in which a rejected text stays in its cell, in red, until it is corrected or the case
 /// changes there; below it the case holds what it held.
-class RefusingTable : public EditableTable {
+class RejectingTable : public EditableTable {
     Q_OBJECT
 
   public:
     using EditableTable::EditableTable;
 
-    void takeBackRefused(const QModelIndex& at) override;
-    void forgetRefused() override;
+    void takeBackRejected(const QModelIndex& at) override;
+    void forgetRejected() override;
 
   protected:
     using Cell = std::pair<std::string, int>;  ///< name of the row, and column
-    struct Refused {
+    struct Rejected {
         QString text;
         QString why;
         QString below;
@@ -32,26 +32,26 @@ class RefusingTable : public EditableTable {
     /// What the case holds in a cell: what changes it mends the cell.
     virtual QString held(int /*row*/, int /*column*/) const { return {}; }
     /// What is rejected in a cell, as text, with what names the cell.
-    virtual QString refusedText(const Cell& /*cell*/, const Refused& refused) const {
-        return refused.why;
+    virtual QString rejectedText(const Cell& /*cell*/, const Rejected& rejected) const {
+        return rejected.why;
     }
     /// The same of the first cells, row by row, a line for each.
     QString trouble() const;
 
-    const std::map<Cell, Refused>& refused() const { return refused_; }
+    const std::map<Cell, Rejected>& rejected() const { return rejected_; }
     /// Those cells, row by row.
-    std::vector<Cell> refusedCells() const;
+    std::vector<Cell> rejectedCells() const;
     /// A text that was typed into a cell. @param why  it is rejected; empty where it is taken
-    void setRefused(int row, int column, const QString& text, const QString& why);
+    void setRejected(int row, int column, const QString& text, const QString& why);
     /// A block of cells was taken: nothing in it is rejected any more.
     void setTaken(int row, int column, const std::vector<QStringList>& cells);
     /// What a rejected cell shows, and whether it is one; invalid for all else.
-    QVariant refusedData(const QModelIndex& at, int role) const;
+    QVariant rejectedData(const QModelIndex& at, int role) const;
     /// Shows the case as it is now.
     void follow();
 
   private:
-    std::map<Cell, Refused> refused_;
+    std::map<Cell, Rejected> rejected_;
     int rows_ = 0;
     int columns_ = 0;
 };

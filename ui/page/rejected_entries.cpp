@@ -1,4 +1,4 @@
-#include "page/refused_entries.h"
+#include "page/rejected_entries.h"
 
 #include <QCoreApplication>
 #include <QMessageBox>
@@ -15,7 +15,7 @@ namespace ravnoves {
 namespace {
 
 QString said(const char* text) {
-    return QCoreApplication::translate("ravnoves::RefusedEntries", text);
+    return QCoreApplication::translate("ravnoves::RejectedEntries", text);
 }
 
 const QWidget* wholePage(const QWidget* part) {
@@ -33,65 +33,65 @@ QList<EntryField*> entriesOfPage(const QWidget* part) {
 
 namespace {
 
-void addTrouble(const TableEditor& table, QStringList& refused) {
+void addTrouble(const TableEditor& table, QStringList& rejected) {
     if (!table.trouble().isEmpty()) {
-        refused << table.view()->accessibleName() + QStringLiteral(": ") + table.trouble();
+        rejected << table.view()->accessibleName() + QStringLiteral(": ") + table.trouble();
     }
 }
 
-QStringList refusedOf(const QWidget* part, bool ofResultAlone) {
-    QStringList refused;
+QStringList rejectedOf(const QWidget* part, bool ofResultAlone) {
+    QStringList rejected;
     for (const EntryField* field : entriesOfPage(part)) {
         if (!field->trouble().isEmpty() && (field->isOfResult() || !ofResultAlone)) {
-            refused << field->accessibleName() + QStringLiteral(": ") + field->trouble();
+            rejected << field->accessibleName() + QStringLiteral(": ") + field->trouble();
         }
     }
     for (const TableEditor* table : wholePage(part)->findChildren<TableEditor*>()) {
-        addTrouble(*table, refused);
+        addTrouble(*table, rejected);
     }
-    return refused;
+    return rejected;
 }
 
 }  // namespace
 
-QStringList refusedEntries(const QWidget* part) {
-    QStringList refused = refusedOf(part, false);
+QStringList rejectedEntries(const QWidget* part) {
+    QStringList rejected = rejectedOf(part, false);
     if (const auto* page = qobject_cast<const ScenePage*>(wholePage(part))) {
         for (const QPointer<TableEditor>& table : page->tablesBeside()) {
             if (table) {
-                addTrouble(*table, refused);
+                addTrouble(*table, rejected);
             }
         }
     }
-    return refused;
+    return rejected;
 }
 
-QStringList refusedInputs(const QWidget* part) {
-    return refusedOf(part, true);
+QStringList rejectedInputs(const QWidget* part) {
+    return rejectedOf(part, true);
 }
 
-QString refusedWords(const QWidget* part) {
-    const QStringList refused = refusedEntries(part);
-    if (refused.isEmpty()) {
+QString rejectedWords(const QWidget* part) {
+    const QStringList rejected = rejectedEntries(part);
+    if (rejected.isEmpty()) {
         return {};
     }
     return said(QT_TRANSLATE_NOOP(
-               "ravnoves::RefusedEntries",
+               "ravnoves::RejectedEntries",
                "These entries were not accepted; the previous values are used:")) +
-           QStringLiteral("\n\n") + refused.join(QLatin1Char('\n'));
+           QStringLiteral("\n\n") + rejected.join(QLatin1Char('\n'));
 }
 
-bool goOnWithoutRefused(QWidget* part, const QString& title) {
-    const QString words = refusedWords(part);
+bool goOnWithoutRejected(QWidget* part, const QString& title) {
+    const QString words = rejectedWords(part);
     if (words.isEmpty()) {
         return true;
     }
     QMessageBox box(QMessageBox::Warning, title, words, QMessageBox::Ignore | QMessageBox::Cancel,
                     part->window());
     box.button(QMessageBox::Ignore)
-        ->setText(said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries", "&Continue without them")));
+        ->setText(said(QT_TRANSLATE_NOOP("ravnoves::RejectedEntries", "&Continue without them")));
     box.button(QMessageBox::Cancel)
-        ->setText(said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries", "&Stay")));
+        ->setText(said(QT_TRANSLATE_NOOP("ravnoves::RejectedEntries", "&Stay")));
     box.setDefaultButton(QMessageBox::Cancel);
     return box.exec() == QMessageBox::Ignore;
 }
