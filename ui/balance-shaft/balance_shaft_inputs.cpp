@@ -101,9 +101,9 @@ QTabWidget* BalanceShaftPage::buildInputs() {
     tabs->setFixedWidth(PageColumns::inputsWidth());
     auto* scroll = scrolled(form, tabs);
     tabs->addTab(scroll, tr("Inputs"));
-    source_ = new TorqueSourceEditor(model_, tabs);
-    source_->setObjectName(QStringLiteral("torque"));
-    tabs->addTab(source_, tr("Torque"));
+    auto* source = new TorqueSourceEditor(model_, tabs);
+    source->setObjectName(QStringLiteral("torque"));
+    tabs->addTab(source, tr("Torque"));
     return tabs;
 }
 

@@ -47,7 +47,6 @@ BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
          {&SceneModel::changed, &SceneModel::shownChanged, &SceneModel::rejectedInChanged}) {
         connect(model_, signal, this, &BalanceShaftPage::showVerdict);
     }
-    connect(model_, &SceneModel::shownChanged, angle_, &FieldSlider::follow);
     connect(model_, &BalanceShaftModel::rejected, this, &ScenePage::status);
     showBest();
     showVerdict();
@@ -59,19 +58,18 @@ QWidget* BalanceShaftPage::buildPlots() {
 
     auto* bar = new Panel(holder);
     QHBoxLayout* barRow = rowIn(bar, Theme::margin, barMargins);
-    angle_ =
+    auto* angle =
         new FieldSlider(model_, "/shaft_angle_deg", {0.0, 360.0, 0.1, 10.0, 2}, bar,
                         {.label = tr("Shaft angle &α"),
                          .hint = tr("Angle from the cylinder axis to the line of centres, in the "
                                     "direction of rotation; at 90° the shaft is beside the crank."),
                          .read = [this] { return model_->shaftAngleDeg(); },
                          .write = [this](double angle) { model_->setShaftAngleDeg(angle); }});
-    angle_->slider()->setObjectName(QStringLiteral("shaft_angle_slider"));
-    barRow->addWidget(angle_, 1);
+    connect(model_, &SceneModel::shownChanged, angle, &FieldSlider::follow);
+    barRow->addWidget(angle, 1);
     column->addWidget(bar);
 
-    views_ = new ShaftTabs(model_, holder);
-    column->addWidget(views_, 1);
+    column->addWidget(new ShaftTabs(model_, holder), 1);
     return holder;
 }
 
@@ -81,9 +79,8 @@ QWidget* BalanceShaftPage::buildAnswer() {
     holder->setMaximumWidth(Theme::withText(440));
     QVBoxLayout* column = columnIn(holder);
 
-    picture_ = new MechanismView(model_);
-    auto* picturePanel =
-        new PicturePanel(picture_, tr("Crank angle of the picture; 0 is top dead centre"), holder);
+    auto* picturePanel = new PicturePanel(
+        new MechanismView(model_), tr("Crank angle of the picture; 0 is top dead centre"), holder);
     playAction_ = picturePanel->action();
     column->addWidget(picturePanel, 1);
 
@@ -154,10 +151,6 @@ void BalanceShaftPage::doVerdictAct() {
     } else {
         model_->goToBest(Criterion::range);
     }
-}
-
-TorqueTableEditor* BalanceShaftPage::torqueEditor() const {
-    return source_->tableEditor();
 }
 
 SceneModel* BalanceShaftPage::model() {

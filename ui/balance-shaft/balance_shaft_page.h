@@ -13,11 +13,7 @@ class QTabWidget;
 namespace ravnoves {
 
 class BalanceShaftModel;
-class FieldSlider;
 class Form;
-class MechanismView;
-class TorqueSourceEditor;
-class TorqueTableEditor;
 class VerdictLine;
 
 /// The balance-shaft page: inputs, α slider, tabs, picture, results.
@@ -30,13 +26,6 @@ class BalanceShaftPage : public ScenePage {
     SceneModel* model() override;
     BalanceShaftModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override;
-
-    // For tests and for the frame benchmark.
-    FieldSlider* angleSlider() const { return angle_; }
-    MechanismView* picture() const { return picture_; }
-    TorqueTableEditor* torqueEditor() const;
-    TorqueSourceEditor* torqueSource() const { return source_; }
-    QTabWidget* views() const { return views_; }
 
   private:
     QTabWidget* buildInputs();
@@ -52,10 +41,6 @@ class BalanceShaftPage : public ScenePage {
     void doVerdictAct();
 
     BalanceShaftModel* model_;
-    TorqueSourceEditor* source_ = nullptr;
-    QTabWidget* views_ = nullptr;
-    FieldSlider* angle_ = nullptr;
-    MechanismView* picture_ = nullptr;
     /// The two ways to the best α of a criterion.
     struct Best {
         balance_shaft::SpeedStudy::Criterion criterion;

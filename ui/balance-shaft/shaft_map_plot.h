@@ -29,7 +29,6 @@ class ShaftMapPlot : public PartPlot {
     /// Where a place (m) is drawn.
     QPointF pixelOf(const ShaftMapModel::Position& position) const;
     ShaftMapModel::Position placeAt(const QPointF& pixel) const;
-    bool isDragging() const { return dragging_; }
     /// The field under the picture.
     QString csv(const CsvFormat& format) const override;
     const std::vector<ShaftMapLabels::Label>& labels() const { return labels_.all(); }

@@ -97,11 +97,10 @@ QWidget* ShaftMapView::buildBar() {
         model_, "/centre_distance_mm", {0.0, 200.0, 0.1, 10.0, 2}, bar,
         {.label = tr("Distance &l"),
          .hint = tr("Distance from crank axis to shaft axis; α is kept."),
+         .name = QStringLiteral("place_distance_mm"),
          // A new range is a new layout of the page: not at every step.
          .ends = [this] { return std::pair(0.0, std::ceil(map_->largestDistance() / units::mm)); },
          .write = [this](double value) { map_->setDistance(value * units::mm); }});
-    distance_->slider()->setObjectName(QStringLiteral("centre_distance_slider"));
-    distance_->box()->setObjectName(QStringLiteral("centre_distance_box"));
     column->addWidget(distance_);
 
     auto* row = new QHBoxLayout;
@@ -133,6 +132,7 @@ QWidget* ShaftMapView::buildBar() {
 
     weight_ = new ValueSlider(tr("&Weight of the range"), 0.0, 100.0, 1.0, 10.0, 0,
                               QStringLiteral("%"), bar);
+    weight_->box()->setObjectName(QStringLiteral("range_weight"));
     weight_->setHint(
         tr("Share of the range in the weighted sum, the rest is the RMS. Both are relative to no "
            "shaft."));

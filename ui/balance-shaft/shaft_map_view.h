@@ -27,9 +27,7 @@ class ShaftMapView : public QWidget {
     explicit ShaftMapView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     ShaftMapPlot* plot() const { return plot_; }
-    FieldSlider* distanceSlider() const { return distance_; }
     QComboBox* criterionChoice() const { return criterion_; }
-    ValueSlider* weightSlider() const { return weight_; }
     QLabel* words() const { return words_; }
     QTabWidget* charts() const { return tabs_; }
 

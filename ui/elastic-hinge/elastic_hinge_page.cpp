@@ -33,15 +33,16 @@ using elastic_hinge::Spring;
 ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(adopt<ElasticHingeModel>(kept)) {
     QWidget* inputs = buildInputs();
-    plots_ = new HingeTabs(model_, this);
     verdict_ = new VerdictLine(this);
     connect(verdict_, &VerdictLine::acted, model_, &ElasticHingeModel::takeMinimumPreload);
     QVBoxLayout* column = columnIn(this);
     column->addWidget(verdict_);
-    column->addWidget(
-        new PageColumns(
-            {.inputs = inputs, .tabs = forms_, .plots = plots_, .results = buildAnswer()}, this),
-        1);
+    column->addWidget(new PageColumns({.inputs = inputs,
+                                       .tabs = forms_,
+                                       .plots = new HingeTabs(model_, this),
+                                       .results = buildAnswer()},
+                                      this),
+                      1);
 
     connect(model_, &SceneModel::changed, this, &ElasticHingePage::showAnswer);
     connect(model_, &ElasticHingeModel::viewChanged, this, &ElasticHingePage::showAnimated);
@@ -136,9 +137,9 @@ QWidget* ElasticHingePage::buildAnswer() {
     holder->setMaximumWidth(Theme::withText(460));
     QVBoxLayout* column = columnIn(holder);
 
-    picture_ = new HingeMechanismView(model_);
     auto* picturePanel = new PicturePanel(
-        picture_, tr("Crank angle of the picture, counter-clockwise from the slider line"), holder);
+        new HingeMechanismView(model_),
+        tr("Crank angle of the picture, counter-clockwise from the slider line"), holder);
     playAction_ = picturePanel->action();
     playAction_->setToolTip(tr("Play the computed motion in slow motion"));
     animated_ = new QComboBox(picturePanel);

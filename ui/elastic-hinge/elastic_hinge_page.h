@@ -8,8 +8,6 @@ class QTabWidget;
 
 namespace ravnoves {
 
-class HingeMechanismView;
-class HingeTabs;
 class VerdictLine;
 
 /// The elastic-hinge page: sliders, inputs, search and export, plots, picture, answer.
@@ -23,11 +21,6 @@ class ElasticHingePage : public ScenePage {
     ElasticHingeModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override;
 
-    // For tests and for the frame benchmark.
-    HingeTabs* plots() const { return plots_; }
-    HingeMechanismView* picture() const { return picture_; }
-    QTabWidget* forms() const { return forms_; }
-
   private:
     QWidget* buildInputs();
     QWidget* buildSliders();
@@ -37,8 +30,6 @@ class ElasticHingePage : public ScenePage {
 
     ElasticHingeModel* model_;
     QTabWidget* forms_ = nullptr;
-    HingeTabs* plots_ = nullptr;
-    HingeMechanismView* picture_ = nullptr;
     QComboBox* animated_ = nullptr;
     VerdictLine* verdict_ = nullptr;
     QAction* playAction_ = nullptr;

@@ -19,8 +19,6 @@ class CylinderEditor : public TableEditor {
     explicit CylinderEditor(InertiaMomentsModel* model, QWidget* parent = nullptr)
         : CylinderEditor(model, newTable(model), parent) {}
 
-    CylinderTableModel* tableModel() const { return table_; }
-
   private:
     CylinderEditor(InertiaMomentsModel* model, CylinderTableModel* table, QWidget* parent);
     static CylinderTableModel* newTable(InertiaMomentsModel* model);

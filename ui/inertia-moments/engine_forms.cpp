@@ -254,29 +254,30 @@ EngineSliders::EngineSliders(InertiaMomentsModel* model, QWidget* parent) : Pane
     const auto bankEnds = [model] {
         return model->input().layout ? std::pair(0.0, 180.0) : std::pair(0.1, 360.0);
     };
-    bank_ = new FieldSlider(model, "/layout/bank_angle_deg", {0.0, 180.0, 0.1, 5.0, 1}, this,
-                            {.ends = bankEnds,
-                             .isMovable = of(&Model::canChangeBankAngle),
-                             .read = of(&Model::bankAngleDeg),
-                             .write = of(&Model::setBankAngleDeg)});
-    offset_ = new FieldSlider(model, "/layout/offset_mm", {-50.0, 50.0, 0.01, 1.0, 2}, this,
-                              {.ends = of(&Model::offsetLimitsMm),
-                               .isMovable = of(&Model::canChangeOffset),
-                               .read = of(&Model::offsetMm),
-                               .write = of(&Model::setOffsetMm)});
-    speed_ = new FieldSlider(model, "/speed_rpm", {100.0, 10000.0, 10.0, 500.0, 0}, this);
-    reference_ = new FieldSlider(model, "/reference_position_mm", {-500.0, 500.0, 0.1, 10.0, 1},
-                                 this, {.ends = of(&Model::referenceLimitsMm)});
+    auto* bank = new FieldSlider(model, "/layout/bank_angle_deg", {0.0, 180.0, 0.1, 5.0, 1}, this,
+                                 {.ends = bankEnds,
+                                  .isMovable = of(&Model::canChangeBankAngle),
+                                  .read = of(&Model::bankAngleDeg),
+                                  .write = of(&Model::setBankAngleDeg)});
+    auto* offset = new FieldSlider(model, "/layout/offset_mm", {-50.0, 50.0, 0.01, 1.0, 2}, this,
+                                   {.ends = of(&Model::offsetLimitsMm),
+                                    .isMovable = of(&Model::canChangeOffset),
+                                    .read = of(&Model::offsetMm),
+                                    .write = of(&Model::setOffsetMm)});
+    auto* speed = new FieldSlider(model, "/speed_rpm", {100.0, 10000.0, 10.0, 500.0, 0}, this);
+    auto* reference =
+        new FieldSlider(model, "/reference_position_mm", {-500.0, 500.0, 0.1, 10.0, 1}, this,
+                        {.ends = of(&Model::referenceLimitsMm)});
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
     grid->setHorizontalSpacing(2 * Theme::margin);
     grid->setVerticalSpacing(Theme::gap);
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(1, 1);
-    grid->addWidget(bank_, 0, 0);
-    grid->addWidget(offset_, 0, 1);
-    grid->addWidget(speed_, 1, 0);
-    grid->addWidget(reference_, 1, 1);
+    grid->addWidget(bank, 0, 0);
+    grid->addWidget(offset, 0, 1);
+    grid->addWidget(speed, 1, 0);
+    grid->addWidget(reference, 1, 1);
 }
 
 }  // namespace ravnoves

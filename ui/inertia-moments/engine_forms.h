@@ -8,7 +8,6 @@ class QComboBox;
 namespace ravnoves {
 
 class InertiaMomentsModel;
-class ValueSlider;
 
 /// Layout, crank gear and rod.
 class EngineForm : public Form {
@@ -16,8 +15,6 @@ class EngineForm : public Form {
 
   public:
     explicit EngineForm(InertiaMomentsModel* model);
-
-    QComboBox* layoutChoice() const { return layout_; }
 
   private:
     void addRodLength();
@@ -45,17 +42,6 @@ class EngineSliders : public Panel {
 
   public:
     EngineSliders(InertiaMomentsModel* model, QWidget* parent);
-
-    ValueSlider* bank() const { return bank_; }
-    ValueSlider* offset() const { return offset_; }
-    ValueSlider* speed() const { return speed_; }
-    ValueSlider* reference() const { return reference_; }
-
-  private:
-    ValueSlider* bank_;
-    ValueSlider* offset_;
-    ValueSlider* speed_;
-    ValueSlider* reference_;
 };
 
 }  // namespace ravnoves

@@ -20,9 +20,8 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     setMaximumWidth(Theme::withText(480));
     QVBoxLayout* column = columnIn(this);
 
-    picture_ = new EngineView(model_);
-    picturePanel_ =
-        new PicturePanel(picture_, tr("Crank angle of the picture, from cylinder 1's axis"), this);
+    picturePanel_ = new PicturePanel(
+        new EngineView(model_), tr("Crank angle of the picture, from cylinder 1's axis"), this);
     column->addWidget(picturePanel_, 5);
 
     auto* panel = new Panel(this);

@@ -6,7 +6,6 @@ class QTabWidget;
 
 namespace ravnoves {
 
-class EngineView;
 class InertiaMomentsModel;
 class PicturePanel;
 
@@ -17,14 +16,12 @@ class InertiaMomentsAnswer : public QWidget {
   public:
     InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* parent);
 
-    EngineView* picture() const { return picture_; }
     PicturePanel* picturePanel() const { return picturePanel_; }
 
   private:
     void addTable(const char* part, const QString& title, const QString& name);
 
     InertiaMomentsModel* model_;
-    EngineView* picture_;
     PicturePanel* picturePanel_;
     QTabWidget* tabs_;
 };

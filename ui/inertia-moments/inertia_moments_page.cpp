@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "inertia-moments/cylinder_editor.h"
+#include "inertia-moments/engine_forms.h"
+#include "inertia-moments/inertia_moments_charts.h"
 #include "page/rejected_verdict.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
@@ -17,7 +19,6 @@ namespace ravnoves {
 InertiaMomentsPage::InertiaMomentsPage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(adopt<InertiaMomentsModel>(kept)) {
     QTabWidget* inputs = makeInputs();
-    sliders_ = new EngineSliders(model_, this);
     answer_ = new InertiaMomentsAnswer(model_, this);
     verdict_ = new VerdictLine(this);
     const auto showVerdict = [this] { verdict_->show(withRejected(model_->verdict(), *model_)); };
@@ -33,7 +34,7 @@ InertiaMomentsPage::InertiaMomentsPage(QWidget* parent, SceneModel* kept)
                          .plots = scrolled(new InertiaMomentsCharts(model_, this), this),
                          .results = answer_,
                          .resultShare = 3,
-                         .top = sliders_},
+                         .top = new EngineSliders(model_, this)},
                         this),
         1);
 
@@ -45,14 +46,12 @@ QTabWidget* InertiaMomentsPage::makeInputs() {
     auto* inputs = new QTabWidget(this);
     inputs->setDocumentMode(true);
     inputs->setFixedWidth(PageColumns::inputsWidth());
-    engine_ = new EngineForm(model_);
-    cylinders_ = new CylinderEditor(model_, inputs);
     const auto add = [inputs](QWidget* view, const char* name, const QString& title) {
         view->setObjectName(QLatin1String(name));
         inputs->addTab(view, title);
     };
-    add(scrolled(engine_, inputs), "engine", tr("Engine"));
-    add(cylinders_, "cylinders", tr("Cylinders"));
+    add(scrolled(new EngineForm(model_), inputs), "engine", tr("Engine"));
+    add(new CylinderEditor(model_, inputs), "cylinders", tr("Cylinders"));
     add(scrolled(new BalancingForm(model_), inputs), "balancing", tr("Balancing"));
     return inputs;
 }

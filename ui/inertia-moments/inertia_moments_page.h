@@ -1,8 +1,6 @@
 #pragma once
 
-#include "inertia-moments/engine_forms.h"
 #include "inertia-moments/inertia_moments_answer.h"
-#include "inertia-moments/inertia_moments_charts.h"
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "page/mechanism_picture.h"
 #include "page/scene_page.h"
@@ -11,7 +9,6 @@ class QTabWidget;
 
 namespace ravnoves {
 
-class CylinderEditor;
 class VerdictLine;
 
 /// The inertia-moments page: layout library and table, sliders, plots over φ and by order, picture,
@@ -28,20 +25,11 @@ class InertiaMomentsPage : public ScenePage {
         return {answer_->picturePanel()->action(), shaftsAction_};
     }
 
-    // For tests.
-    EngineSliders* sliders() const { return sliders_; }
-    EngineForm* engineForm() const { return engine_; }
-    CylinderEditor* cylinderEditor() const { return cylinders_; }
-    InertiaMomentsAnswer* answer() const { return answer_; }
-
   private:
     QTabWidget* makeInputs();
     void addShaftsAction();
 
     InertiaMomentsModel* model_;
-    EngineForm* engine_ = nullptr;
-    CylinderEditor* cylinders_ = nullptr;
-    EngineSliders* sliders_;
     InertiaMomentsAnswer* answer_;
     VerdictLine* verdict_;
     QAction* shaftsAction_ = nullptr;

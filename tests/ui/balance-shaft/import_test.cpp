@@ -199,7 +199,7 @@ TEST_F(ImportTest, WhatIsCancelledChangesNothing) {
 
 TEST_F(ImportTest, TheWindowShowsAndChangesHowAFileIsRead) {
     const QString path = file(indicatorFile(engine));
-    TorqueSourceEditor* source = page.torqueSource();
+    TorqueSourceEditor* source = page.findChild<TorqueSourceEditor*>();
     const Json before = model->inputJson();
     const QString said = test::importBy(
         page, [&] { source->importTrace(path); },
@@ -252,10 +252,11 @@ TEST_F(ImportTest, EscapeAndAFileThatIsNotThereChangeNothing) {
     const QString path = file(indicatorFile(engine));
     test::whenModal<ImportDialog>(
         &page, [](ImportDialog* dialog) { QTest::keyClick(dialog, Qt::Key_Escape); });
-    page.torqueSource()->importTrace(path);  // perhaps while it is being read
+    page.findChild<TorqueSourceEditor*>()->importTrace(path);  // perhaps while it is being read
     EXPECT_EQ(model->inputJson(), before);
-    const QString said = test::importBy(
-        page, [&] { page.torqueSource()->importTrace(folder.filePath(QStringLiteral("none"))); });
+    const QString said = test::importBy(page, [&] {
+        page.findChild<TorqueSourceEditor*>()->importTrace(folder.filePath(QStringLiteral("none")));
+    });
     EXPECT_FALSE(said.isEmpty());
     EXPECT_EQ(model->inputJson(), before);
 }
@@ -266,7 +267,7 @@ TEST_F(ImportTest, TheCycleIsSavedWhereItIsAskedFor) {
     fileChoosers().save = [](QWidget*, const QString&, const QString& suggestion, const QString&,
                              QString*) { return suggestion; };
     test::importBy(
-        page, [&] { page.torqueSource()->importTrace(path); },
+        page, [&] { page.findChild<TorqueSourceEditor*>()->importTrace(path); },
         [](ImportDialog& dialog) {
             auto* decimal = test::named<QComboBox>(dialog, "import_decimal");
             EXPECT_EQ(decimal->currentIndex(), -1);
@@ -282,7 +283,7 @@ TEST_F(ImportTest, TheCycleIsSavedWhereItIsAskedFor) {
 TEST_F(ImportTest, ATorqueFileOfThreeColumnsBecomesTheTable) {
     const QString path =
         file("sample,angle,torque (lbf-ft)\n1,0,10\n2,180,-20\n3,360,30\n4,720,10\n", "m.csv");
-    test::importBy(page, [&] { page.torqueEditor()->importFile(path); });
+    test::importBy(page, [&] { page.findChild<TorqueTableEditor*>()->importFile(path); });
     ASSERT_EQ(model->input().torque.table.size(), 4U);
     EXPECT_NEAR(model->input().torque.table.torque[2], 30 * units::lbf_ft, 1e-9);
     EXPECT_EQ(model->input().torque.kind, balance_shaft::TorqueSource::Kind::table);

@@ -49,7 +49,7 @@ class BalanceShaftPageTest : public ::testing::Test {
 
     NumberField* field(const char* name) { return test::named<NumberField>(page, name); }
     TorqueTableModel* torqueTable() {
-        return static_cast<TorqueTableModel*>(page.torqueEditor()->table());
+        return static_cast<TorqueTableModel*>(page.findChild<TorqueTableEditor*>()->table());
     }
 
     BalanceShaftPage page;
@@ -57,7 +57,7 @@ class BalanceShaftPageTest : public ::testing::Test {
 };
 
 TEST_F(BalanceShaftPageTest, SliderDragMovesEverythingLive) {
-    QSlider* slider = page.angleSlider()->slider();
+    QSlider* slider = test::named<QSlider>(page, "shaft_angle_deg_slider");
     const auto columnsOf = [&] { return page.resultsAsText(); };
     const QString before = columnsOf();
     const int y = slider->height() / 2;
@@ -68,7 +68,7 @@ TEST_F(BalanceShaftPageTest, SliderDragMovesEverythingLive) {
     test::drag(slider, {x, y}, {x + 120, y});
     EXPECT_GT(model->shaftAngleDeg(), 60.0);
     EXPECT_NE(columnsOf(), before);
-    EXPECT_NEAR(*page.angleSlider()->box()->value(), model->shaftAngleDeg(), 0.051);
+    EXPECT_NEAR(*field("shaft_angle_deg")->value(), model->shaftAngleDeg(), 0.051);
     // The plot shows the new M_s.
     EXPECT_NEAR(*partPlot(page, "moments")->valueAt(1, 0.0),
                 model->result().moment_amplitude * std::sin(model->input().shaft_angle), 1e-6);
@@ -170,7 +170,8 @@ TEST_F(BalanceShaftPageTest, ATraceATurnOffIsMovedByAButton) {
     auto* move = test::named<QPushButton>(page, "verdict_act");
     EXPECT_NE(model->verdict().act, balance_shaft::move_trace_act);
     test::importBy(
-        page, [&] { page.torqueSource()->importTrace(file.fileName()); }, test::keepAngles);
+        page, [&] { page.findChild<TorqueSourceEditor*>()->importTrace(file.fileName()); },
+        test::keepAngles);
     EXPECT_TRUE(
         test::named<QLabel>(page, "verdict")->text().contains(QStringLiteral("by one turn")));
     EXPECT_FALSE(move->isHidden());
@@ -235,10 +236,11 @@ TEST_F(BalanceShaftPageTest, OffsetCylinderIsDrawnAndTurned) {
     type(field("offset_mm"), QStringLiteral("8"));
     EXPECT_EQ(model->input().cylinder.offset, 8e-3);
     EXPECT_GT(model->result().dead_centre, 0.0);
-    EXPECT_FALSE(page.picture()->grab().isNull());
+    EXPECT_FALSE(page.findChild<MechanismView*>()->grab().isNull());
     // A click straight above the crank's axis turns the crank there, before top dead centre.
     model->crank()->turnTo(60.0);
-    QTest::mouseClick(page.picture(), Qt::LeftButton, {}, QPoint(page.picture()->width() / 2, 30));
+    QTest::mouseClick(page.findChild<MechanismView*>(), Qt::LeftButton, {},
+                      QPoint(page.findChild<MechanismView*>()->width() / 2, 30));
     EXPECT_NEAR(model->crank()->degrees() + model->result().dead_centre / degree, 360.0, 0.5);
     model->history()->undo();
     EXPECT_EQ(model->input().cylinder.offset, 0.0);
@@ -344,7 +346,7 @@ TEST_F(BalanceShaftPageTest, ARejectedCellIsTheNewestThingToUndo) {
     model->setShaftAngleDeg(before + 25.0);
     model->finishDrag();
     TorqueTableModel* table = torqueTable();
-    QTableView* view = page.torqueEditor()->view();
+    QTableView* view = page.findChild<TorqueTableEditor*>()->view();
     const auto cell = [&](int row) { return table->index(row, 1).data().toString(); };
     const auto type = [&](int row, const char* text) {
         view->setCurrentIndex(table->index(row, 1));
@@ -402,12 +404,12 @@ TEST_F(BalanceShaftPageTest, ARejectedCellIsTheNewestThingToUndo) {
 TEST_F(BalanceShaftPageTest, TableTakesASpreadsheet) {
     QApplication::clipboard()->setText(
         QStringLiteral("angle\ttorque\n0\t0\n180\t100,5\n360\t0\n540\t-20\n720\t0\n"));
-    QTableView* view = page.torqueEditor()->view();
+    QTableView* view = page.findChild<TorqueTableEditor*>()->view();
     QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
     EXPECT_EQ(torqueTable()->rowCount(), 5);
     EXPECT_NEAR(model->result().M_up.min, -100.5, 1e-9);
     const auto says = [&](const char* text) {
-        const auto labels = page.torqueEditor()->findChildren<QLabel*>();
+        const auto labels = page.findChild<TorqueTableEditor*>()->findChildren<QLabel*>();
         return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
             return label->text().startsWith(QLatin1String(text));
         });
@@ -443,7 +445,8 @@ TEST_F(BalanceShaftPageTest, ImportNamesLineAndColumn) {
     write_text_file(path.toStdString(), "phi;M\n0;0\n180;x\n720;0\n");
     const Json before = model->inputJson();
     const auto imported = [&](const QString& from) {
-        return test::importBy(page, [&] { page.torqueEditor()->importFile(from); });
+        return test::importBy(page,
+                              [&] { page.findChild<TorqueTableEditor*>()->importFile(from); });
     };
     const QString trouble = imported(path);
     EXPECT_TRUE(trouble.contains(QStringLiteral("line 3"))) << trouble.toStdString();

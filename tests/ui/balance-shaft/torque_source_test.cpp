@@ -35,7 +35,7 @@ class TorqueSourceTest : public ::testing::Test {
         test::showAt(page, {1187, 712});
         page.activateWindow();
         model = page.viewModel();
-        source = page.torqueSource();
+        source = page.findChild<TorqueSourceEditor*>();
     }
     void choose(int index) {
         source->choice()->setCurrentIndex(index);

@@ -340,7 +340,7 @@ TEST_F(BalanceShaftViewsTest, AnEmptySpeedMapHasItsRemedyBesideIt) {
     EXPECT_TRUE(answer().contains(QStringLiteral("Best compromise"))) << answer().toStdString();
     EXPECT_NE(map->title(), empty);
     // The rebuilt numbers are shown shorter than they are.
-    const QAbstractItemModel* table = page.torqueEditor()->view()->model();
+    const QAbstractItemModel* table = page.findChild<TorqueTableEditor*>()->view()->model();
     for (int row = 0; row < table->rowCount(); ++row) {
         // A sign, a point, 6 digits, and zeros or an exponent.
         EXPECT_LE(table->index(row, 1).data(Qt::DisplayRole).toString().size(), 12);
@@ -448,7 +448,7 @@ TEST_F(BalanceShaftViewsTest, SizeFollowsTheShaft) {
 TEST_F(BalanceShaftViewsTest, RemediesMakeTheTorqueFit) {
     ASSERT_EQ(model->result().inertia_check.consistent, false);
     auto* tabs = page.findChild<QTabWidget*>();
-    tabs->setCurrentWidget(page.torqueSource());
+    tabs->setCurrentWidget(page.findChild<TorqueSourceEditor*>());
     QTest::mouseClick(page.findChild<QPushButton*>(QStringLiteral("use_matching_speed")),
                       Qt::LeftButton);
     EXPECT_EQ(model->result().inertia_check.consistent, true);

@@ -54,26 +54,9 @@ class ElasticHingePageTest : public ::testing::Test {
         combo->setCurrentIndex(index);
         Q_EMIT combo->activated(index);
     }
-    void bringForm(const char* name) {
-        QTabWidget* forms = page.forms();
-        for (int i = 0; i < forms->count(); ++i) {
-            if (forms->widget(i)->objectName() == QLatin1String(name)) {
-                QTest::mouseClick(forms->tabBar(), Qt::LeftButton, {},
-                                  forms->tabBar()->tabRect(i).center());
-            }
-        }
+    void bring(const char* tab) {
+        showTabOf(find<QWidget>(tab));
         QApplication::processEvents();
-    }
-    void bringPlots(const char* name) {
-        HingeTabs* plots = page.plots();
-        for (int i = 0; i < plots->count(); ++i) {
-            if (plots->widget(i)->objectName() == QLatin1String(name)) {
-                QTest::mouseClick(plots->tabBar(), Qt::LeftButton, {},
-                                  plots->tabBar()->tabRect(i).center());
-            }
-        }
-        QApplication::processEvents();
-        ASSERT_EQ(page.plots()->currentWidget()->objectName(), QLatin1String(name));
     }
     PlotView* plotOf(std::string_view part) { return partPlot(page, part); }
     QPushButton* cancelButton() { return find<QPushButton>("cancel_motion"); }
@@ -234,7 +217,7 @@ TEST_F(ElasticHingePageTest, FamiliesHaveTheCaseAmongThem) {
     model->setByKey(QStringLiteral("angular_speed_rad_s"), QStringLiteral("250"));
     int families = 0;
     for (const char* tab : {"rod-hinge", "side-force", "crank-moment"}) {
-        bringPlots(tab);
+        bring(tab);
         for (const PlotView* plot : page.findChildren<PlotView*>()) {
             for (int i = 0; i < plot->curveCount(); ++i) {
                 if (plot->isVisible() &&
@@ -264,9 +247,9 @@ TEST_F(ElasticHingePageTest, LambdaOneIsDrawnBySeriesOnly) {
     typeInBox("lambda", QStringLiteral("1"));
     EXPECT_EQ(model->input().lambda, 1.0);
     EXPECT_TRUE(find<QLabel>("verdict")->text().contains(QStringLiteral("locks")));
-    bringPlots("rod-hinge");
+    bring("rod-hinge");
     EXPECT_TRUE(plotOf("rod-moment")->valueAt(0, 90.0).has_value());
-    bringPlots("crank-moment");
+    bring("crank-moment");
     EXPECT_FALSE(plotOf("crank-moment")->valueAt(0, 90.0).has_value());
     // Back to the exact kinematics is rejected at λ = 1, and the choice shows it.
     choose("kinematics", 0);
@@ -277,7 +260,7 @@ TEST_F(ElasticHingePageTest, PlotsHoldThePapersFigures) {
     // Fig. 2: the guide, here enlarged: at φ = 0 on the circle of ρ₀.
     ASSERT_TRUE(plotOf("guides")->title().contains(QStringLiteral("500")));
     EXPECT_NEAR(*plotOf("relief")->valueAt(0, 90.0), 16.8, 0.05);  // µm
-    bringPlots("rod-hinge");
+    bring("rod-hinge");
     EXPECT_NEAR(*plotOf("rod-moment")->valueAt(0, 30.0), -14.849, 1e-3);
     EXPECT_NEAR(*plotOf("rod-moment")->valueAt(1, 30.0), -14.849 - 9.46481 / two_pi, 1e-3);
     EXPECT_NEAR(*plotOf("rod-moment")->valueAt(2, 30.0), -14.782, 1e-3);  // the series
@@ -285,24 +268,24 @@ TEST_F(ElasticHingePageTest, PlotsHoldThePapersFigures) {
               QStringLiteral("500\u00A0rad/s"));
     EXPECT_TRUE(plotOf("rod-moment-speeds")->data().curve(2).shown);
     EXPECT_EQ(plotOf("rod-moment-speeds")->curveCount(), 3);
-    bringPlots("side-force");
+    bring("side-force");
     EXPECT_NEAR(*plotOf("side-force-lambdas")->valueAt(1, 90.0), -9.4746, 1e-3);
     EXPECT_NEAR(*plotOf("side-force-speeds")->valueAt(0, 90.0), -94.746, 1e-2);
     EXPECT_NEAR(*plotOf("side-force-speeds")->valueAt(1, 60.0), 85.128, 1e-3);
-    bringPlots("crank-moment");
+    bring("crank-moment");
     EXPECT_NEAR(*plotOf("crank-moment")->valueAt(0, 30.0), 16.5966, 1e-3);
     EXPECT_NEAR(*plotOf("crank-moment")->valueAt(1, 30.0), -4.0567, 1e-3);
-    bringPlots("motion");
+    bring("motion");
     waitForMotions();
     EXPECT_NEAR(*plotOf("crank-speed")->valueAt(1, 2.5), 100.0, 1e-6);
     EXPECT_LT(*plotOf("crank-speed")->valueAt(0, 0.25), 60.0);
     // With a counterweight the moment is M₁*.
     QTest::mouseClick(find<QCheckBox>("rod_counterweight"), Qt::LeftButton, {}, QPoint(8, 8));
-    bringPlots("crank-moment");
+    bring("crank-moment");
     EXPECT_EQ(plotOf("crank-moment")->data().curve(1).style.name,
               QStringLiteral("with hinge (M₁*)"));
     // Nothing is left of the side force, and the axis does not enlarge the rounding.
-    bringPlots("side-force");
+    bring("side-force");
     const auto [low, high] = plotOf("side-force-lambdas")->data().left.interval();
     EXPECT_LT(low, -0.9);
     EXPECT_GT(high, 0.9);
@@ -386,20 +369,20 @@ TEST_F(ElasticHingePageTest, TablesAndPointsOfEnlargedGuidesHaveTheirTruePlaces)
 
 TEST_F(ElasticHingePageTest, AHandOnThePictureEndsItsMotion) {
     waitForMotions();
-    page.picture()->setPlaying(true);
+    page.findChild<HingeMechanismView*>()->setPlaying(true);
     QTest::qWait(150);
     EXPECT_TRUE(model->motionTime().has_value());
     // Straight above the crank's axis it stands at 90°.
-    QTest::mouseClick(page.picture(), Qt::LeftButton, {},
-                      QPoint(95, page.picture()->height() / 2 - 60));
-    EXPECT_FALSE(page.picture()->isPlaying());
+    QTest::mouseClick(page.findChild<HingeMechanismView*>(), Qt::LeftButton, {},
+                      QPoint(95, page.findChild<HingeMechanismView*>()->height() / 2 - 60));
+    EXPECT_FALSE(page.findChild<HingeMechanismView*>()->isPlaying());
     EXPECT_NEAR(model->crank()->degrees(), 90.0, 10.0);
-    QTest::keyClick(page.picture(), Qt::Key_Left);
+    QTest::keyClick(page.findChild<HingeMechanismView*>(), Qt::Key_Left);
     EXPECT_FALSE(model->motionTime().has_value());
 }
 
 TEST_F(ElasticHingePageTest, SearchTakesOverWhatItFound) {
-    bringForm("search");
+    bring("search");
     auto* answer = find<QLabel>("search_answer");
     EXPECT_TRUE(answer->text().contains(QStringLiteral("1.000\u00A0mm")))
         << answer->text().toStdString();
@@ -424,7 +407,7 @@ TEST_F(ElasticHingePageTest, SearchTakesOverWhatItFound) {
 }
 
 TEST_F(ElasticHingePageTest, ExportsAsTheFormIsSet) {
-    bringForm("export");
+    bring("export");
     const QTemporaryDir folder;
     choose("export_hinge", 2);
     choose("export_turns", 1);
@@ -443,7 +426,7 @@ TEST_F(ElasticHingePageTest, ExportsAsTheFormIsSet) {
 }
 
 TEST_F(ElasticHingePageTest, AnExportAsksAboutEntriesThatAreRejected) {
-    bringForm("export");
+    bring("export");
     type(find<NumberField>("step_deg"), QStringLiteral("-5"));
     QString asked;
     test::whenModal<QMessageBox>(&page, [&asked](QMessageBox* box) {
@@ -455,7 +438,7 @@ TEST_F(ElasticHingePageTest, AnExportAsksAboutEntriesThatAreRejected) {
 }
 
 TEST_F(ElasticHingePageTest, MotionIsCancelledByItsButton) {
-    bringPlots("motion");
+    bring("motion");
     waitForMotions();
     EXPECT_FALSE(cancelButton()->isVisible());
     type(find<NumberField>("turns"), QStringLiteral("1000"));

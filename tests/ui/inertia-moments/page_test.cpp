@@ -53,6 +53,10 @@ class InertiaMomentsPageTest : public ::testing::Test {
         return plot;
     }
     PartPlot* ofOrder(int number) { return shown(number == 1 ? "order-1" : "order-2"); }
+    QSlider* slider(const char* name) {
+        return test::named<QSlider>(page, (std::string(name) + "_slider").c_str());
+    }
+    CylinderTableModel* cylinders() { return page.findChild<CylinderTableModel*>(); }
     NumberField* field(const char* name) { return test::named<NumberField>(page, name); }
     static void tab(const QWidget& of, const char* name) {
         showTabOf(test::named<QWidget>(of, name));
@@ -82,9 +86,9 @@ class InertiaMomentsPageTest : public ::testing::Test {
 
 TEST_F(InertiaMomentsPageTest, DraggingTheBankAngleUpdatesEverythingLive) {
     const QString before = page.resultsAsText();
-    drag(page.sliders()->bank()->slider(), 40);
+    drag(slider("bank_angle_deg"), 40);
     EXPECT_GT(model->bankAngleDeg(), 25.0);
-    EXPECT_NEAR(*page.sliders()->bank()->box()->value(), model->bankAngleDeg(), 0.051);
+    EXPECT_NEAR(*field("bank_angle_deg")->value(), model->bankAngleDeg(), 0.051);
     EXPECT_NE(page.resultsAsText(), before);
     // The plots show the new moments: curve 2 is the exact My.
     const RotatingPair& pair = model->result().unbalanced.order(1).moment;
@@ -93,20 +97,20 @@ TEST_F(InertiaMomentsPageTest, DraggingTheBankAngleUpdatesEverythingLive) {
                 model->result().exact.order(2).moment.at(60.0 * degree).real(), 1e-9);
     EXPECT_EQ(model->history()->count(), 1);
     model->history()->undo();
-    EXPECT_NEAR(page.sliders()->bank()->value(), 15.0, 1e-9);
+    EXPECT_NEAR(*field("bank_angle_deg")->value(), 15.0, 1e-9);
 }
 
 TEST_F(InertiaMomentsPageTest, EverySliderMovesItsValue) {
-    drag(page.sliders()->offset()->slider(), -30);
+    drag(slider("offset_mm"), -30);
     EXPECT_LT(model->offsetMm(), 12.0);
-    drag(page.sliders()->speed()->slider(), -30);
+    drag(slider("speed_rpm"), -30);
     EXPECT_LT(model->input().angular_speed / units::rpm, 6100.0);
-    drag(page.sliders()->reference()->slider(), 20);
+    drag(slider("reference_position_mm"), 20);
     EXPECT_GT(model->input().reference_position / units::mm, 2.0);
-    QTest::keyClick(page.sliders()->speed()->slider(), Qt::Key_Right);
-    page.sliders()->speed()->slider()->setFocus(Qt::TabFocusReason);
-    test::turnWheel(page.sliders()->speed()->slider(), QPoint(20, 8), 1);
-    auto* box = page.sliders()->offset()->box();
+    QTest::keyClick(slider("speed_rpm"), Qt::Key_Right);
+    slider("speed_rpm")->setFocus(Qt::TabFocusReason);
+    test::turnWheel(slider("speed_rpm"), QPoint(20, 8), 1);
+    auto* box = field("offset_mm");
     box->setFocus();
     box->selectAll();
     QTest::keyClicks(box, QStringLiteral("10,25"));
@@ -124,16 +128,16 @@ TEST_F(InertiaMomentsPageTest, EverySliderMovesItsValue) {
 
 TEST_F(InertiaMomentsPageTest, SlidersThatMeanNothingAreOff) {
     model->chooseLayout(QStringLiteral("i4"));
-    EXPECT_FALSE(page.sliders()->bank()->isEnabled());
-    EXPECT_TRUE(page.sliders()->offset()->isEnabled());
+    EXPECT_FALSE(slider("bank_angle_deg")->isEnabled());
+    EXPECT_TRUE(slider("offset_mm")->isEnabled());
     model->chooseLayout(QStringLiteral("table"));
-    EXPECT_FALSE(page.sliders()->offset()->isEnabled());
+    EXPECT_FALSE(slider("offset_mm")->isEnabled());
     model->chooseLayout(QStringLiteral("vr6"));
-    EXPECT_TRUE(page.sliders()->bank()->isEnabled());
+    EXPECT_TRUE(slider("bank_angle_deg")->isEnabled());
 }
 
 TEST_F(InertiaMomentsPageTest, LayoutsAreChosenFromTheList) {
-    QComboBox* box = page.engineForm()->layoutChoice();
+    QComboBox* box = test::named<QComboBox>(page, "layout");
     box->setFocus();
     QTest::keyClick(box, Qt::Key_Home);
     for (int i = 0; i < box->count() - 1; ++i) {
@@ -264,7 +268,7 @@ TEST_F(InertiaMomentsPageTest, ArticulatedRodsAreEditedInTheTable) {
     model->finishDrag();
     EXPECT_TRUE(box->isVisible());
     EXPECT_FALSE(box->isChecked());
-    QTableView* view = page.cylinderEditor()->view();
+    QTableView* view = page.findChild<CylinderEditor*>()->view();
     EXPECT_EQ(view->model()->columnCount(), CylinderTableModel::KnuckleRadius);
     const double plain = model->result().exact.order(2).force.max();
     EXPECT_TRUE(messageText(model->verdict().text).contains(QStringLiteral("Articulated rods")));
@@ -310,7 +314,7 @@ TEST_F(InertiaMomentsPageTest, ArticulatedRodsAreEditedInTheTable) {
     EXPECT_NEAR(rod->knuckle_mass, 0.2, 1e-15);
     EXPECT_FALSE(cell(2, CylinderTableModel::RodLength).data(Qt::FontRole).value<QFont>().italic());
     // What cannot be stays red in its cell, with the reason below.
-    QSignalSpy trouble(page.cylinderEditor()->tableModel(), &EditableTable::troubleChanged);
+    QSignalSpy trouble(cylinders(), &EditableTable::troubleChanged);
     EXPECT_TRUE(typeInto(2, CylinderTableModel::RodLength, "40"));
     EXPECT_NEAR(*rod->rod_length, 0.133, 1e-15);
     EXPECT_TRUE(cell(2, CylinderTableModel::RodLength).data(EditableTable::TroubleRole).toBool());
@@ -318,11 +322,11 @@ TEST_F(InertiaMomentsPageTest, ArticulatedRodsAreEditedInTheTable) {
     EXPECT_TRUE(typeInto(3, CylinderTableModel::Master, "3"));
     EXPECT_TRUE(trouble.last().at(0).toString().contains(QStringLiteral("articulated too")));
     // The picture has the knuckle pins.
-    const QImage hung = page.answer()->picture()->grab().toImage();
+    const QImage hung = page.findChild<EngineView*>()->grab().toImage();
     EXPECT_TRUE(typeInto(1, CylinderTableModel::KnuckleRadius, "20"));
-    EXPECT_NE(page.answer()->picture()->grab().toImage(), hung);
+    EXPECT_NE(page.findChild<EngineView*>()->grab().toImage(), hung);
     // Masters keep their cylinders; without one the others cannot run.
-    CylinderTableModel* table = page.cylinderEditor()->tableModel();
+    CylinderTableModel* table = cylinders();
     table->removeRowRange(2, 1);
     ASSERT_EQ(model->input().cylinders.size(), 4U);
     EXPECT_EQ(model->result().engine.knuckles[3]->master, 0U);
@@ -384,10 +388,7 @@ TEST_F(InertiaMomentsPageTest, ARadialOfTheListHasArticulatedRods) {
     tab("firing");
     EXPECT_FALSE(page.grab().isNull());
     // Dead centres and strokes are read at the numbers of the cylinders.
-    EXPECT_EQ(page.cylinderEditor()
-                  ->tableModel()
-                  ->headerData(3, Qt::Vertical, Qt::ToolTipRole)
-                  .toString(),
+    EXPECT_EQ(cylinders()->headerData(3, Qt::Vertical, Qt::ToolTipRole).toString(),
               QStringLiteral("Top dead centre 3.303° from its axis, stroke 175.19\u00A0mm"));
     // A rigid rod for all is rejected in words.
     auto* rigid = page.findChild<QCheckBox*>(QStringLiteral("rigid_rod"));
@@ -406,8 +407,8 @@ TEST_F(InertiaMomentsPageTest, ARadialOfTheListHasArticulatedRods) {
 TEST_F(InertiaMomentsPageTest, ARejectedCellIsNamedUntilItIsCorrected) {
     model->chooseLayout(QStringLiteral("radial-9"));
     tab("cylinders");
-    CylinderTableModel* table = page.cylinderEditor()->tableModel();
-    auto* line = page.cylinderEditor()->findChild<TroubleLine*>();
+    CylinderTableModel* table = cylinders();
+    auto* line = page.findChild<CylinderEditor*>()->findChild<TroubleLine*>();
     ASSERT_NE(line, nullptr);
     QSignalSpy status(&page, &ScenePage::status);
     const auto put = [&](int row, int column, const char* text) {
@@ -448,7 +449,7 @@ TEST_F(InertiaMomentsPageTest, ARejectedCellIsNamedUntilItIsCorrected) {
 TEST_F(InertiaMomentsPageTest, ARadialShowsStrokesAndForces) {
     EXPECT_EQ(ofOrder(1)->title(), QStringLiteral("Order 1"));
     model->chooseLayout(QStringLiteral("radial-9"));
-    CylinderTableModel* table = page.cylinderEditor()->tableModel();
+    CylinderTableModel* table = cylinders();
     EXPECT_EQ(table->index(3, CylinderTableModel::TopDeadCentre).data().toString(),
               QStringLiteral("3.303"));
     const auto stroke = table->index(3, CylinderTableModel::Stroke);
@@ -578,7 +579,7 @@ TEST_F(InertiaMomentsPageTest, TheOrderOfAShaftIsAFieldAsAny) {
 
 TEST_F(InertiaMomentsPageTest, CylindersAreEditedAsATable) {
     tab("cylinders");
-    CylinderTableModel* table = page.cylinderEditor()->tableModel();
+    CylinderTableModel* table = cylinders();
     ASSERT_EQ(table->rowCount(), 5);
     QSignalSpy trouble(table, &EditableTable::troubleChanged);
     EXPECT_TRUE(table->setData(table->index(1, CylinderTableModel::CrankpinAngle),
@@ -613,7 +614,7 @@ TEST_F(InertiaMomentsPageTest, CylindersAreEditedAsATable) {
 
 TEST_F(InertiaMomentsPageTest, CylindersAreTypedPastedAndCopied) {
     tab("cylinders");
-    QTableView* view = page.cylinderEditor()->view();
+    QTableView* view = page.findChild<CylinderEditor*>()->view();
     view->setFocus();
     // A V-twin from a spreadsheet over the first rows.
     view->setCurrentIndex(view->model()->index(0, 0));
@@ -650,7 +651,7 @@ TEST_F(InertiaMomentsPageTest, CylindersAreTypedPastedAndCopied) {
 }
 
 TEST_F(InertiaMomentsPageTest, ADragTurnsThePictureWithoutAJumpAtThePress) {
-    EngineView* picture = page.answer()->picture();
+    EngineView* picture = page.findChild<EngineView*>();
     const double before = model->crank()->degrees();
     QTest::mousePress(picture, Qt::LeftButton, {}, QPoint(30, 150));
     EXPECT_NEAR(model->crank()->degrees(), before, 1e-9);
@@ -729,20 +730,20 @@ TEST_F(InertiaMomentsPageTest, ForcesAndMomentsStandOverTheCrankAngle) {
     EXPECT_GT(shown("moments-over-angle")->data().left.interval().second, 10.0);
     // A change of the input is there at once.
     const double before = *shown("forces-over-angle")->valueAt(0, 30.0);
-    drag(page.sliders()->speed()->slider(), -30);
+    drag(slider("speed_rpm"), -30);
     EXPECT_LT(std::abs(*shown("forces-over-angle")->valueAt(0, 30.0)), std::abs(before));
 }
 
 TEST_F(InertiaMomentsPageTest, HodographsAreThoseOfTheInputWhateverWasDraggedBefore) {
     tab("hodographs");
-    drag(page.sliders()->speed()->slider(), 60);
+    drag(slider("speed_rpm"), 60);
     model->editField("/lambda", 0.4, {});
     QApplication::processEvents();
     model->undo();
     model->editField("/speed_rpm", 4000.0, {});
     QApplication::processEvents();
-    drag(page.sliders()->speed()->slider(), 40);
-    drag(page.sliders()->speed()->slider(), -15);
+    drag(slider("speed_rpm"), 40);
+    drag(slider("speed_rpm"), -15);
     InertiaMomentsPage fresh;
     fresh.viewModel()->loadInput(model->inputJson(), {});
     test::showAt(fresh, {1187, 712});
@@ -755,10 +756,10 @@ TEST_F(InertiaMomentsPageTest, HodographsAreThoseOfTheInputWhateverWasDraggedBef
 TEST_F(InertiaMomentsPageTest, AxesFollowKeysThatPause) {
     tab("hodographs");
     const inertia_moments::Input before = model->input();
-    QSlider* slider = page.sliders()->speed()->slider();
-    slider->setFocus();
+    QSlider* speed = slider("speed_rpm");
+    speed->setFocus();
     for (int i = 0; i < 60; ++i) {
-        QTest::keyClick(slider, Qt::Key_Left);
+        QTest::keyClick(speed, Qt::Key_Left);
     }
     EXPECT_TRUE(model->isMoved());
     QTRY_VERIFY(!model->isMoved());
@@ -770,7 +771,7 @@ TEST_F(InertiaMomentsPageTest, AxesFollowKeysThatPause) {
         EXPECT_EQ(shown(part)->grab().toImage(), partPlot(fresh, part)->grab().toImage()) << part;
     }
     // What follows is one step with them.
-    QTest::keyClick(slider, Qt::Key_Left);
+    QTest::keyClick(speed, Qt::Key_Left);
     model->undo();
     EXPECT_EQ(model->input(), before);
 }

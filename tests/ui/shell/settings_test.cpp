@@ -217,7 +217,7 @@ TEST_F(Settings, WhatWasChosenBesideTheCaseSurvivesANewPage) {
     window.showScene(u"balance-shaft"_s);
     choose("map_criterion", Qt::Key_End);
     auto* map = window.currentPage()->findChild<ShaftMapView*>();
-    test::type(map->weightSlider()->box(), u"70"_s);
+    test::type(test::named<NumberField>(*map, "range_weight"), u"70"_s);
     const auto speedCriterion = [this] {
         return window.currentPage()->findChild<SpeedView*>()->criterionChoice();
     };
@@ -228,7 +228,7 @@ TEST_F(Settings, WhatWasChosenBesideTheCaseSurvivesANewPage) {
     QApplication::processEvents();
     map = window.currentPage()->findChild<ShaftMapView*>();
     EXPECT_EQ(map->criterionChoice()->currentIndex(), 2);
-    EXPECT_EQ(map->weightSlider()->box()->value(), 70.0);
+    EXPECT_EQ(test::named<NumberField>(*map, "range_weight")->value(), 70.0);
     EXPECT_EQ(speedCriterion()->currentIndex(), 1);
     window.showScene(u"elastic-hinge"_s);
     EXPECT_EQ(onPage<QComboBox>("export_hinge")->currentIndex(), 2);

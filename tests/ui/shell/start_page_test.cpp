@@ -289,7 +289,7 @@ TEST_F(StartInTheWindow, TwoClicksLeadToAMovingSlider) {
     EXPECT_FALSE(window.isAtStart());
     EXPECT_TRUE(action(u"Save case"_s)->isEnabled());
     QApplication::processEvents();
-    auto* slider = test::named<QSlider>(*window.currentPage(), "shaft_angle_slider");
+    auto* slider = test::named<QSlider>(*window.currentPage(), "shaft_angle_deg_slider");
     ASSERT_NE(slider, nullptr);
     auto* field = qobject_cast<ValueSlider*>(slider->parentWidget());
     ASSERT_NE(field, nullptr);

@@ -132,7 +132,7 @@ TEST_F(Bands, AreThereAgainWhenTheHandRests) {
     PlotView* moments = plot(3);
     const std::vector<double> before = curve(moments, 1).above;
     EXPECT_GT(texts().size(), 1);
-    auto* slider = test::named<QSlider>(*page, "shaft_angle_slider");
+    auto* slider = test::named<QSlider>(*page, "shaft_angle_deg_slider");
     slider->setFocus();
     QTest::keyClick(slider, Qt::Key_PageUp);
     EXPECT_FALSE(curve(moments, 1).hasSpread());
