@@ -18,7 +18,6 @@
 
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
-#include "case-file/json.h"
 #include "case-file/json_text.h"
 #include "case-file/system_fault.h"
 #include "case-file/text_file.h"

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "balance-shaft/position_study.h"
-#include "balance-shaft/scene.h"
 #include "balance-shaft/speed_study.h"
 #include "case-file/json.h"
 #include "test_cases.h"

@@ -7,7 +7,6 @@
 #include "balance-shaft/presets.h"
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
-#include "case-file/json.h"
 
 namespace ravnoves::balance_shaft {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/presets.h"
-#include "balance-shaft/scene.h"
 #include "case-file/json.h"
 #include "test_cases.h"
 

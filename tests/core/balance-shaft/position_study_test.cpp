@@ -5,7 +5,6 @@
 #include <array>
 #include <random>
 
-#include "balance-shaft/scene.h"
 #include "case-file/json.h"
 #include "test_cases.h"
 

@@ -6,7 +6,6 @@
 #include "balance-shaft/mechanism.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/results.h"
-#include "balance-shaft/scene.h"
 #include "balance-shaft/solver.h"
 #include "case-file/json.h"
 #include "example_check.h"

@@ -5,7 +5,6 @@
 #include <random>
 
 #include "balance-shaft/engine_torque.h"
-#include "balance-shaft/scene.h"
 #include "test_cases.h"
 
 namespace ravnoves::balance_shaft {

@@ -1,7 +1,6 @@
 #include "elastic-hinge/guide_search.h"
 
 #include "elastic-hinge/presets.h"
-#include "support.h"
 
 namespace ravnoves::elastic_hinge {
 namespace {

@@ -6,7 +6,6 @@
 #include <array>
 #include <map>
 
-#include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "engines.h"
 #include "inertia-moments/scene.h"

@@ -7,7 +7,6 @@
 
 #include "balance-shaft/angle_search.h"
 #include "elastic-hinge/presets.h"
-#include "elastic-hinge/solver.h"
 #include "methods/kernel.h"
 #include "methods/reference_mechanism.h"
 #include "methods/torque_cycle.h"

@@ -23,7 +23,6 @@
 #include "inertia-moments/engine_view.h"
 #include "inertia-moments/model/cylinder_table_model.h"
 #include "inertia-moments/model/inertia_moments_model.h"
-#include "inertia-moments/presets.h"
 #include "inertia-moments/shaft_view.h"
 #include "page/part_views.h"
 #include "theme/theme.h"

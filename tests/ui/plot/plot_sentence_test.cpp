@@ -1,7 +1,5 @@
 // A plot in words, and its units: what a screen reader says.
 
-#include "plot/model/plot_sentence.h"
-
 #include <gtest/gtest.h>
 
 #include <QAccessible>

@@ -14,7 +14,6 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include "case-file/json.h"
 #include "events.h"
 #include "page/scene_page.h"
 #include "shell/help_window.h"

@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "events.h"
-#include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"

@@ -6,7 +6,6 @@
 #include <QVBoxLayout>
 
 #include "events.h"
-#include "widgets/number_field.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {
