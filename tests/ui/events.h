@@ -12,6 +12,8 @@
 #include <QWidget>
 #include <algorithm>
 
+#include "comes.h"  // IWYU pragma: export
+
 namespace ravnoves::test {
 
 /// A turn of the wheel by `notches` over a point of a widget.
@@ -67,7 +69,7 @@ inline void showAt(QWidget& widget, const QSize& size) {
 /// pointer reads nothing until the pointer moves again, and its place may be another.
 template <typename Place, typename Holds>
 bool pointUntil(QWidget* widget, Place place, Holds holds) {
-    return QTest::qWaitFor([&] {
+    return comes([&] {
         const QPointF at = place();
         QTest::mouseMove(widget, at.toPoint() + QPoint(1, 0));
         QTest::mouseMove(widget, at.toPoint());

@@ -14,7 +14,7 @@ namespace ravnoves::test {
 /// Waits until the import window shows the file by its present settings.
 inline bool isRead(const ImportDialog& dialog) {
     const auto* progress = dialog.findChild<QProgressBar*>();
-    return QTest::qWaitFor([progress] { return !progress->isVisible(); });
+    return test::comes([progress] { return !progress->isVisible(); });
 }
 
 /// Leaves the angles of a trace as they are.

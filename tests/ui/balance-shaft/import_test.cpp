@@ -18,6 +18,7 @@
 #include "balance-shaft/torque_table_editor.h"
 #include "case-file/decimal.h"
 #include "case-file/text_file.h"
+#include "events.h"
 #include "import_file.h"
 #include "model/background_job.h"
 #include "pictures/file_dialogs.h"
@@ -63,7 +64,7 @@ class ImportTest : public ::testing::Test {
         return path;
     }
     static bool isRead(const ImportModel& import) {
-        return QTest::qWaitFor([&] { return !import.job()->isRunning(); });
+        return test::comes([&] { return !import.job()->isRunning(); });
     }
     /// The case as it is, saved beside the file and opened again.
     balance_shaft::Input reopened() const {

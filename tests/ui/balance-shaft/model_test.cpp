@@ -10,8 +10,8 @@
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/relieved_shaft_model.h"
 #include "balance-shaft/model/speed_study_model.h"
-#include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "events.h"
 #include "model/background_job.h"
 #include "model/input_differences.h"
 #include "model/reference_case.h"
@@ -200,7 +200,7 @@ TEST(SpeedStudyModel, AnswersForTheInputThatIsThere) {
     EXPECT_EQ(study.answer(), QString());
     const auto solve = [&] {
         study.need();
-        return QTest::qWaitFor([&] { return !study.job()->isRunning(); }, 20000);
+        return test::comes([&] { return !study.job()->isRunning(); });
     };
     ASSERT_TRUE(solve());
     ASSERT_TRUE(study.isSolved());

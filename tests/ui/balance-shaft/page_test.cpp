@@ -27,7 +27,6 @@
 #include "page/part_views.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
-#include "widgets/field_slider.h"
 #include "widgets/number_field.h"
 #include "widgets/value_slider.h"
 #include "widgets/verdict_line.h"

@@ -333,9 +333,8 @@ TEST_F(ShaftMapTest, AgainstAReferenceItShowsItsMapToo) {
     model->edit(QStringLiteral("Radius"),
                 [](balance_shaft::Input& input) { input.crank_radius *= 1.2; });
     wait();
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return plot->referenceMap() != nullptr && plot->referenceMap()->map() != nullptr; },
-        60'000));
+    ASSERT_TRUE(test::comes(
+        [&] { return plot->referenceMap() != nullptr && plot->referenceMap()->map() != nullptr; }));
     QApplication::processEvents();
     const ShaftMapModel& other = *plot->referenceMap();
     EXPECT_TRUE(plot->data().hasGhosts());  // hence its entry in the legend
@@ -580,12 +579,12 @@ TEST_F(ShaftMapTest, WhatIsShownRestsDuringADragAndFollowsAfterIt) {
     const double reached = length();
     EXPECT_GT(reached, view);
     QTest::mouseRelease(plot, Qt::LeftButton, {}, corner.toPoint());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return map->map() != before && !map->isStale(); }, 30'000));
+    EXPECT_TRUE(test::comes([&] { return map->map() != before && !map->isStale(); }));
     EXPECT_EQ(length(), reached);
     EXPECT_GT(map->map()->view, reached);
     // Back where it was, so is what is shown.
     model->undo();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return map->map()->view == view; }, 30'000));
+    EXPECT_TRUE(test::comes([&] { return map->map()->view == view; }));
 }
 
 TEST_F(ShaftMapTest, WordsFollowTheShaft) {

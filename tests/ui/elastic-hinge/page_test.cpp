@@ -369,15 +369,14 @@ TEST_F(ElasticHingePageTest, TablesAndPointsOfEnlargedGuidesHaveTheirTruePlaces)
 
 TEST_F(ElasticHingePageTest, AHandOnThePictureEndsItsMotion) {
     waitForMotions();
-    page.findChild<HingeMechanismView*>()->setPlaying(true);
-    QTest::qWait(150);
-    EXPECT_TRUE(model->motionTime().has_value());
+    auto* picture = page.findChild<HingeMechanismView*>();
+    picture->setPlaying(true);
+    EXPECT_TRUE(test::comes([&] { return model->motionTime().has_value(); }));
     // Straight above the crank's axis it stands at 90°.
-    QTest::mouseClick(page.findChild<HingeMechanismView*>(), Qt::LeftButton, {},
-                      QPoint(95, page.findChild<HingeMechanismView*>()->height() / 2 - 60));
-    EXPECT_FALSE(page.findChild<HingeMechanismView*>()->isPlaying());
+    QTest::mouseClick(picture, Qt::LeftButton, {}, QPoint(95, picture->height() / 2 - 60));
+    EXPECT_FALSE(picture->isPlaying());
     EXPECT_NEAR(model->crank()->degrees(), 90.0, 10.0);
-    QTest::keyClick(page.findChild<HingeMechanismView*>(), Qt::Key_Left);
+    QTest::keyClick(picture, Qt::Key_Left);
     EXPECT_FALSE(model->motionTime().has_value());
 }
 

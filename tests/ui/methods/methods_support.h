@@ -5,16 +5,14 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "events.h"
 #include "methods/model/methods_model.h"
 
 namespace ravnoves::test {
 
-inline constexpr int patience = 60'000;  ///< ms: the machine may be busy
-
 /// Waits until what is chosen has been measured.
 inline void waitUntilMeasured(MethodsModel& model) {
-    ASSERT_TRUE(
-        QTest::qWaitFor([&] { return model.shown() != nullptr && !model.isStale(); }, patience));
+    ASSERT_TRUE(comes([&] { return model.shown() != nullptr && !model.isStale(); }));
 }
 
 /// Measures without the page being in front.

@@ -10,6 +10,7 @@
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "events.h"
 #include "example_check.h"
 #include "methods/model/case_budget_model.h"
 #include "methods_support.h"
@@ -85,7 +86,7 @@ TEST(CaseBudgetModel, ShowsEachLeadingResultWithWhatChangesIt) {
     EXPECT_TRUE(messageText(model.verdict().text).startsWith(QStringLiteral("Open a case")));
     const auto load = [&](const std::optional<OpenCase>& open) {
         model.load(open);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !model.isRunning(); }, test::patience));
+        ASSERT_TRUE(test::comes([&] { return !model.isRunning(); }));
     };
     auto open = openExample("tmz-650d");
     open->file.study = {{"vary", {{"/crank_radius_mm", {{"plus_minus", 0.5}}}}},

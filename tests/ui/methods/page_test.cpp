@@ -138,13 +138,9 @@ TEST_F(MethodsPageTest, ALongTableLeavesTheChartsTheirRoom) {
         EXPECT_GT(find<PlotView>("work_plot")->plotArea().height(), 100.0) << kernel;
         EXPECT_GE(page.table()->height(), 150) << kernel;
         const QTableWidget* table = page.table();
-        EXPECT_TRUE(QTest::qWaitFor(
-            [&] {
-                return table->viewport()->rect().contains(
-                    table->visualItemRect(table->currentItem()));
-            },
-            test::patience))
-            << kernel;
+        EXPECT_TRUE(test::comes([&] {
+            return table->viewport()->rect().contains(table->visualItemRect(table->currentItem()));
+        })) << kernel;
     }
 }
 
@@ -284,24 +280,22 @@ TEST_F(MethodsPageTest, ANarrowPageScrollsAsAWhole) {
     page.resize(856, 480);
     measure();
     const PlotView* work = find<PlotView>("work_plot");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return page.plots()->isFolded(); }, test::patience));
+    ASSERT_TRUE(test::comes([&] { return page.plots()->isFolded(); }));
     EXPECT_GE(find<PlotView>("stability_plot")->y(), work->geometry().bottom());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return work->plotArea().height() > 120.0; }, test::patience));
+    EXPECT_TRUE(test::comes([&] { return work->plotArea().height() > 120.0; }));
     const ResultTable& table = *page.table();
-    EXPECT_TRUE(QTest::qWaitFor(
-        [&] { return table.verticalHeader()->length() <= table.viewport()->height(); },
-        test::patience));
+    EXPECT_TRUE(test::comes(
+        [&] { return table.verticalHeader()->length() <= table.viewport()->height(); }));
     EXPECT_LE(table.horizontalHeader()->length(), table.viewport()->width());
     page.resize(1500, 900);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !page.plots()->isFolded(); }, test::patience));
+    EXPECT_TRUE(test::comes([&] { return !page.plots()->isFolded(); }));
 }
 
 TEST_F(MethodsPageTest, TheValidationReportIsATab) {
     measure();
     bringTab("validation");
     ValidationView* view = page.validation();
-    ASSERT_TRUE(
-        QTest::qWaitFor([&] { return view->viewModel()->report() != nullptr; }, test::patience));
+    ASSERT_TRUE(test::comes([&] { return view->viewModel()->report() != nullptr; }));
     const auto& report = *view->viewModel()->report();
     const int all = static_cast<int>(report.rows.size());
     EXPECT_EQ(view->table()->rowCount(), all);
@@ -338,7 +332,7 @@ TEST_F(MethodsPageTest, TheValidationReportIsATab) {
 
 TEST_F(MethodsPageTest, TheReportStopsTheMeasurement) {
     page.setActive(true);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return model->measurements()->isRunning(); }, 5000));
+    ASSERT_TRUE(test::comes([&] { return model->measurements()->isRunning(); }));
     bringTab("validation");
     EXPECT_FALSE(model->measurements()->isRunning());
     bringTab("charts");
@@ -377,7 +371,7 @@ TEST(MethodsInTheWindow, BeginsWithTheCaseThatWasInFront) {
     ASSERT_TRUE(window.showScene(QStringLiteral("methods")));
     auto* page = static_cast<MethodsPage*>(window.currentPage());
     const CaseBudgetModel& budget = *page->budget();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !budget.isRunning(); }, test::patience));
+    ASSERT_TRUE(test::comes([&] { return !budget.isRunning(); }));
     EXPECT_EQ(budget.open()->file.scene, "elastic-hinge");
     EXPECT_EQ(budget.open()->file.input.at("lambda"), 0.55);
     const auto* table = test::named<ResultTable>(*page, "case_table");

@@ -15,6 +15,7 @@
 
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "comes.h"
 #include "files.h"
 #include "model/case_document.h"
 #include "model/root_model.h"
@@ -24,8 +25,7 @@
 namespace ravnoves {
 namespace {
 
-constexpr int soon = 900;         // ms; less than a second
-constexpr int patience = 20'000;  // ms, on a machine that has other work
+constexpr int soon = 900;  // ms; less than a second
 
 class RecoveryTest : public ::testing::Test {
   protected:
@@ -47,7 +47,7 @@ TEST_F(RecoveryTest, KeepsWhatIsNotSavedWithinASecond) {
     QTest::qWait(soon);
     EXPECT_TRUE(kept().isEmpty());
     model.set("square", 9.0);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return kept().size() == 1; }, patience));
+    EXPECT_TRUE(test::comes([&] { return kept().size() == 1; }));
     // A hand that never rests is no reason to wait.
     const QString path = QDir(keptIn()).filePath(kept().constFirst());
     const QByteArray before = test::contentOf(path);
@@ -65,7 +65,7 @@ TEST_F(RecoveryTest, WhatIsBeingTypedIsKept) {
     watch(recovery);
     model.beginEditing();
     model.step("square", 16.0);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return kept().size() == 1; }, patience));
+    EXPECT_TRUE(test::comes([&] { return kept().size() == 1; }));
     EXPECT_TRUE(model.isTyped());
 }
 
@@ -73,7 +73,7 @@ TEST_F(RecoveryTest, NothingStaysAfterSavingClosingOrQuitting) {
     Recovery recovery(keptIn());
     const auto change = [&](double square) {
         model.set("square", square);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return kept().size() == 1; }, patience));
+        ASSERT_TRUE(test::comes([&] { return kept().size() == 1; }));
     };
     watch(recovery);
     change(9.0);
@@ -97,7 +97,7 @@ TEST_F(RecoveryTest, OffersWhatAProgramLeftThatRunsNoLonger) {
     watch(*crashed);
     model.place = 17;
     model.set("square", 9.0);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return kept().size() == 1; }, patience));
+    ASSERT_TRUE(test::comes([&] { return kept().size() == 1; }));
     {
         Recovery other(keptIn());
         EXPECT_TRUE(other.leftBehind().cases.isEmpty()) << "that program runs";
@@ -189,7 +189,7 @@ TEST_F(RecoveryTest, ACaseOfANewerProgramIsLeftToIt) {
         Recovery crashed(keptIn());
         watch(crashed);
         model.set("square", 9.0);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return kept().size() == 1; }, patience));
+        ASSERT_TRUE(test::comes([&] { return kept().size() == 1; }));
     }
     const QString path = QDir(keptIn()).filePath(kept().constFirst());
     Json json = parse_json(read_text_file(path.toStdString()));
@@ -207,7 +207,7 @@ TEST_F(RecoveryTest, ADamagedFileIsKeptAside) {
         Recovery crashed(keptIn());
         watch(crashed);
         model.set("square", 9.0);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return kept().size() == 1; }, patience));
+        ASSERT_TRUE(test::comes([&] { return kept().size() == 1; }));
     }
     QFile damaged(QDir(keptIn()).filePath(kept().constFirst()));
     ASSERT_TRUE(damaged.open(QIODevice::ReadWrite));
@@ -298,7 +298,7 @@ class DiskTest : public ::testing::Test {
         EXPECT_EQ(CaseDocument(&other, {}).saveTo(path), QString());
     }
     bool becomes(FileOnDisk::State state) {
-        return QTest::qWaitFor([&] { return document.disk().state() == state; }, 3000);
+        return test::comes([&] { return document.disk().state() == state; });
     }
 
     QTemporaryDir folder;

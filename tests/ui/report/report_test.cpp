@@ -336,14 +336,14 @@ TEST_F(ReportInWindow, CanBeCancelledAndLeavesTheTabsAsTheyWere) {
 TEST_F(ReportInWindow, SolvesTheSamplesOfAllTabsOnceAndSaysHowFarItIs) {
     ASSERT_EQ(window.openCase(example()), QString());
     ScenePage* page = window.currentPage();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !page->isBusy(); }, 60'000));
+    ASSERT_TRUE(test::comes([&] { return !page->isBusy(); }));
     const Json study = {{"vary", {{"/centre_distance_mm", {{"plus_minus", 2}}}}},
                         {"watch", Json::object()},
                         {"method", "sobol"},
                         {"samples", 64}};
     page->model()->changeStudy(u"tolerances"_s, study.dump());
     auto* bands = page->findChild<ToleranceBands*>();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !page->isBusy(); }, 60'000));
+    ASSERT_TRUE(test::comes([&] { return !page->isBusy(); }));
     const QSignalSpy runs(bands->job(), &BackgroundJob::finished);
     QStringList stages;
     double last = 0.0;

@@ -12,7 +12,6 @@
 #include "page/scene_page.h"
 #include "scene_tests.h"
 #include "shell/main_window.h"
-#include "shell/scene_list.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -27,7 +26,7 @@ class FocusOnPage : public ::testing::TestWithParam<std::tuple<std::string, Them
         window.showScene(QString::fromStdString(std::get<0>(GetParam())));
         QApplication::processEvents();
         // A button that goes while it has the focus is another test's.
-        EXPECT_TRUE(QTest::qWaitFor([&] { return !window.currentPage()->isBusy(); }, 60'000));
+        EXPECT_TRUE(test::comes([&] { return !window.currentPage()->isBusy(); }));
     }
 
     ~FocusOnPage() override { Theme::instance().setMode(Theme::Mode::Light); }

@@ -79,7 +79,7 @@ class PageInOtherUnits : public ::testing::TestWithParam<std::string> {
                                [](const BackgroundJob* job) { return job->isRunning(); });
         };
         QApplication::processEvents();
-        EXPECT_TRUE(QTest::qWaitFor([&] { return !isBusy(); }, 30'000));
+        EXPECT_TRUE(test::comes([&] { return !isBusy(); }));
         QApplication::processEvents();
     }
     void look(QWidget& page, Said& said) {

@@ -95,7 +95,7 @@ class EveryPagesVariants : public ::testing::TestWithParam<std::string> {
                 QApplication::processEvents();
             }
         }
-        EXPECT_TRUE(QTest::qWaitFor([&] { return !shown.isBusy(); }, 60'000));
+        EXPECT_TRUE(test::comes([&] { return !shown.isBusy(); }));
         QApplication::processEvents();
     }
     /// What each part shows.
@@ -345,9 +345,7 @@ int rowNamed(const ResultTable& table, const QString& name) {
 TEST(VariantsSideBySide, HaveTheRowsThatAnyOfThemHas) {
     const auto page = test::makePage("elastic-hinge");
     SceneModel& model = *page->model();
-    while (page->isBusy()) {
-        QTest::qWait(20);
-    }
+    ASSERT_TRUE(test::comes([&] { return !page->isBusy(); }));
     model.setByKey(u"profile_error_um"_s, u"7"_s);
     model.keepVariant(u"seven"_s);
     model.setByKey(u"profile_error_um"_s, u"9"_s);

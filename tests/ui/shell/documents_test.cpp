@@ -78,7 +78,7 @@ class DocumentsTest : public ::testing::Test {
         set(u"job/engine_number=A-1"_s);
         press(Qt::Key_F2, {});
         desk = window.currentPage()->findChild<JobDesk*>();
-        ASSERT_TRUE(QTest::qWaitFor([&] { return desk->jobId() != 0; }));
+        ASSERT_TRUE(test::comes([&] { return desk->jobId() != 0; }));
     }
     void set(const QString& pair) { ASSERT_EQ(applySetting(window, pair), QString()); }
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::ControlModifier) {
@@ -408,7 +408,7 @@ TEST_F(DocumentsTest, OfManyFilesThatCannotBeOpenedOneMessageSaysSo) {
     paths.prepend(example(u"honda"_s));
     window.openOrSayWhy(paths);
     EXPECT_EQ(bar().count(), 201);
-    EXPECT_TRUE(QTest::qWaitFor([&] {
+    EXPECT_TRUE(test::comes([&] {
         return window.statusBar()->currentMessage() == u"Too many files; not opened: 100"_s;
     })) << qPrintable(window.statusBar()->currentMessage());
 }
@@ -425,8 +425,8 @@ TEST_F(DocumentsTest, TabsAreMovedByTheMouse) {
         QApplication::processEvents();
     }
     QTest::mouseRelease(&bar(), Qt::LeftButton, {}, to);
-    QTest::qWait(400);
-    EXPECT_EQ(tabs(), (QStringList{u"honda"_s, u"vr5-volkswagen"_s, u"tmz-650d"_s}));
+    const QStringList moved{u"honda"_s, u"vr5-volkswagen"_s, u"tmz-650d"_s};
+    EXPECT_TRUE(test::comes([&] { return tabs() == moved; }));
     EXPECT_TRUE(window.windowTitle().contains(u"tmz-650d"_s));
     press(Qt::Key_Tab);
     EXPECT_TRUE(window.windowTitle().contains(u"honda"_s));
@@ -504,7 +504,7 @@ TEST_F(DocumentsTest, AJobThatIsRemovedInAnotherTabSaysSo) {
     EXPECT_EQ(test::named<QLabel>(*page, "banner")->text(),
               u"The job on the sheet was removed from the journal. The job is not saved now."_s);
     press(Qt::Key_F2, {});
-    EXPECT_TRUE(QTest::qWaitFor([&] { return desk->jobId() != 0; }));
+    EXPECT_TRUE(test::comes([&] { return desk->jobId() != 0; }));
     EXPECT_FALSE(test::named<QLabel>(*page, "banner")->isVisible());
 }
 
@@ -520,7 +520,7 @@ TEST_F(DocumentsTest, TheJournalIsOpenedFromTheStartPage) {
         dialog->reject();
     });
     press(Qt::Key_F3, {});
-    EXPECT_TRUE(QTest::qWaitFor([&] { return listed == 1; }));
+    EXPECT_TRUE(test::comes([&] { return listed == 1; }));
     EXPECT_FALSE(window.isAtStart());
     EXPECT_EQ(window.currentScene(), u"workshop"_s);
 }

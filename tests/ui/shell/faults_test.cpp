@@ -140,7 +140,7 @@ class Faults : public ::testing::Test {
         EXPECT_TRUE(QTest::qWaitForWindowActive(window.get()));
         QTest::keyClick(window.get(), key, modifiers);
         QTest::qWait(300);
-        EXPECT_TRUE(QTest::qWaitFor(isDone, 20'000));
+        EXPECT_TRUE(test::comes(isDone));
         QTest::qWait(100);
         return texts.join(u'\n');
     }
@@ -186,7 +186,7 @@ TEST_F(Faults, AFullDiskKeepsTheJobOnTheSheet) {
     EXPECT_NE(trouble.isEmpty(), desk->jobId() == 0) << trouble.toStdString();
     disk.makeRoom();
     EXPECT_EQ(said(Qt::Key_F2, {}), QString());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return desk->jobId() != 0; }));
+    EXPECT_TRUE(test::comes([&] { return desk->jobId() != 0; }));
     EXPECT_EQ(desk->journal()->search({}).size(), 1);
     EXPECT_EQ(desk->journal()->openMessage(), QString());
 }

@@ -161,12 +161,10 @@ TEST_F(JobSavingTest, ThePointerHidesNoMessageOfSaving) {
     EXPECT_EQ(said(), saved);
     QTest::qWait(4000);
     EXPECT_EQ(said(), saved);
-    EXPECT_TRUE(QTest::qWaitFor(
-        [&] {
-            passOver(u"a tip"_s);
-            return said() == u"a tip"_s;
-        },
-        3000));
+    EXPECT_TRUE(test::comes([&] {
+        passOver(u"a tip"_s);
+        return said() == u"a tip"_s;
+    }));
     // What is done then is said at once, in the place of what was done before.
     press(Qt::Key_S);
     EXPECT_EQ(said(), saved);

@@ -60,6 +60,7 @@ class NothingIsLost : public ::testing::Test {
     /// As kill -9 does: what was kept stays as it is.
     void crash() {
         QTest::qWait(900);
+        QApplication::processEvents();  // what was due while the machine was busy
         window.reset();
     }
     void set(const QString& pair) { ASSERT_EQ(applySetting(*window, pair), QString()); }
@@ -329,7 +330,7 @@ TEST_F(NothingIsLost, AFileThatOthersChangeIsSaidAndReloaded) {
     const Json before = model().inputJson();
     EXPECT_FALSE(notice()->isVisible());
     writeByOthers("tmz-650d", "100.15", "100.25");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return notice()->isVisible(); }, 3000));
+    EXPECT_TRUE(test::comes([&] { return notice()->isVisible(); }));
     EXPECT_EQ(model().inputJson(), before);
     click(*notice(), "disk_reload");
     EXPECT_FALSE(notice()->isVisible());
@@ -358,7 +359,7 @@ TEST_F(NothingIsLost, TheNoticeIsOfTheTabInFront) {
 TEST_F(NothingIsLost, ADeletedFileIsSaid) {
     ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
     ASSERT_TRUE(QFile::remove(file("tmz-650d")));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return notice()->isVisible(); }, 3000));
+    EXPECT_TRUE(test::comes([&] { return notice()->isVisible(); }));
     EXPECT_FALSE(test::named<QPushButton>(*notice(), "disk_reload")->isVisible());
     click(*notice(), "disk_keep");
     QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);

@@ -23,7 +23,6 @@
 #include "events.h"
 #include "files.h"
 #include "model/case_sources.h"
-#include "page/rejected_entries.h"
 #include "page/scene_page.h"
 #include "pictures/file_dialogs.h"
 #include "processor_time.h"
@@ -34,7 +33,6 @@
 #include "shell/new_cases.h"
 #include "shell/screenshot.h"
 #include "text/file_path.h"
-#include "text/preferences.h"
 #include "theme/theme.h"
 #include "widgets/number_field.h"
 #include "widgets/table_editor.h"
@@ -484,7 +482,7 @@ TEST_F(SavingTest, ATableThatOthersChangeIsSaidAndReadAgain) {
     const std::size_t second = text.find(',', text.find('\n')) + 1;
     text.replace(second, text.find('\n', second) - second, "100");
     write_text_file(fsPath(table), text);
-    ASSERT_TRUE(QTest::qWaitFor(isSaid, 3000));
+    ASSERT_TRUE(test::comes(isSaid));
     EXPECT_TRUE(notice->findChild<QLabel*>()->text().contains(QStringLiteral("момент.csv")));
     EXPECT_EQ(model().resultJson(), before);
     QTest::mouseClick(test::named<QPushButton>(*notice, "disk_reload"), Qt::LeftButton);
@@ -494,13 +492,13 @@ TEST_F(SavingTest, ATableThatOthersChangeIsSaidAndReadAgain) {
     EXPECT_EQ(model().resultJson(), before);
     // What cannot be read is said, and all stays.
     write_text_file(fsPath(table), "nothing");
-    ASSERT_TRUE(QTest::qWaitFor(isSaid, 3000));
+    ASSERT_TRUE(test::comes(isSaid));
     answer("OK");
     QTest::mouseClick(test::named<QPushButton>(*notice, "disk_reload"), Qt::LeftButton);
     EXPECT_EQ(model().resultJson(), before);
     ASSERT_TRUE(QFile::remove(table));
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return !test::named<QPushButton>(*notice, "disk_reload")->isVisible(); }, 3000));
+    ASSERT_TRUE(test::comes(
+        [&] { return !test::named<QPushButton>(*notice, "disk_reload")->isVisible(); }));
     QTest::mouseClick(test::named<QPushButton>(*notice, "disk_keep"), Qt::LeftButton);
     EXPECT_FALSE(isSaid());
 }

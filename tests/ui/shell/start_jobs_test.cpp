@@ -69,7 +69,7 @@ class StartJobsTest : public ::testing::Test {
     }
     /// The journal is read beside the window.
     QAbstractButton* job(qsizetype row) const {
-        EXPECT_TRUE(QTest::qWaitFor([&] { return jobs().size() > row; })) << row;
+        EXPECT_TRUE(test::comes([&] { return jobs().size() > row; })) << row;
         return jobs().at(row);
     }
     QAbstractButton* journalButton() const {
@@ -108,7 +108,7 @@ TEST_F(StartJobsTest, TheNewestFiveAreListedWithWhatTheyAre) {
         EXPECT_TRUE(page.findChildren<QWidget*>(u"start-job"_s).isEmpty());
     }
     showStart();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return jobs().size() == 5; }));
+    ASSERT_TRUE(test::comes([&] { return jobs().size() == 5; }));
     EXPECT_TRUE(journalButton()->isVisible());
     const QString newest = jobs().constFirst()->toolTip();
     for (const QString& part : {u"N7"_s, u"A & B"_s, u"V-8, 90°"_s, u"PASS"_s, u"2026"_s}) {
@@ -124,8 +124,8 @@ TEST_F(StartJobsTest, TheNewestFiveAreListedWithWhatTheyAre) {
     window->showScene(u"balance-shaft"_s);
     keep(u"N8"_s, QDate(2026, 11, 8), true, {});
     showStart();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return jobs().size() == 5; }));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return jobs().constFirst()->toolTip().contains(u"N8"_s); }));
+    ASSERT_TRUE(test::comes([&] { return jobs().size() == 5; }));
+    EXPECT_TRUE(test::comes([&] { return jobs().constFirst()->toolTip().contains(u"N8"_s); }));
 }
 
 TEST_F(StartJobsTest, AClickBringsTheJobOntoTheSheet) {

@@ -167,7 +167,7 @@ TEST_F(StartPageTest, ListsTheFilesOpenedLast) {
     ASSERT_NE(recent, nullptr);
     EXPECT_EQ(recent->text(), u"двигатель.case.json"_s);
     const QString written = QLocale().toString(QDate::currentDate(), QLocale::ShortFormat);
-    EXPECT_TRUE(QTest::qWaitFor([&] {
+    EXPECT_TRUE(test::comes([&] {
         return recent->accessibleDescription() == folder.path() + u" · "_s + written;
     })) << recent->accessibleDescription().toStdString();
     recent->click();

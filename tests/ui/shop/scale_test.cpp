@@ -31,9 +31,7 @@ namespace {
 
 using namespace Qt::StringLiterals;
 
-bool comes(const std::function<bool()>& what) {
-    return QTest::qWaitFor(what, 5000);
-}
+using test::comes;
 
 /// Types in any alphabet, over what stands there.
 void typeInto(QLineEdit* field, const QString& text) {

@@ -51,7 +51,7 @@ class Bands : public ::testing::Test {
         settle();
     }
     void settle() {
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !page->isBusy(); }, 60'000));
+        ASSERT_TRUE(test::comes([&] { return !page->isBusy(); }));
     }
     /// The first plot in front with so many curves at least.
     PlotView* plot(int curves) {
@@ -203,7 +203,7 @@ TEST_F(Bands, RestBeforeTheUnitsChange) {
     open("balance-shaft", {{"/centre_distance_mm", {{"plus_minus", 1.0}}}});
     page->model()->setByKey(u"centre_distance_mm"_s, u"130"_s);
     const auto* bands = page->findChild<ToleranceBands*>();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return bands->job()->isRunning(); }));
+    ASSERT_TRUE(test::comes([&] { return bands->job()->isRunning(); }));
     Preferences& preferences = Preferences::instance();
     QObject reported;
     QObject::connect(&preferences, &Preferences::changed, &reported,
@@ -308,7 +308,7 @@ TEST_P(EveryPagesBands, StandAboutItsCurvesOrNumbers) {
         const auto page = test::makePage(GetParam());
         page->model()->loadFile(file, {examples.path().toStdString()}, nullptr);
         test::showAt(*page, {1280, 800});
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !page->isBusy(); }, 60'000));
+        ASSERT_TRUE(test::comes([&] { return !page->isBusy(); }));
         int found = 0;
         for (const PlotView* plot : page->findChildren<PlotView*>()) {
             for (const PlotCurve& curve : plot->data().curves) {

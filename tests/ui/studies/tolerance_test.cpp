@@ -102,12 +102,10 @@ class Tolerances : public ::testing::Test {
         Q_EMIT box->activated(place);
     }
     void waitForAnswer() {
-        ASSERT_TRUE(QTest::qWaitFor(
-            [&] {
-                const StudyAnswers* answers = tolerances->model()->answers();
-                return answers != nullptr && !tolerances->model()->isBusy();
-            },
-            60'000));
+        ASSERT_TRUE(test::comes([&] {
+            const StudyAnswers* answers = tolerances->model()->answers();
+            return answers != nullptr && !tolerances->model()->isBusy();
+        }));
     }
 
     MainWindow window;
@@ -187,8 +185,7 @@ TEST_F(TolerancesInOtherUnits, AreTypedAndShownInThese) {
     const double piston = scene().inputJson()["reciprocating_masses_kg"]["piston"].get<double>();
     showTabOf(the<SweepView>());
     const SweepModel& sweep = *the<SweepView>()->model();
-    ASSERT_TRUE(
-        QTest::qWaitFor([&] { return sweep.sweep() != nullptr && !sweep.isStale(); }, 60'000));
+    ASSERT_TRUE(test::comes([&] { return sweep.sweep() != nullptr && !sweep.isStale(); }));
     const plot::Mark& mark = the<SweepView>()->plot()->data().marks.at(0);
     EXPECT_EQ(mark.text, QLocale().toString(nominal, 'g', 5));
     EXPECT_NEAR(mark.x, 1000.0 * piston, 1e-9);
@@ -688,8 +685,7 @@ TEST_F(Tolerances, AnInputIsSweptWhileTheOthersScatter) {
     showTabOf(the<SweepView>());
     SweepModel& model = *the<SweepView>()->model();
     const auto wait = [&] {
-        ASSERT_TRUE(
-            QTest::qWaitFor([&] { return model.sweep() != nullptr && !model.isStale(); }, 60'000));
+        ASSERT_TRUE(test::comes([&] { return model.sweep() != nullptr && !model.isStale(); }));
     };
     EXPECT_EQ(model.input(), "/reciprocating_masses_kg/piston");  // what scatters, at once
     auto* inputs = test::named<QComboBox>(*tolerances, "sweep_input");
@@ -718,7 +714,7 @@ TEST_F(Tolerances, AnInputIsSweptWhileTheOthersScatter) {
     EXPECT_EQ(mean.above.back(), places.back().high - places.back().mean);
     // The result of the row that is selected is swept.
     watch("/metrics/M_up/min_Nm");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !tolerances->model()->isStale(); }, 60'000));
+    ASSERT_TRUE(test::comes([&] { return !tolerances->model()->isStale(); }));
     the<ResultTable>()->setCurrentCell(1, 0);
     wait();
     EXPECT_EQ(model.sweep()->result, "/metrics/M_up/min_Nm");
@@ -744,8 +740,7 @@ TEST_F(Tolerances, ASweepGoesFromOneTypedValueToAnother) {
     };
     choose(u"/centre_distance_mm"_s);
     const auto ends = [&] {
-        EXPECT_TRUE(
-            QTest::qWaitFor([&] { return model.sweep() != nullptr && !model.isStale(); }, 60'000));
+        EXPECT_TRUE(test::comes([&] { return model.sweep() != nullptr && !model.isStale(); }));
         return std::pair(model.sweep()->places.front().x, model.sweep()->places.back().x);
     };
     const double distance = scene().inputJson()["centre_distance_mm"].get<double>();
@@ -787,8 +782,8 @@ TEST_F(Tolerances, AToleranceThatIsGoneDoesNotStopASweep) {
     scene().loadFile(file, scene().context(), nullptr);
     showTabOf(the<SweepView>());
     SweepModel& model = *the<SweepView>()->model();
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return !model.trouble().isEmpty() || (model.sweep() && !model.isStale()); }, 60'000));
+    ASSERT_TRUE(test::comes(
+        [&] { return !model.trouble().isEmpty() || (model.sweep() && !model.isStale()); }));
     EXPECT_EQ(model.trouble(), QString());
     const auto* inputs = test::named<QComboBox>(*tolerances, "sweep_input");
     EXPECT_LT(inputs->findData(u"/torque/cycle/compression_ratio"_s), 0);
@@ -802,8 +797,7 @@ TEST_F(Tolerances, TheRobustAngleIsTheLowestOfTheSweepThatCanBeBuilt) {
     auto* inputs = test::named<QComboBox>(*tolerances, "sweep_input");
     inputs->setCurrentIndex(inputs->findData(u"/shaft_angle_deg"_s));
     Q_EMIT inputs->activated(inputs->currentIndex());
-    ASSERT_TRUE(
-        QTest::qWaitFor([&] { return model.sweep() != nullptr && !model.isStale(); }, 60'000));
+    ASSERT_TRUE(test::comes([&] { return model.sweep() != nullptr && !model.isStale(); }));
     const Sweep& sweep = *model.sweep();
     EXPECT_EQ(sweep.places.back().x, 360.0);
     ASSERT_TRUE(sweep.best);

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <QVBoxLayout>
 
+#include "comes.h"
 #include "plot/plot_view.h"
 
 namespace ravnoves {
@@ -42,6 +43,8 @@ class ApartTest : public testing::Test {
         page_.count = 0;
     }
 
+    bool isFitted() const { return label_->height() == label_->heightForWidth(label_->width()); }
+
     LayoutCount page_;
     QLabel* label_ = new QLabel;
     Apart* apart_ = nullptr;
@@ -60,17 +63,14 @@ TEST_F(ApartTest, ALongerTextGetsItsRoom) {
     label_->setText(
         QStringLiteral("Minimum range 1066.7 N·m at 49.12°, which does not fit: the counterweight "
                        "of the shaft meets the cylinder"));
-    QTest::qWait(150);
+    EXPECT_TRUE(test::comes([&] { return label_->height() > height && isFitted(); }));
     EXPECT_GT(page_.count, 0);
-    EXPECT_GT(label_->height(), height);
-    EXPECT_EQ(label_->height(), label_->heightForWidth(label_->width()));
 }
 
 TEST_F(ApartTest, ATextOfTheSameLengthThatWrapsElsewhereIsFittedAtRest) {
     const int length = static_cast<int>(label_->text().size());
     label_->setText(QString(length, QLatin1Char('W')).replace(length / 2, 1, QLatin1Char(' ')));
-    QTest::qWait(150);
-    EXPECT_EQ(label_->height(), label_->heightForWidth(label_->width()));
+    EXPECT_TRUE(test::comes([&] { return isFitted(); }));
 }
 
 TEST_F(ApartTest, UnderAHandThatDragsItGivesNoRoomBack) {
@@ -86,12 +86,10 @@ TEST_F(ApartTest, UnderAHandThatDragsItGivesNoRoomBack) {
     settle();
     EXPECT_EQ(apart_->height(), high);
     label_->setText(line.repeated(20));  // what it needs it has
-    settle();
-    EXPECT_GT(apart_->height(), high);
+    EXPECT_TRUE(test::comes([&] { return apart_->height() > high; }));
     PlotView::setSteady(false);
     label_->setText(line);
-    settle();
-    EXPECT_LT(apart_->height(), high);
+    EXPECT_TRUE(test::comes([&] { return apart_->height() < high; }));
 }
 
 TEST_F(ApartTest, ATextThatComesWhileThePageIsHiddenGetsItsRoom) {

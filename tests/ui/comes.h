@@ -1,0 +1,15 @@
+#pragma once
+
+#include <QTest>
+
+namespace ravnoves::test {
+
+inline constexpr int patience = 60'000;  ///< ms: the machine may be busy
+
+/// Waits until it holds, as long as a busy machine may take.
+template <typename Holds>
+bool comes(Holds holds) {
+    return QTest::qWaitFor(holds, patience);
+}
+
+}  // namespace ravnoves::test
