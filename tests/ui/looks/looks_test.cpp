@@ -13,13 +13,14 @@
 #include <QTabWidget>
 #include <QToolButton>
 #include <functional>
+#include <optional>
 
 #include "events.h"
 #include "looks/checker.h"
+#include "page/scene_page.h"
 #include "scene_tests.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
-#include "page/scene_page.h"
 #include "text/language.h"
 #include "theme/theme.h"
 
@@ -51,8 +52,20 @@ const Look looks[] = {
 class Looks : public ::testing::TestWithParam<std::tuple<std::string, Look, const char*>> {
   protected:
     ~Looks() override {
+        window_.reset();
         installLanguage(u"en"_s);
         Theme::instance().setTextScale(1.0);
+    }
+
+    /// A window with the page, in its look and language.
+    MainWindow& open() {
+        const auto& [scene, look, language] = GetParam();
+        installLanguage(QString::fromLatin1(language));
+        Theme::instance().setTextScale(look.text);
+        window_.emplace();
+        window_->showScene(QString::fromStdString(scene));
+        test::showAt(*window_, look.size);
+        return *window_;
     }
 
     /// Brings the tabs that hold a widget to the front.
@@ -81,16 +94,14 @@ class Looks : public ::testing::TestWithParam<std::tuple<std::string, Look, cons
             tabs->setCurrentIndex(0);
         }
     }
+
+  private:
+    std::optional<MainWindow> window_;
 };
 
 TEST_P(Looks, NothingIsCutOrOutOfReach) {
-    const auto& [scene, look, language] = GetParam();
-    installLanguage(QString::fromLatin1(language));
-    Theme::instance().setTextScale(look.text);
-    MainWindow window;
-    window.showScene(QString::fromStdString(scene));
-    test::showAt(window, look.size);
-    EXPECT_EQ(window.size(), look.size);
+    MainWindow& window = open();
+    EXPECT_EQ(window.size(), std::get<Look>(GetParam()).size);
     // What is open is in sight of the navigation.
     for (const QToolButton* button :
          window.findChild<QScrollArea*>(u"navigation"_s)->findChildren<QToolButton*>()) {
@@ -116,12 +127,7 @@ TEST_P(Looks, NothingIsCutOrOutOfReach) {
 }
 
 TEST_P(Looks, EveryStopOfTheTabKeyCanBeSeen) {
-    const auto& [scene, look, language] = GetParam();
-    installLanguage(QString::fromLatin1(language));
-    Theme::instance().setTextScale(look.text);
-    MainWindow window;
-    window.showScene(QString::fromStdString(scene));
-    test::showAt(window, look.size);
+    MainWindow& window = open();
     window.activateWindow();
     QWidget* page = window.currentPage();
     QWidget* first = nullptr;
@@ -151,12 +157,7 @@ QChar letterOf(const QString& text) {
 class Letters : public Looks {};
 
 TEST_P(Letters, NoneOfThePageIsAMenus) {
-    const auto& [scene, look, language] = GetParam();
-    installLanguage(QString::fromLatin1(language));
-    Theme::instance().setTextScale(look.text);
-    MainWindow window;
-    window.showScene(QString::fromStdString(scene));
-    test::showAt(window, look.size);
+    MainWindow& window = open();
     QString menus;
     for (const QAction* menu : window.menuBar()->actions()) {
         menus += letterOf(menu->text());
