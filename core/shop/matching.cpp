@@ -7,7 +7,6 @@
 
 #include "case-file/input_error.h"
 #include "numerics/constants.h"
-#include "numerics/demand.h"
 #include "shop/sentences.h"
 #include "shop/set_search.h"
 

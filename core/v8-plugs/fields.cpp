@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "case-file/field_reader.h"
+#include "case-file/field_visitor.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/object_reader.h"

@@ -6,9 +6,7 @@
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/torque_source_editor.h"
 #include "text/message_text.h"
-#include "text/number_text.h"
 #include "text/shown_units.h"
-#include "theme/theme.h"
 #include "widgets/assumed.h"
 #include "widgets/page_columns.h"
 

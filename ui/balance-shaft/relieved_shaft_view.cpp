@@ -16,7 +16,6 @@
 #include "page/part_views.h"
 #include "page/rejected_entries.h"
 #include "pictures/file_dialogs.h"
-#include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"

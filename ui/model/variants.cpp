@@ -4,9 +4,7 @@
 
 #include <algorithm>
 
-#include "case-file/case_context.h"
 #include "case-file/case_file.h"
-#include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/scene_model.h"
 

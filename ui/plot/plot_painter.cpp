@@ -10,7 +10,6 @@
 #include "plot/model/label_places.h"
 #include "plot/model/ticks.h"
 #include "plot/painter_parts.h"
-#include "text/number_text.h"
 #include "text/text_width.h"
 #include "theme/theme.h"
 

@@ -1,6 +1,5 @@
 #include <utility>
 
-#include "plot/legend_item.h"
 #include "plot/model/figure.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"

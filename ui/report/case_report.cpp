@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "bibliography/bibliography.h"
-#include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "methods/model/method_words.h"
 #include "methods/model/validation_model.h"

@@ -5,7 +5,6 @@
 #include <QPicture>
 #include <memory>
 
-#include "case-file/case_file.h"
 #include "model/background_job.h"
 #include "model/scene_model.h"
 #include "report/patience.h"

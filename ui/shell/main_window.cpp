@@ -39,7 +39,6 @@
 #include "shell/variant_menu.h"
 #include "shop/scale_button.h"
 #include "studies/tolerance_window.h"
-#include "text/language.h"
 #include "text/plain_title.h"
 #include "text/preferences.h"
 #include "theme/icons.h"

@@ -24,7 +24,6 @@
 #include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shell/new_cases.h"
-#include "shell/page_drawing.h"
 #include "shell/settings_dialog.h"
 #include "shell/variant_menu.h"
 #include "shop/scale_button.h"

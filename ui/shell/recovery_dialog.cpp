@@ -9,7 +9,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "case-file/json.h"
 #include "model/scene_model.h"
 #include "page/scene_names.h"
 #include "text/language.h"

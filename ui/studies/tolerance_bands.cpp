@@ -6,7 +6,6 @@
 
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
-#include "case-file/json.h"
 #include "model/background_job.h"
 #include "page/part_views.h"
 #include "page/scene_page.h"

@@ -11,7 +11,6 @@
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "numerics/units.h"
-#include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 

@@ -8,7 +8,6 @@
 
 #include "case-file/field.h"
 #include "text/message_text.h"
-#include "text/number_text.h"
 #include "theme/theme.h"
 
 namespace ravnoves {

@@ -13,7 +13,6 @@
 #include "bob-weights/solver.h"
 #include "shop/model/verdict.h"
 #include "text/message_text.h"
-#include "text/number_text.h"
 #include "text/typed_number.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"

@@ -11,7 +11,6 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
-#include "text/typed_number.h"
 #include "theme/theme.h"
 #include "workshop/fields.h"
 #include "workshop/model/shop_machine.h"

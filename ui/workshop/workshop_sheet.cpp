@@ -15,7 +15,6 @@
 #include "text/capital.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
-#include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/mnemonics.h"

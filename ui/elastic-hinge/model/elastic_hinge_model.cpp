@@ -17,7 +17,6 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
-#include "text/typed_number.h"
 #include "text/write_file.h"
 
 namespace ravnoves {

@@ -6,11 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "case-file/case_file.h"
 #include "case-file/decimal.h"
 #include "case-file/field_index.h"
 #include "case-file/input_error.h"
-#include "case-file/json.h"
 #include "inertia-moments/fields.h"
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "text/message_text.h"

@@ -11,7 +11,6 @@
 #include "inertia-moments/scene.h"
 #include "model/case_model_json.h"
 #include "text/message_text.h"
-#include "text/number_text.h"
 #include "text/shown_units.h"
 
 namespace ravnoves {

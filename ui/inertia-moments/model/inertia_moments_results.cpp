@@ -7,7 +7,6 @@
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "numerics/angle.h"
 #include "plot/model/ticks.h"
-#include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "bob-weights/fields.h"
-#include "bob-weights/matching.h"
 #include "bob-weights/solver.h"
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
@@ -13,7 +12,6 @@
 #include "model/case_model_json.h"
 #include "shop/model/verdict.h"
 #include "shop/weigh_in.h"
-#include "text/error_text.h"
 #include "text/message_text.h"
 #include "v8-plugs/fields.h"
 #include "workshop/model/plug_engines.h"
