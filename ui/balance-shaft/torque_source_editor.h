@@ -29,7 +29,6 @@ class TorqueSourceEditor : public QWidget {
     explicit TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     QComboBox* choice() const { return choice_; }
-    TorqueTableEditor* tableEditor() const { return table_; }
     /// Opens the import window for a file with a pressure trace.
     void importTrace(const QString& path);
     /// Puts the inertia torque of masses and speed in the place of the table's.

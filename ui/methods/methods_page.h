@@ -40,10 +40,7 @@ class MethodsPage : public ScenePage {
     QString exportTo(const QString& path);
 
     // For tests and for the frame benchmark.
-    MethodPlots* plots() const { return plots_; }
     ResultTable* table() const { return table_; }
-    ValidationView* validation() const { return validation_; }
-    QTabWidget* tabs() const { return tabs_; }
     CaseBudgetModel* budget() const { return budget_; }
 
   private:

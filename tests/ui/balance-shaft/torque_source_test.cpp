@@ -36,6 +36,7 @@ class TorqueSourceTest : public ::testing::Test {
         page.activateWindow();
         model = page.viewModel();
         source = page.findChild<TorqueSourceEditor*>();
+        entries = source->findChild<TorqueTableEditor*>();
     }
     void choose(int index) {
         source->choice()->setCurrentIndex(index);
@@ -45,6 +46,7 @@ class TorqueSourceTest : public ::testing::Test {
     BalanceShaftPage page;
     BalanceShaftModel* model = nullptr;
     TorqueSourceEditor* source = nullptr;
+    TorqueTableEditor* entries = nullptr;
 };
 
 TEST_F(TorqueSourceTest, TheComputedCycleStartsAtTheLoadOfTheTable) {
@@ -178,7 +180,7 @@ TEST_F(TorqueSourceTest, ACaseWithAComputedCycleAloneLeadsToATable) {
     choose(0);
     EXPECT_TRUE(take->isVisible());
     QApplication::clipboard()->setText(QStringLiteral("0;0\n180;-50\n360;0\n540;50\n720;0\n"));
-    source->tableEditor()->paste();
+    entries->paste();
     EXPECT_EQ(model->input().torque.kind, Kind::table);
     EXPECT_EQ(model->input().torque.table.size(), 5U);
 }
@@ -188,7 +190,7 @@ TEST_F(TorqueSourceTest, APastedTextInItsOwnUnitIsNotConvertedByTheShownOne) {
     const auto pasted = [&](const char* heading) {
         QApplication::clipboard()->setText(QString::fromUtf8(heading) +
                                            QStringLiteral("0;0\n360;100\n720;0\n"));
-        source->tableEditor()->paste();
+        entries->paste();
         return model->input().torque.table.torque.at(1);
     };
     const double shown = 100 * shownAs(units::N_m);
@@ -238,17 +240,17 @@ TEST_F(TorqueSourceTest, AnEmptySourceStaysChosenUntilAnotherGivesTheTorque) {
 }
 
 TEST_F(TorqueSourceTest, PlacesOfTheTableAreRows) {
-    QTableView* view = source->tableEditor()->view();
-    const auto* line = source->tableEditor()->findChild<TroubleLine*>();
+    QTableView* view = entries->view();
+    const auto* line = entries->findChild<TroubleLine*>();
     view->setCurrentIndex(view->model()->index(0, 0));
     QApplication::clipboard()->setText(QStringLiteral("15\t5\n30\t6\n"));
-    source->tableEditor()->paste();
+    entries->paste();
     EXPECT_TRUE(line->text().startsWith(QStringLiteral("Row "))) << qPrintable(line->text());
     EXPECT_FALSE(line->text().contains(QLatin1Char('_'))) << qPrintable(line->text());
 }
 
 TEST_F(TorqueSourceTest, ABlockOfTwoColumnsIsAnglesAndTorquesAtEitherColumn) {
-    QTableView* view = source->tableEditor()->view();
+    QTableView* view = entries->view();
     const QAbstractItemModel& table = *view->model();
     const auto text = [&](int row, int column) {
         return table.index(row, column).data().toString();
@@ -256,8 +258,8 @@ TEST_F(TorqueSourceTest, ABlockOfTwoColumnsIsAnglesAndTorquesAtEitherColumn) {
     const auto paste = [&](int row, const QString& block) {
         view->setCurrentIndex(table.index(row, TorqueTableModel::Torque));
         QApplication::clipboard()->setText(block);
-        source->tableEditor()->paste();
-        return source->tableEditor()->findChild<TroubleLine*>()->text();
+        entries->paste();
+        return entries->findChild<TroubleLine*>()->text();
     };
     const QString angle = text(3, TorqueTableModel::CrankAngle);
     const QString next = text(4, TorqueTableModel::CrankAngle);
@@ -277,7 +279,7 @@ TEST_F(TorqueSourceTest, ABlockOfTwoColumnsIsAnglesAndTorquesAtEitherColumn) {
 }
 
 TEST_F(TorqueSourceTest, OfABlockUndoTakesFirstWhatIsRejected) {
-    TableEditor& editor = *source->tableEditor();
+    TableEditor& editor = *entries;
     const auto before = model->input().torque.table;
     page.findChild<QTabWidget*>()->setCurrentWidget(source);
     editor.view()->setCurrentIndex(editor.table()->index(3, TorqueTableModel::Torque));

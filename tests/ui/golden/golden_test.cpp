@@ -74,11 +74,10 @@ class PictureTest : public ::testing::Test {
     void settle() {
         ScenePage* page = window->isAtStart() ? nullptr : window->currentPage();
         const auto busy = [page] { return page != nullptr && page->isBusy(); };
-        constexpr int patience = 60'000;  // ms
         for (int turn = 0; turn < 3; ++turn) {
             QApplication::processEvents();
         }
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !busy(); }, patience));
+        ASSERT_TRUE(test::comes([&] { return !busy(); }));
         if (QWidget* focus = QApplication::focusWidget()) {
             focus->clearFocus();  // no cursor that blinks
         }
@@ -93,9 +92,9 @@ class PictureTest : public ::testing::Test {
         const auto measured = [page] {
             return page->viewModel()->shown() != nullptr && !page->viewModel()->isStale();
         };
-        constexpr int patience = 60'000;   // ms
-        page->tabs()->setCurrentIndex(1);  // where it measures
-        ASSERT_TRUE(QTest::qWaitFor(measured, patience));
+        auto* tabs = page->findChild<QTabWidget*>({}, Qt::FindDirectChildrenOnly);
+        tabs->setCurrentIndex(1);  // where it measures
+        ASSERT_TRUE(test::comes(measured));
         settle();
         auto still = std::make_shared<MethodMeasurement>(*page->viewModel()->shown());
         for (methods::WorkPoint& point : still->work.points) {
@@ -106,7 +105,7 @@ class PictureTest : public ::testing::Test {
         const methods::StabilityMap* map = still->map.get();
         still->report = methods::make_report(still->work, std::span(&map, 1));
         Q_EMIT page->viewModel()->measurements()->measured(still);
-        page->tabs()->setCurrentIndex(0);
+        tabs->setCurrentIndex(0);
         settle();
     }
     QImage picture() const { return window->grab().toImage(); }

@@ -40,7 +40,7 @@ class MethodsPageTest : public ::testing::Test {
     MethodsPageTest() {
         test::showAt(page, {1176, 712});
         page.activateWindow();
-        page.tabs()->setCurrentIndex(1);
+        tabs->setCurrentIndex(1);
         model = page.viewModel();
     }
 
@@ -66,7 +66,6 @@ class MethodsPageTest : public ::testing::Test {
         }
     }
     void bringTab(const char* name) {
-        QTabWidget* tabs = page.tabs();
         for (int i = 0; i < tabs->count(); ++i) {
             if (tabs->widget(i)->objectName() == QLatin1String(name)) {
                 QTest::mouseClick(tabs->tabBar(), Qt::LeftButton, {},
@@ -78,6 +77,8 @@ class MethodsPageTest : public ::testing::Test {
     }
 
     MethodsPage page;
+    QTabWidget* tabs = page.findChild<QTabWidget*>({}, Qt::FindDirectChildrenOnly);
+    MethodPlots* plots = page.findChild<MethodPlots*>();
     MethodsModel* model = nullptr;
     QTemporaryDir folder;
 };
@@ -257,7 +258,7 @@ TEST_F(MethodsPageTest, ExportsCsvAndPictures) {
     EXPECT_TRUE(text.contains("10⁻⁹"));
     const QString png = folder.filePath(QStringLiteral("m.png"));
     ASSERT_EQ(page.exportTo(png), QString());
-    EXPECT_EQ(QImage(png).width(), printedWidth(page.plots()->size()));
+    EXPECT_EQ(QImage(png).width(), printedWidth(plots->size()));
     EXPECT_NE(page.exportTo(QStringLiteral("/dev/null/m.csv")), QString());
     EXPECT_NE(page.exportTo(QStringLiteral("/dev/null/m.svg")), QString());
     EXPECT_NE(page.exportTo(QStringLiteral("/dev/null/m.png")), QString());
@@ -280,7 +281,7 @@ TEST_F(MethodsPageTest, ANarrowPageScrollsAsAWhole) {
     page.resize(856, 480);
     measure();
     const PlotView* work = find<PlotView>("work_plot");
-    ASSERT_TRUE(test::comes([&] { return page.plots()->isFolded(); }));
+    ASSERT_TRUE(test::comes([&] { return plots->isFolded(); }));
     EXPECT_GE(find<PlotView>("stability_plot")->y(), work->geometry().bottom());
     EXPECT_TRUE(test::comes([&] { return work->plotArea().height() > 120.0; }));
     const ResultTable& table = *page.table();
@@ -288,13 +289,13 @@ TEST_F(MethodsPageTest, ANarrowPageScrollsAsAWhole) {
         [&] { return table.verticalHeader()->length() <= table.viewport()->height(); }));
     EXPECT_LE(table.horizontalHeader()->length(), table.viewport()->width());
     page.resize(1500, 900);
-    EXPECT_TRUE(test::comes([&] { return !page.plots()->isFolded(); }));
+    EXPECT_TRUE(test::comes([&] { return !plots->isFolded(); }));
 }
 
 TEST_F(MethodsPageTest, TheValidationReportIsATab) {
     measure();
     bringTab("validation");
-    ValidationView* view = page.validation();
+    ValidationView* view = page.findChild<ValidationView*>();
     ASSERT_TRUE(test::comes([&] { return view->viewModel()->report() != nullptr; }));
     const auto& report = *view->viewModel()->report();
     const int all = static_cast<int>(report.rows.size());
