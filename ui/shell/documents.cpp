@@ -512,18 +512,10 @@ bool Documents::close(OpenDocument& document) {
     return true;
 }
 
+/// Where one stays, the case that was asked about is in front.
 bool Documents::mayGo() {
-    OpenDocument* const front = current_;
-    for (const auto& each : documents_) {
-        if (!each->document->mayGo()) {
-            // Where entries were rejected, one stays at them.
-            if (front != nullptr && each->document->needsSaving()) {
-                bringToFront(*front);
-            }
-            return false;
-        }
-    }
-    return true;
+    return std::all_of(documents_.begin(), documents_.end(),
+                       [](const auto& each) { return each->document->mayGo(); });
 }
 
 // ------------------------------------------------------------------------------------- tabs

@@ -559,11 +559,7 @@ void MainWindow::showAbout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    const bool wasAtStart = isAtStart();
     if (!documents_->mayGo()) {
-        if (wasAtStart) {
-            showStart();
-        }
         event->ignore();
         return;
     }

@@ -390,7 +390,7 @@ TEST_F(DocumentsTest, QuittingAsksForEachThatHasChanges) {
     ASSERT_EQ(asked.size(), 2);
     EXPECT_TRUE(asked[0].contains(u"tmz-650d"_s));
     EXPECT_TRUE(asked[1].contains(u"honda"_s));
-    EXPECT_TRUE(window.windowTitle().contains(u"zotov-energy"_s)) << "where one was";
+    EXPECT_TRUE(window.windowTitle().contains(u"honda"_s)) << "what was asked about";
     EXPECT_EQ(window.documents().all().size(), 4U);
 }
 
