@@ -98,6 +98,15 @@ class Planner {
         return Pattern{n, diameter, depth, target_ - taken(n, diameter, depth), n * one.mass};
     }
 
+    NoRoom room_for_one(double diameter) const {
+        if (deepest(diameter) < minimum_) {
+            return NoRoom::too_shallow;
+        }
+        return !may_lie(angle_, diameter, minimum_) ? NoRoom::in_sector
+               : fits(1, diameter, minimum_)        ? NoRoom::none
+                                                    : NoRoom::beside_hole;
+    }
+
     std::vector<Hole> holes(const Pattern& pattern) const {
         std::vector<Hole> list;
         const Removed one = cut_.removed(pattern.diameter, pattern.depth);
@@ -122,6 +131,12 @@ class Planner {
         return cut_.removed(diameter, depth).unbalance * cosines;
     }
 
+    bool may_lie(double angle, double diameter, double depth) const {
+        return !limits_.sector ||
+               (limits_.allows(angle) &&
+                edge_beyond(cut_, *limits_.sector, {diameter, depth, angle, 0.0, 0.0}) == 0.0);
+    }
+
     /// Visits the angles from the middle to each of n holes.
     /// @return whether all have room
     bool place(int n, double diameter, double depth, auto&& visit) const {
@@ -129,14 +144,9 @@ class Planner {
         if (!half && (n > 1 || !limits_.taken.empty())) {
             return false;
         }
-        const auto may_lie = [&](double angle) {
-            return !limits_.sector ||
-                   (limits_.allows(angle) &&
-                    edge_beyond(cut_, *limits_.sector, {diameter, depth, angle, 0.0, 0.0}) == 0.0);
-        };
         double offset = half.value_or(0.0);
         if (n % 2 == 1) {
-            if (!may_lie(angle_) || clear_of_taken(0.0, offset) != 0.0) {
+            if (!may_lie(angle_, diameter, depth) || clear_of_taken(0.0, offset) != 0.0) {
                 return false;
             }
             visit(0.0);
@@ -144,8 +154,9 @@ class Planner {
         }
         for (int pair = 0; pair < n / 2; ++pair) {
             const auto clear = clear_of_taken(offset, *half);
-            if (!clear || *clear > limits_.maximum_angle || !may_lie(angle_ - *clear) ||
-                !may_lie(angle_ + *clear)) {
+            if (!clear || *clear > limits_.maximum_angle ||
+                !may_lie(angle_ - *clear, diameter, depth) ||
+                !may_lie(angle_ + *clear, diameter, depth)) {
                 return false;
             }
             visit(-*clear);
@@ -275,6 +286,10 @@ HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const
         return {{}, target, nearest->left > target ? why : Shortfall::nothing_fits};
     }
     return {planner.holes(*nearest), nearest->left, why};
+}
+
+NoRoom room_at(double angle, const Cut& cut, double diameter, const HoleLimits& limits) {
+    return Planner(0.0, angle, cut, limits).room_for_one(diameter);
 }
 
 bool HoleLimits::allows(double angle) const {

@@ -128,6 +128,15 @@ HolePlan plan_beside_sector(double target, double angle, const Cut& cut,
                             std::span<const double> diameters, const HoleLimits& limits,
                             double tolerance);
 
+/// Why there is no room for a hole at an angle.
+enum class NoRoom {
+    none,         ///< there is
+    too_shallow,  ///< no depth between the smallest and the largest
+    in_sector,    ///< its edge would be beyond a limit
+    beside_hole   ///< one that was drilled before is too near
+};
+NoRoom room_at(double angle, const Cut& cut, double diameter, const HoleLimits& limits);
+
 /// Deepens holes that are there, so that as little as can be of the unbalance is left: one where
 /// that is enough, else two, else as many as help. Each keeps its wall to all others.
 /// @param unbalance  of the plane, kg·m and direction

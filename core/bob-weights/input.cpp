@@ -255,26 +255,33 @@ std::optional<double> mass_of(const Input& input, const PartField& part) {
     return column ? shop::statistics(*column)->mean : input.parts.*part.member;
 }
 
-std::vector<Message> not_counted(const Input& input, bool with_replaced) {
+std::vector<Message> replaced(const Input& input) {
     std::vector<Message> list;
     for (const PartField& part : part_fields()) {
         const auto& typed = input.parts.*part.member;
-        if (!input.weigh_in || !part.column) {
+        if (typed && part.column && is_weighed(input, part)) {
+            list.emplace_back(
+                CORE_TEXT("bob-weights", "%1: the weighed masses replace the typed %2."),
+                shop::part_word(*part.column).label, shop::in_grams(*typed));
+        }
+    }
+    return list;
+}
+
+std::vector<Message> not_counted(const Input& input) {
+    std::vector<Message> list;
+    for (const PartField& part : part_fields()) {
+        if (!input.weigh_in || !part.column || is_weighed(input, part)) {
             continue;
         }
-        if (is_weighed(input, part)) {
-            if (typed && with_replaced) {
-                list.emplace_back(
-                    CORE_TEXT("bob-weights", "%1: the weighed masses replace the typed %2."),
-                    shop::part_word(*part.column).label, shop::in_grams(*typed));
-            }
-        } else if (const auto weighed = shop::statistics((*input.weigh_in)[*part.column])) {
+        if (const auto weighed = shop::statistics((*input.weigh_in)[*part.column])) {
             list.emplace_back(
-                typed ? CORE_TEXT(
-                            "bob-weights",
-                            "%1: %2 of %3 weighed; the typed mass is used until all are weighed.")
-                      : CORE_TEXT("bob-weights",
-                                  "%1: %2 of %3 weighed; not used until all are weighed."),
+                input.parts.*part.member
+                    ? CORE_TEXT(
+                          "bob-weights",
+                          "%1: %2 of %3 weighed; the typed mass is used until all are weighed.")
+                    : CORE_TEXT("bob-weights",
+                                "%1: %2 of %3 weighed; not used until all are weighed."),
                 shop::part_word(*part.column).label, weighed->count, input.engine.cylinders);
         }
     }

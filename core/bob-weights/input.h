@@ -285,9 +285,10 @@ bool is_weighed(const Input& input, const PartField& part);
 /// typed.
 std::optional<double> mass_of(const Input& input, const PartField& part);
 
-/// What is typed or weighed and does not count; a sentence for each.
-/// @param with_replaced  also what weighed masses replace
-std::vector<Message> not_counted(const Input& input, bool with_replaced = true);
+/// What is typed and weighed masses replace; a sentence for each.
+std::vector<Message> replaced(const Input& input);
+/// What else is typed or weighed and does not count; a sentence for each.
+std::vector<Message> not_counted(const Input& input);
 
 /// Of the tolerance; nothing where it is none by grade.
 std::optional<double> service_speed(const Input& input);

@@ -64,9 +64,10 @@ Message cause_of(Shortfall shortfall, const Correction& correction, bool beside)
 /// @param can_press   the sector has a place opposite what is left
 /// @param can_deepen  a planned hole is towards what is left
 /// @param beside      holes of earlier runs are in that plane
+/// @param no_slug     why none is pressed in
 Message describe(Shortfall shortfall, double left, double angle, const Plane& plane,
                  const Correction& correction, bool has_slugs, bool can_press, bool can_deepen,
-                 bool beside) {
+                 bool beside, const Message& no_slug) {
     const Message cause = cause_of(shortfall, correction, beside);
     if (shortfall == Shortfall::none || shortfall == Shortfall::nothing_fits ||
         shortfall == Shortfall::rounding) {
@@ -75,7 +76,7 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
     const Message remains{CORE_TEXT("bob-weights", "Residual: %1 at the drilling radius at %2."),
                           shop::in_grams(std::abs(left) / *plane.radius),
                           Number{turn_of(angle) / degree, units::degree, -1}};
-    const Message remedy =
+    Message remedy =
         !can_press && !can_deepen
             ? CORE_TEXT("bob-weights",
                         "The opposite side is outside the sector too: widen the sector if there "
@@ -90,6 +91,9 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
                      : CORE_TEXT("bob-weights",
                                  "Press in heavy metal opposite, or as a last resort weld the "
                                  "same mass on opposite.");
+    if (can_press && !no_slug.empty()) {
+        remedy = shop::two_sentences(no_slug, remedy);
+    }
     return {Text{"", "%1 %2 %3"}, cause, remains, remedy};
 }
 
@@ -152,6 +156,39 @@ class PlanePlanner {
 
     bool has_slugs() const { return has_slugs_; }
     bool can_press_against(double angle) const { return limits_.allows(turn_of(angle + pi)); }
+
+    /// Why no slug is pressed in at an angle; empty where none is set up, or its metal is the
+    /// reason.
+    Message why_no_slug(double angle, Shortfall shortfall) const {
+        if (!has_slugs_ || shortfall == Shortfall::light_slugs ||
+            shortfall == Shortfall::short_slugs) {
+            return {};
+        }
+        HoleLimits limits = limits_;
+        for (const Hole& hole : there_) {
+            take(hole, cut_, limits);
+        }
+        const double diameter = *correction_.slug->diameter;
+        const Number size{diameter / units::mm, units::mm, -2};
+        const Number place{angle / degree, units::degree, -1};
+        switch (room_at(angle, into_, diameter, limits)) {
+            case NoRoom::too_shallow:
+                return {CORE_TEXT("bob-weights",
+                                  "No slug of ⌀ %1 fits: the maximum depth of %2 is too small."),
+                        size, Number{limits.maximum_depth / units::mm, units::mm, -2}};
+            case NoRoom::in_sector:
+                return {CORE_TEXT("bob-weights",
+                                  "No slug of ⌀ %1 fits at %2: its edge would be beyond the "
+                                  "drilling sector."),
+                        size, place};
+            case NoRoom::beside_hole:
+                return {CORE_TEXT("bob-weights", "No slug of ⌀ %1 fits at %2: a hole is too near."),
+                        size, place};
+            case NoRoom::none:
+                break;
+        }
+        return {CORE_TEXT("bob-weights", "Even the shortest slug of ⌀ %1 adds too much."), size};
+    }
 
     Planned plan(Vector unbalance) const {
         // What is within its limit needs no hole, whatever the aim.
@@ -381,10 +418,13 @@ PlaneResult plan_plane(Vector unbalance, const Plane& plane, const Correction& c
                 return std::abs(std::remainder(hole.angle - result.remaining_angle, 2.0 * pi)) <
                        maximum;
             });
-        result.reason =
-            describe(planned.shortfall, result.remaining, result.remaining_angle, plane, correction,
-                     planner.has_slugs(), planner.can_press_against(result.remaining_angle),
-                     can_deepen, !before.empty());
+        result.reason = describe(
+            planned.shortfall, result.remaining, result.remaining_angle, plane, correction,
+            planner.has_slugs(), planner.can_press_against(result.remaining_angle), can_deepen,
+            !before.empty(),
+            result.slugs.empty()
+                ? planner.why_no_slug(turn_of(result.remaining_angle + pi), planned.shortfall)
+                : Message());
     }
     return result;
 }

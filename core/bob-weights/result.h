@@ -78,7 +78,7 @@ struct RunResult {
     bool is_read() const { return planes || alone[0] || alone[1]; }
     /// kg·m; nothing where a plane was not read.
     std::array<std::optional<double>, 2> unbalances() const;
-    /// As measured, of a plane; nothing without reading or limit.
+    /// As measured, of a plane; nothing without reading or limit, and no pass of half a run.
     std::optional<bool> within(std::size_t plane) const;
     bool acted_as_meant() const { return !other_effect[0] && !other_effect[1]; }
 

@@ -45,7 +45,7 @@ class JobVisit {
         visitor_.texts(key::not_given,
                        keys_of(result_.not_given, [](const PartField* part) { return part; }));
         if (visitor_.wants(key::not_counted.key)) {
-            visitor_.texts(key::not_counted, not_counted(input_));
+            visitor_.texts(key::not_counted, shop::both(replaced(input_), not_counted(input_)));
         }
         visitor_.texts(key::looks_like_kilograms,
                        keys_of(result_.in_kilograms, [](const auto& each) { return each.first; }));

@@ -344,9 +344,13 @@ bool reads_in_planes(const Correction& correction) {
 }
 
 std::optional<bool> RunResult::within(std::size_t plane) const {
-    return planes         ? (*planes)[plane].within_tolerance
-           : alone[plane] ? alone[plane]->within_tolerance
-                          : std::nullopt;
+    if (planes) {
+        return (*planes)[plane].within_tolerance;
+    }
+    const auto& read = alone[plane];
+    // What one plane reads may fail, and passes with the other alone.
+    const bool counts = read && (alone[1 - plane] || read->within_tolerance == false);
+    return counts ? read->within_tolerance : std::nullopt;
 }
 
 std::optional<bool> RunResult::passes() const {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 #include "case-file/message.h"
 
@@ -17,6 +20,11 @@ inline Number in_gram_millimetres(double unbalance) {
 
 inline Message two_sentences(Message first, Message second) {
     return {Text{"", "%1 %2"}, std::move(first), std::move(second)};
+}
+
+inline std::vector<Message> both(std::vector<Message> first, std::vector<Message> second) {
+    std::move(second.begin(), second.end(), std::back_inserter(first));
+    return first;
 }
 
 }  // namespace ravnoves::shop

@@ -118,19 +118,28 @@ double rounding_squares(const Input& input) {
     return sum;
 }
 
-std::vector<Message> not_counted(const Input& input, bool with_replaced) {
+std::vector<Message> replaced(const Input& input) {
+    std::vector<Message> list;
+    for (const MassChangeField& each : mass_change_fields()) {
+        const double typed = input.typed_changes.*each.member;
+        if (typed != 0.0 && !input.takes_typed(each.member)) {
+            list.emplace_back(CORE_TEXT("V8", "%1: the weighed masses replace the typed %2."),
+                              each.field.label, shop::in_grams(typed));
+        }
+    }
+    return list;
+}
+
+std::vector<Message> not_counted(const Input& input) {
     std::vector<Message> list;
     const bool weighs = input.changes_from_weigh_in && input.weigh_in;
     for (const MassChangeField& each : mass_change_fields()) {
         const double typed = input.typed_changes.*each.member;
-        if (typed == 0.0 || (!with_replaced && !input.takes_typed(each.member))) {
+        if (typed == 0.0 || !input.takes_typed(each.member)) {
             continue;
         }
         const Number grams = shop::in_grams(typed);
-        if (!input.takes_typed(each.member)) {
-            list.emplace_back(CORE_TEXT("V8", "%1: the weighed masses replace the typed %2."),
-                              each.field.label, grams);
-        } else if (each.repair_only && input.process == Process::manufacture) {
+        if (each.repair_only && input.process == Process::manufacture) {
             list.emplace_back(CORE_TEXT("V8", "%1: the typed %2 is not used in manufacture."),
                               each.field.label, grams);
         } else if (weighs && !input.weigh_in->is_empty()) {

@@ -91,10 +91,11 @@ void visit_plugs(FieldVisitor& visitor, Input& input, bool weighed);
 /// Σ c²/n of shop::Weighing, by the means of the columns that count.
 double rounding_squares(const Input& input);
 
-/// What is typed or weighed and does not count, and what is typed and counts beside weights; a
+/// What is typed and weighed masses replace; a sentence for each.
+std::vector<Message> replaced(const Input& input);
+/// What else is typed or weighed and does not count, and what is typed and counts beside weights; a
 /// sentence for each.
-/// @param with_replaced  also what weighed masses replace
-std::vector<Message> not_counted(const Input& input, bool with_replaced = true);
+std::vector<Message> not_counted(const Input& input);
 
 /// Checks that nothing which a result needs is missing, and the rules that join fields.
 /// @param place  of the method's fields, "/input/" or the object in it

@@ -7,6 +7,7 @@
 
 #include "numerics/demand.h"
 #include "shop/results.h"
+#include "shop/sentences.h"
 #include "v8-plugs/presets.h"
 #include "v8-plugs/result_fields.h"
 #include "v8-plugs/solver.h"
@@ -214,7 +215,7 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
         }
     });
     if (visitor.wants(key::not_counted.key)) {
-        visitor.texts(key::not_counted, not_counted(input));
+        visitor.texts(key::not_counted, shop::both(replaced(input), not_counted(input)));
     }
     visitor.object(key::options, [&] {
         for (const OptionId id : all_options) {

@@ -468,6 +468,17 @@ Messages other_readings(const DoubtCase& job) {
     return {shop::other_readings(newest->read_with, newest->read_on, job.shaft.bob_weight)};
 }
 
+/// What was read with bob weights of an unknown mass says nothing of the crankshaft.
+Messages unknown_bob_weight(const DoubtCase& job) {
+    const bob_weights::RunResult* newest = job.shaft.newest();
+    if (newest == nullptr || !newest->is_read() || job.shaft.bob_weight ||
+        bob_weights::balances_itself(job.input.engine)) {
+        return {};
+    }
+    return {{CORE_TEXT("workshop",
+                       "The readings need a known bob weight. Complete engine and parts.")}};
+}
+
 /// What is read elsewhere is another unbalance in the planes, which takes its direction to know.
 Messages beside_planes(const DoubtCase& job) {
     const auto& correction = job.input.correction;
@@ -485,15 +496,22 @@ bool is_by_grade(const DoubtCase& job) {
     return job.input.tolerance && job.input.tolerance->by_grade;
 }
 
+/// All that hang on the crankshaft, kg.
+double bob_weights_of(const DoubtCase& job) {
+    return job.shaft.bob_weight.value_or(0.0) * job.input.engine.crankpins();
+}
+
 /// A crankshaft weighs more than the weights on it, and not many times as much: flywheels may be
-/// pressed onto that of one or two cylinders.
+/// pressed onto one of one or two cylinders, and where none need hang the counterweights are free.
 Messages rotor_mass(const DoubtCase& job) {
     const auto& mass = is_by_grade(job) ? job.input.tolerance->rotor_mass : std::nullopt;
     if (!mass) {
         return {};
     }
-    const double maximum = job.input.engine.cylinders > 2 ? 25.0 : 100.0;
-    const double weights = job.shaft.bob_weight.value_or(0.0) * job.input.engine.crankpins();
+    const double maximum =
+        job.input.engine.cylinders > 2 && !bob_weights::balances_itself(job.input.engine) ? 25.0
+                                                                                        : 100.0;
+    const double weights = bob_weights_of(job);
     const Number shown{*mass, units::kg, 0};
     if (shop::is_mass_in_grams(mass) || (weights > 0.0 && *mass > maximum * weights)) {
         return {{CORE_TEXT("workshop",
@@ -508,6 +526,23 @@ Messages rotor_mass(const DoubtCase& job) {
                  shown, Number{weights, units::kg, -2}}};
     }
     return {};
+}
+
+/// With the weights on it a crankshaft of more than two cylinders weighs three to six times as much
+/// as they do, with flywheel and clutch not twelve times: so far a slip makes the limit too wide.
+Messages heavy_rotor(const DoubtCase& job) {
+    constexpr double maximum = 12.0;
+    const auto& mass = is_by_grade(job) ? job.input.tolerance->rotor_mass : std::nullopt;
+    const double weights = bob_weights_of(job);
+    if (!mass || !(*mass > maximum * weights) || !(weights > 0.0) ||
+        job.input.engine.cylinders <= 2 || bob_weights::balances_itself(job.input.engine) ||
+        !rotor_mass(job).empty()) {
+        return {};
+    }
+    return {{CORE_TEXT("workshop",
+                       "A crankshaft of %1 is heavy for bob weights of %2. Check its mass: the "
+                       "permissible residual grows with it."),
+             Number{*mass, units::kg, 0}, Number{weights, units::kg, -2}}};
 }
 
 /// No crankshaft has its centre of mass that far off its axis.
@@ -589,30 +624,33 @@ const std::vector<bob_weights::Plane>* both_planes(const DoubtCase& job, auto ha
                : nullptr;
 }
 
-/// Of two counterweights neither reaches twice as far as the other; nor does one of an engine with
-/// light parts reach far.
-Messages unlike_radii(const DoubtCase& job) {
+/// No counterweight of an engine with light parts reaches far.
+Messages far_radius(const DoubtCase& job) {
     constexpr double light = 5.0 * units::kg;
     constexpr double far = 120.0 * units::mm;
     Messages list;
-    for (std::size_t i = 0; !crank_radius(job) && job.input.correction && i < 2; ++i) {
-        const auto& radius = job.input.correction->planes.size() > i
-                                 ? job.input.correction->planes[i].radius
-                                 : std::nullopt;
-        if (radius && *radius > far && job.shaft.bob_weight.value_or(light) < light) {
+    if (!job.input.correction || crank_radius(job) ||
+        job.shaft.bob_weight.value_or(light) >= light) {
+        return list;
+    }
+    const auto& planes = job.input.correction->planes;
+    for (std::size_t i = 0; i < planes.size() && i < 2; ++i) {
+        if (planes[i].radius && *planes[i].radius > far) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: a drilling radius of %2 is unusual for such a bob "
                                         "weight. Enter the radius, not the diameter."),
-                              plane_name(job, i), millimetres(*radius));
+                              plane_name(job, i), millimetres(*planes[i].radius));
         }
     }
-    if (!list.empty()) {
-        return list;
-    }
+    return list;
+}
+
+/// Of two counterweights neither reaches twice as far as the other.
+Messages unlike_radii(const DoubtCase& job) {
     const auto* planes = both_planes(job, [](const auto& plane) { return plane.radius; });
     constexpr double maximum = 1.8;
     if (planes == nullptr || !differ(*(*planes)[0].radius, *(*planes)[1].radius, maximum) ||
-        !plane_radius(job).empty()) {
+        !plane_radius(job).empty() || !far_radius(job).empty()) {
         return {};
     }
     return {{CORE_TEXT("workshop",
@@ -741,6 +779,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"share-of-one", error, all, "", share_of_one},
         {"plug-mass", error, all, "", plug_doubt<true>},
         {"half-weighed", error, all, "", half_weighed},
+        {"unknown-bob-weight", error, judged, "", unknown_bob_weight},
         {"other-crankshaft", error, judged, "", other_readings<true>},
         {"other-bob-weight", error, judged, "", other_readings<false>},
         {"beside-planes", error, verdict_alone, "", beside_planes},
@@ -752,6 +791,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"drilled-counting-otherwise", error, judged, drilled_act, drilled_counting_otherwise},
         {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise},
         {"plane-radius", error, judged, "", plane_radius},
+        {"heavy-rotor", warning, nothing, "", heavy_rotor},
         {"taken-as-nominal", warning, nothing, "", taken_as_nominal, true},
         {"paper-plug", warning, nothing, "", plug_doubt<false>},
         {"gear-against-parts", warning, nothing, "", gear_against_parts},
@@ -759,6 +799,7 @@ std::span<const DoubtRule> doubt_rules() {
         {"unequal-crankpins", warning, nothing, "", unequal_crankpins},
         {"unlike-halves", warning, nothing, "", unlike_halves},
         {"spread", warning, nothing, "", spread_of_parts},
+        {"far-radius", warning, nothing, "", far_radius},
         {"unlike-radii", warning, nothing, "", unlike_radii},
         {"plane-order", warning, nothing, "", plane_order},
         {"amplification", warning, nothing, "", amplification},

@@ -39,6 +39,8 @@ std::vector<Preset<Input>> presets() {
          {bob_weights::EngineType::boxer, 2, std::nullopt, 1, 0.0}},
         {CORE_TEXT("bob-weights", "Four in line"),
          {bob_weights::EngineType::in_line, 4, std::nullopt, 1, 0.0}},
+        {CORE_TEXT("bob-weights", "Six in line"),
+         {bob_weights::EngineType::in_line, 6, std::nullopt, 1, 0.0}},
         {CORE_TEXT("bob-weights", "One cylinder"),
          {bob_weights::EngineType::in_line, 1, std::nullopt, 1, 0.0}}};
     for (const auto& [name, engine] : engines) {

@@ -57,6 +57,38 @@ Verdict undoubted(const Input& input, const Result& result) {
     return verdict;
 }
 
+/// Whether engine and parts are known.
+bool is_known(const Input& input, const Result& result) {
+    return result.plugs ? result.shaft.bob_weight && result.plugs->advice
+                        : result.shaft.bob_weight || bob_weights::balances_itself(input.engine);
+}
+
+Verdict unwarned(const Input& input, const Result& result) {
+    const auto blocking = std::find_if(result.doubts.begin(), result.doubts.end(),
+                                       [](const Doubt& each) { return each.rule->blocks.any(); });
+    if (blocking != result.doubts.end()) {
+        return {Severity::error,
+                {CORE_TEXT("workshop", "STOP. %1"), blocking->text},
+                blocking->rule->act};
+    }
+    return is_known(input, result)
+               ? undoubted(input, result)
+               : Verdict{Severity::note,
+                         CORE_TEXT("workshop", "Enter the missing values of engine and parts.")};
+}
+
+/// What is said beside an answer; nothing where there is none.
+std::vector<const Doubt*> warnings(const Input& input, const Result& result) {
+    std::vector<const Doubt*> list;
+    for (const Doubt& doubt : result.doubts) {
+        if (doubt.rule->severity == Severity::warning && !result.withheld().any() &&
+            is_known(input, result)) {
+            list.push_back(&doubt);
+        }
+    }
+    return list;
+}
+
 /// Limits and readings in the planes, where a grade is shared between them.
 void visit_balancing(ResultVisitor& visitor, const Input& input, const bob_weights::Result& shaft) {
     const auto& tolerance = input.tolerance;
@@ -71,7 +103,7 @@ void visit_balancing(ResultVisitor& visitor, const Input& input, const bob_weigh
                 visitor.number(key::permissible, (*shaft.permissible)[i]);
                 if (newest != nullptr && newest->alone[i]) {
                     visitor.number(key::reading, newest->alone[i]->unbalance);
-                    visitor.flag(key::passes, newest->alone[i]->within_tolerance);
+                    visitor.flag(key::passes, newest->within(i));
                 }
             });
         }
@@ -89,30 +121,18 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
     visit_balancing(visitor, input, result.shaft);
 }
 
-Verdict verdict(const Input& input, const Result& result, bool names_warnings) {
-    const auto blocking = std::find_if(result.doubts.begin(), result.doubts.end(),
-                                       [](const Doubt& each) { return each.rule->blocks.any(); });
-    if (blocking != result.doubts.end()) {
-        return {Severity::error,
-                {CORE_TEXT("workshop", "STOP. %1"), blocking->text},
-                blocking->rule->act};
+Verdict verdict(const Input& input, const Result& result) {
+    Verdict verdict = unwarned(input, result);
+    for (const Doubt* doubt : warnings(input, result)) {
+        verdict.warn(doubt->text);
     }
-    const bool is_known =
-        result.shaft.bob_weight || (!input.plugs && bob_weights::balances_itself(input.engine));
-    if (!is_known || (result.plugs && !result.plugs->advice)) {
-        return {Severity::note,
-                CORE_TEXT("workshop", "Enter the missing values of engine and parts.")};
-    }
-    Verdict verdict = undoubted(input, result);
-    for (const Doubt& doubt : result.doubts) {
-        if (doubt.rule->severity != Severity::warning) {
-            continue;
-        }
-        if (!names_warnings) {
-            verdict.warn(CORE_TEXT("workshop", "See the warnings."));
-            break;
-        }
-        verdict.warn(doubt.text);
+    return verdict;
+}
+
+Verdict short_verdict(const Input& input, const Result& result) {
+    Verdict verdict = unwarned(input, result);
+    if (!warnings(input, result).empty()) {
+        verdict.warn(CORE_TEXT("workshop", "See the warnings."));
     }
     return verdict;
 }

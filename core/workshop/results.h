@@ -18,8 +18,9 @@ void visit_results(ResultVisitor& visitor, const Input& input);
 void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result);
 
 /// Of the job, also of a sheet half filled: STOP where a doubt blocks something, else pass or fail,
-/// else what to hang.
-/// @param names_warnings  or it says no more than that there are any
-Verdict verdict(const Input& input, const Result& result, bool names_warnings = true);
+/// else what to hang. It names every warning.
+Verdict verdict(const Input& input, const Result& result);
+/// The same beside a list of the warnings: no more than that there are any.
+Verdict short_verdict(const Input& input, const Result& result);
 
 }  // namespace ravnoves::workshop

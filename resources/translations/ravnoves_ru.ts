@@ -225,10 +225,6 @@
         <translation>Лист 5, %1, %2: введите «%3».</translation>
     </message>
     <message>
-        <source>Weigh-in sheet: %1 of cylinder %2 is missing or not a mass.</source>
-        <translation>Взвешивание: %1, цилиндр %2 — не введено или не масса.</translation>
-    </message>
-    <message>
         <source>Missing for the bob weight: %1</source>
         <translation>Для груза не хватает: %1</translation>
     </message>
@@ -239,10 +235,6 @@
     <message>
         <source>Balance factor %1, by theory</source>
         <translation>Коэффициент балансировки %1, по теории</translation>
-    </message>
-    <message>
-        <source>%1 in the front plane, %2 in the rear plane</source>
-        <translation>%1 в передней плоскости, %2 в задней</translation>
     </message>
     <message>
         <source>Permissible residual: %1, of %2 for the crankshaft.</source>
@@ -377,8 +369,8 @@
         <translation>центробежная сила %1 при %2</translation>
     </message>
     <message>
-        <source>The bob weight is unknown. Enter the parts, or check the bob weights on the crankpins before drilling.</source>
-        <translation>Балансировочный груз неизвестен. Введите детали или проверьте грузы на шейках до сверления.</translation>
+        <source>%1 (%2 at R %3)</source>
+        <translation>%1 (%2 на R %3)</translation>
     </message>
 </context>
 <context>
@@ -4637,7 +4629,7 @@
     </message>
     <message>
         <source>As planned</source>
-        <translation>Как запланировано</translation>
+        <translation>По плану</translation>
     </message>
     <message>
         <source>As measured</source>
@@ -5158,6 +5150,26 @@
     <message>
         <source>must be mm, #1 to #60, A to Z or inches such as 1/4, with semicolons between them</source>
         <translation>должны быть мм, #1–#60, A–Z или дюймы вида 1/4, через точку с запятой</translation>
+    </message>
+    <message>
+        <source>No slug of ⌀ %1 fits: the maximum depth of %2 is too small.</source>
+        <translation>Вставка ⌀ %1 не помещается: мала максимальная глубина %2.</translation>
+    </message>
+    <message>
+        <source>No slug of ⌀ %1 fits at %2: its edge would be beyond the drilling sector.</source>
+        <translation>Вставка ⌀ %1 не помещается под углом %2: её край вышел бы за сектор сверления.</translation>
+    </message>
+    <message>
+        <source>No slug of ⌀ %1 fits at %2: a hole is too near.</source>
+        <translation>Вставка ⌀ %1 не помещается под углом %2: слишком близко отверстие.</translation>
+    </message>
+    <message>
+        <source>Even the shortest slug of ⌀ %1 adds too much.</source>
+        <translation>Даже самая короткая вставка ⌀ %1 добавляет слишком много.</translation>
+    </message>
+    <message>
+        <source>Six in line</source>
+        <translation>Рядный шестицилиндровый</translation>
     </message>
 </context>
 <context>
@@ -14276,6 +14288,10 @@ but no position is feasible</source>
         <source>Engine renamed: %1.</source>
         <translation>Двигатель переименован: %1.</translation>
     </message>
+    <message>
+        <source>All plugs count alike: enter the mean mass. Match plugs that differ by more than 0.5 g.</source>
+        <translation>Все заглушки считаются одинаковыми: введите среднюю массу. Заглушки с разницей более 0,5 г подгоните.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::Presets</name>
@@ -14863,12 +14879,12 @@ but no position is feasible</source>
         <translation>Весы: %1</translation>
     </message>
     <message>
-        <source>%1 again: used only once. If the scale sends continuously, change its settings.</source>
-        <translation>%1 ещё раз: учтено один раз. Если весы посылают непрерывно, измените настройки.</translation>
-    </message>
-    <message>
         <source>Masses are entered in the field with the focus. Click for settings.</source>
         <translation>Масса вводится в поле с курсором. Щелчок — настройки.</translation>
+    </message>
+    <message>
+        <source>%1 not entered: sent again too soon. If the scale sends continuously, change its settings.</source>
+        <translation>%1 не введено: повторная передача слишком скоро. Если весы передают непрерывно, измените их настройки.</translation>
     </message>
 </context>
 <context>
@@ -17288,8 +17304,8 @@ but no position is feasible</source>
         <translation>Введите допустимый остаточный дисбаланс.</translation>
     </message>
     <message>
-        <source>Kept: engine, nominal masses, plugs, factor, machine, planes, drills and limits.</source>
-        <translation>Сохранены: двигатель, номинальные массы, заглушки, коэффициент, станок, плоскости, свёрла и допуски.</translation>
+        <source>Kept: engine, nominal masses, plugs, factor, machine, planes, drills, limit and speed. Cleared: weighed masses, readings, holes and the crankshaft’s mass.</source>
+        <translation>Сохранены: двигатель, номинальные массы, заглушки, коэффициент, станок, плоскости, свёрла, предел и частота вращения. Очищены: взвешенные массы, показания, отверстия и масса коленчатого вала.</translation>
     </message>
 </context>
 <context>
@@ -17535,8 +17551,8 @@ but no position is feasible</source>
         <translation>Новая работа: массы и показания пусты.</translation>
     </message>
     <message>
-        <source>Another engine: planes, heavy metal, mass and service speed of the previous crankshaft are cleared. Undo restores them.</source>
-        <translation>Другой двигатель: плоскости, тяжёлый металл, масса и рабочая частота вращения прежнего вала убраны. Отмена вернёт их.</translation>
+        <source>Another engine: planes, heavy metal, nominal masses and service speed of the previous crankshaft are cleared. Undo restores them.</source>
+        <translation>Другой двигатель: плоскости, тяжёлый металл, номинальные массы и рабочая частота вращения прежнего вала очищены. Отмена вернёт их.</translation>
     </message>
 </context>
 <context>
@@ -18480,6 +18496,14 @@ but no position is feasible</source>
     <message>
         <source>%1: %2 instead of %3, but no hole is recorded. Enter the holes drilled, or check crankshaft and machine.</source>
         <translation>%1: %2 вместо %3, но сверления не записаны. Введите просверленные отверстия или проверьте коленвал и станок.</translation>
+    </message>
+    <message>
+        <source>The readings need a known bob weight. Complete engine and parts.</source>
+        <translation>Для показаний нужна известная масса балансировочного груза. Заполните двигатель и детали.</translation>
+    </message>
+    <message>
+        <source>A crankshaft of %1 is heavy for bob weights of %2. Check its mass: the permissible residual grows with it.</source>
+        <translation>Коленчатый вал массой %1 тяжёл для грузов массой %2. Проверьте его массу: с ней растёт допустимый остаток.</translation>
     </message>
 </context>
 </TS>

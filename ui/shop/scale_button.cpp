@@ -35,7 +35,8 @@ ScaleButton::ScaleButton(QWidget* parent) : QToolButton(parent), reader_(new Sca
     });
     connect(reader_, &ScaleReader::repeated, this, [this](const ScaleLine& line) {
         Q_EMIT status(
-            tr("%1 again: used only once. If the scale sends continuously, change its settings.")
+            tr("%1 not entered: sent again too soon. If the scale sends continuously, change its "
+               "settings.")
                 .arg(scaleText(line)));
     });
     connect(&Preferences::instance(), &Preferences::changed, this, &ScaleButton::showConnection);

@@ -221,6 +221,11 @@ void EntryField::keyPressEvent(QKeyEvent* event) {
             selectAll();  // what is typed next takes its place
         }
     }
+    if (event->modifiers().testFlag(Qt::AltModifier) && !event->text().isEmpty() &&
+        event->text().front().isPrint()) {
+        event->ignore();  // a key of the window, also where the window has no use for it now
+        return;
+    }
     QLineEdit::keyPressEvent(event);
 }
 

@@ -76,6 +76,7 @@ class Form : public QWidget {
 
   protected:
     SceneModel* model() const { return model_; }
+    void showAll();
 
   private:
     using Show = std::function<void(const FieldValue& value)>;
@@ -87,7 +88,6 @@ class Form : public QWidget {
 
     void add(const std::string& pointer, QWidget* field, Show show);
     FieldEntry entryOf(const std::string& pointer) const;
-    void showAll();
 
     SceneModel* model_;
     QVBoxLayout* column_;

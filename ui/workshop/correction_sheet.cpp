@@ -140,6 +140,10 @@ void CorrectionSheet::buildWhatIf() {
     whatIfLine_ = copyableLabel("what_if", Theme::titleSize, current());
     current()->addWide(whatIfLine_);
     follow([this] { showWhatIf(); });
+    connect(model_, &SceneModel::restarted, this, [this] {
+        whatIf_ = {};
+        showAll();
+    });
 }
 
 /// The planes by the machine's names, short: they stand beside the word.

@@ -137,7 +137,6 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
     header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setMaximumSectionSize(Theme::withText(widest));
-    header->setStretchLastSection(true);
     column->addWidget(table_, 1);
 
     message_ = new QLabel(this);
@@ -259,6 +258,14 @@ void JournalDialog::search() {
                                : kind == VerdictKind::Fail ? QBrush(theme.error())
                                : kind == VerdictKind::Open ? QBrush(theme.warning())
                                                            : QBrush());
+    }
+    // What no job has needs no room.
+    for (int column = 0; column < table_->columnCount(); ++column) {
+        bool isEmpty = table_->rowCount() > 0;
+        for (int row = 0; isEmpty && row < table_->rowCount(); ++row) {
+            isEmpty = table_->item(row, column)->text().isEmpty();
+        }
+        table_->setColumnHidden(column, isEmpty);
     }
     if (table_->rowCount() > 0) {
         table_->setCurrentCell(0, 0);

@@ -89,7 +89,7 @@ MachineSheet::MachineSheet(WorkshopModel* model, QWidget* parent) : WorkshopShee
 
 QWidget* MachineSheet::nextReading() const {
     const auto next = std::find_if(readings_.begin(), readings_.end(), [](NumberField* each) {
-        return !each->isHidden() && !each->value();
+        return !each->isHidden() && each->isEnabled() && !each->value();
     });
     return next == readings_.end() ? readings_.first() : *next;
 }
@@ -258,11 +258,15 @@ void MachineSheet::buildRuns() {
             }
         }
         rows << row.mid(1);
-        // One empty line waits for the next run.
+        // One empty line waits for the next run; those of two runs keep their place.
         follow([this, row, run] {
-            const bool isNext = run == model_->newestRun() + 1 && model_->isPlanned();
+            constexpr std::size_t always = 2;
+            const bool isFollowed =
+                model_->isPlanned() || (model_->isRunRead() && model_->withheld().any());
+            const bool isOpen = run <= model_->newestRun() + (isFollowed ? 1 : 0);
             for (QWidget* each : row) {
-                each->setVisible(run <= model_->newestRun() || isNext);
+                each->setEnabled(isOpen);
+                each->setVisible(isOpen || run <= always);
             }
         });
     }

@@ -47,6 +47,11 @@ PlugsSheet::PlugsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
     section(tr("Crankshaft and present plugs"));
     withPlugs(true);
     addValues(v8_plugs::EngineGroup::basic);
+    line(Theme::smallSize, [this] {
+        return model_->hasPlugs() ? tr("All plugs count alike: enter the mean mass. Match plugs "
+                                       "that differ by more than 0.5 g.")
+                                  : QString();
+    });
     section(tr("Sizes of the present plug"));
     withPlugs(true);
     addThread();

@@ -144,8 +144,8 @@ void WeighInSheet::addColumn(int column) {
             label->setToolTip(weighed.toolTip);
             colourText(label, ink);
         };
-        say(mean, weighed.mean, weighed.counts ? &Theme::text : &Theme::warning);
-        say(deviation, weighed.deviation, weighed.counts ? &Theme::text : &Theme::warning);
+        say(mean, weighed.mean, weighed.counts ? &Theme::text : &Theme::mutedText);
+        say(deviation, weighed.deviation, weighed.counts ? &Theme::text : &Theme::mutedText);
         say(spread, weighed.tooWide ? weighed.spread + QStringLiteral(" !") : weighed.spread,
             weighed.tooWide ? &Theme::error : &Theme::text);
     };

@@ -374,7 +374,7 @@ double WorkshopCard::notes(CardPage& page, double y) const {
     constexpr double minToWrite = 9.0;
     // More than a line is set smaller.
     const double points = page.textWidth(notes, 8.5) <= cardWidth ? 8.5 : 7.2;
-    if (notes.isEmpty() && page.end() - y < minToWrite) {
+    if (notes.isEmpty() && (page.number() > 1 || page.end() - y < minToWrite)) {
         return y;
     }
     // The heading is not left alone.
@@ -522,6 +522,11 @@ void WorkshopCard::draw(CardPage& page) const {
         y = page.place(y + gap, [&](double at) { return clocks(page, at); });
     }
     std::vector<Block> machine;
+    if (hasMetal) {
+        machine.push_back({words_.translate("BobWeights", "Already drilled"),
+                           {{22, Qt::AlignLeft}, {62, Qt::AlignLeft}, {20}, {54}, {24}},
+                           model_.drilledResults(words_)});
+    }
     if (shaft.correction) {
         machine.push_back(
             {words_.translate("BobWeights", "Correction: measured → after correction"),
@@ -531,20 +536,12 @@ void WorkshopCard::draw(CardPage& page) const {
     }
     machine.push_back(runBlock(words_, model_));
     machine.back().say(model_.limitText(words_));
-    if (hasMetal) {
-        machine.push_back({words_.translate("BobWeights", "Already drilled"),
-                           {{22, Qt::AlignLeft}, {62, Qt::AlignLeft}, {20}, {54}, {24}},
-                           model_.drilledResults(words_)});
-    }
     if (model_.input().correction && model_.input().correction->planes.size() == 2 &&
         model_.input().correction->readings.size() == 2) {
         machine.push_back(planeBlock(words_, model_));
     }
-    const auto place = [&](const Block& block) {
-        y = page.place(y + gap, [&](double at) { return drawBlock(page, block, at, rowHeight); });
-    };
     for (const Block& block : machine) {
-        place(block);
+        y = page.place(y + gap, [&](double at) { return drawBlock(page, block, at, rowHeight); });
     }
     y = page.flow(y + 1.0, otherRejectedText(), notePoints, CardPage::amber);
     y = notes(page, y + gap);
@@ -567,14 +564,16 @@ void WorkshopCard::draw(CardPage& page) const {
     for (Block& block : weighedBlocks(words_, model_)) {
         parts.push_back(std::move(block));
     }
-    if (!parts.empty()) {
+    if (!parts.empty() && page.number() == 1) {
         y = page.nextSheet();  // the first page goes to the machine
-        if (hasPlug) {
-            drawPlugBeside(page, y + gap);
-        }
-        for (const Block& block : parts) {
-            place(block);
-        }
+    }
+    for (const Block& block : parts) {
+        y = page.place(y + gap, [&](double at) {
+            if (hasPlug && &block == &parts.front()) {
+                drawPlugBeside(page, at);
+            }
+            return drawBlock(page, block, at, rowHeight);
+        });
     }
     page.finishSheet();
 }

@@ -94,7 +94,8 @@ TEST(Weights, ThatDoNotCountOrReplaceWhatIsTypedAreSaid) {
     // Of a sheet that is half filled.
     BobWeightsCase input = read_input(card);
     input.weigh_in->columns[1].mass[2] = 0.17;
-    EXPECT_EQ(not_counted(input).at(1).english(),
+    EXPECT_EQ(replaced(input).size(), 1U);
+    EXPECT_EQ(not_counted(input).at(0).english(),
               "Pin: 1 of 8 weighed; the typed mass is used until all are weighed.");
 }
 
@@ -388,6 +389,42 @@ TEST(Correction, SaysWhichSlugsOutweighNothing) {
     expect_reason(
         plane,
         "A slug of 11340 kg/m³ of maximum depth is lighter than the crankshaft metal (7850 kg/m³)");
+}
+
+TEST(Correction, SaysWhyASlugDoesNotFit) {
+    // Heavy at 40°, so that a slug would be at 220°.
+    const Json earlier = parse_json(
+        R"([{"drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 20, "angle_deg": 222}]}])");
+    const struct {
+        std::vector<std::pair<const char*, Json>> changes;
+        const char* reason;
+    } cases[] = {
+        {{{"/correction/smallest_depth_mm", 40}}, "fits: the maximum depth of "},
+        {{{"/correction/planes/0/from_deg", 216}, {"/correction/planes/0/to_deg", 224}},
+         "fits at 220.0°: its edge would be beyond the"},
+        // A pair at its sides would be beyond the sector.
+        {{{"/correction/planes/0/from_deg", 205},
+          {"/correction/planes/0/to_deg", 235},
+          {"/correction/earlier_runs", earlier}},
+         "fits at 220.0°: a hole is too near."},
+    };
+    for (const auto& [changes, said] : cases) {
+        Json input = with_correction();
+        input["tolerance"] = {{"g_mm", 100}};
+        Json& correction = input["correction"];
+        correction["readings"][0]["unbalance_g_mm"] = 20'000;
+        correction["planes"][0]["from_deg"] = 20;
+        correction["planes"][0]["to_deg"] = 300;
+        correction["slug"] = {{"diameter_mm", 20}, {"density_kg_m3", 17'500}};
+        EXPECT_FALSE(front_of(input).at("slugs").empty());
+        for (const auto& [pointer, value] : changes) {
+            input[Json::json_pointer(pointer)] = value;
+        }
+        const Json plane = front_of(input);
+        EXPECT_TRUE(plane.at("slugs").empty()) << said;
+        EXPECT_NE(plane.at("reason").get<std::string>().find(said), std::string::npos)
+            << plane.at("reason");
+    }
 }
 
 TEST(Tolerance, IsSharedByTheDistances) {

@@ -59,7 +59,18 @@ TEST_P(EveryDoubt, BlocksWhatItNames) {
     const auto job = doubted().find(rule.word);
     ASSERT_NE(job, doubted().end()) << "a doubt needs a job that has it: " << rule.word;
     // As the form has it: a column of the weigh-in may be half filled.
-    const Json result = result_json({}, read_input(job->second(), Completeness::as_is));
+    const Input input = read_input(job->second(), Completeness::as_is);
+    if (const Result half = solve(input, false); !half.shaft.bob_weight) {
+        // No result is written, and nothing is left of the answer.
+        ASSERT_EQ(half.doubts.size(), 1U);
+        EXPECT_EQ(half.doubts[0].rule->word, rule.word);
+        EXPECT_TRUE(verdict(input, half).text.english().starts_with("STOP. "));
+        ASSERT_TRUE(half.shaft.correction && !half.shaft.correction->at(0).holes.empty());
+        const Result left = allowed(half);
+        EXPECT_FALSE(left.shaft.correction || left.shaft.newest()->passes());
+        return;
+    }
+    const Json result = result_json({}, input);
     const Json& doubts = result.at("doubts");
     const auto found = std::find_if(doubts.begin(), doubts.end(),
                                     [&](const Json& each) { return each.at("kind") == rule.word; });
@@ -128,8 +139,72 @@ TEST(Doubts, OfADiameterNeedNoCrankRadius) {
     }
     const Json doubts = solved(input).at("doubts");
     ASSERT_EQ(doubts.size(), 2U) << doubts.dump(1);
-    EXPECT_EQ(doubts[0].at("kind"), "unlike-radii");
+    EXPECT_EQ(doubts[0].at("kind"), "far-radius");
     EXPECT_NE(doubts[1].at("text").get<std::string>().find("not the diameter"), std::string::npos);
+}
+
+TEST(Doubts, OfAHeavyCrankshaftAreNoneOfRealOnes) {
+    struct Case {
+        const char* engine;
+        double of_card;  ///< the masses of card(), times
+        double mass_kg;
+        const char* doubt;
+    };
+    const char* const eight = R"({"type": "v", "cylinders": 8, "bank_angle_deg": 90})";
+    const char* const six =
+        R"({"type": "v", "cylinders": 6, "bank_angle_deg": 90, "pin_split_deg": 30})";
+    const Case cases[] = {
+        {eight, 1.0, 32, ""},               // of a passenger car
+        {eight, 1.0, 33 + 10 + 8 + 4, ""},  // with flywheel, clutch and damper
+        {eight, 4.5, 180, ""},              // of a lorry
+        {six, 0.7, 22, ""},
+        {six, 0.7, 22 + 10 + 6, ""},
+        {R"({"type": "v", "cylinders": 12, "bank_angle_deg": 60})", 1.0, 45, ""},
+        {R"({"type": "v", "cylinders": 2, "bank_angle_deg": 45})", 1.0, 40, ""},
+        {R"({"type": "inline", "cylinders": 6})", 0.6, 90, ""},  // nothing hangs on it
+        {eight, 1.0, 120, "heavy-rotor"},
+        {six, 0.7, 82, "heavy-rotor"},
+        {eight, 1.0, 320, "rotor-mass"},
+    };
+    for (const Case& each : cases) {
+        SCOPED_TRACE(std::to_string(each.mass_kg) + " " + each.engine);
+        Json input = card();
+        input["engine"] = parse_json(each.engine);
+        for (Json& mass : input["parts_g"]) {
+            mass = each.of_card * mass.get<double>();
+        }
+        input["tolerance"]["rotor_mass_kg"] = each.mass_kg;
+        const Json doubts = solved(input).at("doubts");
+        const bool is_doubted = std::any_of(doubts.begin(), doubts.end(), [](const Json& doubt) {
+            return doubt.at("kind") == "heavy-rotor" || doubt.at("kind") == "rotor-mass";
+        });
+        EXPECT_EQ(is_doubted, *each.doubt != '\0') << doubts.dump(1);
+        if (is_doubted) {
+            EXPECT_EQ(doubts[0].at("kind"), each.doubt);
+        }
+    }
+}
+
+TEST(Doubts, OfAnUnknownBobWeightAreNoneWhereNoneHangs) {
+    const auto kinds = [](const char* engine, const Json& readings) {
+        Json json = card();
+        json["engine"] = parse_json(engine);
+        json.erase("parts_g");
+        json["correction"]["readings"] = readings;
+        std::vector<std::string_view> list;
+        for (const Doubt& doubt : solve(read_input(json, Completeness::as_is)).doubts) {
+            list.push_back(doubt.rule->word);
+        }
+        return list;
+    };
+    const Json both = card().at("correction").at("readings");
+    const Json one = parse_json(R"([{"unbalance_g_mm": 25, "angle_deg": 40}, {}])");
+    const char* const eight = R"({"type": "v", "cylinders": 8, "bank_angle_deg": 90})";
+    const std::vector<std::string_view> unknown{"unknown-bob-weight"};
+    EXPECT_EQ(kinds(eight, both), unknown);
+    EXPECT_EQ(kinds(eight, one), unknown) << "half a run is read with them, too";
+    EXPECT_TRUE(kinds(eight, parse_json("[{}, {}]")).empty());
+    EXPECT_TRUE(kinds(R"({"type": "inline", "cylinders": 6})", both).empty());
 }
 
 TEST(Doubts, OfThePapersPlugAreSaidBesideAPass) {

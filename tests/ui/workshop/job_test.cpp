@@ -731,15 +731,32 @@ TEST_F(JobPageTest, APassBesideAWarningSaysSoOnPageCardAndInTheJournal) {
     EXPECT_TRUE(jobs().at(0).isFinished);
 }
 
-TEST_F(JobPageTest, ReadingsOfAnUnknownBobWeightAreWarnedOfOnPageAndCard) {
-    typeReadings();
-    const QString said = u"The bob weight is unknown."_s;
-    EXPECT_TRUE(label("troubles").contains(said)) << qPrintable(label("troubles"));
-    EXPECT_TRUE(cardText().contains(said));
-    limitTo(3000);
-    EXPECT_TRUE(card().contains(u"PASS, but see the warnings"_s));
+TEST_F(JobPageTest, AKeyOfTheWindowTypesNothing) {
+    show(PartsTab);
+    type("piston", u"583.9"_s);
+    auto* piston = field("piston");
+    piston->setFocus();
+    piston->deselect();
+    for (const auto& [modifiers, text] :
+         {std::pair(Qt::AltModifier, u"583.9"_s), std::pair(Qt::NoModifier, u"4583.9"_s)}) {
+        QKeyEvent key(QEvent::KeyPress, Qt::Key_4, modifiers, u"4"_s);
+        piston->setCursorPosition(0);
+        QApplication::sendEvent(piston, &key);  // without plugs there is no sheet 4
+        EXPECT_EQ(piston->text(), text);
+    }
+}
+
+TEST_F(JobPageTest, TheLimitIsSaidInGramsAtTheDrillingRadius) {
     typeShopCard();
-    EXPECT_FALSE(label("troubles").contains(said));
+    typeReadings();
+    fill({{"grade_mm_s", "16"}, {"rotor_mass_kg", "32"}, {"service_speed_rpm", "5500"}});
+    // By hand: 32 kg × 16 mm/s ÷ (5500 · 2π ÷ 60) ÷ 2 = 444.5 g·mm, ÷ 85 mm = 5.23 g.
+    EXPECT_TRUE(label("limits").contains(u"444.5 g·mm (5.23 g at R 85 mm) in each plane"_s))
+        << qPrintable(label("limits"));
+    EXPECT_FALSE(label("troubles").contains(u"is heavy for"_s));
+    type("rotor_mass_kg", u"120"_s);
+    EXPECT_TRUE(label("limits").contains(u"(19.61 g at R"_s)) << qPrintable(label("limits"));
+    EXPECT_TRUE(label("troubles").contains(u"A crankshaft of 120 kg is heavy for"_s));
 }
 
 TEST_F(JobPageTest, AReadingInGramsIsAtTheDrillingRadius) {
@@ -894,7 +911,7 @@ TEST_F(JobPageTest, LimitsComeByGradeOrByHand) {
     EXPECT_NEAR(*model->input().tolerance->grade, 16e-3, 1e-12);
     type("rotor_mass_kg", u"32"_s);
     type("service_speed_rpm", u"6000"_s);
-    EXPECT_TRUE(label("limits").contains(u"407.4 g·mm in each plane"_s))
+    EXPECT_TRUE(label("limits").contains(u"407.4 g·mm (4.79 g at R 85 mm) in each plane"_s))
         << label("limits").toStdString();
     auto* own = find<QCheckBox>("own_limit");
     show(MachineTab);
@@ -1285,9 +1302,14 @@ TEST_F(JobPageTest, AnUnbalanceThatGrewByTheDrillingIsNoJobWellDone) {
 TEST_F(JobPageTest, RunsFollowOneAnother) {
     type("customer", u"Smith"_s);
     typeShopCard();
-    EXPECT_FALSE(field("run_1_unbalance_1")->isVisibleTo(&page));
+    EXPECT_FALSE(field("run_1_unbalance_1")->isEnabled()) << "nothing is planned yet";
     typeReadings();
     show(MachineTab);
+    // The sheet below keeps its place while runs come.
+    const auto place = [&] { return field("position_1")->mapTo(&page, QPoint()).y(); };
+    const int before = place();
+    EXPECT_TRUE(field("run_1_unbalance_1")->isEnabled());
+    EXPECT_FALSE(field("run_2_unbalance_1")->isEnabled());
     QTest::mouseClick(find<QCheckBox>("own_limit"), Qt::LeftButton, Qt::NoModifier, {8, 10});
     type("g_mm", u"300"_s);
     EXPECT_EQ(rowsOf("Runs of the machine"), 0);
@@ -1297,6 +1319,8 @@ TEST_F(JobPageTest, RunsFollowOneAnother) {
         << qPrintable(label("troubles"));
     fill({{"run_1_angle_1", "80"}, {"run_1_unbalance_2", "120"}, {"run_1_angle_2", "200"}});
     EXPECT_EQ(model->input().correction->earlier_runs.size(), 1u);
+    EXPECT_EQ(place(), before);
+    EXPECT_TRUE(field("run_2_unbalance_1")->isEnabled());
     EXPECT_NEAR(*model->input().correction->readings[0].unbalance, 350e-6, 1e-12);
     ASSERT_TRUE(model->solution().correction);
     const std::vector<Hole>& holes = (*model->solution().correction)[0].holes;
@@ -1521,7 +1545,8 @@ TEST_F(JobPageTest, TheNextJobOfAnotherEngineHasNothingOfTheCrankshaftBefore) {
     press(Qt::Key_F4);
     const Correction carried = *model->input().correction;
     ASSERT_EQ(carried.planes[0].radius, 85 * units::mm) << "of the same engine it stays";
-    ASSERT_TRUE(model->input().tolerance->rotor_mass);
+    EXPECT_FALSE(model->input().tolerance->rotor_mass) << "the next crankshaft's is its own";
+    EXPECT_TRUE(model->input().tolerance->service_speed);
     QString said;
     QObject::connect(&page, &ScenePage::status, &page, [&](const QString& text) { said = text; });
     type("cylinders", u"6"_s);
@@ -1686,6 +1711,17 @@ TEST_F(JobPageTest, ReadingsWithoutAnglesHaveAVerdictAndNoHoles) {
     limitTo(100);
     type("unbalance_1", u"80"_s);
     EXPECT_NE(verdict(), u"Passes"_s) << "one plane is not read yet";
+    const auto shown = [&] {
+        QString texts;
+        for (const ResultRow& row : model->planeResults().rows) {
+            texts += row.texts().join(u' ');
+        }
+        return texts;
+    };
+    EXPECT_FALSE(shown().contains(u"PASS"_s)) << qPrintable(shown());
+    type("unbalance_1", u"180"_s);
+    EXPECT_TRUE(shown().contains(u"FAIL"_s)) << "whatever the other plane reads";
+    type("unbalance_1", u"80"_s);
     type("unbalance_2", u"90"_s);
     EXPECT_EQ(verdict(), u"Passes"_s) << qPrintable(label("verdict"));
     EXPECT_TRUE(model->holeResults().rows.isEmpty());

@@ -52,6 +52,10 @@ TEST_F(PlugsPageTest, JournalListsWhatTheMachineSaidAndFindsTheCrankshaft) {
     fill({{"engine_number", "53-11"},
           {"crankshaft_number", "KV-77"},
           {"rod_big_end", "1"},
+          {"reciprocating_mass_g", "1000"},
+          {"rotating_mass_g", "650"},
+          {"oil_mass_g", "20"},
+          {"oil_coefficient", "1"},
           {"unbalance_1", "3.14159"},
           {"unbalance_2", "6"}});
     limitTo(5.0);
@@ -280,6 +284,7 @@ TEST_F(PlugsPageTest, TheResultIsReadWholeWhereTheListHasRoom) {
     job.process = u"repair"_s;
     job.recommended = QString::fromUtf8(option_word(all_options[4]).word);
     job.reduction = 3.14;
+    job.verdict = u"passes-with-warnings"_s;
     ASSERT_EQ(model->desk()->journal()->save(job), Journal::Saved::Yes);
     JournalDialog dialog(model->desk()->journal());
     const auto* table = dialog.findChild<QTableWidget*>(u"journal_table"_s);

@@ -13,10 +13,11 @@ namespace {
 constexpr auto retryAfter = 1s;
 /// A line comes in one go, even at 300 baud.
 constexpr auto longestPause = 500ms;
-/// No part is changed as fast: the same weight so soon again is Print pressed twice, or a scale
-/// that sends all the time.
+/// No part is changed as fast: the same weight so soon again is Print pressed twice. Another one is
+/// another part, unless it comes as fast as nobody presses a key: the scale sends all the time.
 constexpr int fastestChange = 1500;  // ms
-constexpr double wander = 3.5;       // last digits that the same weight may differ by
+constexpr int fastestPrint = 400;    // ms
+constexpr double wander = 3.5;       // last digits that a weight sent all the time may differ by
 
 }  // namespace
 
@@ -176,8 +177,10 @@ bool ScaleReader::isTaken(const ScaleLine& line) {
     if (line.kind != ScaleLine::Kind::stable) {
         return false;
     }
-    const bool isRepeated = sinceLast_.isValid() && sinceLast_.elapsed() < fastestChange &&
-                            std::abs(line.mass() - last_) < wander * line.last_digit();
+    const double digits = std::abs(line.mass() - last_) / line.last_digit();
+    const bool isRepeated =
+        sinceLast_.isValid() && ((digits < 0.5 && sinceLast_.elapsed() < fastestChange) ||
+                                 (digits < wander && sinceLast_.elapsed() < fastestPrint));
     sinceLast_.start();
     last_ = line.mass();
     if (isRepeated) {

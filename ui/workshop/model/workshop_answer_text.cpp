@@ -204,17 +204,6 @@ QString sheetError(const Words& words, const workshop::Input& input, const Input
                               error)
                    : QString();
     }
-    if (place.value(1) == QLatin1String("weigh_in") && place.size() >= 5) {
-        for (const Word& word : shop::part_words) {
-            if (place[2] == QLatin1String(word.word.data())) {
-                return words
-                    .translate("BobWeights",
-                               "Weigh-in sheet: %1 of cylinder %2 is missing or not a mass.")
-                    .arg(words.text(word.label))
-                    .arg(place[4].toInt() + 1);
-            }
-        }
-    }
     return {};
 }
 
@@ -243,6 +232,9 @@ QString brokenRule(const Words& words, const workshop::Input& input) {
     try {
         workshop::check_input(input);
     } catch (const InputError& error) {
+        if (error.where().starts_with("/input/weigh_in/") && error.found().empty()) {
+            return {};  // of a column that is half weighed it is said how far it is
+        }
         const QString said = sheetError(words, input, error);
         return said.isEmpty() ? ruleText(words, error) : said;
     }
@@ -431,13 +423,24 @@ QString WorkshopModel::limitText(const Words& words) const {
     if (!result.permissible || !input().tolerance) {
         return {};
     }
-    const QString first = unbalanceOf(words, (*result.permissible)[0]);
-    const QString second = unbalanceOf(words, (*result.permissible)[1]);
+    std::array<QString, 2> limits;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double limit = (*result.permissible)[i];
+        limits[i] = unbalanceOf(words, limit);
+        const auto& correction = input().correction;
+        if (correction && i < correction->planes.size() && correction->planes[i].radius) {
+            // A slip in the mass is seen in what the shop weighs.
+            const double radius = *correction->planes[i].radius;
+            limits[i] = words.translate("BobWeights", "%1 (%2 at R %3)")
+                            .arg(limits[i], words.number(limit / radius, units::gram, 2),
+                                 words.plainWithUnit(radius, units::mm, 1));
+        }
+    }
     const QString planes =
-        first == second
-            ? words.translate("BobWeights", "%1 in each plane").arg(first)
-            : words.translate("BobWeights", "%1 in the front plane, %2 in the rear plane")
-                  .arg(first, second);
+        limits[0] == limits[1]
+            ? words.translate("BobWeights", "%1 in each plane").arg(limits[0])
+            : QStringLiteral("%1: %2; %3: %4")
+                  .arg(planeName(0, words), limits[0], planeName(1, words), limits[1]);
     const QString said =
         result.permissible_whole
             ? words.translate("BobWeights", "Permissible residual: %1, of %2 for the crankshaft.")
@@ -532,8 +535,8 @@ QString WorkshopModel::doubtfulText() const {
 QStringList WorkshopModel::notCounted(const Words& words) const {
     QStringList list;
     // What weighed masses replace is grey on its sheet.
-    for (const Message& message : hasPlugs() ? v8_plugs::not_counted(*plugsInput(), false)
-                                             : bob_weights::not_counted(input(), false)) {
+    for (const Message& message :
+         hasPlugs() ? v8_plugs::not_counted(*plugsInput()) : bob_weights::not_counted(input())) {
         list << words.message(message);
     }
     return list;
@@ -543,11 +546,6 @@ QStringList WorkshopModel::troubles(const Words& words, bool withDoubts) const {
     const bob_weights::Result& result = solution();
     // Where there is no bob weight that is said by itself.
     QStringList list{result.bob_weight ? brokenRule(words, input()) : QString()};
-    if (isWeightUnknown()) {
-        list << words.translate("BobWeights",
-                                "The bob weight is unknown. Enter the parts, or check the bob "
-                                "weights on the crankpins before drilling.");
-    }
     // The first of those that block is in the verdict.
     bool isSaid = withDoubts;
     for (const workshop::Doubt& doubt : doubts()) {

@@ -84,10 +84,14 @@ bool forgetCrank(Job& input, const Job& before) {
         forget(now.slug, then.slug);
     }
     if (input.tolerance && before.tolerance) {
-        for (const auto member :
-             {&Tolerance::rotor_mass, &Tolerance::service_speed, &Tolerance::centre_of_mass,
-              &Tolerance::front_bearing, &Tolerance::rear_bearing}) {
+        for (const auto member : {&Tolerance::service_speed, &Tolerance::centre_of_mass,
+                                  &Tolerance::front_bearing, &Tolerance::rear_bearing}) {
             forget(*input.tolerance.*member, *before.tolerance.*member);
+        }
+    }
+    if (input.weigh_in && before.weigh_in) {
+        for (const shop::Part part : shop::all_parts) {
+            forget((*input.weigh_in)[part].nominal, (*before.weigh_in)[part].nominal);
         }
     }
     return input != whole;
@@ -168,7 +172,7 @@ Json WorkshopScene::write(const Job& input) {
 WorkshopScene::Solved WorkshopScene::solve(const Job& input) {
     Solved solved{workshop::solve(input, false), {}, {}};
     solved.allowed = workshop::allowed(solved.found);
-    solved.verdict = workshop::verdict(input, solved.found, false);
+    solved.verdict = workshop::short_verdict(input, solved.found);
     return solved;
 }
 
@@ -612,6 +616,9 @@ Job WorkshopModel::nextOf(const Job& before) const {
     next.machine = before.machine;
     forgetReadings(next);
     next.tolerance = before.tolerance;
+    if (next.tolerance) {
+        next.tolerance->rotor_mass.reset();
+    }
     next.weigh_in = rulesAlone(before);
     if (before.plugs) {
         next.plugs = plug_engines::nextOf(*before.plugs);
@@ -714,17 +721,13 @@ bool WorkshopModel::isEngineOf(const CaseFile& job) const {
     return !there.plugs && !input().plugs && there.engine == input().engine;
 }
 
-bool WorkshopModel::isWeightUnknown() const {
-    return solution().newest() != nullptr && !bobWeightNow() && !balances_itself(input().engine);
-}
-
 QString WorkshopModel::verdictNow() const {
     const RunResult* newest = solution().newest();
     if (newest == nullptr || (newest->holds() && withheld().any())) {
         return withheld().any() ? stopped : QString();
     }
     return newest->holds() && newest->passes() == true &&
-                   (solved().verdict.severity >= Severity::warning || isWeightUnknown())
+                   solved().verdict.severity >= Severity::warning
                ? passesWithWarnings
                : readWord(*newest, newest->passes(), solution().passes_after());
 }

@@ -122,7 +122,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     const bob_weights::RunResult* runResult(std::size_t run) const;
     /// True where both of its readings are whole.
     bool isRunRead() const;
-    /// True where it has holes to drill: a further run may follow.
+    /// True where it has holes to drill.
     bool isPlanned() const;
     /// A reading of the machine, SI.
     std::optional<double> reading(std::size_t run, std::size_t plane, bool isAngle) const;
@@ -287,12 +287,13 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// Whether the sheet's engine is that of a job in all but its name.
     /// @throws InputError
     bool isEngineOf(const CaseFile& job) const;
-    /// Empties the sheet for the next job; engine, factor, planes, drills and limits stay.
+    /// Empties the sheet for the next job of the same engine.
     void newJob();
-    /// What newJob() keeps.
+    /// What newJob() keeps, and what it clears.
     static QString carriedOver() {
         return tr(
-            "Kept: engine, nominal masses, plugs, factor, machine, planes, drills and limits.");
+            "Kept: engine, nominal masses, plugs, factor, machine, planes, drills, limit and "
+            "speed. Cleared: weighed masses, readings, holes and the crankshaft’s mass.");
     }
 
   Q_SIGNALS:
@@ -309,8 +310,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
   private:
     void takeShopsMachine(const workshop::Machine& before);
     std::size_t firstRun() const;
-    /// That was on the machine.
-    bool isWeightUnknown() const;
     /// That hangs on the crankpins, doubted or not.
     std::optional<double> bobWeightNow() const { return solved().found.shaft.bob_weight; }
     /// What has nothing in it is not there.
