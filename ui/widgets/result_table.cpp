@@ -400,7 +400,8 @@ int ResultTable::wantedWidth(int column) const {
             width = std::max(width, qCeil(textWidth(smallFont(), line)));
         }
     }
-    return width + (isSmall(*this) ? minPadding : padding);
+    // A header makes no column narrower.
+    return std::max(width + (isSmall(*this) ? minPadding : padding), header_->minimumSectionSize());
 }
 
 void ResultTable::fitColumns() {

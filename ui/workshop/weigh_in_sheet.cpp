@@ -304,7 +304,10 @@ void WeighInSheet::addTable(std::string_view part, const QString& name) {
     column()->addWidget(title);
     auto* table = new PartTable(model(), part, name, this);
     table->hideWhereEmpty();
-    follow([title, table] { title->setVisible(table->rowCount() > 0); });
+    const auto show = [title, table] { title->setVisible(table->rowCount() > 0); };
+    connect(table->model(), &QAbstractItemModel::rowsInserted, title, show);
+    connect(table->model(), &QAbstractItemModel::rowsRemoved, title, show);
+    show();
     table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     column()->addWidget(table);
 }

@@ -6,6 +6,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QHeaderView>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -562,6 +563,10 @@ TEST_F(JobPageTest, NoQuantityOfAPlacingIsCutOff) {
         QCoreApplication::processEvents();
         int quantities = 0;
         for (const ResultTable* table : narrow.sheets()->findChildren<ResultTable*>()) {
+            if (table->isVisible()) {
+                EXPECT_LE(table->horizontalHeader()->length(), table->viewport()->width())
+                    << qPrintable(table->accessibleName());
+            }
             for (int row = 0; table->isVisible() && row < table->rowCount(); ++row) {
                 const QString name = table->item(row, 0)->text();
                 EXPECT_LE(table->fontMetrics().horizontalAdvance(name), table->columnWidth(0))
