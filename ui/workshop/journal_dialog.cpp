@@ -30,7 +30,7 @@ namespace ravnoves {
 namespace {
 
 constexpr int buttonHeight = 36;
-constexpr int widest = 320;        // designed pixels of a column
+constexpr int widest = 480;  // designed pixels of a column: the longest verdict, with readings
 constexpr int longestList = 1000;  // more is not looked through by eye
 
 /// What cellsOf() fills.
