@@ -136,6 +136,7 @@ void PlotPainter::layoutArea(const QSizeF& size, const Margins& minimum) {
                              : QFontMetricsF(Theme::font(Theme::smallSize)).height() + labelGap();
     data_.uprightRoom = size_.height() - data_.headerHeight - below - titleGap;
     if (data_.equalScale) {
+        data_.endWithData();
         data_.equalise();
     }
 }

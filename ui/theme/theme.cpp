@@ -11,6 +11,7 @@
 #include <QProxyStyle>
 #include <QScreen>
 #include <QStyleOptionComplex>
+#include <QTabWidget>
 #include <QtMath>
 #include <algorithm>
 #include <array>
@@ -355,19 +356,8 @@ class ProgramStyle : public QProxyStyle {
         const auto* bar = qobject_cast<const QTabBar*>(widget);
         const auto* tabs =
             bar != nullptr ? qobject_cast<const QTabWidget*>(bar->parentWidget()) : nullptr;
-        if (tabs == nullptr) {
-            return false;
-        }
-        const QWidget* groups = tabs->cornerWidget(Qt::TopLeftCorner);
-        int wanted = groups != nullptr ? groups->sizeHint().width() : 0;
-        for (int i = 0; i < bar->count(); ++i) {
-            if (bar->isTabVisible(i)) {
-                // Asked for each tab again, at every painting.
-                wanted += qCeil(textWidth(bar->font(), bar->tabText(i).remove(QLatin1Char('&')))) +
-                          2 * Theme::space;
-            }
-        }
-        return wanted > tabs->width();
+        return tabs != nullptr && tabs->tabBar() == bar &&
+               Theme::tabsWidth(*tabs, bar->font(), 2 * Theme::space) > tabs->width();
     }
 };
 
@@ -428,6 +418,17 @@ void Theme::setTextScale(double scale) {
 
 int Theme::withText(int pixels) {
     return static_cast<int>(std::lround(pixels * instance().textScale_ * instance().desktopScale_));
+}
+
+int Theme::tabsWidth(const QTabWidget& tabs, const QFont& font, int beside) {
+    const QWidget* before = tabs.cornerWidget(Qt::TopLeftCorner);
+    int width = before != nullptr ? before->sizeHint().width() : 0;
+    for (int i = 0; i < tabs.count(); ++i) {
+        if (tabs.isTabVisible(i)) {
+            width += qCeil(textWidth(font, tabs.tabText(i).remove(QLatin1Char('&')))) + beside;
+        }
+    }
+    return width;
 }
 
 QFont Theme::font(int pixelSize, bool bold) {

@@ -7,6 +7,8 @@
 
 #include "theme/model/role.h"
 
+class QTabWidget;
+
 namespace ravnoves {
 
 /// The look of the program: palette, colours of curves, type and spacing scale.
@@ -63,6 +65,9 @@ class Theme : public QObject {
     static constexpr double largestText = 2.0;
     /// A length that grows with the text: of rows, of fields for so many digits.
     static int withText(int pixels);
+    /// Width that the titles of tabs and the widget before them take.
+    /// @param beside  room that each title has beside it
+    static int tabsWidth(const QTabWidget& tabs, const QFont& font, int beside);
 
     // Spacing scale, pixels.
     static constexpr int gap = 4;

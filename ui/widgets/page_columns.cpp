@@ -277,15 +277,8 @@ void FittedTabs::tabInserted(int index) {
 }
 
 void FittedTabs::fit() {
-    const QFontMetrics metrics(Theme::font());
-    const QWidget* groups = cornerWidget(Qt::TopLeftCorner);
-    int wanted = groups != nullptr ? groups->sizeHint().width() : 0;
-    for (int i = 0; i < count(); ++i) {
-        if (isTabVisible(i)) {
-            wanted += metrics.size(Qt::TextShowMnemonic, tabText(i)).width() + 2 * Theme::gap + 2;
-        }
-    }
-    const QFont font = wanted <= width() ? Theme::font() : Theme::font(Theme::smallSize);
+    const bool fits = Theme::tabsWidth(*this, Theme::font(), 2 * Theme::gap + 2) <= width();
+    const QFont font = fits ? Theme::font() : Theme::font(Theme::smallSize);
     if (tabBar()->font() != font) {
         tabBar()->setFont(font);
     }

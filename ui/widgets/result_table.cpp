@@ -444,13 +444,14 @@ void ResultTable::fitColumns() {
         const int width = widths[static_cast<std::size_t>(column)];
         spare += stretched_.contains(column) ? std::max(0, width - minimum) : 0;
     }
-    for (int column = 0; column < columnCount() && sum - spare <= room; ++column) {
+    const int over = sum - room;
+    for (int column = 0; column < columnCount() && over <= spare; ++column) {
         int& width = widths[static_cast<std::size_t>(column)];
         if (stretched_.contains(column) && sum > room && width > minimum) {
-            const int given = std::min(sum - room, width - minimum);
+            // Each its share, rounded up.
+            const int given = std::min(sum - room, (over * (width - minimum) + spare - 1) / spare);
             width -= given;
             sum -= given;
-            spare -= given;
         }
     }
     // Nor do they scroll where closer they have room.

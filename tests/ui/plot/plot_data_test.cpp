@@ -320,6 +320,31 @@ TEST_F(PlotDataTest, EqualScaleWidensTheAxisWithRoom) {
     EXPECT_FALSE(data.zoomed) << "all is seen again";
 }
 
+TEST_F(PlotDataTest, EqualScaleEndsWithWhatThereIsToSee) {
+    struct Case {
+        QSizeF data;
+        QSizeF image;  ///< empty: none
+        QSizeF room;
+        QSizeF area;
+    };
+    for (const Case& each : {
+             Case{{10, 10}, {}, {200, 300}, {200, 200}},
+             Case{{20, 10}, {}, {600, 200}, {400, 200}},
+             Case{{1, 100}, {}, {600, 200}, {100, 200}},  // room for ticks
+             Case{{1, 100}, {}, {80, 200}, {80, 200}},
+             Case{{10, 10}, {30, 10}, {500, 200}, {500, 200}},  // the image continues
+             Case{{10, 10}, {20, 10}, {500, 200}, {400, 200}},
+         }) {
+        data.x.high = each.data.width();
+        data.left.high = each.data.height();
+        data.image = each.image.isEmpty() ? QImage() : QImage(1, 1, QImage::Format_RGB32);
+        data.imageValues = QRectF({}, each.image);
+        data.area = QRectF({50.0, 20.0}, each.room);
+        data.endWithData();
+        EXPECT_EQ(data.area, QRectF({50.0, 20.0}, each.area));
+    }
+}
+
 TEST_F(PlotDataTest, AResizeThereAndBackShowsTheSameSection) {
     data.equalise();
     data.equalScale = true;

@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTabBar>
 #include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -15,6 +16,8 @@
 #include <utility>
 
 #include "events.h"
+#include "text/text_width.h"
+#include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
@@ -101,6 +104,31 @@ TEST(FittedTabs, NeedTheHeightOfWhatIsInFront) {
 }
 
 /// What it shows at a size does not depend on the sizes that it had.
+TEST(FittedTabs, GroupsHaveRoomForTheirTitlesWhateverTheWidthWas) {
+    FittedTabs tabs;
+    for (const auto& [group, titles] :
+         {std::pair(u"Design"_s, QStringList{u"Moments"_s, u"Map"_s, u"Speed"_s, u"Size"_s}),
+          std::pair(u"Part"_s, QStringList{u"Relief"_s})}) {
+        tabs.beginGroup(group);
+        for (const QString& title : titles) {
+            tabs.addTab(new QWidget, title);
+        }
+    }
+    int looked = 0;
+    for (const int width : {150, 600, 300}) {
+        test::showAt(tabs, {width, 200});
+        for (const QTabBar* bar : tabs.findChildren<QTabBar*>()) {
+            const int beside = bar->style()->pixelMetric(QStyle::PM_TabBarTabHSpace, nullptr, bar);
+            for (int i = 0; bar->count() == 2 && i < bar->count(); ++i, ++looked) {
+                EXPECT_GE(bar->tabRect(i).width() + 1,
+                          textWidth(bar->font(), bar->tabText(i)) + beside)
+                    << width;
+            }
+        }
+    }
+    EXPECT_EQ(looked, 6);
+}
+
 TEST(Scrolled, HasNoBarThatIsNeededOnlyForItsOwnRoom) {
     const QString words = QStringLiteral("some words of a text that wraps ").repeated(12);
     const auto text = [&] {

@@ -59,6 +59,16 @@ TEST(ResultTableWithReference, ShowsNamesAndDifferencesWithoutScrolling) {
     EXPECT_EQ(table.columnCount(), 3);
 }
 
+TEST(ResultTable, ColumnsOfWordsGiveWayToNumbersTogether) {
+    ResultTable table;
+    table.stretchColumn(1);
+    const QString words(40, QLatin1Char('m'));
+    table.setResults({{u"Place"_s, u"Quantity"_s, u"Value"_s}, {{words, words, {1.0, u"1.0"_s}}}});
+    test::showAt(table, {400, 120});
+    EXPECT_NEAR(table.columnWidth(0), table.columnWidth(1), 2);
+    EXPECT_LE(table.horizontalHeader()->length(), table.viewport()->width());
+}
+
 TEST(ResultTableWithReference, ShowsItsVerdictWhereThereIsLittleRoom) {
     ResultTable table;
     const auto scaled = [](double by) {

@@ -226,6 +226,21 @@ void PlotData::fitScales() {
     }
 }
 
+void PlotData::endWithData() {
+    const auto span = [this](const PlotScale& scale) {
+        const auto [low, high] = zoomed ? scale.home : scale.interval();
+        return high - low;
+    };
+    const QSizeF first(span(x), span(left));
+    const QSizeF all = image.isNull() ? first : imageValues.size();
+    constexpr double ticks = 100.0;  // pixels that they need, also beside a straight motion
+    const auto within = [ticks](double size, double room) {
+        return std::min(room, std::max(size, ticks));
+    };
+    area.setSize({within(area.height() * all.width() / first.height(), area.width()),
+                  within(area.width() * all.height() / first.width(), area.height())});
+}
+
 void PlotData::equalise() {
     if (zoomed) {
         std::tie(x.low, x.high) = sectionX_;

@@ -183,6 +183,8 @@ struct PlotData {
 
     /// The scales follow the data, unless the user has zoomed.
     void fitScales();
+    /// Shrinks the rectangle of an equal scale to what there is to see: data or the whole image.
+    void endWithData();
     /// Widens the axis with room to spare until one unit is as long on both; from what was zoomed
     /// to, whatever the sizes of the plot have been since.
     void equalise();
