@@ -205,10 +205,11 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
         return check;
     }
     if (fit.at_bound) {
-        check.text = {CORE_TEXT("balance-shaft",
-                                "The fitted r/L = %1 is at the limit of the search, so masses and "
-                                "speed cannot be checked. Enter the rod length."),
-                      number(fit.lambda)};
+        check.text = {
+            CORE_TEXT("balance-shaft",
+                      "Masses and speed cannot be checked, because the fitted r/L = %1 is "
+                      "at the limit of the search: enter the rod length."),
+            number(fit.lambda)};
         return check;
     }
     check.fitted = fit.scale;
@@ -223,26 +224,26 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
     if (check.is_of_other_rod) {
         check.text = {
             CORE_TEXT("balance-shaft",
-                      "Torque and rod do not match, so the best angles are not meaningful: the "
-                      "torque contains r/L = %1, crank radius and rod length give %2. With this "
-                      "crank radius the torque matches a rod length of %3."),
+                      "Torque and rod do not match, so the best angles are not meaningful: r/L is "
+                      "%1 in the torque, %2 by the input; the torque fits a rod length of %3."),
             number(fit.lambda), number(*lambda),
             Number{rounded_to_digits(input.crank_radius / fit.lambda / units::mm, 3), units::mm}};
         return check;
     }
     check.text =
         *check.consistent
-            ? Message(CORE_TEXT("balance-shaft",
-                                "Torque and masses match: the torque contains mⱼ r² ω² = %1 (r/L = "
-                                "%2), masses and speed give %3. Difference %4, tolerance %5."),
-                      moment(fit.scale), number(fit.lambda), moment(check.entered),
-                      Number{100.0 * std::abs(ratio - 1.0), units::percent, -1},
-                      Number{100.0 * InertiaCheck::tolerance, units::percent, 2})
+            ? Message(
+                  CORE_TEXT("balance-shaft",
+                            "Torque and masses match: mⱼ r² ω² is %1 in the torque (r/L = %2), %3 "
+                            "by the input; difference %4, tolerance %5."),
+                  moment(fit.scale), number(fit.lambda), moment(check.entered),
+                  Number{100.0 * std::abs(ratio - 1.0), units::percent, -1},
+                  Number{100.0 * InertiaCheck::tolerance, units::percent, 2})
             : Message(CORE_TEXT(
                           "balance-shaft",
                           "Torque and masses do not match, so the best angles are not meaningful: "
-                          "the torque contains mⱼ r² ω² = %1 (r/L = %2), masses and speed give %3. "
-                          "The torque matches these masses at %4, or %5 at this speed."),
+                          "mⱼ r² ω² is %1 in the torque (r/L = %2), %3 by the input; the torque "
+                          "fits %4 or %5."),
                       moment(fit.scale), number(fit.lambda), moment(check.entered),
                       Number{rounded_to_digits(check.matching_speed / units::rpm, 4), units::rpm},
                       Number{rounded_to_digits(check.matching_mass, 3), units::kg});

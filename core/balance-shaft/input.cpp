@@ -215,9 +215,10 @@ Message TorqueSource::changed_note() const {
     if (!has_changed()) {
         return {};
     }
-    return {CORE_TEXT("balance-shaft",
-                      "%1 has changed since this case was made; the results use the present file. "
-                      "Import it again to accept the change, or restore the old file."),
+    return {CORE_TEXT(
+                "balance-shaft",
+                "%1 has changed since this case was made: import it again to accept the change, or "
+                "restore the old file."),
             kind == Kind::csv ? csv : trace_csv};
 }
 

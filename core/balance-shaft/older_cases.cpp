@@ -122,8 +122,8 @@ void gather_cylinder(CaseFile& file) {
             if (&size == &sizes[0] && value && !value->is_null() && *value != bore) {
                 file.changes.push_back(
                     {CORE_TEXT("balance-shaft",
-                               "An unused torque source had the bore %1. All sources share one "
-                               "bore now: enter it at the cylinder if it is correct."),
+                               "An unused torque source had the bore %1: enter it at the "
+                               "cylinder, for all sources, if it is correct."),
                      show(*value)});
             }
         }

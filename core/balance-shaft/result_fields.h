@@ -310,9 +310,8 @@ inline constexpr ResultField play_range_high{
 
 // -------------------------------------------------------------------------- relieved shaft
 inline constexpr ResultField required_unbalance{
-    "required_unbalance_g_mm", units::gram_mm, 0,
-    CORE_TEXT("balance-shaft", "required unbalance, m₁ ρ₁"),
-    CORE_TEXT("balance-shaft", "Unbalance of both counterweights by equation (1).")};
+    "required_unbalance_g_mm", units::gram_mm, 0, CORE_TEXT("balance-shaft", "required unbalance"),
+    CORE_TEXT("balance-shaft", "Unbalance m₁ ρ₁ of both counterweights by equation (1).")};
 inline constexpr ResultField unbalance{
     "unbalance_g_mm", units::gram_mm, 0, CORE_TEXT("balance-shaft", "unbalance of the shaft"),
     CORE_TEXT("balance-shaft", "U = 2/3 ρ b a³, a² = h (D − h).")};
@@ -329,11 +328,10 @@ inline constexpr ResultField removed_mass{
     "removed_mass_kg", units::kg, 4, CORE_TEXT("balance-shaft", "mass milled away"),
     CORE_TEXT("balance-shaft", "ρ b times the area of the segment.")};
 inline constexpr ResultField relieved_part_mass{
-    "relieved_part_mass_kg", units::kg, 4, CORE_TEXT("balance-shaft", "mass of the relieved part"),
+    "relieved_part_mass_kg", units::kg, 4, CORE_TEXT("balance-shaft", "remaining mass"),
     CORE_TEXT("balance-shaft", "ρ b A of the remaining section.")};
 inline constexpr ResultField centre_of_mass_radius{
-    "centre_of_mass_radius_mm", units::mm, 3,
-    CORE_TEXT("balance-shaft", "radius of its centre of mass"),
+    "centre_of_mass_radius_mm", units::mm, 3, CORE_TEXT("balance-shaft", "centroid radius"),
     CORE_TEXT("balance-shaft",
               "U over the mass of the relieved part, on the side away from the flat.")};
 inline constexpr ResultField critical_radius{

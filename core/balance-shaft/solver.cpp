@@ -271,7 +271,7 @@ void Solver::Prepared::prepare_notes() {
     if (input.relieved_shaft && input.relieved_shaft->had_bending) {
         base.notes.emplace_back(CORE_TEXT(
             "balance-shaft",
-            "Bending of the relieved shaft is no longer computed. Not used: elastic modulus, "
+            "Not used, since bending of the relieved shaft is no longer computed: elastic modulus, "
             "bearing span, allowable stress, deflection, critical-speed ratio, bearing load."));
     }
     if (input.relieved_shaft && !base.relieved_shaft.feasible) {
@@ -310,9 +310,8 @@ void Solver::Prepared::prepare_notes_on_building() {
     if (crank.offset != 0.0) {
         base.notes.emplace_back(
             CORE_TEXT("balance-shaft",
-                      "Offset cylinder: φ starts at the true top dead centre, with the crank %1 "
-                      "from the cylinder's direction. Both counterweights lag by %2 and balance "
-                      "the quadrature part of the first order."),
+                      "Offset cylinder: at the top dead centre (φ = 0) the crank is %1 from the "
+                      "cylinder's direction; both counterweights lag by %2."),
             in_degrees(top), in_degrees(piston_1.lag));
     }
     if (buildable.stretches.empty()) {

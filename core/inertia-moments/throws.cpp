@@ -157,9 +157,9 @@ std::vector<Message> articulated_rod_notes(std::span<const Throw> throws,
         if (maximum >= 3) {
             notes.emplace_back(
                 CORE_TEXT("inertia-moments",
-                          "Cylinders %1 share a crankpin in one plane but are computed as plain "
-                          "rods. Tick \"Articulated rods\" above the table: they add a second "
-                          "order of 5 to 12 % and uneven dead centres."),
+                          "Cylinders %1 share a crankpin but are computed as plain rods: "
+                          "\"Articulated rods\" above the table adds a second order of 5 to 12 % "
+                          "and uneven dead centres."),
                 widest);
         }
     }

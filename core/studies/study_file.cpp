@@ -257,8 +257,8 @@ std::vector<Note> noted(const Part& part) {
     for (std::size_t j = 0; j < basis.laws.size(); ++j) {
         if (!scatters(basis.laws[j])) {
             notes.push_back({{CORE_TEXT("studies",
-                                        "%1 does not scatter: its tolerance is below the rounding "
-                                        "of its value. It has no derivative."),
+                                        "%1 does not scatter and has no derivative: its tolerance "
+                                        "is below the rounding of its value."),
                               part.study.vary[j].pointer}});
         }
     }

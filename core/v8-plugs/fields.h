@@ -52,7 +52,7 @@ inline constexpr Field tolerance{
     .key = "tolerance_g_mm",
     .unit = units::gram_mm,
     .range = Range::between(0, 1e6),
-    .label = CORE_TEXT("V8", "Residual unbalance &allowed"),
+    .label = CORE_TEXT("V8", "Permissible residu&al unbalance"),
     .hint = CORE_TEXT("V8",
                       "Limit in each correction plane. Nazarov's experiments left 5 g·mm; a repair "
                       "manual may allow much more (2 oz·in is 1440 g·mm).")};

@@ -1034,7 +1034,7 @@
     </message>
     <message>
         <source>RMS of force and couple over a turn, at both end cylinders; “Minimum shaking” minimises it</source>
-        <translation>СКЗ силы и момента за оборот, по обоим крайним цилиндрам; его минимизирует цель «Меньше тряски»</translation>
+        <translation>СКЗ силы и момента за оборот, по обоим крайним цилиндрам; его минимизирует цель «Минимальная тряска»</translation>
     </message>
     <message>
         <source>Dot: the part is not moved; number: its previous cylinder</source>
@@ -1307,8 +1307,8 @@
         <translation>Источник изменений масс</translation>
     </message>
     <message>
-        <source>Residual unbalance &amp;allowed</source>
-        <translation>Допустимый дис&amp;баланс</translation>
+        <source>Permissible residu&amp;al unbalance</source>
+        <translation>Допустимый остаточный дис&amp;баланс</translation>
     </message>
     <message>
         <source>C&amp;ylinders of a crankpin</source>
@@ -1372,7 +1372,7 @@
     </message>
     <message>
         <source>Residual unbalance after correction.</source>
-        <translation>Остаточный дисбаланс после исправления.</translation>
+        <translation>Остаточный дисбаланс после коррекции.</translation>
     </message>
     <message>
         <source>&amp;Rear plane (flywheel)</source>
@@ -1895,8 +1895,8 @@
         <translation>Совпадает с номиналом: уравновешено.</translation>
     </message>
     <message>
-        <source>After minus nominal: %1 (%2).</source>
-        <translation>После минус номинал: %1 (%2).</translation>
+        <source>Difference from nominal: %1 (%2).</source>
+        <translation>Отличие от номинала: %1 (%2).</translation>
     </message>
     <message>
         <source>Weighed to %1, the bob weight is accurate to ±%2 and the unbalance of a crankpin to ±%3 (95 %).</source>
@@ -2106,7 +2106,7 @@
     </message>
     <message>
         <source>Crank swing radi&amp;us</source>
-        <translation>Радиус оборота криво&amp;шипа</translation>
+        <translation>Радиус вращения криво&amp;шипа</translation>
     </message>
     <message>
         <source>Shaft swin&amp;g radius</source>
@@ -2202,7 +2202,7 @@
     </message>
     <message>
         <source>&amp;Duration</source>
-        <translation>Продо&amp;лжительность</translation>
+        <translation>Д&amp;лительность</translation>
     </message>
     <message>
         <source>Crank angle from the start to the end of heat release.</source>
@@ -2354,7 +2354,7 @@
     </message>
     <message>
         <source>swing radius of the shaft</source>
-        <translation>радиус окружности вала</translation>
+        <translation>радиус вращения вала</translation>
     </message>
     <message>
         <source>of the crank</source>
@@ -2394,7 +2394,7 @@
     </message>
     <message>
         <source>Step of the curves and of the sweep over α.</source>
-        <translation>Шаг кривых и перебора по α.</translation>
+        <translation>Шаг кривых и вариации по α.</translation>
     </message>
     <message>
         <source>Sizes of the front view.</source>
@@ -3189,8 +3189,8 @@
         <translation>ширина лыски</translation>
     </message>
     <message>
-        <source>mass of the relieved part</source>
-        <translation>масса участка с лыской</translation>
+        <source>remaining mass</source>
+        <translation>оставшаяся масса</translation>
     </message>
     <message>
         <source>speed</source>
@@ -3561,20 +3561,20 @@
         <translation>У двухтактного двигателя нет такта с малым газовым моментом, поэтому массы и частоту проверить нельзя.</translation>
     </message>
     <message>
-        <source>The fitted r/L = %1 is at the limit of the search, so masses and speed cannot be checked. Enter the rod length.</source>
-        <translation>Подобранное r/L = %1 — на границе поиска, поэтому массы и частоту проверить нельзя. Введите длину шатуна.</translation>
+        <source>Masses and speed cannot be checked, because the fitted r/L = %1 is at the limit of the search: enter the rod length.</source>
+        <translation>Массы и частоту проверить нельзя, так как подобранное r/L = %1 — на границе поиска: введите длину шатуна.</translation>
     </message>
     <message>
-        <source>Torque and rod do not match, so the best angles are not meaningful: the torque contains r/L = %1, crank radius and rod length give %2. With this crank radius the torque matches a rod length of %3.</source>
-        <translation>Момент и шатун не соответствуют друг другу, и лучшие углы не имеют смысла: в моменте r/L = %1, радиус кривошипа и длина шатуна дают %2. При этом радиусе момент отвечает длине шатуна %3.</translation>
+        <source>Torque and rod do not match, so the best angles are not meaningful: r/L is %1 in the torque, %2 by the input; the torque fits a rod length of %3.</source>
+        <translation>Момент и шатун не соответствуют друг другу, и лучшие углы не имеют смысла: r/L в моменте %1, по данным %2; моменту отвечает длина шатуна %3.</translation>
     </message>
     <message>
-        <source>Torque and masses match: the torque contains mⱼ r² ω² = %1 (r/L = %2), masses and speed give %3. Difference %4, tolerance %5.</source>
-        <translation>Момент и массы соответствуют друг другу: в моменте mⱼ r² ω² = %1 (r/L = %2), массы и частота дают %3. Разница %4, допуск %5.</translation>
+        <source>Torque and masses match: mⱼ r² ω² is %1 in the torque (r/L = %2), %3 by the input; difference %4, tolerance %5.</source>
+        <translation>Момент и массы соответствуют друг другу: mⱼ r² ω² в моменте %1 (r/L = %2), по данным %3; разница %4, допуск %5.</translation>
     </message>
     <message>
-        <source>Torque and masses do not match, so the best angles are not meaningful: the torque contains mⱼ r² ω² = %1 (r/L = %2), masses and speed give %3. The torque matches these masses at %4, or %5 at this speed.</source>
-        <translation>Момент и массы не соответствуют друг другу, и лучшие углы не имеют смысла: в моменте mⱼ r² ω² = %1 (r/L = %2), массы и частота дают %3. Момент отвечает этим массам при&#xa0;%4 или массе %5 при этой частоте.</translation>
+        <source>Torque and masses do not match, so the best angles are not meaningful: mⱼ r² ω² is %1 in the torque (r/L = %2), %3 by the input; the torque fits %4 or %5.</source>
+        <translation>Момент и массы не соответствуют друг другу, и лучшие углы не имеют смысла: mⱼ r² ω² в моменте %1 (r/L = %2), по данным %3; моменту отвечает %4 или %5.</translation>
     </message>
     <message>
         <source>The torque is computed from the masses and the speed: no check is necessary.</source>
@@ -3597,8 +3597,8 @@
         <translation>должно быть больше %1; через 0° пишите %2</translation>
     </message>
     <message>
-        <source>%1 has changed since this case was made; the results use the present file. Import it again to accept the change, or restore the old file.</source>
-        <translation>%1 изменился после создания задачи; результаты — по нынешнему файлу. Импортируйте его снова, чтобы принять изменение, или верните прежний файл.</translation>
+        <source>%1 has changed since this case was made: import it again to accept the change, or restore the old file.</source>
+        <translation>%1 изменился после создания задачи: импортируйте его снова, чтобы принять изменение, или верните прежний файл.</translation>
     </message>
     <message>
         <source>must be at least the minimum speed of the band, %1</source>
@@ -3617,8 +3617,8 @@
         <translation>В опрокидывающем моменте нет первого порядка: угол вала не влияет на СКЗ.</translation>
     </message>
     <message>
-        <source>An unused torque source had the bore %1. All sources share one bore now: enter it at the cylinder if it is correct.</source>
-        <translation>В неиспользуемом источнике момента был диаметр цилиндра %1. Теперь он один для всех источников: если он верен, введите его у цилиндра.</translation>
+        <source>An unused torque source had the bore %1: enter it at the cylinder, for all sources, if it is correct.</source>
+        <translation>В неиспользуемом источнике момента был диаметр цилиндра %1: если он верен, введите его у цилиндра, для всех источников.</translation>
     </message>
     <message>
         <source>The shaft has no moment: its place has no effect.</source>
@@ -3705,16 +3705,16 @@
         <translation>Пруток (радиус %1) не умещается в окружности вала (радиус %2).</translation>
     </message>
     <message>
-        <source>Bending of the relieved shaft is no longer computed. Not used: elastic modulus, bearing span, allowable stress, deflection, critical-speed ratio, bearing load.</source>
-        <translation>Изгиб вала с лыской больше не вычисляется. Не используются: модуль упругости, пролёт, допускаемое напряжение, прогиб, отношение к критической частоте, нагрузка подшипника.</translation>
+        <source>Not used, since bending of the relieved shaft is no longer computed: elastic modulus, bearing span, allowable stress, deflection, critical-speed ratio, bearing load.</source>
+        <translation>Не используются, так как изгиб вала с лыской больше не вычисляется: модуль упругости, пролёт, допускаемое напряжение, прогиб, отношение к критической частоте, нагрузка подшипника.</translation>
     </message>
     <message>
         <source>The counterweight balances %1 % of the first-order inertia force; equation (1) requires %2.</source>
         <translation>Заданный противовес уравновешивает %1&#xa0;% силы инерции первого порядка; по формуле (1) нужно %2.</translation>
     </message>
     <message>
-        <source>Offset cylinder: φ starts at the true top dead centre, with the crank %1 from the cylinder&apos;s direction. Both counterweights lag by %2 and balance the quadrature part of the first order.</source>
-        <translation>Дезаксаж: φ отсчитывается от истинной верхней мёртвой точки, где кривошип под углом %1 к направлению цилиндра. Оба противовеса отстают на %2 и уравновешивают сдвинутую на 90° часть первого порядка.</translation>
+        <source>Offset cylinder: at the top dead centre (φ = 0) the crank is %1 from the cylinder&apos;s direction; both counterweights lag by %2.</source>
+        <translation>Дезаксаж: в верхней мёртвой точке (φ = 0) кривошип под углом %1 к направлению цилиндра; оба противовеса отстают на %2.</translation>
     </message>
     <message>
         <source>No feasible position: %1</source>
@@ -4001,12 +4001,12 @@
         <translation>Постоянная сила, вращающаяся против кривошипа, 2 P₁ |sin(δ/2)|.</translation>
     </message>
     <message>
-        <source>required unbalance, m₁ ρ₁</source>
-        <translation>нужный дисбаланс, m₁ ρ₁</translation>
+        <source>required unbalance</source>
+        <translation>нужный дисбаланс</translation>
     </message>
     <message>
-        <source>Unbalance of both counterweights by equation (1).</source>
-        <translation>Дисбаланс обоих противовесов по формуле (1).</translation>
+        <source>Unbalance m₁ ρ₁ of both counterweights by equation (1).</source>
+        <translation>Дисбаланс m₁ ρ₁ обоих противовесов по формуле (1).</translation>
     </message>
     <message>
         <source>unbalance of the shaft</source>
@@ -4033,8 +4033,8 @@
         <translation>ρ b A оставшегося сечения.</translation>
     </message>
     <message>
-        <source>radius of its centre of mass</source>
-        <translation>радиус её центра масс</translation>
+        <source>centroid radius</source>
+        <translation>радиус центра масс</translation>
     </message>
     <message>
         <source>U over the mass of the relieved part, on the side away from the flat.</source>
@@ -4118,7 +4118,7 @@
     </message>
     <message>
         <source>A steel half disc of the shaft swing radius must be %1 long for m₁ ρ₁: more than two bores.</source>
-        <translation>Стальной полудиск с радиусом оборота вала должен для m₁ ρ₁ иметь длину %1: больше двух диаметров цилиндра.</translation>
+        <translation>Стальной полудиск с радиусом вращения вала должен для m₁ ρ₁ иметь длину %1: больше двух диаметров цилиндра.</translation>
     </message>
 </context>
 <context>
@@ -5843,8 +5843,8 @@
         <translation>возвратно-поступательная масса</translation>
     </message>
     <message>
-        <source>Results use the value before the red entry.</source>
-        <translation>Результаты — по значению до красного поля.</translation>
+        <source>Results use the previous value of the red field.</source>
+        <translation>Результаты — по прежнему значению красного поля.</translation>
     </message>
 </context>
 <context>
@@ -5907,7 +5907,7 @@
     </message>
     <message>
         <source>keeps the energy</source>
-        <translation>хранит энергию</translation>
+        <translation>сохраняет энергию</translation>
     </message>
     <message>
         <source>as printed (1)</source>
@@ -6782,20 +6782,20 @@
         <translation>значения дают результат вне пределов чисел; введите реальные значения</translation>
     </message>
     <message>
-        <source>Error of the series in cos ψ: %1 at φ = %2°. Use the exact kinematics for a design.</source>
-        <translation>Погрешность ряда в cos ψ: %1 при φ = %2°. Для проекта берите точную кинематику.</translation>
+        <source>Error of the series in cos ψ: %1 at φ = %2°; use the exact kinematics for a design.</source>
+        <translation>Погрешность ряда в cos ψ: %1 при φ = %2°; для проекта берите точную кинематику.</translation>
     </message>
     <message>
-        <source>The guide has the sign as printed in the paper: the crank leaves its design speed. The energy sign keeps the speed.</source>
-        <translation>Знак направляющей — как напечатан в статье: кривошип уходит от расчётной скорости. Скорость сохраняет знак по энергии.</translation>
+        <source>The guide has the sign as printed in the paper: the crank leaves its design speed, which the energy sign keeps.</source>
+        <translation>Знак направляющей — как напечатан в статье: кривошип уходит от расчётной скорости, которую сохраняет знак по энергии.</translation>
     </message>
     <message>
-        <source>Equation (9) as printed has the wrong sign of the counterweight&apos;s inertia: residual side force up to %1. Newton–Euler makes it zero.</source>
-        <translation>В напечатанной формуле (9) неверен знак инерции противовеса: остаточная боковая сила до %1. По Ньютону–Эйлеру она равна нулю.</translation>
+        <source>Equation (9) as printed has the wrong sign of the counterweight&apos;s inertia: residual side force up to %1, with Newton–Euler zero.</source>
+        <translation>В напечатанной формуле (9) неверен знак инерции противовеса: остаточная боковая сила до %1, по Ньютону–Эйлеру нуль.</translation>
     </message>
     <message>
-        <source>The crank&apos;s guide has a relief of only %1: a profile error of %2 changes its moment by up to %3. A softer spring gives more relief.</source>
-        <translation>Перепад направляющей кривошипа всего %1: погрешность профиля %2 меняет её момент на величину до %3. Более мягкая пружина даёт больший перепад.</translation>
+        <source>The crank&apos;s guide has a relief of only %1: a profile error of %2 changes its moment by up to %3; a softer spring gives more relief.</source>
+        <translation>Перепад направляющей кривошипа всего %1: погрешность профиля %2 меняет её момент на величину до %3; более мягкая пружина даёт больший перепад.</translation>
     </message>
     <message>
         <source>The crank is a uniform bar of length r.</source>
@@ -7554,7 +7554,7 @@
     </message>
     <message>
         <source>Residual curves</source>
-        <translation>Кривые после уравновешивания</translation>
+        <translation>Остаточные кривые</translation>
     </message>
     <message>
         <source>order 1</source>
@@ -7977,8 +7977,8 @@
         <translation>Максимальный остаточный момент: %1, порядок %2.</translation>
     </message>
     <message>
-        <source>Cylinders %1 share a crankpin in one plane but are computed as plain rods. Tick &quot;Articulated rods&quot; above the table: they add a second order of 5 to 12 % and uneven dead centres.</source>
-        <translation>Цилиндры %1 стоят на одной шейке в одной плоскости, но считаются с обычными шатунами. Отметьте «Прицепные шатуны» над таблицей: они добавляют второй порядок, 5–12&#xa0;%, и неравномерность мёртвых точек.</translation>
+        <source>Cylinders %1 share a crankpin but are computed as plain rods: &quot;Articulated rods&quot; above the table adds a second order of 5 to 12 % and uneven dead centres.</source>
+        <translation>Цилиндры %1 на одной шейке считаются с обычными шатунами: отметка «Прицепные шатуны» над таблицей добавит второй порядок, 5–12 %, и неравномерность мёртвых точек.</translation>
     </message>
     <message>
         <source>&amp;Share of order 1 cancelled</source>
@@ -8053,7 +8053,7 @@
     </message>
     <message>
         <source>Place the parts for</source>
-        <translation>Расставить детали:</translation>
+        <translation>Цель подбора</translation>
     </message>
     <message>
         <source>no limit</source>
@@ -8113,7 +8113,7 @@
     </message>
     <message>
         <source>Minimum shaking</source>
-        <translation>Меньше тряски</translation>
+        <translation>Минимальная тряска</translation>
     </message>
     <message>
         <source>anywhere</source>
@@ -9380,7 +9380,7 @@
     </message>
     <message>
         <source>the number of points grows as 1/√(1 − λ(1 + K)); nearer to locking than 4·10⁻⁹ the module rejects the mechanism</source>
-        <translation>число точек растёт как 1/√(1 − λ(1 + K)); ближе к заклиниванию, чем 4·10⁻⁹, программа механизм не принимает</translation>
+        <translation>число точек растёт как 1/√(1 − λ(1 + K)); ближе к заклиниванию, чем 4·10⁻⁹, модуль механизм не принимает</translation>
     </message>
     <message>
         <source>has an error beyond the range of numbers</source>
@@ -9527,7 +9527,7 @@
         <translation>α максимального ΔMᵤₚₛ</translation>
     </message>
     <message>
-        <source>Maximum of the sweep over α.</source>
+        <source>Maximum over all α.</source>
         <translation>Максимум по всем α.</translation>
     </message>
     <message>
@@ -10915,7 +10915,7 @@ but no position is feasible</source>
     <name>ravnoves::EngineForm</name>
     <message>
         <source>Layout</source>
-        <translation>Компоновка</translation>
+        <translation>Схема двигателя</translation>
     </message>
     <message>
         <source>Crank gear</source>
@@ -11096,10 +11096,6 @@ but no position is feasible</source>
 <context>
     <name>ravnoves::FileDialogs</name>
     <message>
-        <source>“%1” is there already. Replace it?</source>
-        <translation>«%1» уже есть. Заменить?</translation>
-    </message>
-    <message>
         <source>Table, CSV</source>
         <translation>Таблица, CSV</translation>
     </message>
@@ -11126,6 +11122,10 @@ but no position is feasible</source>
     <message>
         <source>“%1” cannot be written as .%2. Possible: %3.</source>
         <translation>«%1» нельзя записать как .%2. Возможно: %3.</translation>
+    </message>
+    <message>
+        <source>“%1” already exists. Replace it?</source>
+        <translation>«%1» уже есть. Заменить?</translation>
     </message>
 </context>
 <context>
@@ -13675,15 +13675,15 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Steps, terms or samples of the method</source>
-        <translation>Шаги, члены или отсчёты, которые берёт способ</translation>
+        <translation>Шаги, члены или пробы метода</translation>
     </message>
     <message>
-        <source>Maximum error against 50 digits, in the kernel&apos;s own measure</source>
-        <translation>Максимальная погрешность относительно 50 знаков, в мере этого ядра</translation>
+        <source>Maximum error against 50 digits, in the measure of the quantity</source>
+        <translation>Максимальная погрешность относительно 50 знаков, в мере этой величины</translation>
     </message>
     <message>
         <source>Order of convergence: the error falls as this power of the number of steps</source>
-        <translation>Найденный порядок сходимости: погрешность падает как эта степень числа шагов</translation>
+        <translation>Порядок сходимости: погрешность падает как эта степень числа шагов</translation>
     </message>
     <message>
         <source>Method in use, and reason</source>
@@ -13777,7 +13777,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Zotov and Sviridov 2021: guide that keeps the energy</source>
-        <translation>Зотов и Свиридов 2021: направляющая, хранящая энергию</translation>
+        <translation>Зотов и Свиридов 2021: направляющая, сохраняющая энергию</translation>
     </message>
     <message>
         <source>V-8 of 4.25 litres: repair with oversize pistons</source>
@@ -16740,7 +16740,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>&amp;Compare side by side…</source>
-        <translation>С&amp;равнить рядом…</translation>
+        <translation>С&amp;равнить варианты…</translation>
     </message>
     <message>
         <source>Shows the differences between the present input and all variants, then their results</source>
@@ -16763,7 +16763,7 @@ but no position is feasible</source>
     <name>ravnoves::VariantTable</name>
     <message>
         <source>Variants side by side</source>
-        <translation>Варианты рядом</translation>
+        <translation>Сравнение вариантов</translation>
     </message>
     <message>
         <source>&amp;Save as CSV…</source>
@@ -17676,8 +17676,8 @@ but no position is feasible</source>
         <translation>должно быть «sobol» или «monte-carlo»: латинские гиперкубы больше не поддерживаются</translation>
     </message>
     <message>
-        <source>%1 does not scatter: its tolerance is below the rounding of its value. It has no derivative.</source>
-        <translation>%1 не меняется: допуск меньше ошибки округления значения. Производной нет.</translation>
+        <source>%1 does not scatter and has no derivative: its tolerance is below the rounding of its value.</source>
+        <translation>%1 не меняется и не имеет производной: допуск меньше ошибки округления значения.</translation>
     </message>
     <message>
         <source>must be %1; run the parts of other versions again</source>

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """words.py SOURCE-FOLDER: every text that a person reads, against the language of this program.
 
-Phrases that no text may have, one term for one thing, at most 25 words a sentence and two sentences
-a text. Texts of core and ui come from the translations, which a test compares with the sources. The
+Phrases that no text may have, one term for one thing in both languages, at most 25 words a sentence
+and two sentences a text. Texts of core and ui come from the translations, which a test compares with the sources. The
 guide names only files that exist.
 """
 
@@ -65,6 +65,25 @@ RUSSIAN = {
     r"не по листу": "результат устарел",
 }
 
+# A term, and what its translation contains.
+TERMS = {
+    r"residual": r"остат|остал|остаё|ост\.",
+    r"heavy spot": r"тяжёл\w* мест",
+    r"balance factor": r"коэффициент\w* балансировки",
+    r"overbalance": r"перебаланс",
+    r"bob weights?": r"груз",
+    r"Pareto": r"Парето",
+    r"best compromise": r"лучш\w* компромисс",
+    r"modules?": r"модул",
+    r"misprint": r"опечатк",
+    r"permissible residual": r"допустим\w* (остат|дисбаланс)",
+    r"ignoring clearance": r"без учёта зазоров",
+    r"sweep(?!,)": r"вариац",
+    r"minimum": r"миним|мин\.",
+    r"uncertain inputs?": r"неточн",
+    r"case file": r"файл\w* задач",
+}
+
 # Rows of four cells, made of the fields, whose texts are read where they are translated.
 FIELD_ROWS = r"^\| `" + 4 * r"(?:[^|\\\n]|\\\|)*\|" + "$"
 
@@ -124,6 +143,13 @@ def paragraphs(markdown):
                 yield " ".join(cell.split())
 
 
+def terms(place, english, russian):
+    for term, translation in TERMS.items():
+        if re.search(rf"(?<![\w-]){term}(?![\w-])", english, re.IGNORECASE):
+            if not re.search(translation, russian, re.IGNORECASE):
+                fault(place, russian, f"“{term}” is translated by another term")
+
+
 def page(path, language, generated=None):
     text = path.read_text(encoding="utf-8")
     if generated:
@@ -160,8 +186,10 @@ def main(source):
             lengths(name, english, most)
             translation = message.find("translation")
             for russian in [translation.text] if len(translation) == 0 else [f.text for f in translation]:
-                phrases(name, (russian or "").replace("&", ""), RUSSIAN)
-                lengths(name, russian or "", most)
+                russian = (russian or "").replace("&", "")
+                phrases(name, russian, RUSSIAN)
+                lengths(name, russian, most)
+                terms(name, english, russian)
     if texts < 1000:
         fault("translations", "", "too few texts were found")
 

@@ -281,7 +281,7 @@ QWidget* MethodsPage::buildResults() {
         {{tr("Method"), tr("Methods for the quantity; the method in use is marked")},
          {tr("Setting"), tr("Steps, terms or samples of the method")},
          {tr("Time, ns"), tr("Median of repeated runs; the tips of the cells have the quartiles")},
-         {tr("Error"), tr("Maximum error against 50 digits, in the kernel's own measure")},
+         {tr("Error"), tr("Maximum error against 50 digits, in the measure of the quantity")},
          {tr("Order"),
           tr("Order of convergence: the error falls as this power of the number of steps")}});
     const auto showDetails = [this](bool shown) {

@@ -11,9 +11,9 @@ namespace ravnoves {
 inline Verdict withRejected(Verdict verdict, const SceneModel& model) {
     if (model.hasRejected()) {
         verdict.severity = std::max(verdict.severity, Severity::warning);
-        verdict.text =
-            Message(Text{"", "%1 %2"},
-                    CORE_TEXT("core", "Results use the value before the red entry."), verdict.text);
+        verdict.text = Message(
+            Text{"", "%1 %2"},
+            CORE_TEXT("core", "Results use the previous value of the red field."), verdict.text);
     }
     return verdict;
 }

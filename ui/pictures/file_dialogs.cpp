@@ -108,7 +108,7 @@ QString askSavePath(QWidget* parent, const QString& title, const QString& sugges
         if (replaces &&
             QMessageBox::question(parent, title,
                                   words(QT_TRANSLATE_NOOP("ravnoves::FileDialogs",
-                                                          "“%1” is there already. Replace it?"))
+                                                          "“%1” already exists. Replace it?"))
                                       .arg(QFileInfo(path).fileName()),
                                   QMessageBox::Yes | QMessageBox::No,
                                   QMessageBox::No) != QMessageBox::Yes) {

@@ -308,7 +308,7 @@ void ranges(const Engine& engine, PaperRows& rows) {
         sweep.shaft_angle_deg[static_cast<std::size_t>(worst - sweep.range.begin())];
     rows.at(in_text(CORE_TEXT("methods", "results")));
     rows.reproduced(CORE_TEXT("methods", "α of the maximum ΔMᵤₚₛ"), "°", "240", worst_angle,
-                    CORE_TEXT("methods", "Maximum of the sweep over α."));
+                    CORE_TEXT("methods", "Maximum over all α."));
     rows.not_derivable(
         CORE_TEXT("methods", "maximum ΔMᵤₚₛ"), "N·m", "1802",
         CORE_TEXT("methods",

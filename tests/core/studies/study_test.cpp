@@ -375,8 +375,8 @@ TEST(Study, AToleranceBelowTheRoundingHasNoDerivative) {
         EXPECT_NEAR(linear.at("standard_deviation").get<double>(), 1.0, 1e-9);
         EXPECT_EQ(linear.at("contributions").at("/x0"), 0.0);
         EXPECT_EQ(notes_text(part),
-                  "/x0 does not scatter: its tolerance is below the rounding of its value. It has "
-                  "no derivative.\n");
+                  "/x0 does not scatter and has no derivative: its tolerance is below the rounding "
+                  "of its value.\n");
     }
 }
 

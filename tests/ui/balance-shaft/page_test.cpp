@@ -319,7 +319,7 @@ TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {
     EXPECT_TRUE(table->trouble().isEmpty()) << table->trouble().toStdString();
     // The ends are one instant of the cycle, in a pasted cell too.
     EXPECT_EQ(table->paste(0, 1, {{QStringLiteral("-90")}}), QString());
-    EXPECT_EQ(table->index(48, 1).data().toString(), QStringLiteral("-90"));
+    EXPECT_EQ(table->index(48, 1).data().toString(), QStringLiteral("−90"));
     EXPECT_TRUE(table->trouble().isEmpty());
     EXPECT_EQ(table->paste(48, 1, {{QStringLiteral("0")}}), QString());
     EXPECT_EQ(model->input().torque.table.torque.front(), 0.0);
@@ -421,7 +421,7 @@ TEST_F(BalanceShaftPageTest, TableTakesASpreadsheet) {
     view->setCurrentIndex(view->model()->index(3, 1));
     QApplication::clipboard()->setText(QStringLiteral("-1\n-2\n"));
     QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
-    EXPECT_EQ(view->model()->index(4, 1).data().toString(), QStringLiteral("-2"));
+    EXPECT_EQ(view->model()->index(4, 1).data().toString(), QStringLiteral("−2"));
     // Copy gives the same block back.
     view->selectionModel()->select(
         QItemSelection(view->model()->index(3, 0), view->model()->index(4, 1)),
@@ -434,7 +434,7 @@ TEST_F(BalanceShaftPageTest, TableTakesASpreadsheet) {
         QStringLiteral("0\t-81\n180\t40\n360\t1,893\n540\t40\n720\t-81\n"));
     QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
     EXPECT_EQ(view->model()->index(5, 1).data().toString(), below);
-    EXPECT_EQ(view->model()->index(4, 1).data().toString(), QStringLiteral("-2"));
+    EXPECT_EQ(view->model()->index(4, 1).data().toString(), QStringLiteral("−2"));
     EXPECT_TRUE(torqueTable()->trouble().isEmpty());
 }
 
@@ -494,7 +494,7 @@ TEST_F(BalanceShaftPageTest, WhileAnEntryIsRedTheVerdictSaysWhoseResultsTheyAre)
     const auto* verdict = page.findChild<VerdictLine*>();
     const QString before = verdict->text();
     type(field("crank_radius_mm"), QStringLiteral("-1"));
-    EXPECT_TRUE(verdict->text().contains(QStringLiteral("before the red entry")));
+    EXPECT_TRUE(verdict->text().contains(QStringLiteral("previous value of the red field")));
     type(field("crank_radius_mm"), QStringLiteral("46"));
     EXPECT_EQ(verdict->text(), before);
 }

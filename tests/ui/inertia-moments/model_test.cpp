@@ -72,7 +72,7 @@ TEST(InertiaMomentsModel, InchesInTheTableHaveRoomAndAreEditedWhole) {
     const QString edited = offset.data(Qt::EditRole).toString();
     QSettings().clear();
     Preferences::instance().load();
-    EXPECT_EQ(shown, QStringLiteral("-0.4925"));
+    EXPECT_EQ(shown, QStringLiteral("−0.4925"));
     EXPECT_TRUE(edited.startsWith(QStringLiteral("-0.492519"))) << edited.toStdString();
 }
 

@@ -1260,7 +1260,7 @@ TEST_F(JobPageTest, ARejectedEntryMakesTheAnswerStale) {
     type("piston", u"58x"_s);
     EXPECT_TRUE(label("rejected").contains(u"One piston"_s)) << qPrintable(label("rejected"));
     EXPECT_TRUE(isAmber("headline"));
-    EXPECT_TRUE(label("verdict").startsWith(u"Results use the value before the red entry."_s));
+    EXPECT_TRUE(label("verdict").startsWith(u"Results use the previous value of the red field."_s));
     EXPECT_FALSE(find<QLabel>("headline")->font().bold());
     EXPECT_EQ(page.focusWidget(), field("piston")) << "Enter does not pass it over";
     // The tab says so, wherever one is.

@@ -284,7 +284,7 @@ QVariant TorqueTableModel::data(const QModelIndex& index, int role) const {
     }
     switch (role) {
         case Qt::DisplayRole:
-            return shortened(ownText({index.row(), index.column()}));
+            return trueMinus(shortened(ownText({index.row(), index.column()})));
         case Qt::EditRole:
             return ownText({index.row(), index.column()});
         case Qt::TextAlignmentRole:

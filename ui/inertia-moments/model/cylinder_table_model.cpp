@@ -103,7 +103,7 @@ QString cellText(const Field& field, double shown) {
         const double parts = std::pow(10.0, 2 + more);
         shown = std::round(shown * parts) / parts;
     }
-    return formNumber(shown, QLocale(), 6);
+    return shownFormNumber(shown, QLocale(), 6);
 }
 
 QString strokeText(double shown) {

@@ -186,7 +186,7 @@ QString WorkshopModel::checkText() const {
                  : isNone && solution.shift_that_matters() != nullptr
                      ? words.translate("V8", "(!) Matches nominal by the method only.")
                  : isNone ? words.translate("V8", "Matches nominal: balanced.")
-                          : words.translate("V8", "After minus nominal: %1 (%2).")
+                          : words.translate("V8", "Difference from nominal: %1 (%2).")
                                 .arg(grams(words, difference),
                                      gramMillimetres(
                                          words, difference * engine.crank_radius.value_or(0.0))));
