@@ -11055,8 +11055,8 @@ but no position is feasible</source>
         <translation>Допустимо и оптимально по Парето: габарит и размах</translation>
     </message>
     <message>
-        <source>Size of the box around cylinder, crank and shaft circles, gears and wall (front view; sizes: Inputs tab). Click a chart to set α.</source>
-        <translation>Габарит вокруг цилиндра, окружностей кривошипа и вала, шестерён и стенки (вид спереди; размеры — на вкладке «Данные»). Щелчок по графику задаёт α.</translation>
+        <source>Size of the box around cylinder, crank and shaft circles, gears and wall; click a chart to set α.</source>
+        <translation>Габарит вокруг цилиндра, окружностей кривошипа и вала, шестерён и стенки; щелчок по графику задаёт α.</translation>
     </message>
 </context>
 <context>
@@ -11206,8 +11206,8 @@ but no position is feasible</source>
         <translation>Работа крутящего момента за вычетом работы его среднего</translation>
     </message>
     <message>
-        <source>The load equals the mean torque. J excludes piston and rod, whose inertia is part of the torque.</source>
-        <translation>Нагрузка равна среднему моменту. J не включает поршень и шатун: их инерция входит в момент.</translation>
+        <source>The load equals the mean torque; J excludes piston and rod, whose inertia is part of the torque.</source>
+        <translation>Нагрузка равна среднему моменту; J не включает поршень и шатун, их инерция входит в момент.</translation>
     </message>
 </context>
 <context>
@@ -13962,8 +13962,8 @@ but no position is feasible</source>
         <translation>Фаза момента слева: амплитуда × sin(kφ + фаза)</translation>
     </message>
     <message>
-        <source>A shaft at crank speed changes only order 1; the RMS is minimal where the shaft opposes it. A two-stroke cycle has whole orders only.</source>
-        <translation>Вал, вращающийся со скоростью коленчатого, меняет только порядок 1; СКЗ минимально, где вал ему противоположен. У двухтактного цикла только целые порядки.</translation>
+        <source>A shaft at crank speed changes only order 1; the RMS is minimal where the shaft opposes it.</source>
+        <translation>Вал, вращающийся со скоростью коленчатого, меняет только порядок 1; СКЗ минимально, где вал ему противоположен.</translation>
     </message>
     <message>
         <source>without shaft (Mᵤₚ)</source>
@@ -15589,8 +15589,8 @@ but no position is feasible</source>
         <translation>Доля размаха во взвешенной сумме, остальное — СКЗ. Оба относительно схемы без вала.</translation>
     </message>
     <message>
-        <source>Further limits, for example a crankcase wall; blank means no limit. The sizes of the engine are on the Inputs tab.</source>
-        <translation>Дополнительные ограничения, например стенка картера; пусто — без ограничения. Размеры двигателя — на вкладке «Данные».</translation>
+        <source>Further limits, for example a crankcase wall; blank means no limit.</source>
+        <translation>Дополнительные ограничения, например стенка картера; пусто — без ограничения.</translation>
     </message>
     <message>
         <source>Minimum range and RMS at each l with its best α; thick: feasible. Size of the box by the criterion; click to move the shaft.</source>
@@ -16412,8 +16412,8 @@ but no position is feasible</source>
         <translation>Сгорание</translation>
     </message>
     <message>
-        <source>A plain cycle: constant pressures for gas exchange, polytropic compression, one Wiebe heat release, polytropic expansion. 360° is the firing top dead centre.</source>
-        <translation>Простой цикл: постоянные давления газообмена, политропное сжатие, одно тепловыделение по Вибе, политропное расширение. 360° — верхняя мёртвая точка сгорания.</translation>
+        <source>A plain cycle: constant pressures for gas exchange, polytropic compression, one Wiebe heat release, polytropic expansion.</source>
+        <translation>Простой цикл: постоянные давления газообмена, политропное сжатие, одно тепловыделение по Вибе, политропное расширение.</translation>
     </message>
     <message>
         <source>Impo&amp;rt file…</source>
@@ -16432,8 +16432,8 @@ but no position is feasible</source>
         <translation>Таблица берётся как есть. Диаграмма или расчётный цикл даёт газовый момент плюс инерционный по массам и частоте.</translation>
     </message>
     <message>
-        <source>No table yet; the computed torque is used. Paste a table, import a CSV file, or use the computed torque as table.</source>
-        <translation>Таблицы ещё нет; используется вычисленный момент. Вставьте таблицу, импортируйте CSV или сделайте таблицу из вычисленного момента.</translation>
+        <source>No table yet, so the computed torque is used: paste a table, import a CSV file, or use this torque as table.</source>
+        <translation>Таблицы ещё нет, поэтому используется вычисленный момент: вставьте таблицу, импортируйте CSV или сделайте таблицу из этого момента.</translation>
     </message>
     <message>
         <source>Use as table</source>
@@ -16452,8 +16452,8 @@ but no position is feasible</source>
         <translation>Заменить подобранный инерционный момент таблицы моментом по массам и частоте.</translation>
     </message>
     <message>
-        <source>Measured cylinder pressure over one or more cycles, a text file with columns. Crank angles start at the dead centre before intake (two-stroke: at firing).</source>
-        <translation>Измеренное давление за один или несколько циклов, текстовый файл со столбцами. Углы — от мёртвой точки перед впуском (двухтактный: от сгорания).</translation>
+        <source>Measured cylinder pressure over one or more cycles; crank angles start at the dead centre before intake (two-stroke: at firing).</source>
+        <translation>Измеренное давление за один или несколько циклов; углы — от мёртвой точки перед впуском (двухтактный: от сгорания).</translation>
     </message>
     <message>
         <source>Shift the trace by &amp;360°</source>

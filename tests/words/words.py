@@ -2,7 +2,7 @@
 """words.py SOURCE-FOLDER: every text that a person reads, against the language of this program.
 
 Phrases that no text may have, one term for one thing in both languages, at most 25 words a sentence
-and two sentences a text. Texts of core and ui come from the translations, which a test compares with the sources. The
+and two sentences a text, one a note. Texts of core and ui come from the translations, which a test compares with the sources. The
 guide names only files that exist.
 """
 
@@ -90,6 +90,12 @@ FIELD_ROWS = r"^\| `" + 4 * r"(?:[^|\\\n]|\\\|)*\|" + "$"
 LONGEST_SENTENCE = 25  # words
 MOST_SENTENCES = 2
 
+# Notes of pages and results, which have one sentence.
+NOTE = (
+    r'(?:captionLabel\(\s*(?:\w+::)?tr\(|notes\.(?:emplace|push)_back\([\s{]*CORE_TEXT\(\s*"[^"]*",)'
+    r'((?:\s*"(?:[^"\\]|\\.)*")+)'
+)
+
 # Texts of more than two sentences on purpose: what a whole page, card or report says.
 PROSE = {"ravnoves::ReportWords", "methods"}
 
@@ -163,6 +169,17 @@ def page(path, language, generated=None):
         fault(path.name, "", "no text was found")
 
 
+def notes(source):
+    found = set()
+    for path in [*(source / "core").rglob("*.cpp"), *(source / "ui").rglob("*.cpp")]:
+        for literals in re.findall(NOTE, path.read_text(encoding="utf-8")):
+            parts = re.findall(r'"((?:[^"\\]|\\.)*)"', literals)
+            found.add("".join(parts).replace('\\"', '"').replace("&", ""))
+    if len(found) < 20:
+        fault("notes", "", "too few were found")
+    return found
+
+
 def guide(path, source):
     page(path, {k: v for k, v in ENGLISH.items() if k != r"scenes?"})
     folders = "app core packaging resources tests ui".split()
@@ -174,14 +191,15 @@ def guide(path, source):
 
 def main(source):
     texts = 0
+    of_one_sentence = notes(source)
     for context in ET.parse(source / "resources/translations/ravnoves_ru.ts").getroot().iter("context"):
         name = context.findtext("name")
         if name == "Keys":  # of case files, word by word
             continue
         for message in context.iter("message"):
             texts += 1
-            most = None if name in PROSE else MOST_SENTENCES
             english = message.findtext("source").replace("&", "")
+            most = None if name in PROSE else 1 if english in of_one_sentence else MOST_SENTENCES
             phrases(name, english, ENGLISH)
             lengths(name, english, most)
             translation = message.find("translation")

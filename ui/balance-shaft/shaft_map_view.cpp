@@ -153,9 +153,8 @@ QWidget* ShaftMapView::buildLimits() {
           "/place_limits/top_mm"}) {
         form->number(place);
     }
-    section->addWide(captionLabel(tr("Further limits, for example a crankcase wall; blank means no "
-                                     "limit. The sizes of the engine are on the Inputs tab."),
-                                  section));
+    section->addWide(captionLabel(
+        tr("Further limits, for example a crankcase wall; blank means no limit."), section));
     form->column()->addStretch();
     constexpr int enough = 340;  // no field stands far from its name
     form->setMaximumWidth(Theme::withText(enough));

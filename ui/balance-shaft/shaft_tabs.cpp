@@ -141,10 +141,10 @@ QWidget* ShaftTabs::buildSize() {
         model_->setShaftAngleDeg(angles[nearest % angles.size()]);
     });
     column->addWidget(range, 3);
-    column->addWidget(captionLabel(
-        SizeWords::tr("Size of the box around cylinder, crank and shaft circles, gears and wall "
-                      "(front view; sizes: Inputs tab). Click a chart to set α."),
-        holder));
+    column->addWidget(
+        captionLabel(SizeWords::tr("Size of the box around cylinder, crank and shaft circles, "
+                                   "gears and wall; click a chart to set α."),
+                     holder));
     return holder;
 }
 
@@ -154,10 +154,9 @@ QWidget* ShaftTabs::buildOrders() {
     column->addWidget(addPlot("orders", holder), 3);
     auto* panel = new Panel(holder);
     QVBoxLayout* inside = columnIn(panel, -1, tableMargins);
-    inside->addWidget(captionLabel(
-        OrderWords::tr("A shaft at crank speed changes only order 1; the RMS is minimal where the "
-                       "shaft opposes it. A two-stroke cycle has whole orders only."),
-        panel));
+    inside->addWidget(captionLabel(OrderWords::tr("A shaft at crank speed changes only order 1; "
+                                                  "the RMS is minimal where the shaft opposes it."),
+                                   panel));
     auto* table = new PartTable(model_, "order-table", OrderWords::tr("Order spectrum"), panel);
     table->setShownRows(5);
     inside->addWidget(table);
@@ -204,7 +203,7 @@ Form* ShaftTabs::buildFlywheelForm(QWidget* parent) {
         });
     }
     section->addWide(
-        captionLabel(FlywheelWords::tr("The load equals the mean torque. J excludes piston and "
+        captionLabel(FlywheelWords::tr("The load equals the mean torque; J excludes piston and "
                                        "rod, whose inertia is part of the torque."),
                      form));
     form->column()->addStretch();

@@ -100,10 +100,9 @@ QWidget* TorqueSourceEditor::buildNoTable() {
     auto* column = new QVBoxLayout(noTable_);
     column->setContentsMargins(Theme::margin, 0, Theme::margin, Theme::gap);
     column->setSpacing(Theme::gap);
-    column->addWidget(captionLabel(
-        tr("No table yet; the computed torque is used. Paste a table, import a CSV file, or use "
-           "the computed torque as table."),
-        noTable_));
+    column->addWidget(captionLabel(tr("No table yet, so the computed torque is used: paste a "
+                                      "table, import a CSV file, or use this torque as table."),
+                                   noTable_));
     auto* buttons = new QWidget(noTable_);
     QHBoxLayout* row = rowIn(buttons, Theme::gap);
     column->addWidget(buttons);
@@ -187,10 +186,10 @@ void TorqueSourceEditor::addNumbers(Form* form, const std::string& parent,
 QWidget* TorqueSourceEditor::buildPressure() {
     auto* form = new Form(model_);
     FormSection* file = form->section({});
-    file->addWide(captionLabel(
-        tr("Measured cylinder pressure over one or more cycles, a text file with columns. Crank "
-           "angles start at the dead centre before intake (two-stroke: at firing)."),
-        form));
+    file->addWide(
+        captionLabel(tr("Measured cylinder pressure over one or more cycles; crank angles start at "
+                        "the dead centre before intake (two-stroke: at firing)."),
+                     form));
     auto* import = new QPushButton(themedIcon(QStringLiteral("import")), tr("Impo&rt file…"), form);
     file->addWide(import);
     trace_ = captionLabel({}, form);
@@ -225,10 +224,10 @@ QWidget* TorqueSourceEditor::buildPressure() {
 QWidget* TorqueSourceEditor::buildCycle() {
     const char* place = "/torque/cycle";
     auto* form = new Form(model_);
-    form->section({})->addWide(captionLabel(
-        tr("A plain cycle: constant pressures for gas exchange, polytropic compression, one Wiebe "
-           "heat release, polytropic expansion. 360° is the firing top dead centre."),
-        form));
+    form->section({})->addWide(
+        captionLabel(tr("A plain cycle: constant pressures for gas exchange, polytropic "
+                        "compression, one Wiebe heat release, polytropic expansion."),
+                     form));
     form->section(tr("Cylinder"));
     addNumbers(form, place, {field::crankcase_pressure});
     form->section(tr("Gas exchange and compression"));

@@ -415,8 +415,8 @@ void StartPage::arrange() {
     const bool beside = columns > 2;
     lists_->addWidget(recentBox_, 0, 0);
     lists_->addWidget(examplesBox_, beside ? 0 : 1, beside ? 1 : 0);
-    lists_->setColumnStretch(0, 1);
-    lists_->setColumnStretch(1, beside ? 1 : 0);
+    lists_->setColumnStretch(0, 2);
+    lists_->setColumnStretch(1, beside ? 3 : 0);
 }
 
 void StartPage::resizeEvent(QResizeEvent* event) {
