@@ -49,10 +49,10 @@ struct BlockPeaks {
                 const Lanes value = peak + (by_cos * cos + by_sin * sin);
                 raise(top, value);
             }
-            out[k] = greatest(top);
+            out[k] = max_of(top);
             raise(of_all, top);
         }
-        return greatest(of_all);
+        return max_of(of_all);
     }
 };
 

@@ -99,7 +99,7 @@ struct Result {
     double counterweight_lag = 0.0;
     AngleSweep sweep;
     std::vector<Message> doubts;       ///< of the input: it looks like a slip
-    bool trace_is_a_turn_off = false;  ///< one of them; TorqueSource::trace_shift mends it
+    bool trace_is_a_turn_off = false;  ///< one of them; TorqueSource::trace_shift corrects it
     std::vector<Message> notes;        ///< what the user should know beyond the numbers
     /// For m₁ ρ₁, by the sizes that the input gives, else those that the front view takes; feasible
     /// where it fits in the swing circle too.

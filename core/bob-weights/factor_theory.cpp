@@ -130,21 +130,21 @@ bool balances_itself(const Engine& engine) {
 Message factor_effect(const Engine& engine, double factor) {
     const FirstOrder left = first_order(engine, factor, 1.0);
     const double whole = is_pair(engine) ? 2.0 : 1.0;
-    if (left.greatest() < nothing * whole) {
+    if (left.maximum() < nothing * whole) {
         return CORE_TEXT("bob-weights", "First-order force fully balanced.");
     }
     if (std::abs(left.forward) < nothing) {
         return {CORE_TEXT("bob-weights",
                           "Residual: a circle against the crank, %1 of the reciprocating mass of a "
                           "cylinder."),
-                percent(left.greatest())};
+                percent(left.maximum())};
     }
     if (std::abs(left.backward) < nothing) {
         return {
             CORE_TEXT(
                 "bob-weights",
                 "Residual: a circle with the crank, %1 of the reciprocating mass of a cylinder."),
-            percent(left.greatest())};
+            percent(left.maximum())};
     }
     if (std::min(left.upright(), left.across()) < nothing) {
         return {left.upright() > left.across()
@@ -154,7 +154,7 @@ Message factor_effect(const Engine& engine, double factor) {
                     : CORE_TEXT("bob-weights",
                                 "Residual: a straight horizontal motion, %1 of the reciprocating "
                                 "mass of a cylinder."),
-                percent(left.greatest())};
+                percent(left.maximum())};
     }
     return {CORE_TEXT("bob-weights",
                       "Residual: an ellipse, %1 of the reciprocating mass of a cylinder "

@@ -24,7 +24,7 @@ struct FirstOrder {
     /// Half axes: upright (along the bisector of the banks, or the cylinder) and across, kg.
     double upright() const { return std::abs(forward + backward); }
     double across() const { return std::abs(forward - backward); }
-    double greatest() const { return std::abs(forward) + std::abs(backward); }
+    double maximum() const { return std::abs(forward) + std::abs(backward); }
 };
 
 /// Where the force points as the throw turns from upright, a closed curve; kg at the crank radius.

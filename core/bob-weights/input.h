@@ -166,7 +166,7 @@ struct DrilledHole {
 struct DrillingRecord {
     /// What was planned when the next run began; empty: nothing that is known of.
     std::optional<std::vector<DrilledHole>> drilled;
-    /// What it was planned from, where the readings have been put right since.
+    /// What it was planned from, where the readings have been corrected since.
     std::vector<EarlierReading> drilled_by;
     /// The machine's degrees counted the other way then.
     bool counted_otherwise = false;

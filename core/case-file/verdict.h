@@ -11,7 +11,7 @@
 
 namespace ravnoves {
 
-/// How good or bad what is said is.
+/// Severity of the verdict.
 enum class Severity { good, note, warning, error };
 
 constexpr std::string_view severity_word(Severity severity) {
@@ -26,7 +26,7 @@ struct Verdict {
     /// What would help, as the scene's page knows it; empty where there is nothing to do.
     std::string_view act{};
 
-    /// Says a warning behind what is said already; nothing where it is empty.
+    /// Adds a warning to the verdict; an empty one adds nothing.
     void warn(const Message& warning) {
         if (!warning.empty()) {
             text = text.empty() ? warning : Message(Text{"", "%1 %2"}, text, warning);

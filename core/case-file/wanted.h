@@ -8,8 +8,7 @@
 
 namespace ravnoves {
 
-/// Which values of a "result" object are asked for; all, if nothing else is said. What nobody asks
-/// for need not be computed.
+/// The wanted values of a "result" object; all by default. Others need not be computed.
 class Wanted {
   public:
     Wanted() = default;

@@ -53,7 +53,7 @@ struct Demand {
     double dmoment;      ///< d moment / d polar_angle, N·m
 };
 
-/// The smallest and the greatest energy that a hinge has given out, over the turn.
+/// The minimum and the maximum energy that a hinge has given out, over the turn.
 struct DemandRange {
     double min = 0.0;        ///< J, ≤ 0
     double max = 0.0;        ///< J, ≥ 0

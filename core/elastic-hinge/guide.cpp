@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/greatest.h"
+#include "numerics/maximum.h"
 
 namespace ravnoves::elastic_hinge {
 
@@ -66,9 +66,9 @@ class BranchScan {
         }
     }
 
-    /// @param minimum, greatest  radius of the path, m
+    /// @param minimum, maximum  radius of the path, m
     /// @param step  of the grid, rad
-    BranchSummary finish(double minimum, double greatest, double step) {
+    BranchSummary finish(double minimum, double maximum, double step) {
         for (int each = 0; each < measures; ++each) {
             at(each).sharpen([&](double phi) { return measure(each, shape_.at(branch_, phi)); },
                              step);
@@ -76,11 +76,11 @@ class BranchScan {
         BranchSummary summary;
         summary.exists = true;
         summary.min_radius = minimum;
-        summary.max_radius = greatest;
+        summary.max_radius = maximum;
         summary.profile_min_radius = roller_ > 0.0 ? -at(lowest).value : minimum;
-        summary.profile_max_radius = roller_ > 0.0 ? at(highest).value : greatest;
+        summary.profile_max_radius = roller_ > 0.0 ? at(highest).value : maximum;
         const double max_bent = at(bent).value;
-        summary.smallest_curvature_radius = max_bent > 0.0 ? 1.0 / max_bent : greatest;
+        summary.smallest_curvature_radius = max_bent > 0.0 ? 1.0 / max_bent : maximum;
         if (const double sharpest = at(against_roller).value;
             sharpest > 0.0 && std::isfinite(1.0 / sharpest)) {
             summary.largest_roller_radius = 1.0 / sharpest;
@@ -107,13 +107,13 @@ class BranchScan {
                 return profile_radius(point, branch_, roller_);
         }
     }
-    Greatest& at(int which) { return greatest_.at(static_cast<std::size_t>(which)); }
+    Maximum& at(int which) { return maxima_.at(static_cast<std::size_t>(which)); }
 
     const GuideShape& shape_;
     Branch branch_;
     double roller_;
     double side_;
-    std::array<Greatest, measures> greatest_{
+    std::array<Maximum, measures> maxima_{
         {{-1.0}, {}, {}, {-std::numeric_limits<double>::max()}, {}}};
 };
 
@@ -195,12 +195,12 @@ double GuideShape::min_given_out() const {
     return scale_ > 0.0 ? scale_ * range.min : scale_ * range.max;
 }
 
-double GuideShape::greatest_given_out() const {
+double GuideShape::max_given_out() const {
     const DemandRange range = design_->range(hinge_);
     return scale_ > 0.0 ? scale_ * range.max : scale_ * range.min;
 }
 
-double GuideShape::greatest_angle() const {
+double GuideShape::max_angle() const {
     const DemandRange range = design_->range(hinge_);
     return scale_ > 0.0 ? range.max_angle : range.min_angle;
 }
@@ -214,7 +214,7 @@ double largest_moment(const Design& design, Hinge hinge, const std::vector<Deman
     const auto hinge_moment = [](const Demand& demand) {
         return std::abs(demand.moment * demand.dpolar);
     };
-    Greatest largest;
+    Maximum largest;
     for (std::size_t i = 0; i < demands.size(); ++i) {
         largest.take(hinge_moment(demands[i]), step * static_cast<double>(i));
     }
@@ -281,20 +281,20 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     guide.branch = shape->branch();
     guide.preload = spring->preload();
 
-    const double greatest = std::max(shape->greatest_given_out(), 0.0);
+    const double maximum = std::max(shape->max_given_out(), 0.0);
     const double minimum = std::min(shape->min_given_out(), 0.0);
-    guide.minimum_preload = std::sqrt(greatest);
-    guide.worst_angle = shape->greatest_angle();
+    guide.minimum_preload = std::sqrt(maximum);
+    guide.worst_angle = shape->max_angle();
     const double square = guide.preload * guide.preload;
     if (square > 0.0) {
-        guide.minimum_stiffness = spring->stiffness * (greatest / square);
+        guide.minimum_stiffness = spring->stiffness * (maximum / square);
     }
     const std::size_t n = demands.size();
     const double step = two_pi / static_cast<double>(std::max<std::size_t>(n, 2) - 1);
     guide.largest_moment = largest_moment(shape->design(), hinge, demands, step);
 
-    const bool exists = greatest <= square + shape->rounding();
-    const double lowest = std::sqrt(std::max(square - greatest, 0.0));
+    const bool exists = maximum <= square + shape->rounding();
+    const double lowest = std::sqrt(std::max(square - maximum, 0.0));
     const double highest = std::sqrt(square - minimum);
     guide.smallest_deflection = lowest;
     const double half_length = 0.5 * spring->free_length;
@@ -312,7 +312,7 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
         const double wave = waves * std::abs(outer.radius - half_length);
         return slope * slope + wave * wave;
     };
-    Greatest steepest_error;
+    Maximum steepest_error;
     bool missing = false;
     for (std::size_t i = 0; i < n; ++i) {
         const Demand& demand = demands[i];
@@ -348,7 +348,7 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
 
     steepest_error.sharpen(
         [&](double phi) { return wave_effect(shape->at(Branch::stretched, phi)); }, step);
-    guide.relief = highest + lowest > 0.0 ? (greatest - minimum) / (highest + lowest) : 0.0;
+    guide.relief = highest + lowest > 0.0 ? (maximum - minimum) / (highest + lowest) : 0.0;
     guide.spring_travel = 2.0 * guide.relief;
     guide.largest_spring_force = 2.0 * spring->stiffness * highest;
     guide.smallest_spring_force = 2.0 * spring->stiffness * lowest;

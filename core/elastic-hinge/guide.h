@@ -69,11 +69,11 @@ class GuideShape {
     /// What rounding may leave below zero of preload² − given_out(), m²: a preload of exactly the
     /// least one makes a guide.
     double rounding() const { return rounding_; }
-    /// Least and greatest of given_out() over the turn, m².
+    /// Minimum and maximum of given_out() over the turn, m².
     double min_given_out() const;
-    double greatest_given_out() const;
-    /// The crank angle of the greatest, rad.
-    double greatest_angle() const;
+    double max_given_out() const;
+    /// The crank angle of the maximum, rad.
+    double max_angle() const;
 
   private:
     std::shared_ptr<const Design> design_;
@@ -110,9 +110,9 @@ struct BranchSummary {
 struct ProfileError {
     double amplitude = 0.0;  ///< ε, m
     int waves = 0;           ///< n
-    double torque = 0.0;     ///< greatest error of the hinge's moment over angle and phase, N·m
-    double relative = 0.0;   ///< that against the hinge's greatest moment; 0 where it has none
-    double energy = 0.0;     ///< greatest error of the spring's energy, J
+    double torque = 0.0;     ///< maximum error of the hinge's moment over angle and phase, N·m
+    double relative = 0.0;   ///< that against the hinge's maximum moment; 0 where it has none
+    double energy = 0.0;     ///< maximum error of the spring's energy, J
 };
 
 /// A guide with all that a designer asks about it.

@@ -6,7 +6,7 @@
 #include "case-file/decimal.h"
 #include "case-file/field_writer.h"
 #include "case-file/input_error.h"
-#include "numerics/greatest.h"
+#include "numerics/maximum.h"
 
 namespace ravnoves::elastic_hinge {
 
@@ -21,7 +21,7 @@ std::optional<double> largest_roller(const GuideShape& shape, Branch branch) {
     const double side = branch == Branch::compressed ? -1.0 : 1.0;
     const auto against = [&](double phi) { return side * shape.at(branch, phi).curvature(); };
     const auto grid = angle_grid(721);
-    Greatest sharpest;
+    Maximum sharpest;
     for (const double phi : grid->angle) {
         sharpest.take(against(phi), phi);
     }
@@ -30,14 +30,14 @@ std::optional<double> largest_roller(const GuideShape& shape, Branch branch) {
 }
 
 /// The smallest d_min whose preload √(d_min² + G) is more than the smallest one, √G, by the margin
-/// that is wanted. G = greatest energy / 2c grows with d_min as c falls: d_min² = m² + 2 m √G, by
+/// that is wanted. G = maximum energy / 2c grows with d_min as c falls: d_min² = m² + 2 m √G, by
 /// iteration.
-double deflection_with_margin(const GuideWish& wish, double greatest_share) {
+double deflection_with_margin(const GuideWish& wish, double max_share) {
     const double margin = wish.preload_margin;
     double minimum = margin;
     constexpr int enough = 60;  // each takes off three quarters of the error
     for (int i = 0; i < enough; ++i) {
-        const double energy = greatest_share * wish.relief * (2.0 * minimum + wish.relief);
+        const double energy = max_share * wish.relief * (2.0 * minimum + wish.relief);
         minimum = std::sqrt(margin * margin + 2.0 * margin * std::sqrt(energy));
     }
     return minimum;
@@ -65,7 +65,7 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
             CORE_TEXT("elastic-hinge", "the hinge releases no energy: its guide is a circle"));
     }
     const bool reversed = sign == GuideSign::as_printed && hinge != Hinge::rod;
-    const double greatest = reversed ? -range.min : range.max;
+    const double max_energy = reversed ? -range.min : range.max;
 
     const double relief = wish.relief;
     const double half = 0.5 * free_length;
@@ -74,7 +74,7 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
 
     // Bounds of the smallest deflection d_min.
     const double min_deflection =
-        std::max(0.1 * relief, deflection_with_margin(wish, std::max(0.0, greatest / span)));
+        std::max(0.1 * relief, deflection_with_margin(wish, std::max(0.0, max_energy / span)));
     double low = min_deflection;
     double high = 0.0;
     if (branch == Branch::compressed) {
@@ -110,7 +110,7 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         Spring spring;
         spring.free_length = free_length;
         spring.stiffness = span / (2.0 * relief * (2.0 * minimum + relief));
-        const double start = std::sqrt(minimum * minimum + greatest / (2.0 * spring.stiffness));
+        const double start = std::sqrt(minimum * minimum + max_energy / (2.0 * spring.stiffness));
         spring.guide_radius_at_zero = branch == Branch::compressed ? half - start : half + start;
         return spring;
     };

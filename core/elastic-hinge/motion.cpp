@@ -441,7 +441,7 @@ class Run {
         take_speed(speed);
     }
 
-    /// Takes the speed where it is greatest or smallest between two nodes.
+    /// Takes the speed where it is a maximum or minimum between two nodes.
     void take_node(const Node& node) {
         const auto last = std::exchange(last_node_, node);
         if (!last || (last->acceleration < 0.0) == (node.acceleration < 0.0)) {

@@ -7,7 +7,7 @@
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/unusual_engine.h"
-#include "numerics/greatest.h"
+#include "numerics/maximum.h"
 
 namespace ravnoves::elastic_hinge {
 
@@ -17,7 +17,7 @@ namespace {
 template <typename Function>
 double largest(const std::vector<double>& samples, const std::vector<double>& angles,
                const Function& curve) {
-    Greatest found;
+    Maximum found;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         found.take(std::abs(samples[i]), angles[i]);
     }
@@ -134,8 +134,8 @@ void compare_kinematics(const Input& input, const Design& design,
     const bool exact = design.has_exact_kinematics();
     const double square = input.angular_speed * input.angular_speed;
     const std::size_t n = grid.size();
-    Greatest cosine_error;
-    Greatest moment_error;
+    Maximum cosine_error;
+    Maximum moment_error;
     result.other_rod_hinge_moment.resize(exact ? n : 0);
     for (std::size_t i = 0; 2 * i < n; ++i) {
         const double s = grid.sin_phi[i];

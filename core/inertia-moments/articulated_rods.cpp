@@ -30,17 +30,17 @@ double root_between(const Function& f, double low, double high) {
     return 0.5 * (before + after);
 }
 
-/// The angle in −π…π where a periodic function is greatest: the best of a scan, then the root of
-/// the slope between its neighbours.
+/// The angle in −π…π where a periodic function has its maximum: the best of a scan, then the root
+/// of the slope between its neighbours.
 template <typename Function, typename Slope>
-double angle_of_greatest(const Function& f, const Slope& slope) {
+double angle_of_maximum(const Function& f, const Slope& slope) {
     constexpr double step = two_pi / scan_samples;
     double best = -pi;
-    double greatest = f(best);
+    double maximum = f(best);
     for (int i = 1; i < scan_samples; ++i) {
         const double angle = step * i - pi;
-        if (const double value = f(angle); value > greatest) {
-            greatest = value;
+        if (const double value = f(angle); value > maximum) {
+            maximum = value;
             best = angle;
         }
     }
@@ -167,13 +167,13 @@ ArticulatedMotion ArticulatedCrank::two_term_at(double sin_theta, double cos_the
 }
 
 double ArticulatedCrank::top_dead_centre() const {
-    return angle_of_greatest(
+    return angle_of_maximum(
         [&](double theta) { return at(std::sin(theta), std::cos(theta)).piston.s; },
         [&](double theta) { return at(std::sin(theta), std::cos(theta)).piston.ds; });
 }
 
 double ArticulatedCrank::bottom_dead_centre() const {
-    const double angle = angle_of_greatest(
+    const double angle = angle_of_maximum(
         [&](double theta) { return -at(std::sin(theta), std::cos(theta)).piston.s; },
         [&](double theta) { return -at(std::sin(theta), std::cos(theta)).piston.ds; });
     return angle < 0.0 ? angle + two_pi : angle;
@@ -198,8 +198,8 @@ double ArticulatedCrank::reach() const {
     double maximum = 0.0;
     for (const double sign : {1.0, -1.0}) {
         const double angle =
-            angle_of_greatest([&](double theta) { return sign * across(theta); },
-                              [&](double theta) { return sign * across_slope(theta); });
+            angle_of_maximum([&](double theta) { return sign * across(theta); },
+                             [&](double theta) { return sign * across_slope(theta); });
         maximum = std::max(maximum, std::abs(across(angle)));
     }
     return maximum;

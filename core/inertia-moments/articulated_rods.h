@@ -42,9 +42,9 @@ struct ArticulatedCrank {
     /// third order in λ and R/l.
     ArticulatedMotion two_term_at(double sin_theta, double cos_theta) const;
 
-    double top_dead_centre() const;     ///< θ where s is greatest, rad in −π…π
+    double top_dead_centre() const;     ///< θ of the maximum s, rad in −π…π
     double bottom_dead_centre() const;  ///< θ where s is smallest, rad in 0…2π
-    double stroke() const;              ///< greatest less least s
+    double stroke() const;              ///< maximum minus minimum s
 
     /// How far the knuckle pin goes from the cylinder's axis, |Im q − K|: the rod must be longer.
     double reach() const;

@@ -87,7 +87,7 @@ struct Shaft {
     std::optional<double> axial_position;  ///< m, of the weight (force); empty: reference position
     std::optional<double> weight_radius;   ///< ρ, m: then masses are given too
     double phase_error = 0.0;              ///< rad, added to the right phase
-    bool enabled = true;                   ///< counts in what is left over
+    bool enabled = true;                   ///< is part of the residual
     bool operator==(const Shaft&) const = default;
 };
 
@@ -99,7 +99,7 @@ struct EndWebs {
     double rear_radius = 0.05;    ///< m
     /// Share of the forward part of the reciprocating first order that they balance too, 0…1.
     double first_order_share = 0.0;
-    bool enabled = true;  ///< count in what is left over
+    bool enabled = true;  ///< are part of the residual
     bool operator==(const EndWebs&) const = default;
 };
 

@@ -82,7 +82,7 @@ RAVNOVES_KERNEL void lower(Lanes& minimum, const Lanes& value) {
     minimum = value < minimum ? value : minimum;
 }
 template <typename Lanes>
-RAVNOVES_KERNEL double greatest(const Lanes& of) {
+RAVNOVES_KERNEL double max_of(const Lanes& of) {
     double maximum = of[0];
     for (std::size_t i = 1; i < lanes_of<Lanes>; ++i) {
         maximum = of[i] > maximum ? of[i] : maximum;

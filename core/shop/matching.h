@@ -58,7 +58,7 @@ std::vector<CylinderPlace> places_of(const Crank& crank);
 /// it). Left out: what the engine leaves by its design, which no placing changes; higher orders;
 /// the bend of crankshaft and block; the tilt of the rods.
 struct Shaking {
-    double force;   ///< greatest over a turn, kg
+    double force;   ///< maximum over a turn, kg
     double couple;  ///< the same about the middle, kg·m, or kg·spacing
     double ends;    ///< at the end crankpins: root mean square over a turn and both ends, kg
 };

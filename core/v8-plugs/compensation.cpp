@@ -208,9 +208,9 @@ Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mas
     return advice;
 }
 
-Message describe_action(const Option& option, double minimum, double greatest) {
+Message describe_action(const Option& option, double minimum, double maximum) {
     Number from = in_grams(minimum);
-    const Number to = in_grams(greatest);
+    const Number to = in_grams(maximum);
     if (Message(from) == Message(to)) {
         return action(option, to);
     }

@@ -78,9 +78,9 @@ std::optional<PlugSet> plug_set(const Engine& engine);
 std::optional<GearMasses> gear_masses(const Engine& engine);
 
 enum class OptionId {
-    steel_machined,         ///< today's steel plugs machined, (18), (22)
+    steel_machined,         ///< present steel plugs machined, (18), (22)
     steel_to_aluminium,     ///< aluminium plugs instead, (15), (19)
-    new_steel_to_steel,     ///< today's steel plugs in a crankshaft made for new ones, (16), (20)
+    new_steel_to_steel,     ///< present steel plugs in a crankshaft made for new ones, (16), (20)
     new_steel_machined,     ///< the new steel plugs of such a crankshaft machined, (18) with k_yн
     new_steel_to_aluminium  ///< aluminium plugs in such a crankshaft, (17), (21)
 };
@@ -99,9 +99,9 @@ inline constexpr Word option_words[] = {
 constexpr const Word& option_word(OptionId option) {
     return option_words[static_cast<std::size_t>(option)];
 }
-/// True where the option's plugs are of steel, today's or new ones; false where of aluminium.
+/// True where the option's plugs are of steel, present or new ones; false where of aluminium.
 bool has_steel_plugs(OptionId option);
-/// True where the plugs are those of the new design, not today's in steel or aluminium.
+/// True where the plugs are those of the new design, not the present ones in steel or aluminium.
 bool has_new_plugs(OptionId option);
 /// True where the option is for a crankshaft made for the plugs of the new design.
 bool needs_new_crankshaft(OptionId option);
@@ -113,7 +113,7 @@ struct Option {
     double slope;        ///< k_y (24), or k_yн where new plugs are machined
     double plug_radius;  ///< r_p or r_pн, m
     /// The wall-strength limit of one plug, kg. The paper gives none for a new plug: that of
-    /// today's steel plug is taken, in proportion where the new one is lighter.
+    /// the present steel plug is used, in proportion where the new one is lighter.
     double max_reduction;
     double maximum;               ///< (19)–(22), kg
     double required_reduction;    ///< one plug, kg; may be negative or beyond the limit
@@ -163,7 +163,7 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
                  double tolerance);
 /// What an option asks for in the imperative, with so much off each plug, kg; from one mass to
 /// another where they read differently.
-Message describe_action(const Option& option, double minimum, double greatest);
+Message describe_action(const Option& option, double minimum, double maximum);
 /// Why an option does not work (residual beyond the tolerance); empty where it does.
 Message describe_failure(const Option& option, double tolerance);
 /// "works", within which tolerance it does, or why it does not.

@@ -22,7 +22,7 @@ inline constexpr int crankpin_count = 4;
 struct Engine {
     std::string name;
     std::optional<double> crank_radius;             ///< r, m
-    std::optional<double> plug_radius;              ///< r_p, centre of mass of today's plug, m
+    std::optional<double> plug_radius;              ///< r_p, centre of mass of the present plug, m
     std::optional<double> new_plug_radius;          ///< r_pн, the same of the new design, m
     std::optional<double> steel_plug_mass;          ///< m_p, kg
     std::optional<double> aluminium_plug_mass;      ///< m_a, kg

@@ -16,9 +16,9 @@ std::span<const Engine> engine_presets();
 /// The preset of that name ("4.25 l", or short "4.25"); nullptr where there is none.
 const Engine* find_preset(std::string_view name);
 
-/// Thread and height of today's plug as Table 1 prints them for the preset; empty for the engines
-/// of which it prints none. The bore stays empty: the table's letters are on a drawing that the
-/// print does not show well enough to tell which of them is the bore.
+/// Thread and height of the present plug as Table 1 prints them for the preset; empty for the
+/// engines of which it prints none. The bore stays empty: the table's letters are on a drawing that
+/// the print does not show well enough to tell which of them is the bore.
 PlugSheet printed_plug(std::string_view preset);
 /// True where both the mass and the plug's sizes are those that the paper prints: they do not fit
 /// each other (see PlugMass), and neither was typed or weighed.

@@ -34,12 +34,12 @@ void visit_bob_weight(ResultVisitor& visitor, const ResultField& field, const Bo
 
 void visit_shift_effect(ResultVisitor& visitor, const ShiftEffect& effect, double tolerance) {
     visitor.word(key::from, effect.planned ? "bore" : "range");
-    visitor.numbers(key::shift, {effect.min_shift, effect.greatest_shift});
-    visitor.numbers(key::unbalance, {effect.minimum, effect.greatest});
+    visitor.numbers(key::shift, {effect.min_shift, effect.max_shift});
+    visitor.numbers(key::unbalance, {effect.minimum, effect.maximum});
     visitor.number(key::residual_unbalance, effect.residual_unbalance);
     visitor.flag(key::beyond_tolerance, std::abs(effect.residual_unbalance) > tolerance);
     // For the shifts in their order: the smallest asks for most.
-    visitor.numbers(key::corrected_reduction, {effect.greatest_reduction, effect.min_reduction});
+    visitor.numbers(key::corrected_reduction, {effect.max_reduction, effect.min_reduction});
     if (effect.depth) {
         visitor.number(key::corrected_depth, effect.depth);
     }
@@ -56,8 +56,8 @@ void visit_boring(ResultVisitor& visitor, const Boring& boring,
     visitor.number(key::bottom, boring.bottom);
     visitor.number(key::maximum_reduction, boring.max_reduction);
     if (possible) {
-        visitor.number(key::shift, effect ? effect->greatest_shift : 0.0);
-        visitor.number(key::shift_unbalance, effect ? effect->greatest : 0.0);
+        visitor.number(key::shift, effect ? effect->max_shift : 0.0);
+        visitor.number(key::shift_unbalance, effect ? effect->maximum : 0.0);
     }
 }
 

@@ -55,28 +55,28 @@ std::optional<ShiftEffect> shift_effect(const Option& option, double tolerance,
         // The body's own shift; what is cut off counts at its radius, whatever the plug weighs.
         const Boring boring =
             plan_boring(setup->plug, setup->limits, option.reduction, setup->density);
-        effect.min_shift = effect.greatest_shift = boring.shift;
-        effect.minimum = effect.greatest = 2.0 * option.reduction * boring.cut_distance;
+        effect.min_shift = effect.max_shift = boring.shift;
+        effect.minimum = effect.maximum = 2.0 * option.reduction * boring.cut_distance;
     } else {
         effect.min_shift = smallest_shift;
-        effect.greatest_shift = largest_shift;
+        effect.max_shift = largest_shift;
         effect.minimum = shift_unbalance(plug, smallest_shift);
-        effect.greatest = shift_unbalance(plug, largest_shift);
+        effect.maximum = shift_unbalance(plug, largest_shift);
     }
     const double one = option.residual_unbalance - effect.minimum;
-    const double other = option.residual_unbalance - effect.greatest;
+    const double other = option.residual_unbalance - effect.maximum;
     effect.residual_unbalance = std::abs(one) > std::abs(other) ? one : other;
     effect.matters = option.feasible && std::abs(effect.residual_unbalance) > tolerance;
     if (setup) {
-        effect.min_reduction = effect.greatest_reduction = bored_reduction(option, *setup);
+        effect.min_reduction = effect.max_reduction = bored_reduction(option, *setup);
         const Boring boring =
             plan_boring(setup->plug, setup->limits, effect.min_reduction, setup->density);
         if (boring.limit == Boring::Limit::none) {
             effect.depth = boring.depth;
         }
     } else {
-        effect.min_reduction = shifted_reduction(option, effect.greatest_shift);
-        effect.greatest_reduction = shifted_reduction(option, effect.min_shift);
+        effect.min_reduction = shifted_reduction(option, effect.max_shift);
+        effect.max_reduction = shifted_reduction(option, effect.min_shift);
     }
     return effect;
 }
@@ -103,7 +103,7 @@ Message describe(const ShiftEffect& effect, double tolerance) {
         return two_sentences(
             neglect,
             {CORE_TEXT("V8", "Enter the plug's sizes and the cutter, or take off %1 to %2 each."),
-             minimum, shop::in_grams(effect.greatest_reduction)});
+             minimum, shop::in_grams(effect.max_reduction)});
     }
     if (!effect.depth) {
         return two_sentences(neglect, {CORE_TEXT("V8", "Take off %1 each."), minimum});

@@ -11,21 +11,21 @@ namespace ravnoves::v8_plugs {
 /// crank axis, which the method neglects (2): so much more than it counts is compensated. From the
 /// bore that is planned, or for the range of shifts that the paper gives.
 struct ShiftEffect {
-    bool planned = false;         ///< from the bore; then smallest and largest are the same
-    double min_shift = 0.0;       ///< Δr, m
-    double greatest_shift = 0.0;  ///< m
-    double minimum = 0.0;         ///< compensated beyond what the method counts, kg·m
-    double greatest = 0.0;        ///< kg·m
+    bool planned = false;    ///< from the bore; then smallest and largest are the same
+    double min_shift = 0.0;  ///< Δr, m
+    double max_shift = 0.0;  ///< m
+    double minimum = 0.0;    ///< compensated beyond what the method counts, kg·m
+    double maximum = 0.0;    ///< kg·m
     /// What is left on a crankpin with it, the worse of both ends, kg·m; negative: too much is
     /// compensated.
     double residual_unbalance = 0.0;
     /// The option works by the method's count, and with the shift it leaves more than the
     /// tolerance.
     bool matters = false;
-    /// What to take off one plug so that with the shift nothing is left over, kg; within the limit
-    /// of the plug. For the greatest and for the smallest shift.
+    /// What to take off one plug so that with the shift the residual is zero, kg; within the limit
+    /// of the plug. For the maximum and for the minimum shift.
     double min_reduction = 0.0;
-    double greatest_reduction = 0.0;
+    double max_reduction = 0.0;
     std::optional<double> depth;  ///< of the bore for that, from the face, m; where planned
 
     friend bool operator==(const ShiftEffect&, const ShiftEffect&) = default;

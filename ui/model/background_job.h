@@ -35,7 +35,7 @@ class BackgroundJob : public QObject {
     /// @param untilRest  the pause is one after the last start: nothing runs while the hand moves
     void setPatience(int patienceMs, int pauseMs, bool untilRest = false);
     void start(Work work);
-    /// Stops what runs; what it has is thrown away.
+    /// Stops the run and discards its result.
     void cancel();
     /// The same, and waits until its thread rests: until the work next asks for its progress.
     void stop();
@@ -44,7 +44,7 @@ class BackgroundJob : public QObject {
   Q_SIGNALS:
     void progress(double part);
     void runningChanged(bool running);
-    /// A run came to its end and its result was taken over.
+    /// A run ended and its result is in use.
     void finished();
     /// A run ended with an exception, in the language of the program; finished() follows.
     void failed(const QString& why);

@@ -14,7 +14,7 @@ class SceneModel;
 /// What an empty line in the middle of a block is.
 enum class EmptyLine {
     nothing,  ///< it is passed over
-    gap       ///< a row in which nothing stands
+    gap       ///< an empty row
 };
 
 /// Rows of cells as a spreadsheet puts them on the clipboard: tabs or semicolons between the cells.

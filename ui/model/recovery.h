@@ -38,8 +38,8 @@ struct RecoveredCase {
 /// The one store for a crash, of cases and jobs alike: every unsaved document is kept in a file of
 /// its own while it is open, so that a program that is killed loses what was changed in the last
 /// half second. A job is a case with a place in the journal (SceneModel::placeJson()), and is kept
-/// and offered as any other. Each running program locks its files: others take over only what
-/// nobody holds any more.
+/// and offered as any other. Each running program locks its files: others use only what
+/// is no longer locked.
 class Recovery : public QObject {
     Q_OBJECT
 
@@ -71,9 +71,9 @@ class Recovery : public QObject {
     static constexpr int maximum = 100;
     /// What programs have left that run no longer. Nobody else is offered it while this one runs.
     Found leftBehind();
-    /// It was restored and is kept again, or nobody wants it.
+    /// It was restored and is kept again, or was discarded.
     void discard(const RecoveredCase& recovered) { QFile::remove(recovered.file); }
-    /// Nobody wants the older ones.
+    /// Discards the older ones.
     void discardOlder();
 
   Q_SIGNALS:

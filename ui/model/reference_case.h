@@ -26,7 +26,7 @@ class ReferenceCase : public QObject {
   Q_SIGNALS:
     /// Another one, or none, or it shows something else.
     void changed();
-    /// What the user is told of it.
+    /// Its message for the user.
     void said(const QString& text);
 
   private:

@@ -191,7 +191,8 @@ class SceneModel : public QObject {
     }
     /// True from a step of a drag to rest() or finishDrag(): what would jump to and fro rests.
     bool isMoved() const { return moved_; }
-    /// The hand rests, and may go on: a next step of the drag is still one with those before.
+    /// The hand rests; the drag may continue: a next step of the drag is still one with those
+    /// before.
     void rest() {
         if (std::exchange(moved_, false)) {
             Q_EMIT rested();
@@ -232,7 +233,7 @@ class SceneModel : public QObject {
     void titleChanged(const QString& title);
     /// What there is to undo, to redo or to save.
     void historyChanged();
-    /// Whether something that is rejected stands anywhere.
+    /// Whether any field has a rejected entry.
     void rejectedInChanged();
     /// A change was rejected; empty when that is over.
     void rejected(const QString& why);

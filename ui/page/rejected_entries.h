@@ -22,7 +22,7 @@ QString rejectedWords(const QWidget* part);
 
 /// Says which entries of that page are rejected and that the values before them are used.
 /// @param title  what is about to be done
-/// @return true where there are none, or the user wants to go on without them
+/// @return true where there are none, or the user continues without them
 bool goOnWithoutRejected(QWidget* part, const QString& title);
 
 }  // namespace ravnoves

@@ -33,7 +33,8 @@ FileChoosers& fileChoosers();
 QString completedPath(const QString& typed, const QList<FileFormat>& formats, qsizetype chosen);
 
 /// Asks where to save. The path ends in the suffix of its format; a suffix that no format has is
-/// rejected in words, and a file that is there already is replaced only where the user says so.
+/// rejected with the reason, and a file that is there already is replaced only where the user says
+/// so.
 /// @param formats  the first is the usual one
 /// @return an empty text where the user gives up
 QString askSavePath(QWidget* parent, const QString& title, const QString& suggestion,

@@ -6,7 +6,7 @@
 
 namespace ravnoves {
 
-/// A report that nobody waits for any more.
+/// A report that was cancelled.
 class ReportCancelled : public std::exception {
   public:
     const char* what() const noexcept override { return "cancelled"; }
@@ -22,7 +22,7 @@ class Patience {
                       std::function<void(const QString& stage, double part)> tell = {});
 
     void tell(const QString& stage, double part) const;
-    /// For a part of all work: what is told goes from here to there.
+    /// For a part of all work: its progress is between these two.
     Patience of(double from, double to) const;
 
     /// Handles what there is to handle; where there is nothing, waits so long for it, ms.

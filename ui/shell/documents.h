@@ -142,7 +142,7 @@ class Documents : public QWidget {
     std::vector<CaseTab> caseTabs() const;
     void arrangeTabs();
 
-    /// A file whose tab nobody has looked at yet.
+    /// A file whose tab was not in front yet.
     struct Later {
         int id;
         QString path;

@@ -107,7 +107,7 @@ class MainWindow : public QMainWindow {
     void updateSceneActions();
     /// Brings a toolbar that shows all its rows back to one.
     void foldToolBar();
-    /// In the status bar, while nothing else is said there.
+    /// In the status bar, while it has no other message.
     void showHint(const QString& text);
     /// Says what was done, before all else in the status bar; no tip of what the pointer passes
     /// takes its place meanwhile.

@@ -15,7 +15,7 @@ QString shownText(const Text& text);
 /// A number of a message in the user's way, with its unit.
 QString numberText(const Number& number);
 
-/// How the parts of a message are said.
+/// How the parts of a message are written.
 struct MessageWords {
     std::function<QString(const Text&)> text = shownText;
     /// Words of no language: keys, names of files.

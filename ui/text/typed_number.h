@@ -41,7 +41,7 @@ bool isTypedNumber(const QString& text);
 /// True for a unit of mass, in the language of the program.
 bool isMassUnit(const QString& unit);
 
-/// Words that stand for numbers in a list.
+/// Words that mean numbers in a list.
 struct NamedNumbers {
     std::optional<double> (*find)(std::string_view word);  ///< SI; nothing for another word
     Text allowed;                                          ///< the rule for the list

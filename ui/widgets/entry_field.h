@@ -40,7 +40,7 @@ class EntryField : public QLineEdit {
     }
     /// The text that explains the field; the rule for its values is added.
     void setHint(const QString& hint);
-    /// What is in it may not hold any more: it has an amber frame, where nothing is wrong.
+    /// Its value may be outdated: it has a yellow frame, unless an entry is wrong.
     void setDoubtful(bool isDoubtful);
     bool isDoubtful() const { return isDoubtful_; }
     /// Whether results depend on it; where not, they stay up to date while its text is rejected.
@@ -51,7 +51,7 @@ class EntryField : public QLineEdit {
     void setModel(SceneModel* model);
 
   Q_SIGNALS:
-    /// What is said of the text is another.
+    /// The message about the text has changed.
     void troubleChanged();
 
   protected:
@@ -74,12 +74,12 @@ class EntryField : public QLineEdit {
     /// The rule for values in the tooltip; may be empty.
     virtual QString rule() const { return {}; }
 
-    /// @param isOfModel  other values of the model may mend it
+    /// @param isOfModel  other values of the model may make it valid
     void setTrouble(const QString& trouble, bool isOfModel = false);
     /// How a text was read that may mean something else; said until the value is another.
     void sayHowRead(const QString& note) { say(howRead_, note); }
     void showValue();
-    /// The text is that of the value, and nobody is at it.
+    /// The text is that of the value, and the field has no focus.
     bool isAtRest() const { return !editing_ && trouble_.isEmpty() && text() == shown_; }
     void endEditing();
     /// Makes the model hold again what it held before the editing.

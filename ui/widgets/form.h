@@ -32,7 +32,7 @@ class Form : public QWidget {
     FormSection* section(const QString& title);
     /// The section that rows are added to now.
     FormSection* current() const { return current_; }
-    /// Where the sections stand, and what is to stand between them.
+    /// The column of the sections and of what is between them.
     QVBoxLayout* column() const { return column_; }
 
     /// A row for a number (or a whole number) of the input.

@@ -109,7 +109,7 @@ class MachineSheet : public WorkshopSheet {
   public:
     explicit MachineSheet(WorkshopModel* model, QWidget* parent = nullptr);
 
-    /// Where one goes on: the first reading of the run that is not read yet; else the first one.
+    /// The next reading: the first of the run that is not read yet; else the first one.
     QWidget* nextReading() const;
     bool isDoubtful() const override;
 

@@ -348,7 +348,7 @@ void WeighInSheet::addFindings() {
     addTable("take-off", tr("Mass to take off each part to match the lightest"));
     follow([=, this] {
         const auto shown = model_->matchingShown();
-        const bool isAmber =
+        const bool isWarning =
             shown ? !shown->matched.remark.empty() : !model_->weighAgain().isEmpty();
         const bool canMove = shown && shown->matched.moved > 0;
         back->setVisible(model_->canMoveBack());
@@ -357,7 +357,7 @@ void WeighInSheet::addFindings() {
             gaps + QStringList(model_->assignmentText()) + model_->assignmentRemarks();
         said.removeAll(QString());
         summary->setText(said.join(QLatin1Char('\n')));
-        colourText(summary, isAmber || !gaps.isEmpty() ? &Theme::warning : &Theme::text);
+        colourText(summary, isWarning || !gaps.isEmpty() ? &Theme::warning : &Theme::text);
         if (button->hasFocus() && !canMove) {
             goal_->setFocus(Qt::OtherFocusReason);
         }

@@ -111,7 +111,7 @@ class WorkshopPage : public ScenePage {
     JournalBanner* banner_ = nullptr;
     QTabWidget* sheets_ = nullptr;
     QList<WorkshopSheet*> forms_;  // in the order of the tabs
-    QSet<int> unseen_;             ///< sheets that nobody has looked at since the job came
+    QSet<int> unseen_;             ///< sheets that were not in front since the job came
     bool journalTried_ = false;
     bool isRejected_ = false;  ///< an entry that results depend on
     QList<QAction*> actions_;

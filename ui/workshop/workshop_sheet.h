@@ -28,7 +28,7 @@ class WorkshopSheet : public Form {
     /// The same in the order of Tab: it goes along the rows of a grid.
     QList<QWidget*> tabOrder() const;
 
-    /// Its readings are of another bob weight or crankshaft: its tab is amber, and so are their
+    /// Its readings are of another bob weight or crankshaft: its tab is yellow, and so are their
     /// fields.
     virtual bool isDoubtful() const { return false; }
 
@@ -72,7 +72,7 @@ class WorkshopSheet : public Form {
         const NamedNumbers* named = nullptr);
     /// A line of text over the whole width that follows the model; hidden while there is none.
     QLabel* line(int pixelSize, std::function<QString()> text);
-    /// A field is amber while it holds a reading of another bob weight.
+    /// A field is yellow while it has a reading of another bob weight.
     void doubt(EntryField* field, std::function<bool()> isDoubtful);
     /// Takes a field into the order.
     template <typename Widget>

@@ -17,7 +17,7 @@ Engine v(double bank_deg, double split_deg = 0.0, int cylinders = 6) {
 
 TEST(Factor, OfANinetyDegreeVTakesUpAll) {
     EXPECT_EQ(theory_factor(v(90)), 0.5);
-    EXPECT_LT(first_order(v(90), 0.5, 1.0).greatest(), 1e-15);
+    EXPECT_LT(first_order(v(90), 0.5, 1.0).maximum(), 1e-15);
     // Without counterweights the force is a circle: of constant size, turning with the crank.
     const FirstOrder bare = first_order(v(90), 0.0, 1.0);
     EXPECT_NEAR(bare.upright(), 1.0, 1e-15);
@@ -39,7 +39,7 @@ TEST(Factor, OfSplitPinsLeavesALine) {
     EXPECT_NE(reason.find("with the crank only 94 % even at 0 %"), std::string::npos) << reason;
     // Banks at 60° with pins split by 60°: all first-order forces of a throw go at 50 %.
     EXPECT_NEAR(theory_factor(v(60, 60)), 0.5, 1e-15);
-    EXPECT_LT(first_order(v(60, 60), 0.5, 1.0).greatest(), 1e-15);
+    EXPECT_LT(first_order(v(60, 60), 0.5, 1.0).maximum(), 1e-15);
 }
 
 TEST(Factor, OfOneCylinderMakesHalfACircle) {
@@ -53,9 +53,9 @@ TEST(Factor, OfOneCylinderMakesHalfACircle) {
 
 TEST(Factor, FiftyPercentMakesTheLargestForceSmallest) {
     for (const Engine& engine : {v(45, 0, 2), v(60), v(72, 0, 10), v(90, 18), v(180, 0, 12)}) {
-        const double best = first_order(engine, 0.5, 1.0).greatest();
+        const double best = first_order(engine, 0.5, 1.0).maximum();
         for (double factor = 0.0; factor <= 1.0; factor += 0.01) {
-            EXPECT_GE(first_order(engine, factor, 1.0).greatest(), best - 1e-15);
+            EXPECT_GE(first_order(engine, factor, 1.0).maximum(), best - 1e-15);
         }
     }
 }

@@ -87,7 +87,7 @@ TEST(BobWeight, TakesUpTheRotatingPartAndTheFactorOfTheRest) {
                     1e-9 * scale);
         // The whole curve: largest and smallest force in its two directions.
         const auto total = inertia_moments::RotatingPair{forward, backward};
-        EXPECT_NEAR(total.max(), result.first_order->greatest() * unit, 1e-9 * scale);
+        EXPECT_NEAR(total.max(), result.first_order->maximum() * unit, 1e-9 * scale);
         double upright = 0.0;
         double across = 0.0;
         for (int k = 0; k < 720; ++k) {

@@ -60,10 +60,10 @@ TEST(Shift, OfABoredPlugIsThatOfTheBody) {
                           plug_moment(after, plug, plugs.plug_radius, steel_density));
         };
         const double wanted = excess * plugs.crank_radius;
-        EXPECT_NEAR(taken(option.reduction) - wanted, effect->greatest, 1e-9 * wanted);
-        EXPECT_NEAR(effect->residual_unbalance, -effect->greatest, 1e-9 * wanted);
+        EXPECT_NEAR(taken(option.reduction) - wanted, effect->maximum, 1e-9 * wanted);
+        EXPECT_NEAR(effect->residual_unbalance, -effect->maximum, 1e-9 * wanted);
         EXPECT_NEAR(taken(effect->min_reduction), wanted, 1e-9 * wanted);
-        EXPECT_EQ(effect->matters, std::abs(effect->greatest) > tolerance);
+        EXPECT_EQ(effect->matters, std::abs(effect->maximum) > tolerance);
         if (effect->depth) {
             ++corrected;
             EXPECT_NEAR(bored_mass(plug, bore, *effect->depth, steel_density),
@@ -82,20 +82,19 @@ TEST(Shift, OfTheRangeOfThePaperIsCorrectedAtBothEnds) {
     EXPECT_TRUE(option.feasible);
     EXPECT_TRUE(effect.matters);  // 2 · 2.87 g · 1.2 mm = 6.9 g·mm
     const double counted = plugs.steel_mass - option.reduction;
-    EXPECT_NEAR(effect.greatest, 2 * counted * 1.2 * millimetre, 1e-15);
-    EXPECT_NEAR(effect.residual_unbalance, -effect.greatest, 1e-15);
+    EXPECT_NEAR(effect.maximum, 2 * counted * 1.2 * millimetre, 1e-15);
+    EXPECT_NEAR(effect.residual_unbalance, -effect.maximum, 1e-15);
     // Plugs so corrected, with their centre where it really is, weigh on the pin what was counted.
     const auto weight = [&](double reduction, double shift) {
         return (plugs.steel_mass - reduction) * (plugs.plug_radius - shift);
     };
     EXPECT_NEAR(weight(effect.min_reduction, 1.2 * millimetre), counted * plugs.plug_radius, 1e-15);
-    EXPECT_NEAR(weight(effect.greatest_reduction, 0.8 * millimetre), counted * plugs.plug_radius,
-                1e-15);
+    EXPECT_NEAR(weight(effect.max_reduction, 0.8 * millimetre), counted * plugs.plug_radius, 1e-15);
     EXPECT_EQ(describe(effect, tolerance).english(),
               "The method neglects the shift of the plug's centre of mass, 0.8 to 1.2 mm in the "
               "paper: the residual is up to 6.9 g·mm, permissible 5.0 g·mm. Enter the plug's sizes "
               "and the cutter, or take off 1.10 g to 1.12 g each.");
-    EXPECT_EQ(describe_action(option, effect.min_reduction, effect.greatest_reduction).english(),
+    EXPECT_EQ(describe_action(option, effect.min_reduction, effect.max_reduction).english(),
               "Take 1.10…1.12 g off each of the 8 steel plugs.");
     // Of the smaller engine it stays within the tolerance.
     const PlugSet small = plug_set(*find_preset("4.25 l")).value();

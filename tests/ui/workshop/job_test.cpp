@@ -1768,7 +1768,7 @@ TEST_F(JobPageTest, ThePlotOfTheForceHoldsBothEllipses) {
         EXPECT_NEAR(plot->data().curve(0).y[i], bare.upright[i] / units::gram, 1e-9);
         EXPECT_NEAR(plot->data().curve(1).y[i], left.upright[i] / units::gram, 1e-9);
     }
-    const double reach = solution.first_order_bare->greatest() / units::gram;
+    const double reach = solution.first_order_bare->maximum() / units::gram;
     EXPECT_GT(plot->data().left.interval().second, reach);
     EXPECT_GT(plot->data().x.interval().second, reach);
 }

@@ -45,7 +45,7 @@ struct ShaftMap {
 
 /// Makes the map of an engine.
 /// @param present   l of the shaft now, which is to be seen; m
-/// @param progress  is told the part that is done, 0…1; false stops it
+/// @param progress  receives the part that is done, 0…1; false stops it
 /// @return null where it was stopped
 std::shared_ptr<const ShaftMap> makeShaftMap(const balance_shaft::Solver& solver, double present,
                                              const std::function<bool(double)>& progress);

@@ -86,14 +86,14 @@ std::vector<double> GuidePicture::rise(Branch branch, const Unit& unit) const {
     return rise;
 }
 
-double GuidePicture::greatestRise() const {
-    double greatest = 0.0;
+double GuidePicture::maxRise() const {
+    double maximum = 0.0;
     for (const Branch branch : {Branch::compressed, Branch::stretched}) {
         for (const double value : rise(branch, units::metre)) {
-            greatest = std::isfinite(value) ? std::max(greatest, std::abs(value)) : greatest;
+            maximum = std::isfinite(value) ? std::max(maximum, std::abs(value)) : maximum;
         }
     }
-    return greatest;
+    return maximum;
 }
 
 std::vector<std::pair<double, double>> GuidePicture::gaps(const std::vector<double>& angles) const {

@@ -19,7 +19,7 @@ class GuidePicture {
 
         void add(double radius, double angle);  ///< m, rad
         void add(const elastic_hinge::PlanePoint& point, double radius);
-        double reach() const;  ///< greatest distance from the centre, mm
+        double reach() const;  ///< maximum distance from the centre, mm
     };
 
     /// @param guide  must outlive the picture
@@ -35,8 +35,8 @@ class GuidePicture {
     std::optional<elastic_hinge::PlanePoint> centre(Branch branch, double phi) const;
     /// ρ − ρ(0) over the turn.
     std::vector<double> rise(Branch branch, const Unit& unit) const;
-    /// Its greatest size on both branches, m.
-    double greatestRise() const;
+    /// Its maximum on both branches, m.
+    double maxRise() const;
     /// Where the guide does not exist, as stretches of the angles.
     std::vector<std::pair<double, double>> gaps(const std::vector<double>& angles) const;
 

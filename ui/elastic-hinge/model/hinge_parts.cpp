@@ -115,7 +115,7 @@ Figure guides(const ElasticHingeModel& model) {
 Figure relief(const ElasticHingeModel& model) {
     const std::vector<double>& phi = model.result().crank_angle_deg;
     const GuidePicture picture(model.shownGuide(), model.exaggeration());
-    const double finest = picture.greatestRise();
+    const double finest = picture.maxRise();
     constexpr double border = 0.5e-3;  // m
     const bool isNarrow = finest > 0.0 && finest < border;
     Figure figure =

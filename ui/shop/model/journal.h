@@ -39,7 +39,7 @@ struct JournalJob {
     std::optional<double> frontReading;  ///< g·mm, what the machine read at last
     std::optional<double> rearReading;   ///< g·mm
     QString verdict;                     ///< verdictWord()
-    bool isFinished = true;              ///< false: put aside, to go on with
+    bool isFinished = true;              ///< false: put aside, to be continued
     QDateTime saved;                     ///< UTC
     QByteArray form;                     ///< JSON text, UTF-8
 
@@ -115,7 +115,7 @@ class Journal : public QObject {
     bool look();
     bool isOpen() const;
     const QString& path() const { return path_; }
-    /// In words for the user; empty after success.
+    /// The reason, for the user; empty after success.
     const QString& lastError() const { return error_; }
     /// What the user should know of the opening: a damaged file was set aside. Empty else.
     const QString& openMessage() const { return openMessage_; }

@@ -55,7 +55,7 @@ class ScaleReader : public QObject {
     ScaleSettings settings_;
     QSerialPort port_;
     QTimer retry_;
-    QTimer half_;  ///< gives up what has begun and does not go on
+    QTimer half_;  ///< gives up what has begun and stops
     QString trouble_;
     bool wasConnected_ = false;
     shop::ScaleLines lines_;

@@ -19,7 +19,7 @@ extern const QString otherCrankshaft;
 extern const QString stopped;
 /// Passes as measured, beside a warning.
 extern const QString passesWithWarnings;
-/// Nothing is said of the crankshaft.
+/// No verdict on the crankshaft.
 inline bool isWithheld(const QString& verdict) {
     return verdict == otherBobWeight || verdict == otherCrankshaft || verdict == stopped;
 }

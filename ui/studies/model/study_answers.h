@@ -40,7 +40,7 @@ struct StudyAnswers {
     std::vector<Message> notes;
 };
 
-/// What is told of a study that is done.
+/// The answers of a study that is done.
 StudyAnswers answersOf(const studies::Part& part);
 
 }  // namespace ravnoves

@@ -86,7 +86,7 @@ QString WorkshopModel::adviceText(const Words& words) const {
     if (const ShiftEffect* effect = plugs()->shift_that_matters()) {
         // What can be done, not what the method alone would have.
         said = words.message(describe_action(*plugs()->advice->option, effect->min_reduction,
-                                             effect->greatest_reduction));
+                                             effect->max_reduction));
     } else if (plugs()->unbalanced_mass) {
         said = words.message(describe(*plugs()->advice, *plugs()->unbalanced_mass,
                                       plugsInput()->engine.crank_radius.value_or(0.0),
@@ -145,8 +145,8 @@ QString WorkshopModel::shiftText(const Words& words, const Option& option) const
     if (effect && effect->planned) {
         text +=
             QLatin1Char(' ') + words.translate("V8", "With the planned bore it moves by %1: %2.")
-                                   .arg(words.plainWithUnit(effect->greatest_shift, units::mm, 2),
-                                        gramMillimetres(words, effect->greatest));
+                                   .arg(words.plainWithUnit(effect->max_shift, units::mm, 2),
+                                        gramMillimetres(words, effect->maximum));
     }
     return text;
 }

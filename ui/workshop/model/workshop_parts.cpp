@@ -43,7 +43,7 @@ Figure force(const WorkshopModel& model) {
         }
         curve.x = std::move(path.across);
         curve.y = std::move(path.upright);
-        reach = std::max(reach, shown->greatest() / units::gram);
+        reach = std::max(reach, shown->maximum() / units::gram);
     };
     const bob_weights::Result& solution = model.solution();
     add("bare",

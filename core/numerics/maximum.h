@@ -6,9 +6,9 @@
 
 namespace ravnoves {
 
-/// The greatest value of a smooth function of an angle: of samples at equal steps, then by Brent's
-/// method between the neighbours of the greatest one, to rounding in the value.
-struct Greatest {
+/// The maximum of a smooth function of an angle: of samples at equal steps, then by Brent's
+/// method between the neighbours of the largest one, to rounding in the value.
+struct Maximum {
     double value = 0.0;  ///< at first what no value has to be above to count
     double place = 0.0;
     bool found = false;
