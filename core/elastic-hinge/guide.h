@@ -151,7 +151,8 @@ struct Guide {
     }
 };
 
-/// Builds the guide at the given demands (over one turn, both ends included).
+/// Builds the guide at the given demands (over one turn, both ends included); without them only
+/// what their range tells.
 Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
                  const std::optional<Spring>& spring, const Input& input,
                  const std::vector<Demand>& demands);

@@ -220,6 +220,13 @@ void visit_results(ResultVisitor& visitor, const Input& input) {
                                      key::series.key, notes.key, key::curves.key});
     options.with_rod_guides =
         wants_any({key::guide_beside_rod_hinge.key, key::rod_hinge_guide.key, key::motion.key});
+    const auto wants_of_guide = [&](const ResultField& field) {
+        return visitor.wants(std::string(key::guide.key) + "/" + std::string(field.key));
+    };
+    options.with_profiles = options.with_curves || options.with_rod_guides ||
+                            wants_of_guide(key::largest_moment) ||
+                            wants_of_guide(key::compressed) || wants_of_guide(key::stretched) ||
+                            wants_of_guide(key::profile_error);
     visit_results(visitor, input, solve(input, options));
 }
 

@@ -306,8 +306,12 @@ Result solve(const Input& input, const SolveOptions& options) {
         result.by_speed.push_back({speed, {}});
         fill(result.by_speed.back().curves, mechanism, states, grid, speed, mean);
     }
+    if (!options.with_profiles) {
+        result.crank_guide = make_guide(result.design, Hinge::crank, input.spring, input, {});
+    }
+    const bool by_angle = options.with_profiles || !result.crank_guide.feasible;
     const bool rod_guides = exact && options.with_rod_guides;
-    std::vector<Demand> crank_demand(exact ? n : 0);
+    std::vector<Demand> crank_demand(exact && by_angle ? n : 0);
     std::vector<Demand> crank_with_rod_demand(rod_guides ? n : 0);
     std::vector<Demand> rod_demand(rod_guides ? n : 0);
     for (std::size_t i = 0; i < crank_demand.size(); ++i) {
@@ -362,7 +366,10 @@ Result solve(const Input& input, const SolveOptions& options) {
         find_largest_side_forces(input, design, grid, hinge_is_true, result);
     }
 
-    result.crank_guide = make_guide(result.design, Hinge::crank, input.spring, input, crank_demand);
+    if (by_angle) {
+        result.crank_guide =
+            make_guide(result.design, Hinge::crank, input.spring, input, crank_demand);
+    }
     check_finite(result.crank_guide);
     if (options.with_rod_guides) {
         const auto& rod_spring = input.rod_hinge_spring ? input.rod_hinge_spring : input.spring;

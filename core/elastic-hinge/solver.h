@@ -17,6 +17,8 @@ struct SolveOptions {
     std::vector<double> lambdas;
     bool with_curves = true;      ///< with side forces, and what the series differs by
     bool with_rod_guides = true;  ///< the guides of the rod's hinge and of the crank's beside it
+    bool with_profiles = true;    ///< what guides need angle by angle; a guide of a spring that
+                                  ///< suffices follows else from the demand's range alone
 };
 
 /// Solves the scene.
