@@ -320,6 +320,32 @@ TEST(Study, CountsRejectionsByTheirReasons) {
     EXPECT_LT(statistics(part).max, 1.0);
 }
 
+TEST(Study, LimitsSetLaterCountAsFromTheStart) {
+    const auto function = [](auto x, auto y) {
+        y[0] = x[0] + x[1];
+        return x[0] < 1.0;
+    };
+    for (const char* method : sampled_words) {
+        const auto of = [&](const Json& watched, std::uint64_t seed = 5) {
+            Json study = normal_study(2, method, 1000, seed);
+            study["watch"]["/y"] = watched;
+            return problem(study, {0.0, 0.0}, function);
+        };
+        Part part = whole(of(Json::object()));
+        const Json none = write_results(part);
+        for (const Json& limits : {Json{{"max", 1.0}}, Json{{"min", -0.5}, {"max", 0.5}}}) {
+            const Problem limited = of(limits);
+            ASSERT_TRUE(set_limits(part, limited.study));
+            EXPECT_EQ(write_results(part), write_results(whole(limited)));
+            EXPECT_NE(write_results(part), none);
+        }
+        ASSERT_TRUE(set_limits(part, of(Json::object()).study));
+        EXPECT_EQ(write_results(part), none);
+        EXPECT_FALSE(set_limits(part, of({{"max", 1.0}}, 6).study));
+        EXPECT_EQ(write_results(part), none);
+    }
+}
+
 TEST(Study, SaysWhereTheLinearAnswerFails) {
     const auto note = [](const char* method, const Function& function, double nominal = 0.0) {
         return notes_text(whole(problem(normal_study(1, method, 4096, 1), {nominal}, function)));

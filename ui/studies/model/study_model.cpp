@@ -319,24 +319,35 @@ void StudyModel::start() {
         show(std::nullopt, trouble_);
         return;
     }
+    if (done_ != nullptr && doneAt_ == scene_->solutions() && studies::set_limits(*done_, study)) {
+        job_->cancel();
+        show(answersOf(*done_), {});
+        return;
+    }
     CaseFile file = scene_->caseFile();
     file.study = studies::write_study(study);
-    job_->start([this, file = std::move(file), context = scene_->context()](
+    job_->start([this, file = std::move(file), context = scene_->context(),
+                 at = scene_->solutions()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
         const studies::Problem problem = studies::problem_of(file, context);
         // One core stays free for the window.
         const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
-        studies::Part part = studies::begin_part(problem, 1, 1, threads, progress);
-        if (!progress(studies::share_done(part))) {
+        const auto part =
+            std::make_shared<studies::Part>(studies::begin_part(problem, 1, 1, threads, progress));
+        if (!progress(studies::share_done(*part))) {
             return {};
         }
-        studies::run_part(problem, part, threads, [&](const studies::Part&) {
-            return progress(studies::share_done(part));
+        studies::run_part(problem, *part, threads, [&](const studies::Part&) {
+            return progress(studies::share_done(*part));
         });
-        if (!part.finished()) {
+        if (!part->finished()) {
             return {};
         }
-        return [this, answers = answersOf(part)] { show(answers, {}); };
+        return [this, part, at, answers = answersOf(*part)] {
+            done_ = part;
+            doneAt_ = at;
+            show(answers, {});
+        };
     });
 }
 

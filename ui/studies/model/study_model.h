@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <QTimer>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -140,6 +141,8 @@ class StudyModel : public QObject {
     studies::Study study_;
     std::vector<Input> inputs_;
     std::optional<StudyAnswers> answers_;
+    std::shared_ptr<studies::Part> done_;  ///< what they are of; null before the first run
+    int doneAt_ = -1;                      ///< solution of the scene
     QString trouble_;
     QString goneMethod_;
     bool isRejected_ = false;  ///< the case's study cannot be read, and stays until it is cleared
