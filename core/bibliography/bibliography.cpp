@@ -14,7 +14,7 @@ namespace {
 constexpr Source in_english(std::string_view key, const char* cited_as, const char* authors,
                             const char* title, const char* journal, int year,
                             std::string_view pages = "", const char* doi = "") {
-    return {key, {"", cited_as}, {"", authors}, {"", title}, {"", journal}, year, 0, pages, doi};
+    return {key, {"", cited_as}, {"", authors}, {"", title}, {"", journal}, year, pages, doi};
 }
 constexpr Source standard(std::string_view key, const char* number, int year, const char* title) {
     return in_english(key, number, "ISO", title, number, year);
@@ -27,15 +27,13 @@ constexpr Source sources[] = {
      CORE_TEXT("core",
                "Selection of the optimal scheme of stabilization of the one-cylinder engine"),
      {},
-     0,
      2020,
      "",
      ""},
     {"zotov-sviridov", CORE_TEXT("core", "Zotov, Sviridov"),
      CORE_TEXT("core", "A. N. Zotov, A. S. Sviridov"),
      CORE_TEXT("core", "Crank-and-rod mechanism with elastic hinges of given characteristics"),
-     CORE_TEXT("core", "Problemy mashinostroeniya i nadezhnosti mashin, no. 5"), 2021, 0, "14–22",
-     ""},
+     CORE_TEXT("core", "Problemy mashinostroeniya i nadezhnosti mashin, no. 5"), 2021, "14–22", ""},
     {"nazarov",
      CORE_TEXT("core", "Nazarov"),
      CORE_TEXT("core", "A. D. Nazarov"),
@@ -43,7 +41,6 @@ constexpr Source sources[] = {
                "Compensating the total unbalanced mass of crank-gear parts of V-8 engines in "
                "manufacture and repair"),
      {},
-     0,
      2007,
      "",
      ""},
@@ -52,7 +49,7 @@ constexpr Source sources[] = {
      CORE_TEXT("core",
                "Balancing the moments of a VR5 engine taking into account a desaxial crank "
                "mechanism and cylinder camber angle"),
-     CORE_TEXT("core", "Izvestiya vysshikh uchebnykh zavedeniy. Mashinostroenie, no. 5"), 2020, 0,
+     CORE_TEXT("core", "Izvestiya vysshikh uchebnykh zavedeniy. Mashinostroenie, no. 5"), 2020,
      "41–49", "10.18698/0536-1044-2020-5-41-49"},
     in_english("hairer-norsett-wanner", "Hairer, Nørsett, Wanner",
                "E. Hairer, S. P. Nørsett, G. Wanner",
@@ -88,10 +85,9 @@ const Source& source(std::string_view key) {
 }
 
 Message citation(const Source& source) {
-    if (source.year == 0) {
-        return {CORE_TEXT("core",
-                          "%1, \"%2\", not before %3 (our copy shows neither journal nor year)"),
-                source.authors, source.title, source.not_before};
+    if (source.journal.empty()) {
+        return {CORE_TEXT("core", "%1, \"%2\", %3 or later"), source.authors, source.title,
+                source.year};
     }
     Message line{CORE_TEXT("core", "%1, \"%2\", %3, %4"), source.authors, source.title,
                  source.journal, source.year};

@@ -7,16 +7,15 @@
 
 namespace ravnoves {
 
-/// A source that the program rests on. Comments cite it by its key in brackets: [nazarov]. What its
-/// copy does not say (journal, year) stays empty, and its citation says so.
+/// A source that the program rests on. Comments cite it by its key in brackets: [nazarov]. What is
+/// not known of it (journal, year) stays empty.
 struct Source {
     std::string_view key;    ///< "gots-klevtsov"
     Text cited_as;           ///< "Gots, Klevtsov"
     Text authors;            ///< "A. N. Gots, V. S. Klevtsov"; of a standard who issues it
     Text title;              ///< in English
     Text journal;            ///< with its number; a book's publisher; the standard's number
-    int year = 0;            ///< 0: not known
-    int not_before = 0;      ///< where it is not: the year of the newest source that it cites
+    int year = 0;            ///< without a journal that of the newest source it cites
     std::string_view pages;  ///< "14–22"
     const char* doi = "";
 };
@@ -27,8 +26,8 @@ std::span<const Source> bibliography();
 /// The source of that key, which must be there.
 const Source& source(std::string_view key);
 
-/// All of it in one line: `A. Author, "Title", Journal, no. 5, 2021, pp. 14–22, DOI 10.1/2`. Where
-/// the copy at hand does not show the year, it says that and since when the paper may be.
+/// All of it in one line: `A. Author, "Title", Journal, no. 5, 2021, pp. 14–22, DOI 10.1/2`.
+/// Without a journal: `A. Author, "Title", 2021 or later`.
 Message citation(const Source& source);
 
 }  // namespace ravnoves

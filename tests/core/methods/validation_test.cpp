@@ -181,14 +181,8 @@ TEST(Validation, TheCutOfTheMeanNamesItsAngles) {
 TEST(Validation, APaperWhoseYearIsNotKnownIsCitedSo) {
     for (const Paper& paper : papers()) {
         const std::string citation = paper.citation.english();
-        const auto all = bibliography();
-        const auto source = std::find_if(all.begin(), all.end(), [&](const Source& each) {
-            return ravnoves::citation(each).english() == citation;
-        });
-        ASSERT_NE(source, all.end()) << citation;
-        const bool known = citation.find(", " + std::to_string(source->year)) != citation.npos;
-        EXPECT_EQ(known, paper.scene != "balance-shaft" && paper.scene != "v8-plugs");
-        EXPECT_EQ(!known, citation.find("neither journal nor year") != std::string::npos)
+        EXPECT_EQ(citation.ends_with(" or later"),
+                  paper.scene == "balance-shaft" || paper.scene == "v8-plugs")
             << citation;
     }
 }
