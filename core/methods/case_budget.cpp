@@ -83,27 +83,6 @@ class Question {
         }
     }
 
-    /// What is kept under a key: each object for itself, and together what is none.
-    void ask_sources() {
-        if (!file_.kept.is_object()) {
-            return;
-        }
-        for (const auto& [key, kept] : file_.kept.items()) {
-            Json plain = Json::object();
-            for (const auto& [name, value] : kept.items()) {
-                if (value.is_object()) {
-                    add({Kind::source, "/" + key + "/" + name},
-                        {solved(with("/" + key, Json{{name, value}}))});
-                } else {
-                    plain[name] = value;
-                }
-            }
-            if (!plain.empty()) {
-                add({Kind::source, "/" + key}, {solved(with("/" + key, plain))});
-            }
-        }
-    }
-
     void ask_approximation() {
         if (questions_.approximate.empty()) {
             return;
@@ -225,7 +204,6 @@ std::string Contribution::english() const {
             return "rounding";
         case Kind::choice:
             return pointer + ": " + word;
-        case Kind::source:
         case Kind::approximate:
             return pointer + " instead";
         case Kind::tolerance:
@@ -238,7 +216,6 @@ std::vector<CaseDoubt> case_budget(const CaseFile& file, const CaseContext& cont
     Question question(file, context);
     question.ask_rounding();
     question.ask_choices();
-    question.ask_sources();
     question.ask_approximation();
     question.ask_tolerances();
     return question.take();

@@ -19,7 +19,6 @@ struct Contribution {
     enum class Kind {
         rounding,     ///< every operation rounded up, down or towards zero instead of to nearest
         choice,       ///< another word of a choice of method
-        source,       ///< what the case keeps beside the source that it uses
         approximate,  ///< the approximate form that the scene prints beside the exact one
         tolerance,    ///< an input at either end of its ±; of a normal law one deviation away
     };

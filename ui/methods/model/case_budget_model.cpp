@@ -40,16 +40,6 @@ ResultCell valueCell(const ResultEntry& result) {
     return cell;
 }
 
-/// The largest contribution over the result, at most 1; 0 of a result that is but rounding.
-double relativeChange(const CaseDoubt& doubt) {
-    const Contribution& largest = doubt.contributions.front();
-    const double change = largest.change.value_or(0.0);
-    const double value = std::abs(*doubt.result.si);
-    return largest.kind == Contribution::Kind::rounding && value <= change
-               ? 0.0
-               : change / std::max(value, change);
-}
-
 }  // namespace
 
 CaseBudgetModel::CaseBudgetModel(QObject* parent) : QObject(parent), job_(new BackgroundJob(this)) {
@@ -105,10 +95,7 @@ Verdict CaseBudgetModel::verdict() const {
     if (budget_.empty()) {
         return {Severity::note, CORE_TEXT("methods", "Solving the case for each change.")};
     }
-    const CaseDoubt& first = *std::max_element(budget_.begin(), budget_.end(),
-                                               [](const CaseDoubt& a, const CaseDoubt& b) {
-                                                   return relativeChange(a) < relativeChange(b);
-                                               });
+    const CaseDoubt& first = budget_.front();
     return {Severity::note,
             {CORE_TEXT("methods", "%1: %2. Maximum contribution: %3, %4."), first.result.name,
              valueCell(first.result).text.toStdString(),
@@ -157,8 +144,6 @@ QString CaseBudgetModel::nameOf(const Contribution& contribution) const {
             });
             return tr("%1: %2").arg(input, shownText(word->label));
         }
-        case Kind::source:
-            return tr("Other source: %1").arg(input);
         case Kind::approximate:
             return tr("Kinematics: two-term form");
         case Kind::tolerance:
