@@ -1,5 +1,6 @@
 #include "scenes/shared_engine.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -39,6 +40,7 @@ constexpr std::array engine_places{
     EnginePlace{"inertia-moments", &SharedEngine::speed, "/speed_rpm", units::rpm},
     EnginePlace{"inertia-moments", &SharedEngine::reciprocating_mass, "/reciprocating_mass_kg",
                 units::kg},
+    EnginePlace{"inertia-moments", &SharedEngine::rotating_mass, "/rotating_mass_kg", units::kg},
 };
 
 constexpr const char* mass_parts = "reciprocating_masses_kg";
@@ -54,6 +56,7 @@ constexpr std::array engine_names{
     EngineName{&SharedEngine::offset, CORE_TEXT("core", "offset")},
     EngineName{&SharedEngine::speed, CORE_TEXT("core", "speed")},
     EngineName{&SharedEngine::reciprocating_mass, CORE_TEXT("core", "reciprocating mass")},
+    EngineName{&SharedEngine::rotating_mass, CORE_TEXT("core", "rotating mass")},
 };
 
 const Json* number_at(const Json& input, const char* pointer) {
@@ -86,15 +89,29 @@ SharedEngine engine_of(std::string_view scene, const Json& input) {
             sum += part.get<double>();
         }
         engine.reciprocating_mass = sum;
+        const Json* rod = number_at(input, "/rod_mass_kg");
+        const Json* small_end = number_at(input, "/reciprocating_masses_kg/rod_small_end");
+        if (rod != nullptr && small_end != nullptr) {
+            engine.rotating_mass = rod->get<double>() - small_end->get<double>();
+        }
+    }
+    if (engine.rotating_mass && input.contains("cylinders") &&
+        std::ranges::any_of(input["cylinders"], [](const Json& cylinder) {
+            return number_at(cylinder, "/articulated/knuckle_mass_kg") != nullptr;
+        })) {
+        engine.rotating_mass.reset();  // that of a master rod with its knuckles
     }
     return engine;
 }
 
-std::vector<Text> give_engine(const SharedEngine& engine, std::string_view scene, Json& input) {
+GivenEngine give_engine(const SharedEngine& engine, std::string_view scene, Json& input) {
     const SharedEngine before = engine_of(scene, input);
     constexpr int digits = 12;
-    std::vector<Text> changed;
+    GivenEngine given;
     for (const auto& [what, name] : engine_names) {
+        if (before.*what && !(engine.*what)) {
+            given.kept.push_back(name);
+        }
         // A ratio is another with another crank radius, too.
         if (!(engine.*what) || is_same(engine.*what, engine_of(scene, input).*what)) {
             continue;
@@ -106,6 +123,10 @@ std::vector<Text> give_engine(const SharedEngine& engine, std::string_view scene
                 to = &place;
             }
         }
+        // A rod as a rigid body, or the mass of a whole throw, holds more than this one.
+        if (what == &SharedEngine::rotating_mass && !before.rotating_mass) {
+            continue;
+        }
         const auto radius = engine.crank_radius ? engine.crank_radius : before.crank_radius;
         if (to == nullptr || (to->is_ratio && !radius)) {
             continue;
@@ -116,10 +137,10 @@ std::vector<Text> give_engine(const SharedEngine& engine, std::string_view scene
         const double value = to->is_ratio ? *radius / *(engine.*what) : *(engine.*what);
         input[Json::json_pointer(to->pointer)] = rounded_to_digits(value / to->unit.to_si, digits);
         if (!is_same(engine.*what, before.*what)) {
-            changed.push_back(name);
+            given.changed.push_back(name);
         }
     }
-    return changed;
+    return given;
 }
 
 }  // namespace ravnoves

@@ -17,6 +17,7 @@ struct SharedEngine {
     std::optional<double> offset = {};
     std::optional<double> speed = {};
     std::optional<double> reciprocating_mass = {};
+    std::optional<double> rotating_mass = {};  ///< of one cylinder, at the crankpin
 
     friend bool operator==(const SharedEngine&, const SharedEngine&) = default;
 };
@@ -24,9 +25,14 @@ struct SharedEngine {
 /// Of the "input" object of a scene.
 SharedEngine engine_of(std::string_view scene, const Json& input);
 
+/// What give_engine() has done.
+struct GivenEngine {
+    std::vector<Text> changed{};
+    std::vector<Text> kept{};  ///< what the input has and the engine does not give
+};
+
 /// Changes an "input" object of a scene so that it has the same engine, as far as it has a place
 /// for it. A mass given in parts becomes their sum where that is another.
-/// @return what has changed
-std::vector<Text> give_engine(const SharedEngine& engine, std::string_view scene, Json& input);
+GivenEngine give_engine(const SharedEngine& engine, std::string_view scene, Json& input);
 
 }  // namespace ravnoves

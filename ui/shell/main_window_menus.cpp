@@ -355,21 +355,27 @@ void MainWindow::takeEngine(int id) {
     const SceneModel& other = *(*from)->page->model();
     SceneModel& model = *currentPage()->model();
     Json input = model.inputJson();
-    QStringList changed;
-    for (const Text& each :
-         give_engine(engine_of(other.sceneName().toStdString(), other.inputJson()),
-                     model.sceneName().toStdString(), input)) {
-        changed << shownText(each);
-    }
+    const auto [changed, kept] =
+        give_engine(engine_of(other.sceneName().toStdString(), other.inputJson()),
+                    model.sceneName().toStdString(), input);
+    const auto listed = [](const std::vector<Text>& texts) {
+        QStringList words;
+        for (const Text& each : texts) {
+            words << shownText(each);
+        }
+        return words.join(QStringLiteral(", "));
+    };
     const QString name = documents_->nameOf(**from);
     try {
-        if (!changed.isEmpty()) {
+        if (!changed.empty()) {
             model.loadInput(input, model.context(), tr("Take the engine from %1").arg(name));
         }
-        say(changed.isEmpty()
-                ? tr("The engine is already the same as in %1.").arg(name)
-                : tr("Copied from %1: %2.").arg(name, changed.join(QStringLiteral(", "))),
-            10s);
+        QString said = changed.empty() ? tr("The engine is already the same as in %1.").arg(name)
+                                       : tr("Copied from %1: %2.").arg(name, listed(changed));
+        if (!kept.empty()) {
+            said += QLatin1Char(' ') + tr("Not given there, unchanged: %1.").arg(listed(kept));
+        }
+        say(said, 20s);
     } catch (const InputError& error) {
         QMessageBox::warning(this, tr("Take the engine from %1").arg(name), model.explain(error));
     }
