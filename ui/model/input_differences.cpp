@@ -197,12 +197,19 @@ QString nameByDifferences(SceneModel& model) {
     if (differences.empty() || differences.size() > maximum) {
         return {};
     }
+    const FieldNames names = namesOf(model);
     QStringList values;
     for (const InputDifference& each : differences) {
         if (each.present.text.isEmpty()) {
             return {};
         }
-        values << withUnit(each.present.text, each.unit);
+        const FieldEntry* entry = names.described(each.pointer);
+        const std::string_view symbol = entry != nullptr ? entry->field.symbol : "";
+        const QString quantity = !symbol.empty()
+                                     ? QString::fromUtf8(symbol.data(), std::ssize(symbol))
+                                 : each.present.number() != nullptr ? each.name
+                                                                    : QString();
+        values << (quantity + QChar::Nbsp + withUnit(each.present.text, each.unit)).trimmed();
     }
     return values.join(QStringLiteral(", "));
 }

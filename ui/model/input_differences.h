@@ -24,8 +24,8 @@ struct InputDifference {
 /// elements one by one.
 std::vector<InputDifference> inputDifferences(const SceneModel& model, const Json& reference);
 
-/// What tells the present input from the reference: its layout, or a few values: "60°, 90 mm"; else
-/// empty.
+/// What tells the present input from the reference: its layout, or a few values: "α 60°, l 90 mm";
+/// else empty.
 QString nameByDifferences(SceneModel& model);
 
 /// The values that say which design it is, SceneModel::designInputs(): "Shaft angle α 45°, …".

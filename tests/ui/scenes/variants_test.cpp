@@ -464,7 +464,7 @@ TEST(VariantsSideBySide, MarkTheBestAndSayNothingOfWhatIsEqual) {
     model.setByKey(u"shaft_angle_deg"_s, u"60"_s);
     model.setByKey(u"centre_distance_mm"_s, u"90"_s);
     model.keepVariant(nameByDifferences(model));
-    EXPECT_EQ(model.variants().constLast().name, u"90\u00a0mm, 60°"_s);
+    EXPECT_EQ(model.variants().constLast().name, u"l\u00a090\u00a0mm, α\u00a060°"_s);
     model.chooseReference(0);
     model.setByKey(u"shaft_angle_deg"_s, u"50"_s);
     const VariantTable dialog(page.get(), nullptr);
@@ -496,7 +496,8 @@ TEST(VariantsSideBySide, MarkTheBestAndSayNothingOfWhatIsEqual) {
     const QStringList lines = table.asCsv().split(u'\n');
     EXPECT_EQ(lines[0],
               u"Result,Present,Δ Present,\"Δ Present, %\",worse (reference),"
-              u"\"90\u00a0mm, 60°\",\"Δ 90\u00a0mm, 60°\",\"Δ 90\u00a0mm, 60°, %\""_s);
+              u"\"l\u00a090\u00a0mm, α\u00a060°\",\"Δ l\u00a090\u00a0mm, α\u00a060°\","
+              u"\"Δ l\u00a090\u00a0mm, α\u00a060°, %\""_s);
     EXPECT_FALSE(table.asCsv().contains(u'★'));
     const auto labels = dialog.findChildren<QLabel*>();
     EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel* each) {
