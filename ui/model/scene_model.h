@@ -31,6 +31,12 @@ struct OpenCase;
 /// Looks up the open case of a scene by its word; nothing where its page was never shown.
 using OpenCases = std::function<std::optional<OpenCase>(const QString& scene)>;
 
+/// An input that goes through its range, and the result over it.
+struct SweepChoice {
+    std::string input, result;                 ///< pointers
+    std::optional<double> from = {}, to = {};  ///< in the unit of the input's key
+};
+
 /// The state of one page without any widget: its input, what was computed from it, its history.
 ///
 /// Widgets bind to a model and never keep a value of their own; so a page is tested without a
@@ -176,6 +182,10 @@ class SceneModel : public QObject {
     /// Another study, as one step of the history.
     virtual void changeStudy(const QString& /*name*/, const std::string& /*study*/) {}
 
+    /// What the user sweeps, as long as the case is open: the file has no place for it.
+    const SweepChoice& sweepChoice() const { return sweepChoice_; }
+    void setSweepChoice(const SweepChoice& choice) { sweepChoice_ = choice; }
+
     /// A widget says whether something that is rejected is in it now. That is in no history, and
     /// newer than all that is: undo takes it back first, wherever it stands.
     void noteRejected(QObject* where, bool isRejected);
@@ -293,6 +303,7 @@ class SceneModel : public QObject {
     QString notes_;
     Variants variants_;
     std::string study_;
+    SweepChoice sweepChoice_;
     int solutions_ = 0;
     int step_ = 0;
     QString lastName_;

@@ -7,10 +7,14 @@
 
 #include "model/background_job.h"
 #include "model/scene_model.h"
+#include "plot/plot_view.h"
+#include "report/figure_drawings.h"
 #include "report/patience.h"
 #include "report/report.h"
 #include "studies/model/result_words.h"
 #include "studies/model/study_model.h"
+#include "studies/model/sweep_model.h"
+#include "studies/sweep_view.h"
 #include "studies/tolerance_switch.h"
 #include "studies/tornado_view.h"
 #include "text/message_text.h"
@@ -24,10 +28,10 @@ namespace {
 
 constexpr int studyPatienceMs = 60'000;
 
-void waitFor(const StudyModel& study, const Patience& patience) {
+void waitFor(const auto& model, const Patience& patience) {
     QElapsedTimer waited;
     waited.start();
-    while (study.isBusy() && waited.elapsed() < studyPatienceMs) {
+    while (model.isBusy() && waited.elapsed() < studyPatienceMs) {
         patience.wait(50);
     }
 }
@@ -116,6 +120,32 @@ Drawing tornadoOf(const StudyModel& study, const StudyAnswer& value) {
             }};
 }
 
+/// What the user sweeps in the window of the tolerances.
+void addSweep(Report& report, StudyModel& study, const Patience& patience) {
+    if (study.scene()->sweepChoice().input.empty() || study.study().watch.empty()) {
+        return;
+    }
+    const auto view = std::make_shared<SweepView>(&study);
+    SweepModel& model = *view->model();
+    model.setWatched(true);
+    waitFor(model, patience);
+    model.setWatched(false);
+    if (model.sweep() == nullptr || model.isStale()) {
+        report.items.push_back(Paragraph{view->words().toHtmlEscaped(), Paragraph::Kind::Warning});
+        return;
+    }
+    constexpr QSize size(660, 300);
+    view->plot()->resize(size);
+    report.items.push_back(drawingOf(std::shared_ptr<PlotView>(view, view->plot())));
+    const ShownTitle input = study.inputTitle(model.input());
+    const auto shown = [&](double x) { return shownFormNumber(input.factor * x, QLocale(), 5); };
+    const auto& places = model.sweep()->places;
+    report.items.push_back(Paragraph{
+        ReportWords::tr("Sweep, %1 from %2 to %3. %4")
+            .arg(input.text, shown(places.front().x), shown(places.back().x), view->words())
+            .toHtmlEscaped()});
+}
+
 }  // namespace
 
 void addTolerances(Report& report, SceneModel& model, const Patience& patience) {
@@ -175,6 +205,7 @@ void addTolerances(Report& report, SceneModel& model, const Patience& patience) 
     for (std::size_t i = 0; i < std::min(maximum, answers->values.size()); ++i) {
         report.items.push_back(tornadoOf(study, answers->values[i]));
     }
+    addSweep(report, study, patience);
 }
 
 }  // namespace ravnoves

@@ -63,19 +63,18 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
         label->setBuddy(field);
         choices->addWidget(label);
         choices->addWidget(field);
-        connect(field, &NumberField::valueEdited, this, &SweepView::choose);
+        connect(field, &NumberField::valueEdited, this, &SweepView::keepChoice);
         return field;
     };
     from_ = end(tr("&From"), "sweep_from");
     to_ = end(tr("t&o"), "sweep_to");
     result_ = chooser(tr("&Result"), "sweep_result");
     connect(input_, &QComboBox::activated, this, [this] {
-        isChosen_ = true;
         from_->setValue({});
         to_->setValue({});
-        choose();
+        keepChoice();
     });
-    connect(result_, &QComboBox::activated, this, &SweepView::choose);
+    connect(result_, &QComboBox::activated, this, &SweepView::keepChoice);
     column->addLayout(choices);
     auto* progress = new JobProgress(model_->job(), tr("Progress"), this);
     progress->setMaximumHeight(Theme::withText(6));
@@ -102,6 +101,8 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
     take_->setSizePolicy(keeps);
     connect(study_, &StudyModel::changed, this, &SweepView::fillChoices);
     connect(model_, &SweepModel::changed, this, &SweepView::showSweep);
+    from_->setValue(study_->scene()->sweepChoice().from);
+    to_->setValue(study_->scene()->sweepChoice().to);
     fillChoices();
     showSweep();
 }
@@ -125,33 +126,41 @@ void SweepView::fillChoices() {
             }
         }
     }
-    fill(input_, inputs, isChosen_ ? model_->input() : std::string());
+    const SweepChoice& kept = study_->scene()->sweepChoice();
+    fill(input_, inputs, kept.input);
     std::vector<std::pair<QString, QString>> results;
     for (const studies::Watched& watched : study_->study().watch) {
         results.emplace_back(study_->resultName(watched.pointer).withUnit(),
                              QString::fromStdString(watched.pointer));
     }
-    fill(result_, results, model_->result());
+    fill(result_, results, model_->result().empty() ? kept.result : model_->result());
+    choose();
+}
+
+void SweepView::keepChoice() {
+    study_->scene()->setSweepChoice(
+        {chosen(input_), chosen(result_), from_->value(), to_->value()});
     choose();
 }
 
 void SweepView::choose() {
-    model_->choose(chosen(input_), chosen(result_), {from_->value(), to_->value()});
+    model_->choose({chosen(input_), chosen(result_), from_->value(), to_->value()});
     showEnds();
 }
 
 void SweepView::showEnds() {
     const StudyModel::Input* input = study_->input(model_->input());
-    const SweepModel::Ends usual = model_->usualEnds();
-    for (const auto& [field, end] : {std::pair(from_, usual.from), std::pair(to_, usual.to)}) {
+    const std::optional<SweepModel::Ends> usual = model_->usualEnds();
+    for (NumberField* field : {from_, to_}) {
         if (input != nullptr) {
             field->setShownUnit(input->shown);
             field->setRange(study_->rangeOf(input->pointer), input->shown.name);
         }
         constexpr int digits = 5;
-        field->setPlaceholderText(end ? tr("auto") + QChar::Nbsp +
-                                            field->textOf(rounded_to_digits(*end, digits))
-                                      : QString());
+        const double end = !usual ? 0.0 : field == from_ ? usual->first : usual->second;
+        field->setPlaceholderText(usual ? tr("auto") + QChar::Nbsp +
+                                              field->textOf(rounded_to_digits(end, digits))
+                                        : QString());
     }
 }
 
@@ -166,10 +175,7 @@ void SweepView::showSweep() {
     const Sweep* sweep = model_->sweep();
     const bool isFaded = model_->isStale() && sweep != nullptr;
     plot_->setFaded(isFaded, isFaded ? tr("Computing…") : QString());
-    words_->setText(!model_->trouble().isEmpty() ? model_->trouble()
-                    : model_->result().empty()   ? tr("Choose a result to watch.")
-                    : sweep != nullptr           ? bestText()
-                                                 : tr("Computing…"));
+    words_->setText(words());
     const bool isTaken = sweep != nullptr && sweep->best && !model_->isStale() &&
                          !study_->inputTitle(sweep->input).text.isEmpty();
     take_->setVisible(isTaken);
@@ -184,6 +190,13 @@ void SweepView::showSweep() {
     showCurves();
 }
 
+QString SweepView::words() const {
+    return !model_->trouble().isEmpty() ? model_->trouble()
+           : model_->result().empty()   ? tr("Choose a result to watch.")
+           : model_->sweep() == nullptr ? tr("Computing…")
+                                        : bestText();
+}
+
 QString SweepView::bestText() const {
     const Sweep& sweep = *model_->sweep();
     const QString few = tr("At no value are 95 % of the samples feasible.");
@@ -192,11 +205,15 @@ QString SweepView::bestText() const {
     }
     const ShownTitle input = study_->inputTitle(sweep.input);
     const ShownUnit unit = study_->resultName(sweep.result).shown();
-    const QString best =
-        tr("Minimum 95th percentile of the amount: %1 at %2; %3 of the samples are feasible.")
+    QString best =
+        tr("Minimum 95th percentile of the absolute value: %1 at %2; %3 of the samples are "
+           "feasible.")
             .arg(withUnit(shownFormNumber(unit.factor * sweep.best->size, QLocale(), 5), unit.name),
                  shownFormNumber(input.factor * sweep.best->x, QLocale(), 5),
                  percentText(sweep.best->built));
+    if (sweep.best->x == sweep.places.front().x || sweep.best->x == sweep.places.back().x) {
+        best += QLatin1Char(' ') + tr("This is an end of the range.");
+    }
     return sweep.best->built < Sweep::minBuilt ? few + QLatin1Char(' ') + best : best;
 }
 

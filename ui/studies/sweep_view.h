@@ -21,7 +21,9 @@ class SweepView : public QWidget {
     explicit SweepView(StudyModel* study, QWidget* parent = nullptr);
 
     SweepModel* model() const { return model_; }
-    const PlotView* plot() const { return plot_; }
+    PlotView* plot() const { return plot_; }
+    /// What it found, in a sentence.
+    QString words() const;
     /// Sweeps to this result, by its pointer.
     void chooseResult(const std::string& result);
 
@@ -32,6 +34,8 @@ class SweepView : public QWidget {
   private:
     void fillChoices();
     void showEnds();
+    /// What the user chose is kept while the case is open.
+    void keepChoice();
     void choose();
     void showSweep();
     void showCurves();
@@ -46,7 +50,6 @@ class SweepView : public QWidget {
     QLabel* words_;
     QPushButton* take_;
     PlotView* plot_;
-    bool isChosen_ = false;  ///< by the user; before, what scatters first is swept
 };
 
 }  // namespace ravnoves

@@ -355,8 +355,8 @@ QWidget* ToleranceWindow::makeFound() {
     connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
         showChosen();
         const StudyAnswers* answers = model_->answers();
-        const auto place = static_cast<std::size_t>(std::max(row, 0));
-        if (answers != nullptr && place < answers->values.size()) {
+        if (const auto place = static_cast<std::size_t>(row);
+            answers != nullptr && place < answers->values.size()) {
             sweep_->chooseResult(answers->values[place].pointer);
         }
     });
@@ -506,6 +506,7 @@ void ToleranceWindow::showFound() {
                                                      : theme.text());
     colourText(words_, rejected.isEmpty() ? &Theme::mutedText : &Theme::warning);
     table_->setPalette(ink);
+    const QSignalBlocker block(table_);  // no row that the user chose
     table_->setRows(rows);
     for (int row = 0; row < rows.size(); ++row) {
         const StudyAnswer& value = answers->values[static_cast<std::size_t>(row)];

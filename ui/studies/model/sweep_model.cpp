@@ -184,13 +184,9 @@ SweepModel::SweepModel(StudyModel* study, QObject* parent)
     });
 }
 
-void SweepModel::choose(const std::string& input, const std::string& result, const Ends& ends) {
-    if (input != input_ || result != result_ || !(ends == ends_)) {
-        input_ = input;
-        result_ = result;
-        ends_ = ends;
-        follow();
-    }
+void SweepModel::choose(const SweepChoice& choice) {
+    choice_ = choice;
+    follow();
 }
 
 namespace {
@@ -206,25 +202,23 @@ double halfOf(const StudyModel::Input& input) {
 
 }  // namespace
 
-SweepModel::Ends SweepModel::usualEnds() const {
-    const StudyModel::Input* input = study_->input(input_);
+std::optional<SweepModel::Ends> SweepModel::usualEnds() const {
+    const StudyModel::Input* input = study_->input(choice_.input);
     if (input == nullptr) {
-        return {};
+        return std::nullopt;
     }
     constexpr double part = 0.1;
     const double nominal = input->nominal;
     const double half = halfOf(*input);
     const double reach = half > 0.0 ? half : nominal != 0.0 ? part * std::abs(nominal) : 1.0;
-    const bool turns = half == 0.0 && unit_at(input_) == units::degree;
-    const Range range = study_->rangeOf(input_);
-    return {std::clamp(turns ? 0.0 : nominal - reach, range.min, range.max),
-            std::clamp(turns ? 360.0 : nominal + reach, range.min, range.max)};
+    const bool turns = half == 0.0 && unit_at(choice_.input) == units::degree;
+    const Range range = study_->rangeOf(choice_.input);
+    return Ends{std::clamp(turns ? 0.0 : nominal - reach, range.min, range.max),
+                std::clamp(turns ? 360.0 : nominal + reach, range.min, range.max)};
 }
 
-SweepModel::Ends SweepModel::wholeEnds() const {
-    const Ends usual = usualEnds();
-    return usual.from ? Ends{ends_.from.value_or(*usual.from), ends_.to.value_or(*usual.to)}
-                      : Ends();
+bool SweepModel::isBusy() const {
+    return later_.isActive() || job_->isRunning();
 }
 
 void SweepModel::setWatched(bool watched) {
@@ -237,49 +231,67 @@ void SweepModel::setWatched(bool watched) {
     }
 }
 
-void SweepModel::follow() {
-    stale_ = true;
-    job_->cancel();  // what it finds is of what was before
-    const Ends whole = wholeEnds();
-    const bool isEmpty = whole.from && !(*whole.from < *whole.to);
-    trouble_ = isEmpty ? tr("“From” must be less than “to”.") : QString();
-    Q_EMIT changed();
-    if (watched_) {
-        later_.start();
+SweepModel::Wanted SweepModel::wantedNow() const {
+    const StudyModel::Input* swept = study_->input(choice_.input);
+    if (swept == nullptr || choice_.result.empty()) {
+        return {};
     }
+    const Ends usual = *usualEnds();
+    SceneModel& scene = *study_->scene();
+    Wanted wanted{.study = {.vary = {{.pointer = choice_.input,
+                                      .spread = studies::Varied::Spread::uniform,
+                                      .from = choice_.from.value_or(usual.first),
+                                      .to = choice_.to.value_or(usual.second)}},
+                            .watch = {{.pointer = choice_.result}},
+                            .seed = study_->study().seed},
+                  .nominal = swept->nominal,
+                  .half = halfOf(*swept),
+                  .solution = scene.solutions()};
+    for (const StudyModel::Input& input : study_->inputs()) {
+        if (&input != swept && !input.isGone && halfOf(input) > 0.0) {
+            wanted.study.vary.push_back(*input.varied);
+        }
+    }
+    const std::string_view built = scene_solver(scene.sceneName().toStdString()).buildable;
+    if (!built.empty()) {
+        wanted.study.watch.push_back({.pointer = std::string(built)});
+    }
+    return wanted;
+}
+
+void SweepModel::follow() {
+    Wanted wanted = wantedNow();
+    if (wanted != wanted_) {
+        wanted_ = std::move(wanted);
+        stale_ = true;
+        job_->cancel();  // what it finds is of what was before
+        const auto& vary = wanted_.study.vary;
+        const bool isEmpty = !vary.empty() && !(vary.front().from < vary.front().to);
+        trouble_ = isEmpty ? tr("“From” must be less than “to”.") : QString();
+        if (watched_) {
+            later_.start();
+        }
+    }
+    Q_EMIT changed();
 }
 
 void SweepModel::start() {
     later_.stop();
-    const Ends whole = wholeEnds();
-    if (!watched_ || !whole.from || result_.empty() || !trouble_.isEmpty()) {
+    if (!watched_ || wanted_.study.vary.empty() || !trouble_.isEmpty()) {
         return;
     }
-    Sweep sweep{.input = input_, .result = result_, .places = {}};
-    studies::Study study{.vary = {{.pointer = input_, .spread = studies::Varied::Spread::uniform}},
-                         .watch = {{.pointer = result_}},
-                         .seed = study_->study().seed};
-    study.vary[0].from = *whole.from;
-    study.vary[0].to = *whole.to;
-    for (const StudyModel::Input& input : study_->inputs()) {
-        if (input.pointer == input_) {
-            sweep.nominal = input.nominal;
-            sweep.half = halfOf(input);
-        } else if (!input.isGone && halfOf(input) > 0.0) {
-            study.vary.push_back(*input.varied);
-        }
-    }
+    Sweep sweep{.input = choice_.input,
+                .result = choice_.result,
+                .nominal = wanted_.nominal,
+                .half = wanted_.half,
+                .places = {}};
     SceneModel& scene = *study_->scene();
     CaseFile file = scene.caseFile();
-    const std::string_view built = scene_solver(file.scene).buildable;
-    if (!built.empty()) {
-        study.watch.push_back({.pointer = std::string(built)});
-    }
-    giveDefaults(scene, file.input, {input_});
-    file.study = studies::write_study(study);
+    giveDefaults(scene, file.input, {sweep.input});
+    file.study = studies::write_study(wanted_.study);
     job_->start([this, sweep = std::move(sweep), file = std::move(file), context = scene.context(),
-                 tellsBuilt = !built.empty()](
-                    const BackgroundJob::Progress& progress) -> std::function<void()> {
+                 tellsBuilt = wanted_.study.watch.size() >
+                              1](const BackgroundJob::Progress& progress) -> std::function<void()> {
         Sweep found = computed(sweep, studies::problem_of(file, context), tellsBuilt, progress);
         if (found.places.empty()) {
             return {};

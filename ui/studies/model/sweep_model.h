@@ -5,7 +5,11 @@
 #include <QTimer>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "model/scene_model.h"
+#include "studies/study.h"
 
 namespace ravnoves {
 
@@ -49,18 +53,17 @@ class SweepModel : public QObject {
 
     BackgroundJob* job() const { return job_; }
     // Pointers.
-    const std::string& input() const { return input_; }
-    const std::string& result() const { return result_; }
+    const std::string& input() const { return choice_.input; }
+    const std::string& result() const { return choice_.result; }
+    /// @param choice  an end that it does not give is that of usualEnds()
+    void choose(const SweepChoice& choice);
     /// From and to, in the unit of the input's key.
-    struct Ends {
-        std::optional<double> from = {}, to = {};
-        bool operator==(const Ends&) const = default;
-    };
-    /// @param ends  what is not given is that of usualEnds()
-    void choose(const std::string& input, const std::string& result, const Ends& ends);
+    using Ends = std::pair<double, double>;
     /// The limits of the input's tolerance; without one, a whole turn of an angle, or a tenth of
     /// the value either way: within the range of its field. Nothing where no input is chosen.
-    Ends usualEnds() const;
+    std::optional<Ends> usualEnds() const;
+    /// A newer sweep is on the way.
+    bool isBusy() const;
     /// Computes while someone looks.
     void setWatched(bool watched);
 
@@ -76,17 +79,23 @@ class SweepModel : public QObject {
     void changed();
 
   private:
-    /// Those that hold: of the user, else usualEnds().
-    Ends wholeEnds() const;
+    /// What a sweep is made of.
+    struct Wanted {
+        studies::Study study = {};  ///< what is swept first; nothing where no sweep can be made
+        double nominal = 0.0;
+        double half = 0.0;
+        int solution = -1;  ///< of the scene
+        bool operator==(const Wanted&) const = default;
+    };
+    Wanted wantedNow() const;
     void follow();
     void start();
 
     StudyModel* study_;
     BackgroundJob* job_;
     QTimer later_;
-    std::string input_;
-    std::string result_;
-    Ends ends_;
+    SweepChoice choice_;
+    Wanted wanted_;
     std::optional<Sweep> sweep_;
     QString trouble_;
     bool stale_ = false;
