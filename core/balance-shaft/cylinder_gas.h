@@ -18,7 +18,7 @@ struct PressureTrace {
     std::vector<double> crank_angle_deg;
     std::vector<double> pressure;  ///< Pa, absolute, as many as angles
     Unit unit = units::bar;        ///< that it was read in
-    bool unit_named = true;        ///< by the heading of its file; else bar was taken
+    bool unit_named = true;        ///< by its file or case; else it is the likely one
     bool operator==(const PressureTrace&) const = default;
 };
 

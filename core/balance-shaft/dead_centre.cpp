@@ -352,4 +352,12 @@ std::optional<DeadCentre> find_dead_centre(const Input& input) {
                : std::nullopt;
 }
 
+Message dead_centre_note(const Input& input, const std::optional<DeadCentre>& centre) {
+    const double period = input.cycle_deg() * degree;
+    return centre && std::abs(std::remainder(centre->shift - input.torque.trace_shift, period)) >
+                         centre->uncertainty
+               ? centre->describe()
+               : Message();
+}
+
 }  // namespace ravnoves::balance_shaft

@@ -48,4 +48,8 @@ std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
 /// The same of the trace that gives the torque; nothing where there is none.
 std::optional<DeadCentre> find_dead_centre(const Input& input);
 
+/// That the trace's shift puts its dead centre elsewhere than it was found; empty where it does
+/// not.
+Message dead_centre_note(const Input& input, const std::optional<DeadCentre>& centre);
+
 }  // namespace ravnoves::balance_shaft

@@ -424,19 +424,9 @@ void visit_speed_band(ResultVisitor& visitor, const Input& input, const SpeedBan
     });
 }
 
-/// That the compression line puts the dead centre elsewhere; empty where it does not.
-Message dead_centre_note(const Input& input) {
-    const auto centre = find_dead_centre(input);
-    const double period = input.cycle_deg() * degree;
-    return centre && std::abs(std::remainder(centre->shift - input.torque.trace_shift, period)) >
-                         centre->uncertainty
-               ? centre->describe()
-               : Message();
-}
-
 std::vector<Message> notes_of(const Input& input, const Result& result) {
     std::vector<Message> said = result.doubts;
-    if (Message note = dead_centre_note(input); !note.empty()) {
+    if (Message note = dead_centre_note(input, find_dead_centre(input)); !note.empty()) {
         said.push_back(std::move(note));
     }
     said.insert(said.end(), result.notes.begin(), result.notes.end());

@@ -8,7 +8,9 @@
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/moments.h"
 #include "balance-shaft/shaft_places.h"
+#include "balance-shaft/table_reading.h"
 #include "balance-shaft/trace_check.h"
+#include "case-file/decimal.h"
 #include "case-file/unusual_engine.h"
 #include "numerics/angle.h"
 #include "numerics/constants.h"
@@ -62,23 +64,33 @@ constexpr double usual_bores = 2.0;  ///< of a shaft's length: a crank with its 
 
 RelievedShaft relieved_shaft(const Input& input, const FrontView& view) {
     RelievedShaft shaft = design_relieved_shaft(relieved_shaft_sizes(input), input.unbalance());
+    const auto in_mm = [](double metres) { return Number{metres / units::mm, units::mm, 4}; };
+    const auto note_first = [&shaft](Message note) {
+        shaft.note = shaft.note.empty() ? note : Message(Text{"", "%1 %2"}, note, shaft.note);
+    };
     const double swing = view.shaft_swing_radius;
     constexpr double rounding = 1e-12;
     if (shaft.feasible && swing < shaft.diameter / 2.0 * (1.0 - rounding)) {
-        const auto in_mm = [](double metres) { return Number{metres / units::mm, units::mm, 4}; };
         shaft.feasible = false;
         shaft.reason = {
             CORE_TEXT("balance-shaft",
                       "The bar (radius %1) does not fit in the swing circle (radius %2)."),
             in_mm(shaft.diameter / 2.0), in_mm(swing)};
     }
-    if (shaft.feasible && shaft.length > usual_bores * view.cylinder_bore) {
-        const Message length{CORE_TEXT("balance-shaft",
-                                       "The relief of %1 is longer than two bores: check the "
-                                       "length of the crankcase."),
-                             Number{shaft.length / units::mm, units::mm, 4}};
-        shaft.note = shaft.note.empty() ? length : Message(Text{"", "%1 %2"}, length, shaft.note);
+    if (!shaft.feasible) {
+        return shaft;
     }
+    if (shaft.length > usual_bores * view.cylinder_bore) {
+        note_first({CORE_TEXT("balance-shaft",
+                              "The relief of %1 is longer than two bores: check the length of the "
+                              "crankcase."),
+                    in_mm(shaft.length)});
+    }
+    note_first({CORE_TEXT("balance-shaft",
+                          "Same unbalance as %1 at ρ₁ = %2; map and clearances use the swing "
+                          "radius %3."),
+                Number{rounded_to_digits(input.counterweight(), 4), units::kg},
+                in_mm(input.counterweight_radius), in_mm(swing)});
     return shaft;
 }
 
@@ -263,6 +275,9 @@ void Solver::Prepared::prepare_notes() {
         if (!doubt.empty()) {
             base.doubts.push_back(std::move(doubt));
             base.trace_is_a_turn_off = peaks_a_turn_off(input, *gas);
+        }
+        if (const PressureTrace& trace = input.torque.trace; !trace.unit_named) {
+            base.notes.push_back(assumed_unit_note(trace.unit));
         }
     }
     if (Message changed = input.torque.changed_note(); !changed.empty()) {

@@ -314,18 +314,13 @@ void convert(const TwoColumns& rows, const Column& column, const TableReading& r
             shown.max /= format.unit.to_si;
             const bool may_be_gauge =
                 format.what == Measured::pressure && si < 0.0 && !reading.gauge && !format.gauge;
-            throw InputError(
-                rows.place(i, 1),
-                may_be_gauge ? Message(CORE_TEXT("balance-shaft",
-                                                 "%1; for gauge pressure set \"gauge\": true"),
-                                       shown.message())
-                : format.unit_named || format.what == Measured::torque || si < column.range.min
-                    ? shown.message()
-                    : Message(CORE_TEXT("balance-shaft",
-                                        "%1 in %2, the default without a unit in the heading; "
-                                        "write the unit above the column, for example Pa"),
-                              shown.message(), Text{"core", format.unit.name.data()}),
-                Number{values[i]});
+            throw InputError(rows.place(i, 1),
+                             may_be_gauge
+                                 ? Message(CORE_TEXT("balance-shaft",
+                                                     "%1; for gauge pressure set \"gauge\": true"),
+                                           shown.message())
+                                 : shown.message(),
+                             Number{values[i]});
         }
         values[i] = si;
     }
@@ -339,6 +334,32 @@ void check_rows(std::size_t rows, const Column& column) {
     }
 }
 
+/// Of values without a unit: N·m, or what makes pressures an engine's: about an atmosphere where
+/// the gas is exchanged (a fifth of the values are lower), or by the peak where that is the zero.
+Unit likely_unit(Measured what, std::vector<double> values) {
+    if (what == Measured::torque) {
+        return units::N_m;
+    }
+    const auto fifth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 5);
+    std::nth_element(values.begin(), fifth, values.end());
+    const double low = *fifth;
+    const double peak = *std::max_element(fifth, values.end());
+    const bool by_low = low > 0.005 * peak;
+    constexpr double usual_peak = 50e5;
+    const auto misfit = [&](const Unit& unit) {
+        const double ratio = by_low ? low * unit / atmosphere : peak * unit / usual_peak;
+        // psi must be much likelier than the bar that it is near.
+        return std::abs(std::log(ratio)) + (unit == units::psi ? 1.0 : 0.0);
+    };
+    Unit likely = units::bar;
+    for (const Unit& unit : {units::kPa, units::MPa, units::pascal, units::psi}) {
+        if (misfit(unit) < misfit(likely)) {
+            likely = unit;
+        }
+    }
+    return likely;
+}
+
 /// Checks the rows, finds the unit of the angles and brings the table to one cycle in degrees.
 Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
     const Column& column = column_of(what);
@@ -350,11 +371,11 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
     format.separator = rows.view.separator;
     format.header_lines = rows.view.header_lines;
     format.decimal_comma = rows.decimal_comma;
-    format.unit = named.value_or(units_of(what).front());
     format.unit_named = named.has_value();
     format.gauge =
         what == Measured::pressure && reading.gauge.value_or(names_gauge_pressure(rows.heading(1)));
     check_rows(rows.first.size(), column);
+    format.unit = named ? *named : likely_unit(what, rows.second);
     convert(rows, column, reading, format, rows.second);
     const bool counts = rows.column[0] == row_number;
     if (counts) {  // equal steps over one cycle; a closing row of torque is none
@@ -413,8 +434,10 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
         const double rest = whole - static_cast<double>(format.cycles) * period;
         format.left_over = rest > 1.5 * series.last_step() ? rest * degree : 0.0;
         average(series, period, std::max<std::size_t>(format.cycles, 1));
+        format.rows = series.angle.size();
         close(series, period);
     } else if (!is_closed && may_be_open && is_cycle(whole, false)) {
+        format.rows = series.angle.size();
         close(series, period);
         format.closed = true;
     } else if (!is_closed) {
@@ -424,6 +447,8 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
                       "the angles must span 720° (or 360°, or 4π or 2π in radians), "
                       "the last row repeating the first"),
             format.in_radians ? Number{raw_span, units::radian} : Number{span, units::degree});
+    } else {
+        format.rows = series.angle.size();
     }
     check_length(series.angle.size());
     check_end(series.value, column, column.end_tolerance, format.unit,
@@ -442,7 +467,6 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
         }
     }
     series.angle.back() = series.angle.front() + period;
-    format.rows = series.angle.size();
     // Rounding of the units must not have undone the order.
     for (std::size_t i = 1; i < series.angle.size(); ++i) {
         if (!(series.angle[i] > series.angle[i - 1])) {
@@ -478,6 +502,12 @@ ParsedPressureTrace parse_pressure_trace(std::string_view text, const TableReadi
     return {cycle.format,
             {std::move(cycle.rows.angle), std::move(cycle.rows.value), cycle.format.unit,
              cycle.format.unit_named}};
+}
+
+Message assumed_unit_note(const Unit& unit) {
+    return {CORE_TEXT("balance-shaft",
+                      "The heading of the pressure has no unit; the numbers look like %1."),
+            Text{"core", unit.name.data()}};
 }
 
 // ----------------------------------------------------------------------------- what a file may be
@@ -569,25 +599,6 @@ double value_score(const ColumnLook& look, const std::string& heading, Measured 
     return score;
 }
 
-/// The unit that makes a pressure that of an engine: about an atmosphere where the gas is
-/// exchanged, or by the peak where that is the zero.
-Unit likely_unit(const ColumnLook& look) {
-    const bool by_low = look.low > 0.005 * look.peak;
-    constexpr double usual_peak = 50e5;
-    Unit likely = units::bar;
-    for (const Unit& unit : {units::bar, units::kPa, units::MPa, units::pascal, units::psi}) {
-        const auto misfit = [&](const Unit& u) {
-            return std::abs(
-                std::log(by_low ? look.low * u / atmosphere : look.peak * u / usual_peak));
-        };
-        // psi must be much likelier than the bar that it is near.
-        if (misfit(unit) + (unit == units::psi ? 1.0 : 0.0) < misfit(likely)) {
-            likely = unit;
-        }
-    }
-    return likely;
-}
-
 std::size_t best_column(std::size_t columns, const auto& score, std::optional<std::size_t> other) {
     std::size_t best = other == 0U ? 1 : 0;
     for (std::size_t i = 0; i < columns; ++i) {
@@ -660,11 +671,9 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
     const ColumnLook& look = looks[chosen.column[1]];
     const std::optional<Unit> named = named_unit(what, chosen.heading(1));
     if (!decided.unit) {
-        reading.unit = named ? *named : what == Measured::torque ? units::N_m : likely_unit(look);
+        reading.unit = named ? *named : likely_unit(what, chosen.second);
         if (!named && what == Measured::pressure) {
-            proposal.doubts.emplace_back(
-                CORE_TEXT("balance-shaft", "No unit in the heading; the numbers look like %1."),
-                Text{"core", reading.unit->name.data()});
+            proposal.doubts.push_back(assumed_unit_note(*reading.unit));
         }
     }
     if (what == Measured::pressure && !decided.gauge) {

@@ -44,9 +44,9 @@ struct TableFormat {
     int strokes = 4;               ///< of the cycle: 2 for 360°
     bool decimal_comma = false;
     Unit unit;               ///< of the values
-    bool unit_named = true;  ///< by the heading or by the reading; else the usual one is taken
+    bool unit_named = true;  ///< by the heading or by the reading; else the likely one is taken
     bool gauge = false;      ///< the atmosphere was added
-    std::size_t rows = 0;    ///< of the cycle
+    std::size_t rows = 0;    ///< of the cycle, without one that was added to close it
     std::size_t cycles = 1;  ///< whole ones, which were averaged
     double left_over = 0.0;  ///< behind them, rad
     bool closed = false;     ///< a pressure trace's end was made to meet its start
@@ -79,11 +79,15 @@ struct ParsedPressureTrace : TableFormat {
 ParsedTorqueTable parse_torque_table(std::string_view text, const TableReading& reading = {});
 
 /// Reads a measured pressure trace the same way. The unit is what the heading names ("Pa", "kPa",
-/// "MPa", "bar", "mbar", "psi"), else bar; a heading that names gauge pressure ("bar(g)", "gauge")
-/// is believed, too. A cycle that lacks its last row is closed, and one whose end differs from its
-/// start by at most 2 % of the peak (a measured trace always does) is made to meet it half way.
+/// "MPa", "bar", "mbar", "psi"), else what the size of the numbers suggests; a heading that names
+/// gauge pressure ("bar(g)", "gauge") is believed, too. A cycle that lacks its last row is closed,
+/// and one whose end differs from its start by at most 2 % of the peak (a measured trace always
+/// does) is made to meet it half way.
 /// @throws InputError as parse_torque_table()
 ParsedPressureTrace parse_pressure_trace(std::string_view text, const TableReading& reading = {});
+
+/// That the unit of a pressure is the likely one.
+Message assumed_unit_note(const Unit& unit);
 
 /// What a look at a file proposes, for a person to change.
 struct ReadingProposal {

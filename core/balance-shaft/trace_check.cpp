@@ -175,13 +175,9 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
             }
         }
         return {
-            trace.unit_named
-                ? CORE_TEXT("balance-shaft",
-                            "Pressure at the bottom dead centre before compression: %1 bar. The "
-                            "numbers look like %2, but the heading has %3.")
-                : CORE_TEXT("balance-shaft",
-                            "Pressure at the bottom dead centre before compression: %1 bar. The "
-                            "numbers look like %2; without a unit in the heading, %3 was used."),
+            CORE_TEXT("balance-shaft",
+                      "Pressure at the bottom dead centre before compression: %1 bar. The numbers "
+                      "look like %2; %3 is used."),
             rounded(bottom / units::bar, 3), Text{"core", likely.name.data()},
             Text{"core", trace.unit.name.data()}};
     }

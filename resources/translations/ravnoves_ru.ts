@@ -3737,10 +3737,6 @@
         <translation>%1; для избыточного давления задайте &quot;gauge&quot;: true</translation>
     </message>
     <message>
-        <source>%1 in %2, the default without a unit in the heading; write the unit above the column, for example Pa</source>
-        <translation>%1 в %2, как принято без единицы в заголовке; напишите единицу над столбцом, например Па</translation>
-    </message>
-    <message>
         <source>a cycle must have at most %1 rows: use larger steps</source>
         <translation>в цикле должно быть не больше %1 строк: возьмите больший шаг</translation>
     </message>
@@ -3755,10 +3751,6 @@
     <message>
         <source>The column of the crank angle is uncertain; column %1 is proposed.</source>
         <translation>Столбец угла поворота неоднозначен; предложен столбец %1.</translation>
-    </message>
-    <message>
-        <source>No unit in the heading; the numbers look like %1.</source>
-        <translation>Заголовок не называет единицу; числа похожи на %1.</translation>
     </message>
     <message>
         <source>The minimum pressure is %1 %2: gauge pressure?</source>
@@ -3787,14 +3779,6 @@
     <message>
         <source>The trace looks like gauge pressure: %1 bar at the bottom dead centre before compression. Read it as gauge pressure (&quot;gauge&quot;: true).</source>
         <translation>Похоже на избыточное давление: %1 бар в нижней мёртвой точке перед сжатием. Прочтите его как избыточное (&quot;gauge&quot;: true).</translation>
-    </message>
-    <message>
-        <source>Pressure at the bottom dead centre before compression: %1 bar. The numbers look like %2, but the heading has %3.</source>
-        <translation>Давление в нижней мёртвой точке перед сжатием: %1 бар. Числа похожи на %2, но в заголовке %3.</translation>
-    </message>
-    <message>
-        <source>Pressure at the bottom dead centre before compression: %1 bar. The numbers look like %2; without a unit in the heading, %3 was used.</source>
-        <translation>Давление в нижней мёртвой точке перед сжатием: %1 бар. Числа похожи на %2; единицы в заголовке нет, принято %3.</translation>
     </message>
     <message>
         <source>Polytropic exponent of the compression: %1; usual: 1.25 to 1.42. Check the phase of the crank angles and the zero of the pressure.</source>
@@ -4001,6 +3985,10 @@
         <translation>Постоянная сила, вращающаяся против кривошипа, 2 P₁ |sin(δ/2)|.</translation>
     </message>
     <message>
+        <source>required unbalance, m₁ ρ₁</source>
+        <translation>нужный дисбаланс m₁ρ₁</translation>
+    </message>
+    <message>
         <source>required unbalance</source>
         <translation>нужный дисбаланс</translation>
     </message>
@@ -4119,6 +4107,18 @@
     <message>
         <source>A steel half disc of the shaft swing radius must be %1 long for m₁ ρ₁: more than two bores.</source>
         <translation>Стальной полудиск с радиусом вращения вала должен для m₁ ρ₁ иметь длину %1: больше двух диаметров цилиндра.</translation>
+    </message>
+    <message>
+        <source>Same unbalance as %1 at ρ₁ = %2; map and clearances use the swing radius %3.</source>
+        <translation>Дисбаланс как у %1 на ρ₁ = %2; карта и зазоры используют радиус вращения %3.</translation>
+    </message>
+    <message>
+        <source>The heading of the pressure has no unit; the numbers look like %1.</source>
+        <translation>В заголовке давления нет единицы; числа похожи на %1.</translation>
+    </message>
+    <message>
+        <source>Pressure at the bottom dead centre before compression: %1 bar. The numbers look like %2; %3 is used.</source>
+        <translation>Давление в нижней мёртвой точке перед сжатием: %1 бар. Числа похожи на %2; принято %3.</translation>
     </message>
 </context>
 <context>
@@ -5727,10 +5727,6 @@
         <translation>должен быть столбец значений: столбцы считаются с 1</translation>
     </message>
     <message>
-        <source>%1, &quot;%2&quot;, not before %3 (our copy shows neither journal nor year)</source>
-        <translation>%1, «%2», не ранее %3 (в имеющейся копии нет ни журнала, ни года)</translation>
-    </message>
-    <message>
         <source>must not contain the character NUL</source>
         <translation>не должно содержать символ NUL</translation>
     </message>
@@ -5841,6 +5837,14 @@
     <message>
         <source>reciprocating mass</source>
         <translation>возвратно-поступательная масса</translation>
+    </message>
+    <message>
+        <source>%1, &quot;%2&quot;, %3 or later</source>
+        <translation>%1, «%2», %3 или позже</translation>
+    </message>
+    <message>
+        <source>rotating mass</source>
+        <translation>вращающаяся масса</translation>
     </message>
     <message>
         <source>Results use the previous value of the red field.</source>
@@ -10165,10 +10169,6 @@ but no position is feasible</source>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Other source: %1</source>
-        <translation>Другой источник: %1</translation>
-    </message>
-    <message>
         <source>Kinematics: two-term form</source>
         <translation>Кинематика: двучленная форма</translation>
     </message>
@@ -13409,6 +13409,10 @@ but no position is feasible</source>
         <source>New case with placeholder values (%1)</source>
         <translation>Новая задача со значениями-заготовками (%1)</translation>
     </message>
+    <message>
+        <source>Not given there, unchanged: %1.</source>
+        <translation>Там не заданы и не изменены: %1.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::MechanismView</name>
@@ -14785,6 +14789,10 @@ but no position is feasible</source>
         <source>In the plots the curves of %1 are dimmed and wide.</source>
         <translation>На графиках кривые %1 бледные и широкие.</translation>
     </message>
+    <message>
+        <source>Sweep, %1 from %2 to %3. %4</source>
+        <translation>Вариация параметра, %1 от %2 до %3. %4</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ResultTable</name>
@@ -16093,10 +16101,6 @@ but no position is feasible</source>
         <translation>допустимо, %</translation>
     </message>
     <message>
-        <source>Minimum 95th percentile of the amount: %1 at %2; %3 of the samples are feasible.</source>
-        <translation>Минимум 95-го процентиля по модулю: %1 при&#xa0;%2; допустимо %3 проб.</translation>
-    </message>
-    <message>
         <source>Blank: limit of the tolerance; without a tolerance, the value ± 10 %.</source>
         <translation>Пусто: граница допуска; без допуска — значение ± 10&#xa0;%.</translation>
     </message>
@@ -16111,6 +16115,14 @@ but no position is feasible</source>
     <message>
         <source>auto</source>
         <translation>авто</translation>
+    </message>
+    <message>
+        <source>Minimum 95th percentile of the absolute value: %1 at %2; %3 of the samples are feasible.</source>
+        <translation>Минимум 95-го процентиля модуля: %1 при %2; допустимо %3 проб.</translation>
+    </message>
+    <message>
+        <source>This is an end of the range.</source>
+        <translation>Это граница диапазона.</translation>
     </message>
 </context>
 <context>

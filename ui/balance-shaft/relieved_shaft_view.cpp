@@ -197,7 +197,7 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     constexpr int pairWidth = 540;
     auto* upper = new FoldingRow(pairWidth, this);
     column->addWidget(upper, 1);
-    upper->add(buildForm(model), 1);
+    upper->add(buildForm(model), 4);
 
     auto* answerPanel = new Panel(this);
     QVBoxLayout* answerColumn = columnIn(answerPanel, -1, tableMargins);
@@ -205,7 +205,7 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     answerColumn->addWidget(verdict_);
     answerColumn->addWidget(
         new PartTable(model, "relief", tr("Sizes and masses of the shaft"), answerPanel), 1);
-    upper->add(answerPanel, 1);
+    upper->add(answerPanel, 5);  // whole names beside the numbers
 
     auto* drawing = new RelievedShaftDrawing(model, this);
     constexpr int minDrawing = 150;

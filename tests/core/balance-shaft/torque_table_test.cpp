@@ -219,11 +219,9 @@ TEST(BalanceShaftTorqueTable, RowsTooCloseForASlopeAreRejected) {
     EXPECT_NO_THROW(check_torque_table(table, "/input/torque"));
 }
 
-TEST(TorqueTable, PascalsWithoutAUnitAreReportedSo) {
+TEST(TorqueTable, PascalsAreReadWithAndWithoutAUnit) {
     const std::string rows = "\n0;101325\n180;101325\n360;6e6\n540;3e5\n720;101325\n";
-    EXPECT_EQ(error_of([&] { parse_pressure_trace("deg;p" + rows); }),
-              "line 2, column 2: must be from 0 to 100000 in bar, the default without a unit in "
-              "the heading; write the unit above the column, for example Pa, got 101325");
+    EXPECT_EQ(parse_pressure_trace("deg;p" + rows).trace.pressure[2], 6e6);
     EXPECT_EQ(parse_pressure_trace("deg;p, Pa" + rows).trace.pressure[2], 6e6);
 }
 

@@ -184,6 +184,26 @@ TEST_F(ImportTest, SettingsThatACaseCannotHoldMakeAFileOfTheCycle) {
     EXPECT_FALSE(reopened().torque.has_changed());
 }
 
+TEST_F(ImportTest, WhatRemainsToTheDeadCentreIsANote) {
+    ImportModel import(Measured::pressure, engine.crank);
+    import.open(file(indicatorFile(engine)));
+    ASSERT_TRUE(isRead(import));
+    const auto noteAt = [&](double shift) {
+        model->edit(QStringLiteral("Shift"), [&](balance_shaft::Input& input) {
+            import.putTraceInto(input);
+            input.crank_radius = 0.046;  // the engine's
+            input.cylinder.rod_length = 0.150;
+            input.torque.trace_shift = shift * degree;
+        });
+        model->needPart("notes");
+        const auto* job = model->findChild<BackgroundJob*>({}, Qt::FindDirectChildrenOnly);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !job->isRunning(); }, 60'000));
+        return model->notesText().contains(QStringLiteral("The dead centre"));
+    };
+    EXPECT_TRUE(noteAt(360.0));  // a turn alone leaves what the file is late
+    EXPECT_FALSE(noteAt(360.0 - late));
+}
+
 TEST_F(ImportTest, WhatIsCancelledChangesNothing) {
     ImportModel import(Measured::pressure, engine.crank);
     const QString path = file(indicatorFile(engine));
@@ -235,7 +255,7 @@ TEST_F(ImportTest, TheWindowShowsAndChangesHowAFileIsRead) {
             EXPECT_TRUE(shift->isVisible());
             EXPECT_TRUE(shift->isChecked());
         });
-    EXPECT_TRUE(said.startsWith(QStringLiteral("1441 rows"))) << qPrintable(said);
+    EXPECT_TRUE(said.startsWith(QStringLiteral("1440 rows"))) << qPrintable(said);
     ASSERT_EQ(model->input().torque.kind, balance_shaft::TorqueSource::Kind::pressure);
     EXPECT_NEAR(model->input().torque.trace_shift / degree, 360.0 - late, 0.5);
     EXPECT_EQ(model->doubtsText(), QString());

@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/fields.h"
@@ -13,6 +14,7 @@
 #include "balance-shaft/results.h"
 #include "balance-shaft/scene.h"
 #include "case-file/result_json.h"
+#include "model/background_job.h"
 #include "model/case_model_json.h"
 #include "numerics/vector_state.h"
 #include "text/field_row.h"
@@ -60,7 +62,8 @@ Json BalanceShaftScene::kept(const Input& input) {
 
 template class CaseModel<BalanceShaftScene>;
 
-BalanceShaftModel::BalanceShaftModel(QObject* parent) : CaseModel({}, parent) {}
+BalanceShaftModel::BalanceShaftModel(QObject* parent)
+    : CaseModel({}, parent), centreJob_(new BackgroundJob(this)) {}
 
 Json BalanceShaftModel::resultJson() const {
     return result_json({}, solver(), result());
@@ -110,7 +113,30 @@ void BalanceShaftModel::needPart(std::string_view id) {
         shaftMap()->need();
     } else if (id == "best-angles" || id == "speed-map" || id == "least-bad") {
         speedStudy()->need();
+    } else if (id == "notes") {
+        needDeadCentre();
     }
+}
+
+void BalanceShaftModel::needDeadCentre() {
+    const auto seen = [](const Input& input) {
+        return std::tie(input.torque.kind, input.torque.trace, input.crank_radius, input.cylinder);
+    };
+    if (seen(soughtIn_) == seen(input())) {
+        return;
+    }
+    soughtIn_ = input();
+    centre_.reset();
+    if (soughtIn_.torque.kind != balance_shaft::TorqueSource::Kind::pressure) {
+        centreJob_->cancel();
+        return;
+    }
+    centreJob_->start([this, sought = soughtIn_](const BackgroundJob::Progress&) {
+        return [this, found = find_dead_centre(sought)] {
+            centre_ = found;
+            Q_EMIT shownChanged();
+        };
+    });
 }
 
 ShaftMapModel* BalanceShaftModel::shaftMap() {
@@ -498,7 +524,11 @@ QString BalanceShaftModel::bestText(Criterion criterion) const {
 }
 
 QString BalanceShaftModel::notesText() const {
-    return messageLines(result().notes);
+    std::vector<Message> notes = result().notes;
+    if (Message note = dead_centre_note(input(), centre_); !note.empty()) {
+        notes.insert(notes.begin(), std::move(note));
+    }
+    return messageLines(notes);
 }
 
 QString BalanceShaftModel::doubtsText() const {

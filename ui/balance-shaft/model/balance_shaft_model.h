@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "balance-shaft/dead_centre.h"
 #include "balance-shaft/envelope_study.h"
 #include "balance-shaft/gear_error.h"
 #include "balance-shaft/model/place_criterion.h"
@@ -19,6 +20,7 @@
 
 namespace ravnoves {
 
+class BackgroundJob;
 class ShaftMapModel;
 class SpeedStudyModel;
 
@@ -164,12 +166,16 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
   private:
     void taken() override { crank_.setCycle(cycleDeg()); }
     void applyShaftAngle(double radians);
+    void needDeadCentre();
 
     CrankAngle crank_{60.0, input().cycle_deg()};
     PlaceCriterion placeCriterion_;
     Criterion speedCriterion_ = {};
     ShaftMapModel* shaftMap_ = nullptr;
     SpeedStudyModel* speedStudy_ = nullptr;
+    BackgroundJob* centreJob_;
+    balance_shaft::Input soughtIn_;  ///< whose trace's dead centre is found, or will be
+    std::optional<balance_shaft::DeadCentre> centre_;
 };
 
 extern template class CaseModel<BalanceShaftScene>;
