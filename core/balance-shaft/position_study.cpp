@@ -443,8 +443,9 @@ PositionMap PositionStudy::map(double left, double right, double bottom, double 
             const std::size_t high = std::min(side, rows - row);
             shafts.clear();
             for (std::size_t i = 0; i < wide * high; ++i) {
+                const std::size_t up = i / wide;
                 shafts.push_back(origin + static_cast<double>(column + i % wide) * along +
-                                 static_cast<double>(row + i / wide) * across);
+                                 static_cast<double>(row + up) * across);
             }
             prepared_->plane.ranges(shafts, std::span(range).first(shafts.size()));
             for (std::size_t i = 0; i < shafts.size(); ++i) {

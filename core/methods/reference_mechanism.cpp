@@ -6,12 +6,11 @@ PistonMotion<Real50> reference_piston(const SliderCrank<double>& crank, const Re
     const Real50 R(crank.crank_radius);
     const Real50 L(crank.rod_length);
     const Real50 x = R * cos(theta);
-    const Real50 dy = x;
     const Real50 y = R * sin(theta) - Real50(crank.offset);
     const Real50 dx = -R * sin(theta);
-    const Real50 ahead = sqrt(Real50(L * L - y * y));  // s − x
-    const Real50 dahead = -y * dy / ahead;
-    const Real50 d2ahead = -(dy * dy + y * dx + dahead * dahead) / ahead;  // y″ = x′
+    const Real50 ahead = sqrt(Real50(L * L - y * y));                    // s − x
+    const Real50 dahead = -y * x / ahead;                                // y′ = x
+    const Real50 d2ahead = -(x * x + y * dx + dahead * dahead) / ahead;  // y″ = x′
     return {x + ahead, dx + dahead, -x + d2ahead};
 }
 

@@ -247,7 +247,7 @@ class Placings {
         std::sort(list.begin(), list.end(), [&](const Each& a, const Each& b) {
             const auto order = std::lexicographical_compare_three_way(of(a).begin(), of(a).end(),
                                                                       of(b).begin(), of(b).end());
-            return order != 0 ? order < 0 : a.moved < b.moved;
+            return std::is_neq(order) ? std::is_lt(order) : a.moved < b.moved;
         });
         const auto are_like = [&](const Each& a, const Each& b) {
             return std::equal(of(a).begin(), of(a).end(), of(b).begin());

@@ -10,9 +10,8 @@ namespace ravnoves::workshop {
 std::vector<Formula> formulas(const Input& input) {
     std::vector<Formula> list =
         input.plugs ? v8_plugs::formulas(*input.plugs) : std::vector<Formula>();
-    for (Formula& formula : bob_weights::formulas(input)) {
-        list.push_back(std::move(formula));
-    }
+    const std::vector<Formula> shaft = bob_weights::formulas(input);
+    list.insert(list.end(), shaft.begin(), shaft.end());
     return list;
 }
 

@@ -147,7 +147,8 @@ VariantResults variantResults(const SceneModel& model) {
             all.troubles << name + QStringLiteral(": ") + changed;
         }
     }
-    const auto reference = static_cast<std::size_t>(model.reference() + 1);
+    const int column = model.reference() + 1;  // the case's own is the first
+    const auto reference = static_cast<std::size_t>(column);
     const QString missing = QStringLiteral("–");
     Results& results = all.results;
     results.columns << VariantTableWords::tr("Result");

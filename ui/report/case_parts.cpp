@@ -115,7 +115,7 @@ void addFigure(const ScenePage& page, SceneModel& model, const PagePart& part, c
     constexpr int high = 460;
     constexpr int low = 290;
     plot->resize(figure.equalScale ? high : width, figure.equalScale ? high : low);
-    group.figures.push_back(drawingOf(std::move(plot)));
+    group.figures.push_back(drawingOf(plot));
 }
 
 /// What the page's widget of a part shows, as screen readers say it.

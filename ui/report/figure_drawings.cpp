@@ -90,7 +90,7 @@ Drawing drawingOf(PlotView* plot) {
             }};
 }
 
-Drawing drawingOf(std::shared_ptr<PlotView> plot) {
+Drawing drawingOf(const std::shared_ptr<PlotView>& plot) {
     const QSize size = plot->size();
     return {{},
             plot->accessibleDescription().isEmpty() ? plot->title() : plot->accessibleDescription(),

@@ -14,7 +14,7 @@ class ResultTable;
 /// A plot of the page, as high as it is there.
 report::Drawing drawingOf(PlotView* plot);
 /// A plot that was made for the report, at its size.
-report::Drawing drawingOf(std::shared_ptr<PlotView> plot);
+report::Drawing drawingOf(const std::shared_ptr<PlotView>& plot);
 /// A picture of the page, in its shape there.
 report::Drawing drawingOf(QWidget* picture);
 /// The same of one that fills any shape.

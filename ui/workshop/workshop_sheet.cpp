@@ -164,7 +164,7 @@ void WorkshopSheet::checked(const Field& description, const CheckedText& text) {
 }
 
 void WorkshopSheet::numberList(
-    const Field& description, std::function<std::vector<double>()> read,
+    const Field& description, const std::function<std::vector<double>()>& read,
     std::function<void(const QString&, const std::vector<double>&)> write,
     const NamedNumbers* named) {
     const auto numbers = [&description, named](const QString& typed) {

@@ -67,7 +67,7 @@ class WorkshopSheet : public Form {
     void checked(const Field& description, const CheckedText& text);
     /// A row of numbers, as readNumberList() takes them; each is described by the field.
     void numberList(
-        const Field& description, std::function<std::vector<double>()> read,
+        const Field& description, const std::function<std::vector<double>()>& read,
         std::function<void(const QString& name, const std::vector<double>& values)> write,
         const NamedNumbers* named = nullptr);
     /// A line of text over the whole width that follows the model; hidden while there is none.

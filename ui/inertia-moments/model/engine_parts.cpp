@@ -419,11 +419,10 @@ Figure roll(const InertiaMomentsModel& model) {
     const WrenchCurves& curves = model.result().curves;
     Figure figure = overCycle(EnginePlots::tr("Roll moment on the engine"), EnginePlots::tr("N·m"));
     const auto add = [&](const char* id, plot::CurveStyle style, const std::vector<double>& turn) {
-        std::vector<double> both = twice(turn);
         figure.curves.push_back({.id = id,
                                  .style = std::move(style),
-                                 .x = anglesOfTwoTurns(both.size()),
-                                 .y = std::move(both)});
+                                 .x = anglesOfTwoTurns(2 * turn.size() - 1),
+                                 .y = twice(turn)});
     };
     add("sum",
         {.name = EnginePlots::tr("roll (Mz)"),

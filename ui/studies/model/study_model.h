@@ -129,7 +129,7 @@ class StudyModel : public QObject {
     /// Puts what is typed for an input into a study. @return an empty string, or why it cannot be
     QString readScatter(studies::Study& next, const std::string& pointer,
                         const QString& text) const;
-    void change(const QString& name, studies::Study next);
+    void change(const QString& name, const studies::Study& next);
     /// Newer answers are to come, when the hand that moves something rests.
     void outdate();
     void start();

@@ -248,7 +248,7 @@ void StudyModel::setSamples(std::uint64_t samples) {
     change(tr("Samples"), next);
 }
 
-void StudyModel::change(const QString& name, Study next) {
+void StudyModel::change(const QString& name, const Study& next) {
     if (isRejected_ || next == study_) {
         return;  // nothing replaces what was not understood
     }
