@@ -90,9 +90,10 @@ balance_shaft::Input engine_of_rows(int rows, balance_shaft::Interpolation inter
     input.interpolation = interpolation;
     balance_shaft::TorqueTable& table = input.torque.table;
     table = {};
-    for (int i = 0; i <= rows; ++i) {
-        const double turn = two_pi * (i % rows) / rows;
-        table.crank_angle_deg.push_back(720.0 * i / rows);
+    const int steps = rows - 1;
+    for (int i = 0; i < rows; ++i) {
+        const double turn = two_pi * (i % steps) / steps;
+        table.crank_angle_deg.push_back(720.0 * i / steps);
         table.torque.push_back(300.0 * std::sin(turn) + 80.0 * std::cos(7.0 * turn));
     }
     return input;
@@ -171,7 +172,7 @@ std::vector<Growth> all_growths() {
                                            {1000.0 * units::rpm, 4000.0 * units::rpm, size, false}};
              };
          }},
-        {"speeds, least bad angle",
+        {"speeds, best compromise angle",
          {50, 100, 200, 400},
          1.0,
          [](int size) -> Work {
