@@ -57,7 +57,8 @@ std::shared_ptr<const AngleGrid> angle_grid(int samples) {
 }
 
 std::vector<AngleState> turn_states(const Mechanism<double>& mechanism, double static_moment,
-                                    Kinematics kinematics, const AngleGrid& grid) {
+                                    Kinematics kinematics, const AngleGrid& grid,
+                                    bool with_moments) {
     const bool exact = mechanism.lambda < 1.0;
     const std::size_t n = grid.size();
     std::vector<AngleState> states(n);
@@ -69,12 +70,13 @@ std::vector<AngleState> turn_states(const Mechanism<double>& mechanism, double s
             state.exact = rod_angle_exact(mechanism.lambda, s, c);
             state.inertia = reduced_inertia(mechanism, s, c, state.exact);
         }
-        const RodAngle<double> rod = kinematics == Kinematics::exact
-                                         ? state.exact
-                                         : rod_angle_series(mechanism.lambda, s, c);
-        state.moment = rod_hinge_moment(mechanism, static_moment, s, c, rod);
-        state.cos_psi = rod.cos_psi;
-        state.psi = std::asin(mechanism.lambda * s);
+        if (with_moments) {
+            const RodAngle<double> rod = kinematics == Kinematics::exact
+                                             ? state.exact
+                                             : rod_angle_series(mechanism.lambda, s, c);
+            state.moment = rod_hinge_moment(mechanism, static_moment, s, c, rod);
+            state.cos_psi = rod.cos_psi;
+        }
         const std::size_t mirror = n - 1 - i;
         if (mirror == i) {
             continue;
@@ -89,12 +91,11 @@ std::vector<AngleState> turn_states(const Mechanism<double>& mechanism, double s
         other.moment.inertia = -state.moment.inertia;
         other.moment.true_inertia = -state.moment.true_inertia;
         other.moment.dweight = -state.moment.dweight;
-        other.psi = -state.psi;
     }
     return states;
 }
 
-Design::Design(const Input& input, bool with_rod)
+Design::Design(const Input& input, bool with_rod, bool with_moments)
     : mechanism_((check_input(input), mechanism_of(input))),
       omega_(input.angular_speed),
       kinematics_(input.kinematics),
@@ -102,7 +103,8 @@ Design::Design(const Input& input, bool with_rod)
     const bool solved = input.rod_counterweight && !input.rod_counterweight->mass;
     static_moment_ = solved ? 0.0 : mechanism_.static_moment();
     integral_ = elastic_hinge::rod_hinge_integral(mechanism_, static_moment_, kinematics_);
-    states_ = turn_states(mechanism_, static_moment_, kinematics_, *angle_grid(table_samples));
+    states_ = turn_states(mechanism_, static_moment_, kinematics_, *angle_grid(table_samples),
+                          with_moments);
     if (has_exact_kinematics() && with_rod) {
         tabulate_work();
         find_range(Hinge::crank_with_rod);
@@ -199,7 +201,8 @@ Demand Design::demand(Hinge hinge, double phi, const AngleState& state,
     const double dpotential = state.moment.slope(omega_);
     if (hinge == Hinge::rod) {
         // The hinge turns the rod by +M₁₂ against −ψ and the crank by −M₁₂: its power is −M₁₂ θ̇.
-        return {phi + state.psi, dtheta, -work, -potential, -dpotential / dtheta};
+        return {phi + std::asin(state.exact.sin_psi), dtheta, -work, -potential,
+                -dpotential / dtheta};
     }
     return {phi, 1.0, rise.rise + work, rise.slope + potential * dtheta,
             rise.second + dpotential * dtheta + potential * state.exact.d2psi};
@@ -218,7 +221,6 @@ Demand Design::demand(Hinge hinge, double phi) const {
     state.moment = kinematics_ == Kinematics::exact
                        ? rod_hinge_moment(mechanism_, static_moment_, s, c, state.exact)
                        : rod_moment(s, c);
-    state.psi = std::asin(state.exact.sin_psi);
     return demand(hinge, phi, state, rise, rod_work(phi));
 }
 
@@ -226,13 +228,6 @@ void Design::find_range(Hinge hinge) {
     const auto kept = angle_grid(table_samples);
     const AngleGrid& grid = *kept;
     const std::size_t n = grid.size();
-    std::vector<Demand> list(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto rise =
-            energy_rise(mechanism_, omega_, grid.sin_phi[i], grid.cos_phi[i], states_[i].inertia);
-        list[i] =
-            demand(hinge, grid.angle[i], states_[i], rise, hinge == Hinge::crank ? 0.0 : work_[i]);
-    }
     DemandRange& range = ranges_[static_cast<int>(hinge)];
     const auto take = [&](double phi, double energy) {
         if (energy < range.min) {
@@ -244,20 +239,26 @@ void Design::find_range(Hinge hinge) {
             range.max_angle = wrap_turn(phi);
         }
     };
-    for (std::size_t i = 0; i + 1 < n; ++i) {
-        take(grid.angle[i], list[i].energy);
-        const double a = list[i].moment;
-        const double b = list[i + 1].moment;
-        if (!((a < 0 && b > 0) || (a > 0 && b < 0))) {
-            continue;
+    double before = 0.0;  // the moment
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto rise =
+            energy_rise(mechanism_, omega_, grid.sin_phi[i], grid.cos_phi[i], states_[i].inertia);
+        const Demand here =
+            demand(hinge, grid.angle[i], states_[i], rise, hinge == Hinge::crank ? 0.0 : work_[i]);
+        if ((before < 0.0 && here.moment > 0.0) || (before > 0.0 && here.moment < 0.0)) {
+            // An extremum of the energy is a zero of the moment, and well conditioned as that.
+            std::uintmax_t steps = 60;
+            const auto bracket = boost::math::tools::toms748_solve(
+                [&](double phi) { return demand(hinge, phi).moment; }, grid.angle[i - 1],
+                grid.angle[i], before, here.moment, boost::math::tools::eps_tolerance<double>(50),
+                steps);
+            const double phi = 0.5 * (bracket.first + bracket.second);
+            take(phi, demand(hinge, phi).energy);
         }
-        // An extremum of the energy is a zero of the moment, and well conditioned as that.
-        std::uintmax_t steps = 60;
-        const auto bracket = boost::math::tools::toms748_solve(
-            [&](double phi) { return demand(hinge, phi).moment; }, grid.angle[i], grid.angle[i + 1],
-            a, b, boost::math::tools::eps_tolerance<double>(50), steps);
-        const double phi = 0.5 * (bracket.first + bracket.second);
-        take(phi, demand(hinge, phi).energy);
+        if (i + 1 < n) {  // where the turn begins again
+            take(grid.angle[i], here.energy);
+        }
+        before = here.moment;
     }
 }
 

@@ -30,12 +30,13 @@ struct AngleState {
     ReducedInertia<double> inertia;  ///< always of the exact kinematics
     RodHingeMoment<double> moment;   ///< of the chosen kinematics
     double cos_psi;                  ///< of the chosen kinematics
-    double psi;                      ///< the rod's angle, rad: asin(λ sin φ)
 };
 
 /// The states over one turn. Only half of them are computed: φ and −φ mirror each other.
+/// @param with_moments  else nothing of the chosen kinematics
 std::vector<AngleState> turn_states(const Mechanism<double>& mechanism, double static_moment,
-                                    Kinematics kinematics, const AngleGrid& grid);
+                                    Kinematics kinematics, const AngleGrid& grid,
+                                    bool with_moments = true);
 
 /// Which hinge a guide is for.
 enum class Hinge {
@@ -69,8 +70,9 @@ struct DemandRange {
 class Design {
   public:
     /// @param with_rod  else nothing may be asked of the rod's hinge, nor of the crank's beside it
+    /// @param with_moments  of the states; with_rod needs them
     /// @throws InputError as check_input()
-    explicit Design(const Input& input, bool with_rod = true);
+    explicit Design(const Input& input, bool with_rod = true, bool with_moments = true);
 
     const Mechanism<double>& mechanism() const { return mechanism_; }
     double angular_speed() const { return omega_; }

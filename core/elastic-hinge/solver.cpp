@@ -274,7 +274,9 @@ void check_finite(const Guide& guide) {
 
 Result solve(const Input& input, const SolveOptions& options) {
     Result result;
-    result.design = std::make_shared<const Design>(input, options.with_rod_guides);
+    const bool with_moments =
+        options.with_rod_guides || options.with_curves || !options.speeds.empty();
+    result.design = std::make_shared<const Design>(input, options.with_rod_guides, with_moments);
     const Design& design = *result.design;
     const Mechanism<double>& mechanism = design.mechanism();
     const bool exact = design.has_exact_kinematics();
