@@ -334,32 +334,6 @@ void check_rows(std::size_t rows, const Column& column) {
     }
 }
 
-/// Of values without a unit: N·m, or what makes pressures an engine's: about an atmosphere where
-/// the gas is exchanged (a fifth of the values are lower), or by the peak where that is the zero.
-Unit likely_unit(Measured what, std::vector<double> values) {
-    if (what == Measured::torque) {
-        return units::N_m;
-    }
-    const auto fifth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 5);
-    std::nth_element(values.begin(), fifth, values.end());
-    const double low = *fifth;
-    const double peak = *std::max_element(fifth, values.end());
-    const bool by_low = low > 0.005 * peak;
-    constexpr double usual_peak = 50e5;
-    const auto misfit = [&](const Unit& unit) {
-        const double ratio = by_low ? low * unit / atmosphere : peak * unit / usual_peak;
-        // psi must be much likelier than the bar that it is near.
-        return std::abs(std::log(ratio)) + (unit == units::psi ? 1.0 : 0.0);
-    };
-    Unit likely = units::bar;
-    for (const Unit& unit : {units::kPa, units::MPa, units::pascal, units::psi}) {
-        if (misfit(unit) < misfit(likely)) {
-            likely = unit;
-        }
-    }
-    return likely;
-}
-
 /// Checks the rows, finds the unit of the angles and brings the table to one cycle in degrees.
 Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
     const Column& column = column_of(what);
@@ -610,6 +584,30 @@ std::size_t best_column(std::size_t columns, const auto& score, std::optional<st
 }
 
 }  // namespace
+
+Unit likely_unit(Measured what, std::vector<double> values) {
+    if (what == Measured::torque) {
+        return units::N_m;
+    }
+    const auto fifth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 5);
+    std::nth_element(values.begin(), fifth, values.end());
+    const double low = *fifth;
+    const double peak = *std::max_element(fifth, values.end());
+    const bool by_low = low > 0.005 * peak;
+    constexpr double usual_peak = 50e5;
+    const auto misfit = [&](const Unit& unit) {
+        const double ratio = by_low ? low * unit / atmosphere : peak * unit / usual_peak;
+        // psi must be much likelier than the bar that it is near.
+        return std::abs(std::log(ratio)) + (unit == units::psi ? 1.0 : 0.0);
+    };
+    Unit likely = units::bar;
+    for (const Unit& unit : {units::kPa, units::MPa, units::pascal, units::psi}) {
+        if (misfit(unit) < misfit(likely)) {
+            likely = unit;
+        }
+    }
+    return likely;
+}
 
 ReadingProposal propose_reading(std::string_view text, Measured what, const TableReading& decided,
                                 std::size_t rows) {

@@ -86,6 +86,10 @@ ParsedTorqueTable parse_torque_table(std::string_view text, const TableReading& 
 /// @throws InputError as parse_torque_table()
 ParsedPressureTrace parse_pressure_trace(std::string_view text, const TableReading& reading = {});
 
+/// Of values without a unit: N·m, or what makes pressures an engine's: about an atmosphere where
+/// the gas is exchanged (a fifth of the values are lower), or by the peak where that is the zero.
+Unit likely_unit(Measured what, std::vector<double> values);
+
 /// That the unit of a pressure is the likely one.
 Message assumed_unit_note(const Unit& unit);
 

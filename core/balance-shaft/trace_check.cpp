@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
+#include "balance-shaft/table_reading.h"
 #include "case-file/decimal.h"
 #include "numerics/constants.h"
 #include "numerics/units.h"
@@ -164,22 +167,18 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
                 rounded(bottom / units::bar, 3)};
     }
     if (parts > largest_bottom || parts < min_bottom) {
-        // The unit that would make it nearest to an atmosphere.
-        Unit likely = trace.unit;
-        for (const Unit& unit : {units::pascal, units::kPa, units::psi, units::bar, units::MPa}) {
-            const auto misfit = [&](const Unit& u) {
-                return std::abs(std::log(bottom / trace.unit * u / atmosphere));
-            };
-            if (misfit(unit) < misfit(likely)) {
-                likely = unit;
-            }
+        std::vector<double> numbers = trace.pressure;
+        for (double& number : numbers) {
+            number = number / trace.unit;
         }
-        return {
-            CORE_TEXT("balance-shaft",
-                      "Pressure at the bottom dead centre before compression: %1 bar. The numbers "
-                      "look like %2; %3 is used."),
-            rounded(bottom / units::bar, 3), Text{"core", likely.name.data()},
-            Text{"core", trace.unit.name.data()}};
+        const Unit likely = likely_unit(Measured::pressure, std::move(numbers));
+        if (likely != trace.unit) {
+            return {CORE_TEXT("balance-shaft",
+                              "Pressure at the bottom dead centre before compression: %1 bar. The "
+                              "numbers look like %2; %3 is used."),
+                    rounded(bottom / units::bar, 3), Text{"core", likely.name.data()},
+                    Text{"core", trace.unit.name.data()}};
+        }
     }
     constexpr double min_exponent = 1.2;
     constexpr double largest_exponent = 1.48;

@@ -136,19 +136,16 @@ TEST(TraceCheck, AnotherUnitIsNoticed) {
     } units[] = {{100.0, "kPa"}, {0.1, "MPa"}, {14.5037738, "psi"}};
     for (const Input& engine : {diesel(), petrol(), supercharged(2.5), two_stroke()}) {
         for (const auto& unit : units) {
-            // 0.25 bar at the dead centre might be a throttled engine as well.
-            if (unit.per_bar < 1.0 && engine.torque.cycle.intake_pressure > 2e5) {
+            // 0.25 bar or 36 psi at the dead centre might be a throttled engine's bar or kPa as
+            // well.
+            if (unit.per_bar < 100.0 && engine.torque.cycle.intake_pressure > 2e5) {
                 continue;
             }
             const std::string named = note_of(traced(engine, {.per_bar = unit.per_bar}));
             EXPECT_NE(named.find(std::string("look like ") + unit.name + "; bar is used"),
                       std::string::npos)
                 << unit.name << ": " << named;
-            // Without a unit in the heading the likely one is used, and the result has a note. 36
-            // psi at the dead centre might be a throttled engine's kPa as well.
-            if (unit.per_bar < 100.0 && engine.torque.cycle.intake_pressure > 2e5) {
-                continue;
-            }
+            // Without a unit in the heading the likely one is used, and the result has a note.
             const Input unnamed =
                 traced(engine, {.per_bar = unit.per_bar, .heading = "angle;pressure"});
             EXPECT_EQ(note_of(unnamed), "");
