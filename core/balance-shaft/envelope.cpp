@@ -70,10 +70,13 @@ RelievedShaftSizes relieved_shaft_sizes(const Input& input) {
         return *input.relieved_shaft;
     }
     const double bore = input.effective_bore();
-    const double half_disc = half_disc_radius(input.unbalance(), bore);
-    const double diameter = half_disc > 0.0 ? 2.0 * half_disc : bore;
-    return {.diameter = within(field::bar_diameter, diameter),
-            .length = within(field::relief_length, bore)};
+    const double unbalance = input.unbalance();
+    const double half_disc = half_disc_radius(unbalance, bore);
+    const double radius =
+        input.envelope.shaft_swing_radius.value_or(half_disc > 0.0 ? half_disc : bore / 2.0);
+    return {.diameter = within(field::bar_diameter, 2.0 * radius),
+            .length =
+                within(field::relief_length, std::max(bore, half_disc_length(radius, unbalance)))};
 }
 
 Message assumed_sizes(const Input& input) {

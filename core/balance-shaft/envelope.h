@@ -51,8 +51,8 @@ struct FrontView {
 /// half the rod's width also.
 FrontView front_view(const Input& input);
 
-/// The sizes of the relieved shaft as the input gives them, else those of the half disc that
-/// front_view() takes for the shaft: a bar with half of it milled away, as long as the bore.
+/// The sizes of the relieved shaft as the input gives them, else those of a bar of the swing radius
+/// of front_view(): as long as the bore, longer where half of it milled away requires that.
 RelievedShaftSizes relieved_shaft_sizes(const Input& input);
 
 /// Says which of the sizes that decide what can be built are defaults, and what they are; empty

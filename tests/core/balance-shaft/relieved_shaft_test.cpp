@@ -149,6 +149,12 @@ TEST(RelievedShaft, IsTheShaftOfMapAndClearances) {
     Input thin = input;
     thin.envelope.shaft_swing_radius = half_disc.front_view().shaft_swing_radius / std::cbrt(2.1);
     EXPECT_TRUE(needs_length(thin));
+    // The bar of that circle is sized so that it suffices, and the note has its length.
+    const RelievedShaft longer = solve(thin).relieved_shaft;
+    EXPECT_TRUE(longer.feasible) << longer.reason.english();
+    EXPECT_NEAR(longer.diameter, 2.0 * thin.envelope.shaft_swing_radius.value(), 1e-15);
+    EXPECT_NEAR(longer.length, 2.1 * usual.length, 1e-9);
+    EXPECT_NE(longer.note.english().find("longer than two bores"), std::string::npos);
     thin.envelope.shaft_swing_radius = half_disc.front_view().shaft_swing_radius / std::cbrt(1.9);
     EXPECT_FALSE(needs_length(thin));
 
