@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "case-file/decimal.h"
 #include "case-file/json.h"
@@ -69,6 +70,21 @@ bool is_same(const std::optional<double>& one, const std::optional<double>& othe
     return one && other && std::abs(*one - *other) <= rounding * std::abs(*one);
 }
 
+constexpr int ratio_digits = 6;
+
+/// With the fewest digits that give the ratio.
+double rod_length(double crank_radius, double ratio) {
+    const double length = crank_radius / ratio;
+    for (int digits = 1; digits < std::numeric_limits<double>::digits10; ++digits) {
+        const double shorter = rounded_to_digits(length, digits);
+        if (rounded_to_digits(crank_radius / shorter, ratio_digits) ==
+            rounded_to_digits(ratio, ratio_digits)) {
+            return shorter;
+        }
+    }
+    return length;
+}
+
 }  // namespace
 
 SharedEngine engine_of(std::string_view scene, const Json& input) {
@@ -79,7 +95,7 @@ SharedEngine engine_of(std::string_view scene, const Json& input) {
             const double value = number->get<double>() * place.unit.to_si;
             engine.*place.what = !place.is_ratio ? std::optional(value)
                                  : engine.crank_radius && value > 0.0
-                                     ? std::optional(*engine.crank_radius / value)
+                                     ? std::optional(rod_length(*engine.crank_radius, value))
                                      : std::nullopt;
         }
     }
@@ -123,19 +139,26 @@ GivenEngine give_engine(const SharedEngine& engine, std::string_view scene, Json
                 to = &place;
             }
         }
-        // A rod as a rigid body, or the mass of a whole throw, holds more than this one.
-        if (what == &SharedEngine::rotating_mass && !before.rotating_mass) {
-            continue;
-        }
         const auto radius = engine.crank_radius ? engine.crank_radius : before.crank_radius;
         if (to == nullptr || (to->is_ratio && !radius)) {
+            continue;
+        }
+        // A rod as a rigid body, or the mass of a whole throw, holds more than this one.
+        if (what == &SharedEngine::rotating_mass && !before.rotating_mass) {
+            given.kept.push_back(name);
             continue;
         }
         if (what == &SharedEngine::reciprocating_mass) {
             input.erase(mass_parts);
         }
-        const double value = to->is_ratio ? *radius / *(engine.*what) : *(engine.*what);
-        input[Json::json_pointer(to->pointer)] = rounded_to_digits(value / to->unit.to_si, digits);
+        const double value = to->is_ratio
+                                 ? rounded_to_digits(*radius / *(engine.*what), ratio_digits)
+                                 : rounded_to_digits(*(engine.*what) / to->unit.to_si, digits);
+        Json& number = input[Json::json_pointer(to->pointer)];
+        if (number == value) {
+            continue;
+        }
+        number = value;
         if (!is_same(engine.*what, before.*what)) {
             given.changed.push_back(name);
         }

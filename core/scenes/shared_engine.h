@@ -28,7 +28,7 @@ SharedEngine engine_of(std::string_view scene, const Json& input);
 /// What give_engine() has done.
 struct GivenEngine {
     std::vector<Text> changed{};
-    std::vector<Text> kept{};  ///< what the input has and the engine does not give
+    std::vector<Text> kept{};  ///< what the input has otherwise, or the engine does not give
 };
 
 /// Changes an "input" object of a scene so that it has the same engine, as far as it has a place

@@ -13410,8 +13410,8 @@ but no position is feasible</source>
         <translation>Новая задача со значениями-заготовками (%1)</translation>
     </message>
     <message>
-        <source>Not given there, unchanged: %1.</source>
-        <translation>Там не заданы и не изменены: %1.</translation>
+        <source>Unchanged: %1.</source>
+        <translation>Не изменены: %1.</translation>
     </message>
 </context>
 <context>

@@ -373,7 +373,7 @@ void MainWindow::takeEngine(int id) {
         QString said = changed.empty() ? tr("The engine is already the same as in %1.").arg(name)
                                        : tr("Copied from %1: %2.").arg(name, listed(changed));
         if (!kept.empty()) {
-            said += QLatin1Char(' ') + tr("Not given there, unchanged: %1.").arg(listed(kept));
+            said += QLatin1Char(' ') + tr("Unchanged: %1.").arg(listed(kept));
         }
         say(said, 20s);
     } catch (const InputError& error) {

@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <utility>
+
 #include "case-file/json.h"
+#include "numerics/units.h"
 #include "scenes/scenes.h"
 
 namespace ravnoves {
@@ -69,6 +73,37 @@ TEST(SharedEngine, KeepsTheRodWhereAnotherGivesNone) {
     ASSERT_EQ(changed.size(), 1U) << "the rod is as long as before";
     EXPECT_STREQ(changed[0].english, "crank radius");
     EXPECT_EQ(input["angular_speed_rad_s"], 100.0);
+}
+
+/// λ has as many digits as the rod length needs, and gives it back.
+TEST(SharedEngine, ARatioHasNoMoreDigitsThanTheRod) {
+    for (const auto& [radius, rod, ratio] :
+         {std::array{37.5, 132.0, 0.284091}, std::array{50.0, 500.0 / 3.0, 0.3},
+          std::array{46.0, 150.0, 0.306667}, std::array{1.0, 1.00001, 0.99999}}) {
+        Json hinge{{"crank_radius_mm", 80.0}, {"lambda", 0.5}};
+        give_engine({.crank_radius = radius * units::mm, .rod_length = rod * units::mm},
+                    "elastic-hinge", hinge);
+        EXPECT_EQ(hinge["lambda"], ratio);
+        Json shaft{{"crank_radius_mm", 80.0}};
+        give_engine(engine_of("elastic-hinge", hinge), "balance-shaft", shaft);
+        EXPECT_NEAR(shaft["cylinder"]["rod_length_mm"].get<double>(), rod, 5e-6 * rod);
+    }
+}
+
+/// A master rod's mass with its knuckles is no mass of one cylinder: both keep theirs and say so.
+TEST(SharedEngine, ARadialEngineKeepsTheMassOfItsMasterRod) {
+    const Json in_line{{"crank_radius_mm", 37.5}, {"rotating_mass_kg", 0.25}};
+    Json radial = in_line;
+    radial["rotating_mass_kg"] = 1.6;
+    radial["cylinders"] = {{{"articulated", {{"knuckle_mass_kg", 0.8}}}}};
+    for (const auto& [from, to] : {std::pair(in_line, radial), std::pair(radial, in_line)}) {
+        Json input = to;
+        const GivenEngine given =
+            give_engine(engine_of("inertia-moments", from), "inertia-moments", input);
+        EXPECT_EQ(input, to);
+        ASSERT_EQ(given.kept.size(), 1U);
+        EXPECT_STREQ(given.kept[0].english, "rotating mass");
+    }
 }
 
 /// The paper's engine: the rod less its small end rotates, in place of what a new case assumes.
