@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bob-weights/drill_sizes.h"
+#include "bob-weights/factor_theory.h"
 #include "bob-weights/solver.h"
 #include "shop/balance_grade.h"
 #include "shop/kilograms.h"
@@ -501,22 +502,28 @@ double bob_weights_of(const DoubtCase& job) {
     return job.shaft.bob_weight.value_or(0.0) * job.input.engine.crankpins();
 }
 
-/// A crankshaft weighs more than the weights on it, and not many times as much: flywheels may be
-/// pressed onto one of one or two cylinders, and where none need hang the counterweights are free.
+/// With the weights on it a crankshaft weighs three to six times as much as they do, with flywheel
+/// and clutch up to ten times; of those with one rod on a crankpin the weights are lighter, onto
+/// one of one or two cylinders flywheels may be pressed.
+double heaviest_rotor(const DoubtCase& job) {
+    const bob_weights::Engine& engine = job.input.engine;
+    const double times = engine.cylinders <= 2 || bob_weights::balances_itself(engine) ? 100.0
+                         : bob_weights::is_pair(engine)                                ? 14.0
+                                                                                       : 25.0;
+    return times * bob_weights_of(job);
+}
+
 Messages rotor_mass(const DoubtCase& job) {
     const auto& mass = is_by_grade(job) ? job.input.tolerance->rotor_mass : std::nullopt;
     if (!mass) {
         return {};
     }
-    const double maximum =
-        job.input.engine.cylinders > 2 && !bob_weights::balances_itself(job.input.engine) ? 25.0
-                                                                                        : 100.0;
     const double weights = bob_weights_of(job);
     const Number shown{*mass, units::kg, 0};
-    if (shop::is_mass_in_grams(mass) || (weights > 0.0 && *mass > maximum * weights)) {
+    if (shop::is_mass_in_grams(mass) || (weights > 0.0 && *mass > heaviest_rotor(job))) {
         return {{CORE_TEXT("workshop",
                            "A crankshaft of %1 is too heavy for this engine. Correct its mass in "
-                           "kilograms."),
+                           "kilograms, or enter the limit in g·mm."),
                  shown}};
     }
     if (*mass < weights) {
@@ -526,23 +533,6 @@ Messages rotor_mass(const DoubtCase& job) {
                  shown, Number{weights, units::kg, -2}}};
     }
     return {};
-}
-
-/// With the weights on it a crankshaft of more than two cylinders weighs three to six times as much
-/// as they do, with flywheel and clutch not twelve times: so far a slip makes the limit too wide.
-Messages heavy_rotor(const DoubtCase& job) {
-    constexpr double maximum = 12.0;
-    const auto& mass = is_by_grade(job) ? job.input.tolerance->rotor_mass : std::nullopt;
-    const double weights = bob_weights_of(job);
-    if (!mass || !(*mass > maximum * weights) || !(weights > 0.0) ||
-        job.input.engine.cylinders <= 2 || bob_weights::balances_itself(job.input.engine) ||
-        !rotor_mass(job).empty()) {
-        return {};
-    }
-    return {{CORE_TEXT("workshop",
-                       "A crankshaft of %1 is heavy for bob weights of %2. Check its mass: the "
-                       "permissible residual grows with it."),
-             Number{*mass, units::kg, 0}, Number{weights, units::kg, -2}}};
 }
 
 /// No crankshaft has its centre of mass that far off its axis.
@@ -791,7 +781,6 @@ std::span<const DoubtRule> doubt_rules() {
         {"drilled-counting-otherwise", error, judged, drilled_act, drilled_counting_otherwise},
         {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise},
         {"plane-radius", error, judged, "", plane_radius},
-        {"heavy-rotor", warning, nothing, "", heavy_rotor},
         {"taken-as-nominal", warning, nothing, "", taken_as_nominal, true},
         {"paper-plug", warning, nothing, "", plug_doubt<false>},
         {"gear-against-parts", warning, nothing, "", gear_against_parts},

@@ -18234,8 +18234,8 @@ but no position is feasible</source>
         <translation>Шатунные шейки неодинаковы: их избыток от %1 до %2, а заглушки рассчитаны на среднее. Сначала переставьте комплекты или подгоните детали.</translation>
     </message>
     <message>
-        <source>A crankshaft of %1 is too heavy for this engine. Correct its mass in kilograms.</source>
-        <translation>Коленчатый вал массой %1 слишком тяжёл для этого двигателя. Исправьте массу в килограммах.</translation>
+        <source>A crankshaft of %1 is too heavy for this engine. Correct its mass in kilograms, or enter the limit in g·mm.</source>
+        <translation>Коленчатый вал массой %1 слишком тяжёл для этого двигателя. Исправьте массу в килограммах или задайте допуск в г·мм.</translation>
     </message>
     <message>
         <source>The crankshaft with its bob weights, %1, weighs less than the bob weights, %2. Correct its mass.</source>
@@ -18512,10 +18512,6 @@ but no position is feasible</source>
     <message>
         <source>The readings need a known bob weight. Complete engine and parts.</source>
         <translation>Для показаний нужна известная масса балансировочного груза. Заполните двигатель и детали.</translation>
-    </message>
-    <message>
-        <source>A crankshaft of %1 is heavy for bob weights of %2. Check its mass: the permissible residual grows with it.</source>
-        <translation>Коленчатый вал массой %1 тяжёл для грузов массой %2. Проверьте его массу: с ней растёт допустимый остаток.</translation>
     </message>
 </context>
 </TS>

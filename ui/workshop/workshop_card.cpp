@@ -95,7 +95,9 @@ Block planeBlock(const Words& words, const WorkshopModel& model) {
             plane.from_angle && plane.to_angle
                 ? angle(*plane.from_angle) + QStringLiteral(" … ") + angle(*plane.to_angle)
                 : words.text(field::from_angle.placeholder),
-            permissible ? words.number((*permissible)[i], units::gram_mm, 1) : none};
+            permissible && !model.withheld().verdict
+                ? words.number((*permissible)[i], units::gram_mm, 1)
+                : none};
     }
     return block;
 }

@@ -56,6 +56,7 @@ class DoubtedJobTest : public PlugsPageTest {
         const QString pass = verdictText(Words(), u"passes"_s);
         EXPECT_EQ(model->verdictShown()->severity, Severity::error);
         EXPECT_TRUE(model->holeResults().rows.isEmpty());
+        EXPECT_EQ(model->limitText(), QString()) << "it may rest on what is doubted";
         EXPECT_EQ(said().filter(pass), QStringList());
         const QString doubtful = model->doubtfulText();
         EXPECT_EQ(doubtful.contains(weight), rule.blocks.bob_weight);

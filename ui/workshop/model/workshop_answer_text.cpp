@@ -420,7 +420,8 @@ QString WorkshopModel::reasonText() const {
 
 QString WorkshopModel::limitText(const Words& words) const {
     const bob_weights::Result& result = solution();
-    if (!result.permissible || !input().tolerance) {
+    // The mass that a limit is by may be what is doubted.
+    if (!result.permissible || !input().tolerance || withheld().verdict) {
         return {};
     }
     std::array<QString, 2> limits;
