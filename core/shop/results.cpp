@@ -1,5 +1,6 @@
 #include "shop/results.h"
 
+#include <cctype>
 #include <limits>
 
 #include "shop/balance_grade.h"
@@ -123,6 +124,32 @@ Message other_readings(const std::optional<double>& read_with,
             grams(*read_with), grams(bob_weight_now.value_or(0.0))};
     }
     return {};
+}
+
+namespace {
+
+/// With a capital, in English or Russian.
+std::string capitalised(std::string name) {
+    const auto byte = [&](std::size_t i) {
+        return i < name.size() ? static_cast<unsigned char>(name[i]) : 0U;
+    };
+    if (byte(0) < 0x80U) {
+        name[0] = static_cast<char>(std::toupper(static_cast<int>(byte(0))));
+    } else if (byte(0) == 0xD0U && byte(1) >= 0xB0U) {
+        name[1] = static_cast<char>(byte(1) - 0x20U);  // а to п
+    } else if (byte(0) == 0xD1U && byte(1) < 0x90U) {
+        name[0] = '\xD0';  // р to я
+        name[1] = static_cast<char>(byte(1) + 0x20U);
+    }
+    return name;
+}
+
+}  // namespace
+
+Message plane_title(const std::array<std::string, 2>& own, std::size_t plane) {
+    return !own.at(plane).empty() ? Message(capitalised(own[plane]))
+           : plane == 0           ? CORE_TEXT("v8-plugs", "Front plane")
+                                  : CORE_TEXT("v8-plugs", "Rear plane");
 }
 
 std::array<Message, 2> plane_names(const std::array<std::string, 2>& own) {

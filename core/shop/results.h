@@ -112,5 +112,7 @@ void add_machine_verdict(Verdict& verdict, const std::array<std::optional<double
                          const std::array<std::string, 2>& own_names = {});
 /// What the machine calls its planes, in a sentence; "front" and "rear" where it has no own names.
 std::array<Message, 2> plane_names(const std::array<std::string, 2>& own);
+/// The same where it begins a sentence.
+Message plane_title(const std::array<std::string, 2>& own, std::size_t plane);
 
 }  // namespace ravnoves::shop

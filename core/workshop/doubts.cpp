@@ -40,10 +40,7 @@ Message at_angle(double unbalance, double angle) {
 }
 
 Message plane_name(const DoubtCase& job, std::size_t plane) {
-    const std::string& name = job.input.machine.planes.at(plane);
-    return !name.empty() ? Message(name)
-           : plane == 0  ? CORE_TEXT("v8-plugs", "Front plane")
-                         : CORE_TEXT("v8-plugs", "Rear plane");
+    return shop::plane_title(job.input.machine.planes, plane);
 }
 
 bool differ(double a, double b, double times) {

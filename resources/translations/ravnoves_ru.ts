@@ -16,14 +16,6 @@
         <translation>Плоскости коррекции</translation>
     </message>
     <message>
-        <source>Front plane</source>
-        <translation>Передняя плоскость</translation>
-    </message>
-    <message>
-        <source>Rear plane</source>
-        <translation>Задняя плоскость</translation>
-    </message>
-    <message>
         <source>Bob weight %1</source>
         <translation>Балансировочный груз %1</translation>
     </message>

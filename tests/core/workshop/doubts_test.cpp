@@ -313,8 +313,11 @@ TEST(Doubts, NameThePlanesAsTheMachineDoes) {
     plane.erase("to_deg");
     const auto text = [&] { return solved(input).at("doubts")[0].at("text").get<std::string>(); };
     EXPECT_TRUE(text().starts_with("Front plane: enter the drilling sector"));
-    input["machine"]["planes"] = {"Left", "Right"};
-    EXPECT_TRUE(text().starts_with("Left: enter the drilling sector"));
+    for (const auto& [name, shown] :
+         {std::pair("left", "Left"), {"pulley", "Pulley"}, {"левая", "Левая"}, {"шкив", "Шкив"}}) {
+        input["machine"]["planes"] = {name, "right"};
+        EXPECT_TRUE(text().starts_with(std::string(shown) + ": enter the drilling sector"));
+    }
 }
 
 TEST(Doubts, AreNoneWhereNothingIsOdd) {

@@ -95,10 +95,7 @@ QString WorkshopModel::engineName(const Words& words, const bob_weights::Engine&
 
 QString WorkshopModel::planeName(const Words& words, const workshop::Machine& machine,
                                  std::size_t plane) {
-    const std::string& own = machine.planes.at(plane);
-    return !own.empty() ? capitalised(QString::fromStdString(own))
-           : plane == 0 ? words.translate("BobWeights", "Front plane")
-                        : words.translate("BobWeights", "Rear plane");
+    return words.message(shop::plane_title(machine.planes, plane));
 }
 
 QString WorkshopModel::runName(const Words& words, std::size_t run) {
