@@ -102,6 +102,9 @@ class Planner {
         if (deepest(diameter) < minimum_) {
             return NoRoom::too_shallow;
         }
+        if (!half_width(cut_, diameter, minimum_, limits_.minimum_wall)) {
+            return NoRoom::behind_wall;
+        }
         return !may_lie(angle_, diameter, minimum_) ? NoRoom::in_sector
                : fits(1, diameter, minimum_)        ? NoRoom::none
                                                     : NoRoom::beside_hole;

@@ -132,6 +132,7 @@ HolePlan plan_beside_sector(double target, double angle, const Cut& cut,
 enum class NoRoom {
     none,         ///< there is
     too_shallow,  ///< no depth between the smallest and the largest
+    behind_wall,  ///< the wall leaves it none
     in_sector,    ///< its edge would be beyond a limit
     beside_hole   ///< one that was drilled before is too near
 };

@@ -205,7 +205,9 @@ inline constexpr Field maximum_depth{
     .unit = units::mm,
     .range = Range::greater_than(0, 500),
     .label = CORE_TEXT("bob-weights", "&Maximum depth"),
-    .hint = CORE_TEXT("bob-weights", "Depth of the full diameter, without the drill point."),
+    .hint = CORE_TEXT("bob-weights",
+                      "Depth of the full diameter, without the drill point; of an axial slug at "
+                      "most the thickness of the counterweight."),
     .placeholder = CORE_TEXT("V8", "required")};
 inline constexpr Field point_angle{
     .key = "point_angle_deg",
@@ -226,7 +228,9 @@ inline constexpr Field minimum_wall{
     .unit = units::mm,
     .range = Range::between(0, 100),
     .label = CORE_TEXT("bob-weights", "&Wall between holes"),
-    .hint = CORE_TEXT("bob-weights", "Minimum wall between two holes at their bottoms.")};
+    .hint = CORE_TEXT("bob-weights",
+                      "Minimum wall between two holes at their bottoms, and between an "
+                      "axial slug and the rim.")};
 inline constexpr Field maximum_holes{
     .key = "maximum_holes",
     .range = Range::between(1, 15),
@@ -284,7 +288,9 @@ inline constexpr Field drilled_depth{.key = "depth_mm",
                                      .unit = units::mm,
                                      .range = Range::between(0, 500),
                                      .label = CORE_TEXT("bob-weights", "Depth"),
-                                     .hint = maximum_depth.hint};
+                                     .hint = CORE_TEXT("bob-weights",
+                                                       "Depth of the full diameter, without the "
+                                                       "drill point.")};
 inline constexpr Field drilled_angle{
     .key = "angle_deg",
     .unit = units::degree,

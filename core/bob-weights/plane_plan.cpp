@@ -171,19 +171,31 @@ class PlanePlanner {
         const double diameter = *correction_.slug->diameter;
         const Number size{diameter / units::mm, units::mm, -2};
         const Number place{angle / degree, units::degree, -1};
+        const Number wall{limits.minimum_wall / units::mm, units::mm, -1};
         switch (room_at(angle, into_, diameter, limits)) {
             case NoRoom::too_shallow:
+                return {
+                    into_.axial_wall
+                        ? CORE_TEXT("bob-weights",
+                                    "No slug of ⌀ %1 fits: the counterweight is too thin, with "
+                                    "a maximum depth of %2.")
+                        : CORE_TEXT("bob-weights",
+                                    "No slug of ⌀ %1 fits: the maximum depth of %2 is too small."),
+                    size, Number{limits.maximum_depth / units::mm, units::mm, -2}};
+            case NoRoom::behind_wall:
                 return {CORE_TEXT("bob-weights",
-                                  "No slug of ⌀ %1 fits: the maximum depth of %2 is too small."),
-                        size, Number{limits.maximum_depth / units::mm, units::mm, -2}};
+                                  "No slug of ⌀ %1 fits: a wall of %2 leaves it no room."),
+                        size, wall};
             case NoRoom::in_sector:
                 return {CORE_TEXT("bob-weights",
                                   "No slug of ⌀ %1 fits at %2: its edge would be beyond the "
                                   "drilling sector."),
                         size, place};
             case NoRoom::beside_hole:
-                return {CORE_TEXT("bob-weights", "No slug of ⌀ %1 fits at %2: a hole is too near."),
-                        size, place};
+                return {CORE_TEXT("bob-weights",
+                                  "No slug of ⌀ %1 fits at %2: a hole is too near for a wall of "
+                                  "%3."),
+                        size, place, wall};
             case NoRoom::none:
                 break;
         }
@@ -313,7 +325,7 @@ class PlanePlanner {
             into_.axial_wall
                 ? limits.maximum_depth
                 : std::min(limits.maximum_depth, into_.radius - into_.cone(*slug.diameter));
-        if (slugs.holes.empty() && deepest > 0.0 &&
+        if (slugs.holes.empty() && deepest > 0.0 && into_.lever(*slug.diameter, deepest) > 0.0 &&
             into_.removed(*slug.diameter, deepest).unbalance <= 0.0) {
             slugs.shortfall = Shortfall::short_slugs;
         }

@@ -4852,6 +4852,10 @@
         <translation>Плотность вала: сталь 7850, чугун 7200 кг/м³.</translation>
     </message>
     <message>
+        <source>Depth of the full diameter, without the drill point; of an axial slug at most the thickness of the counterweight.</source>
+        <translation>Глубина по полному диаметру, без конуса сверла; для осевой вставки – не больше толщины противовеса.</translation>
+    </message>
+    <message>
         <source>&amp;Maximum depth</source>
         <translation>&amp;Максимальная глубина</translation>
     </message>
@@ -4868,8 +4872,8 @@
         <translation>Глубины округляются до этого шага. 0: без округления.</translation>
     </message>
     <message>
-        <source>Minimum wall between two holes at their bottoms.</source>
-        <translation>Минимальная стенка между отверстиями у дна.</translation>
+        <source>Minimum wall between two holes at their bottoms, and between an axial slug and the rim.</source>
+        <translation>Минимальная стенка между отверстиями у дна, а также между осевой вставкой и ободом.</translation>
     </message>
     <message>
         <source>Maximum h&amp;oles</source>
@@ -5144,6 +5148,14 @@
         <translation>должны быть мм, #1–#60, A–Z или дюймы вида 1/4, через точку с запятой</translation>
     </message>
     <message>
+        <source>No slug of ⌀ %1 fits: the counterweight is too thin, with a maximum depth of %2.</source>
+        <translation>Вставка ⌀ %1 не помещается: противовес слишком тонок, максимальная глубина %2.</translation>
+    </message>
+    <message>
+        <source>No slug of ⌀ %1 fits: a wall of %2 leaves it no room.</source>
+        <translation>Вставка ⌀ %1 не помещается: стенка %2 не оставляет ей места.</translation>
+    </message>
+    <message>
         <source>No slug of ⌀ %1 fits: the maximum depth of %2 is too small.</source>
         <translation>Вставка ⌀ %1 не помещается: мала максимальная глубина %2.</translation>
     </message>
@@ -5152,8 +5164,8 @@
         <translation>Вставка ⌀ %1 не помещается под углом %2: её край вышел бы за сектор сверления.</translation>
     </message>
     <message>
-        <source>No slug of ⌀ %1 fits at %2: a hole is too near.</source>
-        <translation>Вставка ⌀ %1 не помещается под углом %2: слишком близко отверстие.</translation>
+        <source>No slug of ⌀ %1 fits at %2: a hole is too near for a wall of %3.</source>
+        <translation>Вставка ⌀ %1 не помещается под углом %2: для стенки %3 слишком близко отверстие.</translation>
     </message>
     <message>
         <source>Even the shortest slug of ⌀ %1 adds too much.</source>

@@ -400,13 +400,17 @@ TEST(Correction, SaysWhyASlugDoesNotFit) {
         const char* reason;
     } cases[] = {
         {{{"/correction/smallest_depth_mm", 40}}, "fits: the maximum depth of "},
+        {{{"/correction/smallest_depth_mm", 40}, {"/correction/slug/direction", "axial"}},
+         "fits: the counterweight is too thin, with a maximum depth of "},
+        {{{"/correction/drill/minimum_wall_mm", 75}, {"/correction/slug/direction", "axial"}},
+         "fits: a wall of 75.0 mm leaves it no room."},
         {{{"/correction/planes/0/from_deg", 216}, {"/correction/planes/0/to_deg", 224}},
          "fits at 220.0°: its edge would be beyond the"},
         // A pair at its sides would be beyond the sector.
         {{{"/correction/planes/0/from_deg", 205},
           {"/correction/planes/0/to_deg", 235},
           {"/correction/earlier_runs", earlier}},
-         "fits at 220.0°: a hole is too near."},
+         "fits at 220.0°: a hole is too near for a wall of 3.0 mm."},
     };
     for (const auto& [changes, said] : cases) {
         Json input = with_correction();

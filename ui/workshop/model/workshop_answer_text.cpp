@@ -958,7 +958,7 @@ Results WorkshopModel::holeResults(const Words& words, std::optional<std::size_t
     Results results{
         {words.translate("BobWeights", "Hole"),
          {words.translate("BobWeights", "Depth, %1").arg(words.unit(units::mm)),
-          shownText(field::maximum_depth.hint)},
+          shownText(field::drilled_depth.hint)},
          {words.translate("BobWeights", "Angle"), tr("From the machine's zero mark")},
          {words.translate("BobWeights", "Takes off, %1").arg(words.unit(units::gram)),
           tr("Mass taken off, including the drill point; a slug adds its own mass minus its "
