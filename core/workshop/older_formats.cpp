@@ -213,7 +213,10 @@ void visit_results(ResultVisitor& visitor, const PlugsCase& input) {
 std::optional<Input> read_as_job(std::string_view scene, const Json& input,
                                  Completeness completeness) {
     if (scene == "v8-plugs") {
-        return read_plugs_case(input, completeness);
+        PlugsCase job = read_plugs_case(input, completeness);
+        // What a shaft on the machine has not changed by is 0, as that format says.
+        job.plugs->changes_given = job.plugs->changes_given || job.correction;
+        return job;
     }
     if (scene == "bob-weights") {
         Input job = read_bob_weights_case(input, completeness);

@@ -94,6 +94,22 @@ TEST(Job, JudgesReadingsBesideThePlanesWithAnglesAlone) {
     EXPECT_TRUE(front(solved(input)).at("passes").get<bool>());
 }
 
+TEST(Job, OfPlugsWithReadingsIsJudgedAsByTheirFormat) {
+    Json input = plugs_card().at("plugs");
+    input.erase("mass_changes_g");
+    input["balancing"] = parse_json(R"({
+        "grade_mm_s": 16, "rotor_mass_kg": 30, "service_speed_rpm": 5500,
+        "front_reading_g_mm": 300, "rear_reading_g_mm": 400})");
+    const Json was = test::solved_plugs_case(input);
+    const Input job = read_as_job("v8-plugs", input, Completeness::as_is).value();
+    EXPECT_EQ(verdict(job, solve(job, false)).text.english(), was.at("verdict").at("text"));
+    // Of an engine without nominal masses neither says anything.
+    input["engine"].erase("rotating_mass_g");
+    EXPECT_NE(error_of(input, test::solved_plugs_case), "no error");
+    const Input half = read_as_job("v8-plugs", input, Completeness::as_is).value();
+    EXPECT_EQ(solve(half, false).doubts.at(0).rule->word, "unknown-bob-weight");
+}
+
 TEST(Job, AsksForTheReadingOfTheOtherPlane) {
     Json input = card();
     input["correction"]["readings"] = parse_json(R"([{"unbalance_g_mm": 300}, {}])");
