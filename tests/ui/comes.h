@@ -12,4 +12,11 @@ bool comes(Holds holds) {
     return QTest::qWaitFor(holds, patience);
 }
 
+/// Brings a window to the front: without that keys are not its actions'.
+template <typename Window>
+bool becomesActive(Window& window) {
+    window.activateWindow();
+    return comes([&] { return window.isActiveWindow(); });
+}
+
 }  // namespace ravnoves::test

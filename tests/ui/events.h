@@ -81,8 +81,7 @@ bool pointUntil(QWidget* widget, Place place, Holds holds) {
 inline void pressIn(QWidget& window, Qt::Key key,
                     Qt::KeyboardModifiers modifiers = Qt::ControlModifier) {
     QApplication::processEvents();
-    window.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    ASSERT_TRUE(becomesActive(window));
     QTest::keyClick(&window, key, modifiers);
 }
 

@@ -69,6 +69,7 @@ WorkshopPage::WorkshopPage(const QString& journalPath, QWidget* parent, SceneMod
     connect(model_, &SceneModel::changed, this, &WorkshopPage::showVerdict);
     column->addWidget(verdict_);
     sheets_ = new FittedTabs(this);
+    sheets_->setObjectName(QStringLiteral("sheets"));
     sheets_->setDocumentMode(true);
     sheets_->setFixedWidth(Theme::withText(sheetWidth));
     answer_ = new WorkshopAnswer(model_, this);

@@ -46,7 +46,6 @@ class WorkshopPage : public ScenePage {
     void openJournal();
 
     // For tests.
-    QTabWidget* sheets() const { return sheets_; }
     QString writeCard(const QString& file);
 
     void setActive(bool active) override;

@@ -101,8 +101,7 @@ TEST_F(JobSavingTest, TheKeySavesInTheJournalWhereThereIsNoFile) {
 
 TEST_F(JobSavingTest, TheKeyAsksWhatTheJournalsKeyAsks) {
     // A weight, and nothing by which the job could be found again.
-    auto* sheets = static_cast<WorkshopPage*>(window->currentPage())->sheets();
-    sheets->setCurrentIndex(2);
+    test::named<QTabWidget>(*window->currentPage(), "sheets")->setCurrentIndex(2);
     type("mass_piston_1", u"568.5"_s);
     QString asked;
     const auto answer = [&](const QString& button) {

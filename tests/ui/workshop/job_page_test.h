@@ -90,13 +90,13 @@ class JobPageTest : public ::testing::Test {
     bool isAmber(const char* name) { return colour(name) == Theme::instance().warning(); }
     /// In the order of Enter.
     QList<QWidget*> fieldsOf(int sheet) {
-        return page.sheets()->widget(sheet)->findChild<WorkshopSheet*>()->order();
+        return sheets->widget(sheet)->findChild<WorkshopSheet*>()->order();
     }
-    void show(Sheet sheet) { page.sheets()->setCurrentIndex(sheet); }
+    void show(Sheet sheet) { sheets->setCurrentIndex(sheet); }
 
     Sheet sheetOf(const QWidget* field) {
-        int sheet = page.sheets()->count() - 1;
-        while (sheet > 0 && !page.sheets()->widget(sheet)->isAncestorOf(field)) {
+        int sheet = sheets->count() - 1;
+        while (sheet > 0 && !sheets->widget(sheet)->isAncestorOf(field)) {
             --sheet;
         }
         return static_cast<Sheet>(sheet);
@@ -162,8 +162,7 @@ class JobPageTest : public ::testing::Test {
 
     /// A key that is an action's, wherever the focus is; what it saves is saved then.
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-        page.activateWindow();
-        ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+        ASSERT_TRUE(test::becomesActive(page));
         QTest::keyClick(&page, key, modifiers);
     }
     void save() { press(Qt::Key_F2); }
@@ -237,6 +236,7 @@ class JobPageTest : public ::testing::Test {
     QTemporaryDir folder;
     WorkshopPage page{QDir(folder.path()).filePath(QStringLiteral("journal.sqlite")), nullptr};
     WorkshopModel* model = page.viewModel();
+    QTabWidget* sheets = find<QTabWidget>("sheets");
     test::Painted onCard;  ///< by card()
 };
 

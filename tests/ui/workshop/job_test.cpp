@@ -553,7 +553,7 @@ TEST_F(JobPageTest, NoQuantityOfAPlacingIsCutOff) {
         WorkshopPage narrow(QString(), nullptr);
         test::showAt(narrow, {1180, 710});
         narrow.model()->loadInput(bobWeightsJob(), {});
-        narrow.sheets()->setCurrentIndex(2);
+        test::named<QTabWidget>(narrow, "sheets")->setCurrentIndex(2);
         narrow.viewModel()->editWeights(u"Weights"_s, [](WeighIn& sheet) {
             // No weight is far from the others: by doubted ones nothing is placed.
             sheet[shop::Part::piston].mass = {0.54, 0.5, 0.52, 0.51, 0.5, 0.53, 0.5, 0.52};
@@ -562,7 +562,8 @@ TEST_F(JobPageTest, NoQuantityOfAPlacingIsCutOff) {
         });
         QCoreApplication::processEvents();
         int quantities = 0;
-        for (const ResultTable* table : narrow.sheets()->findChildren<ResultTable*>()) {
+        for (const ResultTable* table :
+             test::named<QTabWidget>(narrow, "sheets")->findChildren<ResultTable*>()) {
             if (table->isVisible()) {
                 EXPECT_LE(table->horizontalHeader()->length(), table->viewport()->width())
                     << qPrintable(table->accessibleName());
@@ -631,7 +632,7 @@ TEST_F(JobPageTest, ReadingsHoldForTheirBobWeightAlone) {
     EXPECT_EQ(model->planeResults().rows.size(), 2) << "nothing is known to remain";
     EXPECT_TRUE(field("unbalance_1")->isDoubtful());
     EXPECT_FALSE(field("position_1")->isDoubtful());
-    EXPECT_EQ(page.sheets()->tabBar()->tabTextColor(4), Theme::instance().warning());
+    EXPECT_EQ(sheets->tabBar()->tabTextColor(4), Theme::instance().warning());
     EXPECT_TRUE(card().contains(why.left(55)));
     EXPECT_FALSE(card().contains(u"PASS"_s));
     EXPECT_NEAR(model->resultJson()["correction"]["read_with_bobweight_g"].get<double>(), 1505.2,
@@ -645,7 +646,7 @@ TEST_F(JobPageTest, ReadingsHoldForTheirBobWeightAlone) {
     type("piston", u"583.9"_s);
     EXPECT_EQ(verdict(), u"Passes"_s);
     EXPECT_FALSE(field("unbalance_1")->isDoubtful());
-    EXPECT_FALSE(page.sheets()->tabBar()->tabTextColor(4).isValid());
+    EXPECT_FALSE(sheets->tabBar()->tabTextColor(4).isValid());
     // A verdict is not lost without a word.
     save();
     EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
@@ -835,7 +836,7 @@ TEST_F(JobPageTest, ReadingsAreOfTheirCrankshaftAlone) {
     show(MachineTab);
     ASSERT_TRUE(hold->isVisibleTo(&page));
     test::showAt(page, {915, 560});
-    auto* const sheet = qobject_cast<QScrollArea*>(page.sheets()->widget(4));
+    auto* const sheet = qobject_cast<QScrollArea*>(sheets->widget(4));
     sheet->ensureWidgetVisible(hold);
     const int scrolled = sheet->verticalScrollBar()->value();
     hold->setFocus();
@@ -978,7 +979,7 @@ TEST_F(JobPageTest, JournalAndCard) {
     EXPECT_EQ(model->desk()->jobId(), 0);
     EXPECT_FALSE(model->solution().bob_weight);
     EXPECT_EQ(model->input().correction->drill.diameters_mm.size(), 4u);
-    EXPECT_EQ(page.sheets()->currentIndex(), 0);
+    EXPECT_EQ(sheets->currentIndex(), 0);
     EXPECT_EQ(page.focusWidget(), find<QWidget>("engine_number"));
     EXPECT_TRUE(said.contains(u"planes, drills"_s)) << said.toStdString();
 }
@@ -1009,10 +1010,11 @@ TEST_F(JobPageTest, TheMachineBeginsAtTheNextReading) {
     // Also as the first sheet that the window shows; nothing scrolls.
     WorkshopPage first(QString(), nullptr);
     first.model()->loadInput(model->inputJson(), {});
-    first.sheets()->setCurrentIndex(MachineTab);
+    test::named<QTabWidget>(first, "sheets")->setCurrentIndex(MachineTab);
     test::showAt(first, {915, 560});
     EXPECT_EQ(first.focusWidget(), test::named<QWidget>(first, "run_1_unbalance_1"));
-    const auto* sheet = qobject_cast<QScrollArea*>(first.sheets()->widget(MachineTab));
+    const auto* sheet =
+        qobject_cast<QScrollArea*>(test::named<QTabWidget>(first, "sheets")->widget(MachineTab));
     EXPECT_EQ(sheet->verticalScrollBar()->value(), 0);
     // Where all is read and nothing is to be drilled, at the readings.
     limitTo(5000);
@@ -1028,12 +1030,12 @@ TEST_F(JobPageTest, EnterOnTheLastFieldStaysThereAndCounts) {
     QWidget* last = fieldsOf(5).constLast();
     last->setFocus();
     QTest::keyClick(last, Qt::Key_Return);
-    EXPECT_EQ(page.sheets()->currentIndex(), 5);
+    EXPECT_EQ(sheets->currentIndex(), 5);
     EXPECT_EQ(page.focusWidget(), last);
     EXPECT_FALSE(model->isTyped());
     // On the way on, no list takes the keys.
     type("notes", u"worn"_s);
-    EXPECT_EQ(page.sheets()->currentIndex(), 1);
+    EXPECT_EQ(sheets->currentIndex(), 1);
     EXPECT_NE(qobject_cast<EntryField*>(page.focusWidget()), nullptr);
 }
 
@@ -1264,7 +1266,7 @@ TEST_F(JobPageTest, ARejectedEntryMakesTheAnswerStale) {
     EXPECT_EQ(page.focusWidget(), field("piston")) << "Enter does not pass it over";
     // The tab says so, wherever one is.
     show(JobTab);
-    EXPECT_EQ(page.sheets()->tabBar()->tabTextColor(PartsTab), Theme::instance().error());
+    EXPECT_EQ(sheets->tabBar()->tabTextColor(PartsTab), Theme::instance().error());
     EXPECT_TRUE(card({u"Piston, g: no number"_s}).contains(u"entries not accepted: Piston"_s));
     const auto asked = answer(u"Continue"_s);
     save();
@@ -1275,7 +1277,7 @@ TEST_F(JobPageTest, ARejectedEntryMakesTheAnswerStale) {
     EXPECT_TRUE(label("rejected").isEmpty());
     EXPECT_FALSE(label("verdict").contains(u"red entry"_s));
     EXPECT_FALSE(isAmber("headline"));
-    EXPECT_FALSE(page.sheets()->tabBar()->tabTextColor(PartsTab).isValid());
+    EXPECT_FALSE(sheets->tabBar()->tabTextColor(PartsTab).isValid());
     save();
     EXPECT_TRUE(jobs().at(0).isFinished);
 }
@@ -1295,7 +1297,7 @@ TEST_F(JobPageTest, AnUnbalanceThatGrewByTheDrillingIsNoJobWellDone) {
         << qPrintable(said);
     // One says what was really drilled.
     QTest::mouseClick(find<QPushButton>("verdict_act"), Qt::LeftButton);
-    EXPECT_EQ(page.sheets()->currentIndex(), 5);
+    EXPECT_EQ(sheets->currentIndex(), 5);
     EXPECT_FALSE(card().contains(u"then PASS"_s)) << qPrintable(card());
     type("engine_number", u"7"_s);
     save();
@@ -1352,10 +1354,10 @@ TEST_F(JobPageTest, RunsFollowOneAnother) {
                 << qPrintable(table->accessibleName());
         }
     }
-    for (int i = 0; i < page.sheets()->count(); ++i) {
-        page.sheets()->setCurrentIndex(i);
+    for (int i = 0; i < sheets->count(); ++i) {
+        sheets->setCurrentIndex(i);
         QApplication::processEvents();
-        const auto* sheet = qobject_cast<QScrollArea*>(page.sheets()->widget(i));
+        const auto* sheet = qobject_cast<QScrollArea*>(sheets->widget(i));
         EXPECT_EQ(sheet->horizontalScrollBar()->maximum(), 0) << i;
     }
     save();

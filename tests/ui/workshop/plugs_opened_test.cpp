@@ -119,18 +119,18 @@ TEST_F(PlugsPageTest, PlugsThatComeAndGoKeepPartsAndFactor) {
         there->setFocus();
         QTest::keyClick(there, Qt::Key_Space);
     };
-    EXPECT_FALSE(page.sheets()->isTabVisible(PlugsTab));
-    EXPECT_TRUE(field("piston")->isVisibleTo(page.sheets()->widget(PartsTab)));
+    EXPECT_FALSE(sheets->isTabVisible(PlugsTab));
+    EXPECT_TRUE(field("piston")->isVisibleTo(sheets->widget(PartsTab)));
     QWidget* last = fieldsOf(WeighInTab).constLast();
     show(WeighInTab);
     last->setFocus();
     QTest::keyClick(last, Qt::Key_Return);
-    EXPECT_EQ(page.sheets()->currentIndex(), MachineTab) << "no sheet that is not there";
+    EXPECT_EQ(sheets->currentIndex(), MachineTab) << "no sheet that is not there";
     toggle();
     ASSERT_TRUE(model->hasPlugs());
-    EXPECT_TRUE(page.sheets()->isTabVisible(PlugsTab));
-    EXPECT_FALSE(field("piston")->isVisibleTo(page.sheets()->widget(PartsTab)));
-    EXPECT_TRUE(field("reciprocating_mass_g")->isVisibleTo(page.sheets()->widget(PartsTab)));
+    EXPECT_TRUE(sheets->isTabVisible(PlugsTab));
+    EXPECT_FALSE(field("piston")->isVisibleTo(sheets->widget(PartsTab)));
+    EXPECT_TRUE(field("reciprocating_mass_g")->isVisibleTo(sheets->widget(PartsTab)));
     EXPECT_FALSE(model->resultJson().at("error").get<std::string>().find("factor") !=
                  std::string::npos);
     EXPECT_DOUBLE_EQ(model->input().plugs->tolerance, 7.0 * units::gram_mm) << "Shop limit";
@@ -139,7 +139,7 @@ TEST_F(PlugsPageTest, PlugsThatComeAndGoKeepPartsAndFactor) {
     type("rod_big_end", u"0.5"_s);
     toggle();
     EXPECT_EQ(model->input(), without);
-    EXPECT_FALSE(page.sheets()->isTabVisible(PlugsTab));
+    EXPECT_FALSE(sheets->isTabVisible(PlugsTab));
     toggle();
     EXPECT_NEAR(model->input().plugs->typed_changes.rod_big_end, 0.5 * units::gram, 1e-15);
     model->history()->undo();

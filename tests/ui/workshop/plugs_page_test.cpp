@@ -247,13 +247,14 @@ TEST(PlugsAnswer, NoColumnOfItsTablesIsOutOfSightWithLargeText) {
         WorkshopPage page(QDir(folder.path()).filePath(u"journal.sqlite"_s), nullptr);
         page.viewModel()->loadInput(repairJob(), {});
         test::showAt(page, {846, 590});  // beside the scenes in a window of 1024 × 700
-        page.sheets()->setCurrentIndex(page.sheets()->count() - 1);
+        auto* sheets = test::named<QTabWidget>(page, "sheets");
+        sheets->setCurrentIndex(sheets->count() - 1);
         int tables = 0;
         for (const ResultTable* table : page.findChildren<ResultTable*>()) {
             if (table->isVisible()) {
                 ++tables;
                 const QScrollBar* bar = table->horizontalScrollBar();
-                EXPECT_TRUE(QTest::qWaitFor([&] { return bar->maximum() == 0; }, 1000))
+                EXPECT_TRUE(test::comes([&] { return bar->maximum() == 0; }))
                     << table->accessibleName().toStdString() << bar->maximum();
             }
         }
@@ -301,18 +302,16 @@ TEST_F(PlugsPageTest, ItsKeysWorkWhereverTheFocusIs) {
     column.addWidget(&other);
     column.addWidget(&page);
     test::showAt(window, {1187, 760});
-    window.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    ASSERT_TRUE(test::becomesActive(window));
     type("engine_number", u"53-11"_s);
     other.setFocus();
     ASSERT_TRUE(other.hasFocus());
     QTest::keyClick(&other, Qt::Key_F2);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return model->desk()->jobId() != 0; }, 20'000));
+    EXPECT_TRUE(test::comes([this] { return model->desk()->jobId() != 0; }));
     page.setParent(nullptr);
 }
 
 TEST_F(PlugsPageTest, SheetsOfTheNextJobBeginAtTheirFirstEmptyField) {
-    QTabWidget* sheets = page.sheets();
     for (int sheet = 0; sheet < sheets->count(); ++sheet) {
         sheets->setCurrentIndex(sheet);
         fieldsOf(sheet).constLast()->setFocus();
@@ -339,8 +338,7 @@ TEST_F(PlugsPageTest, SheetsOfTheNextJobBeginAtTheirFirstEmptyField) {
 TEST_F(PlugsPageTest, KeysWorkRightAfterTheStartAndChoicesShowTheFocus) {
     WorkshopPage fresh(QDir(folder.path()).filePath(u"fresh.sqlite"_s), nullptr);
     fresh.show();
-    fresh.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&fresh));
+    ASSERT_TRUE(test::becomesActive(fresh));
     QApplication::processEvents();
     ASSERT_TRUE(fresh.isAncestorOf(QApplication::focusWidget()));
     bool seen = false;
@@ -351,8 +349,7 @@ TEST_F(PlugsPageTest, KeysWorkRightAfterTheStartAndChoicesShowTheFocus) {
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_F3);
     EXPECT_TRUE(seen);
     auto* process = fresh.findChild<QComboBox*>(u"process"_s);
-    fresh.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&fresh));
+    ASSERT_TRUE(test::becomesActive(fresh));
     const QImage without = process->grab().toImage();
     process->setFocus(Qt::OtherFocusReason);
     QApplication::processEvents();
@@ -361,20 +358,17 @@ TEST_F(PlugsPageTest, KeysWorkRightAfterTheStartAndChoicesShowTheFocus) {
 
 TEST_F(PlugsPageTest, ASheetStaysWhereItIsWhileAnotherWindowIsUsed) {
     page.resize(900, 500);
-    page.sheets()->setCurrentIndex(2);
-    auto* sheet = qobject_cast<QScrollArea*>(page.sheets()->currentWidget());
-    page.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+    sheets->setCurrentIndex(2);
+    auto* sheet = qobject_cast<QScrollArea*>(sheets->currentWidget());
+    ASSERT_TRUE(test::becomesActive(page));
     fieldsOf(2).constFirst()->setFocus();
     QScrollBar* bar = sheet->verticalScrollBar();
     ASSERT_GT(bar->maximum(), 0);
     bar->setValue(bar->maximum());
     QWidget other;
     test::showAt(other, {200, 100});
-    other.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&other));
-    page.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+    ASSERT_TRUE(test::becomesActive(other));
+    ASSERT_TRUE(test::becomesActive(page));
     ASSERT_TRUE(fieldsOf(2).constFirst()->hasFocus());
     EXPECT_EQ(bar->value(), bar->maximum());
 }

@@ -27,9 +27,9 @@ class PlugsSheetsTest : public PlugsPageTest {
   protected:
     /// It is not of the other form, with plugs or without.
     bool isThere(const QWidget* field) const {
-        for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
-            if (page.sheets()->widget(sheet)->isAncestorOf(field)) {
-                return field->isVisibleTo(page.sheets()->widget(sheet));
+        for (int sheet = 0; sheet < sheets->count(); ++sheet) {
+            if (sheets->widget(sheet)->isAncestorOf(field)) {
+                return field->isVisibleTo(sheets->widget(sheet));
             }
         }
         return false;
@@ -60,7 +60,7 @@ TEST_F(PlugsSheetsTest, NothingTypedIntoTheHeadIsIgnoredInSilence) {
 }
 
 TEST_F(PlugsSheetsTest, EnterGoesDownTheSheetsAndOn) {
-    page.sheets()->setCurrentIndex(0);
+    sheets->setCurrentIndex(0);
     fieldsOf(0).constFirst()->setFocus();
     QList<QWidget*> visited;
     for (int step = 0;
@@ -70,7 +70,7 @@ TEST_F(PlugsSheetsTest, EnterGoesDownTheSheetsAndOn) {
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
     }
     QList<QWidget*> expected;
-    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+    for (int sheet = 0; sheet < sheets->count(); ++sheet) {
         bool isBegun = sheet == 0;
         for (QWidget* each : fieldsOf(sheet)) {
             // A sheet is entered at a field: a list or a tick would take the next key for a choice.
@@ -87,13 +87,13 @@ TEST_F(PlugsSheetsTest, EnterGoesDownTheSheetsAndOn) {
     EXPECT_EQ(visited, expected);
     EXPECT_GT(visited.size(), 80);
     // The last sheet is not left.
-    EXPECT_EQ(page.sheets()->currentIndex(), page.sheets()->count() - 1);
+    EXPECT_EQ(sheets->currentIndex(), sheets->count() - 1);
     EXPECT_EQ(QApplication::focusWidget(), expected.constLast());
 }
 
 TEST_F(PlugsSheetsTest, TabGoesDownASheetAndAlongTheRowsOfItsGrid) {
-    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
-        page.sheets()->setCurrentIndex(sheet);
+    for (int sheet = 0; sheet < sheets->count(); ++sheet) {
+        sheets->setCurrentIndex(sheet);
         QList<QWidget*> expected;
         for (QWidget* each : fieldsOf(sheet)) {
             if (each->isEnabled() && isThere(each)) {
@@ -213,7 +213,7 @@ TEST_F(PlugsSheetsTest, APresetBeginsAJobOfToday) {
 }
 
 TEST_F(PlugsSheetsTest, EveryFieldIsLargeAndNamesItsUnit) {
-    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+    for (int sheet = 0; sheet < sheets->count(); ++sheet) {
         for (QWidget* each : fieldsOf(sheet)) {
             const QString name = each->objectName();
             EXPECT_FALSE(name.isEmpty());
@@ -271,10 +271,10 @@ TEST_F(PlugsSheetsTest, EmptiedFieldTakesTheNextDigitsAlone) {
 }
 
 TEST_F(PlugsSheetsTest, SheetsNeedNoScrollingSideways) {
-    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
-        page.sheets()->setCurrentIndex(sheet);
+    for (int sheet = 0; sheet < sheets->count(); ++sheet) {
+        sheets->setCurrentIndex(sheet);
         QApplication::processEvents();
-        auto* scroll = qobject_cast<QScrollArea*>(page.sheets()->widget(sheet));
+        auto* scroll = qobject_cast<QScrollArea*>(sheets->widget(sheet));
         ASSERT_NE(scroll, nullptr);
         EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width()) << sheet;
         for (QWidget* each : fieldsOf(sheet)) {
@@ -304,7 +304,7 @@ TEST_F(PlugsSheetsTest, FieldsStayWhereTheyAreWhileOneTypes) {
         while (!fieldsOf(sheet).contains(find<QWidget>(name))) {
             ++sheet;
         }
-        page.sheets()->setCurrentIndex(sheet);
+        sheets->setCurrentIndex(sheet);
         find<QWidget>(name)->setFocus();
         QTest::keyClick(find<QWidget>(name), Qt::Key_A, Qt::ControlModifier);
         QApplication::processEvents();

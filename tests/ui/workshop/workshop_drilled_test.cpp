@@ -186,7 +186,7 @@ TEST_F(DrilledTest, TheVerdictLeadsToWhatWasDrilledOtherwise) {
     ASSERT_TRUE(model->withheld().holes);
     show(JobTab);
     QTest::mouseClick(find<QPushButton>("verdict_act"), Qt::LeftButton);
-    EXPECT_EQ(page.sheets()->currentIndex(), CorrectionTab);
+    EXPECT_EQ(sheets->currentIndex(), CorrectionTab);
     EXPECT_EQ(QApplication::focusWidget(), find<QWidget>("drilled_state_1"));
     // They were drilled on the wrong side: that explains it, and there is a plan again.
     for (int row = 1; model->withheld().holes && row <= 5; ++row) {

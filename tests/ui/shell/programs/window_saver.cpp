@@ -8,11 +8,12 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "comes.h"
 #include "shell/main_window.h"
 #include "shell/screenshot.h"
-#include "workshop/model/job_desk.h"
 #include "text/language.h"
 #include "theme/theme.h"
+#include "workshop/model/job_desk.h"
 
 int main(int argc, char** argv) {
     using namespace Qt::StringLiterals;
@@ -34,8 +35,7 @@ int main(int argc, char** argv) {
         return 1;
     }
     window.show();
-    window.activateWindow();
-    if (!QTest::qWaitForWindowActive(&window)) {
+    if (!test::becomesActive(window)) {
         std::fprintf(stderr, "the window is not active\n");
         return 1;
     }
@@ -69,8 +69,9 @@ int main(int argc, char** argv) {
         // Without a name nothing is kept, and of one that the journal has it would ask.
         type("engine_number", u"53-%1"_s.arg(QString::fromLocal8Bit(argv[2])));
         type("technician", QString::number(i));
+        const int before = desk->jobRevision();
         QTest::keyClick(&window, Qt::Key_F2);
-        if (!QTest::qWaitFor([&] { return desk->jobId() != 0; }, 20'000)) {
+        if (!test::comes([&] { return desk->jobRevision() != before; })) {
             std::fprintf(stderr, "the job is not saved\n");
             return 1;
         }
