@@ -37,8 +37,8 @@ page workshop --case "$here/../examples/workshop-v8-4.25.case.json" --set tab=sh
 page inertia-moments --case "$here/../examples/vr5-volkswagen.case.json"
 page methods --scene methods --set tab=charts
 
-# The map alone, without form and table.
-map='470x454+438+288'
+# The map alone, without form, table and note.
+map='470x404+438+288'
 for language in en ru; do
     shot "$folder/$language.png" --language $language --scene balance-shaft --set tab=map
 done

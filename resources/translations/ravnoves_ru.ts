@@ -1999,11 +1999,11 @@
     </message>
     <message>
         <source>FAIL → drill, then PASS</source>
-        <translation>НЕ ГОДЕН → сверлить, тогда ГОДЕН</translation>
+        <translation>НЕ ГОДЕН → сверлить → ГОДЕН</translation>
     </message>
     <message>
         <source>FAIL → drill, still FAIL</source>
-        <translation>НЕ ГОДЕН → и после сверления НЕ ГОДЕН</translation>
+        <translation>НЕ ГОДЕН → сверлить → НЕ ГОДЕН</translation>
     </message>
     <message>
         <source>STOP</source>
@@ -12479,8 +12479,8 @@ but no position is feasible</source>
         <translation>фаза, °</translation>
     </message>
     <message>
-        <source>diff., %</source>
-        <translation>откл., %</translation>
+        <source>δ, %</source>
+        <translation>δ, %</translation>
     </message>
     <message>
         <source>+kω</source>
@@ -13785,7 +13785,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Zotov and Sviridov 2021: guide that keeps the energy</source>
-        <translation>Зотов и Свиридов 2021: направляющая, сохраняющая энергию</translation>
+        <translation>Зотов и Свиридов 2021: сохраняет энергию</translation>
     </message>
     <message>
         <source>V-8 of 4.25 litres: repair with oversize pistons</source>

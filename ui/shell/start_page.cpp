@@ -399,10 +399,16 @@ void StartPage::arrange() {
         std::clamp((width() - 4 * Theme::margin) / (narrowest + Theme::margin), 1, cards_->count());
     const int rows = (cards_->count() + room - 1) / room;
     const int columns = (cards_->count() + rows - 1) / rows;  // rows of one length
-    if (columns == columns_) {
+    int widest = 0;
+    for (const QAbstractButton* example : examplesBox_->findChildren<QAbstractButton*>()) {
+        widest = std::max(widest, example->sizeHint().width());
+    }
+    const bool beside = columns > 2 && 5 * widest <= 3 * (width() - 9 * Theme::margin);
+    if (columns == columns_ && beside == areListsBeside_) {
         return;
     }
     columns_ = columns;
+    areListsBeside_ = beside;
     std::vector<QWidget*> cards;
     while (cards_->count() > 0) {
         const std::unique_ptr<QLayoutItem> item(cards_->takeAt(0));
@@ -412,7 +418,6 @@ void StartPage::arrange() {
         cards_->addWidget(cards[static_cast<std::size_t>(i)], i / columns, i % columns);
         cards_->setColumnStretch(i, i < columns ? 1 : 0);
     }
-    const bool beside = columns > 2;
     lists_->addWidget(recentBox_, 0, 0);
     lists_->addWidget(examplesBox_, beside ? 0 : 1, beside ? 1 : 0);
     lists_->setColumnStretch(0, 2);

@@ -57,6 +57,7 @@ class StartPage : public QWidget {
     std::vector<std::function<void()>> dates_;  ///< show that of each file opened last
     QWidget* examplesBox_;
     int columns_ = 0;
+    bool areListsBeside_ = false;
 };
 
 }  // namespace ravnoves

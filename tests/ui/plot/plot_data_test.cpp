@@ -184,6 +184,19 @@ TEST(PlotScale, LogarithmicHoldsWholeDecades) {
     EXPECT_NEAR(scale.value(0.6), 1.0, 1e-12);
 }
 
+TEST(PlotScale, EndsWhereItsDataEnd) {
+    PlotScale scale;
+    for (const auto& [low, high] :
+         {std::pair(-893.0, 562.0), {0.0, 1574.0}, {0.0, 5436.0}, {-0.92, 0.92}, {487.0, 651.0}}) {
+        scale.fit(low, high);
+        const double span = high - low;
+        EXPECT_LE(scale.low, low);
+        EXPECT_GE(scale.high, high);
+        EXPECT_LE(scale.high - scale.low, 1.2 * span) << low << "…" << high;
+        EXPECT_TRUE(low != 0.0 || scale.low == 0.0) << "nothing below 0";
+    }
+}
+
 TEST(PlotScale, ZoomsAboutAPlaceAndMoves) {
     PlotScale scale;
     scale.zoom(0.5, 0.25);

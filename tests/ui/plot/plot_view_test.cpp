@@ -42,6 +42,7 @@ std::vector<double> sine(const std::vector<double>& x, double amplitude) {
 
 TEST(Ticks, AreWhatAPersonWouldChoose) {
     EXPECT_DOUBLE_EQ(niceStep(1208.0, 6), 250.0);
+    EXPECT_DOUBLE_EQ(readableStep(0.5, 12.5, 5, false), 5.0);  // not 2.5: orders are whole
     EXPECT_DOUBLE_EQ(niceAngleStep(720.0, 10), 90.0);
     EXPECT_DOUBLE_EQ(niceAngleStep(360.0, 8), 45.0);
     EXPECT_EQ(tickDecimals(250.0), 0);
@@ -427,7 +428,7 @@ TEST_F(PlotViewTest, TheGridStandsWhereTheValuesAre) {
     for (const QSize& size : {QSize(600, 400), QSize(600, 330), QSize(480, 350)}) {
         plot.resize(size);
         const QImage picture = plot.grab().toImage();
-        const double y = plot.toPixel(0.0, -50.0).y();
+        const double y = plot.toPixel(0.0, -100.0).y();
         const double x = plot.plotArea().left() + 3.0;
         int darkest = 255;
         for (const double by : {-1.0, 0.0, 1.0}) {

@@ -31,14 +31,15 @@ QString number(double value, int decimals) {
     return fixedNumber(value, decimals, QLocale());
 }
 
-/// Four digits, whatever the size: forces of a model engine and of a ship's fit the same column.
+/// Four digits, whatever the size, or the two that matter of a trace: forces of a model engine and
+/// of a ship's fit the same column.
 QString figure(double value) {
     const double size = std::abs(value);
     if (size == 0.0) {
         return number(0.0, 0);
     }
     if (size >= 1e6 || size < 1e-4) {
-        return powerText(value, QLocale(), 4);
+        return powerText(value, QLocale(), size < 1.0 ? 2 : 4);
     }
     const int decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
     return number(value, std::min(decimals, 3));
@@ -145,7 +146,7 @@ Results InertiaMomentsModel::orderResults() const {
           tr("Amplitude of the order of the reciprocating masses, exact motion")},
          {tr("phase, °"), tr("kφ of the maximum of the exact component")},
          {tr("recipr. two-term"), tr("Amplitude by the paper's cos θ + K λ sin θ + λ cos 2θ")},
-         {tr("diff., %"), tr("Error of the two-term form, relative to exact")}}};
+         {tr("δ, %"), tr("Error of the two-term form, relative to exact")}}};
     ResultRows& rows = results.rows;
     rows.reserve(static_cast<qsizetype>(result().differences.size()));
     const ResultCell zero(0.0, QStringLiteral("0"));

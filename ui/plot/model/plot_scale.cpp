@@ -55,7 +55,7 @@ void PlotScale::fit(double minimum, double maximum, bool steady) {
     const double pad = 0.04 * (maximum - minimum);
     std::tie(low, high) =
         niceInterval(spec.factor * (minimum < 0.0 || minimum > pad ? minimum - pad : minimum),
-                     spec.factor * (maximum > 0.0 || maximum < -pad ? maximum + pad : maximum), 6);
+                     spec.factor * (maximum > 0.0 || maximum < -pad ? maximum + pad : maximum), 24);
     low /= spec.factor;
     high /= spec.factor;
 }

@@ -38,7 +38,10 @@ double niceAngleStep(double span, int wanted) {
 
 double readableStep(double low, double high, int wanted, bool degrees) {
     const auto choose = [&](int ticks) {
-        return degrees ? niceAngleStep(high - low, ticks) : niceStep(high - low, ticks);
+        const double step =
+            degrees ? niceAngleStep(high - low, ticks) : niceStep(high - low, ticks);
+        // 2.5 needs a digit more than 1, 25 does not.
+        return tickDecimals(step) > tickDecimals(step / 2.5) ? 2.0 * step : step;
     };
     constexpr double rounding = 1e-9;
     constexpr int maximum = 4;  // times as many as wanted: by then two must lie in any interval

@@ -1032,7 +1032,7 @@ QString WorkshopModel::drilledName(std::size_t run, const DrilledHole& hole) con
     const QString size = words.plainWithUnit(hole.diameter, units::mm, 2);
     return drilledName(words, run) + QStringLiteral(": ") +
            (hole.is_slug() ? words.translate("BobWeights", "slug ⌀ %1").arg(size)
-                           : QStringLiteral("⌀ ") + size);
+                           : QStringLiteral("⌀\u00A0") + size);
 }
 
 }  // namespace ravnoves
