@@ -41,7 +41,7 @@ struct Cut {
     Sinusoid bound;
 };
 
-/// The smallest value of a function of α and what is known of the others.
+/// The minimum of a function of α and its bound.
 struct AngleMinimum {
     double alpha = 0.0;  ///< rad, 0…2π
     double value = 0.0;
@@ -51,10 +51,10 @@ struct AngleMinimum {
 };
 
 /// The global minimum over α of a function of period 2π, by cutting planes: every evaluated angle
-/// gives a sinusoid that lies below the function everywhere. Between two evaluated angles the
-/// larger of their two sinusoids bounds it; the interval is split at that bound's minimum until no
-/// bound lies under the best value. Kinks and several minima need no care, since the bounds are
-/// global. Of angles at the ends that are as good up to rounding it is the smallest.
+/// gives a sinusoid below the function everywhere. Between two evaluated angles the larger of their
+/// two sinusoids bounds it; the interval is split at that bound's minimum until no bound is under
+/// the best value. Kinks and several minima need no care, since the bounds are global. Of angles at
+/// the ends that are equal but for rounding, the smallest is returned.
 /// @param steepest  Lipschitz constant of the function
 /// @param size      scale of its rounding, also its values
 /// @param within    the angles to choose from, one stretch at least; default: all
@@ -72,9 +72,9 @@ inline MomentPlane::Moment shaft_at(double amplitude, double alpha) {
 void sweep(const MomentPlane& plane, double amplitude, std::span<const double> alpha,
            std::span<double> range, std::span<double> rms);
 
-/// The range R(α) = max − min of M(φ) + A sin(φ + α) with its bound: where the extrema at α lie at
-/// φ₊ and φ₋, h(α) = M(φ₊) − M(φ₋) + A sin(φ₊ + α) − A sin(φ₋ + α) touches R there and lies below
-/// it everywhere (a range is at least the difference of any two of its values).
+/// The range R(α) = max − min of M(φ) + A sin(φ + α) with its bound: with the extrema at φ₊ and φ₋,
+/// h(α) = M(φ₊) − M(φ₋) + A sin(φ₊ + α) − A sin(φ₋ + α) touches R there and is below it elsewhere
+/// (a range is at least the difference of any two of its values).
 Cut range_cut(const MomentPlane& plane, double amplitude, double alpha);
 
 /// The smallest range over α, by minimise_over_angle(): |dR/dα| ≤ 2A.

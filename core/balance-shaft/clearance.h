@@ -8,11 +8,11 @@
 
 namespace ravnoves::balance_shaft {
 
-/// What keeps the shaft from a place; `none` where it can be built.
+/// Obstacle that excludes a place; `none` where the shaft fits.
 enum class Obstacle { none, crank, cylinder, rod, gears, limits };
 
-/// Free space between the swing circle of the balance shaft and what it must not meet, m; negative
-/// where they overlap. In the front view: parts that lie behind one another overlap there too.
+/// Free space between the swing circle of the balance shaft and its obstacles, m; negative where
+/// they overlap. In the front view: parts behind one another overlap there too.
 struct ShaftClearance {
     double crank = 0.0;     ///< swing circle of the crank
     double cylinder = 0.0;  ///< the cylinder with its wall
@@ -29,16 +29,16 @@ ShaftClearance shaft_clearance(const FrontView& view, double shaft_angle);
 /// How far a place of the shaft's axis may move and stay within the limits, m; negative outside.
 double margin_within(const PlaceLimits& limits, double x, double y);
 
-/// The angles of the shaft that can be built: every clearance is at least the view's, the gears
-/// mesh (the tip circle reaches the pitch circle, and not the other gear's root circle, 1.25
-/// modules below its pitch circle), and the axis is within its limits.
+/// The feasible angles of the shaft: every clearance is at least the view's, the gears mesh (the
+/// tip circle reaches the pitch circle, and not the other gear's root circle, 1.25 modules below
+/// its pitch circle), and the axis is within its limits.
 struct BuildableAngles {
-    std::vector<AngleStretch> stretches;  ///< ascending and apart; none where nothing can be built
+    std::vector<AngleStretch> stretches;  ///< ascending and apart; empty where nothing fits
     Message reason;                       ///< why not, as a sentence; else empty
 
     /// @param shaft_angle  α, rad, any
     bool contains(double shaft_angle) const;
-    /// What lies between them, ascending within 0…2π: all of it where nothing can be built.
+    /// The gaps between them, ascending within 0…2π: the whole circle where nothing fits.
     std::vector<AngleStretch> gaps() const;
 };
 
@@ -46,8 +46,8 @@ struct BuildableAngles {
 /// turn, rad.
 double nearest_angle(const std::vector<AngleStretch>& stretches, double angle);
 
-/// The ends are found to rounding, on the side that can be built. A stretch or gap of less than
-/// 0.02° may be missed.
+/// The ends are exact but for rounding, on the feasible side. A stretch or gap of less than 0.02°
+/// may be missed.
 BuildableAngles buildable_angles(const FrontView& view, const PlaceLimits& limits = {});
 
 }  // namespace ravnoves::balance_shaft

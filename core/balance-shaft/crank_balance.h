@@ -7,14 +7,14 @@
 namespace ravnoves::balance_shaft {
 
 /// First-order force on the engine without a shaft when a share κ of m_j r is balanced on the crank
-/// alone, and what stays with the shaft.
+/// alone, and its residual with the shaft.
 ///
 /// The counterweight κ m_j r opposite the crankpin adds −κ P (sin φ, cos φ) to the inertia force
 /// P cos φ along the cylinder, P = m_j r ω²: the force (−κ P sin φ, (1 − κ) P cos φ) runs on an
 /// ellipse, a line at κ = 0 and 1, a circle at κ = ½. The shaft with two equal counterweights by
-/// equation (1) makes it a point. The second order P λ cos 2φ along the cylinder stays either way.
-/// In an offset engine the first order is P′ cos(θ − δ) with P′ a little above P
-/// (PistonFirstOrder), and all counterweights lag by δ; what equation (1) leaves of it stays.
+/// equation (1) makes it a point. The second order P λ cos 2φ along the cylinder remains either
+/// way. In an offset engine the first order is P′ cos(θ − δ) with P′ a little above P
+/// (PistonFirstOrder), and all counterweights lag by δ; the residual of equation (1) remains.
 /// Source: [gots-klevtsov], the introduction of the method; text-book result.
 struct CrankBalance {
     double share = 0.0;                 ///< κ

@@ -14,7 +14,7 @@ namespace ravnoves::balance_shaft {
 /// What rows of one cycle must be, from a case or from a file.
 inline constexpr double largest_angle_deg = 1e5;
 
-/// What is beside the angles.
+/// A column beside the angles.
 struct Column {
     Text name;
     Range range;           ///< in SI

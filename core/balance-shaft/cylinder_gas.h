@@ -26,8 +26,8 @@ struct PressureTrace {
 /// release, polytropic expansion. 360° is the firing top dead centre.
 ///
 /// Four-stroke: 0° begins the intake. Two-stroke: the ports open and close at the same place of the
-/// piston; from their opening to bottom dead centre the pressure falls to that of the exhaust, by a
-/// parabola that meets it level, and from there to their closing it is that of the intake.
+/// piston; from their opening to bottom dead centre the pressure falls to the exhaust's, by a
+/// parabola that meets it level, and is the intake's until they close.
 struct GasCycle {
     double compression_ratio = 18.0;       ///< ε
     double intake_pressure = 1e5;          ///< Pa, absolute
@@ -62,8 +62,8 @@ struct IndicatedCycle {
 /// the piston's area; positive in the direction of rotation.
 ///
 /// In a GasCycle, from the start of combustion, p Vⁿ = p_s V_sⁿ + (n − 1) Q ∫ Vⁿ⁻¹ dx, the solution
-/// of dp = ((n − 1) dQ − n p dV)/V with Q dx the heat released by Vibe's law
-/// x = (1 − exp(−a τ^(m+1)))/(1 − exp(−a)), a = ln 1000 (99.9 % burnt at the end, here all of it).
+/// of dp = ((n − 1) dQ − n p dV)/V with Q dx the heat of Vibe's law x = (1 − exp(−a
+/// τ^(m+1)))/(1 − exp(−a)), a = ln 1000 (99.9 % burnt at the end, here 100 %).
 class CylinderGas {
   public:
     /// @param bore                m

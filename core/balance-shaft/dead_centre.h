@@ -30,22 +30,22 @@ struct DeadCentre {
 ///
 /// with the loss of heat to the walls Q ~ ∫ p^0.8 T^−0.53 (1 − T_w/T) dθ, which makes the peak of a
 /// motored engine come before its dead centre (the thermodynamic loss angle, some tenths of a
-/// degree). θ₀ and V_c are sought, the others follow as a linear fit; all have the spread that
-/// engines have as a prior: n 1.34 ± 0.04, b 0.01 ± 0.02, loss angle 0.3° ± 0.4°, zero of the
-/// pressure 0 ± 0.05 bar, ln of the compression ratio ln 13 ± 0.35. The line begins where the
-/// valves are shut and is taken as far as the model explains it: to the start of combustion, or of
-/// a motored engine beyond the dead centre.
+/// degree). θ₀ and V_c are sought, the others follow as a linear fit; all have the spread of
+/// engines as a prior: n 1.34 ± 0.04, b 0.01 ± 0.02, loss angle 0.3° ± 0.4°, zero of the pressure
+/// 0 ± 0.05 bar, ln of the compression ratio ln 13 ± 0.35. The line begins where the valves are
+/// shut and ends where the model no longer fits: at the start of combustion, or in a motored engine
+/// beyond the dead centre.
 ///
 /// Source of the heat transfer's form: Woschni's correlation; of the criterion: a compression
 /// without combustion is the same polytrope all along, only at the right phase.
 /// @param trace  of one cycle, absolute pressures
 /// @param compression_ratio  where it is known
-/// @return nothing where there is no compression, or too few rows of it
+/// @return empty without a compression, or with too few rows
 std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
                                            const PressureTrace& trace,
                                            std::optional<double> compression_ratio = std::nullopt);
 
-/// The same of the trace that gives the torque; nothing where there is none.
+/// The same for the trace of the torque; empty without one.
 std::optional<DeadCentre> find_dead_centre(const Input& input);
 
 /// That the trace's shift puts its dead centre elsewhere than it was found; empty where it does

@@ -18,13 +18,13 @@ SliderCrank<double> slider_crank(const Input& input);
 /// @throws InputError where the cycle cannot be
 std::optional<CylinderGas> cylinder_gas(const Input& input);
 
-/// Gives a computed torque what it needs and the input lacks: the rod's length and the bore that
-/// hold so far by default.
+/// Fills in what a computed torque needs and the input lacks: the default length of the rod and
+/// bore.
 void fill_cylinder(Input& input);
 
-/// Takes the torque from another source. What a computed one needs is filled in; a cycle without a
-/// load gets that of the torque that was there.
-/// @param mean_torque  of that, N·m, driving where positive
+/// Takes the torque from another source. Missing inputs of a computed torque are filled in; a cycle
+/// without a load gets the load of the previous torque.
+/// @param mean_torque  of the previous torque, N·m, driving where positive
 void take_torque_kind(Input& input, TorqueSource::Kind kind, double mean_torque);
 
 /// Engine torque over the crank angle in degrees, in the part that follows the speed and the part

@@ -44,19 +44,18 @@ struct FrontView {
     double cylinder_half_width() const { return cylinder_bore / 2.0 + cylinder_wall; }
 };
 
-/// The sizes of an input, what it leaves out by default. The counterweights' circle follows from
-/// what they have to do: a half disc of steel (7850 kg/m³) of radius R and as long as the bore b
-/// has the unbalance (2/3) ρ b R³, so m₁ ρ₁ needs R = (3 m₁ ρ₁ / (2 ρ b))^⅓. A relieved shaft that
-/// the input gives sweeps the circle of its bar instead. The crank's circle holds the crankpin with
-/// half the rod's width also.
+/// The sizes of an input, defaults where it gives none. The counterweights' circle follows from
+/// their unbalance: a half disc of steel (7850 kg/m³) of radius R and as long as the bore b has the
+/// unbalance (2/3) ρ b R³, so m₁ ρ₁ needs R = (3 m₁ ρ₁ / (2 ρ b))^⅓. A relieved shaft of the input
+/// sweeps the circle of its bar instead. The crank's circle also contains the crankpin with half
+/// the rod's width.
 FrontView front_view(const Input& input);
 
-/// The sizes of the relieved shaft as the input gives them, else those of a bar of the swing radius
-/// of front_view(): as long as the bore, longer where half of it milled away requires that.
+/// The sizes of the relieved shaft from the input, else of a bar of the swing radius of
+/// front_view(): as long as the bore, longer where milling one half away requires it.
 RelievedShaftSizes relieved_shaft_sizes(const Input& input);
 
-/// Says which of the sizes that decide what can be built are defaults, and what they are; empty
-/// where all are given.
+/// Names the decisive sizes that are defaults, with their values; empty where all are given.
 Message assumed_sizes(const Input& input);
 
 /// @param shaft_angle  α, rad, any

@@ -17,7 +17,7 @@ struct EnvelopeStudy {
     std::vector<double> range;   ///< ΔM_ups, N·m
     std::vector<double> rms;     ///< N·m
     std::vector<bool> buildable;
-    /// It can be built, and no other that can has both a smaller area and a smaller range (Pareto).
+    /// Feasible, and no other feasible one has both a smaller area and a smaller range (Pareto).
     std::vector<bool> efficient;
 };
 

@@ -9,18 +9,17 @@ namespace ravnoves::balance_shaft {
 
 struct Input;
 
-/// Whether a torque table belongs to the masses and the speed entered.
+/// Whether a torque table matches the masses and the speed entered.
 ///
-/// Where the cylinder exchanges its gas, M_id is nearly the inertia torque alone,
-/// M_j = −m_j ω² s′ s″ = C g(φ; λ) with C = m_j r² ω² and g the crank's exact kinematics, and a
-/// little gas torque −d s′(φ; λ)/r of a steady pressure. C, d and, where no rod length gives it, λ
-/// are fitted to the table's rows on one stroke, 15°…165° after the top dead centre that begins it
-/// (of the two such strokes in a four-stroke cycle, the one that looks like it more).
+/// Where the cylinder exchanges its gas, M_id is nearly the inertia torque alone, M_j = −m_j ω² s′
+/// s″ = C g(φ; λ) with C = m_j r² ω² and g the crank's exact kinematics, and a little gas torque −d
+/// s′(φ; λ)/r of a steady pressure. C, d and, where no rod length gives it, λ are fitted to the
+/// table's rows on one stroke, 15°…165° after the top dead centre that begins it (of the two such
+/// strokes in a four-stroke cycle, the one with the better fit).
 ///
-/// Where λ held by the rod leaves much, it is fitted all the same: the torque may be another rod's.
-/// A fit that leaves much, or that ends on a bound of λ, has found something else: then nothing is
-/// said, and text is the reason. A torque that was computed from the masses and the speed is not
-/// compared with them.
+/// Where the rod's λ leaves a large residual, λ is fitted all the same: the torque may be another
+/// rod's. A fit with a large residual, or at a bound of λ, gives no verdict, and text is the
+/// reason. A torque computed from the masses and the speed is not compared with them.
 struct InertiaCheck {
     double entered = 0.0;          ///< m_j r² ω² of the input, N·m
     std::optional<double> fitted;  ///< the table's, N·m; empty where no fit is possible
@@ -28,8 +27,8 @@ struct InertiaCheck {
     double gas_exchange = 0.0;     ///< d of the fit, N·m
     double residual_rms = 0.0;     ///< of the rows against the fit, N·m
     bool lambda_fitted = true;     ///< false where the rod length gave it
-    /// Held at the rod's r/L the fit leaves too much, free it does not: the torque is that of a
-    /// crank with fitted_lambda, whatever speed and masses are.
+    /// The fit fails with the rod's r/L and succeeds with a free one: the torque belongs to a crank
+    /// with fitted_lambda, whatever speed and masses are.
     bool is_of_other_rod = false;
     double stroke_begin_deg = 0.0;  ///< 0 or 360: the dead centre that begins the stroke
     /// fitted is within tolerance of entered; empty where no fit is possible.
@@ -41,7 +40,7 @@ struct InertiaCheck {
     Message text;  ///< what this means, or why nothing can be said, in English sentences
 
     static constexpr double tolerance = 0.15;  ///< of fitted against entered
-    /// The largest residual (RMS) of a fit that is believed, as a part of what it found.
+    /// The largest residual (RMS) of an accepted fit, as a share of the fitted torque.
     static constexpr double largest_residual = 0.04;
 };
 
@@ -49,15 +48,15 @@ struct InertiaCheck {
 /// @param input  speed, masses, crank and rod; not its torque
 InertiaCheck check_inertia(const TorqueTable& table, const Input& input);
 
-/// The check of an input: of its table, or why there is none.
+/// The check of an input's table, or the reason for none.
 InertiaCheck check_inertia(const Input& input);
 
 /// First remedy: the same input at the speed that the torque belongs to.
 Input with_matching_speed(const Input& input, const InertiaCheck& check);
 
-/// Second remedy: the same input with the torque rebuilt, the fitted inertia torque taken out and
-/// that of the masses and the speed entered put in (with r/L of the input where its rod is known,
-/// else of the fit). The torque becomes a table.
+/// Second remedy: the same input with the torque rebuilt, the fitted inertia torque replaced by the
+/// inertia torque of the masses and the speed entered (with r/L of the input where its rod is
+/// known, else of the fit). The torque becomes a table.
 Input with_rebuilt_torque(const Input& input, const InertiaCheck& check);
 
 }  // namespace ravnoves::balance_shaft

@@ -22,12 +22,12 @@ class FieldVisitor;
 ///
 /// Front view; crank axis at the origin, cylinder axis = +y, crank angle φ from top dead centre,
 /// positive in the direction of rotation, which is clockwise in the view. The balance shaft's axis
-/// lies at the distance l from the crank axis on a line at the angle α from the cylinder axis,
-/// measured in the direction of rotation (α = 90°: beside the crank, to the right). It is geared
-/// 1:1 and turns the opposite way. Two equal counterweights m₁ at the radius ρ₁, one on the crank,
-/// one on the shaft, both point down at top dead centre. Moments are positive in the direction of
-/// rotation. Of a cylinder that is offset by e to the right, φ counts from the true top dead
-/// centre, α from the cylinder's direction, and the counterweights lag (PistonFirstOrder).
+/// is at the distance l from the crank axis, at the angle α from the cylinder axis, measured in the
+/// direction of rotation (α = 90°: beside the crank, to the right). It is geared 1:1 and turns the
+/// opposite way. Two equal counterweights m₁ at the radius ρ₁, one on the crank, one on the shaft,
+/// both point down at top dead centre. Moments are positive in the direction of rotation. Of a
+/// cylinder that is offset by e to the right, φ counts from the true top dead centre, α from the
+/// cylinder's direction, and the counterweights lag (PistonFirstOrder).
 namespace ravnoves::balance_shaft {
 
 /// One of the masses that move with the piston (the paper's Table 1).
@@ -43,20 +43,20 @@ enum class Interpolation {
     periodic_cubic,  ///< the periodic cubic spline
 };
 
-/// What is known of the flywheel: exactly one of the two.
+/// The flywheel's target: exactly one of the two.
 struct FlywheelTarget {
     std::optional<double> inertia;      ///< J of all that turns evenly, kg·m²
     std::optional<double> fluctuation;  ///< δ wanted, (ω_max − ω_min) / ω
     bool operator==(const FlywheelTarget&) const = default;
 };
 
-/// SHA-256 of a file that a case names: of what was in it when the case was made, and of what is in
-/// it now. Both are empty where no file was read.
+/// SHA-256 of a file that a case names: when the case was made, and now. Both are empty where no
+/// file was read.
 struct FileSum {
     std::string then;  ///< as the case has it
     std::string now;
 
-    /// What is in the file is not what the case was made with.
+    /// The file has changed since the case was made.
     bool differs() const { return is_other_sum(then, now); }
     bool operator==(const FileSum&) const = default;
 };
@@ -71,13 +71,13 @@ struct TorqueSource {
     };
     Kind kind = Kind::table;
     TorqueTable table;  ///< the rows, for table and csv
-    std::string csv;    ///< path as the case file has it, of the file that holds the table
+    std::string csv;    ///< path of the table's file, as in the case file
     FileSum csv_sum;
-    TableReading csv_reading;  ///< of it, as far as the case says
+    TableReading csv_reading;  ///< as far as the case gives it
     PressureTrace trace;       ///< for pressure
-    std::string trace_csv;     ///< path of the file that holds it
+    std::string trace_csv;     ///< path of its file
     FileSum trace_sum;
-    TableReading trace_reading;       ///< of it
+    TableReading trace_reading;       ///< as far as the case gives it
     double trace_shift = 0.0;         ///< added to its crank angles, rad
     GasCycle cycle;                   ///< for cycle
     double crankcase_pressure = 1e5;  ///< p₀, Pa, absolute; for pressure and cycle
@@ -102,8 +102,8 @@ struct CylinderSizes {
     bool operator==(const CylinderSizes&) const = default;
 };
 
-/// Sizes for the front view and for what can be built; what is empty has a default made from the
-/// other inputs (FrontView).
+/// Sizes for the front view and the clearances; an empty one has a default made from the other
+/// inputs (FrontView).
 struct EnvelopeSizes {
     std::optional<double> cylinder_top;        ///< m above the crank axis; default: the pin at top
                                                ///< dead centre + bore/2
@@ -117,14 +117,13 @@ struct EnvelopeSizes {
     std::optional<double> shaft_swing_radius;  ///< m, circle swept by the shaft; default: a half
                                                ///< disc of steel with m₁ ρ₁, as long as the bore
     std::optional<double> gear_tip_radius;  ///< m; default l/2, the pitch circles in contact
-    double clearance = 2e-3;                ///< m, smallest gap between the shaft and what it
-                                            ///< must not meet
+    double clearance = 2e-3;                ///< m, smallest gap between the shaft and its obstacles
     double wall = 0.0;                      ///< m, clearance and wall around every circle
     bool operator==(const EnvelopeSizes&) const = default;
 };
 
-/// Limits on the place of the shaft's axis, for example by a wall of the crankcase; what is empty
-/// does not limit.
+/// Limits on the place of the shaft's axis, for example by a wall of the crankcase; empty means no
+/// limit.
 struct PlaceLimits {
     std::optional<double> centre_distance_min;  ///< m
     std::optional<double> centre_distance_max;  ///< m

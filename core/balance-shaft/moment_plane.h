@@ -25,7 +25,7 @@ class MomentPlane {
 
     explicit MomentPlane(const PeriodicPiecewise& moment);
 
-    /// A place φ of the cycle and what is there.
+    /// A place φ of the cycle and its values.
     struct Place {
         double value = 0.0;   ///< M(φ) + a cos φ + b sin φ, N·m
         double moment = 0.0;  ///< M(φ), N·m
@@ -42,8 +42,8 @@ class MomentPlane {
     };
     Extrema operator()(const Moment& shaft) const;
     double range(const Moment& shaft) const { return (*this)(shaft).range(); }
-    /// The ranges of moments that are near each other: only knots that can hold an extremum with
-    /// one of them are looked at. Those of a grid in its order, those of a curve along it.
+    /// The ranges of neighbouring moments: only knots that can be an extremum of one of them are
+    /// looked at. Moments of a grid in its order, of a curve along it.
     void ranges(std::span<const Moment> shafts, std::span<double> ranges) const;
 
     double mean() const { return mean_; }  ///< of M, N·m
@@ -60,7 +60,7 @@ class MomentPlane {
     struct Branch {
         PiecewiseCubic cubic;
         double last = 0.0;   ///< value at the right knot
-        double above = 0.0;  ///< most that it lies above its chord
+        double above = 0.0;  ///< largest height above its chord
         double from_deg = 0.0;
     };
     /// What the search for the maximum of ±M needs.
@@ -68,7 +68,7 @@ class MomentPlane {
         double sign;
         std::vector<Branch> branches;  ///< of each interval, one for each turn of the cycle
         Eigen::ArrayXd peak;           ///< the higher branch at each knot, padded to whole blocks
-        Eigen::ArrayXd above;  ///< most that the intervals beside a knot lie above their chords
+        Eigen::ArrayXd above;  ///< largest height of the neighbouring intervals above their chords
         Eigen::ArrayXd block_above;
     };
     /// A moment as a side sees it.

@@ -31,17 +31,16 @@ struct Moments {
     PistonFirstOrder piston_1;
     double phase;  ///< M_s = P₁ l sin(α + φ + phase), rad
     Forces forces;
-    std::optional<CylinderGas> gas;   ///< where the torque is computed
-    PeriodicPiecewise torque;         ///< M_id over φ in degrees, given or computed
-    PeriodicPiecewise moment;         ///< M_up over φ in degrees
-    MomentPlane plane;           ///< of M_up
+    std::optional<CylinderGas> gas;  ///< where the torque is computed
+    PeriodicPiecewise torque;        ///< M_id over φ in degrees, given or computed
+    PeriodicPiecewise moment;        ///< M_up over φ in degrees
+    MomentPlane plane;               ///< of M_up
 
     /// @param checked  as check_input() leaves it
     explicit Moments(const Input& checked);
 
-    /// Follows an input whose torque, interpolation, strokes and offset are those of the one
-    /// before.
-    /// @return false where M_up rests on more than these: nothing is done then
+    /// Follows an input whose torque, interpolation, strokes and offset are unchanged.
+    /// @return false, with nothing done, where M_up depends on more than these
     bool follow(const Input& checked);
 
     /// M_s at an angle.

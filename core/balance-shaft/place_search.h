@@ -32,20 +32,20 @@ struct PlaceQuestion {
     double at_crank = 0.0;   ///< growth × l − at_crank
     double tolerance = 0.0;  ///< wanted of the gap
     std::vector<PlaceLimit> limits;
-    std::optional<Eigen::Vector2d> start;  ///< a place that can be built, where known
+    std::optional<Eigen::Vector2d> start;  ///< a feasible place, where known
 };
 
-/// A place with the smallest value among those that can be built.
+/// The feasible place with the smallest value.
 struct PlaceFound {
     Eigen::Vector2d place;
     double value = 0.0;
     double gap = 0.0;  ///< none is better by more than this
 };
 
-/// By branch and bound over polygons of the front view: what can be built in one lies between
-/// lines (ShaftPlaces::find_cuts), and so does the criterion over its tangent plane, both to the
-/// second order in the polygon's size. So what these lines and the best value leave of a polygon
-/// shrinks quadratically about the best place. Empty where nothing can be built.
+/// By branch and bound over polygons of the front view: lines bound the feasible part of a polygon
+/// (ShaftPlaces::find_cuts) and its tangent plane the criterion, both to the second order in the
+/// polygon's size. So the rest of a polygon after these lines and the best value shrinks
+/// quadratically about the best place. Empty where nothing fits.
 std::optional<PlaceFound> search_places(const ShaftPlaces& places, const PlaceQuestion& question);
 
 /// The smallest value of a convex criterion over the whole plane, by cutting planes: the smallest

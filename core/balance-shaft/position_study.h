@@ -35,14 +35,14 @@ struct BestPosition {
     double gap = 0.0;  ///< N·m: no place is better by more than this
 };
 
-/// The same among the places that can be built; empty with the reason where none can.
+/// The same among the feasible places; empty with the reason where none is.
 struct BestPositions {
     std::optional<BestPosition> range;
     std::optional<BestPosition> rms;
     Message reason;
 };
 
-/// A place that no other that can be built beats in range, RMS and size at once.
+/// A feasible place that no other beats in range, RMS and size at once.
 struct FrontPosition {
     ShaftPosition position;
     PositionCriteria criteria;
@@ -74,23 +74,23 @@ class PositionStudy {
     explicit PositionStudy(const Solver& solver);
 
     PositionCriteria at(const ShaftPosition& position) const;
-    /// Where range and RMS are those of the engine without a shaft (the axes meet): at the crank.
+    /// The place where range and RMS are the engine's without a shaft (the axes meet): at the
+    /// crank.
     double range_without() const;  ///< N·m
     double rms_without() const;    ///< N·m
 
     BestPositions best() const;            ///< over all places
-    BestPositions best_buildable() const;  ///< over those that can be built
-    /// The smallest range_weight × range + (1 − range_weight) × RMS over all places, and among
-    /// those that can be built: empty where none can, or where best() has a reason. The gap is that
-    /// of the sum.
+    BestPositions best_buildable() const;  ///< over the feasible ones
+    /// The smallest range_weight × range + (1 − range_weight) × RMS over all places, and over the
+    /// feasible ones: empty where none is, or where best() has a reason. The gap is the sum's.
     /// @param range_weight  0…1
     std::optional<BestPosition> best_sum(double range_weight) const;
     std::optional<BestPosition> best_sum_buildable(double range_weight) const;
-    /// Of the places that can be built and have no more than (1 + more) times that least sum, one
-    /// of the smallest size, to a thousandth of it: where many are as small, the one with the
-    /// smallest sum of the opposite weight (RMS beside range). The gap is that of the size, m².
+    /// Of the feasible places with at most (1 + more) times that minimum sum, one of the smallest
+    /// size, to a thousandth; of several the one with the smallest sum of the opposite weight (RMS
+    /// beside range). The gap is the size's, m².
     std::optional<BestPosition> smallest_buildable(double range_weight, double more = 0.01) const;
-    /// The same over α at a centre distance, m: of all α, and of those that can be built.
+    /// The same over α at a centre distance, m: over all α, and over the feasible ones.
     BestPosition best_at(double centre_distance, double range_weight) const;
     std::optional<BestPosition> best_buildable_at(double centre_distance,
                                                   double range_weight) const;
@@ -98,9 +98,9 @@ class PositionStudy {
     Obstacle obstacle(const ShaftPosition& position) const;
     Message obstacle_reason(const ShaftPosition& position) const;  ///< a sentence; empty: none
 
-    /// Pareto front of range, RMS and size among the places that can be built, ascending size: for
-    /// some sizes and some weights of range against RMS (as parts of those without a shaft) the
-    /// place with the smallest weighted sum, to front_gap of it. Others lie between these.
+    /// Pareto front of range, RMS and size among the feasible places, ascending size: for some
+    /// sizes and some weights of range against RMS (as parts of their values without a shaft) the
+    /// place with the smallest weighted sum, to front_gap. Others are between these.
     static constexpr double front_gap = 1e-6;
     std::vector<FrontPosition> front() const { return front(best_buildable()); }
     std::vector<FrontPosition> front(const BestPositions& best_buildable) const;

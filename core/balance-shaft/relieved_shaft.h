@@ -60,8 +60,8 @@ RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double requ
 /// @throws InputError
 void check_relieved_shaft(const RelievedShaftSizes& sizes);
 
-/// Section and side view as a DXF text, real size, mm: outline on the layer SHAFT, what is milled
-/// away on REMOVED, axes on AXIS, sizes on NOTE.
+/// Section and side view as a DXF text, real size, mm: outline on the layer SHAFT, the milled-away
+/// part on REMOVED, axes on AXIS, sizes on NOTE.
 /// @throws InputError where the shaft is not feasible
 std::string relieved_shaft_dxf(const RelievedShaft& shaft, const std::string& title);
 

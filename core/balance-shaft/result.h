@@ -90,7 +90,7 @@ struct Result {
     Optimum best_range;  ///< of all angles
     Optimum best_rms;
     BuildableAngles buildable;
-    Optimum best_range_buildable;  ///< of the angles that can be built
+    Optimum best_range_buildable;  ///< of the feasible angles
     Optimum best_rms_buildable;
     /// Crank angle φ at top dead centre is 0; there the crank is at this angle from the
     /// cylinder's direction, rad: 0 where the cylinder is not offset.
@@ -118,7 +118,7 @@ struct Result {
     std::optional<double> rms_change;
     MomentCurves curves;  ///< crank_angle_deg and M_up do not follow
     Envelope envelope;
-    Obstacle obstacle = Obstacle::none;  ///< what the shaft meets, where it cannot be built
+    Obstacle obstacle = Obstacle::none;  ///< obstacle of an infeasible shaft
     bool is_buildable = false;
     std::vector<OrderLine> spectrum_M_ups;  ///< differs from M_up's in order 1 alone
 };

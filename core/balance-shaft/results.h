@@ -47,8 +47,8 @@ class RepeatedResults {
 inline constexpr std::string_view move_trace_act = "move-trace";
 inline constexpr std::string_view best_range_act = "best-range";
 
-/// Whether the shaft fits, and what it does to the moment on the mounts; or a slip of the input
-/// that puts this in doubt.
+/// Whether the shaft fits, and its effect on the moment on the mounts; or a slip of the input that
+/// makes this doubtful.
 Verdict verdict(const Result& result);
 
 }  // namespace ravnoves::balance_shaft

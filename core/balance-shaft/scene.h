@@ -14,8 +14,7 @@ namespace ravnoves::balance_shaft {
 Input read_input(const Json& input, const CaseContext& context);
 /// The "input" object that reads back to the same Input.
 Json write_input(const Input& input);
-/// The sources of torque that the input holds but does not use, as "kept" of its case; null where
-/// there are none.
+/// The unused sources of torque in the input, as "kept" of its case; null without any.
 Json write_kept(const Input& input);
 /// Takes them over into an input that was read. A file that cannot be read stays named.
 /// @throws InputError that names the JSON pointer

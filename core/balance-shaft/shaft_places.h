@@ -72,23 +72,23 @@ class ShaftPlaces {
 
     BoxSize box(const Eigen::Vector2d& at) const;
 
-    /// What lines leave of a rectangle for places that can be built. Obstacles are round outwards
-    /// or corners of round ones: seen from the rectangle's middle the nearest place q of each asks
-    /// for |v − q| ≥ D, and |v − q| is below its tangent plane by at most r²/(2 |middle − q|).
+    /// The feasible part of a rectangle, bounded by lines. Obstacles are round outwards or corners
+    /// of round ones: seen from the rectangle's middle the nearest place q of each requires
+    /// |v − q| ≥ D, and |v − q| is below its tangent plane by at most r²/(2 |middle − q|).
     struct Cuts {
-        bool is_empty = false;             ///< nothing can be built in the rectangle
-        std::vector<HalfPlane> outer;      ///< all that can be built in it is in these
-        std::vector<HalfPlane> inner;      ///< places in these can mostly be built
+        bool is_empty = false;             ///< nothing fits in the rectangle
+        std::vector<HalfPlane> outer;      ///< all feasible places are in these
+        std::vector<HalfPlane> inner;      ///< places in these are mostly feasible
         std::optional<RodSweep::Rod> rod;  ///< the nearest to its middle, where that counts
     };
     void find_cuts(const PlaceRectangle& rectangle, Cuts& cuts) const;
-    /// Whether nothing can be built in a part of the rectangle since it lies within what a single
-    /// obstacle blocks: crank, cylinder and each rod block what is convex.
+    /// Whether a single obstacle blocks a part of the rectangle: crank, cylinder and each rod block
+    /// convex areas.
     bool is_blocked(const PlacePolygon& part, const Cuts& cuts) const;
-    /// Moves a place that nearly can be built to one that can, where it finds one.
+    /// Moves a nearly feasible place to a feasible one, where it finds one.
     bool mend(Eigen::Vector2d& place) const;
-    /// A rectangle that holds all that can be built within a distance of the crank's axis: left,
-    /// bottom, right, top, m; empty where left > right.
+    /// A rectangle around all feasible places within a distance of the crank's axis: left, bottom,
+    /// right, top, m; empty where left > right.
     std::array<double, 4> region(double distance) const;
     /// The largest centre distance that gears and limits allow; infinite where they do not.
     double farthest() const;

@@ -35,7 +35,7 @@ class SpeedStudy {
         double best_range = 0.0;        ///< N·m
         double best_rms_angle = 0.0;    ///< rad
         double best_rms = 0.0;          ///< N·m
-        // Of the angles that can be built; empty where none can.
+        // Of the feasible angles; empty where none is.
         std::optional<double> buildable_range_angle;  ///< rad
         std::optional<double> buildable_rms_angle;    ///< rad
     };

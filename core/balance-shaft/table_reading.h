@@ -15,10 +15,10 @@
 
 namespace ravnoves::balance_shaft {
 
-/// What a file of measured values holds beside the crank angle.
+/// Measured values of a file beside the crank angle.
 enum class Measured { torque, pressure };
 
-/// How a file of measured values is read. What is empty follows from the words and the numbers of
+/// How a file of measured values is read. Empty members follow from the words and the numbers of
 /// the file. A case keeps columns, unit and gauge.
 struct TableReading {
     TableLayout layout;
@@ -26,9 +26,9 @@ struct TableReading {
     /// 0: the file has none, its rows are equal steps over one cycle.
     std::array<std::string, 2> columns;
     std::optional<Unit> unit;        ///< one of units_of()
-    std::optional<bool> gauge;       ///< a pressure over that of the atmosphere, 1.01325 bar
+    std::optional<bool> gauge;       ///< a pressure above the atmosphere, 1.01325 bar
     std::optional<bool> in_radians;  ///< the angles
-    std::optional<int> strokes;      ///< of the cycle, where the file holds more than one
+    std::optional<int> strokes;      ///< of the cycle, where the file has more than one
 
     bool operator==(const TableReading&) const = default;
 };
@@ -95,18 +95,18 @@ Message assumed_unit_note(const Unit& unit);
 
 /// What a look at a file proposes, for a person to change.
 struct ReadingProposal {
-    TableReading reading;  ///< all of it decided but the decimal sign, which the numbers show
+    TableReading reading;  ///< complete but for the decimal sign, which the numbers show
     std::vector<std::string> headings;  ///< of the columns; empty where there are none
     std::size_t columns = 0;
-    std::vector<std::vector<std::string>> rows;  ///< the first ones, as they are there
-    std::vector<Message> doubts;  ///< what is not certain, with its reason: "gauge pressure?"
+    std::vector<std::vector<std::string>> rows;  ///< the first ones, unchanged
+    std::vector<Message> doubts;                 ///< doubts with their reason: "gauge pressure?"
 };
 
 /// Looks at the lines of a file: separator, decimal sign, header lines, which column is the angle
 /// and which the pressure (or torque), unit, gauge or absolute, strokes.
-/// @param decided  what a person has decided already; all else is proposed again
+/// @param decided  the user's decisions; all else is proposed again
 /// @param rows     how many of them to show
-/// @throws InputError where the text holds no rows of at least two numbers
+/// @throws InputError where the text has no rows of at least two numbers
 ReadingProposal propose_reading(std::string_view text, Measured what,
                                 const TableReading& decided = {}, std::size_t rows = 12);
 

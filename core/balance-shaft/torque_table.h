@@ -36,7 +36,7 @@ void check_pressure_trace(const PressureTrace& trace, const std::string& where);
 /// Checks that a table is one cycle: at least 3 rows, finite, angles ascending, span of 720° or
 /// 360°, last torque equal to the first (to 1e-9 of the largest), at most largest_torque_table
 /// rows.
-/// @param where  JSON pointer of the object that holds crank_angle_deg and torque_Nm
+/// @param where  JSON pointer of the object with crank_angle_deg and torque_Nm
 /// @throws InputError
 void check_torque_table(const TorqueTable& table, const std::string& where);
 

@@ -14,7 +14,7 @@ struct CompressionFit {
     /// n with p_zero = 0 and V_c fitted (compression ratio 4…30): 1.25 to 1.42 for a sane trace.
     double exponent = 0.0;
     double residual = 0.0;  ///< RMS of ln p
-    /// p_zero with n = 1.35 held: what the trace lacks to be absolute, Pa.
+    /// p_zero with n = 1.35 fixed: the difference of the trace from absolute pressure, Pa.
     double missing_pressure = 0.0;
 };
 
@@ -30,7 +30,7 @@ std::optional<CompressionFit> fit_compression(const CylinderGas& gas);
 ///
 /// A trace out of phase by 5° changes the exponent by about 0.15, gauge pressure makes it 1.7 to 3.
 Message check_trace(const Input& input, const CylinderGas& gas);
-/// Whether its peak lies beside the top dead centre of the gas exchange.
+/// Whether its peak is beside the top dead centre of the gas exchange.
 bool peaks_a_turn_off(const Input& input, const CylinderGas& gas);
 
 }  // namespace ravnoves::balance_shaft

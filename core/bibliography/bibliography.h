@@ -7,27 +7,28 @@
 
 namespace ravnoves {
 
-/// A source that the program rests on. Comments cite it by its key in brackets: [nazarov]. What is
-/// not known of it (journal, year) stays empty.
+/// A source of the program. Comments cite it by its key in brackets: [nazarov]. Unknown parts
+/// (journal, year) are empty.
 struct Source {
     std::string_view key;    ///< "gots-klevtsov"
     Text cited_as;           ///< "Gots, Klevtsov"
     Text authors;            ///< "A. N. Gots, V. S. Klevtsov"; of a standard who issues it
     Text title;              ///< in English
     Text journal;            ///< with its number; a book's publisher; the standard's number
-    int year = 0;            ///< without a journal that of the newest source it cites
+    int year = 0;            ///< without a journal the year of the newest source it cites
     std::string_view pages;  ///< "14–22"
     const char* doi = "";
 };
 
-/// Every source: the papers in the order of the scenes, those of methods, then the standards.
+/// Every source: the papers in the order of the scenes, then the papers of methods, then the
+/// standards.
 std::span<const Source> bibliography();
 
 /// The source of that key, which must be there.
 const Source& source(std::string_view key);
 
-/// All of it in one line: `A. Author, "Title", Journal, no. 5, 2021, pp. 14–22, DOI 10.1/2`.
-/// Without a journal: `A. Author, "Title", 2021 or later`.
+/// A source in one line: `A. Author, "Title", Journal, no. 5, 2021, pp. 14–22, DOI 10.1/2`. Without
+/// a journal: `A. Author, "Title", 2021 or later`.
 Message citation(const Source& source);
 
 }  // namespace ravnoves

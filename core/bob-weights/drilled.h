@@ -7,17 +7,17 @@
 #include "bob-weights/input.h"
 #include "bob-weights/result.h"
 
-/// The record of what was drilled, as the case keeps it.
+/// The record of drilled holes, as the case keeps it.
 namespace ravnoves::bob_weights {
 
-/// What the case says is drilled and pressed in after a run.
+/// Metal drilled and pressed in after a run, by the case.
 /// @param run     its place among the earlier runs
-/// @param before  what was drilled there and pressed in after those before it
+/// @param before  metal drilled there and pressed in after the runs before it
 std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Correction& correction,
                               std::size_t run, const std::array<Metal, 2>& before);
 
-/// What is to be drilled by the run that is corrected, for the record of it: nothing where its
-/// readings do not hold.
+/// The holes planned by the present run, for its record: none where its readings are no longer
+/// valid.
 /// @return empty while there is no plan
 std::optional<std::vector<DrilledHole>> planned_holes(const Result& result);
 

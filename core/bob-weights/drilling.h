@@ -12,7 +12,7 @@ namespace ravnoves::bob_weights {
 /// A hole drilled radially from a rim, or a slug in such a hole. SI.
 struct Hole {
     double diameter;
-    double depth;  ///< of the full diameter; the cone of the point lies beyond
+    double depth;  ///< of the full diameter, without the cone of the point
     double angle;
     double mass;               ///< taken off, kg; of a slug: added, less what its hole took off
     double unbalance;          ///< of that mass about the crank axis, kg·m
@@ -36,9 +36,9 @@ struct Hole {
     friend bool operator==(const Hole&, const Hole&) = default;
 };
 
-/// What a drill takes off: ρ ∫ A(x) dx and ρ ∫ A(x) (R − x) dx over full diameter and cone.
-/// Of a slug what it adds: as much of its density over the full diameter, less what the drill took
-/// off, for the cone beneath it stays empty.
+/// The metal that a drill removes: ρ ∫ A(x) dx and ρ ∫ A(x) (R − x) dx over full diameter and cone.
+/// For a slug the metal that it adds: its density over the full diameter, less the drilled metal,
+/// for the cone beneath it remains empty.
 struct Removed {
     double mass;        ///< kg
     double unbalance;   ///< kg·m
@@ -48,10 +48,10 @@ struct Removed {
 /// One tool and where it works.
 struct Cut {
     double radius;                         ///< R of the rim, m
-    double density;                        ///< of what is taken off, kg/m³
+    double density;                        ///< of the drilled metal, kg/m³
     double point_angle;                    ///< rad; π is flat
-    std::optional<double> slug_density{};  ///< of what is pressed in, kg/m³
-    /// Metal between a slug parallel to the axis and the rim, m; nothing for what is radial.
+    std::optional<double> slug_density{};  ///< of the slug, kg/m³
+    /// Metal between a slug parallel to the axis and the rim, m; empty for a radial one.
     std::optional<double> axial_wall{};
 
     /// Length of the cone, m.
@@ -64,11 +64,11 @@ struct Cut {
 /// A piece of the rim that has been drilled before.
 struct Taken {
     double angle;  ///< its middle, rad
-    /// To either side of it, half the wall included, rad; nothing where it leaves no room at all.
+    /// To either side, half the wall included, rad; empty where there is no room at all.
     std::optional<double> half_width;
 };
 
-/// How holes may lie.
+/// Where holes may be.
 struct HoleLimits {
     double maximum_depth;  ///< m
     double depth_step;     ///< m; 0: depths are not rounded
@@ -80,11 +80,11 @@ struct HoleLimits {
     std::vector<Taken> taken{};   ///< of the holes of earlier runs
     double smallest_depth = 0.0;  ///< m
 
-    /// Whether the middle of a hole may lie there.
+    /// Whether the middle of a hole may be there.
     bool allows(double angle) const;
 };
 
-/// Why the holes do not take off what they should.
+/// Why the holes fall short of their target.
 enum class Shortfall {
     none,
     nothing_fits,     ///< the smallest hole takes off too much
@@ -107,16 +107,15 @@ struct HolePlan {
 /// plane is.
 std::optional<double> half_width(const Cut& cut, double diameter, double depth, double wall);
 
-/// By how much a hole in the sector reaches beyond a limit of it with its edge, at its bottom, m; 0
-/// where it lies inside.
+/// How far the edge of a hole in the sector exceeds one of its limits, at its bottom, m; 0 inside.
 double edge_beyond(const Cut& cut, const std::pair<double, double>& sector, const Hole& hole);
 
-/// Equal holes to both sides of `angle` that take off `target` there: as few as can be, and of the
-/// tools the one that takes off the least metal. The holes' unbalances add up along the angle, for
-/// they lie symmetrically about it.
+/// Equal holes to both sides of `angle` that remove `target` there: as few as possible, with the
+/// tool that removes the minimum of metal. The holes' unbalances add up along the angle by
+/// symmetry.
 /// @param target     kg·m
-/// @param tolerance  what may be left, kg·m; negative where it is not known: then the smallest that
-///                   the rounding of the depths allows
+/// @param tolerance  permissible residual, kg·m; negative where unknown: then the smallest that the
+///                   rounding of the depths allows
 HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const double> diameters,
                     const HoleLimits& limits, double tolerance);
 
@@ -138,13 +137,13 @@ enum class NoRoom {
 };
 NoRoom room_at(double angle, const Cut& cut, double diameter, const HoleLimits& limits);
 
-/// Deepens holes that are there, so that as little as can be of the unbalance is left: one where
-/// that is enough, else two, else as many as help. Each keeps its wall to all others.
+/// Deepens present holes to minimise the residual unbalance: one where that is enough, else two,
+/// else as many as help. Each keeps its wall to all others.
 /// @param unbalance  of the plane, kg·m and direction
-/// @param holes      their present depth in `depth`; `limits.taken` holds none of them
-/// @param enough     what may be left, kg·m; what the steps of the depths leave is enough, too,
-///                   but for what exceeds the limit
-/// @param limit      kg·m; infinity where it is not known
+/// @param holes      their present depth in `depth`; `limits.taken` excludes them
+/// @param enough     permissible residual, kg·m; the residual of the steps of the depths is enough,
+///                   too, within the limit
+/// @param limit      kg·m; infinity where unknown
 /// @return the deepened ones, with mass and unbalance of the difference; and whether that is enough
 struct DeepeningPlan {
     std::vector<Hole> holes;

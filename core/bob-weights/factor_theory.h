@@ -7,14 +7,14 @@
 
 namespace ravnoves::bob_weights {
 
-/// The first-order inertia force of the cylinders that one bob weight represents, the
-/// counterweights being what the bob weight balances: a part that turns with the crank and one that
-/// turns against it. Together they run round an ellipse.
+/// The first-order inertia force of the cylinders that one bob weight represents, with
+/// counterweights that the bob weight balances: a part that turns with the crank and one that turns
+/// against it. Together they run round an ellipse.
 ///
 /// A piston whose axis is at β, its crankpin at ψ, pushes along its axis with
 ///     m r ω² cos(ψ − β) e^{iβ} = ½ m r ω² (e^{iψ} + e^{2iβ} e^{−iψ}).
-/// A mass F m on the crankpin that the counterweights hold takes F m r ω² e^{iψ} off the first
-/// part. Of a throw with axes at ±γ/2 and crankpins at φ ∓ δ/2 both add up to
+/// A mass F m on the crankpin, balanced by the counterweights, removes F m r ω² e^{iψ} from the
+/// first part. Of a throw with axes at ±γ/2 and crankpins at φ ∓ δ/2 both add up to
 ///     (1 − 2F) cos(δ/2) e^{iφ} + cos(γ + δ/2) e^{−iφ},
 /// of one cylinder to (½ − F) e^{iφ} + ½ e^{−iφ}.
 struct FirstOrder {

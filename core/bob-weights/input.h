@@ -30,8 +30,8 @@ struct Engine {
     int cylinders = 8;
     std::optional<double> bank_angle;  ///< γ, rad; of a V
     int rods_per_pin = 2;
-    /// δ, rad: by so much the crankpins of a throw are split, positive where the firing interval of
-    /// its two cylinders grows from γ to γ + δ.
+    /// δ, rad: the split of a throw's crankpins, positive where the firing interval of its two
+    /// cylinders grows from γ to γ + δ.
     double pin_split = 0.0;
 
     /// A split crankpin is two, each with a rod and a bob weight of its own.
@@ -40,7 +40,7 @@ struct Engine {
     friend bool operator==(const Engine&, const Engine&) = default;
 };
 
-/// Which part of the reciprocating mass the bob weight holds.
+/// The balance factor: the part of the reciprocating mass in the bob weight.
 struct Factor {
     std::optional<double> reciprocating;  ///< 1 for 100 %; empty: what theory gives
     double overbalance = 0.0;             ///< added to it
@@ -134,9 +134,9 @@ enum class HoleState {
     wrong_side    ///< it is half a turn away
 };
 
-/// How a slug lies in the counterweight.
+/// The direction of a slug in the counterweight.
 enum class SlugDirection {
-    axial,  ///< parallel to the crankshaft, as far below the rim as the wall between holes asks for
+    axial,  ///< parallel to the crankshaft, as far below the rim as the wall between holes
     radial  ///< from the rim, open there
 };
 
@@ -162,11 +162,11 @@ struct DrilledHole {
     friend bool operator==(const DrilledHole&, const DrilledHole&) = default;
 };
 
-/// What was drilled after a run.
+/// The holes drilled after a run.
 struct DrillingRecord {
-    /// What was planned when the next run began; empty: nothing that is known of.
+    /// Planned when the next run began; empty: unknown.
     std::optional<std::vector<DrilledHole>> drilled;
-    /// What it was planned from, where the readings have been corrected since.
+    /// The readings of that plan, where they have been corrected since.
     std::vector<EarlierReading> drilled_by;
     /// The machine's degrees counted the other way then.
     bool counted_otherwise = false;
@@ -272,35 +272,35 @@ void visit_fields(FieldVisitor& visitor, Parts& parts);
 void visit_fields(FieldVisitor& visitor, Plane& plane);
 void visit_fields(FieldVisitor& visitor, Input& input);
 
-/// Gives the weigh-in sheet as many rows as the engine has cylinders: where their number changes
-/// the sheet keeps what was weighed but for the numbers of its sets, and what is written and solved
-/// follows the engine.
+/// Gives the weigh-in sheet as many rows as the engine has cylinders: a change of their number
+/// keeps the weighed masses, not the numbers of the sets. The written and the solved rows follow
+/// the engine.
 void fit_weigh_in(Input& input);
 /// The input with its sheet so fitted.
 Input fitted(Input input);
 
 /// Whether the mean of its column represents a part: all of it is weighed.
 bool is_weighed(const Input& input, const PartField& part);
-/// The mass of a part that counts: the mean of its column where all of it is weighed, else what is
-/// typed.
+/// The mass in use of a part: the mean of its column where all of it is weighed, else the typed
+/// one.
 std::optional<double> mass_of(const Input& input, const PartField& part);
 
-/// What is typed and weighed masses replace; a sentence for each.
+/// A sentence for each typed mass that weighed ones replace.
 std::vector<Message> replaced(const Input& input);
 /// What else is typed or weighed and does not count; a sentence for each.
 std::vector<Message> not_counted(const Input& input);
 
-/// Of the tolerance; nothing where it is none by grade.
+/// Of the tolerance; empty without a grade.
 std::optional<double> service_speed(const Input& input);
 
 /// A reciprocating factor that was typed as a share of 1, as it seems: 0.5 for 50 % is 0.5 %.
 bool is_share_of_one(const Factor& factor);
 
-/// How bearings and centre of mass lie along the crankshaft, beside its planes.
+/// Order of bearings, planes and centre of mass along the crankshaft.
 enum class BearingPlaces {
     plausible,     ///< or not all known
-    reversed,      ///< the rear bearing lies on the side of the front plane
-    centre_beyond  ///< the centre of mass lies beyond planes and bearings
+    reversed,      ///< the rear bearing is on the front plane's side
+    centre_beyond  ///< the centre of mass is beyond planes and bearings
 };
 BearingPlaces places_of_bearings(const Input& input);
 

@@ -5,12 +5,12 @@
 
 namespace ravnoves::bob_weights {
 
-/// The crankshaft of the engine; its angles are those of the weigh-in sheet, else the usual ones:
-/// in line 1, 3 to 6; V with two rods on a bob weight, and boxer, of 1 (not in line), 3, 5 or 6
-/// throws as in line, cross-plane of 4, 180° of 2. Empty for others.
+/// The crankshaft of the engine; its angles are the weigh-in sheet's, else the usual ones: in line
+/// 1, 3 to 6; V with two rods on a bob weight, and boxer, of 1 (not in line), 3, 5 or 6 throws as
+/// in line, cross-plane of 4, 180° of 2. Empty for others.
 shop::Crank crank_of(const Input& input);
 
-/// What is matched; the columns that are weighed whole count.
+/// The parts to be matched, from the columns that are weighed whole.
 /// @param factor  of the reciprocating mass, overbalance included
 shop::MatchingTask matching_task(const Input& input, double factor);
 

@@ -6,7 +6,7 @@
 #include "bob-weights/input.h"
 #include "bob-weights/result.h"
 
-/// What is drilled and pressed in to correct one plane.
+/// Drilling and slugs that correct one plane.
 namespace ravnoves::bob_weights {
 
 /// What the metal of a plane adds to its unbalance.
@@ -16,7 +16,7 @@ std::complex<double> effect_of(const Metal& metal);
 bool are_one_hole(const Hole& a, const Hole& b, double radius);
 
 /// Plans the holes, and slugs where they have no room.
-/// @param before  what was drilled there and pressed in after earlier runs
+/// @param before  metal drilled there and pressed in after earlier runs
 PlaneResult plan_plane(std::complex<double> unbalance, const Plane& plane,
                        const Correction& correction, const std::optional<double>& permissible,
                        const Metal& before);

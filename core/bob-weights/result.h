@@ -14,7 +14,7 @@ namespace ravnoves::bob_weights {
 
 /// One line of the card.
 struct Line {
-    const PartField* part;  ///< nothing where the word alone says what it is
+    const PartField* part;  ///< null where the word alone is enough
     double factor;          ///< how many times the mass counts in the bob weight
     double mass;            ///< kg
     PartKind kind;
@@ -32,7 +32,7 @@ struct KnownWeight {
     double sum;            ///< of the lines, kg
 };
 
-/// What is drilled into a plane and pressed in.
+/// Metal drilled from a plane and pressed into it.
 struct Metal {
     std::vector<Hole> holes;
     std::vector<Hole> slugs;
@@ -40,8 +40,8 @@ struct Metal {
     bool empty() const { return holes.empty() && slugs.empty(); }
 };
 
-/// What was drilled after one run, where the next says that it did something else than it was to:
-/// also that something changed where nothing was drilled.
+/// The metal drilled after one run, where the next run shows another effect: also a change where
+/// nothing was drilled.
 struct OtherEffect {
     double expected;         ///< unbalance that it was to leave, kg·m
     double expected_angle;   ///< rad, 0…2π
@@ -69,10 +69,10 @@ struct RunResult {
     std::optional<double> read_with;
     std::optional<shop::OtherShaft> read_on;
 
-    /// Of an earlier run: what was planned in each plane, taken as drilled as planned.
+    /// Of an earlier run: the plan for each plane, taken as drilled as planned.
     std::array<Metal, 2> drilled;
 
-    /// In each plane, of what was drilled after the run before this one.
+    /// In each plane, for the metal drilled after the previous run.
     std::array<std::optional<OtherEffect>, 2> other_effect;
 
     bool is_read() const { return planes || alone[0] || alone[1]; }
@@ -88,7 +88,7 @@ struct RunResult {
     std::optional<bool> passes() const;
 };
 
-/// What is to be done in one plane.
+/// The correction of one plane.
 struct PlaneResult {
     double unbalance;                      ///< of the readings taken to the plane, kg·m
     double angle;                          ///< rad, 0…2π
@@ -115,7 +115,7 @@ struct Result {
     std::optional<FirstOrder> first_order;
     std::optional<FirstOrder> first_order_bare;  ///< without counterweights
     std::vector<double> crankpins;         ///< each one's own bob weight, of the parts weighed; kg
-    std::optional<shop::Matched> placing;  ///< which set goes to which cylinder
+    std::optional<shop::Matched> placing;  ///< which set belongs to which cylinder
     std::vector<double> placed_crankpins;  ///< then; kg
     std::optional<double> permissible_whole;           ///< U_per of the rotor, kg·m
     std::optional<std::array<double, 2>> permissible;  ///< of each plane, kg·m
@@ -124,7 +124,7 @@ struct Result {
     /// reads in the planes or between them.
     std::optional<double> amplification;
     std::optional<std::array<PlaneResult, 2>> correction;
-    /// The run that is corrected; nothing where there is none.
+    /// The run that is corrected; null without one.
     const RunResult* newest() const { return runs.empty() ? nullptr : &runs.back(); }
     /// False where its readings are of another bob weight or crankshaft.
     bool holds() const { return newest() == nullptr || newest()->holds(); }

@@ -10,11 +10,11 @@
 
 namespace ravnoves::bob_weights {
 
-/// The values of a solved job but for its verdict, in the order of the contract; what is not known,
-/// or withheld, is null.
-/// @param result  solve(input) of an input that holds all that a result needs
+/// The values of a solved job but for its verdict, in the order of the contract; unknown and
+/// withheld ones are null.
+/// @param result  solve(input) of an input with everything that a result needs
 void visit_job(ResultVisitor& visitor, const Input& input, const Result& result);
-/// Of it the bob weight with its lines, or the planes alone.
+/// The bob weight with its lines, or the planes alone.
 void visit_bob_weight(ResultVisitor& visitor, const Input& input, const Result& result);
 void visit_planes(ResultVisitor& visitor, const Input& input, const Result& result);
 

@@ -13,7 +13,7 @@ using OtherWeight = std::optional<const KnownWeight*>;
 /// @param places_parts  false: without the placing of the parts, which takes longest
 Result solve(const Input& given, bool places_parts = true, const OtherWeight& other = {});
 
-/// Whether the machine reads in the planes, as far as it is known where both are.
+/// Whether the machine reads in the planes, as far as the places of both are known.
 bool reads_in_planes(const Correction& correction);
 
 /// What would remain of the newest reading of a plane, were a hole drilled there; nothing while
@@ -31,12 +31,11 @@ std::optional<Remaining> what_if(const Input& input, const Result& result, Plane
 /// Σ c²/n of shop::Weighing, of the lines of the bob weight.
 double rounding_squares(const Input& input, const Result& result);
 
-/// The limits of the two planes.
-///
-/// By grade U_per = m G / ω is shared as the centre of mass lies between the planes, each share
-/// from 0.3 to 0.7. With the end bearings the shares hold at them, and the planes' limits are the
-/// largest in the ratio of their own shares for which no phase of what remains exceeds a bearing's.
-/// @param positions  of the planes, m; nothing where they are not known: halves
+/// The limits of the two planes. By grade U_per = m G / ω is shared by the place of the centre of
+/// mass between the planes, each share from 0.3 to 0.7. With the end bearings the shares apply to
+/// them, and the planes' limits are the largest in the ratio of their own shares for which no phase
+/// of the residual exceeds a bearing's.
+/// @param positions  of the planes, m; empty where unknown: halves
 std::optional<std::array<double, 2>> plane_limits(
     const Tolerance& tolerance, const std::optional<std::array<double, 2>>& positions);
 

@@ -7,7 +7,7 @@ namespace ravnoves {
 /// Where a case came from: files that it names are looked for beside it.
 struct CaseContext {
     std::filesystem::path directory = ".";
-    /// A case of somebody else's reads nothing but what lies in the directory, wherever links lead.
+    /// A stranger's case reads only files in the directory, wherever links lead.
     bool stays_in_directory = false;
 
     bool may_read(const std::filesystem::path& name) const {

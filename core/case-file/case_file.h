@@ -28,9 +28,9 @@ struct CaseFile {
     std::string notes{};  ///< the user's own words
     std::vector<CaseVariant> variants{};
     std::string reference{};  ///< name of the variant that results are seen against; empty: none
-    Json study{};             ///< an object that is kept as it is; null where there is none
-    /// What the input does not use now, under the keys that it would have there: an object that is
-    /// kept as it is; null where there is none.
+    Json study{};             ///< kept unchanged; null without one
+    /// Unused parts of the input, under the keys that they would have there: kept unchanged; null
+    /// without any.
     Json kept{};
     std::vector<Message> changes{};  ///< what reading did to a case of an older version
 };
@@ -39,7 +39,7 @@ struct CaseFile {
 /// @param scenes  the names that a scene may have
 /// @throws InputError
 CaseFile read_case(Json document, const std::vector<std::string>& scenes);
-/// What is empty beside title and input is left out.
+/// Empty members beside title and input are left out.
 Json write_case(const CaseFile& file);
 
 /// Parses JSON text. Syntax errors, NaN and NUL name line and column; a key given twice, a text

@@ -19,14 +19,14 @@ bool may_have_thousands(std::string_view text);
 /// A number as a person would write it: the shortest decimal text that reads back to the same
 /// double, with a decimal point, in any locale.
 std::string format_number(double value);
-/// Rounded to so many significant digits.
+/// Rounded to significant digits.
 std::string format_number(double value, int significant_digits);
-/// With a decimal point and so many decimals; what rounds to nothing has no sign.
+/// With a decimal point and that many decimals; zero has no sign.
 std::string fixed_decimals(double value, int decimals);
 
-/// The value rounded to so many significant digits.
+/// The value rounded to significant digits.
 double rounded_to_digits(double value, int digits);
-/// The value rounded to so many decimals.
+/// The value rounded to decimals.
 double rounded_to_decimals(double value, int decimals);
 /// The largest of …, 0.1, 0.2, 0.5, 1, 2, 5, 10, … that is not above the value, which is positive.
 double round_step(double value);

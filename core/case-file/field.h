@@ -26,7 +26,7 @@ struct Field {
     /// Name in the form, with & before its mnemonic; without it the name of the undo step.
     Text label{};
     std::string_view symbol{};  ///< in formulas, for example "r"
-    Text hint{};                ///< what it means, an example, its source
+    Text hint{};                ///< meaning, example, source
     Text if_empty{};            ///< what an empty field represents, as read after "Empty:"
     Text placeholder{};         ///< what an empty field of the form represents ("auto")
     /// Of a choice, in the order of its enumeration; of a whole number, the two that it can be.
@@ -49,7 +49,7 @@ int whole_number(const Word& word);
 /// SI value, the one with the shortest decimal text, so that 46 mm written and read again stays 46.
 double from_si(const Field& field, double si);
 
-/// An SI value rounded to so many significant digits in the field's unit.
+/// An SI value rounded to significant digits in the field's unit.
 double rounded(double si, const Field& field, int digits);
 
 /// Throws where a value in the field's unit is not in its range, or beyond its size.

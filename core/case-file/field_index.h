@@ -24,12 +24,12 @@ struct FieldEntry {
     FieldValue value{};
     bool required = false;    ///< the case must give it where it gives the object around it
     FieldValue usual{};       ///< its replacement; nothing without one
-    std::string_view word{};  ///< a word that may stand for the number, for example "solve"
+    std::string_view word{};  ///< a word in place of the number, for example "solve"
     /// Keys of which one is to be given, this one among them; empty where there is no such choice.
     std::vector<std::string> alternatives{};
-    /// Where the input keeps a number, as long as it is neither moved nor given another shape; null
-    /// of what is none, or is not there. A number that the fields hand out as a copy has no place
-    /// that holds: compare the places of two inputs.
+    /// The number's place in the input, valid until the input is moved or reshaped; null without a
+    /// number. A number that the fields hand out as a copy has no lasting place: compare the places
+    /// of two inputs.
     double* place = nullptr;
     Unit place_unit = units::none;  ///< of the place: of the field, none of a list's element
 };

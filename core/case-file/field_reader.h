@@ -7,8 +7,7 @@ namespace ravnoves {
 /// What a case may lack.
 enum class Completeness {
     required,  ///< every value that a result needs must be there
-    as_is,     ///< each value that is there is checked; what is missing stays empty, as in a form
-               ///< half filled
+    as_is,     ///< each given value is checked; missing ones are empty, as in a half-filled form
 };
 
 /// Fills an input from the "input" object of a case, each value checked against its range, and

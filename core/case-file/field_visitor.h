@@ -27,13 +27,13 @@ struct CustomValue {
 
 /// A value that is visited.
 struct Leaf {
-    /// Where the input keeps it: numbers in SI units, those of a list in the field's unit, of a
+    /// Its place in the input: numbers in SI units, numbers of a list in the field's unit, for a
     /// choice the place of its word.
     std::variant<double*, std::optional<double>*, int*, bool*, std::string*, std::vector<double>*,
                  std::vector<int>*, CustomValue*>
         at{};
     using Usual = std::variant<std::monostate, double, int, bool>;
-    Usual usual{};            ///< what it is where the case does not give it
+    Usual usual{};            ///< default where the case gives none
     bool required = false;    ///< the case must give it, though a form not finished may lack it
     bool always = false;      ///< written even where it is the usual one
     bool is_choice = false;   ///< one of field.words
@@ -53,16 +53,16 @@ struct ByKind : Calls... {
 template <typename... Calls>
 ByKind(Calls...) -> ByKind<Calls...>;
 
-/// Goes through the fields of a scene's input in the order of its case file.
+/// Visits the fields of a scene's input in the order of its case file.
 ///
 /// A scene lists its fields once, in a function found by argument-dependent lookup
 ///
 ///     void visit_fields(FieldVisitor& visitor, Input& input);
 ///
 /// with one call for each field: `visitor.number(field::crank_radius, input.crank_radius)`. Structs
-/// inside the input have a visit_fields of their own. What is read, written, checked, shown in a
-/// form or varied in a study is a visitor over that list. Numbers are SI values in the struct and
-/// in the field's unit elsewhere.
+/// inside the input have a visit_fields of their own. Reading, writing, checking, forms and studies
+/// are visitors over that list. Numbers are SI values in the struct and in the field's unit
+/// elsewhere.
 class FieldVisitor {
   public:
     /// What a case file does with a value that has a default.
@@ -71,7 +71,7 @@ class FieldVisitor {
 
     virtual ~FieldVisitor() = default;
 
-    /// True for the reader: the input is being filled in, and the file decides what there is.
+    /// True for the reader: it fills the input in, by the file.
     virtual bool is_reading() const { return false; }
 
     /// True where an object that is visited although it is absent is to come into being.
@@ -123,7 +123,7 @@ class FieldVisitor {
         choose(field, value,
                {.usual = static_cast<int>(fallback), .always = written == Written::always});
     }
-    /// A list of numbers in the field's unit; the struct holds them in that unit too.
+    /// A list of numbers in the field's unit, in the struct too.
     void numbers(const Field& field, std::vector<double>& values) {
         leaf(field, {.at = &values, .required = true});
     }
@@ -203,8 +203,8 @@ class FieldVisitor {
     virtual int one_of(std::initializer_list<std::string_view> keys, int present) = 0;
     /// True where the case has the key, or for other visitors than the reader `present`.
     virtual bool has(std::string_view key, bool present) = 0;
-    /// Names in the object that is visited now, where they are free ({name: kg}): those of the
-    /// file, for other visitors than the reader `present`; one that is to be set is among them.
+    /// Names in the visited object, where they are free ({name: kg}): the file's, or for other
+    /// visitors than the reader `present`; a name to be set is among them.
     virtual std::vector<std::string> names(std::vector<std::string> present) { return present; }
 
     /// JSON pointer of the object that is visited now, for example "/input/torque".

@@ -5,8 +5,8 @@
 
 namespace ravnoves {
 
-/// What visitors of an input that is there share: they go where the input goes, and keep the JSON
-/// pointer of the place.
+/// Common to visitors of a present input: they follow the input, and keep the JSON pointer of the
+/// place.
 class FieldWalker : public FieldVisitor {
   public:
     explicit FieldWalker(std::string root = "/input") : pointer_(std::move(root)) {}

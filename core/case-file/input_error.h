@@ -7,23 +7,23 @@
 
 namespace ravnoves {
 
-/// A mistake in what the user gave: names the place, what is allowed there and what was found.
+/// A mistake of the user: names the place, the rule and the value found.
 ///
 /// The place is a JSON pointer ("/input/crank_radius_mm") for a case, "line 4, column 2" for a
-/// table, or empty where the whole file is meant. what() joins the three in English:
-/// "/input/crank_radius_mm: must be greater than 0, got -46".
+/// table, or empty for the whole file. what() joins the three in English: "/input/crank_radius_mm:
+/// must be greater than 0, got -46".
 class InputError : public std::runtime_error {
   public:
     /// What the place names, for those who show it in other words.
     enum class Of {
         value,        ///< a value of the case or of a table
         unknown_key,  ///< a key that nothing has
-        named_file    ///< what the file holds whose name is the value
+        named_file    ///< contents of the file whose name is the value
     };
 
-    /// @param where    the place, as above
-    /// @param allowed  what is allowed there, as a phrase ("must be greater than 0")
-    /// @param found    what was there instead; empty where there is nothing to show
+    /// @param where    as above
+    /// @param allowed  the rule, a phrase ("must be greater than 0")
+    /// @param found    the value; empty without one
     InputError(Message where, Message allowed, Message found = {})
         : std::runtime_error(join(where, allowed, found).english()),
           where_(std::move(where)),
@@ -36,8 +36,8 @@ class InputError : public std::runtime_error {
         error.of_ = Of::unknown_key;
         return error;
     }
-    /// Of what is in a file that the case names; the rule's arguments are the file's name and
-    /// what is wrong with it.
+    /// Of the contents of a file that the case names; the rule's arguments are the file's name and
+    /// the fault.
     /// @param where  of the name
     static InputError in_file(Message where, std::string name, const InputError& fault) {
         InputError error(

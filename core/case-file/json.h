@@ -8,9 +8,9 @@
 
 namespace nlohmann {
 
-/// What a value holds goes with it, and without taking memory: the library moves it all to a list
-/// first, which ends the program where there is no memory for that list. A document is at most 100
-/// levels deep (`parse_json`), which the stack has room for.
+/// Frees a value with its contents, without taking memory: the library first moves all to a list,
+/// which ends the program where there is no memory for that list. A document is at most 100 levels
+/// deep (`parse_json`), which fit the stack.
 template <>
 inline void ordered_json::json_value::destroy(value_t kind) {
     switch (kind) {
@@ -35,7 +35,7 @@ inline void ordered_json::json_value::destroy(value_t kind) {
 
 namespace ravnoves {
 
-/// An empty object with room for so many items. One that grows copies what it holds, since its keys
+/// An empty object with room for that many items. A growing one copies its contents, since its keys
 /// are constant: for curves that costs more than to compute them.
 inline Json object_with_room(std::size_t items) {
     Json::object_t object;

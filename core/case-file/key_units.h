@@ -16,7 +16,7 @@ struct KeyUnit {
 /// Of "shaft_angle_deg" degrees, said by four characters.
 KeyUnit unit_of_key(std::string_view key);
 
-/// The unit of the number at a pointer: an element of a list has that of the list's key.
+/// The unit of the number at a pointer: an element of a list has the unit of the list's key.
 Unit unit_at(std::string_view pointer);
 
 }  // namespace ravnoves

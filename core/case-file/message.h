@@ -80,7 +80,7 @@ class Message {
     std::vector<Argument> arguments_;
 };
 
-/// The English sentences, as a result holds its notes.
+/// The English sentences, as in a result's notes.
 std::vector<std::string> english(const std::vector<Message>& messages);
 /// "a, b"
 Message joined(Message a, Message b);

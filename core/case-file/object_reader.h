@@ -72,7 +72,7 @@ class ObjectReader {
 std::string escape_segment(std::string_view key);
 
 /// A text of the user's as a message shows it: control characters as \u001b, which a terminal does
-/// not obey, and so what turns the direction of letters; cut after so many bytes.
+/// not obey, also those that turn the direction of letters; cut after `longest` bytes.
 std::string printable(std::string_view text, std::size_t longest = 80);
 
 /// The value as an error message shows it: compact JSON, printable(), cut after 40.

@@ -11,9 +11,8 @@
 
 namespace ravnoves {
 
-/// The interval in which an input may lie, in the unit that the user sees.
-///
-/// Case files and forms read the same Range, so both reject the same values.
+/// The interval of an input, in the unit that the user sees. Case files and forms read the same
+/// Range, so both reject the same values.
 struct Range {
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
@@ -31,7 +30,7 @@ struct Range {
     /// min <= x
     static constexpr Range at_least(double min) { return {min, unbounded, false, false}; }
 
-    /// True where x is finite and lies in the interval.
+    /// True where x is finite and in the interval.
     bool contains(double x) const {
         return std::isfinite(x) && (min_open ? x > min : x >= min) &&
                (max_open ? x < max : x <= max);
@@ -44,7 +43,7 @@ struct Range {
     std::string describe() const { return message().english(); }
 };
 
-/// The first of the ranges that the value leaves; null where it lies in all.
+/// The first of the ranges that excludes the value; null where all contain it.
 inline const Range* left_one(std::initializer_list<const Range*> ranges, double value) {
     for (const Range* range : ranges) {
         if (!range->contains(value)) {

@@ -30,9 +30,8 @@ class Response {
     virtual ~Response() = default;
 
     /// @param x  the inputs, in the units of their keys
-    /// @param y  set to the watched values, in the units of theirs; not a number where there is
-    /// none
-    /// @return false where one of them does not exist: reason() says why
+    /// @param y  set to the watched values, in the units of their keys; NaN for a missing one
+    /// @return false where one of them does not exist: see reason()
     virtual bool evaluate(std::span<const double> x, std::span<double> y) = 0;
     /// Of the last rejection.
     const Reason& reason() const { return reason_; }

@@ -18,7 +18,7 @@ class ResultJson final : public ResultVisitor {
     explicit ResultJson(const Wanted& wanted);
 
     bool wants(std::string_view key) const override;
-    /// What was visited; to be called once, at the end.
+    /// The visited values; to be called once, at the end.
     Json take();
 
   private:
@@ -30,8 +30,8 @@ class ResultJson final : public ResultVisitor {
 
     std::string place(std::string_view key) const;
 
-    /// What is being filled: the result first, then an object or a list in it. Each is put where it
-    /// belongs once it is whole, for objects move what they hold while they grow.
+    /// The containers being filled: the result first, then an object or a list in it. Each is put
+    /// in place once it is whole, for growing objects move their contents.
     struct Level {
         std::string key;
         Json value;
@@ -43,8 +43,8 @@ class ResultJson final : public ResultVisitor {
     std::vector<Level> levels_;
 };
 
-/// What is wanted of the "result" object, by the scene's visit_results() of these arguments: an
-/// input, or one that is solved already.
+/// The wanted part of the "result" object, by the scene's visit_results() of these arguments: an
+/// input, or a solved one.
 template <typename... Solved>
 Json result_json(const Wanted& wanted, const Solved&... solved) {
     ResultJson json(wanted);

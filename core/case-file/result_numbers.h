@@ -22,9 +22,9 @@ class ResultNumbers final : public ResultVisitor {
     void clear();
 
     const std::string& pointer(std::size_t i) const { return pointers_[i]; }
-    /// In the unit of the key; empty where there is none.
+    /// In the unit of the key; empty without a value.
     std::optional<double> value(std::size_t i) const { return nodes_[places_[i]].value; }
-    /// Why there is none: the reason or note of the nearest object around it that gives one.
+    /// Why it is empty: the reason or note of the nearest object around it that has one.
     Message why(std::size_t i) const;
 
     bool wants(std::string_view key) const override;

@@ -22,10 +22,10 @@ struct ResultField {
     Unit unit = units::none;
     int decimals = 3;  ///< in a table, in the unit
     Text label{};      ///< "Relief of the guide"
-    Text hint{};       ///< what it is, a sentence with its formula
+    Text hint{};       ///< a sentence with its formula
 };
 
-/// Numbers of a list whose elements are lists of so many.
+/// Numbers of a list whose elements are lists of `columns`.
 struct NumberRows {
     std::span<const double> si;
     std::size_t columns;
@@ -37,7 +37,7 @@ using ResultValue = std::variant<std::monostate, double, long long, bool, std::s
                                  const Message*, std::span<const Message>, std::span<const double>,
                                  std::span<const int>, NumberRows>;
 
-/// Goes through the values of a scene's result in the order of its file.
+/// Visits the values of a scene's result in the order of its file.
 ///
 /// A scene lists them once, in a function found by argument-dependent lookup
 ///
@@ -45,8 +45,8 @@ using ResultValue = std::variant<std::monostate, double, long long, bool, std::s
 ///
 /// with one call for each value: `visitor.number(result_field::relief, guide.relief)`. Numbers are
 /// SI values here and in the field's unit elsewhere; one that is not finite, or is empty, is null.
-/// What no one wants is neither visited nor computed: a call that takes a function calls it for
-/// what is wanted alone.
+/// Unwanted values are neither visited nor computed: a call with a function calls it for a wanted
+/// value alone.
 class ResultVisitor {
   public:
     virtual ~ResultVisitor() = default;
@@ -93,7 +93,7 @@ class ResultVisitor {
     void integers(const ResultField& field, const std::vector<int>& values) {
         leaf(field, std::span(values));
     }
-    /// A list of lists of so many numbers each.
+    /// A list of lists of `columns` numbers each.
     void rows(const ResultField& field, const std::vector<double>& si, std::size_t columns) {
         leaf(field, NumberRows{si, columns});
     }

@@ -38,8 +38,8 @@ class LineReader {
   private:
     int descriptor_;
     std::vector<char> block_;
-    std::size_t at_ = 0;   ///< of the block, what is not handed out yet
-    std::size_t end_ = 0;  ///< of what was read into it
+    std::size_t at_ = 0;   ///< start of the part of the block not yet handed out
+    std::size_t end_ = 0;  ///< end of the part that was read
     int number_ = 0;
     enum class Kept { whole, too_long, no_memory };
     Kept kept_ = Kept::whole;  ///< of the last line

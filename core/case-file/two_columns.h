@@ -11,7 +11,7 @@
 
 namespace ravnoves {
 
-/// How the lines of a table of numbers are laid out; what is empty is found from the lines.
+/// The layout of a table of numbers; empty members are found from the lines.
 struct TableLayout {
     std::optional<char> separator;  ///< comma, semicolon, tab, or blank for any run of blanks
     std::optional<bool> decimal_comma;
@@ -26,17 +26,17 @@ struct TableView {
     std::size_t columns = 0;            ///< of the first row
     std::string header;                 ///< the lines of words, each with its line feed
     std::vector<std::string> headings;  ///< of the columns; empty where the words do not fit them
-    std::vector<std::vector<std::string>> rows;  ///< the first ones, as they are there
+    std::vector<std::vector<std::string>> rows;  ///< the first ones, unchanged
 };
 
 /// Looks at the first lines: header lines (any number), comments (#), a byte-order mark, the
 /// separator that divides the rows into the same number of columns.
-/// @param decided  what is not to be found
+/// @param decided  already known
 /// @param rows     of TableView::rows
 TableView look_at_table(std::string_view text, const TableLayout& decided = {},
                         std::size_t rows = 0);
 
-/// All columns of a text's rows as numbers, what is none as NaN; at most so many rows.
+/// All columns of a text's rows as numbers, NaN for anything else; at most that many rows.
 std::vector<std::vector<double>> number_columns(std::string_view text, const TableView& view,
                                                 std::size_t max_rows);
 
@@ -59,17 +59,17 @@ struct TwoColumns {
 
 /// What the columns must be.
 struct TwoColumnsRule {
-    Message first;   ///< what the column holds, for messages: "crank angle"
+    Message first;   ///< name of the column, for messages: "crank angle"
     Message second;  ///< "torque"
     Range first_range;
 };
 
-/// Reads CSV text or what a spreadsheet puts on the clipboard.
+/// Reads CSV text or the clipboard of a spreadsheet.
 ///
 /// Columns separated by semicolon, tab, comma or blanks; decimal point or comma; header lines,
 /// empty lines, a byte-order mark and lines that begin with '#' are passed over.
 /// @param columns  numbers from 1, or headings; both empty: the table has two. The first may be 0:
-///                 there is none, the rows are counted.
+///                 no column, the rows are counted.
 /// @throws InputError that names line and column ("line 4, column 2")
 TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule,
                             const TableLayout& layout = {},

@@ -23,7 +23,7 @@ constexpr std::string_view severity_word(Severity severity) {
 struct Verdict {
     Severity severity = Severity::good;
     Message text;
-    /// What would help, as the scene's page knows it; empty where there is nothing to do.
+    /// The remedy, by its name on the scene's page; empty without one.
     std::string_view act{};
 
     /// Adds a warning to the verdict; an empty one adds nothing.
@@ -45,7 +45,7 @@ inline constexpr ResultField notes{.key = "notes", .label = CORE_TEXT("core", "N
 inline constexpr ResultField feasible{.key = "feasible", .label = CORE_TEXT("core", "Feasible")};
 }  // namespace result_field
 
-/// As every result holds it.
+/// As in every result.
 inline void visit_verdict(ResultVisitor& visitor, const Verdict& verdict) {
     visitor.object(result_field::verdict, [&] {
         visitor.word(result_field::severity, severity_word(verdict.severity));

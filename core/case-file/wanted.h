@@ -13,14 +13,14 @@ class Wanted {
   public:
     Wanted() = default;
     /// @param pointers  JSON pointers below "result": "/metrics/M_ups/range_Nm", "/optimum"
-    /// @throws InputError for what is no JSON pointer
+    /// @throws InputError for any that is no JSON pointer
     explicit Wanted(std::vector<std::string> pointers);
 
     bool is_all() const { return pointers_.empty(); }
     /// Whether the value at a pointer, something in it or something around it is asked for.
     bool wants(std::string_view pointer) const;
-    /// What is asked for of a result, each value whole under its own path; objects around elements
-    /// of lists.
+    /// The wanted values of a result, each whole under its own path; objects around elements of
+    /// lists.
     /// @throws InputError that names a pointer where the result has no value
     Json pick(Json result) const;
 

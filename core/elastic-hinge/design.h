@@ -95,7 +95,7 @@ class Design {
 
     /// Needs the exact kinematics.
     Demand demand(Hinge hinge, double phi) const;
-    /// The same from what is already known of that angle (for whole curves).
+    /// The same from the known state of that angle (for whole curves).
     Demand demand(Hinge hinge, double phi, const AngleState& state, const EnergyRise<double>& rise,
                   double work) const;
     DemandRange range(Hinge hinge) const;

@@ -79,7 +79,7 @@ Scalar potential_amplitude(const Mechanism<Scalar>& m) {
             m.counterweight_mass * (m.crank_radius + m.lambda * m.counterweight_distance));
 }
 
-/// What the mechanism takes up at constant crank speed.
+/// Energy that the mechanism absorbs at constant crank speed.
 template <typename Scalar>
 struct EnergyRise {
     Scalar rise;    ///< (T + V)(φ) − (T + V)(0), J

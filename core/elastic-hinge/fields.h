@@ -82,7 +82,7 @@ inline constexpr Field gravity{
     .symbol = "g",
     .hint = CORE_TEXT("elastic-hinge", "The standard value is 9.80665 m/s²."),
 };
-/// Where masses are given, gravity may be 0 (the mechanism lies flat).
+/// With masses, gravity may be 0 (a horizontal mechanism).
 inline constexpr Field gravity_with_masses{
     .key = gravity.key,
     .unit = gravity.unit,

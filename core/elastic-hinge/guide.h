@@ -35,10 +35,10 @@ PlanePoint offset_point(const GuidePoint& point, double distance);
 
 /// The guide as a function of the crank angle: equation (3) for one hinge, one spring.
 ///
-/// Holds its design; const members may run in several threads.
+/// Owns its design; const members may run in several threads.
 class GuideShape {
   public:
-    /// The sign does not reach the rod's hinge, whose guide always does the work that M₁₂ asks for.
+    /// The sign does not apply to the rod's hinge, whose guide always does the work of M₁₂.
     /// @param design  with exact kinematics
     GuideShape(std::shared_ptr<const Design> design, Hinge hinge, const Spring& spring,
                GuideSign sign);
@@ -46,7 +46,7 @@ class GuideShape {
     Hinge hinge() const { return hinge_; }
     const Design& design() const { return *design_; }
     const GuideSpring<double>& spring() const { return spring_; }
-    /// The branch that ρ₀ lies on.
+    /// The branch of ρ₀.
     Branch branch() const;
 
     /// At a crank angle in rad, any; the radius is not a number where the spring would have to
@@ -66,8 +66,8 @@ class GuideShape {
     /// Energy in the spring at a radius, ½ c (ℓ₀ − 2ρ)², J.
     double energy(double radius) const;
 
-    /// What rounding may leave below zero of preload² − given_out(), m²: a preload of exactly the
-    /// least one makes a guide.
+    /// Negative rounding of preload² − given_out(), m²: a preload of exactly the minimum makes a
+    /// guide.
     double rounding() const { return rounding_; }
     /// Minimum and maximum of given_out() over the turn, m².
     double min_given_out() const;
@@ -80,7 +80,7 @@ class GuideShape {
     Hinge hinge_;
     GuideSpring<double> spring_;
     double scale_;     ///< ± 1 / (2c), m²/J
-    double rounding_;  ///< of preload² − what was given out, m²
+    double rounding_;  ///< of preload² − energy given out, m²
 };
 
 /// Why there is no guide.
@@ -134,7 +134,7 @@ struct Guide {
     double smallest_spring_force = 0.0;
     double smallest_deflection = 0.0;    ///< min |ℓ₀/2 − ρ|, m
     double largest_moment = 0.0;         ///< of the hinge, N·m
-    Branch branch = Branch::compressed;  ///< that ρ₀ lies on
+    Branch branch = Branch::compressed;  ///< of ρ₀
     BranchSummary compressed;
     BranchSummary stretched;
     ProfileError error;

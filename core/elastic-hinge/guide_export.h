@@ -12,9 +12,9 @@ struct GuideDrawing {
     Branch branch = Branch::compressed;
     double roller_radius = 0.0;     ///< m, ≥ 0; the profile is the path offset by it
     double chord_tolerance = 1e-6;  ///< m: the polyline leaves the curve by no more
-    /// The paper's arrangement: the guide turns with the crank and the spring stands still, so that
-    /// in the guide's own axes the roller runs backwards, at the polar angle −φ. False: the spring
-    /// turns and the guide stands still, at +φ.
+    /// The paper's arrangement: the guide turns with the crank and the spring is fixed, so that in
+    /// the guide's own axes the roller runs backwards, at the polar angle −φ. False: the spring
+    /// turns and the guide is fixed, at +φ.
     bool guide_turns = true;
     std::string title;  ///< for the drawing's note; other than ASCII is left out
 };
@@ -31,7 +31,7 @@ struct GuideOutline {
 GuideOutline guide_outline(const Guide& guide, const GuideDrawing& drawing);
 
 /// The drawing as a DXF text (AutoCAD 2000), real size, mm: closed polylines on the layers PROFILE
-/// and ROLLER_PATH, the axis cross on AXIS, what it is and its tolerance on NOTE.
+/// and ROLLER_PATH, the axis cross on AXIS, name and tolerance on NOTE.
 /// @throws InputError as guide_outline(), std::runtime_error where no temporary file can be made
 std::string guide_dxf(const Guide& guide, const GuideDrawing& drawing);
 

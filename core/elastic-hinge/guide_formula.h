@@ -6,8 +6,8 @@ namespace ravnoves::elastic_hinge {
 
 /// On which side of its free length the spring works.
 enum class Branch {
-    compressed,  ///< ρ < ℓ₀/2: minus in (3); the guide lies outside the rollers
-    stretched,   ///< ρ > ℓ₀/2: plus in (3); the guide lies inside the rollers
+    compressed,  ///< ρ < ℓ₀/2: minus in (3); the guide is outside the rollers
+    stretched,   ///< ρ > ℓ₀/2: plus in (3); the guide is inside the rollers
 };
 
 /// Spring and start of a guide.
@@ -30,7 +30,8 @@ struct GuideSpring {
 };
 
 /// Half the change of the spring's length, |ℓ₀/2 − ρ| = √(d₀² − q), m.
-/// @param q  energy that the spring gives out since φ = 0, divided by 2c, m²; at most d₀², else the guide does not exist there (not a number)
+/// @param q  energy that the spring gives out since φ = 0, divided by 2c, m²; at most d₀², else the
+/// guide does not exist there (not a number)
 template <typename Scalar>
 Scalar guide_deflection(const GuideSpring<Scalar>& spring, const Scalar& q) {
     using std::sqrt;

@@ -9,7 +9,7 @@
 
 namespace ravnoves::elastic_hinge {
 
-/// A spring whose guide has the wanted relief and fits, or why there is none.
+/// A spring whose guide has the wanted relief and fits, or the reason for none.
 struct GuideProposal {
     bool found = false;
     Message reason;  ///< why not, as a sentence; empty where found
@@ -36,7 +36,7 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
                            Branch branch, double free_length, double roller_radius,
                            const GuideWish& wish);
 
-/// Whether a guide already does what is wished, to a micrometre.
+/// Whether a guide already meets the wish, to a micrometre.
 /// @param free_length    ℓ₀ of its spring, m
 /// @param roller_radius  m, ≥ 0
 bool meets_wish(const Guide& guide, double free_length, double roller_radius,

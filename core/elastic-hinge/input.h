@@ -21,7 +21,7 @@ namespace ravnoves::elastic_hinge {
 
 /// Which way the guide stores energy.
 enum class GuideSign {
-    energy,      ///< Π = const − (T + V): the spring gives out what the mechanism takes up
+    energy,      ///< Π = const − (T + V): the spring gives out what the mechanism absorbs
     as_printed,  ///< Π = const + (T + V), the paper's (1): drawable, keeps no speed constant
 };
 

@@ -8,8 +8,8 @@ namespace ravnoves::elastic_hinge {
 
 /// The rod's angle ψ (sin ψ = λ sin φ) and its derivatives by the crank angle φ.
 ///
-/// For the paper's series the cosine and its derivatives are those of the series, and ψ′, ψ″ are
-/// the paper's expressions with that cosine.
+/// With the paper's series the cosine and its derivatives are the series', and ψ′, ψ″ are the
+/// paper's expressions with that cosine.
 template <typename Scalar>
 struct RodAngle {
     Scalar sin_psi;

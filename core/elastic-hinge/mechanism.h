@@ -10,9 +10,9 @@ enum class Kinematics {
 
 /// The signs of the counterweight's inertia forces in M₁₂.
 ///
-/// The counterweight lies on the other side of A than the slider, so the moments of its weight and
-/// of its inertia force about A both change sign; equation (9) changes only the weight's. With (9)
-/// as printed the side force is not zero. A sign of the hinge's moment changes no force without the
+/// The counterweight is on the other side of A than the slider, so the moments of its weight and of
+/// its inertia force about A both change sign; equation (9) changes only the weight's. With (9) as
+/// printed the side force is not zero. A sign of the hinge's moment changes no force without the
 /// hinge.
 enum class CounterweightInertia {
     as_printed,    ///< (9): + (P₄/g) ẍ₄ h₆ + (P₄/g) ÿ₄ h₅

@@ -22,10 +22,10 @@ enum class MotionEnd {
 /// One forward motion: I φ̈ + ½ I′ φ̇² + V′ + Π′ = moment on the crank.
 struct MotionSetup {
     HingeSet hinges = HingeSet::none;
-    double start_angle = 0.0;   ///< rad
-    double start_speed = 0.0;   ///< rad/s, any sign
-    double crank_torque = 0.0;  ///< constant, N·m
-    double turns = 5.0;         ///< stops after so many turns either way
+    double start_angle = 0.0;    ///< rad
+    double start_speed = 0.0;    ///< rad/s, any sign
+    double crank_torque = 0.0;   ///< constant, N·m
+    double turns = 5.0;          ///< stops after as many turns either way
     double profile_error = 0.0;  ///< ε of waves ε sin(n φ) on the crank's guide, m
     int profile_error_waves = 1;
     int samples_per_turn = 180;  ///< at least
@@ -67,16 +67,16 @@ using MotionProgress = std::function<bool(double)>;
 /// The motion by its energy: T + V + Π − work of the crank's moment is constant and a function of φ
 /// and φ̇² alone, so the speed at every angle is known without integration, and the time is the
 /// integral of dφ/φ̇. That is done stretch by stretch by a Chebyshev series, of which a stretch is
-/// halved until the last terms are below the tolerance; where the crank stands still the root of
-/// the energy is taken out. Nothing drifts, and without a moment on the crank the first turn serves
+/// halved until the last terms are below the tolerance; where the crank stops the root of the
+/// energy is factored out. Nothing drifts, and without a moment on the crank the first turn serves
 /// for all.
 ///
-/// The crank's hinge acts through its guide: the moment is that of the spring on a roller at ρ(φ)
-/// with slope ρ′(φ), whatever the crank's speed.
+/// The crank's hinge acts through its guide: the spring's moment on a roller at ρ(φ) with slope
+/// ρ′(φ), whatever the crank's speed.
 /// @param crank_guide  for HingeSet::crank a guide of Hinge::crank, for crank_and_rod one of
 ///                     Hinge::crank_with_rod; unused for none
-/// @throws InputError where a hinge is asked for whose guide is not feasible, where the mechanism
-///         locks (λ = 1) or where it has no inertia, where it takes more work than one waits for
+/// @throws InputError where a wanted hinge has no feasible guide, the mechanism locks (λ = 1) or
+///         has no inertia, or the work takes too long
 Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_guide,
                 const MotionSetup& setup, const MotionProgress& progress = {});
 

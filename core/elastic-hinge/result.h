@@ -38,7 +38,7 @@ struct Result {
     double rod_hinge_integral = 0.0;  ///< ∮ M₁₂ dφ, J
     double counterweight_mass = 0.0;  ///< P₄/g, kg; 0 without one
     bool has_counterweight = false;
-    /// The counterweight's mass that (10) asks for at the given distance, kg; 0 without one.
+    /// The counterweight's mass by (10) at the given distance, kg; 0 without one.
     double balancing_mass = 0.0;
 
     double largest_side_force_without = 0.0;  ///< N, over the continuous turn
@@ -49,7 +49,7 @@ struct Result {
     std::vector<double> side_force_true;
     double largest_side_force_true = 0.0;
 
-    /// Largest |cos ψ of the series − exact cos ψ| over the turn, and where it stands.
+    /// Largest |cos ψ of the series − exact cos ψ| over the turn, and its place.
     double series_error = 0.0;
     double series_error_angle = 0.0;  ///< rad
     /// M₁₂ by the kinematics that the input does not choose, N·m; empty where λ = 1.

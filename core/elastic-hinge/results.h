@@ -19,7 +19,7 @@ void visit_results(ResultVisitor& visitor, const Input& input);
 /// An act of the verdict: the preload that the guide needs.
 inline constexpr std::string_view minimum_preload_act = "minimum-preload";
 
-/// Less preload than this beyond the minimum is lost to what is machined and assembled, m.
+/// A smaller preload beyond the minimum is lost to machining and assembly, m.
 inline constexpr double min_preload_margin = 0.05 * units::mm;
 
 /// What the crank's guide is worth: none; one that cannot be made; one that can.

@@ -25,9 +25,9 @@ struct RodHingeMoment {
 };
 
 /// M₁₂ and its derivative at one crank angle.
-/// @param rod  of either kinematics; with the series this is the paper's (4) as it computes it
+/// @param rod  of either kinematics; with the series this is the paper's (4) as computed there
 ///             (with I₂ of the rod's length ℓ and the minus that ẍ_B lacks in print)
-/// @param static_moment  Mechanism::static_moment(), or 0 where (10) holds exactly, kg·m
+/// @param static_moment  Mechanism::static_moment(), or 0 where (10) is exactly met, kg·m
 template <typename Scalar>
 RodHingeMoment<Scalar> rod_hinge_moment(const Mechanism<Scalar>& m, const Scalar& static_moment,
                                         const Scalar& sin_phi, const Scalar& cos_phi,

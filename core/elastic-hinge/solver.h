@@ -25,8 +25,7 @@ struct SolveOptions {
 /// @throws InputError as check_input(), and for inputs whose results leave the range of numbers
 Result solve(const Input& input, const SolveOptions& options = {});
 
-/// The motion that the input asks for (or five turns at the design speed), with the result's
-/// guides.
+/// The motion of the input (or five turns at the design speed), with the result's guides.
 /// @throws InputError as simulate() of motion.h
 Motion simulate(const Input& input, const Result& result, HingeSet hinges,
                 const MotionProgress& progress = {});
@@ -35,7 +34,7 @@ Motion simulate(const Input& input, const Result& result, HingeSet hinges,
 struct MechanismPose {
     PlanePoint crankpin;
     PlanePoint slider;
-    PlanePoint counterweight;         ///< at the crankpin where there is none
+    PlanePoint counterweight;         ///< at the crankpin without one
     double rod_angle = 0.0;           ///< of the rod against +x, counter-clockwise, rad: −ψ
     double spring_half_length = 0.0;  ///< ρ at that angle, m; not a number without guide
 };

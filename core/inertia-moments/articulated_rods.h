@@ -46,7 +46,8 @@ struct ArticulatedCrank {
     double bottom_dead_centre() const;  ///< θ where s is smallest, rad in 0…2π
     double stroke() const;              ///< maximum minus minimum s
 
-    /// How far the knuckle pin goes from the cylinder's axis, |Im q − K|: the rod must be longer.
+    /// Farthest distance of the knuckle pin from the cylinder's axis, |Im q − K|: the rod must be
+    /// longer.
     double reach() const;
     /// Where the crank stops on both sides of top dead centre, θ in rad, where reach() ≥ l; nothing
     /// where the rod reaches the piston at no crank angle, or does so at all.
@@ -84,8 +85,8 @@ std::vector<Message> unusual_rod_notes(std::span<const std::optional<KnuckleRod>
 /// The usual knuckle radius of a radial: the pins are close round the crankpin's bearing.
 inline constexpr double usual_knuckle_share = 0.75;  ///< of the crank radius
 
-/// Hangs the rods of each throw on that of its first cylinder, as in a radial; throws with one rod
-/// stay.
+/// Hangs the rods of each throw on the rod of its first cylinder, as in a radial; throws with one
+/// rod are unchanged.
 void hang_on_masters(std::vector<Cylinder>& cylinders, double crank_radius);
 
 }  // namespace ravnoves::inertia_moments

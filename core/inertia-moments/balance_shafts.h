@@ -11,14 +11,14 @@ namespace ravnoves::inertia_moments {
 /// A balance shaft designed for the engine.
 struct ShaftDesign {
     Shaft shaft;  ///< as asked for
-    /// What it is made to cancel: A or B of the order, N or N·m, in the front view at φ = 0.
+    /// The target: A or B of the order, N or N·m, in the front view at φ = 0.
     Complex target;
     /// m ρ: the weight's (force), or each of the two opposite ones' (moment), kg·m.
     /// m ρ (kω)² = |target| for a force, m ρ L (kω)² = |target| for a moment.
     double unbalance = 0.0;
     std::optional<double> mass;  ///< kg of one weight, where the radius is given
     /// Direction of the weight (moment: of the one towards cylinder 1) at φ = 0, from +x
-    /// counter-clockwise, rad; empty where there is nothing to cancel.
+    /// counter-clockwise, rad; empty without a target.
     std::optional<double> phase;
     /// What the shaft adds to the engine: N, and N·m about the reference position.
     RotatingPair force;
@@ -30,9 +30,9 @@ struct ShaftDesign {
 };
 
 /// Designs the shafts so that each cancels its order and direction. Force shafts come first; a
-/// moment shaft also cancels what enabled force shafts of its order add to the moment. Where
-/// several shafts have the same order, direction and task, they share it equally.
-/// @param orders  what they are designed for, up to each shaft's order (else: nothing to cancel)
+/// moment shaft also cancels the moment that enabled force shafts of its order add. Where several
+/// shafts have the same order, direction and task, they share it equally.
+/// @param orders  the orders to cancel, up to each shaft's order (else: no target)
 std::vector<ShaftDesign> design_shafts(const Engine& engine, const EngineOrders& orders,
                                        const std::vector<Shaft>& shafts);
 

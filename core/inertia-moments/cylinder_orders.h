@@ -9,7 +9,7 @@
 namespace ravnoves::inertia_moments {
 
 /// Orders of one cylinder by its own crank angle θ, in units of m_j R ω² (force), m_j R² ω²
-/// (torque) and ΔJ ω² (the rod's couple). [k] holds order k; [0] the mean.
+/// (torque) and ΔJ ω² (the rod's couple). [k] is order k; [0] the mean.
 template <typename Scalar>
 struct CylinderOrders {
     std::vector<Harmonic<Scalar>> force;       ///< −s″/R, along the cylinder's axis
@@ -18,8 +18,8 @@ struct CylinderOrders {
     std::vector<Harmonic<Scalar>> rod_torque;  ///< −ψ″ ψ′, of that couple on the crank
 };
 
-/// Of a cylinder with an articulated rod also those of a mass at its knuckle pin instead of the
-/// crankpin, in units of m_k R ω² and m_k R² ω²: what the crankpin's own would be is left out.
+/// For a cylinder with an articulated rod also the orders of a mass at its knuckle pin instead of
+/// the crankpin, in units of m_k R ω² and m_k R² ω², without the crankpin's own.
 struct ArticulatedOrders : CylinderOrders<double> {
     std::vector<Harmonic<double>> knuckle_along;   ///< along the cylinder's axis
     std::vector<Harmonic<double>> knuckle_across;  ///< across it, counter-clockwise
@@ -30,8 +30,8 @@ struct ArticulatedOrders : CylinderOrders<double> {
 /// Exact orders by a discrete Fourier transform.
 ///
 /// The force is −m_j s̈; its torque on the crank follows from virtual work, F ds/dφ. For the couple
-/// ΔJ the same with the rod's angle ψ. What is sampled are s′ and s′²/2, whose derivatives these
-/// are: they stay finite up to locking, where s″ does not.
+/// ΔJ the same with the rod's angle ψ. The samples are s′ and s′²/2, whose derivatives these are:
+/// they are finite up to locking, where s″ is not.
 /// @param crank     in units of R: {1, 1/λ, K}; must not lock
 /// @param transform its length by transform_length(crank.harmonic_decay(), …)
 /// @param rod       also the rod's couple; else its two lists stay empty

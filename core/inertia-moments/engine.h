@@ -20,8 +20,8 @@ struct Engine {
     double angular_speed = 0.0;       ///< ω, rad/s
     double reciprocating_mass = 0.0;  ///< kg, with the rod's share m c/L
     double rotating_mass = 0.0;       ///< kg, of one cylinder, with the rod's share m (1 − c/L)
-    /// J − m c (L − c), kg·m²: what the rod's inertia exceeds that of the two masses by. It acts
-    /// on the roll moment and the torque only.
+    /// J − m c (L − c), kg·m²: the rod's inertia above the two masses'. It acts on the roll moment
+    /// and the torque only.
     double rod_couple_inertia = 0.0;
     double reference_position = 0.0;  ///< m
     std::vector<Cylinder> cylinders;
@@ -82,7 +82,7 @@ std::optional<Locking> find_articulated_locking(const Engine& engine);
 /// 203.5° turning forward and at -23.5° turning back, measured from the cylinder's axis".
 Message describe(const Locking& locking);
 
-/// Reduces the input to the engine without any check but that of the master rods.
+/// Reduces the input to the engine, checking the master rods only.
 /// @throws InputError as knuckle_rods()
 Engine reduce(const Input& input);
 

@@ -269,7 +269,7 @@ inline constexpr Field rod_inertia{
     .label = CORE_TEXT("inertia-moments", "&Inertia"),
     .hint = CORE_TEXT("inertia-moments", "Moment of inertia about the centre of mass")};
 
-// Of each entry of "balance_shafts", and what they are designed for.
+// Of each entry of "balance_shafts", and the orders that they are designed for.
 inline constexpr Word bases[] = {{"exact", CORE_TEXT("inertia-moments", "exact orders")},
                                  {"two-term", CORE_TEXT("inertia-moments", "two-term form")}};
 inline constexpr Word directions[] = {{"forward", CORE_TEXT("inertia-moments", "+kω")},

@@ -35,7 +35,7 @@ struct ArticulatedRod {
     std::optional<double> knuckle_angle;  ///< γ, rad, counter-clockwise from the master rod's axis
     std::optional<double> rod_length;     ///< l, m, from knuckle pin to piston pin
     int master = 0;                       ///< number of the master's cylinder; 0: the only one
-    /// Part of the cylinder's rotating mass that lies at the knuckle pin, not at the crankpin, kg.
+    /// Part of the cylinder's rotating mass at the knuckle pin instead of the crankpin, kg.
     double knuckle_mass = 0.0;
     bool operator==(const ArticulatedRod&) const = default;
 };
@@ -63,7 +63,7 @@ struct Layout {
     bool operator==(const Layout&) const = default;
 };
 
-/// A connecting rod as a rigid body. Its centre of mass lies on the line of its two bearings.
+/// A connecting rod as a rigid body. Its centre of mass is on the line of its two bearings.
 struct RigidRod {
     double mass = 0.0;                 ///< kg
     double centre_from_big_end = 0.0;  ///< m, towards the small end

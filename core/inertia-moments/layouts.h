@@ -10,7 +10,7 @@
 
 namespace ravnoves::inertia_moments {
 
-/// How the cylinders of a library layout stand.
+/// Arrangement of a library layout's cylinders.
 enum class Arrangement {
     in_line,   ///< one bank, one station per cylinder
     v,         ///< odd cylinders in bank 1, even in bank 2, one station per pair
@@ -42,7 +42,7 @@ std::span<const LayoutSpec> layout_library();
 const LayoutSpec* find_layout(std::string_view name);
 
 /// A library layout with its usual sizes for a crank radius (m), centred on z = 0. The VR layouts
-/// come back as "vr", the name under which case files hold them.
+/// return as "vr", their name in case files.
 Layout usual_layout(const LayoutSpec& spec, double crank_radius);
 
 /// z of cylinder 1 where the layout is centred on z = 0, m.
@@ -75,7 +75,7 @@ double wrap_turn(double angle);
 /// True for a permutation of 1…count.
 bool is_firing_order(std::span<const int> order, int count);
 
-/// Why an order cannot be the firing order of so many cylinders; empty where it can.
+/// Why an order cannot be the firing order of `count` cylinders; empty where it can.
 Message firing_order_trouble(std::span<const int> order, int count);
 /// "1-3-4-2"; "nothing" for an empty one.
 Message firing_order_text(std::span<const int> order);
@@ -94,7 +94,7 @@ struct FiringEvent {
 std::vector<FiringEvent> firing_events(const Engine& engine, std::span<const int> firing_order,
                                        double cycle = 2.0 * two_pi);
 
-/// True where the same interval lies between all firings.
+/// True where all firings have the same interval.
 bool fires_evenly(std::span<const FiringEvent> firing);
 
 /// The cylinders in the order in which the crank brings them to the top, from cylinder 1: the only

@@ -74,8 +74,8 @@ struct EngineOrder {
     /// Roll moment of the inertia forces about the crank axis: −Σ e F of the offset axes and the
     /// rods' couples. Counter-clockwise, N·m
     Harmonic<double> inertia_roll;
-    /// What the inertia torque on the crank leaves on the engine, −Σ F ds/dφ, N·m: the torque goes
-    /// out through the shaft, its reaction stays.
+    /// Reaction of the inertia torque on the engine, −Σ F ds/dφ, N·m: the torque leaves through the
+    /// shaft, its reaction remains.
     Harmonic<double> reaction_torque;
     /// Amplitudes that the cylinders would reach all in phase, or order_accuracy / zero_share of
     /// m R ω² where that is more (orders that are 0 but for rounding): what counts as zero is
@@ -92,7 +92,7 @@ struct EngineOrder {
 
 /// The orders of an engine's reciprocating parts (rotating masses are apart).
 struct EngineOrders {
-    std::vector<EngineOrder> orders;    ///< [k − 1] holds order k
+    std::vector<EngineOrder> orders;    ///< [k − 1] is order k
     std::size_t transform_samples = 0;  ///< longest transform used; 0 for the two-term form
 
     const EngineOrder& order(int k) const& { return orders[static_cast<std::size_t>(k) - 1]; }
@@ -107,9 +107,9 @@ struct EngineOrders {
 EngineOrders exact_orders(const Engine& engine, int max_order = highest_order,
                           double accuracy = order_accuracy);
 
-/// The paper's two-term form, orders 1…4: forces and moments have 1 and 2, the torque 1…4. For an
-/// articulated rod the paper has none; it is ArticulatedCrank::two_term_at(), which becomes the
-/// paper's as the knuckle pin goes to the crankpin.
+/// The paper's two-term form, orders 1…4: forces and moments have 1 and 2, the torque 1…4. The
+/// paper has none for an articulated rod; ArticulatedCrank::two_term_at() becomes the paper's as
+/// the knuckle pin nears the crankpin.
 EngineOrders two_term_orders(const Engine& engine);
 
 /// Forces and moments at one instant.

@@ -17,11 +17,11 @@ Input preset_vw_vr5();
 /// The numbers of cylinders of the radials below.
 inline constexpr std::array radial_counts{3, 5, 7, 9};
 
-/// A radial with articulated rods hung on that of cylinder 1, λ 0.25, firing every other cylinder
-/// (1-3-5-7-9-2-4-6-8). Sizes and masses are usual ones of such engines, not of a certain one; that
-/// of nine cylinders has the size of many aircraft engines (stroke 174.6 mm, knuckle pins 67 mm
-/// from the crankpin). Its end webs balance the rotating masses and the first order; one shaft each
-/// way of the second order is there, switched off.
+/// A radial with articulated rods hung on the rod of cylinder 1, λ 0.25, firing every other
+/// cylinder (1-3-5-7-9-2-4-6-8). Sizes and masses are usual ones of such engines; nine cylinders
+/// have the size of many aircraft engines (stroke 174.6 mm, knuckle pins 67 mm from the crankpin).
+/// Its end webs balance the rotating masses and the first order; one shaft each way of the second
+/// order is included, switched off.
 /// @param cylinders  one of radial_counts
 Input preset_radial(int cylinders);
 
@@ -35,8 +35,8 @@ EndWebs usual_end_webs(const std::vector<Cylinder>& cylinders, double crank_radi
 /// as the cylinders.
 std::vector<Shaft> usual_shafts(const std::vector<Cylinder>& cylinders, double crank_radius);
 
-/// After another spacing, stagger or crank radius of a layout: what stood at its usual place
-/// before, end webs and weights of the shafts, goes to where that is now.
+/// After a change of spacing, stagger or crank radius of a layout: anything at its usual place
+/// before (end webs, weights of the shafts) moves to the new place.
 void follow_sizes(Input& input, const Input& before);
 
 }  // namespace ravnoves::inertia_moments

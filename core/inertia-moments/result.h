@@ -22,11 +22,10 @@ struct Result {
     RotatingMasses rotating;
     std::vector<ShaftDesign> shafts;
     std::optional<CounterweightDesign> counterweights;
-    /// Exact orders and the two-term form with the rotating masses: what there is before balancing.
+    /// Exact orders and the two-term form with the rotating masses: before balancing.
     EngineOrders unbalanced;
     EngineOrders two_term_unbalanced;
-    /// The same exact orders with the enabled counterweights and the enabled shafts: what is left
-    /// over.
+    /// The same exact orders with the enabled counterweights and the enabled shafts: the residual.
     EngineOrders remaining;
     std::vector<Difference> differences;
     std::vector<FiringEvent> firing;  ///< empty without a firing order that fits

@@ -86,7 +86,7 @@ inline constexpr ResultField inertia{"inertia", units::none, 3,
 inline constexpr ResultField reaction_torque{"reaction_torque", units::none, 3,
                                              CORE_TEXT("inertia-moments", "reaction torque")};
 inline constexpr ResultField total{"total", units::none, 3, CORE_TEXT("inertia-moments", "sum")};
-// Of what is around them: N or N·m.
+// In the unit of the object around them: N or N·m.
 inline constexpr ResultField cosine{"cos", units::none, 2, CORE_TEXT("inertia-moments", "cosine")};
 inline constexpr ResultField sine{"sin", units::none, 2, CORE_TEXT("inertia-moments", "sine")};
 inline constexpr ResultField amplitude{"amplitude", units::none, 2,

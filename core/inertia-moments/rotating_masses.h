@@ -43,8 +43,8 @@ struct CounterweightDesign {
     /// of the two opposite weights against the moment (the front web's). kg·m
     Complex against_force;
     Complex against_moment;
-    /// What they add to the engine in the front view at φ = 0, forward rotating: N and N·m about
-    /// the reference position.
+    /// Their share of the engine's orders in the front view at φ = 0, forward rotating: N and N·m
+    /// about the reference position.
     Complex force;
     Complex moment;
     /// The force and moment that they are made for, relative to crankpin 1; N, N·m about z̄.

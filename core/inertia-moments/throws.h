@@ -17,15 +17,15 @@ struct Throw {
     double crankpin_angle = 0.0;         ///< κ, rad
 };
 
-/// The throws, from the front to the rear. Rods share a crankpin where it is at the same angle
-/// for both, their cylinders are in different directions, and less than the crank radius lies
-/// between them along the crank (0 where they are forked, else the width of a big end).
+/// The throws, from the front to the rear. Rods share a crankpin where it is at the same angle for
+/// both, their cylinders are in different directions, and they are less than the crank radius apart
+/// along the crank (0 where they are forked, else the width of a big end).
 std::vector<Throw> crank_throws(std::span<const Cylinder> cylinders, double crank_radius);
 
 /// The number of rods on every throw; nothing where throws differ in it.
 std::optional<std::size_t> rods_per_throw(std::span<const Throw> throws);
 
-/// One throw for each number of rods, from the fewest to the most: the first that carries so many.
+/// One throw for each number of rods, from the fewest to the most: the first with that number.
 std::vector<const Throw*> kinds_of_throw(std::span<const Throw> throws);
 
 /// Why a mass for each throw cannot be shared out: "throws carry from 1 to 2 rods".

@@ -38,9 +38,9 @@ struct CaseDoubt {
     std::vector<Contribution> contributions{};
 };
 
-/// The leading results of a case and how sure each is. What changes a result by no more than
-/// rounding is left out, and so is a result that nothing changes.
-/// @throws InputError as a solution of the case, and for a "study" that is none
+/// The leading results of a case and how sure each is. Changes within rounding are left out, and so
+/// are results without a change.
+/// @throws InputError as a solution of the case, and for an invalid "study"
 std::vector<CaseDoubt> case_budget(const CaseFile& file, const CaseContext& context);
 
 /// As aligned text (UTF-8), in the units of the case file.

@@ -15,11 +15,11 @@ namespace ravnoves::methods {
 struct CaseQuestions {
     std::string_view scene;
     std::span<const std::string_view> leading;  ///< what an answer leads with, below "result"
-    /// The fields of an "input", for their names and words; their places hold no longer.
+    /// The fields of an "input", for their names and words; their places are no longer valid.
     std::vector<FieldEntry> (*fields)(const Json& input);
     /// Below "input" the words that choose a method rather than an engine.
     std::span<const std::string_view> choices{};
-    // Objects of the result that hold the same by an exact and by an approximate form; or empty.
+    // Objects of the result with the same values by an exact and by an approximate form; or empty.
     std::string_view exact{};
     std::string_view approximate{};
     /// Inputs that are only as certain as a measurement, each from … to.

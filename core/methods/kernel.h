@@ -19,7 +19,7 @@ namespace ravnoves::methods {
 /// One setting of a method: a number of nodes, a step, a tolerance…
 struct Setting {
     Message label;       ///< as the table shows it: "15°", "64 points", "float"
-    double value = 0.0;  ///< the number in it; what it means is the method's affair
+    double value = 0.0;  ///< its number; the method defines the meaning
 };
 
 /// Settings whose number is in the label: "64 points".
@@ -58,7 +58,7 @@ struct SweepInfo {
 
     /// The value at a place 0…1 of the sweep, spread by `spacing`. Places outside 0…1 are its ends.
     double at(double place) const;
-    /// The place of a value, 0…1; values outside the sweep lie at its ends.
+    /// The place of a value, 0…1; values outside the sweep are at its ends.
     double place(double value) const;
     /// n ≥ 2 values from `from` to `to`, spread by `spacing`; ends included.
     std::vector<double> values(std::size_t n) const;
@@ -91,7 +91,7 @@ class Problem {
 struct Kernel {
     std::string id;      ///< "slider-crank"
     Text title;          ///< "Slider-crank kinematics"
-    Text quantity;       ///< what is computed
+    Text quantity;       ///< the computed quantity
     Text error_measure;  ///< what the error is relative to
     Text evaluation;     ///< what one evaluation is, for the time axis
     Text reference;      ///< how the 50 digits come about, by none of the scene's formulas
@@ -109,7 +109,7 @@ struct Kernel {
 
 /// All kernels: what the page, the command line, the benchmark and the tests read.
 const std::vector<Kernel>& kernels();
-/// @return null where there is none of that id
+/// @return null for an unknown id
 const Kernel* find_kernel(std::string_view id);
 
 /// What became of one run.

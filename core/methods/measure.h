@@ -25,7 +25,7 @@ struct Timing {
 };
 
 struct MeasureOptions {
-    double batch_seconds = 2e-4;   ///< a batch lasts at least so long…
+    double batch_seconds = 2e-4;   ///< shortest time of a batch…
     int batches = 15;              ///< …and is repeated so often
     double max_seconds = 0.25;     ///< of one point; then there are fewer batches, at least 3
     std::size_t sweep_points = 0;  ///< of a stability curve; 0: as many as its sweep says

@@ -7,7 +7,7 @@
 
 namespace ravnoves::methods {
 
-/// One line of a CSV file (RFC 4180, but a line feed alone at its end): fields that hold a comma, a
+/// One line of a CSV file (RFC 4180, but a line feed alone at its end): fields with a comma, a
 /// quote or a line feed are quoted.
 std::string csv_line(const std::vector<std::string>& fields);
 

@@ -22,13 +22,13 @@ struct MethodRow {
     std::size_t method = 0;   ///< in Kernel::methods
     std::size_t setting = 0;  ///< in MethodInfo::settings
     Timing timing;            ///< ns per evaluation
-    Result result;            ///< error at the measured value, or why there is none
+    Result result;            ///< error at the measured value, or the reason for none
     /// Order of convergence found over the method's settings; the same in all its rows.
     std::optional<double> order;
     bool in_use = false;  ///< the scene's method and setting
     bool holds = false;   ///< its error at the measured value is within the scene's tolerance
     /// Along every hard parameter that was mapped, in the kernel's order. The stability curves are
-    /// those of the method's finest setting (or the one in use), so only that row has them.
+    /// of the method's finest setting (or the one in use), so only that row has them.
     std::vector<Failing> fails;
 };
 
@@ -54,8 +54,8 @@ KernelReport make_report(const WorkPrecision& work, std::span<const StabilityMap
 KernelReport measure_kernel(const Kernel& kernel, const MeasureOptions& options = {},
                             const Progress& progress = {});
 
-/// Whether the method in use holds the scene's tolerance where it was measured, and how it stands
-/// among those that do.
+/// Whether the method in use keeps the scene's tolerance at the measured point, and its rank among
+/// those that do.
 Verdict verdict(const KernelReport& report);
 
 /// How a hard parameter is called.
@@ -64,8 +64,8 @@ enum class SweepName {
     id,     ///< "lambda"
 };
 
-/// A row's stretches in one: "nowhere", "everywhere", or by hard parameter where they differ, those
-/// along which it holds everywhere left out: "lambda: from 0.4; points: from 7200". Empty for a row
+/// A row's stretches in one: "nowhere", "everywhere", or by hard parameter where they differ,
+/// without those where it never fails: "lambda: from 0.4; points: from 7200". Empty for a row
 /// without a stability curve.
 Message failing_summary(const Kernel& kernel, const MethodRow& row,
                         SweepName name = SweepName::title);
@@ -77,8 +77,8 @@ std::string choice_paragraph(const Kernel& kernel);
 /// The report as aligned text (UTF-8): title, table, paragraph.
 std::string write_text(const KernelReport& report);
 /// As CSV with a header, one line per method and setting: kernel, sweep, value, method, setting,
-/// in_use, tolerance, median_ns, low_ns, high_ns, error, order, holds, fails, rejection,
-/// limits. Empty where there is none; decimal point, full precision.
+/// in_use, tolerance, median_ns, low_ns, high_ns, error, order, `holds`, fails, rejection, limits.
+/// Missing values are empty; decimal point, full precision.
 std::string write_csv(std::span<const KernelReport> reports);
 
 }  // namespace ravnoves::methods

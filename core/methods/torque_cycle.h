@@ -33,14 +33,14 @@ struct TorqueCycle {
 TorqueCycle paper_cycle();
 /// The paper's shaft beside a tipping moment of 0: M_ups is a pure sine.
 TorqueCycle pure_sine_cycle(double alpha_deg);
-/// A second-order torque whose best angles are two of equal range, and a first-order one of `share`
-/// of it that makes one of them better.
+/// A second-order torque with two best angles of equal range, and a first-order one of `share` of
+/// its size that makes one of them better.
 TorqueCycle two_minima_cycle(double share);
 
 /// The hard parameter of torques with that id.
 Sweep<TorqueCycle> torque_sweep(std::string_view id);
 
-/// Those of a kernel whose case is such a cycle.
+/// The angles of a kernel whose case is such a cycle.
 template <typename Case>
 std::vector<Sweep<Case>> torque_sweeps(std::initializer_list<std::string_view> ids) {
     std::vector<Sweep<Case>> sweeps;

@@ -3,9 +3,9 @@
 #include <stdexcept>
 #include <string>
 
-/// Checks an invariant of our own, in release builds too; what a user may get wrong is an
-/// InputError instead.
-/// @throws std::logic_error with the file and the line: "what must hold (solver.cpp:12)"
+/// Checks an invariant of our own, in release builds too; a user's mistake is an InputError
+/// instead.
+/// @throws std::logic_error with the file and the line: "condition (solver.cpp:12)"
 #define RAVNOVES_DEMAND(condition, what_must_hold)                         \
     do {                                                                   \
         if (!(condition)) {                                                \

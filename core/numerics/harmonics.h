@@ -23,8 +23,8 @@ struct TransformLength {
 };
 
 /// The number of samples for orders 0…max_order of a function whose coefficients fall as
-/// exp(−k·decay), so that what is folded onto them from the orders above stays under `tolerance`
-/// of the function's size.
+/// exp(−k·decay), so that the orders above, folded onto them, are under `tolerance` of the
+/// function's size.
 ///
 /// Sampling at N points folds order N − k onto order k, so N − max_order orders of decay must
 /// suffice. Functions with poles or branch points at the edge of the strip |Im φ| < decay carry a
@@ -82,7 +82,7 @@ class UniformTransform {
     std::span<const Scalar> node_cos() const { return cos_; }
     std::span<const Scalar> node_sin() const { return sin_; }
 
-    /// Orders 0…max_order of the sampled function; [0] holds the mean in .cos.
+    /// Orders 0…max_order of the sampled function; [0] has the mean in.cos.
     /// @param values  N samples at the nodes
     /// @param max_order  below N/2, else the orders fold onto each other
     std::vector<Harmonic<Scalar>> orders(std::span<const Scalar> values, int max_order) const {

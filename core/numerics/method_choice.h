@@ -6,9 +6,9 @@
 
 namespace ravnoves {
 
-/// What a scene declares of one of its kernels: the method and setting that compute it and how far
-/// the result may be off. The scene "methods" measures it against the other methods, and its tests
-/// fail where the declared method exceeds the tolerance or where a cheaper one would have held it.
+/// A scene's declaration of one of its kernels: the method and setting that compute it and the
+/// permitted error. The scene "methods" measures it against the other methods, and its tests fail
+/// where the declared method exceeds the tolerance or where a cheaper one would not.
 struct MethodChoice {
     std::string_view scene;    ///< of the case files
     std::string_view kernel;   ///< id in methods::kernels()

@@ -11,8 +11,8 @@ namespace ravnoves {
 /// Running integral of a periodic function from its samples: F[i] = ∫ from x₀ to xᵢ, i = 0…n.
 ///
 /// Each interval is integrated through the polynomial of its six nearest samples (the mean of the
-/// three-point Gregory rules on either side); the error of one interval is of order h⁷, so that of
-/// the whole is of order h⁶.
+/// three-point Gregory rules on either side); the error of one interval is of order h⁷, so the
+/// error of the whole is of order h⁶.
 /// @param samples  one period at equal steps, n ≥ 6 values, the end left out
 /// @param step     h
 /// @return n + 1 values, the first 0

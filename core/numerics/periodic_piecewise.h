@@ -27,14 +27,14 @@ struct PiecewiseCubic {
 };
 
 /// A continuous periodic function of cubic pieces: interpolates a table whose last row repeats the
-/// first one period later. Integrals are those of the interpolant itself, not of samples.
+/// first one period later. Integrals are of the interpolant itself, not of samples.
 ///
 /// x may be in any unit; y too. Values are found in O(log n).
 class PeriodicPiecewise {
   public:
     using Cubic = PiecewiseCubic;
 
-    /// Where a place lies: the piece and the distance from its left knot.
+    /// The place of an x: the piece and the distance from its left knot.
     struct Place {
         std::size_t piece = 0;
         double t = 0.0;

@@ -6,7 +6,7 @@
 namespace ravnoves {
 
 /// The scalar of references: 50 decimal digits. Without expression templates, so that kernels
-/// written for double take it as it is.
+/// written for double accept it.
 using Real50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                              boost::multiprecision::et_off>;
 

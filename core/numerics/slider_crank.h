@@ -80,8 +80,8 @@ struct SliderCrank {
         return Scalar(4) * crank_radius * rod_length / (top + bottom);
     }
 
-    /// The angles at which a mechanism that locks() stands still with its rod across the cylinder,
-    /// |R sin θ − e| = L, on both sides of top dead centre; nothing where it does not lock or where
+    /// The angles at which a mechanism that locks() stops with its rod across the cylinder,
+    /// |R sin θ − e| = L, on both sides of top dead centre; empty where it does not lock or where
     /// the parts cannot be joined at all (|e| > R + L).
     std::optional<LockingAngles<Scalar>> locking_angles() const {
         using std::abs;

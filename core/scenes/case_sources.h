@@ -18,8 +18,8 @@ bool is_same_file(const std::filesystem::path& file, const std::filesystem::path
 bool is_named_by(const CaseFile& file, const CaseContext& context,
                  const std::filesystem::path& path);
 
-/// The files that an input names together with their SHA-256 and that are others now, by their
-/// names in it. One that cannot be read is none of them: the input is rejected then.
+/// The files that an input names together with their SHA-256 and that have changed, by their names
+/// in the input. An unreadable one is not among them: the input is rejected then.
 std::vector<std::string> changed_files(const Json& input, const CaseContext& context);
 
 }  // namespace ravnoves

@@ -22,12 +22,12 @@ inline constexpr std::string_view result_format = "ravnoves-result";
 
 /// A scene as the case file sees it. solve() takes the case's "input" object (its pointer is
 /// "/input") and returns the "result" object; it throws InputError for bad input. A design that
-/// cannot exist is a result with `"feasible": false` and a reason. Of what is not wanted it
-/// computes what the scene computes in any case.
+/// cannot exist is a result with `"feasible": false` and a reason. Of unwanted values it computes
+/// only what the scene always computes.
 struct SceneSolver {
     std::string_view name;  ///< the word in the case file, for example "balance-shaft"
-    Text title;    ///< in the window; empty where it has no page
-    Text summary;  ///< one line: what the page is for
+    Text title;             ///< in the window; empty where it has no page
+    Text summary;           ///< one line: what the page is for
     Json (*solve)(const Json& input, const CaseContext& context, const Wanted& wanted);
     /// What its result rests on. @throws InputError as solve()
     std::vector<Formula> (*formulas)(const Json& input);
@@ -40,17 +40,17 @@ struct SceneSolver {
                                          std::span<const std::string> watched);
     /// The single numbers of its result, with their names. @throws InputError as solve()
     std::vector<ResultEntry> (*results)(const Json& input, const CaseContext& context);
-    /// Pointer below "result" to whether a case can be built, yes or no; empty where none tells.
+    /// Pointer below "result" to whether a case is feasible, yes or no; empty without one.
     std::string_view buildable{};
-    /// What is to be known of the files that a case names, whatever is asked of it; null where it
-    /// names none. @throws InputError as solve()
+    /// Notes on the files that a case names, for any question; null where it names none.
+    /// @throws InputError as solve()
     std::vector<Message> (*file_notes)(const Json& input, const CaseContext& context) = nullptr;
 };
 
 /// The scenes that have a solver, in the order of the navigation.
 std::span<const SceneSolver> scene_solvers();
-/// The one of that name.
-/// @throws InputError where there is none
+/// The scene of that name.
+/// @throws InputError without one
 const SceneSolver& scene_solver(const std::string& name);
 
 /// read_case() with the names of scene_solvers().
@@ -60,20 +60,19 @@ CaseFile read_case(Json document);
 /// @throws InputError
 CaseFile parse_case(std::string_view text);
 
-/// The same for a program that shows each case on a page: one of v8-plugs or bob-weights is the job
-/// of workshop that it holds.
+/// The same for a program that shows each case on a page: a case of v8-plugs or bob-weights becomes
+/// a job of workshop.
 /// @throws InputError
 CaseFile parse_shown_case(std::string_view text);
 
 /// The files that the case names: each text under a key "csv", beside the case.
 std::vector<std::filesystem::path> files_named_by(const CaseFile& file, const CaseContext& context);
 
-/// Rewrites the names of these files for a case that moves: they are the same files from there.
-/// What lies below its folder is named by a short path; what was named by a whole path elsewhere
-/// stays.
+/// Rewrites the names of these files for a case that moves, so that they are the same files from
+/// there. A file below its folder is named by a short path; whole paths to elsewhere are unchanged.
 void move_files(CaseFile& file, const CaseContext& from, const CaseContext& to);
 
-/// Solves a case and wraps the result, or what is wanted of it, in its envelope. Never holds NaN or
+/// Solves a case and wraps the result, or its wanted part, in its envelope, without NaN or
 /// infinity.
 /// @throws InputError for bad input, std::logic_error for a fault of ours
 Json solve_case(const CaseFile& file, const CaseContext& context, const Wanted& wanted = {});

@@ -24,7 +24,7 @@ struct FreshResults {
 };
 
 /// Values of a scene's result as functions of numbers of its input: puts them into the input and
-/// visits what is watched, without a file in between. A number that the fields hand out as a copy
+/// visits the watched ones, without a file in between. A number that the fields hand out as a copy
 /// is put into the JSON instead, which is read again for each evaluation.
 /// @tparam read_input   of the scene, from the "input" object of a case
 /// @tparam check_input  throws where the input as a whole is rejected

@@ -21,7 +21,7 @@ constexpr double permissible_unbalance(double rotor_mass, double grade, double s
     return rotor_mass * grade / service_speed;
 }
 
-/// Whether an unbalance is no more than its limit, but for rounding.
+/// Whether an unbalance is within its limit, but for rounding.
 constexpr bool is_within(double unbalance, double permissible) {
     constexpr double rounding = 1e-9;
     return unbalance <= permissible * (1.0 + rounding);
@@ -32,8 +32,8 @@ inline std::optional<bool> is_within(double unbalance, const std::optional<doubl
     return permissible ? std::optional(is_within(unbalance, *permissible)) : std::nullopt;
 }
 
-/// A crankshaft's mass that was typed in grams, as it seems: those of cars, trucks and locomotives
-/// weigh less than 2 t.
+/// A crankshaft's mass that seems typed in grams: crankshafts of cars, trucks and locomotives weigh
+/// less than 2 t.
 inline bool is_mass_in_grams(const std::optional<double>& rotor_mass) {
     constexpr double heaviest = 2000.0;  // kg
     return rotor_mass && *rotor_mass > heaviest;

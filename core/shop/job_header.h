@@ -25,8 +25,8 @@ struct JobHeader {
 
 void visit_fields(FieldVisitor& visitor, JobHeader& job);
 
-/// Whose readings of the balancing machine they are; empty for the crankshaft of the card's head.
-/// It is noted when the head becomes that of another crankshaft.
+/// The crankshaft of the balancing machine's readings; empty for the crankshaft of the card's head.
+/// It is noted when the head becomes another crankshaft's.
 struct ReadShaft {
     std::string engine_number;
     std::string crankshaft_number;

@@ -8,9 +8,9 @@
 
 namespace ravnoves::shop {
 
-/// A mass that was typed in kilograms, as it seems: the first of these that is less than any such
-/// part of a car or truck weighs (a piston of 0.5 g is no piston), or a hundredth of the nominal
-/// mass or less, or of which that is a hundredth. Nothing where there is none; 0 is no mass.
+/// A mass that seems typed in kilograms: the first of these that is less than any such part of a
+/// car or truck weighs (a piston of 0.5 g is no piston), or a hundredth of the nominal mass or
+/// less, or a hundred times that. Empty without one; 0 is no mass.
 std::optional<double> mass_in_kilograms(Part part, const std::optional<double>& nominal,
                                         std::span<const Weighed> masses);
 
@@ -34,12 +34,11 @@ struct OddMass {
     std::vector<std::size_t> cylinders() const;
 };
 /// The mass that is farthest from the others, where that is by more than a tenth: parts of one
-/// engine differ by a few percent; of four or more also where it is by more than a hundredth and
-/// more than six times the scatter of the others; where several are, by more than three hundredths,
-/// unless they are more than a third. Of two or three,
-/// whose median says little, by a factor of more than 3, as a decimal sign in the wrong place makes
-/// it; of two the one that is farther from the nominal mass, or the heavier one. Nothing where
-/// there is none; 0 is no mass.
+/// engine differ by a few percent; of four or more also by more than a hundredth and more than six
+/// times the scatter of the others; where several are, by more than three hundredths, unless they
+/// are more than a third. Of two or three, whose median says little, by a factor of more than 3, as
+/// from a misplaced decimal sign; of two the one that is farther from the nominal mass, or the
+/// heavier one. Empty without one; 0 is no mass.
 std::optional<OddMass> odd_mass(const std::optional<double>& nominal,
                                 std::span<const Weighed> masses);
 

@@ -8,8 +8,8 @@
 #include "case-file/message.h"
 #include "shop/weigh_in.h"
 
-/// Weighed parts are matched: what to take off each to reach the lightest, and which set goes to
-/// which cylinder.
+/// Matching of weighed parts: metal to remove to reach the lightest, and which set belongs to which
+/// cylinder.
 namespace ravnoves::shop {
 
 /// What to take off each part, so that it equals the lightest of its column; kg. Nothing for those
@@ -63,7 +63,7 @@ struct Shaking {
     double ends;    ///< at the end crankpins: root mean square over a turn and both ends, kg
 };
 
-/// What is to be matched.
+/// The matching problem.
 struct MatchingTask {
     std::array<std::span<const Weighed>, 6> masses;  ///< in the order of all_parts
     std::array<double, 6> factors{};  ///< how often a part counts in its crankpin; 0: it does not
@@ -74,15 +74,15 @@ struct MatchingTask {
 
 /// The masses of a sheet.
 std::array<std::span<const Weighed>, 6> masses_of(const WeighIn& sheet);
-/// What is matched of a sheet: columns whose factor is 0 do not count.
+/// The matching problem of a sheet, without columns whose factor is 0.
 MatchingTask matching_task(const WeighIn& sheet, const Crank& crank,
                            const std::array<double, 6>& factors);
 
-/// Which set goes where: element i is the cylinder (from 0) whose set goes to cylinder i.
+/// The placing: element i is the cylinder (from 0) whose set moves to cylinder i.
 struct Matched {
     std::vector<int> pistons;  ///< piston with its pin and rings
     std::vector<int> rods;     ///< rod with its shells
-    double spread = 0.0;       ///< heaviest less lightest crankpin, kg
+    double spread = 0.0;       ///< heaviest minus lightest crankpin, kg
     int moved = 0;             ///< sets that change their cylinder
     double spread_before = 0.0;
     std::optional<Shaking> shaking_before;
@@ -93,8 +93,7 @@ struct Matched {
     bool spacing_known = false;
 };
 
-/// The best placing by the rules; see best_placing() for what is proven. Nothing where no column
-/// counts.
+/// The best placing by the rules; see best_placing() for the proof. Empty without a column.
 std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rules);
 
 /// What a placing makes of the spread and of the engine, whatever its goal.
@@ -112,7 +111,7 @@ std::vector<int> part_numbers(const WeighIn& sheet, Part part);
 /// The sheet with the parts moved; the sets keep their numbers.
 void move_sets(WeighIn& sheet, const std::vector<int>& pistons, const std::vector<int>& rods);
 
-/// Which set goes where so that each is where it was weighed again, as Matched has it.
+/// The placing, as in Matched, that returns each set to where it was weighed.
 std::array<std::vector<int>, 2> to_where_weighed(const SetNumbers& piston_sets,
                                                  const SetNumbers& rod_sets, std::size_t cylinders);
 /// The sheet with all parts where they were weighed.

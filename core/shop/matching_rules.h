@@ -20,7 +20,7 @@ enum class MatchingGoal {
 
 /// Where a set may go.
 enum class SetMoves { anywhere, within_bank, stays };
-/// Whether a part goes with its set, or stays where it was fitted.
+/// Whether a part moves with its set, or remains where it was fitted.
 enum class PartMoves { with_set, stays };
 
 /// How weighed parts are matched: pistons with their pins and rings, and rods with their shells,

@@ -97,15 +97,15 @@ void visit_lines(ResultVisitor& visitor, std::size_t count, const LineAt& line_a
     });
 }
 
-/// What readings of the balancing machine are of, where that is not what there is now.
+/// The state at the readings of the balancing machine, where it differs from the present one.
 void visit_other(ResultVisitor& visitor, const std::optional<double>& read_with,
                  const std::optional<OtherShaft>& read_on);
-/// The same as a sentence; empty where they hold.
+/// The same as a sentence; empty while the readings are valid.
 Message other_readings(const std::optional<double>& read_with,
                        const std::optional<OtherShaft>& read_on,
                        const std::optional<double>& bob_weight_now);
 
-/// Puts what the machine reads in both planes before what is said: passes or fails. Nothing while a
+/// Puts the machine's reading in both planes before the verdict: passes or fails. Nothing while a
 /// reading that could fail, or a limit, is missing.
 void add_machine_verdict(Verdict& verdict, const std::array<std::optional<double>, 2>& unbalance,
                          const std::optional<std::array<double, 2>>& permissible,

@@ -24,7 +24,7 @@ struct ScaleLine {
 
     Kind kind = Kind::garbled;
     Form form = Form::number;
-    double number = 0.0;  ///< as the scale shows it; 0 where there is none
+    double number = 0.0;  ///< as the scale shows it; 0 without one
     int decimals = 0;     ///< that it shows
     Unit unit = units::gram;
 
@@ -43,8 +43,8 @@ struct ScaleLine {
 ///     123.45                 a number, with or without a unit
 ///
 /// Decimal point or comma; g, kg, mg, oz and lb, and "г" and "кг" in UTF-8, CP1251 and CP866. A
-/// line that says that it is stable has a unit, or it is not whole. What is not understood is
-/// garbled: half a line is never another weight than the whole one, but for a bare number.
+/// line marked stable has a unit, or it is not whole. Any other line is garbled: half a line never
+/// gives another weight than the whole one, but for a bare number.
 ///
 /// @param usual  unit of a number without one
 ScaleLine parse_scale_line(std::string_view line, const Unit& usual = units::gram);
@@ -53,7 +53,8 @@ ScaleLine parse_scale_line(std::string_view line, const Unit& usual = units::gra
 class ScaleLines {
   public:
     void add(std::string_view bytes) { rest_ += bytes; }
-    /// Takes the next whole line. @return false where there is none yet
+    /// Reads the next whole line.
+    /// @return false before it is whole
     bool next(std::string& line);
     /// True where a line has begun and has not ended.
     bool is_half() const { return !rest_.empty(); }
@@ -67,7 +68,7 @@ class ScaleLines {
     std::string rest_;
 };
 
-/// Of a scale that sends all the time: takes each part once, when it lies still, and the next one
+/// For a scale that sends all the time: takes each part once, when it is at rest, and the next one
 /// after the pan was empty.
 class PartByPart {
   public:

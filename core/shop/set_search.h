@@ -8,7 +8,7 @@ namespace ravnoves::shop {
 
 /// One kind of sets that change places among themselves.
 struct SetKind {
-    /// What set s adds in place p, so many numbers as the search has dimensions, at
+    /// Share of set s in place p, one number for each dimension of the search, at
     /// (s · places + p) · dimensions.
     std::vector<double> adds;
     std::vector<int> group;  ///< by place: sets change places within a group alone
@@ -16,7 +16,7 @@ struct SetKind {
     friend bool operator==(const SetKind&, const SetKind&) = default;
 };
 
-/// Which of two kinds of sets goes where, so that what they add up to is as small as can be.
+/// Which of two kinds of sets belongs where, to minimise the size of their sum.
 struct SetSearch {
     enum class Size {
         spread,  ///< largest number less smallest
@@ -34,7 +34,7 @@ struct SetSearch {
 };
 
 struct SetsFound {
-    std::array<std::vector<int>, 2> from;  ///< by place: the set that goes there
+    std::array<std::vector<int>, 2> from;  ///< by place: the set that moves there
     double size = 0.0;
     bool proven = false;  ///< nothing is better
     int moved = 0;        ///< sets that change their place
@@ -49,8 +49,8 @@ double size_of(const SetSearch& search, const std::array<std::vector<int>, 2>& f
 ///
 /// Exchanges of two sets from the present placing and from random ones, as long as they help. Where
 /// each kind has no more placings than 8! (eight places; five and five in two groups) all pairs of
-/// placings are compared after that, but for those of which one number alone says that they are
-/// worse. The thread's last search is kept: most edits of a case change nothing of it.
+/// placings are compared after that, but for those that one number alone shows to be worse. The
+/// thread's last search is kept: most edits of a case do not affect it.
 SetsFound best_placing(const SetSearch& search);
 
 }  // namespace ravnoves::shop

@@ -44,7 +44,7 @@ using Weighed = std::optional<double>;
 /// The column of one kind of part.
 struct PartColumn {
     std::optional<double> nominal;           ///< kg
-    std::optional<double> permitted_spread;  ///< heaviest less lightest, kg
+    std::optional<double> permitted_spread;  ///< heaviest minus lightest, kg
     std::vector<Weighed> mass;               ///< kg, by cylinder
 
     bool is_empty() const {  ///< nothing weighed
@@ -71,7 +71,7 @@ enum class CylinderNumbering {
 using SetNumbers = std::vector<int>;
 /// With their numbers where the list is empty, or of another number of cylinders.
 SetNumbers whole_numbers(const SetNumbers& numbers, std::size_t cylinders);
-/// The numbers after moving: element i of `from` is the cylinder (from 0) whose set goes to i.
+/// The numbers after moving: element i of `from` is the cylinder (from 0) whose set moves to i.
 SetNumbers moved_numbers(const SetNumbers& numbers, const std::vector<int>& from);
 
 struct WeighIn {
@@ -105,7 +105,7 @@ struct WeighIn {
 struct ColumnStatistics {
     int count;
     double mean;    ///< kg
-    double spread;  ///< heaviest less lightest, kg
+    double spread;  ///< heaviest minus lightest, kg
     int heaviest;   ///< cylinder, counted from 0
     int lightest;
     bool within_permitted;  ///< true where no permitted spread is given

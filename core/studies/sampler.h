@@ -22,16 +22,16 @@ class CounterRandom {
     std::uint64_t seed_;
 };
 
-/// Sample i belongs to replicate i mod 8: samples of one are independent of those of another, of
-/// Sobol points too. So what replicates differ by is the error of what they have in common.
+/// Sample i belongs to replicate i mod 8, whose samples are independent of the others', also Sobol
+/// points. So the differences of replicates are the error of their mean.
 inline constexpr std::size_t replicates = 8;
 
 /// The points of a sampled study in the unit cube, any of them at once: sample i depends on the
 /// seed and on i alone.
 ///
-/// Monte Carlo: CounterRandom. Sobol: Boost.Random's points, those of each replicate scrambled by
-/// keys of their own by a hash that approximates Owen's [burley]: without bias, for smooth
-/// functions with an error near N^−1.5.
+/// Monte Carlo: CounterRandom. Sobol: Boost.Random's points, scrambled for each replicate by keys
+/// of its own by a hash that approximates Owen's [burley]: without bias, for smooth functions with
+/// an error near N^−1.5.
 class Sampler {
   public:
     Sampler(Method method, std::uint64_t seed, std::size_t inputs);

@@ -27,7 +27,7 @@ struct Varied {
     double from = 0.0;
     double to = 0.0;
     std::vector<double> values{};  ///< of a grid
-    /// The values were given as so many from … to; 0 where they were listed.
+    /// Number of values from … to; 0 where they were listed.
     int steps = 0;
     friend bool operator==(const Varied&, const Varied&) = default;
 };
@@ -40,9 +40,9 @@ struct Watched {
     friend bool operator==(const Watched&, const Watched&) = default;
 };
 
-/// The upper limit of an angle that is meant across 0°, from 355 to 3: so many turns on that it
-/// lies above the lower one, 363; nothing where it does so already, of what is no angle, and of
-/// crank angles, whose cycle may have two turns.
+/// The upper limit of an angle that is meant across 0°, from 355 to 3: whole turns above the lower
+/// one, 363; empty where it is above already, for other quantities, and for crank angles, whose
+/// cycle may have two turns.
 std::optional<double> upper_across_zero(const Watched& watched);
 
 enum class Method {
@@ -78,7 +78,7 @@ inline constexpr std::uint64_t max_grid_points = 1'000'000;
 Study read_study(const Json& study, bool half_filled = false);
 Json write_study(const Study& study);
 
-/// So many values at equal distances, both ends among them.
+/// `steps` values at equal distances, both ends included.
 std::vector<double> spaced(double from, double to, int steps);
 
 /// The place of an input or a result in the case file: "/study/vary/~1crank_radius_mm".

@@ -25,7 +25,7 @@ namespace ravnoves::studies {
 struct Origin {
     std::string scene;
     std::string title;
-    std::string case_sha256;  ///< of the case file as it is, or of the case as written
+    std::string case_sha256;  ///< of the unchanged case file, or of the case as written
     /// Of the files that the case names.
     std::vector<std::pair<std::string, std::string>> files_sha256{};
     std::string program = RAVNOVES_VERSION;
@@ -68,7 +68,7 @@ struct FirstSamples {
 /// A row of a grid's table; a value that does not exist is empty.
 using Row = std::vector<std::optional<double>>;
 
-/// A study or a shard of it, as far as it is done.
+/// A study or a shard of one, complete or not.
 struct Part {
     Origin origin;
     Study study;
@@ -86,9 +86,9 @@ struct Part {
     bool finished() const { return done() == size(); }
 };
 
-/// A study has so many blocks, or as many as it has samples; a shard is whole blocks.
+/// A study has as many blocks, or as many as samples; a shard is whole blocks.
 inline constexpr std::uint64_t max_blocks = 1024;
-/// Those of a shard, nothing done.
+/// The blocks of a shard, nothing done.
 std::vector<Block> blocks_of(const Study& study, std::uint64_t shard, std::uint64_t shards);
 /// Samples that the expansions are tried by.
 inline constexpr std::uint64_t tried_samples = 64;
@@ -102,8 +102,8 @@ Part begin_part(const Problem& problem, std::uint64_t shard = 1, std::uint64_t s
 /// How much of all work a part's samples and basis are, 0…1.
 double share_done(const Part& part);
 
-/// Goes on with a part until it is done. Several threads (0: as many as there are cores) take
-/// blocks; some times a second, `went_on` sees the part and may stop the work by false.
+/// Continues a part until it is done. Several threads (0: as many as there are cores) take blocks;
+/// some times a second, `went_on` sees the part and may stop the work by false.
 void run_part(const Problem& problem, Part& part, int threads = 0,
               const std::function<bool(const Part&)>& went_on = {});
 
@@ -135,7 +135,7 @@ Part read_part(Json json);
 /// Whether two parts of a study began with the same numbers.
 bool same_basis(const Basis& one, const Basis& other);
 
-/// What is to be known of an answer.
+/// A note on an answer.
 struct Note {
     Message text;
     std::optional<std::size_t> fails{};  ///< of the watched value whose linear answer fails
@@ -149,7 +149,7 @@ std::vector<Rejection> rejections_of(const Part& part);
 
 /// The "ravnoves-study" document; of a part that is not done yet, of its samples so far.
 Json write_results(const Part& part);
-/// SHA-256 of the case whose study such a document holds; empty where it is none.
+/// SHA-256 of the case whose study is in such a document; empty for other documents.
 std::string case_of_results(const Json& json);
 
 }  // namespace ravnoves::studies

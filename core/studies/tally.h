@@ -39,7 +39,7 @@ struct Estimate {
     double error = 0.0;  ///< standard
 };
 
-/// What is known of one watched value. Errors are those of the replicates' jackknife.
+/// Statistics of one watched value. Errors are by the replicates' jackknife.
 struct Statistics {
     double mean = 0.0;
     double deviation = 0.0;  ///< standard, with n − 1; of an angle √(−2 ln R), with the same factor
@@ -114,7 +114,7 @@ class Tally {
                   std::span<const double> other);
     /// Of another with the same plan.
     void add(const Tally& other);
-    /// Counts again what is within the plan's limits, which are others.
+    /// Counts the samples within the plan's limits again, after these have changed.
     /// @param values  of all solved samples
     void set_plan(std::size_t watched, const CountingPlan& plan, std::span<const double> values);
 
@@ -123,8 +123,8 @@ class Tally {
     /// Of at least one solved sample.
     /// @param blocks  with all samples that were counted
     Statistics statistics(std::size_t watched, std::span<const Block> blocks) const;
-    /// All samples in so many bars between two values, at least one bar; the first and the last
-    /// hold what lies beyond them too.
+    /// All samples in `bars` between two values, at least one; the first and the last include the
+    /// samples beyond.
     std::vector<std::uint64_t> histogram(std::size_t watched, double from, double to,
                                          std::size_t bars) const;
 

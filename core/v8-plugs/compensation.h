@@ -101,7 +101,7 @@ constexpr const Word& option_word(OptionId option) {
 }
 /// True where the option's plugs are of steel, present or new ones; false where of aluminium.
 bool has_steel_plugs(OptionId option);
-/// True where the plugs are those of the new design, not the present ones in steel or aluminium.
+/// True for plugs of the new design, not the present ones in steel or aluminium.
 bool has_new_plugs(OptionId option);
 /// True where the option is for a crankshaft made for the plugs of the new design.
 bool needs_new_crankshaft(OptionId option);
@@ -112,12 +112,12 @@ struct Option {
     double constant;     ///< Δm_yra, Δm_yhr, Δm_yna (12)–(14) or 0, kg
     double slope;        ///< k_y (24), or k_yн where new plugs are machined
     double plug_radius;  ///< r_p or r_pн, m
-    /// The wall-strength limit of one plug, kg. The paper gives none for a new plug: that of
-    /// the present steel plug is used, in proportion where the new one is lighter.
+    /// The wall-strength limit of one plug, kg. The paper gives none for a new plug: the present
+    /// steel plug's is used, in proportion where the new one is lighter.
     double max_reduction;
     double maximum;               ///< (19)–(22), kg
     double required_reduction;    ///< one plug, kg; may be negative or beyond the limit
-    double reduction;             ///< the same, clamped to what is possible, kg
+    double reduction;             ///< the same, within the feasible range, kg
     bool feasible;                ///< |residual unbalance| within the tolerance
     double residual_mass;         ///< excess left on a crankpin, kg; negative: over-compensated
     double residual_unbalance;    ///< the same times r, kg·m
@@ -143,7 +143,7 @@ struct Advice {
         cannot_be_made      ///< `option` would do, but its plug cannot be made so
     };
     Kind kind;
-    std::optional<Option> option;  ///< the recommended one, or the one that leaves least
+    std::optional<Option> option;  ///< the recommended one, or the one of minimum residual
     /// An option that would work if the other crankshaft were fitted.
     std::optional<OptionId> with_other_crankshaft;
     Message hindrance;  ///< why the plug cannot be made; empty else
@@ -161,8 +161,8 @@ using shop::two_sentences;
 /// The advice as a technician would say it.
 Message describe(const Advice& advice, double unbalanced_mass, double crank_radius,
                  double tolerance);
-/// What an option asks for in the imperative, with so much off each plug, kg; from one mass to
-/// another where they read differently.
+/// The instruction of an option, with the mass to take off each plug, kg; from one mass to another
+/// where they read differently.
 Message describe_action(const Option& option, double minimum, double maximum);
 /// Why an option does not work (residual beyond the tolerance); empty where it does.
 Message describe_failure(const Option& option, double tolerance);
@@ -205,7 +205,7 @@ constexpr const Word& bob_weight_word(BobWeightLine::Part part) {
 struct BobWeight {
     std::vector<BobWeightLine> lines;
     double sum() const;  ///< kg
-    /// What is hung where the plugs are in the shaft already: the sum counts them, kg.
+    /// Bob weight where the plugs are in the shaft already: the sum includes them, kg.
     double with_plugs_in() const {
         return sum() - product(BobWeightLine::Part::plugs).value_or(0.0);
     }
@@ -232,7 +232,7 @@ double shift_coefficient(double shift, double crank_radius);
 /// What the shift is worth on a crankpin with two such plugs, 2 m Δk r = 2 m Δr, kg·m.
 double shift_unbalance(double plug_mass, double shift);
 
-/// Crank radii of the five curves of the paper's Fig. 2 and the engines they stand for.
+/// Crank radii of the five curves of the paper's Fig. 2 and their engines.
 struct ShiftCurve {
     double crank_radius;  ///< m
     std::string_view engines;

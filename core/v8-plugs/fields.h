@@ -6,7 +6,7 @@
 #include "shop/weigh_in.h"
 #include "v8-plugs/plug_geometry.h"
 
-/// The inputs of the scene, each described once; those of the engine are engine_fields().
+/// The inputs of the scene, each described once; the engine's are engine_fields().
 namespace ravnoves::v8_plugs {
 
 inline constexpr Word process_words[] = {{"manufacture", CORE_TEXT("V8", "Manufacture")},

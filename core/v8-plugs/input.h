@@ -31,7 +31,7 @@ struct MassChangeField {
 };
 std::span<const MassChangeField> mass_change_fields();
 
-/// The plug's dimensions as far as they are known.
+/// The known dimensions of the plug.
 struct PlugSheet {
     std::optional<Thread> thread;
     std::optional<double> height;           ///< m
@@ -69,7 +69,7 @@ struct Input {
     /// Typed, or from the weigh-in sheet as far as it has been weighed; 0 where they are not known.
     /// In manufacture repair parts that are typed do not count; weighed ones do.
     MassChanges changes() const;
-    /// True where the change is the one typed, not that of weights.
+    /// True where the change is the typed one, not the weighed.
     bool takes_typed(double MassChanges::*change) const;
     bool has_typed_changes() const { return changes_given || typed_changes != MassChanges{}; }
     /// False on a sheet on which none is typed, or nothing weighed counts yet.
@@ -91,10 +91,10 @@ void visit_plugs(FieldVisitor& visitor, Input& input, bool weighed);
 /// Σ c²/n of shop::Weighing, by the means of the columns that count.
 double rounding_squares(const Input& input);
 
-/// What is typed and weighed masses replace; a sentence for each.
+/// A sentence for each typed mass that weighed ones replace.
 std::vector<Message> replaced(const Input& input);
-/// What else is typed or weighed and does not count, and what is typed and counts beside weights; a
-/// sentence for each.
+/// A sentence for each other typed or weighed mass that is not used, and for each typed one that is
+/// used beside weights.
 std::vector<Message> not_counted(const Input& input);
 
 /// Checks that nothing which a result needs is missing, and the rules that join fields.

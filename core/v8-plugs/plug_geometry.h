@@ -51,7 +51,7 @@ struct PlugGeometry {
     friend bool operator==(const PlugGeometry&, const PlugGeometry&) = default;
 };
 
-/// What is wrong with the dimensions, as text; nothing where the plug can exist.
+/// The fault of the dimensions, as text; empty where the plug can exist.
 std::optional<Message> geometry_fault(const PlugGeometry& plug);
 
 /// The cutter and the walls that must stay.
@@ -78,7 +78,7 @@ struct Boring {
     double bottom = 0.0;         ///< left under the bore, m
     double max_reduction = 0.0;  ///< what the walls allow in all, kg
     Limit limit = Limit::none;   ///< what forbids the reduction asked for
-    /// How far beyond the plug's centre of mass, outwards, that of the metal cut off lies, m; also
+    /// Distance from the plug's centre of mass outwards to the centre of the metal cut off, m; also
     /// where a limit forbids the cut.
     double cut_distance = 0.0;
     double shift = 0.0;  ///< centre of mass of the bored plug moves inwards by this much, m

@@ -13,7 +13,7 @@ namespace ravnoves::v8_plugs {
 /// Δm_yra and from Δm_yhr alike (Tables 2 and 3).
 std::span<const Engine> engine_presets();
 
-/// The preset of that name ("4.25 l", or short "4.25"); nullptr where there is none.
+/// The preset of that name ("4.25 l", or short "4.25"); null without one.
 const Engine* find_preset(std::string_view name);
 
 /// Thread and height of the present plug as Table 1 prints them for the preset; empty for the

@@ -57,8 +57,8 @@ struct Result {
     /// Where an option machines its plugs.
     std::array<std::optional<ShiftEffect>, all_options.size()> shift;
 
-    /// What is to be hung on a crankpin, the plugs out of the shaft; where nothing is to be done,
-    /// what it is before; null while that is not known.
+    /// The bob weight to hang on a crankpin, the plugs out of the shaft; the present one where no
+    /// change is needed; null while unknown.
     const BobWeight* hung_weight() const {
         const auto* weights =
             advice && advice->option ? &bob_weights[index(advice->option->id)] : nullptr;

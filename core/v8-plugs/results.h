@@ -9,9 +9,9 @@
 
 namespace ravnoves::v8_plugs {
 
-/// The values of a solved input, in the order of the contract; without advice, what is to be done
-/// with the plugs is null.
-/// @param result  solve(input) of an input that holds all that a result needs
+/// The values of a solved input, in the order of the contract; without advice, the work on the
+/// plugs is null.
+/// @param result  solve(input) of an input with everything that a result needs
 /// @param speed   in service, rad/s
 void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result,
                  const std::optional<double>& speed);

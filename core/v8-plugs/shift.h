@@ -7,16 +7,16 @@
 
 namespace ravnoves::v8_plugs {
 
-/// What it is worth on a crankpin that the centre of mass of a machined plug moves towards the
-/// crank axis, which the method neglects (2): so much more than it counts is compensated. From the
-/// bore that is planned, or for the range of shifts that the paper gives.
+/// Effect on a crankpin of the shift of a machined plug's centre of mass towards the crank axis,
+/// which the method neglects (2): that much is overcompensated. From the planned bore, or for the
+/// range of shifts that the paper gives.
 struct ShiftEffect {
     bool planned = false;    ///< from the bore; then smallest and largest are the same
     double min_shift = 0.0;  ///< Δr, m
     double max_shift = 0.0;  ///< m
     double minimum = 0.0;    ///< compensated beyond what the method counts, kg·m
     double maximum = 0.0;    ///< kg·m
-    /// What is left on a crankpin with it, the worse of both ends, kg·m; negative: too much is
+    /// Residual on a crankpin with it, the worse of both ends, kg·m; negative: too much is
     /// compensated.
     double residual_unbalance = 0.0;
     /// The option works by the method's count, and with the shift it leaves more than the

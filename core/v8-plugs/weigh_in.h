@@ -44,8 +44,8 @@ std::optional<double> nominal_rotating(const WeighIn& sheet);
 ///
 /// In repair the piston with its rings is Δm_рп, pin and small end (which move with the piston) are
 /// Δm_п, the shells of both rods of a crankpin Δm_шр. In manufacture piston, pin, rings and small
-/// end are Δm_п; shells that are weighed are Δm_шр there too. Columns that are not complete count
-/// as nominal; a change of which no column is complete stays what was typed.
+/// end are Δm_п; weighed shells are Δm_шр there too. Incomplete columns count as nominal; a change
+/// without a complete column keeps its typed value.
 MassChanges mass_changes(const WeighIn& sheet, Process process, const MassChanges& typed = {});
 /// The change of the method that the part belongs to.
 double MassChanges::*change_of(Part part, Process process);
@@ -58,11 +58,11 @@ double excess_factor(Part part, double rod_coefficient);
 /// unbalanced_mass() of mass_changes().
 std::array<double, crankpin_count> crankpin_excess(const WeighIn& sheet, double rod_coefficient);
 
-/// Heaviest less lightest crankpin, kg.
+/// Heaviest minus lightest crankpin, kg.
 double spread(const std::array<double, crankpin_count>& totals);
 
 /// The crankshaft of a cross-plane V-8 at 90°, as far as the sheet does not say otherwise.
 shop::Crank crank_of(const WeighIn& sheet);
-/// What is matched: columns that are not complete count as nominal.
+/// The matching problem: incomplete columns count as nominal.
 shop::MatchingTask matching_task(const WeighIn& sheet, double rod_coefficient);
 }  // namespace ravnoves::v8_plugs

@@ -48,12 +48,12 @@ struct Doubt {
 };
 std::vector<Doubt> find_doubts(const DoubtCase& job);
 
-/// The mass that is entered of a part and that of the scale are not the same part's.
+/// The entered mass of a part and the weighed one are not of the same part.
 bool contradicts_scale(const Input& input, const bob_weights::PartField& part);
 
 /// An act of the verdict: the columns of the rod's ends change places.
 inline constexpr std::string_view swap_ends_act = "swap-rod-ends";
-/// An act of the verdict: what was really drilled is entered.
+/// An act of the verdict: enter the holes really drilled.
 inline constexpr std::string_view drilled_act = "correct-drilled";
 
 }  // namespace ravnoves::workshop

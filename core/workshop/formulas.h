@@ -8,7 +8,7 @@
 
 namespace ravnoves::workshop {
 
-/// Those of the plugs, where there are some, and of bob weight and correction.
+/// Formulas of the plugs, if any, and of bob weight and correction.
 std::vector<Formula> formulas(const Input& input);
 /// What the models leave out.
 std::span<const Text> left_out();

@@ -15,8 +15,8 @@ class FieldVisitor;
 /// the readings of the machine and the holes.
 namespace ravnoves::workshop {
 
-/// The balancing machine, as it is set up. Angles of readings are those that it shows; angles of
-/// holes are those of the metal, in the machine's sense of counting from its zero.
+/// The balancing machine, as set up. Angles of readings are as it shows them; angles of holes are
+/// in the metal, in the machine's sense of counting from its zero.
 struct Machine {
     enum class Counts { clockwise, counter_clockwise };  ///< seen from the front
     enum class Shows { heavy, light };

@@ -30,7 +30,8 @@ void visit_fields(FieldVisitor& visitor, PlugsCase& input);
 void check_bob_weights_case(const BobWeightsCase& input);
 void check_plugs_case(const PlugsCase& input);
 
-/// Reads the case's "input" object. As it is, rules that join values are left to the page.
+/// Reads the case's "input" object. With Completeness::as_is, rules that join values are left to
+/// the page.
 /// @throws InputError
 BobWeightsCase read_bob_weights_case(const Json& input,
                                      Completeness completeness = Completeness::required);
@@ -49,8 +50,8 @@ void visit_results(ResultVisitor& visitor, const PlugsCase& input);
 std::optional<Input> read_as_job(std::string_view scene, const Json& input,
                                  Completeness completeness = Completeness::required);
 
-/// A case of one of these formats as one of workshop, half filled or not, with its variants, and
-/// its study with the pointers of a job; any other as it is.
+/// Turns a case of these formats into a job of workshop, half filled or not, with its variants, and
+/// its study with the pointers of a job; returns others unchanged.
 /// @throws InputError as those formats
 CaseFile as_job(CaseFile file);
 

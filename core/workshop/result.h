@@ -14,7 +14,7 @@ namespace ravnoves::workshop {
 /// doubt blocks is withheld where it is shown.
 struct Result {
     bob_weights::Result shaft;
-    std::optional<v8_plugs::Input> plugs_input;  ///< whole_plugs() of what was solved
+    std::optional<v8_plugs::Input> plugs_input;  ///< whole_plugs() of the solved input
     std::optional<v8_plugs::Result> plugs;
     std::vector<Doubt> doubts;
 

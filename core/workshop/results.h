@@ -7,9 +7,9 @@
 
 namespace ravnoves::workshop {
 
-/// The values of a solved input, in the order of the contract. What a doubt blocks is null, and the
-/// number is under "doubtful".
-/// @param result  solve(input) of an input that holds all that a result needs
+/// The values of a solved input, in the order of the contract. A value that a doubt blocks is null,
+/// and the number is under "doubtful".
+/// @param result  solve(input) of an input with everything that a result needs
 void visit_results(ResultVisitor& visitor, const Input& input, const Result& result);
 /// The same, which solves the input first.
 void visit_results(ResultVisitor& visitor, const Input& input);

@@ -8,7 +8,8 @@
 
 namespace ravnoves::workshop {
 
-/// Reads the case's "input" object. As it is, rules that join values are left to the page.
+/// Reads the case's "input" object. With Completeness::as_is, rules that join values are left to
+/// the page.
 /// @throws InputError
 Input read_input(const Json& input, Completeness completeness = Completeness::required);
 /// Writes an "input" object that read_input() turns into the same Input.

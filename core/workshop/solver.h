@@ -8,9 +8,9 @@
 
 namespace ravnoves::workshop {
 
-/// Computes whatever the input allows, also where check_input() does not let it pass.
-/// @param absent_is_zero  whether mass changes that are not given count as 0, as those of a case
-///                        do; else nothing that rests on them is computed before they are known
+/// Computes whatever the input allows, also where check_input() rejects it.
+/// @param absent_is_zero  whether missing mass changes count as 0, as in a case; else nothing that
+///                        depends on them is computed before they are known
 /// @param places_parts    false: without the placing of the parts, which takes longest
 Result solve(const Input& input, bool absent_is_zero = true, bool places_parts = true);
 
@@ -18,7 +18,7 @@ Result solve(const Input& input, bool absent_is_zero = true, bool places_parts =
 /// none, and studies of them solve a hundred thousand times.
 Result solve_undoubted(const Input& input, bool absent_is_zero, bool places_parts);
 
-/// The job as it was while so many runs had been read: the last of them is the newest.
+/// The job as of its first `runs` runs: the last of them is the newest.
 Input before_run(const Input& input, std::size_t runs);
 
 /// What the readings asked for becomes the record of each run, from one on, that has none.

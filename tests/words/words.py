@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """words.py SOURCE-FOLDER: every text that a person reads, against the language of this program.
 
-Phrases that no text may have, one term for one thing in both languages, at most 25 words a sentence
-and two sentences a text, one a note. Texts of core and ui come from the translations, which a test compares with the sources. The
-guide names only files that exist.
+Phrases that no text may have, comments of headers included; one term for one thing in both languages;
+at most 25 words a sentence and two sentences a text, one a note. Texts of core and ui come from the
+translations, which a test compares with the sources. The guide names only files that exist.
 """
 
 import re
@@ -64,6 +64,7 @@ RUSSIAN = {
     r"ничего нет": "что есть",
     r"не по листу": "результат устарел",
 }
+FOR_DEVELOPERS = {phrase: instead for phrase, instead in ENGLISH.items() if phrase != r"scenes?"}
 
 # A term, and what its translation contains.
 TERMS = {
@@ -180,8 +181,14 @@ def notes(source):
     return found
 
 
+def comments(path):
+    """Each comment of a header as one text, its lines joined."""
+    found = re.findall(r"(?<!:)//[/<]*(?: @param \w+)?(.*)(\n *(?=//))?", path.read_text(encoding="utf-8"))
+    return "".join(text + (" " if more else "\n") for text, more in found).split("\n")
+
+
 def guide(path, source):
-    page(path, {k: v for k, v in ENGLISH.items() if k != r"scenes?"})
+    page(path, FOR_DEVELOPERS)
     folders = "app core packaging resources tests ui".split()
     for name in re.findall(r"`([^`\n]+)`", path.read_text(encoding="utf-8")):
         is_path = re.fullmatch(r"[\w./-]+", name) and name.split("/")[0] in folders
@@ -217,6 +224,9 @@ def main(source):
                 phrases(path.name, literal, ENGLISH)
     for path in sorted((source / "resources/help").glob("*.md")):
         page(path, RUSSIAN if path.name.endswith(".ru.md") else ENGLISH, FIELD_ROWS)
+    for path in [*(source / "core").rglob("*.h"), *(source / "ui").rglob("*.h")]:
+        for comment in comments(path):
+            phrases(path.name, comment, FOR_DEVELOPERS)
     page(source / "README.md", ENGLISH)
     guide(source / "resources/developing.md", source)
     for path in sorted((source / "packaging/man").glob("*.1")):

@@ -16,16 +16,15 @@ class FormSection;
 class ImportModel;
 
 /// How a file of measured values is read: its first lines with the proposed columns marked, the
-/// settings, and live below them what was understood or what is wrong.
+/// settings, and live below them the reading or its faults.
 class ImportDialog : public QDialog {
     Q_OBJECT
 
   public:
-    /// @param model  of a file that is being read; the dialog takes what it needs from it while it
-    ///               is open
+    /// @param model  of a file that is being read; used while the dialog is open
     ImportDialog(ImportModel* model, const QString& title, QWidget* parent);
 
-    /// Saves the cycle beside, where the case cannot hold the settings.
+    /// Saves the cycle beside, where the case has no place for the settings.
     void accept() override;
 
   private:

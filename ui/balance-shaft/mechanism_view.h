@@ -33,9 +33,9 @@ class MechanismView : public MechanismPicture {
     /// The mapping of metres to pixels: the envelope fills the picture. It rests while the shaft is
     /// dragged.
     drawing::Frame frame() const;
-    /// The mechanism of the reference: envelope, cylinder, swing circles and where its shaft lies.
+    /// The mechanism of the reference: envelope, cylinder, swing circles and place of its shaft.
     void paintGhost(QPainter& painter, const drawing::Frame& map) const;
-    /// Null where there is none.
+    /// Null without one.
     const BalanceShaftModel* ghost() const;
 
     BalanceShaftModel* model_;

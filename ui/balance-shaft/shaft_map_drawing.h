@@ -51,13 +51,13 @@ inline double markerRadius() {
 
 // Over the colours, what rests while the shaft moves.
 
-/// Where the shaft cannot be built: hatched.
+/// Infeasible places: hatched.
 void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked, const PlaceScale& scale);
 /// The limits on its place that the case gives: walls, distances, angles.
 /// @param area  the chart's, pixels
 void drawLimits(QPainter& painter, const balance_shaft::PlaceLimits& limits,
                 const PlaceScale& scale, const QRectF& area);
-/// Of a reference: what cannot be built and no change, pale.
+/// Of a reference: infeasible places and the line of no change, dimmed.
 void drawReference(QPainter& painter, const ShaftMapModel& other, const PlaceScale& scale);
 
 // The engine from the front.
@@ -67,8 +67,8 @@ inline constexpr double shaftHandleRadius = 6.5;
 
 /// Cylinder, piston, rod and crank at the angle of the crank.
 void drawEngine(QPainter& painter, const BalanceShaftModel& model, const PlaceScale& scale);
-/// The shaft with the circle of its l, red where it cannot be built.
-/// @param other  where it is in the reference; null: none
+/// The shaft with the circle of its l, red where it is infeasible.
+/// @param other  its place in the reference; null: none
 void drawShaft(QPainter& painter, const BalanceShaftModel& model, const ShaftMapModel& map,
                const ShaftMapModel* other, const PlaceScale& scale);
 

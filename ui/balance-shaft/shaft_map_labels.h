@@ -13,8 +13,8 @@ namespace ravnoves {
 
 class PlaceScale;
 
-/// The numbers at contours and markers of the map. Each stands where there is room: they meet
-/// neither one another nor what is kept free, and who comes first is served first.
+/// The numbers at contours and markers of the map, each where there is room: they overlap neither
+/// each other nor the places kept free, in order of precedence.
 class ShaftMapLabels {
   public:
     struct Label {

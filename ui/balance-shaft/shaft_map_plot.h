@@ -8,12 +8,12 @@
 namespace ravnoves {
 
 /// The front view of the engine over the map of the places of its balance shaft: the criterion as
-/// filled contours with their key, what cannot be built hatched, the best places, and the shaft's
-/// axis as a handle.
+/// filled contours with their key, infeasible places hatched, the best places, and the shaft's axis
+/// as a handle.
 ///
-/// Mouse: the handle is dragged, Escape brings it back; a double click goes to the place or the
-/// marker under it; all else as in any plot. Keys: arrows move the shaft by 0.1 mm, with Shift by
-/// 1 mm; Page up and down go through the markers, Enter goes to the one chosen.
+/// Mouse: the handle is dragged, Escape brings it back; a double click moves the shaft to the place
+/// or the marker under it; all else as in any plot. Keys: arrows move the shaft by 0.1 mm, with
+/// Shift by 1 mm; Page up and down choose a marker, Enter moves the shaft there.
 class ShaftMapPlot : public PartPlot {
     Q_OBJECT
 
@@ -32,15 +32,15 @@ class ShaftMapPlot : public PartPlot {
     /// The field under the picture.
     QString csv(const CsvFormat& format) const override;
     const std::vector<ShaftMapLabels::Label>& labels() const { return labels_.all(); }
-    /// The map of the reference; null where there is none or it is switched off.
+    /// The map of the reference; null without one, or switched off.
     const ShaftMapModel* referenceMap() const;
-    /// shaft_map_text::place(), and below it what it is there against the reference.
+    /// shaft_map_text::place(), and below it the comparison with the reference.
     QString placeWords(const ShaftMapModel::Position& position, int decimals = 2) const;
-    /// What is best, and below it what is best of the reference.
+    /// The best place, and below it the reference's.
     QString bestWords() const;
 
   Q_SIGNALS:
-    /// What is under the pointer, as text; empty where it left.
+    /// The place under the pointer, as text; empty where it left.
     void hovered(const QString& text);
 
   protected:
@@ -77,7 +77,7 @@ class ShaftMapPlot : public PartPlot {
     QPointF grip_;          ///< from the pointer to the axis
     std::optional<std::size_t> chosen_;
     ShaftMapLabels labels_;
-    ShaftMapModel::Position freeFor_;  ///< of the shaft, where no number stands
+    ShaftMapModel::Position freeFor_;  ///< of the shaft, where no number is placed
 };
 
 }  // namespace ravnoves

@@ -17,9 +17,9 @@ class PartPlot;
 class ShaftMapModel;
 class ShaftMapPlot;
 
-/// Where the shaft goes: the map of its places over the front view, the criteria over the centre
-/// distance, and what they cost in size. The charts are beside the map where there is room, else
-/// on tabs of their own.
+/// Positions the shaft: the map of its places over the front view, the criteria over the centre
+/// distance, and their cost in size. The charts are beside the map where there is room, else on
+/// tabs of their own.
 class ShaftMapView : public QWidget {
     Q_OBJECT
 
@@ -31,7 +31,7 @@ class ShaftMapView : public QWidget {
     QLabel* words() const { return words_; }
     QTabWidget* charts() const { return tabs_; }
 
-    /// That of the map without charts beside it: they go to tabs where there is no room.
+    /// The minimum of the map alone: the charts move to tabs where there is no room.
     QSize minimumSizeHint() const override;
 
   protected:

@@ -5,8 +5,8 @@
 
 namespace ravnoves {
 
-/// The map of SpeedStudyModel over α and speed with the key to its colours, and what is under the
-/// pointer as text.
+/// The map of SpeedStudyModel over α and speed with the key to its colours, and the values under
+/// the pointer as text.
 class SpeedMapPlot : public PartPlot {
     Q_OBJECT
 
@@ -33,7 +33,7 @@ class SpeedMapPlot : public PartPlot {
     void showMap();
     /// α, speed and change at a place of the chart; empty without a map.
     QString wordsAt(double angleDeg, double speed) const;
-    /// Null: there is none.
+    /// Null: no map.
     const ChangeContours* map() const { return study_->isSolved() ? &study_->map() : nullptr; }
 
     SpeedStudyModel* study_;

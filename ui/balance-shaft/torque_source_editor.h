@@ -20,8 +20,8 @@ class FormSection;
 class TorqueTableEditor;
 class TroubleLine;
 
-/// Where the engine torque comes from: a table, a measured pressure trace, or a computed cycle,
-/// each with its own form. Switching keeps what the other sources hold.
+/// The source of the engine torque: a table, a measured pressure trace, or a computed cycle, each
+/// with its own form. Switching keeps the other sources.
 class TorqueSourceEditor : public QWidget {
     Q_OBJECT
 
@@ -56,7 +56,7 @@ class TorqueSourceEditor : public QWidget {
     QStackedWidget* forms_ = nullptr;
     TorqueTableEditor* table_ = nullptr;
     QLabel* trace_ = nullptr;   ///< the file that the trace is of
-    QString described_;         ///< what was read last
+    QString described_;         ///< the latest reading
     std::string describedSum_;  ///< SHA-256 of that file
     TroubleLine* trouble_ = nullptr;
     QWidget* check_ = nullptr;

@@ -17,7 +17,8 @@ class TorqueTableEditor : public TableEditor {
     /// Opens the import window for a file, which replaces the whole table.
     void importFile(const QString& path);
     void importWithDialog();
-    /// A whole cycle replaces the table; anything smaller goes into the cells from the current one.
+    /// A whole cycle replaces the table; anything smaller is put into the cells from the current
+    /// one.
     void paste() override;
 
   private:

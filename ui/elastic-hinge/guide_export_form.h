@@ -15,7 +15,7 @@ class GuideExportForm : public Form {
     explicit GuideExportForm(ElasticHingeModel* model, QWidget* parent = nullptr);
 
     /// Writes to a file, DXF or CSV by its ending, as the form is set.
-    /// @return an empty string, or what is wrong
+    /// @return an empty string, or the fault
     QString exportTo(const QString& path);
 
   Q_SIGNALS:

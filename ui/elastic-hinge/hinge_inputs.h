@@ -23,7 +23,7 @@ class HingeInputs : public Form {
     /// A box to tick for an object that the input may have.
     void addObjectBox(const Field& field, const QString& name,
                       std::function<bool(const Input&)> has, std::function<void(Input&, bool)> set);
-    /// The section that rows are added to now is there only while the input asks for it.
+    /// Shows the section of the following rows only while the input needs it.
     void showSectionWhile(std::function<bool(const Input&)> wanted);
     /// A number that an emptied field does not take back to its default.
     void addFilled(const char* pointer) { number(pointer)->setOptional(false); }

@@ -40,13 +40,13 @@ class HingeMechanismView : public MechanismPicture {
     /// The mapping of metres to pixels; it rests while the mechanism moves.
     drawing::Frame frame() const;
     double reliefFactor() const;
-    /// The guide that one end of the spring rolls on, the other end's with `second`; its relief
-    /// enlarged by `factor`. Empty where there is none.
+    /// The guide under one end of the spring, or the other end with `second`; its relief enlarged
+    /// by `factor`. Empty without one.
     static std::vector<QPolygonF> track(const ElasticHingeModel& model, const drawing::Frame& map,
                                         double phi, double factor, bool second);
     /// Guide, crank, rod, slider and counterweight of the reference.
     void paintGhost(QPainter& painter, const drawing::Frame& map, double phi) const;
-    /// Null: there is none.
+    /// Null: none.
     const ElasticHingeModel* ghost() const;
 
     ElasticHingeModel* model_;

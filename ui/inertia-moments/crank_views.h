@@ -15,7 +15,7 @@ class CounterweightView : public QWidget {
 
   public:
     explicit CounterweightView(InertiaMomentsModel* model, QWidget* parent = nullptr);
-    /// What it shows, as the table of the same is called.
+    /// Its name, as of the table with the same content.
     static QString name() { return tr("Rotating masses and counterweights"); }
     QSize sizeHint() const override { return {420, 260}; }
     QSize minimumSizeHint() const override { return {Theme::withText(240), Theme::withText(160)}; }

@@ -10,8 +10,8 @@ struct CsvFormat;
 class InertiaMomentsModel;
 
 /// Arrangement and phases of the balance shafts (the paper's Figs. 7 and 8), each at the present
-/// crank angle: what it is to cancel, its weights opposite, its direction, the cylinder axis and
-/// the crankpin that its phase counts from. A click or Space switches a shaft.
+/// crank angle: its target, its weights opposite, its direction, the cylinder axis and the crankpin
+/// where its phase begins. A click or Space switches a shaft.
 class ShaftView : public QWidget {
     Q_OBJECT
 

@@ -10,7 +10,7 @@ namespace ravnoves {
 /// The two charts of a kernel over one scale of errors: time against error (work and precision),
 /// and error along the hard parameter (stability).
 ///
-/// Both follow the newest measurement and pale while a newer one is on the way. An error of 0,
+/// Both follow the newest measurement and are dimmed while a newer one is measured. An error of 0,
 /// which has no logarithm, is drawn at the bottom; where a method rejects, its curve has a gap.
 class MethodPlots : public QWidget {
     Q_OBJECT

@@ -13,17 +13,16 @@
 namespace ravnoves {
 
 /// Runs one computation at a time off the GUI thread, with progress and cancel. The latest start
-/// wins: it replaces the one that runs. What passes between the threads goes through one mutex,
-/// where a checker of threads sees it (preset `tsan`). Where the machine gives no thread, that of
-/// this object does the work.
+/// replaces the running one. One mutex guards all exchange between the threads, where a checker of
+/// threads sees it (preset `tsan`). Without a thread from the machine, this object's does the work.
 class BackgroundJob : public QObject {
     Q_OBJECT
 
   public:
     /// Called by the work with the part that is done, 0…1; false means stop.
     using Progress = std::function<bool(double)>;
-    /// Runs in the worker thread and returns what is to be done with its result on the GUI thread;
-    /// empty where it was cancelled. Whatever it throws comes out as failed().
+    /// Runs in the worker thread and returns a function for the GUI thread; empty where it was
+    /// cancelled. Its exceptions become failed().
     using Work = std::function<std::function<void()>(const Progress&)>;
 
     explicit BackgroundJob(QObject* parent = nullptr);
@@ -37,7 +36,7 @@ class BackgroundJob : public QObject {
     void start(Work work);
     /// Stops the run and discards its result.
     void cancel();
-    /// The same, and waits until its thread rests: until the work next asks for its progress.
+    /// The same, and waits until its thread is idle: until the work next reports its progress.
     void stop();
     bool isRunning() const { return running_; }
 
@@ -61,7 +60,7 @@ class BackgroundJob : public QObject {
 
     QTimer pause_;
     QElapsedTimer clock_;                      ///< of the work under way
-    std::shared_ptr<std::atomic<bool>> stop_;  ///< of the work under way; null where there is none
+    std::shared_ptr<std::atomic<bool>> stop_;  ///< of the present work; null without any
     Work pending_;                             ///< to follow
     int patienceMs_ = -1;
     bool untilRest_ = false;

@@ -41,8 +41,8 @@ struct DocumentDialogs {
     std::function<std::optional<bool>()> saveInPlace{};
 };
 
-/// A case between its file and its model: where it came from, whether it has to be saved, and what
-/// that asks of the user. Title, history and the folder that its files lie in are the model's.
+/// A case between its file and its model: its origin, whether it has to be saved, and the questions
+/// about that. Title, history and the folder of its files are the model's.
 class CaseDocument : public QObject {
     Q_OBJECT
 
@@ -52,11 +52,11 @@ class CaseDocument : public QObject {
     ~CaseDocument() override;
 
     SceneModel* model() const { return model_; }
-    /// Of the file, absolute; empty while there is none.
+    /// Of the file, absolute; empty without one.
     QString path() const { return path_; }
     /// The file's name, else what its job is known by, else the case's title; may be empty.
     QString name() const;
-    /// Also a case whose file is gone, or is no case file any more: this is the last copy.
+    /// Also a case whose file is missing, or no case file any more: this is the last copy.
     bool needsSaving() const { return model_->hasChanges() || isLastCopy_; }
     /// For other pages to refer to.
     OpenCase asOpenCase() const;
@@ -69,32 +69,31 @@ class CaseDocument : public QObject {
     bool names(const QString& path) const;
 
     /// A case file, not yet checked by its scene.
-    /// @param digest  is set to the FileOnDisk::digest() of what was read
+    /// @param digest  is set to the FileOnDisk::digest() of the contents
     /// @throws InputError
     static CaseFile read(const QString& path, QByteArray* digest = nullptr);
-    /// Adopts what read() found at the path, or a case without a file, with a history that
-    /// begins there. A fault leaves all as it was.
-    /// @param known  the digest of read(); empty: of what the path holds now
+    /// Adopts the file that read() found at the path, or a case without a file, with a new history.
+    /// A fault leaves all unchanged.
+    /// @param known  the digest of read(); empty: of the path's present contents
     /// @throws InputError
     void open(const CaseFile& file, const QString& path, const QByteArray& known = {});
     void begin(const CaseFile& file, const CaseContext& context);
     /// Where the case names the file that open() could not read; null where something else is
     /// wrong, with the name itself, too.
     static Json* fileNamedAt(CaseFile& file, const InputError& error);
-    /// Adopts what was not saved, with the file that it belongs to and its place, and needs
-    /// saving.
-    /// @param file  its content, or what that has become
+    /// Adopts an unsaved case, with its file and its place, and needs saving.
+    /// @param file  its content, possibly converted
     /// @throws InputError
     void restore(const CaseFile& file, const RecoveredCase& from);
-    /// @return an empty string, or what is wrong, with the file's name
+    /// @return an empty string, or the fault with the file's name
     QString saveTo(const QString& path);
 
     /// The file, as others may change it.
     FileOnDisk& disk() { return disk_; }
-    /// Adopts what the file holds now, as one step of the history.
-    /// @return an empty string, or what is wrong, with the file's name
+    /// Adopts the file's present contents, as one step of the history.
+    /// @return an empty string, or the fault with the file's name
     QString reload();
-    /// What is here stays, whatever others did to the file, and needs saving.
+    /// Keeps this case, whatever others did to the file, and needs saving.
     void keepMine();
 
     /// Of the files that the case reads (CSV) the first that others have changed or deleted since;
@@ -103,15 +102,15 @@ class CaseDocument : public QObject {
     /// Looks at them now.
     void checkSources();
     /// Reads them again, as one step of the history.
-    /// @return an empty string, or what is wrong
+    /// @return an empty string, or the fault
     QString readSources();
-    /// What was read of them before stays.
+    /// Keeps their previous contents.
     void keepSources();
 
     // With the user's help; false where the user wants to stay, or the file could not be written.
     bool save();
     bool saveAs();
-    /// Before the document goes: what is not saved is asked for.
+    /// Before the document closes: asks about unsaved changes.
     bool mayGo();
 
     /// The case files last opened or saved, the newest first.
@@ -140,7 +139,7 @@ class CaseDocument : public QObject {
     DocumentDialogs dialogs_;
     QString path_;
     QString jobName_;
-    std::unique_ptr<CaseFile> loaded_;  ///< what it was loaded from
+    std::unique_ptr<CaseFile> loaded_;  ///< as loaded
     FileOnDisk disk_;
     std::vector<std::unique_ptr<FileOnDisk>> sources_;  ///< that the case reads
     QTimer* sourcesLater_;

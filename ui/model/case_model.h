@@ -16,23 +16,23 @@
 
 namespace ravnoves {
 
-/// The model of a scene whose state is a case: its input, what was solved from it, and the one way
-/// in which an input changes. `Scene` says what differs from scene to scene:
+/// The model of a scene whose state is a case: its input, the solution, and the one way in which an
+/// input changes. `Scene` has the differences between scenes:
 ///
 ///     using Input = …;   // copied and compared
-///     using Solved = …;  // what the page shows of it
+///     using Solved = …;  // shown by the page
 ///     Input defaultInput() const;
 ///     QString defaultTitle() const;
 ///     Input read(const Json&, const CaseContext&) const;  // throws InputError
 ///     Json write(const Input&) const;
-///     // where an input keeps what it does not use, as "kept" of the case:
+///     // where an input keeps unused parts, as "kept" of the case:
 ///     void keep(Input&, const Json& kept, const CaseContext&) const;  // throws InputError
 ///     Json kept(const Input&) const;
 ///     // where not all of an input makes it another engine:
 ///     bool isSameEngine(const Input&, const Input&) const;
 ///     Solved solve(const Input&) const;  // throws InputError for an input that is rejected
 ///
-/// An input is solved once, when it comes, and again only when the history comes back to it.
+/// An input is solved once, when set, and again only when the history returns to it.
 template <typename Scene>
 class CaseModel : public SceneModel {
   public:
@@ -42,8 +42,8 @@ class CaseModel : public SceneModel {
     const Input& input() const { return input_; }
 
     /// Changes the input by `mutate` as one step of the history, in an editing as part of its step.
-    /// @param title  the case's from now on; none: it stays
-    /// @return an empty string, or what is wrong with it; the old input holds then
+    /// @param title  the case's new one; none: unchanged
+    /// @return an empty string, or the fault; the old input is kept then
     QString edit(const QString& name, const std::function<void(Input&)>& mutate,
                  const QString& title = {}) {
         return change(name, mutate, title, isEditing());
@@ -120,7 +120,7 @@ class CaseModel : public SceneModel {
     }
     /// Another case comes in; it is known to be good, but not yet here.
     virtual void aboutToLoad() {}
-    /// Input and result are new, and all have heard of it.
+    /// Input and result are new, and all listeners were notified.
     virtual void taken() {}
 
     Scene& scene() { return scene_; }
@@ -140,7 +140,7 @@ class CaseModel : public SceneModel {
     }
 
   private:
-    /// The preset or example that the title names, and goes with.
+    /// The preset or example of the title, with its input.
     struct Named {
         QString title;
         Input input;
@@ -153,7 +153,7 @@ class CaseModel : public SceneModel {
         std::shared_ptr<const Named> named;
         std::filesystem::path directory;  ///< of the files that the case names
         Variants variants;
-        std::string study;  ///< JSON text; empty where there is none
+        std::string study;  ///< JSON text; empty without one
         friend bool operator==(const State&, const State&) = default;
     };
 
@@ -186,7 +186,7 @@ class CaseModel : public SceneModel {
                    ? named_->title
                    : changedTitle(named_->title);
     }
-    /// The title goes with the input, unless it is the user's.
+    /// The title follows the input, unless it is the user's.
     void retitle(State& next) const {
         if (named_ && next.title == namedTitle(input_)) {
             next.title = namedTitle(next.input);
@@ -229,7 +229,7 @@ class CaseModel : public SceneModel {
         if (next.input == input_ && next.title == title() && next.notes == notes() &&
             next.variants == variantState() && next.study == study()) {
             take(next,
-                 std::move(solved));  // no step, but what a field shows of a rejected text goes
+                 std::move(solved));  // no step, but a field drops its rejected text
         } else {
             push(name, std::move(next), std::move(solved), -1);
         }

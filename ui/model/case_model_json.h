@@ -5,8 +5,8 @@
 #include "model/case_model.h"
 #include "text/field_names.h"
 
-/// What of CaseModel sees JSON: for the file that holds a model's other functions alone. It says
-/// `template class CaseModel<…Scene>;`, the model's header the same with `extern`.
+/// The parts of CaseModel that see JSON: only for the file with a model's other functions. That
+/// file has `template class CaseModel<…Scene>;`, the model's header the same with `extern`.
 namespace ravnoves {
 
 template <typename Scene>
@@ -35,7 +35,7 @@ auto CaseModel<Scene>::readInput(const Json& json, const Json& kept,
     });
 }
 
-/// What is loaded is rejected with the places by their labels.
+/// Loaded inputs are rejected with the places by their labels.
 template <typename Scene>
 void CaseModel<Scene>::loadFile(const CaseFile& file, const CaseContext& context,
                                 const Json* named) {

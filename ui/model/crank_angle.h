@@ -14,7 +14,7 @@ class CrankAngle : public QObject {
     double degrees() const { return degrees_; }
     double cycle() const { return cycle_; }
     void setCycle(double degrees);
-    /// The end of the cycle, where a slider ends, stays as it is.
+    /// The end of the cycle, where a slider ends, is kept.
     void turnTo(double degrees);
 
   Q_SIGNALS:

@@ -9,8 +9,8 @@ namespace ravnoves {
 
 class SceneModel;
 
-/// Writes into the model's input what it leaves to its default, for numbers at these pointers below
-/// "input": so that they can be varied. What is there stays, and what has no default is not added.
+/// Writes defaults into the model's input for numbers at these pointers below "input", so that they
+/// can be varied. Given values are kept, and numbers without a default are not added.
 void giveDefaults(const SceneModel& model, Json& input, const std::vector<std::string>& pointers);
 
 }  // namespace ravnoves

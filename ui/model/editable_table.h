@@ -26,11 +26,11 @@ std::vector<QStringList> readTextTable(const QString& text, EmptyLine empty = Em
 /// between thousands: "1,893" beside 60.30 is 1893 to who wrote it. Else empty.
 QString mixedDecimalSigns(const std::vector<QStringList>& cells);
 
-/// What is wrong in the cells of a table, as text: the first few, and how many there are also.
+/// The faults in the cells of a table, as text: the first few, and the number of the others.
 class SaidTroubles {
   public:
     void add(const QString& line);
-    /// @param besides  says how many more there are, %1
+    /// @param others  names the number of the others, %1
     QString text(const QString& others) const;
 
   private:
@@ -45,32 +45,32 @@ class EditableTable : public QAbstractTableModel {
   public:
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// True for a cell that holds what was rejected; the editor colours it.
+    /// True for a cell with a rejected text; the editor colours it.
     static constexpr int TroubleRole = Qt::UserRole + 1;
 
-    /// A new row below a row; below the last one for −1. A table of so many rows has none.
+    /// A new row below a row; below the last one for −1. Tables of fixed length have none.
     virtual void insertRowBelow(int /*row*/) {}
     virtual void removeRowRange(int /*first*/, int /*count*/) {}
     /// The columns of a block that have something in them, from its first.
     static int widthOf(const std::vector<QStringList>& cells);
-    /// Why a block does not fit where so many rows or columns are left; empty where it does.
+    /// Why a block does not fit into these rows or columns; empty where it does.
     static QString noRoomText(const std::vector<QStringList>& cells, int rows, int columns);
     /// pasteBlock(), unless mixedDecimalSigns().
     QString paste(int row, int column, const std::vector<QStringList>& cells);
     /// Writes a block of cells at a cell, as a spreadsheet does.
-    /// @return an empty string, or what is wrong
+    /// @return an empty string, or the fault
     virtual QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) = 0;
 
-    /// True where this cell holds what was rejected, or the table is rejected as a whole.
+    /// True where this cell has a rejected text, or the table is rejected as a whole.
     virtual bool canTakeBackRejected(const QModelIndex& at) const {
         return at.data(TroubleRole).toBool();
     }
-    /// Takes that back; of a whole table what was typed last.
+    /// Takes that back; of a whole table the latest text.
     virtual void takeBackRejected(const QModelIndex& /*at*/) {}
-    /// The model holds another state as a whole: nothing is rejected any more.
+    /// The model has another state as a whole: nothing is rejected any more.
     virtual void forgetRejected() {}
 
-    /// The model of the case that the cells belong to; null where there is none.
+    /// The model of the cells' case; null without one.
     virtual SceneModel* scene() const { return nullptr; }
 
     Qt::ItemFlags flags(const QModelIndex& index) const override;

@@ -9,8 +9,8 @@
 
 namespace ravnoves {
 
-/// Whether a file still holds what was read from it or written to it. It is looked at when the
-/// system says that it changed, and when asked for; what counts is the content.
+/// Whether a file is unchanged since it was read or written here. It is checked when the system
+/// reports a change, and on demand; the content decides.
 class FileOnDisk : public QObject {
     Q_OBJECT
 
@@ -19,18 +19,19 @@ class FileOnDisk : public QObject {
 
     explicit FileOnDisk(QObject* parent = nullptr);
 
-    /// The file was read or written now. Empty: there is none.
+    /// The file was read or written now. Empty: no file.
     void setPath(const QString& path);
-    /// The same with the digest of what was read or written, which others may have changed since.
+    /// The same with the digest of the contents read or written, which others may have changed
+    /// since.
     void setPath(const QString& path, const QByteArray& known);
     static QByteArray digestOf(std::string_view content);
     const QString& path() const { return path_; }
-    /// Of the content known; empty where there is none.
+    /// Of the known content; empty without one.
     const QByteArray& digest() const { return known_; }
     State state() const { return state_; }
     /// Looks at the file now.
     State check();
-    /// What was found there by the last look is known from now on.
+    /// Accepts the contents found by the last check.
     void accept();
 
   Q_SIGNALS:

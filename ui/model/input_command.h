@@ -6,7 +6,7 @@
 
 namespace ravnoves {
 
-/// A step of the history that those of the same non-negative number join: a drag, an editing.
+/// A step of the history; steps of the same non-negative number join: a drag, an editing.
 class NumberedStep : public QUndoCommand {
   public:
     int number() const { return number_; }
@@ -47,7 +47,7 @@ class InputCommand : public NumberedStep {
     int id() const override { return 1; }
 
     bool mergeWith(const QUndoCommand* other) override {
-        // Ids are equal, but another scene's stack never holds this one's commands.
+        // Ids are equal, but each scene's stack has only its own commands.
         const auto* next = dynamic_cast<const InputCommand*>(other);
         if (next == nullptr || number() < 0 || next->number() != number()) {
             return false;

@@ -35,7 +35,7 @@ QString designText(const SceneModel& model);
 struct InputNumber {
     std::string pointer;  ///< below "input"
     QString name;
-    QString unit;  ///< its own, that of its key
+    QString unit;  ///< its key's
     double value = 0.0;
     bool hasLabel = true;  ///< else its name is its key
     ShownUnit shown = {};  ///< in which the form shows it

@@ -26,7 +26,7 @@ struct PagePart {
     bool isAnswer = false;      ///< side by side with other variants, and copied
 };
 
-/// Lines of text, each with what it means for the answer.
+/// Lines of text, each with its meaning for the answer.
 struct Notes {
     std::vector<std::pair<Severity, QString>> lines;
 
@@ -91,7 +91,7 @@ std::span<const PagePart> partsOf(const Makers& makers) {
     return parts;
 }
 
-/// Makes the part with this word; nothing where there is none.
+/// Makes the part with this word; empty without one.
 template <typename Makers, typename Model>
 Content makePart(const Makers& makers, const Model& model, std::string_view id) {
     for (const auto& maker : makers) {

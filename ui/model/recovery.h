@@ -26,7 +26,7 @@ class CaseDocument;
 /// An unsaved case as the program left it when it ended unexpectedly.
 struct RecoveredCase {
     QString file;   ///< that it is kept in
-    QString order;  ///< by which the cases of one program stand as they were opened
+    QString order;  ///< sorts the cases of one program as they were opened
     QDateTime saved;
     QString path;      ///< of the case; empty where it had no file
     QByteArray known;  ///< FileOnDisk::digest() of that file
@@ -36,10 +36,9 @@ struct RecoveredCase {
 };
 
 /// The one store for a crash, of cases and jobs alike: every unsaved document is kept in a file of
-/// its own while it is open, so that a program that is killed loses what was changed in the last
-/// half second. A job is a case with a place in the journal (SceneModel::placeJson()), and is kept
-/// and offered as any other. Each running program locks its files: others use only what
-/// is no longer locked.
+/// its own while it is open, so that a killed program loses only the changes of the last half
+/// second. A job is a case with a place in the journal (SceneModel::placeJson()), and is kept and
+/// offered as any other. Each running program locks its files: others use only unlocked ones.
 class Recovery : public QObject {
     Q_OBJECT
 
@@ -65,11 +64,11 @@ class Recovery : public QObject {
     struct Found {
         QList<RecoveredCase> cases;  ///< the newest first, `most` or fewer
         int older = 0;               ///< files that are not read: there are too many
-        QStringList damaged;         ///< files that cannot be read, where they lie now
+        QStringList damaged;         ///< unreadable files, where they are now
         QStringList newer;           ///< files of a newer program, left to it
     };
     static constexpr int maximum = 100;
-    /// What programs have left that run no longer. Nobody else is offered it while this one runs.
+    /// Files of programs that have ended. No other program is offered them while this one runs.
     Found leftBehind();
     /// It was restored and is kept again, or was discarded.
     void discard(const RecoveredCase& recovered) { QFile::remove(recovered.file); }

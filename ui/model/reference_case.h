@@ -8,8 +8,8 @@ namespace ravnoves {
 
 class SceneModel;
 
-/// The variant that a case is seen against, solved, as a model of its own: what makes a part of the
-/// one makes it of the other. There is none while the case has no reference.
+/// The variant that a case is compared with, solved, as a model of its own with the same parts.
+/// Null while the case has no reference.
 class ReferenceCase : public QObject {
     Q_OBJECT
 
@@ -35,11 +35,11 @@ class ReferenceCase : public QObject {
 
     SceneModel* present_;
     std::unique_ptr<SceneModel> model_;
-    std::string shown_;  ///< the input that it holds
+    std::string shown_;  ///< its input
     QString name_;
 };
 
-/// The reference of a model, of the same scene; null: there is none.
+/// The reference of a model, of the same scene; null: none.
 template <typename Model>
 const Model* referenceOf(Model* present) {
     return static_cast<const Model*>(present->referenceCase().model());

@@ -8,8 +8,8 @@
 
 namespace ravnoves {
 
-/// A table in which a rejected text stays in its cell, in red, until it is corrected or the case
-/// changes there; below it the case holds what it held.
+/// A table in which a rejected text remains in its cell, in red, until it is corrected or the case
+/// changes there; the case keeps its previous value.
 class RejectingTable : public EditableTable {
     Q_OBJECT
 
@@ -29,9 +29,9 @@ class RejectingTable : public EditableTable {
 
     /// What a row is called while others come and go.
     virtual std::string rowName(int row) const = 0;
-    /// What the case holds in a cell: what changes it mends the cell.
+    /// The case's value of a cell: a change of this value clears the rejected text.
     virtual QString held(int /*row*/, int /*column*/) const { return {}; }
-    /// What is rejected in a cell, as text, with what names the cell.
+    /// The rejected text of a cell, with the cell's name.
     virtual QString rejectedText(const Cell& /*cell*/, const Rejected& rejected) const {
         return rejected.why;
     }
@@ -47,7 +47,7 @@ class RejectingTable : public EditableTable {
     void setTaken(int row, int column, const std::vector<QStringList>& cells);
     /// What a rejected cell shows, and whether it is one; invalid for all else.
     QVariant rejectedData(const QModelIndex& at, int role) const;
-    /// Shows the case as it is now.
+    /// Shows the present case.
     void follow();
 
   private:

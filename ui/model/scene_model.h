@@ -31,13 +31,13 @@ struct OpenCase;
 /// Looks up the open case of a scene by its word; nothing where its page was never shown.
 using OpenCases = std::function<std::optional<OpenCase>(const QString& scene)>;
 
-/// An input that goes through its range, and the result over it.
+/// An input that is swept over its range, and the result over it.
 struct SweepChoice {
     std::string input, result;                 ///< pointers
     std::optional<double> from = {}, to = {};  ///< in the unit of the input's key
 };
 
-/// The state of one page without any widget: its input, what was computed from it, its history.
+/// The state of one page without any widget: its input, its results, its history.
 ///
 /// Widgets bind to a model and never keep a value of their own; so a page is tested without a
 /// window, and the command line and the page cannot disagree.
@@ -46,28 +46,28 @@ class SceneModel : public QObject {
 
   public:
     explicit SceneModel(QObject* parent = nullptr);
-    /// A history that is destroyed says that it is clean. Nobody may hear that: what listens, the
-    /// model of the scene first of all, is gone or half gone by then.
+    /// A destroyed history signals that it is clean. Its listeners, first the model of the scene,
+    /// are destroyed or half destroyed by then.
     ~SceneModel() override { history_.blockSignals(true); }
 
     /// The scene's word in case files.
     virtual QString sceneName() const = 0;
-    /// False for a page whose state is no case: there is nothing to begin, to load or to save.
+    /// False for a page whose state is no case: there is no file.
     virtual bool hasCaseFile() const { return true; }
-    /// The case's "input" object as it is now.
+    /// The case's present "input" object.
     virtual Json inputJson() const = 0;
-    /// What the input does not use now, for the case to keep; null where there is nothing.
+    /// Unused parts of the input, for the case to keep; null without any.
     virtual Json keptJson() const;
-    /// Where the case lies beside its file, a job in the journal, for the copy that a crash leaves;
-    /// null: nowhere.
+    /// The place of the case beside its file, a job in the journal, for the recovery copy; null:
+    /// none.
     virtual Json placeJson() const;
-    /// It lies there again: what a crash has left was loaded.
+    /// The case is back at its place: a recovery copy was loaded.
     virtual void takePlace(const Json& /*place*/) {}
-    /// The case in its present state: scene, title, notes, input and what is kept.
+    /// The present case: scene, title, notes, input and kept parts.
     CaseFile caseFile() const;
-    /// Adopts the same of a case as one step of the history. A fault leaves all as it was.
-    /// @param named  the input of the preset or example that the title is of: it goes with that
-    ///               engine; null: it is the user's
+    /// Adopts these parts of a case as one step of the history. A fault leaves all unchanged.
+    /// @param named  the input of the preset or example with this title, which follows that engine;
+    ///               null: it is the user's
     /// @throws InputError
     virtual void loadFile(const CaseFile& file, const CaseContext& context, const Json* named) = 0;
     /// The case as a new one begins with it.
@@ -79,7 +79,7 @@ class SceneModel : public QObject {
                            const QString& name = openName());
     /// What the page shows, in its order, the first the most important.
     virtual std::span<const PagePart> parts() const { return {}; }
-    /// Makes one of them of the present input and of what is chosen to be seen of it.
+    /// Makes one of them from the present input and the view options.
     virtual Content part(std::string_view /*id*/) const { return {}; }
     /// Begins what takes longer than a frame of a part, where someone looks; shownChanged()
     /// follows.
@@ -89,10 +89,11 @@ class SceneModel : public QObject {
     /// A new model of the same scene.
     /// @param runsJobs  it computes in the background what takes long, as this one does
     virtual std::unique_ptr<SceneModel> another(bool /*runsJobs*/) const { return nullptr; }
-    /// Another input in place of the present one, without a step of the history: of a model that
-    /// nobody else knows, in any thread. @throws InputError
+    /// Another input in place of the present one, without a step of the history: for a model of the
+    /// caller's own, in any thread.
+    /// @throws InputError
     virtual void showInput(const Json& /*input*/) {}
-    /// What holds, first of all; nothing where the scene says none.
+    /// The verdict; empty where the scene has none.
     virtual std::optional<Verdict> verdictShown() const { return std::nullopt; }
     /// The variant that the case is seen against.
     ReferenceCase& referenceCase();
@@ -108,7 +109,7 @@ class SceneModel : public QObject {
     virtual std::vector<FieldEntry> fields(std::string_view /*only*/ = {}) const { return {}; }
     /// Pointers of the typed values that do not count, since weighed ones are in their place.
     virtual std::vector<std::string> replacedInputs() const { return {}; }
-    /// Pointers of the objects that count with what is usual where the case does not have them.
+    /// Pointers of the objects with usual values where the case does not have them.
     virtual std::vector<std::string> usualObjects() const { return {}; }
     /// The name of the layout, where the scene has several; else empty.
     virtual QString layoutText() const { return {}; }
@@ -155,8 +156,8 @@ class SceneModel : public QObject {
     virtual void editText(const QString& title, const QString& notes);
     const CaseContext& context() const { return context_; }
 
-    // Variants: inputs that are kept beside the present one. What changes them is one step of the
-    // history, what chooses one to be seen is none.
+    // Variants: inputs that are kept beside the present one. A change is one step of the history, a
+    // choice of the one shown is no step.
     const QList<Variant>& variants() const { return variants_.list; }
     /// Place of the variant that the present input is seen against; −1: none.
     int reference() const { return variants_.reference; }
@@ -171,13 +172,13 @@ class SceneModel : public QObject {
     QString swapVariant(int place);
     /// The variant's input becomes the present one.
     QString takeVariant(int place);
-    /// Why a variant's input is rejected; empty where it is none.
+    /// Why a variant's input is rejected; empty where it is valid.
     QString variantTrouble(int place) const;
-    /// The variant's input as the model would write it; one that is rejected as it is.
+    /// The variant's input as the model would write it; a rejected one unchanged.
     virtual Json variantInput(int place) const;
 
-    /// What scatters and what is watched: "study" of the case file as JSON text; empty where there
-    /// is none. It may be rejected.
+    /// The scattered inputs and the watched results: "study" of the case file as JSON text; empty
+    /// without one. It may be rejected.
     const std::string& study() const { return study_; }
     /// Another study, as one step of the history.
     virtual void changeStudy(const QString& /*name*/, const std::string& /*study*/) {}
@@ -186,8 +187,8 @@ class SceneModel : public QObject {
     const SweepChoice& sweepChoice() const { return sweepChoice_; }
     void setSweepChoice(const SweepChoice& choice) { sweepChoice_ = choice; }
 
-    /// A widget says whether something that is rejected is in it now. That is in no history, and
-    /// newer than all that is: undo takes it back first, wherever it stands.
+    /// A widget reports whether it has a rejected text now. That is in no history, and newer than
+    /// every step: undo takes it back first, wherever it is.
     void noteRejected(QObject* where, bool isRejected);
     bool hasRejected() const { return !rejectedIn_.isEmpty(); }
 
@@ -209,19 +210,19 @@ class SceneModel : public QObject {
         }
     }
 
-    // An editing of a field, from its first key to Enter, Escape or the loss of the focus: what is
-    // typed shows its effect at once, and all of it is one step of the history.
+    // An editing of a field, from its first key to Enter, Escape or the loss of the focus: typing
+    // takes effect at once, and all of it is one step of the history.
     void beginEditing();
-    /// @param isRejected  what was typed still is there, rejected: so does the reason
+    /// @param isRejected  the typed text is still there, rejected, and so is the reason
     void endEditing(bool isRejected = false);
     bool isEditing() const { return editing_; }
     /// True where the editing has changed the input.
     bool isTyped() const;
-    /// Makes hold again what stood before the editing, without a step.
+    /// Restores the state before the editing, without a step.
     /// @return false where it has changed nothing
     virtual bool takeBack();
     virtual void editingEnds() {}
-    /// What was typed so far is saved now: Escape returns to it, though the editing continues.
+    /// The text typed until now is saved: Escape returns to it, though the editing continues.
     void keepForSaving() {
         finishDrag();
         Q_EMIT typedKept();
@@ -238,10 +239,10 @@ class SceneModel : public QObject {
     void changed();
     /// A drag has ended, or pauses: what rested meanwhile follows.
     void rested();
-    /// What is typed so far is saved.
+    /// The text typed until now is saved.
     void typedKept();
     void titleChanged(const QString& title);
-    /// What there is to undo, to redo or to save.
+    /// Changes to undo, to redo or to save.
     void historyChanged();
     /// Whether any field has a rejected entry.
     void rejectedInChanged();
@@ -254,10 +255,10 @@ class SceneModel : public QObject {
     void viewChanged();
     /// What parts show is new, though neither input nor view is: a job has come to its end.
     void shownChanged();
-    /// Another job came onto the sheet: what it holds is of no file.
+    /// Another job is on the sheet: it has no file.
     void restarted();
-    /// It holds another state as a whole: undone, redone, loaded, a preset, a variant. Unlike a
-    /// change of one value, that ends what was typed and rejected in any field.
+    /// The state has changed as a whole: undone, redone, loaded, a preset, a variant. Unlike a
+    /// change of one value, that ends rejected texts in all fields.
     void broughtIn();
 
   protected:
@@ -265,7 +266,7 @@ class SceneModel : public QObject {
     void countSolution() { ++solutions_; }
     void setStudy(const std::string& study);
     const Variants& variantState() const { return variants_; }
-    /// Other variants; while they are the same, the reference stays what it is.
+    /// Other variants; while they are the same, the reference is kept.
     void setVariants(const Variants& variants);
     /// One step of the history with other variants and, where one is given, another input.
     /// @return an empty string, or why the input is rejected; all is as it was then
@@ -273,16 +274,16 @@ class SceneModel : public QObject {
                                    const std::optional<std::string>& /*input*/) {
         return {};
     }
-    /// Why an input is rejected; empty where it is none.
+    /// Why an input is rejected; empty where it is valid.
     virtual QString inputTrouble(const std::string& /*input*/) const { return {}; }
     /// Number of the step that a change of this name belongs to, for InputCommand.
     int stepOf(const QString& name);
-    /// Something else than the editing changes the input: what is typed after it are steps as any.
+    /// The input changes otherwise than by the editing: the next typing is a step of its own.
     void leaveEditing() { editing_ = false; }
     /// Says why a change is rejected; with nothing, that it no longer matters.
     void sayRejected(const QString& why);
     // For setViewOption().
-    /// @throws InputError for what is no number
+    // @throws InputError for a text that is no number
     static double readNumber(const QString& key, const QString& value);
     /// Place of the value among the words. @throws InputError that names them
     static int oneOf(const QString& key, const QString& value, const QStringList& words);

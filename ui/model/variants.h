@@ -19,11 +19,11 @@ struct Variant {
 struct Variants {
     QList<Variant> list;
     int reference = -1;  ///< −1: none
-    /// What is looked at is no change of a case.
+    /// The choice of the one shown is no change of a case.
     friend bool operator==(const Variants& a, const Variants& b) { return a.list == b.list; }
 };
 
-/// Those of a case.
+/// The variants of a case.
 Variants variantsOf(const CaseFile& file);
 
 /// A, B, …, Z, A2, …: the first name that no variant has.

@@ -7,8 +7,7 @@ namespace ravnoves {
 
 class SceneModel;
 
-/// A picture of the result that shows, beside its own, that of the variant that the case is seen
-/// against.
+/// A picture of the result that also shows the result of the reference variant.
 class ComparedFigure : public QWidget {
     Q_OBJECT
 
@@ -19,11 +18,11 @@ class ComparedFigure : public QWidget {
     void followReference(SceneModel* model);
     QString referenceName() const { return referenceName_; }
 
-    /// The pen of what the reference has: wide and pale, as its curves are in plots.
+    /// The pen of the reference: wide and dimmed, as its curves are in plots.
     static QPen ghostPen(QColor colour, double width = 6.0);
 
   protected:
-    /// Its name with that pen at the top right of a rectangle; nothing where there is none.
+    /// Its name with that pen at the top right of a rectangle; nothing without a reference.
     void sayReference(QPainter& painter, const QRectF& corner) const;
 
   private:

@@ -18,7 +18,7 @@ namespace ravnoves {
 class PlotView;
 class ValueSlider;
 
-/// φ in a plot over it: the cursor turns the crank, a mark shows where it stands.
+/// φ in a plot over φ: the cursor turns the crank, a mark shows its angle.
 void showCrankAngle(PlotView* plot, CrankAngle* crank);
 
 /// A picture of a mechanism that turns. Space plays and pauses, the left and right arrows step by
@@ -49,7 +49,7 @@ class MechanismPicture : public ComparedFigure {
     virtual void play(double seconds);
     /// An arrow key: −1 or +1, degrees.
     virtual void step(double degrees) { turnTo(crank_->degrees() + degrees); }
-    /// For the mechanism of the reference: pale and wide, as its curves in the plots.
+    /// For the mechanism of the reference: dimmed and wide, as its curves in the plots.
     static QPen ghostPen();
 
   private:
@@ -59,7 +59,7 @@ class MechanismPicture : public ComparedFigure {
     void drawFocus(QPainter& painter) const;
 
     CrankAngle* crank_;
-    QImage picture_;  ///< what is seen, whose pixels lines and shapes are painted on
+    QImage picture_;  ///< the picture on screen, whose pixels lines and shapes are painted on
     QTimer timer_;
     QElapsedTimer sinceStep_;
 };

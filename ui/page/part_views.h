@@ -10,8 +10,8 @@
 
 namespace ravnoves {
 
-/// Keeps a widget at what a part of a model shows, while it is seen: one that is behind another tab
-/// is empty until it comes to the front. Below it stands the same part of the reference.
+/// Makes a widget show a part of a model, while it is visible: one behind another tab is empty
+/// until it comes to the front. Below it is the same part of the reference.
 class PartView {
   public:
     /// @param id  of the part; of the model's parts()
@@ -24,9 +24,9 @@ class PartView {
     const QWidget* widget() const { return widget_; }
     /// Shows what the part is now, seen or not.
     void make();
-    /// What the tolerances do to what is shown.
+    /// The effect of the tolerances on the content.
     virtual void showSpread(const PartSpread& spread) = 0;
-    /// What is shown is another: its spread is on its way, or none is.
+    /// The content has changed: its spread is being computed, or it has none.
     virtual void clearSpread(bool another) = 0;
     /// All below a widget that are seen, or all.
     static std::vector<PartView*> below(const QWidget& page, bool seenAlone);
@@ -38,7 +38,7 @@ class PartView {
     virtual void showPart(const Content& content) = 0;
     /// Nothing: there is no reference.
     virtual void showReference(const Content* content, const QString& name) = 0;
-    /// Its widget comes and goes with what it shows: it is made seen or not.
+    /// Its widget is visible or not, depending on the content.
     void makeAlways() { isAlwaysMade_ = true; }
 
   private:
@@ -78,7 +78,7 @@ class PartPlot : public PlotView, public PartView {
 QString answerText(const QWidget& page);
 QString answerCsv(const QWidget& page);
 
-/// The plot of a part below a widget; null where there is none.
+/// The plot of a part below a widget; null without one.
 PartPlot* partPlot(const QWidget& page, std::string_view id);
 
 /// A table of results.
@@ -86,7 +86,7 @@ class PartTable : public ResultTable, public PartView {
     Q_OBJECT
 
   public:
-    /// @param name  what it shows, for screen readers
+    /// @param name  of the content, for screen readers
     PartTable(SceneModel* model, std::string_view id, const QString& name,
               QWidget* parent = nullptr);
 

@@ -37,19 +37,19 @@ class ScenePage : public QWidget {
     bool isBusy() const;
     /// Something beside the page may be computed for it.
     void addBusy(std::function<bool()> isBusy) { busy_.push_back(std::move(isBusy)); }
-    /// What is rejected in a table of another window counts with what is rejected here.
+    /// Rejected texts in a table of another window are treated like those here.
     void addTable(TableEditor* table);
     const QList<QPointer<TableEditor>>& tablesBeside() const { return tables_; }
     /// Asks what to do with unsaved changes where the page keeps them in a place of its own rather
     /// than in case files. @return false where the user wants to stay; nothing: the window asks
     virtual std::optional<bool> askToSave() { return std::nullopt; }
     /// Saves a case without a file there, with the page's questions. @return false where the user
-    /// wants to stay or it cannot be saved; nothing: the window asks for a file
+    /// cancels or saving fails; empty: the window prompts for a file
     virtual std::optional<bool> saveInPlace() { return std::nullopt; }
-    /// What saveInPlace() does, for a tip; empty where the window asks for a file.
+    /// The effect of saveInPlace(), for a tip; empty where the window prompts for a file.
     virtual QString savingTip() const { return {}; }
 
-    /// How to look up what is open on the other pages. Called once, after the page was made.
+    /// How to look up the open cases of the other pages. Called once, after the page was made.
     virtual void setOpenCases(const OpenCases& /*cases*/) {}
 
     /// Brings the other open page to the front that is as wanted. @return false where none is
@@ -91,8 +91,7 @@ class ScenePage : public QWidget {
     bool event(QEvent* event) override;
 
   private:
-    /// Axes rest while something is dragged, and are then those of what is shown, whatever was
-    /// shown before.
+    /// Axes are fixed during a drag, and follow the content afterwards.
     void followDrags(SceneModel* model);
 
     ShowOther showOther_;

@@ -9,9 +9,9 @@ class QIODevice;
 
 namespace ravnoves {
 
-/// A device that writes SVG. QSvgGenerator leaves clipping out: what is hidden on the screen would
-/// cover the whole sheet. This one cuts lines, areas and pictures to the box of the painter's clip
-/// and leaves out what lies outside. All else, a text at its edge too, it writes whole.
+/// A device that writes SVG. QSvgGenerator leaves clipping out: hidden parts would cover the whole
+/// sheet. This one cuts lines, areas and pictures to the box of the painter's clip and omits the
+/// outside. Everything else, also a text at its edge, is written whole.
 class ClippedSvg : public QPaintDevice {
   public:
     /// One unit of the drawing is a pixel of a screen with 96 to the inch.

@@ -56,9 +56,9 @@ class FigureMenu : public QObject {
     bool isFramed_ = false;
 };
 
-/// Says of a widget that it is a picture of the result: a report draws it, as it does plots, and it
-/// has their menu. Tab goes to it, so that the menu is reached without a mouse.
-/// @param data  the numbers that it shows
+/// Declares a widget a picture of the result: a report draws it, as plots, and it has their menu.
+/// It accepts Tab, so that the menu is reached without a mouse.
+/// @param data  its numbers
 void makeFigure(QWidget* widget, FigureMenu::Data data = {});
 bool isFigure(const QWidget* widget);
 /// True for a figure that says no more than how to fill it.

@@ -14,8 +14,8 @@ struct FileFormat {
     QString name;    ///< "PNG picture"
 };
 
-/// What asks for a name: QFileDialog, in whose place a test puts its answers. All return an empty
-/// text where the user gives up.
+/// Prompts for a name: QFileDialog, in whose place a test puts its answers. All return an empty
+/// text after Cancel.
 struct FileChoosers {
     /// @param filter  of `filters`, separated by ";;", the one that is chosen
     std::function<QString(QWidget* parent, const QString& title, const QString& suggestion,
@@ -27,8 +27,8 @@ struct FileChoosers {
 };
 FileChoosers& fileChoosers();
 
-/// A name as it was typed with the format chosen in the dialog: the suffix typed decides, where
-/// there is none the format's is added.
+/// A name as it was typed with the format chosen in the dialog: the typed suffix decides, without
+/// one the format's is added.
 /// @return an empty text for a suffix that no format has
 QString completedPath(const QString& typed, const QList<FileFormat>& formats, qsizetype chosen);
 
@@ -39,7 +39,7 @@ QString completedPath(const QString& typed, const QList<FileFormat>& formats, qs
 /// @return an empty text where the user gives up
 QString askSavePath(QWidget* parent, const QString& title, const QString& suggestion,
                     const QList<FileFormat>& formats);
-/// Asks for a file to read.
+/// Prompts for a file to read.
 QString askOpenPath(QWidget* parent, const QString& title, const QString& folder,
                     const QString& filters);
 

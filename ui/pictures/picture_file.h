@@ -12,7 +12,7 @@ class QWidget;
 
 namespace ravnoves {
 
-/// Draws a picture; `scale` pixels stand for one of its size.
+/// Draws a picture; `scale` is its pixels per unit of size.
 using DrawPicture = std::function<void(QPainter& painter, double scale)>;
 
 /// Writes what `draw` draws as PNG, SVG or PDF, by the file's ending; another one is rejected.
@@ -24,8 +24,8 @@ QString writePicture(const QString& path, const QSize& size, const QString& titl
 /// shows it.
 int printedWidth(const QSize& size);
 
-/// Asks where to save; `write` writes there.
-/// @param others  formats beside those of pictures
+/// Prompts for a place to save; `write` writes there.
+/// @param others  formats beside the pictures'
 void savePictureWithDialog(QWidget* parent, const QString& title, const QString& name,
                            const QList<FileFormat>& others,
                            const std::function<QString(const QString& path)>& write);

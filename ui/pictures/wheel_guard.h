@@ -8,9 +8,9 @@ namespace ravnoves {
 enum class FocusWay { went, back, other };
 FocusWay focusWay(Qt::FocusReason reason);
 
-/// From now on the wheel changes a number or a slider only where the user went to it, by a click, a
-/// key or its letter, and it has the focus, and never a list that is closed; elsewhere what lies
-/// below scrolls. Once for the whole program; further calls do nothing.
+/// Lets the wheel change a number or a slider only where the user focused it, by a click, a key or
+/// its letter, and never a closed list; elsewhere the page below scrolls. Once for the whole
+/// program; further calls have no effect.
 void guardWheel();
 
 }  // namespace ravnoves

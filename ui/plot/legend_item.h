@@ -17,9 +17,9 @@ class LegendItem : public QAbstractButton {
     /// Of the curve, or of a variant: an & in it is one. A button's text would be a key by it.
     void setName(const QString& name);
     const QString& name() const { return name_; }
-    /// @param role  none: a pale layer of all curves, a stroke or (bars) a shade
+    /// @param role  none: a translucent layer of all curves, a stroke or (bars) a shade
     void setSwatch(std::optional<Role> role, plot::Shape shape);
-    /// Draws the entry into a rectangle, for pictures that hold no widgets.
+    /// Draws the entry into a rectangle, for pictures without widgets.
     void draw(QPainter& painter, const QRectF& rect) const;
 
     QSize sizeHint() const override;

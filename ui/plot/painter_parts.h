@@ -13,11 +13,11 @@
 /// What several parts of a plot are drawn with; sizes in pixels.
 namespace ravnoves::painter_parts {
 
-/// From a label to what it names, for text of the designed size.
+/// From a label to its subject, for text of the designed size.
 inline double labelGap() {
     return Theme::withText(6);
 }
-/// A tick of an axis with labels of our own: powers stand higher.
+/// A tick of an axis with labels of our own: powers are taller.
 inline double rowPerTick() {
     return Theme::withText(36);
 }
@@ -33,7 +33,7 @@ inline void dot(QPainter& painter, const QPointF& at, double radius, const QPen&
 void paintMarker(QPainter& painter, Marker marker, const QPointF& at, double radius,
                  const QPen& pen, const QBrush& fill);
 
-/// Bars whose role has no solid line are pale with an edge.
+/// Bars whose role has no solid line are translucent with an edge.
 struct BarFill {
     explicit BarFill(Role role);
 
@@ -58,7 +58,7 @@ inline void drawVeil(QPainter& painter, const QRectF& box, float opacity = 0.92F
     painter.drawRoundedRect(box, 3, 3);
 }
 
-inline constexpr double besideLabel = 3.0;  ///< of a label's ground left and right of it
+inline constexpr double besideLabel = 3.0;  ///< of a label's ground left and right of the text
 
 inline QSizeF labelSize(const QFont& font, const QString& text) {
     return {std::ceil(textWidth(font, text)) + 2.0 * besideLabel,

@@ -29,8 +29,8 @@ struct PlotTitle {
     double width = 0.0;  ///< in one line
 };
 
-/// Paints what a plot shows onto any device. What rests (axes), what moves (curves) and what is on
-/// top are painted apart.
+/// Paints a plot onto any device: the static layer (axes), the moving one (curves) and the top one
+/// apart.
 class PlotPainter {
   public:
     explicit PlotPainter(PlotData& data);
@@ -65,7 +65,7 @@ class PlotPainter {
 
     void layoutArea(const QSizeF& size, const Margins& minimum);
     double heightOfArea() const;
-    /// The step of x in so many pixels.
+    /// The step of x in that many pixels.
     void chooseColumns(PlotScale& x, double pixels) const;
     void layoutAxes();
     /// Grid, lines of the axes, and ticks of scales that are not own.
@@ -79,20 +79,20 @@ class PlotPainter {
     void paintGhosts(QPainter& painter) const;
     void paintShades(QPainter& painter) const;
     void paintPoints(QPainter& painter) const;
-    /// Where a line lies that is no longer than a point.
+    /// The place of a line that is no longer than a point.
     static std::optional<QPointF> shrunkTo(const PlotCurve& curve);
     void paintBars(QPainter& painter, const PlotCurve& curve, const QPen& pen,
                    const QBrush& brush) const;
-    /// What is no line has its spread as bars with caps.
+    /// Points and bars have their spread as bars with caps.
     void paintSpreads(QPainter& painter, const PlotCurve& curve) const;
     void paintLines(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
-    /// What is at marks, lines and bands, over all that is drawn, where it covers least.
+    /// Labels of marks, lines and bands, over all else, where they cover the minimum.
     void paintLabels(QPainter& painter) const;
     LabelPlaces drawnPlaces() const;
     void labelMark(QPainter& painter, const plot::Mark& mark, LabelPlaces& places) const;
     void labelLine(QPainter& painter, const plot::Line& line, LabelPlaces& places) const;
-    /// -1 where a line lies below the scale that is shown, 1 above it, 0 within.
+    /// -1 where a line is below the shown scale, 1 above, 0 within.
     int sideBeyond(const plot::Line& line) const;
     /// A line that is not seen, as an arrow at the edge with its value.
     void labelBeyond(QPainter& painter, const plot::Line& line, LabelPlaces& places) const;
@@ -101,7 +101,7 @@ class PlotPainter {
     QLineF strokeOf(const plot::Line& line) const;
     void paintReadout(QPainter& painter) const;
     void paintPointReadout(QPainter& painter) const;
-    /// What is read of a point of a vector's path.
+    /// The reading of a point of a vector's path.
     std::vector<Row> rowsOfPath(const PlotCurve& curve, std::size_t point) const;
     void paintRows(QPainter& painter, const std::vector<Row>& rows, const QPointF& at,
                    const QPointF& away, float opacity) const;

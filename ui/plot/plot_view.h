@@ -18,10 +18,10 @@ struct Figure;
 /// One chart: a title, a legend whose entries switch curves, curves over a common x axis with one
 /// or two y axes, marks, a line at the present value, and a cursor that reads the curves.
 ///
-/// PlotData holds what is shown, PlotPainter paints it; this is the widget: legend, layers, mouse
-/// and keys. Axes and grid are drawn once into a picture and redrawn only when range, size or theme
+/// PlotData has the content, PlotPainter paints it; this is the widget: legend, layers, mouse and
+/// keys. Axes and grid are drawn once into a picture and redrawn only when range, size or theme
 /// change, the curves into a second one over it; marks, present value and cursor are painted on
-/// top, so moving them costs next to nothing.
+/// top, so moving them is cheap.
 ///
 /// Mouse: wheel zooms about the pointer (with Shift only y, with Ctrl only x), left drag pans,
 /// double click resets. In a pickable plot a left click or drag picks x instead, and the middle
@@ -57,12 +57,12 @@ class PlotView : public QWidget {
     void setCurveStyle(int curve, const CurveStyle& style);
     void setCurveShown(int curve, bool shown);
     int curveCount() const { return static_cast<int>(data_.curves.size()); }
-    /// What scatter of the inputs makes of the curve, 5…95 %: so much below and above each of its
-    /// points, which goes with the curve where that moves; empty lists remove it.
+    /// Scatter of the curve by the inputs, 5…95 %: amounts below and above each of its points,
+    /// which move with the curve; empty lists remove it.
     void setSpread(int curve, std::vector<double> below, std::vector<double> above);
     void clearSpreads();
-    /// What is read out of a point of the curve, as lines of text; null: nothing. In a plot with
-    /// such texts the mouse and the arrow keys read points instead of the curves at an x.
+    /// Reads out a point of the curve, as lines of text; null: no text. In a plot with such texts
+    /// the mouse and the arrow keys read points instead of the curves at an x.
     void setPointText(int curve, std::function<QString(std::size_t point)> text);
 
     /// A picture under the curves that fills a rectangle of values (a map over x and y); a null
@@ -78,13 +78,13 @@ class PlotView : public QWidget {
     QString title() const { return data_.title; }
     /// What the plot shows, as text, for those who do not see it; made when it is asked for.
     virtual QString sentence() const;
-    /// Pales what is drawn, because newer data are on the way, and says so in the middle.
+    /// Dims the drawing, because newer data are being computed, with a text in the middle.
     void setFaded(bool faded, const QString& text = {});
     bool isFaded() const { return data_.faded; }
     /// The cursor at x, as if the mouse were there; nothing removes it.
     void setCursorX(std::optional<double> x) { overlay(data_.cursorX, x, data_.cursorX != x); }
-    /// The charts of plots that stand over one another begin and end at the same pixels, because
-    /// they share x.
+    /// The charts of plots above one another begin and end at the same pixels, because they share
+    /// x.
     static void stack(const QList<PlotView*>& plots);
     /// A click or drag picks x (picked()) instead of panning.
     void setPickable(bool pickable);
@@ -92,17 +92,17 @@ class PlotView : public QWidget {
     /// Shows a figure in place of the one before, curve by curve of the same word. What the user
     /// has done to the plot stays: zoom, and which curves are switched off.
     void showFigure(const Figure& figure);
-    /// Shows under the curves, pale, those of the same figure of another input. Null: none.
+    /// Shows under the curves, dimmed, the same figure's curves of another input. Null: none.
     void showReference(const Figure* figure, const QString& name);
 
-    /// What is shown, for tests and for what compares plots.
+    /// The content, for tests and for comparisons of plots.
     const PlotData& data() const { return data_; }
 
     void resetZoom();
     bool isZoomed() const { return data_.zoomed; }
     /// Axes of all plots rest as far as they can, while something is dragged.
     static void setSteady(bool steady) { PlotData::steady = steady; }
-    /// The axes follow what is shown now.
+    /// Fits the axes to the present content.
     void fitAxes() { curvesChanged(); }
     /// The chart's inner rectangle in this widget, and the mapping of values to it.
     QRectF plotArea() const { return data_.area; }
@@ -142,13 +142,13 @@ class PlotView : public QWidget {
     virtual void paintGround(QPainter& /*painter*/) {}
     virtual void paintOverCurves(QPainter& /*painter*/) {}
     virtual void paintTop(QPainter& /*painter*/) {}
-    /// What is painted over the curves is new.
+    /// Repaints the layer over the curves.
     void overCurvesChanged();
     /// What the ground paints is new.
     void groundChanged() { chartChanged(); }
     /// It paints of a reference more than curves, so that the legend has its entry in any case.
     void setPaintsGhosts() { data_.paintsGhosts = true; }
-    /// What lies under the pointer is read out as the hand moves.
+    /// The values under the pointer are read out as it moves.
     virtual bool readsUnderPointer() const { return true; }
     /// Height of a key of its own between title and chart, pixels.
     virtual double keyHeight() const { return 0.0; }
@@ -172,7 +172,7 @@ class PlotView : public QWidget {
     void changeEvent(QEvent* event) override;
 
   private:
-    /// Replaces what is painted on top.
+    /// Replaces a part of the top layer.
     template <typename Value>
     void overlay(Value& shown, Value value, bool isNew = true) {
         shown = std::move(value);
@@ -180,13 +180,13 @@ class PlotView : public QWidget {
             updateChart();
         }
     }
-    /// The x axis of a figure; where it only goes farther, what was zoomed to stays.
+    /// The x axis of a figure; where it is only extended, the zoomed section is kept.
     void showAxis(const Axis& axis);
     void nameReference(const QString& name);
     QList<LegendItem*> shownLegend() const;
     /// Entries for curves that are there.
     void showLegend();
-    /// Paints again what is below title and legend.
+    /// Repaints the part below title and legend.
     void updateChart();
     void curvesChanged();
     void chartChanged();
@@ -203,7 +203,7 @@ class PlotView : public QWidget {
     void moveCursor(const QPointF& position);
     void moveCursorTo(double x);
     void leaveCursor();
-    /// What it is in can be scrolled.
+    /// Its container can be scrolled.
     bool scrollsWithin() const;
     /// The axis beside a place of the plot; null where none is.
     const PlotScale* axisAt(const QPoint& at) const;

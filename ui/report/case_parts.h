@@ -30,9 +30,9 @@ struct CaseParts {
 /// As what a report shows a line that means this for the answer.
 report::Paragraph::Kind kindOf(Severity severity);
 
-/// What a page shows, part by part, with its pictures. The answer is what is beside the tabs:
-/// its words and tables, and the picture of the mechanism. Nothing of the page moves for it: plots
-/// and tables are made for the report alone.
+/// The content of a page, part by part, with its pictures. The answer is beside the tabs: its words
+/// and tables, and the picture of the mechanism. The page is unchanged: plots and tables are made
+/// for the report alone.
 CaseParts caseParts(ScenePage& page, const Patience& patience);
 
 }  // namespace ravnoves

@@ -11,7 +11,7 @@ namespace ravnoves {
 class PlotView;
 class ResultTable;
 
-/// A plot of the page, as high as it is there.
+/// A plot of the page, as tall as on the page.
 report::Drawing drawingOf(PlotView* plot);
 /// A plot that was made for the report, at its size.
 report::Drawing drawingOf(const std::shared_ptr<PlotView>& plot);

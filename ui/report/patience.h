@@ -12,12 +12,12 @@ class ReportCancelled : public std::exception {
     const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// While a report waits for what is computed, the program continues.
+/// Keeps the program alive while a report waits for computations.
 class Patience {
   public:
-    /// @param isCancelled  of a dialog that is shown and blocks the rest of the program; without it
-    ///                     no input is handled, for it would change what is reported
-    /// @param tell         sees what is being made and how much of all is, 0…1
+    /// @param isCancelled  of a visible dialog that blocks the rest of the program; without it no
+    ///                     input is handled, for it would change the report
+    /// @param tell         receives the present part and the share done, 0…1
     explicit Patience(std::function<bool()> isCancelled = {},
                       std::function<void(const QString& stage, double part)> tell = {});
 
@@ -25,7 +25,7 @@ class Patience {
     /// For a part of all work: its progress is between these two.
     Patience of(double from, double to) const;
 
-    /// Handles what there is to handle; where there is nothing, waits so long for it, ms.
+    /// Handles pending events; without any, waits for one, ms at most.
     /// @throws ReportCancelled
     void wait(int longest = 0) const;
 

@@ -66,7 +66,7 @@ struct ReportWords {
 
 /// Pages of the report's paper; text is text, figures are vectors.
 QByteArray reportAsPdf(const Report& report);
-/// One file that refers to nothing outside of it.
+/// One file without references to other files.
 QByteArray reportAsHtml(const Report& report);
 
 }  // namespace ravnoves

@@ -14,8 +14,8 @@ struct CaseTab {
     QString toolTip;
 };
 
-/// The bar of the open cases. Which of them have a tab it is told; in which order is the user's.
-/// With one tab there is no bar. It scrolls before its titles are too short to be distinguished.
+/// The bar of the open cases. The program decides which have a tab, the user in which order. With
+/// one tab there is no bar. It scrolls before its titles are too short to be distinguished.
 class CaseTabs : public QTabBar {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ class CaseTabs : public QTabBar {
     void arrange(const std::vector<CaseTab>& cases, int front);
     /// Says again what the tabs that are there are called.
     void name(const std::vector<CaseTab>& cases);
-    /// The case of a tab; 0 where there is none.
+    /// The case of a tab; 0 without one.
     int idOf(int tab) const { return tabData(tab).toInt(); }
     bool hasSeveral() const { return count() > 1; }
 

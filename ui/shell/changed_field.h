@@ -7,9 +7,9 @@ namespace ravnoves {
 class SceneModel;
 class ScenePage;
 
-/// Undoes or redoes on a page and shows where that was: of the fields that are others now one is
-/// brought into view, with its tab, and gets the focus where that was hidden or in a field. One
-/// that was in view goes before others, which may only follow from it.
+/// Undoes or redoes on a page and shows the place: one of the changed fields is brought into view,
+/// with its tab, and is focused if it was hidden or the focus was in a field. A visible one is
+/// preferred to others, which may only follow from it.
 void showWhatChanges(ScenePage& page, const std::function<void(SceneModel&)>& step);
 
 }  // namespace ravnoves

@@ -31,8 +31,8 @@ struct OpenDocument {
     int shown = 0;  ///< the larger, the later it was in front; 0: never
 };
 
-/// What is open: the documents as tabs (CaseTabs) over the page of the one in front, what there is
-/// to say of it between them (DiskNotice). Each has a page, a history and a file of its own.
+/// The open documents as tabs (CaseTabs) over the page of the one in front, its notices between
+/// them (DiskNotice). Each has a page, a history and a file of its own.
 ///
 /// The first document of a scene is made when the scene is shown; while it is untouched and has no
 /// file, a case that is opened may take its place, and it gets a tab only in front. With one tab
@@ -45,8 +45,8 @@ class Documents : public QWidget {
     ~Documents() override;
 
     const std::vector<SceneInfo>& scenes() const { return scenes_; }
-    /// The one in front. Before anything was shown it is the first scene's, made now, in silence:
-    /// at the start page nobody needs one.
+    /// The one in front. Before anything was shown it is the first scene's, made now, silently: the
+    /// start page needs none.
     OpenDocument& current();
     bool hasCurrent() const { return current_ != nullptr; }
     const SceneInfo& currentScene() const {
@@ -69,28 +69,28 @@ class Documents : public QWidget {
     bool hasSeveralTabs() const;
 
     /// Opens a case file; one that is open already comes to the front.
-    /// @param locates  the user is asked for files that the case names and that cannot be read
-    /// @return an empty string, or what is wrong, with the file's name; all stays as it was then
+    /// @param locates  prompts for files that the case names and that cannot be read
+    /// @return an empty string, or the fault with the file's name; all is unchanged then
     QString open(const QString& path, bool locates = false);
     /// Each gets a tab, and is opened when that is shown; at most 200 wait.
     void openLater(const QStringList& paths);
     /// Begins a case without a file from another, as from an example, and brings it to the front.
-    /// The same return as open().
-    /// @param isFirst  what a page begins with: as long as it is untouched, it gives way to another
+    /// Returns as open().
+    /// @param isFirst  of the page: while it is untouched, another replaces it
     QString begin(const CaseFile& file, const CaseContext& context, bool isFirst = false);
 
-    /// Closes the document, or the one in front: the one that was there before it comes to the
-    /// front, and where there is none lastClosed() follows. What is not saved is asked for.
-    /// @return false where the user wants to stay
+    /// Closes the document, or the one in front: the previous one comes to the front, and without
+    /// one lastClosed() follows. Asks about unsaved changes.
+    /// @return false where the user cancels
     bool close(OpenDocument& document);
     bool closeCurrent() { return close(current()); }
-    /// Before all of them go: what is not saved is asked for.
+    /// Before all of them close: asks about unsaved changes.
     bool mayGo();
 
-    /// Keeps what is not saved for the case of a crash, from now on.
+    /// Keeps unsaved work for the case of a crash, from now on.
     void keepIn(Recovery* recovery);
-    /// Opens what a crash has left, as it was, in a tab of its own; it needs saving. Asks for files
-    /// that the case names and that cannot be read, and says what else is wrong.
+    /// Opens a recovered case in a tab of its own; it needs saving. Prompts for files that the case
+    /// names and that cannot be read, and shows other faults.
     /// @return false where the copy is still needed
     bool restore(const RecoveredCase& recovered);
 
@@ -104,9 +104,9 @@ class Documents : public QWidget {
     void lastClosed();
     /// The document that was in front already shall be seen.
     void currentAsked();
-    /// What is open, in which order or under which names is another.
+    /// The open documents, their order or names have changed.
     void changed();
-    /// Of the document in front: name() or needsSaving(); what there is to undo or redo.
+    /// Of the document in front: name() or needsSaving(); undo and redo.
     void titleChanged();
     void historyChanged();
     /// Something that is rejected is in the current one, or does not any more.

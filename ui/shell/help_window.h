@@ -24,7 +24,7 @@ class HelpWindow : public QDialog {
     /// In the present language and theme.
     void renew();
     void showPage(const QString& topic);
-    /// Goes to the next place of what is searched, or the one before; round the page.
+    /// Moves to the next or previous place of the searched text, wrapping round the page.
     void find(bool backwards);
 
     QString topic_;

@@ -26,47 +26,47 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 
   public:
-    /// What it begins with: the page of the first scene, or nothing, because something else will
-    /// be shown before the window is.
+    /// The first content: the page of the first scene, or nothing, because something else will be
+    /// shown before the window is.
     enum class First { Scene, Nothing };
 
     explicit MainWindow(First first = First::Scene);
     ~MainWindow() override;
 
-    /// Brings a scene to the front by its word in case files: the document that was there last.
-    /// @return false where there is none
+    /// Brings a scene to the front by its word in case files: its latest document.
+    /// @return false without one
     bool showScene(const QString& name);
     QString currentScene() const;
     /// Brings the start page to the front, until something is opened or begun.
     void showStart();
     bool isAtStart() const;
-    /// The page of that document, made now if there is none; null for a word that is no scene.
+    /// The page of that document, made now if needed; null for a word that is no scene.
     ScenePage* page(const QString& name);
     ScenePage* currentPage() const;
     Documents& documents() { return *documents_; }
 
     /// Opens a case file in a tab of its own and shows it; one that is open comes to the front.
-    /// @return an empty string, or what is wrong, with the file's name; all stays as it was then
+    /// @return an empty string, or the fault with the file's name; all is unchanged then
     QString openCase(const QString& path);
-    /// The same for someone who sits before it: says what is wrong, and of one file asks where a
-    /// file is that the case names. Of several the first is opened, the others when they are shown.
+    /// The same for a user at the window: shows faults, and for one file prompts for missing files
+    /// that the case names. Of several the first is opened, the others when they are shown.
     void openOrSayWhy(QStringList paths);
     /// Shows the open case of a scene, or begins its first.
     void goToScene(const QString& scene);
     /// Begins the first case of a scene, one that works.
     /// @param isFirst  as Documents::begin()
-    /// @return false where there is none
+    /// @return false without one
     bool newCase(const QString& scene, bool isFirst = false);
-    /// The same from a case that stays without a file, as an example.
-    /// @param context  where the files lie that it names
-    /// @return an empty string, or what is wrong
+    /// The same from a case that remains without a file, as an example.
+    /// @param context  the folder of the files that it names
+    /// @return an empty string, or the fault
     QString newCase(const CaseFile& file, const CaseContext& context = {});
     /// Writes the current page's case. The same return.
     QString saveCase(const QString& path);
     /// Writes a report of the current page's case, PDF or HTML by the suffix. The same return.
     QString writeReport(const QString& path, const Patience& patience = Patience());
 
-    /// Keeps what is not saved for the case of a crash.
+    /// Keeps unsaved work for the case of a crash.
     void beginSession();
     /// Offers what a crash has left, where there is any.
     void offerRecovered();
@@ -109,8 +109,8 @@ class MainWindow : public QMainWindow {
     void foldToolBar();
     /// In the status bar, while it has no other message.
     void showHint(const QString& text);
-    /// Says what was done, before all else in the status bar; no tip of what the pointer passes
-    /// takes its place meanwhile.
+    /// Reports an action, before all else in the status bar; no tip under the pointer replaces it
+    /// meanwhile.
     void say(const QString& text, std::chrono::milliseconds during = std::chrono::seconds(5));
     void updateCaseActions();
     void updateHistoryActions();
@@ -140,7 +140,7 @@ class MainWindow : public QMainWindow {
     VariantMenu* variants_ = nullptr;
     ScaleButton* scale_ = nullptr;
     QLabel* hint_ = nullptr;
-    QDeadlineTimer said_;  ///< until when what was said stays
+    QDeadlineTimer said_;  ///< until when the report is shown
     QAction* nextTab_ = nullptr;
     QAction* previousTab_ = nullptr;
     bool isPainted_ = false;

@@ -13,21 +13,21 @@ namespace ravnoves {
 class InputError;
 struct CaseFile;
 
-/// A file that a case names and that cannot be read: the user is asked where it is now. One for
-/// each case that is opened, for it knows what was asked before.
+/// A file that a case names and that cannot be read: prompts for its present place. One for each
+/// case that is opened, for it remembers the earlier answers.
 class MissingFile {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::MissingFile)
 
   public:
-    /// @param over    the questions stand over it
-    /// @param title   of the questions: what is being done
+    /// @param over    parent of the questions
+    /// @param title   of the questions: the action
     /// @param folder  of the case
     MissingFile(QWidget* over, QString title, QString folder)
         : over_(over), title_(std::move(title)), folder_(std::move(folder)) {}
 
-    /// Asks for the file that the error is about, and enters the answer into the case.
-    /// @param trouble  what is wrong, as text
-    /// @return nothing where something else is wrong; false where the user gives up
+    /// Prompts for the file of the error, and enters the answer into the case.
+    /// @param trouble  the fault, as text
+    /// @return empty for another fault; false after Cancel
     std::optional<bool> locate(CaseFile& file, const InputError& error, const QString& trouble);
 
   private:

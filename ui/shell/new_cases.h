@@ -18,12 +18,12 @@ struct NewCase {
     Kind kind;
     QString scene;          ///< its word in case files
     QString title;          ///< for menus and lists
-    QString question = {};  ///< of an example: what it answers
-    /// Reads or writes it, without a path: it never overwrites what it came from.
+    QString question = {};  ///< of an example: the question that it answers
+    /// Reads or writes it, without a path: it never overwrites its origin.
     std::function<CaseFile()> make;
 };
 
-/// Its title with what it is: "Preset: TMZ-650D".
+/// Its title with its kind: "Preset: TMZ-650D".
 QString listed(const NewCase& each);
 
 /// All of them, scene by scene in the order of the navigation, each from the empty one to the

@@ -28,8 +28,8 @@ class RecoveryDialog : public QDialog {
   private:
     /// Asks, once for all.
     bool mayThrowAway();
-    /// Takes what is ticked out of the list: the cases, and where the older ones are ticked their
-    /// line, which `older` follows. Closes where nothing is left.
+    /// Removes the ticked entries from the list: the cases, and the line of the older ones, which
+    /// `older` follows. Closes when the list is empty.
     QList<RecoveredCase> takeTicked(void (RecoveryDialog::*older)());
 
     QList<RecoveredCase> cases_;

@@ -20,7 +20,7 @@ struct SceneInfo : SceneName {
     ScenePage* make(QWidget* parent, SceneModel* kept = nullptr) const;
 };
 
-/// All scenes in the order of the navigation, which is that of core's scenes.cpp.
+/// All scenes in the order of the navigation, as in core's scenes.cpp.
 std::vector<SceneInfo> sceneList();
 
 }  // namespace ravnoves

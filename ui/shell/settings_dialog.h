@@ -7,8 +7,8 @@ class QFormLayout;
 
 namespace ravnoves {
 
-/// Theme, size of the text, language, digits, units. What is chosen holds at once, here as well,
-/// and stays for the next start.
+/// Theme, size of the text, language, digits, units. A choice applies at once, here as well, and is
+/// kept for the next start.
 class SettingsDialog : public QDialog {
     Q_OBJECT
 

@@ -54,7 +54,7 @@ class StartPage : public QWidget {
     QGridLayout* lists_;
     QWidget* recentBox_;
     QVBoxLayout* recent_;
-    std::vector<std::function<void()>> dates_;  ///< show that of each file opened last
+    std::vector<std::function<void()>> dates_;  ///< show the date of each recent file
     QWidget* examplesBox_;
     int columns_ = 0;
     bool areListsBeside_ = false;

@@ -45,7 +45,7 @@ class CardPage {
     void box(double x, double y, double w, double h, const QColor& fill,
              const QColor& border = hair, double thickness = 0.15);
     /// One line; a text that is too wide is set smaller, as far as it can be read, then elided. For
-    /// labels: sentences and what was typed are paragraphs.
+    /// labels: sentences and typed texts are paragraphs.
     void text(double x, double y, double w, const QString& text, double points = 8.5,
               Qt::Alignment align = Qt::AlignLeft, bool bold = false, const QColor& colour = ink);
     static constexpr double smallestType = 6.0;  ///< points; less is not read in a workshop
@@ -66,17 +66,17 @@ class CardPage {
     // ------------------------------------------------------------------------------- sheets
 
     int number() const { return number_; }  ///< of the sheet, from 1
-    /// Where what is on the sheet must end, mm.
+    /// Where the contents of the sheet must end, mm.
     double end() const { return end_; }
     /// The lowest part of the first sheet, from `y` down.
     void setFoot(double y, std::function<void()> paint);
     /// Called after a sheet is finished, to begin the next; returns where its print begins, mm.
     void setNextSheet(std::function<double()> next) { next_ = std::move(next); }
     double nextSheet();
-    /// Paints what is at the foot.
+    /// Paints the foot.
     void finishSheet();
 
-    /// What is painted at y (mm); returns where it ends.
+    /// Paints at y (mm); returns the end.
     using Section = std::function<double(double y)>;
     double heightOf(const Section& section);
     /// The section at y, or on the next sheet where it has no room there.

@@ -11,7 +11,7 @@ class CheckedField : public ValueEntry<QString> {
     Q_OBJECT
 
   public:
-    /// Says what is wrong with a text; empty where nothing is. An empty text is not asked about.
+    /// The fault of a text; empty without one. Not called for an empty text.
     using Check = std::function<QString(const QString& text)>;
 
     explicit CheckedField(Check check, QWidget* parent = nullptr)

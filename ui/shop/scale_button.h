@@ -9,8 +9,8 @@ struct ScaleLine;
 }
 class ScaleReader;
 
-/// The scale in the status bar of the window: what it shows, or that it is unplugged; a click opens
-/// its settings. Hidden where no scale is set up. What it weighs goes into the field with the
+/// The scale in the status bar of the window: its reading, or that it is unplugged; a click opens
+/// its settings. Hidden where no scale is set up. Weights are entered into the field with the
 /// focus.
 class ScaleButton : public QToolButton {
     Q_OBJECT

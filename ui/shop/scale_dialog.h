@@ -16,8 +16,8 @@ class NumberField;
 class ScaleReader;
 struct ScaleSettings;
 
-/// The settings of the scale, which hold at once, and beside them the raw lines that it sends with
-/// what is made of them.
+/// The settings of the scale, which apply at once, and beside them its raw lines with their
+/// readings.
 class ScaleDialog : public QDialog {
     Q_OBJECT
 

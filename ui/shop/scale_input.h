@@ -8,7 +8,7 @@ class QWidget;
 
 namespace ravnoves {
 
-/// No scale writes into a field, unless the user has gone there.
+/// No scale writes into a field, unless the user has focused it.
 void setTypedAlone(QWidget* field);
 bool isTypedAlone(const QWidget* field);
 
@@ -19,9 +19,9 @@ QString scaleText(const shop::ScaleLine& line);
 QString meaningOf(const shop::ScaleLine& line);
 
 /// Puts a weight into the field or cell with the focus, as if it were typed and Enter pressed: the
-/// next one has the focus then. Only fields of masses take it; one that rejects it keeps its value
-/// and the focus.
-/// @return what became of it, for the status bar
+/// next one has the focus then. Only fields of masses accept it; one that rejects it keeps its
+/// value and the focus.
+/// @return the result, for the status bar
 QString enterWeight(const shop::ScaleLine& line);
 
 }  // namespace ravnoves

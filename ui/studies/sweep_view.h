@@ -13,7 +13,7 @@ class PlotView;
 class StudyModel;
 class SweepModel;
 
-/// One input goes through its range while the others scatter: how a result follows it.
+/// Sweeps one input while the others scatter: how a result follows it.
 class SweepView : public QWidget {
     Q_OBJECT
 
@@ -22,7 +22,7 @@ class SweepView : public QWidget {
 
     SweepModel* model() const { return model_; }
     PlotView* plot() const { return plot_; }
-    /// What it found, in a sentence.
+    /// Its finding, in a sentence.
     QString words() const;
     /// Sweeps to this result, by its pointer.
     void chooseResult(const std::string& result);

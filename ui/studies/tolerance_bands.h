@@ -15,11 +15,12 @@ namespace ravnoves {
 class BackgroundJob;
 class ScenePage;
 
-/// What the tolerances of a page's case do to what it shows: a band of 5…95 % about each curve, a ±
-/// beside each number of its tables.
+/// The effect of the tolerances on the page: a band of 5…95 % about each curve, a ± beside each
+/// number of its tables.
 ///
-/// When the hand rests, a worker solves samples of the case with a model of its own, which makes
-/// the parts of each. So no scene needs a line for it. What takes longer than a frame has no bands.
+/// After a pause, a worker solves samples of the case with a model of its own, which makes the
+/// parts of each. So no scene needs a line for it. Parts that take longer than a frame have no
+/// bands.
 class ToleranceBands : public QObject {
     Q_OBJECT
 
@@ -28,22 +29,22 @@ class ToleranceBands : public QObject {
     explicit ToleranceBands(ScenePage* page);
     ~ToleranceBands() override;
 
-    /// True until what is seen has its bands.
+    /// True until the visible parts have their bands.
     bool isBusy() const;
     /// Solves the samples; with progress.
     BackgroundJob* job() const { return job_; }
-    /// Begins those of all that the page has, also of what is not seen, until something changes.
+    /// Begins the bands of all parts of the page, also of hidden ones, until something changes.
     void findAll();
-    /// What was found of a part; null where there is nothing.
+    /// The spread of a part; null without one.
     const PartSpread* spreadOf(std::string_view part) const;
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    /// What is shown is another.
+    /// The content has changed.
     void outdate();
-    /// Those of what is seen now, when the hand rests.
+    /// The bands of the visible parts, after a pause.
     void beginLater();
     void begin();
     void clear(bool othersFollow);

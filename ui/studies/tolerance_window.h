@@ -48,12 +48,12 @@ class ToleranceWindow : public QDialog {
   private:
     QWidget* makeInputs();
     QWidget* makeAnswers();
-    /// What is to be done while there is nothing to show.
+    /// The next step, while there are no answers.
     QWidget* makeNextStep();
     QWidget* makeFound();
     void addKeys();
     void fillWatchable();
-    /// Watches it, and goes to its limits.
+    /// Watches a result, and moves to its limits.
     void watch(const std::string& pointer);
     void showStudy();
     void showAnswers();

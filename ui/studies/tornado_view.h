@@ -10,8 +10,8 @@ namespace ravnoves {
 class StudyModel;
 struct StudyAnswer;
 
-/// How much of a result's variance each input makes, the largest at the top: by itself, and pale
-/// what it does together with others.
+/// The share of each input in a result's variance, the largest at the top: alone, and dimmed with
+/// its interactions.
 class TornadoView : public QWidget {
     Q_OBJECT
 
@@ -19,7 +19,7 @@ class TornadoView : public QWidget {
     struct Bar {
         QString name;
         double alone = 0.0;  ///< share of the variance, 0 … 1
-        double whole = 0.0;  ///< with what it does together with others
+        double whole = 0.0;  ///< with its interactions
     };
 
     explicit TornadoView(QWidget* parent = nullptr);
@@ -27,7 +27,7 @@ class TornadoView : public QWidget {
     /// @param title  what the shares are of
     void setBars(const QString& title, std::vector<Bar> bars);
     const std::vector<Bar>& bars() const { return bars_; }
-    /// Pales what is drawn: newer numbers are on the way.
+    /// Dims the drawing: newer numbers are being computed.
     void setFaded(bool faded);
 
     QSize sizeHint() const override { return {420, 240}; }

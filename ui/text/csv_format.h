@@ -35,7 +35,7 @@ struct CsvFormat {
         return text;
     }
 
-    /// Text or a number as it is shown.
+    /// A text or a number as on the screen.
     QString field(const QString& shown) const {
         QString text = plainMinus(shown);
         if (text.contains(separator) || text.contains(QLatin1Char('"'))) {

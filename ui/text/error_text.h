@@ -5,12 +5,12 @@
 
 namespace ravnoves {
 
-/// What an InputError of core says, in the language of the program: place, what is allowed there
-/// and what was found. The places of a case are as text: by the labels of its scene where a model
-/// rejects it (SceneModel::explain()), else by their keys. What the system says stays as it is.
+/// An InputError of core as text, in the language of the program: place, rule and value. The places
+/// of a case are named by the labels of its scene where a model rejects it (SceneModel::explain()),
+/// else by their keys. The system's messages are unchanged.
 QString errorText(const std::exception& error);
-/// From now on places are said by their pointers, as the command line does: for who runs the
-/// program without its window, in a script.
+/// From now on places are named by their pointers, as by the command line: for scripts that run the
+/// program without its window.
 void sayPlacesByPointer();
 /// The same of whatever was thrown in a thread or a slot that nothing may leave.
 QString errorText(const std::exception_ptr& thrown);

@@ -24,9 +24,9 @@ class FieldNames {
     const FieldEntry* find(const std::string& pointer) const;
     /// The same, and a leaf without a label of its own is itself: for its unit and its words.
     const FieldEntry* described(const std::string& pointer) const;
-    /// The description of a place itself; null where there is none.
+    /// The description of a place itself; null without one.
     const FieldEntry* entryAt(const std::string& pointer) const;
-    /// Its label, or that of the field that may be given in its place, else its key as text.
+    /// Its label, or the label of the field that may be given in its place, else its key as text.
     QString ownName(const std::string& pointer) const;
     /// How the form shows a number of an entry: where another field names it, in the unit of that.
     ShownUnit shown(const FieldEntry& entry) const;
@@ -34,8 +34,8 @@ class FieldNames {
     /// from 1.
     QString name(const std::string& pointer) const;
 
-    /// The place of an error: "row 4, torque" for "/input/torque/torque_Nm/3". What is no pointer
-    /// stays as it is.
+    /// The place of an error: "row 4, torque" for "/input/torque/torque_Nm/3". Other texts are
+    /// unchanged.
     QString place(const Message& where) const;
     /// What an error says, without keys and pointers.
     QString errorText(const InputError& error) const;
@@ -48,7 +48,7 @@ class FieldNames {
     std::map<std::string, FieldEntry> fields_;
 };
 
-/// An input that a model rejects, with what the window says of it.
+/// An input that a model rejects, with the window's text.
 class RejectedInput : public InputError {
   public:
     RejectedInput(const InputError& error, QString said)

@@ -14,8 +14,8 @@ struct Language {
 /// English and every language with a translation in the program (:/i18n/ravnoves_CODE.qm).
 std::vector<Language> availableLanguages();
 
-/// Installs the translation and the number format of a language, in place of those before. An empty
-/// code is the language the user chose, else that of the desktop where there is a translation, else
+/// Installs the translation and the number format of a language, in place of the previous ones. An
+/// empty code is the language the user chose, else the desktop's where there is a translation, else
 /// English.
 void installLanguage(const QString& code = {});
 /// The code that installLanguage() settled on.

@@ -30,7 +30,7 @@ QString presetTitle(const Message& title);
 QString fieldName(const Field& field);
 /// The label of one of a choice's words; empty where it has none.
 QString choiceText(const Field& field, std::string_view word);
-/// What a field means and what it represents while it is empty: its tooltip.
+/// The meaning of a field and of its empty state: its tooltip.
 QString fieldHint(const Field& field);
 
 }  // namespace ravnoves

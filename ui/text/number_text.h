@@ -18,7 +18,7 @@ QString writtenOut(double value, const QLocale& locale, int significant = 10);
 
 /// A number of forms to be read, not to be typed over: with a true minus.
 QString shownFormNumber(double value, const QLocale& locale, int significant = 10);
-/// The number with all its digits where a text of it has fewer; else empty.
+/// The number with all its digits where the text has fewer; else empty.
 QString wholeNumber(double value, const QString& text);
 /// A number with true minus signs in place of hyphens.
 QString trueMinus(QString number);
@@ -43,7 +43,7 @@ QString powerOfTen(int exponent);
 
 /// Fixed decimals with the locale's decimal sign and a true minus.
 QString fixedDecimals(double value, int decimals, const QLocale& locale);
-/// A number of a result: so many decimals, unless the user has chosen significant digits.
+/// A number of a result: `decimals`, unless the user has chosen significant digits.
 QString fixedNumber(double value, int decimals, const QLocale& locale);
 /// A share as percent on one line: "12.3 %".
 QString percentText(double share, int decimals = 1);

@@ -6,8 +6,8 @@
 
 namespace ravnoves {
 
-/// How the user wants numbers and texts: language, digits, units. One for the application, kept for
-/// the next start; it is read when something is written, so what stands already is made again at
+/// The user's choice of numbers and texts: language, digits, units. One for the application, kept
+/// for the next start; it is read when something is written, so visible texts are made again at
 /// changed().
 class Preferences : public QObject {
     Q_OBJECT
@@ -27,7 +27,7 @@ class Preferences : public QObject {
     /// What can be shown in other units than its own.
     enum Quantity { Length, Mass, Torque, Force, Speed, Unbalance };
     static constexpr int quantities = 6;
-    /// Own: mm, kg, N·m, N, of speeds what each page has, of unbalances what goes with the masses.
+    /// Own: mm, kg, N·m, N, each page's unit of speed, unbalance by the unit of masses.
     enum class Units {
         Own,
         Imperial,
@@ -44,8 +44,7 @@ class Preferences : public QObject {
     /// The code of the language in use; empty: the desktop's.
     QString language() const;
     void setLanguage(const QString& code);
-    /// Something else has changed that shows only in what is made again, for example the size of
-    /// the text.
+    /// Another change that shows only in new widgets, for example the size of the text.
     void tell() { Q_EMIT changed(); }
 
   Q_SIGNALS:

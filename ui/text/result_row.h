@@ -20,7 +20,7 @@ struct ResultNumber {
     std::optional<int> decimals = {};  ///< that are shown; none with a power of ten
 };
 
-/// How what is shown differs from a reference, in its own decimals.
+/// The difference of a shown value from a reference, in its own decimals.
 struct ShownDifference {
     QString absolute;  ///< with its sign
     QString percent;   ///< of the reference; empty where it says nothing: of percents, directions
@@ -33,16 +33,16 @@ struct ResultCell {
 
     ResultCell() = default;
     ResultCell(QString words) : text(std::move(words)) {}
-    /// @param shown  the number as text, with what is behind it
+    /// @param shown  the number as text, with its suffix
     ResultCell(double value, QString shown, Kind kind = Kind::Plain, QString unit = {});
     /// Two numbers by a pattern: "%1 × %2".
     static ResultCell two(const QString& pattern, const ResultCell& first,
                           const ResultCell& second);
 
     operator const QString&() const { return text; }
-    /// The only number; null where there is none or two.
+    /// The only number; null without one or with two.
     const ResultNumber* number() const { return numbers.size() == 1 ? &numbers.front() : nullptr; }
-    /// Nothing where there is nothing to compare, or nothing that differs.
+    /// Empty without a reference or a difference.
     std::optional<ShownDifference> from(const ResultCell& reference) const;
     friend bool operator==(const ResultCell& a, const ResultCell& b) { return a.text == b.text; }
     friend bool operator==(const ResultCell& a, const QString& b) { return a.text == b; }
@@ -53,7 +53,7 @@ struct ResultCell {
     bool isSmallerBetter =
         false;            ///< of several designs the one with the smallest number is the best
     bool isBest = false;  ///< it is that one
-    std::optional<ShownDifference> fromOther = {};  ///< as it differs from that of another design
+    std::optional<ShownDifference> fromOther = {};  ///< difference from another design
 
     /// With a star where it is the best.
     QString marked() const { return isBest ? QStringLiteral("★ ") + text : text; }
@@ -94,7 +94,7 @@ struct Results {
     ResultRows rows = {};
 };
 
-/// Of a quantity, in the unit shown: so many decimals, unless the user has chosen digits.
+/// Of a quantity, in the unit shown: `decimals`, unless the user has chosen digits.
 ResultCell shownCell(double si, const Unit& unit, int decimals);
 /// A row of the columns name, value, unit.
 ResultRow shownRow(const QString& name, double si, const Unit& unit, int decimals,

@@ -7,8 +7,8 @@
 
 namespace ravnoves {
 
-/// A unit as the user wants to see it. Inputs, results and data stay in their own units: only what
-/// is written or read on the screen is in these.
+/// A unit as the user wants to see it. Inputs, results and data keep their own units: only texts
+/// written or read on the screen are in these.
 struct ShownUnit {
     QString name;         ///< in the language of the program; empty for pure numbers
     double factor = 1.0;  ///< numbers shown per number in the own unit: 0.0394 for mm as inches
@@ -17,10 +17,9 @@ struct ShownUnit {
 
 /// The one place for it: how a unit of core is shown now.
 ShownUnit shownUnit(const Unit& unit);
-/// That of a field: what always weighs a lot, as a rotor does, stays in kilograms beside parts in
-/// grams.
+/// The unit of a field: heavy things such as rotors stay in kilograms beside parts in grams.
 ShownUnit shownUnit(const Field& field);
-/// The same for a unit by its name in the language of the program; other words as they are.
+/// The same for a unit by its name in the language of the program; other words are unchanged.
 ShownUnit shownUnit(const QString& name);
 
 /// The unit itself, for texts in another language than the program's.
@@ -37,7 +36,7 @@ struct ShownTitle {
 ShownTitle shownTitle(const QString& title);
 /// A title that ends in a unit: "l, mm"; without one the name alone.
 QString titleWithUnit(const QString& name, const QString& unit);
-/// The unit that a title ends in, as it is there; empty where there is none.
+/// The unit at the end of a title, unchanged; empty without one.
 QString unitOfTitle(const QString& title);
 
 /// An SI value as the number shown, for formats of their own.
@@ -46,7 +45,7 @@ double shownValue(double si, const Unit& unit);
 QString shownNumber(double si, const Unit& unit, int decimals);
 /// The same without the unit.
 QString shownDigits(double si, const Unit& unit, int decimals);
-/// So many significant digits, with the unit and without it.
+/// `digits` significant digits, with the unit and without it.
 QString shownShort(double si, const Unit& unit, int digits);
 QString shownFigures(double si, const Unit& unit, int digits);
 

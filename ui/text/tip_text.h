@@ -5,8 +5,7 @@
 
 namespace ravnoves {
 
-/// A tip in lines that are read without turning one's head: Qt leaves those of plain text as long
-/// as they are.
+/// A tip in lines of readable length: Qt does not wrap plain text.
 inline QString tipText(const QString& text) {
     constexpr qsizetype longest = 80;  // letters
     QStringList lines;

@@ -24,13 +24,12 @@ TypedNumber readTypedNumber(const QString& text, const QString& unit);
 /// of lists and scales, where "8-10" is no difference.
 TypedNumber readTypedFormula(const QString& text, const QString& unit);
 
-/// The other number that such a text may stand for, read by readTypedNumber() with a decimal comma:
-/// where the program's language writes a decimal point, "3,600" may be 3600. Empty for a text that
-/// is plain.
+/// The other meaning of a text that readTypedNumber() reads with a decimal comma: where the
+/// program's language writes a decimal point, "3,600" may be 3600. Empty for an unambiguous text.
 std::optional<double> readWithThousands(const QString& text, const QString& unit);
 /// Why such a text is rejected, with both numbers.
 QString eitherNumberText(const QString& text, double one, double other);
-/// The same for a text that stands where any number may; empty for one that is plain.
+/// The same for a text where any number may be; empty for an unambiguous one.
 QString thousandsTrouble(const QString& text, const QString& unit);
 
 /// That a text is no number; of a long one, as a table that was pasted into a field, its beginning.
@@ -48,14 +47,13 @@ struct NamedNumbers {
     bool (*is_usual)(double si);  ///< or its decimal comma may be between two numbers
 };
 
-/// Reads numbers one after the other, in the unit that the field is shown in: between them are
-/// blanks, semicolons, or commas with a blank behind. What may be two numbers or one ("8,10") is
-/// rejected.
+/// Reads numbers one after the other, in the field's shown unit: between them are blanks,
+/// semicolons, or commas with a blank behind. An ambiguous text ("8,10") is rejected.
 /// @param where  names the list
-/// @return the values in the field's unit; throws InputError for what is no number of its range
+/// @return the values in the field's unit; throws InputError for anything but numbers in range
 std::vector<double> readNumberList(const QString& typed, const Field& field, const Message& where,
                                    const NamedNumbers* named = nullptr);
-/// Values in the field's unit, as they are typed.
+/// Values in the field's unit, as typed.
 QString numberListText(const std::vector<double>& values, const Field& field);
 
 }  // namespace ravnoves

@@ -6,9 +6,9 @@
 
 namespace ravnoves {
 
-/// Writes what `make` makes as write_text_file() does: what was there stays whole when anything
+/// Writes the text of `make` as write_text_file() does: the old file remains whole when anything
 /// fails.
-/// @return empty, or the path and what went wrong with making or writing
+/// @return empty, or the path and the fault
 QString writeFile(const QString& path, const std::function<std::string()>& make);
 
 }  // namespace ravnoves

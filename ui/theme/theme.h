@@ -48,8 +48,8 @@ class Theme : public QObject {
     /// Ink number i of the roles: distinguishable with colour-blind eyes, light and dark.
     QColor curve(int i) const;
     static constexpr int curveColours = 8;
-    /// A colour for small letters on a panel: the same, or nearer to that of the text until they
-    /// are read.
+    /// A colour for small letters on a panel: the same, or nearer to the text's until it is
+    /// legible.
     QColor readable(const QColor& colour) const;
 
     // Type scale, pixels.
@@ -59,11 +59,11 @@ class Theme : public QObject {
     static constexpr int displaySize = 20;
     static QFont font(int pixelSize = baseSize, bool bold = false);
 
-    /// All text, in parts of its normal size. What is made afterwards has it.
+    /// All text, in parts of its normal size. Widgets made afterwards have it.
     void setTextScale(double scale);
     double textScale() const { return textScale_; }
     static constexpr double largestText = 2.0;
-    /// A length that grows with the text: of rows, of fields for so many digits.
+    /// A length that grows with the text: of rows, of fields for a number of digits.
     static int withText(int pixels);
     /// Width that the titles of tabs and the widget before them take.
     /// @param beside  room that each title has beside it

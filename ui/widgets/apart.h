@@ -4,9 +4,9 @@
 
 namespace ravnoves {
 
-/// Holds a label whose text changes at every step of a drag. No layout stands between them: the
-/// page is laid out again only where the text takes another height, and under a hand that drags
-/// only where it takes more.
+/// Contains a label whose text changes at every step of a drag, outside of the page's layout: the
+/// page is laid out again only where the text has another height, and during a drag only where it
+/// has more.
 class Apart : public QWidget {
     Q_OBJECT
 

@@ -5,8 +5,8 @@
 
 namespace ravnoves {
 
-/// Says in a field, grey while it is empty, what it represents: "auto 88"; its unit is beside it.
-/// @param value  in the field's unit; empty where the field's own words say all
+/// Shows in an empty field, grey, the value that applies: "auto 88"; its unit is beside it.
+/// @param value  in the field's unit; empty where the field's own words are enough
 inline void showAssumed(Form* form, NumberField* field,
                         std::function<std::optional<double>()> value) {
     form->follow([field, value = std::move(value), word = field->placeholderText()] {

@@ -7,8 +7,7 @@
 
 namespace ravnoves {
 
-/// Gives a dialog the size that it has with normal text, grown with the text as far as the screen
-/// goes.
+/// Gives a dialog its size at normal text, grown with the text within the screen.
 inline void resizeWithText(QWidget* dialog, int width, int height) {
     constexpr QSize frame(20, 50);  // of the window, with its title
     dialog->resize(QSize(Theme::withText(width), Theme::withText(height))

@@ -68,7 +68,7 @@ void drawWithHalo(QPainter& painter, const QRectF& room, int flags, const QStrin
 QColor bankColour(int bank);
 QColor metal();
 QColor brightMetal();
-/// Of a counterweight: its role's colour, pale.
+/// Of a counterweight: its role's colour, translucent.
 QColor weightFill(Role role);
 
 }  // namespace ravnoves::drawing

@@ -11,15 +11,15 @@ namespace ravnoves {
 /// The base of every field that reads a value out of typed text.
 ///
 /// The value follows while one types, but only a whole valid text counts: as soon as the text is
-/// rejected, the value from before the editing holds again. A rejected text is never thrown away
-/// and never becomes another value by itself: it stays, with a red frame and with trouble() as
-/// text, until it is corrected, Escape brings the old value back, or another value is set. Escape
-/// undoes the whole editing since it was saved, valid values on the way as well. Other values may
-/// mend what the model rejected: while they change, trouble() says so, and once they are given the
-/// text is tried again, as a step of its own.
+/// rejected, the value before the editing applies again. A rejected text is never discarded and
+/// never becomes another value by itself: it remains, with a red frame and with trouble() as text,
+/// until it is corrected, Escape restores the old value, or another value is set. Escape undoes the
+/// whole editing since it was saved, with its valid values. Other values may make a rejected text
+/// valid: while they change, trouble() shows that, and afterwards the text is tried again, as a
+/// step of its own.
 ///
-/// A click that gives it the focus selects all of it, as Tab does: what is typed then takes its
-/// place, and joins no digits. The next click sets the cursor.
+/// A click that gives it the focus selects all, as Tab does: typing then replaces the text, and
+/// joins no digits. The next click sets the cursor.
 ///
 /// Undo and redo are the text's while it is not the value, else the document's.
 class EntryField : public QLineEdit {
@@ -28,13 +28,13 @@ class EntryField : public QLineEdit {
   public:
     explicit EntryField(QWidget* parent = nullptr);
 
-    /// What is wrong with the text now, as text; empty where nothing is.
+    /// The fault of the present text; empty without one.
     QString trouble() const { return trouble_; }
     /// From the first key to Enter, Escape or the loss of the focus.
     bool isEditing() const { return editing_; }
     /// The whole number where its text is shortened; else empty. The tip says it.
     virtual QString wholeText() const { return {}; }
-    /// What its line below says: what is wrong, or else what was done to the text.
+    /// The line below: the fault, or else the change made to the text.
     QString said() const {
         return !trouble_.isEmpty() ? trouble_ : !note_.isEmpty() ? note_ : howRead_;
     }
@@ -46,7 +46,7 @@ class EntryField : public QLineEdit {
     /// Whether results depend on it; where not, they stay up to date while its text is rejected.
     void setIsOfResult(bool isOfResult) { isOfResult_ = isOfResult; }
     bool isOfResult() const { return isOfResult_; }
-    /// What is passed on in an editing is one step of this model's history, and what the model
+    /// The values of an editing are one step of this model's history, and a value that the model
     /// rejects is a rejected text.
     void setModel(SceneModel* model);
 
@@ -66,7 +66,7 @@ class EntryField : public QLineEdit {
     virtual bool isReplaced() const { return true; }
     /// Remembers the value, for Escape.
     virtual void keepValue() = 0;
-    /// Makes the remembered value hold again.
+    /// Restores the remembered value.
     virtual void bringBack() = 0;
     virtual void readText() = 0;
     /// The value as text.
@@ -79,11 +79,11 @@ class EntryField : public QLineEdit {
     /// How a text was read that may mean something else; said until the value is another.
     void sayHowRead(const QString& note) { say(howRead_, note); }
     void showValue();
-    /// The text is that of the value, and the field has no focus.
+    /// The text is the value's, and the field has no focus.
     bool isAtRest() const { return !editing_ && trouble_.isEmpty() && text() == shown_; }
     void endEditing();
-    /// Makes the model hold again what it held before the editing.
-    /// @return false where there is none, or the editing has changed nothing there
+    /// Restores the model's state before the editing.
+    /// @return false without a model, or where the editing has changed nothing there
     bool takeModelBack() { return model_ != nullptr && model_->takeBack(); }
     /// Runs what passes a value on. @return why the model rejected it; else empty
     template <typename Passing>
@@ -100,7 +100,7 @@ class EntryField : public QLineEdit {
     void beginEditing();
     /// Reads the rejected text as if it were typed now.
     void tryAgain();
-    /// The same by itself, once other values have changed and nobody is at any of them.
+    /// The same automatically, once other values have changed and no editing is under way.
     void tryStale();
     void sayTrouble(const QString& trouble);
     void sayCut(const QString& note) { say(note_, note); }
@@ -147,7 +147,7 @@ class ValueEntry : public EntryField {
             sayHowRead({});
         }
         if ((wasNone || isNone(value_)) && !trouble().isEmpty()) {
-            return;  // the value came and went elsewhere; what was typed for it still waits
+            return;  // the value was moved elsewhere; the text typed for it still waits
         }
         if (isEditing() && trouble().isEmpty() && text().isEmpty()) {
             return;  // what an emptied field means must not join the next digit

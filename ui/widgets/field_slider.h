@@ -19,10 +19,11 @@ struct SliderOwn {
     QString label{};
     QString hint{};
     QString name{};           ///< of its box; the slider's has "_slider" behind it
-    Unit unit = units::none;  ///< none: that of the field
+    Unit unit = units::none;  ///< none: the field's
     std::function<std::pair<double, double>()> ends{};  ///< where it may be moved now
     std::function<bool()> isMovable{};
-    std::function<bool()> isGiven{};  ///< by the case; else what is shown is pale, and can be typed
+    std::function<bool()>
+        isGiven{};  ///< by the case; else the value shown is dimmed, and can be typed
     // Of a number that is more than the field.
     std::function<double()> read{};
     std::function<void(double)> write{};
@@ -30,7 +31,7 @@ struct SliderOwn {
 
 /// A slider for a number of the input: label with mnemonic, unit, hint, object names and the name
 /// of the undo step follow from the field's description in core. It drags the model, follows it and
-/// goes back where it is rejected. Where the case lies beyond its ends it widens.
+/// returns where it is rejected. It widens for a case beyond its ends.
 class FieldSlider : public ValueSlider {
     Q_OBJECT
 

@@ -16,12 +16,12 @@ class QVBoxLayout;
 
 namespace ravnoves {
 
-/// A form over the fields of a scene's input: a row is named by its pointer below "input", and all
-/// else follows from the field's description in core: label and mnemonic, unit, range, tooltip,
+/// A form over the fields of a scene's input: a row is named by its pointer below "input", and the
+/// rest follows from the field's description in core: label and mnemonic, unit, range, tooltip,
 /// placeholder, name for screen readers, name of the undo step.
 ///
-/// What is typed shows its effect at once; an editing from the first key to Enter, Escape or the
-/// loss of the focus is one step of the history, and Escape leaves none. Rows follow the model.
+/// Typing takes effect at once; an editing from the first key to Enter, Escape or the loss of the
+/// focus is one step of the history, and Escape leaves none. Rows follow the model.
 class Form : public QWidget {
     Q_OBJECT
 
@@ -32,7 +32,7 @@ class Form : public QWidget {
     FormSection* section(const QString& title);
     /// The section that rows are added to now.
     FormSection* current() const { return current_; }
-    /// The column of the sections and of what is between them.
+    /// The column of the sections and the widgets between them.
     QVBoxLayout* column() const { return column_; }
 
     /// A row for a number (or a whole number) of the input.
@@ -48,8 +48,8 @@ class Form : public QWidget {
     /// @param longest  characters; a longer one is rejected, 0: any
     EntryField* text(const char* pointer, int longest = 0);
 
-    // Rows for what is no field by itself: read from the model, in SI, and written by `write`. What
-    // is rejected goes back.
+    // Rows for values that are no fields: read from the model, in SI, and written by `write`.
+    // Rejected values return to the old one.
     using Read = std::function<std::optional<double>()>;
     using Write = std::function<void(std::optional<double>)>;
     NumberField* number(const Field& field, Read read, Write write);
@@ -59,8 +59,8 @@ class Form : public QWidget {
     QCheckBox* box(const QString& name, const QString& label, const QString& hint,
                    std::function<bool()> read, std::function<void(bool)> write);
 
-    // The same for what is elsewhere than in a row of its own, for example in a grid. What is
-    // bound to a pointer may go before the form does.
+    // The same for a field outside of the rows, for example in a grid. It may be destroyed before
+    // the form.
     void bind(NumberField* field, const std::string& pointer);
     void bind(QComboBox* box, const std::string& pointer);
     void bind(NumberField* field, const Field& description, Read read, Write write);

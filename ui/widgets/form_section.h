@@ -11,9 +11,8 @@
 
 namespace ravnoves {
 
-/// A line in which fields say why their text is rejected; hidden while there is nothing to say. It
-/// comes and goes while no button of the mouse is down: a press that leaves a field still meets
-/// what it was made for.
+/// A line with the reasons for rejected texts of fields; hidden without any. It changes only while
+/// no button of the mouse is down: a press that leaves a field still meets its target.
 class TroubleLine : public QLabel {
     Q_OBJECT
 
@@ -22,7 +21,7 @@ class TroubleLine : public QLabel {
 
     /// @param named  several fields share the line: it says which one is meant
     void watch(EntryField* field, bool named = true);
-    /// @param isTrouble  false: nothing is wrong, it says what was done
+    /// @param isTrouble  false: no fault, a report
     void say(const QString& text, bool isTrouble = true);
 
   private:
@@ -32,14 +31,14 @@ class TroubleLine : public QLabel {
     bool waits_ = false;  ///< for the button of the mouse
 };
 
-/// The width in which a choice shows the longest of its entries; of other fields what they hint.
+/// The width in which a choice shows its longest entry; other fields their size hint.
 int widthFor(const QWidget* field);
 
 /// A cell of a grid or of a list: lines and columns name it, not a label of its own.
 void makeCell(QWidget* field);
 
-/// A titled group of inputs: label, field, unit, one row each, aligned over the whole form; what is
-/// wrong with a field is under it as text.
+/// A titled group of inputs: label, field, unit, one row each, aligned over the whole form; the
+/// fault of a field is below it as text.
 class FormSection : public QWidget {
     Q_OBJECT
 
@@ -67,7 +66,7 @@ void explain(QWidget* widget, const QString& hint);
 
 /// A form, or another part of a page, that scrolls where it is larger than its place.
 QScrollArea* scrolled(QWidget* form, QWidget* parent = nullptr);
-/// A colour of the theme by what it says: &Theme::warning.
+/// A colour of the theme by its meaning: &Theme::warning.
 using Ink = QColor (Theme::*)() const;
 /// Gives a label's text an ink, whose colour follows the theme.
 void colourText(QLabel* label, Ink ink);
@@ -77,7 +76,7 @@ QLabel* captionLabel(const QString& text, QWidget* parent = nullptr);
 QLabel* copyableCaption(const char* name, QWidget* parent);
 /// A wrapping label whose text can be copied.
 QLabel* copyableLabel(const char* name, int pixelSize, QWidget* parent, bool bold = false);
-/// Shows a text, or no label at all where there is none.
+/// Shows a text, or hides the label of an empty one.
 void sayOrHide(QLabel* label, const QString& text);
 /// A section heading in the type scale.
 QLabel* headingLabel(const QString& text, QWidget* parent = nullptr);

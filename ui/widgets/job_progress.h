@@ -14,7 +14,7 @@ class JobProgress : public QProgressBar {
     /// @param name  for screen readers
     JobProgress(BackgroundJob* job, const QString& name, QWidget* parent);
 
-    /// A button that stops the job; it comes and goes likewise.
+    /// A button that stops the job; it is shown and hidden likewise.
     QPushButton* cancelButton(const QString& text, const QString& tip);
 
   private:

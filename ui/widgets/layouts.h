@@ -8,7 +8,7 @@
 
 namespace ravnoves {
 
-// Margins of what lies on a page, beside none at all.
+// Margins on a page, beside none at all.
 inline constexpr QMargins tabMargins(0, Theme::space, 0, 0);  ///< below the titles of tabs
 inline constexpr QMargins panelMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
 inline constexpr QMargins barMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);

@@ -9,8 +9,8 @@
 
 namespace ravnoves {
 
-/// A field for one number with a range. Takes decimal comma and point. Of a field of core the value
-/// is in the field's unit; what is written and read may be in another that the user has chosen.
+/// A field for one number with a range. Takes decimal comma and point. The value of a core field is
+/// in the field's unit; its text may be in another that the user has chosen.
 class NumberField : public ValueEntry<std::optional<double>> {
     Q_OBJECT
 
@@ -34,7 +34,7 @@ class NumberField : public ValueEntry<std::optional<double>> {
     /// Of an unbalance: a mass may be typed instead, at so far from the axis; empty where that is
     /// not known yet.
     void setLever(std::function<std::optional<double>()> lever) { lever_ = std::move(lever); }
-    /// The arrows up and down go so much on; 0: they do nothing.
+    /// Step of the arrows up and down; 0: no effect.
     void setStep(double step) { step_ = step; }
     /// The unit that the text is in, where it is given by itself.
     void setShownUnit(const ShownUnit& unit);
@@ -59,7 +59,7 @@ class NumberField : public ValueEntry<std::optional<double>> {
     QString rule() const override;
     void passOn() override { Q_EMIT valueEdited(value()); }
     bool isNone(const std::optional<double>& value) const override { return !value; }
-    /// Changing its unit there and back makes no other number of it.
+    /// Changing its unit there and back does not change the number.
     bool same(const std::optional<double>& a, const std::optional<double>& b) const override;
 
   private:

@@ -12,8 +12,8 @@ namespace ravnoves {
 
 /// The columns of a page: inputs, plots, results. Where the window is too narrow for three (or its
 /// text too large), the results become the last tab of the inputs, and where it is too narrow for
-/// two, the plots too; a column that is too high for the window scrolls. What stands over plots and
-/// results stays in sight: then it stands over the tabs.
+/// two, the plots too; a column that is too high for the window scrolls. The widget over plots and
+/// results remains visible: then it is over the tabs.
 class PageColumns : public QWidget {
     Q_OBJECT
 
@@ -26,7 +26,7 @@ class PageColumns : public QWidget {
         int plotShare = 5;
         int resultShare = 2;
         QWidget* top = nullptr;  ///< over plots and results
-        /// Of inputs that stand alone: narrower they scroll sideways; 0: as wide as they say.
+        /// Minimum width of the inputs alone: narrower they scroll sideways; 0: their size hint.
         int narrowest = 0;
     };
 
@@ -55,7 +55,7 @@ class PageColumns : public QWidget {
     QScrollArea* results_;
     int resultsWidth_;  ///< that they need beside the plots
     int inputsMin_;     ///< width that they need
-    int inputsAlone_;   ///< … where they stand alone
+    int inputsAlone_;   ///< … of the inputs alone
     int inputsMax_;
     int maximum_ = 0;
     Fold fold_ = Fold::None;
@@ -66,9 +66,8 @@ class FoldingRow : public QWidget {
     Q_OBJECT
 
   public:
-    /// @param unfoldedFrom  the width that all need beside each other, designed pixels; 0: what
-    /// they
-    ///                      hint
+    /// @param unfoldedFrom  the width of all beside each other, designed pixels; 0: their size
+    ///                      hints
     explicit FoldingRow(int unfoldedFrom, QWidget* parent = nullptr);
 
     void add(QWidget* widget, int share = 1);
@@ -86,7 +85,7 @@ class FoldingRow : public QWidget {
 };
 
 /// Tabs of a page whose titles get smaller where they have no room, before they are shortened. They
-/// need the height of what is in front: another tab may scroll with the page around them, rather
+/// have the height of the tab in front: another tab may scroll with the page around them, rather
 /// than by itself in it. Many tabs are grouped: the bar shows the group of the tab in front, and
 /// the groups before it.
 class FittedTabs : public QTabWidget {
@@ -109,14 +108,13 @@ class FittedTabs : public QTabWidget {
     void fit();
     int groupOf(int tab) const;
     void showGroup();
-    /// Of the tabs without what is in them.
+    /// Of the tabs without their contents.
     int barHeight() const;
 
     QTabBar* groups_ = nullptr;  ///< each with its last tab in front
 };
 
-/// Adds a view to tabs so that it scrolls where it is larger than they are; `name` is that of the
-/// tab for pictures.
+/// Adds a view to tabs so that it scrolls where it is too large; `name` is the tab's for pictures.
 void addScrolledTab(QTabWidget* tabs, QWidget* view, const QString& name, const QString& title);
 
 /// Brings the tabs to the front that a view is in.

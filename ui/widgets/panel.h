@@ -6,7 +6,7 @@ class QPainter;
 
 namespace ravnoves {
 
-/// A surface with a hairline border, on which forms, plots and results lie.
+/// A surface with a hairline border, the ground of forms, plots and results.
 class Panel : public QWidget {
     Q_OBJECT
 
@@ -17,7 +17,7 @@ class Panel : public QWidget {
     void paintEvent(QPaintEvent* event) override;
 };
 
-/// Paints that surface; what is painted on it is smooth.
+/// Paints that surface; paintings on it are smooth.
 void paintPanel(QPainter& painter, const QRect& panel);
 /// The same with a title at the top left, for a picture that paints itself.
 /// @return the line that the title is in

@@ -4,9 +4,9 @@
 
 namespace ravnoves {
 
-/// A list to pick from again and again, whose first entry says what for and is there always.
-/// What is picked is added somewhere, so nothing picks by the way: a key opens the list, the wheel
-/// is of what lies below.
+/// A list to pick from again and again, whose permanent first entry names the purpose. A pick adds
+/// something somewhere, so nothing picks by accident: a key opens the list, the wheel scrolls the
+/// page below.
 class PickBox : public QComboBox {
     Q_OBJECT
 

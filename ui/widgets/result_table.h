@@ -15,14 +15,13 @@ namespace ravnoves {
 class WrappedHeader;
 
 /// A read-only table of results whose selection, or whole, is copied as text (tabs, for a
-/// spreadsheet) or CSV. Where it has too little room its headings go on a second line, then it
-/// scrolls sideways.
+/// spreadsheet) or CSV. Where it has too little room its headings wrap, then it scrolls sideways.
 class ResultTable : public QTableWidget {
     Q_OBJECT
 
   public:
     explicit ResultTable(QWidget* parent = nullptr);
-    /// @param name  what it shows, for screen readers
+    /// @param name  of the content, for screen readers
     ResultTable(const QString& name, QWidget* parent) : ResultTable(parent) {
         setAccessibleName(name);
     }
@@ -35,13 +34,13 @@ class ResultTable : public QTableWidget {
     void setRows(const ResultRows& rows);
     /// Both.
     void setResults(const Results& results);
-    /// Null where the cell holds no number, or two.
+    /// Null where the cell has no number, or two.
     const ResultNumber* numberAt(int row, int column) const;
     void setCellToolTip(int row, int column, const QString& text);
     /// Shows below its numbers how they differ from those that another input gives, row by row's
     /// key: absolute and in percent. Null removes them.
     void showReference(const Results* results, const QString& name);
-    /// Absolute and percent of a cell, as shown; empty where there is nothing to compare.
+    /// Absolute and percent of a cell, as shown; empty without a comparison.
     QStringList differenceAt(int row, int column) const;
     using Spread = CellSpread;
     /// Shows them below the numbers, after differences. None removes them.
@@ -53,9 +52,9 @@ class ResultTable : public QTableWidget {
     /// none.
     QString spreadAt(int row, int column) const;
 
-    /// Besides the first, this column takes what room there is.
+    /// Beside the first, this column fills the room.
     void stretchColumn(int column);
-    /// It asks for no more height than so many rows need; further ones scroll.
+    /// Its maximum height is that many rows; further ones scroll.
     void setShownRows(int rows);
 
     QString asText() const;  ///< the whole table, tab-separated
@@ -65,7 +64,7 @@ class ResultTable : public QTableWidget {
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
-    static int plainRowHeight();  ///< without what is below the numbers
+    static int plainRowHeight();  ///< without the lines below the numbers
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -87,7 +86,7 @@ class ResultTable : public QTableWidget {
     int wantedWidth(int column) const;
     void showDifferences();
     void showSpreads();
-    /// What is below a cell, line by line.
+    /// The texts below a cell, line by line.
     QStringList below(int row, int column) const;
     void fitRows();
     int rowInReference(int row) const;

@@ -14,8 +14,8 @@ namespace ravnoves {
 
 class TroubleLine;
 
-/// A table with its tools: edit, copy, paste, add and remove rows; above it a caption, below it
-/// what is wrong.
+/// A table with its tools: edit, copy, paste, add and remove rows; above it a caption, below it the
+/// faults.
 class TableEditor : public QWidget {
     Q_OBJECT
 
@@ -33,7 +33,7 @@ class TableEditor : public QWidget {
     /// Below the table.
     void say(const QString& text, bool isTrouble);
     EditableTable* table() const { return table_; }
-    /// What was typed and is rejected now, as text; empty where nothing is.
+    /// The rejected texts, as text; empty without any.
     QString trouble() const { return trouble_; }
     /// Undo and Escape are the table's while its present cell is rejected, else the document's.
     bool takeBackRejected();

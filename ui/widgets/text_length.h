@@ -8,14 +8,15 @@ class QWidget;
 
 namespace ravnoves {
 
-/// Lets a field of text hold so many characters, or as many as are in it; where a paste is cut, a
-/// tip says so.
+/// Limits a field of text to that many characters, or to its present length; where a paste is cut,
+/// a tip shows it.
 void limitLength(QLineEdit* field, int longest);
 
 /// "Cut: at most 80 characters."
 QString cutText(int longest);
 
-/// Asks for a name of at most 200 characters. @return nothing where it is given up
+/// Prompts for a name of at most 200 characters.
+/// @return empty after Cancel
 std::optional<QString> askName(QWidget* parent, const QString& title, const QString& label,
                                const QString& name);
 

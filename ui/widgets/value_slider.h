@@ -13,8 +13,8 @@ class SceneModel;
 class TroubleLine;
 
 /// A slider with a field for one value: drag, arrow keys (one step), page keys (a larger step),
-/// wheel. Where the row is too narrow for a slider that can be used it is below label and
-/// field. What is rejected is said below, until another value is given.
+/// wheel. Where the row is too narrow for a usable slider it is below label and field. The reason
+/// for a rejection is below, until another value is given.
 class ValueSlider : public QWidget {
     Q_OBJECT
 
@@ -28,16 +28,16 @@ class ValueSlider : public QWidget {
     void setValue(double value);  ///< no signal
     void setRange(double min, double max);
     void setHint(const QString& hint);
-    /// The slider goes by the value's logarithm: a step is one part of a decade. Values are rounded
+    /// The slider follows the value's logarithm: a step is one part of a decade. Values are rounded
     /// to `digits` significant digits when the slider is moved. The range must be positive.
     void setLogarithmic(int stepsPerDecade, int digits);
     QSlider* slider() const { return slider_; }
     NumberField* box() const { return box_; }
-    /// Why what was given last is rejected; empty where it is not.
+    /// Why the latest value is rejected; empty where it is not.
     QString trouble() const;
-    /// A value that represents none of the case is pale; typed as it is shown, it is passed on.
+    /// A value outside of the case is dimmed; typed again, it is passed on.
     void setGiven(bool isGiven);
-    /// What is typed is an editing of this model, and what it rejects is said below.
+    /// Typing is an editing of this model, and its rejections are shown below.
     void setModel(SceneModel* model);
     /// Gives the label this width, so that the sliders of a column are in line.
     void setLabelWidth(int width);
@@ -52,7 +52,7 @@ class ValueSlider : public QWidget {
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
-    /// As setValue(), but what is typed stays.
+    /// As setValue(), but a text being typed is kept.
     void setBesideTyped(double value);
 
   private:

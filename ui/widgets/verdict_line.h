@@ -9,9 +9,9 @@ class QPushButton;
 
 namespace ravnoves {
 
-/// The first line of a page: how good or bad the answer is (sign, word and colour), what holds, and
-/// at most one button that does the next sensible thing. The sign's shape and the word say without
-/// colour what the severity is.
+/// The first line of a page: how good or bad the answer is (sign, word and colour), the verdict,
+/// and at most one button for the next sensible step. The sign's shape and the word show the
+/// severity without colour.
 class VerdictLine : public QWidget {
     Q_OBJECT
 
@@ -20,7 +20,7 @@ class VerdictLine : public QWidget {
 
     /// @param act  what the button says; without it there is no button
     void show(const Verdict& verdict, const QString& act = {});
-    /// As it is read out and copied: "Warning: …".
+    /// As read out and copied: "Warning: …".
     QString text() const;
 
   Q_SIGNALS:

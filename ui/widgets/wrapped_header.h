@@ -5,14 +5,14 @@
 
 namespace ravnoves {
 
-/// Headings of columns that go on a second line where their column is narrower than they are.
+/// Headings of columns that wrap in a narrow column.
 class WrappedHeader : public QHeaderView {
     Q_OBJECT
 
   public:
     explicit WrappedHeader(QWidget* parent = nullptr);
 
-    /// The width of a heading: of its longest word, or of all of it.
+    /// The width of a heading: of its longest word, or of all words.
     int widthOf(const QString& heading, bool wraps) const;
     /// Takes the height that the headings need now.
     void fitLines();

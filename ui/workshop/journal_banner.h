@@ -9,8 +9,7 @@ namespace ravnoves {
 
 class JobDesk;
 
-/// Above the sheets: what happened to the journal or to the card. Hidden where there is nothing to
-/// say.
+/// Above the sheets: news of the journal or the card. Hidden without any.
 class JournalBanner : public Panel {
     Q_OBJECT
 

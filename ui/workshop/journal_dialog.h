@@ -70,7 +70,7 @@ class JournalDialog : public QDialog {
     QPushButton* export_;
 };
 
-/// Reads a day as people type it: 2024-05-31, 31.05.2024, 31.5.24. Invalid where it is none.
+/// Reads a day as people type it: 2024-05-31, 31.05.2024, 31.5.24. Else invalid.
 QDate readDay(const QString& text);
 /// Why a text is rejected as a day; empty where it is one.
 QString dayTrouble(const QString& text);

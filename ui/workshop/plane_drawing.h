@@ -12,12 +12,12 @@ class QPainter;
 
 namespace ravnoves {
 
-/// What is seen of a correction plane: the rim, reading and limit, holes there and planned.
+/// The visible parts of a correction plane: the rim, reading and limit, holes there and planned.
 struct PlaneShown {
     const workshop::Input& input;
     const bob_weights::Result& solution;
     std::size_t plane;
-    /// Reading and limit of another case, drawn pale; null: none.
+    /// Reading and limit of another case, drawn dimmed; null: none.
     const bob_weights::Result* reference = nullptr;
 };
 
@@ -37,8 +37,8 @@ struct PlaneStyle {
 };
 
 /// Draws the plane as a clock: seen from the front, 0° above, angles as the machine counts them.
-/// The reading is an arrow to the heavy spot, the limit a circle; holes lie in the rim, slugs
-/// opposite, paler what is there already, what remains is a dot.
+/// The reading is an arrow to the heavy spot, the limit a circle; holes are in the rim, slugs
+/// opposite, present ones dimmed, the residual is a dot.
 void drawPlane(QPainter& painter, const QRectF& target, const PlaneShown& shown,
                const PlaneStyle& style);
 

@@ -38,9 +38,9 @@ class PartsSheet : public WorkshopSheet {
 };
 
 /// Sheet 3: every part of every cylinder on the scale, a column for each kind of part and a row for
-/// each cylinder; what may move, what the parts are placed for, and what comes out. What is weighed
-/// whole goes before sheet 2. Enter goes down the columns, as one weighs; a block of a spreadsheet
-/// is pasted from the cell that has the focus.
+/// each cylinder; which parts may move, the goal of their placing, and the result. Columns weighed
+/// whole precede sheet 2. Enter moves down the columns, in the order of weighing; a block of a
+/// spreadsheet is pasted from the cell that has the focus.
 class WeighInSheet : public WorkshopSheet {
     Q_OBJECT
 
@@ -102,7 +102,7 @@ class PlugsSheet : public WorkshopSheet {
     QPushButton* remove_ = nullptr;
 };
 
-/// Sheet 5: how the machine is set up, what it reads in which planes, and what may remain.
+/// Sheet 5: the machine's set-up, its readings in their planes, and the limits.
 class MachineSheet : public WorkshopSheet {
     Q_OBJECT
 
@@ -134,14 +134,14 @@ class MachineSettings : public WorkshopSheet {
     explicit MachineSettings(QWidget* parent = nullptr);
 };
 
-/// Sheet 6: drills and slugs at hand, and what was really drilled.
+/// Sheet 6: drills and slugs at hand, and the holes really drilled.
 class CorrectionSheet : public WorkshopSheet {
     Q_OBJECT
 
   public:
     explicit CorrectionSheet(WorkshopModel* model, QWidget* parent = nullptr);
 
-    /// The first hole of what was drilled last; null where there is none.
+    /// The first hole drilled last; null without one.
     QWidget* lastDrilled() const;
 
   private:

@@ -26,8 +26,8 @@ class WorkshopCard {
 
     /// Paints the card. `page` is the whole of A4, 210 × 297 mm, in the painter's units; one
     /// millimetre is page.width() / 210 of them.
-    /// @param next  begins another sheet at the same place, false where there is none; without it
-    ///              the first sheet alone is painted
+    /// @param next  begins another sheet at the same place, false without one; if empty, only the
+    ///              first sheet is painted
     void paint(QPainter& painter, const QRectF& page, const std::function<bool()>& next = {}) const;
     /// Paints onto a printer or PDF writer, as large as its paper allows where that is not A4
     /// upright.
@@ -44,8 +44,8 @@ class WorkshopCard {
     QString writePdf(const QString& path) const;
 
     void setShop(const Shop& shop) { shop_ = shop; }
-    /// Entries that the form rejects: the card is of the values before them, and says so.
-    /// @param ofResult  those of them that the answer depends on
+    /// Entries that the form rejects: the card uses the values before them, and notes it.
+    /// @param ofResult  the ones that the answer depends on
     void setRejected(const QStringList& rejected, const QStringList& ofResult) {
         rejected_ = rejected;
         rejectedOfResult_ = ofResult;
@@ -54,7 +54,7 @@ class WorkshopCard {
   private:
     void draw(CardPage& page) const;
     QString title() const;
-    /// @return where what goes on begins, mm
+    /// @return where the continued text begins, mm
     double goOn(CardPage& page) const;
     /// Empty where nothing is rejected that the answer depends on.
     QString rejectedText() const { return rejectedNote(words_, rejectedOfResult_); }

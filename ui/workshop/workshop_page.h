@@ -34,7 +34,7 @@ class WorkshopPage : public ScenePage {
     SceneModel* model() override;
     WorkshopModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override { return actions_; }
-    /// Never without what is rejected: the answer is that of the values before it.
+    /// Always with the rejected entries: the answer is of the values before them.
     QString resultsAsText() const override;
     std::optional<bool> askToSave() override;
     std::optional<bool> saveInPlace() override;
@@ -56,7 +56,7 @@ class WorkshopPage : public ScenePage {
 
   private:
     JobDesk* desk() const;
-    /// With the shop's name, and what is rejected now.
+    /// With the shop's name, and the entries rejected now.
     WorkshopCard card();
     /// Does what the verdict proposes.
     void doVerdictAct();
@@ -69,7 +69,7 @@ class WorkshopPage : public ScenePage {
     /// Where one continues with a sheet: the next reading of the machine; elsewhere the first
     /// field, or the first that is empty. Not a list, which would take letters for a choice.
     static QWidget* nextEntry(const WorkshopSheet& sheet, bool isEmpty);
-    /// Another job is on the sheets: none of them is gone on with where the last one was.
+    /// Another job is on the sheets: none of them continues where the last job was.
     void beginSheets();
     void goOn(QWidget* from);
     bool hasUnsavedJob();
@@ -77,23 +77,25 @@ class WorkshopPage : public ScenePage {
     bool leaveJob();
     /// The same, where another job is to come onto the sheet: rejected entries go with this one.
     bool mayReplaceJob();
-    /// Says which entries were rejected. @return false where the user goes back to them
+    /// Names the rejected entries.
+    /// @return false where the user returns to them
     bool rejectedEntriesAreKnown();
     /// @return false where it is not saved
     bool saveJob(bool isFinished);
     bool store(bool isFinished);
     /// Asks about a job of the journal. @return the place of the answer; -1 to stay
     int ask(const QString& question, const QStringList& answers, int usual);
-    /// Where F2 would save a job that nobody could find again, make a second one of the same engine
-    /// and day, or overwrite the job of another engine, or a verdict by readings that may not hold
-    /// any more: asks. @return false to stay
+    /// Asks where F2 would save a job without a name to find it by, make a second one of the same
+    /// engine and day, or overwrite the job of another engine, or a verdict by readings that may be
+    /// invalid.
+    /// @return false to cancel
     bool isJobKnown();
     void backUp();
     void restore();
     /// In the background, until it ends or is cancelled.
     void restoreFrom(const QString& file);
     void newJob();
-    /// A job of the journal comes onto the sheet, as it is or as a new one like it.
+    /// A job of the journal comes onto the sheet, unchanged or as a new one like it.
     void bringJob(qint64 id, bool isCopy);
     /// The sheet of a new job, from its beginning. @param said  what became of the sheet
     void showNewJob(const QString& said);

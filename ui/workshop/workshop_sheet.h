@@ -25,7 +25,7 @@ class WorkshopSheet : public Form {
 
     /// Every field in the order of Enter.
     const QList<QWidget*>& order() const { return order_; }
-    /// The same in the order of Tab: it goes along the rows of a grid.
+    /// The same in the order of Tab: along the rows of a grid.
     QList<QWidget*> tabOrder() const;
 
     /// Its readings are of another bob weight or crankshaft: its tab is yellow, and so are their
@@ -42,15 +42,15 @@ class WorkshopSheet : public Form {
     NumberField* number(Arguments&&... arguments) {
         NumberField* field = Form::number(std::forward<Arguments>(arguments)...);
         if constexpr (sizeof...(Arguments) > 1) {
-            field->setOptional(true);  // that of a pointer says itself whether it may be empty
+            field->setOptional(true);  // a field by its pointer may be optional by itself
         }
         return large(field);
     }
     QComboBox* choice(const char* pointer);
-    /// @param longest  what is typed at most, characters
+    /// @param longest  limit of the typed text, characters
     void text(const char* pointer, int longest = 80);
     static constexpr int longestNotes = 1000;
-    /// A text that must have a form, and what it means to the input.
+    /// A text that must have a form, and its meaning for the input.
     struct CheckedText {
         /// The text in the form that is kept; empty where it has none.
         std::function<QString(const QString& typed)> normal;
@@ -59,18 +59,18 @@ class WorkshopSheet : public Form {
         std::function<QString()> read;
         /// Makes it a step of the history of that name.
         std::function<void(const QString& name, const QString& normal)> write;
-        /// How the form that is kept is shown; empty: as it is.
+        /// How the kept form is shown; empty: unchanged.
         std::function<QString(const QString& normal)> shown = {};
         bool isOfResult = true;  ///< EntryField::isOfResult()
     };
-    /// Its row; what is wrong with it is below the field.
+    /// Its row; its faults are below the field.
     void checked(const Field& description, const CheckedText& text);
     /// A row of numbers, as readNumberList() takes them; each is described by the field.
     void numberList(
         const Field& description, const std::function<std::vector<double>()>& read,
         std::function<void(const QString& name, const std::vector<double>& values)> write,
         const NamedNumbers* named = nullptr);
-    /// A line of text over the whole width that follows the model; hidden while there is none.
+    /// A line of text over the whole width that follows the model; hidden without one.
     QLabel* line(int pixelSize, std::function<QString()> text);
     /// A field is yellow while it has a reading of another bob weight.
     void doubt(EntryField* field, std::function<bool()> isDoubtful);
@@ -81,8 +81,8 @@ class WorkshopSheet : public Form {
         Q_EMIT fieldAdded(field);
         return field;
     }
-    /// Fields of the order that follow one another in it and are in rows and columns, as in a
-    /// spreadsheet: Tab goes along the rows, the arrows to the neighbours.
+    /// Successive fields of the order in rows and columns, as in a spreadsheet: Tab moves along the
+    /// rows, the arrows to the neighbours.
     void addGrid(const QList<QList<QWidget*>>& rows);
     bool eventFilter(QObject* watched, QEvent* event) override;
     void enlarge(QWidget* field);
@@ -94,7 +94,7 @@ class WorkshopSheet : public Form {
     /// A line of buttons.
     QPushButton* button(const char* name, const QString& label, const QString& tip,
                         std::function<void()> press);
-    /// A grid over the whole width with its headings, and the line for what is rejected in it.
+    /// A grid over the whole width with its headings, and the line for its rejected entries.
     std::pair<QGridLayout*, TroubleLine*> grid(const QStringList& headings);
     NumberField* cell(const Field& field, const QString& name, const QString& spoken);
     /// How the balancing machine is set up.

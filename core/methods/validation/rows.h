@@ -25,10 +25,10 @@ enum class Claim { reproduced, artefact, slip, not_derivable, given };
 
 /// The verdict on a claim:
 ///  - reproduced: ours is within the tolerance of the printed value;
-///  - artefact, slip: by_slip is within the tolerance of the printed value and ours is not (where
-///    ours is as well, the number is reproduced);
-///  - not_derivable: always believed, there is nothing to compute;
-///  - given: ours, where there is one, is within the tolerance: the program was told it;
+///  - artefact, slip: by_slip is within the tolerance of the printed value and ours is not (else
+///    the number is reproduced);
+///  - not_derivable: always accepted, nothing can be computed;
+///  - given: ours, where there is one, is within the tolerance: it is an input;
 ///  - anything else, or a number that is not finite: differs.
 Verdict decide(Claim claim, double printed, double tolerance, std::optional<double> ours,
                std::optional<double> by_slip);
@@ -86,7 +86,7 @@ class PaperRows {
     std::vector<ValidationRow> rows_;
 };
 
-// Places in a paper, and the ends of what it gives as a range.
+// Places in a paper, and the ends of a range that it gives.
 Message in_text(Message place);
 Message table(int number);
 Message figure(int number);

@@ -16,9 +16,9 @@ enum class Verdict {
     reproduced,     ///< ours equals it to the printed digits, or within a wider rule that is stated
     artefact,       ///< the way it was computed makes it: that way gives it, the right way does not
     slip,           ///< a mistake in print: the mistake gives the printed number, ours is another
-    not_derivable,  ///< the paper does not print what is needed to compute it
+    not_derivable,  ///< the paper does not print what a computation needs
     given,          ///< an input that the paper states, or a row that only inverts another
-    differs,        ///< none of these held; there should be none
+    differs,        ///< none of these applies; there should be none
 };
 
 /// All verdicts in the order of their counts.
@@ -43,7 +43,7 @@ std::span<const Paper> papers();
 struct ValidationRow {
     std::string scene;         ///< the paper, by its scene: Paper::scene
     Message place;             ///< "Table 3", "eq. (8)", "text", …
-    Message quantity;          ///< what it is
+    Message quantity;          ///< its name
     std::string unit;          ///< "N·m", "°", "" for pure numbers
     std::string printed_text;  ///< as printed, with a decimal point: "430.39", "3°20′", "-0.01"
     double printed = 0.0;      ///< its value
@@ -62,8 +62,8 @@ struct ValidationRow {
     std::optional<double> relative_difference() const;
     /// Ours with one digit more than the paper prints ("430.384", "3°20.3′"); "—" without.
     std::string ours_text() const;
-    /// "0.01 %", "1.3e-05 %"; beyond a factor of ten in the row's unit, "+798.0 N·m"; empty where
-    /// there is none.
+    /// "0.01 %", "1.3e-05 %"; beyond a factor of ten in the row's unit, "+798.0 N·m"; empty without
+    /// one.
     std::string difference_text() const;
 };
 

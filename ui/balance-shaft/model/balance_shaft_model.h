@@ -74,12 +74,12 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     const balance_shaft::Result& result() const { return solved().result; }
     const balance_shaft::Solver& solver() const { return solved().solver; }
 
-    /// Where the torque comes from; a source used for the first time starts with values made from
-    /// what is there (rod length, bore, the table's mean torque). Returns as edit().
+    /// The source of the torque; a first use starts with values from the present input (rod length,
+    /// bore, the table's mean torque). Returns as edit().
     QString setTorqueKind(balance_shaft::TorqueSource::Kind kind);
-    /// Makes a table of the torque as it is now, at the angles of the curves. Returns as edit().
+    /// Makes a table of the present torque, at the angles of the curves. Returns as edit().
     QString tabulateTorque();
-    /// The table's inertia torque is not that of the masses and speed entered.
+    /// The table's inertia torque contradicts the masses and speed entered.
     bool canRebuildTorque() const;
     /// Puts the inertia torque of the masses and speed into the table. Returns as edit().
     QString rebuildTorque();
@@ -96,8 +96,8 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     /// By a hand in a picture: to a tenth of a degree.
     void pickShaftAngleDeg(double angle);
 
-    /// Two- or four-stroke. A torque table that holds the same turn twice is halved or doubled with
-    /// it; any other and a trace keep their cycle and reject. Returns as edit().
+    /// Two- or four-stroke. A torque table with the same turn twice is halved or doubled with it;
+    /// any other and a trace keep their cycle and reject. Returns as edit().
     QString setStrokes(int strokes);
     double cycleDeg() const { return input().cycle_deg(); }  ///< 360 or 720
 
@@ -122,7 +122,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     const ShaftMapModel* shaftMap() const { return shaftMap_; }        ///< null: not asked for
     const SpeedStudyModel* speedStudy() const { return speedStudy_; }  ///< likewise
 
-    /// The best of the angles that can be built; of all where none can.
+    /// The best of the feasible angles; of all where none is.
     const balance_shaft::Optimum& best(Criterion criterion) const;
     void goToBest(Criterion criterion);
 
@@ -138,7 +138,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     const balance_shaft::GearError& gearError() const;
     balance_shaft::RelievedShaft relievedShaft() const { return result().relieved_shaft; }
 
-    /// The mass of a named part, kg; 0 where there is none.
+    /// The mass of a named part, kg; 0 without one.
     double mass(const std::string& name) const;
     /// What the parts of field::mass_parts lack of the reciprocating mass, kg.
     double otherMasses() const;
@@ -150,9 +150,9 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     Results cycle() const;
     /// Excess work, fluctuation and moment of inertia.
     Results flywheel() const;
-    /// Best α as sentences: of what can be built, and what another would gain.
+    /// Best α as sentences: the feasible one, and the gain of another.
     QString bestText(Criterion criterion) const;
-    /// What the user should know about the result; empty where there is nothing.
+    /// Notes on the result; empty without any.
     QString notesText() const;
     /// What looks like a slip in the input.
     QString doubtsText() const;

@@ -20,8 +20,8 @@ struct Input;
 }
 class BackgroundJob;
 
-/// A file of measured values on its way into a case: what it holds, how it is read, and what of
-/// that a person has decided. All of it is found off the GUI thread, again after each decision.
+/// A file of measured values during its import: its contents, how it is read, and the user's
+/// decisions. All is found off the GUI thread, again after each decision.
 class ImportModel : public QObject {
     Q_OBJECT
 
@@ -38,14 +38,14 @@ class ImportModel : public QObject {
 
     /// The settings: those decided, and for the others what the file proposes.
     const balance_shaft::TableReading& reading() const { return look_.proposal.reading; }
-    /// What is decided; all else is proposed.
+    /// The user's decisions; all else is proposed.
     const balance_shaft::TableReading& decided() const { return decided_; }
     void decide(const balance_shaft::TableReading& decided);
     /// Of the file's rows, from 0; nothing for an angle that the file does not have.
     std::optional<int> column(int which) const;
     void decideColumn(int which, std::optional<int> column);
 
-    /// The first lines as they are there, those of the header above the others.
+    /// The first lines, unchanged, the header's above the others.
     const std::vector<std::vector<std::string>>& lines() const { return look_.lines; }
     int headerLines() const { return static_cast<int>(reading().layout.header_lines.value_or(0)); }
     /// At most max_columns.
@@ -59,7 +59,7 @@ class ImportModel : public QObject {
     bool isReady() const;
     QString understoodText() const;  ///< how it was read; empty where it was not
     QString troubleText() const;     ///< why it was not
-    QString doubtsText() const;      ///< what is not certain, a line each
+    QString doubtsText() const;      ///< doubts, a line each
 
     /// "Dead centre: shift by −1.3° ± 0.4° (from the compression line)"; empty where none is found.
     QString deadCentreText() const;
@@ -75,7 +75,7 @@ class ImportModel : public QObject {
     QString writeOwnFile(const QString& path);
 
     const std::optional<balance_shaft::ParsedTorqueTable>& torque() const { return look_.torque; }
-    /// Puts the pressure trace into an input; its cylinder is then that of the present engine.
+    /// Puts the pressure trace into an input; its cylinder becomes the present engine's.
     void putTraceInto(balance_shaft::Input& input) const;
 
   Q_SIGNALS:
@@ -96,9 +96,8 @@ class ImportModel : public QObject {
         std::string sum;  ///< SHA-256 of the file
     };
 
-    /// @param goesOn  asked between the steps, each of which goes through the whole file; false
-    /// ends
-    ///                the look, which is then of no use
+    /// @param goesOn  called between the steps, each of which reads the whole file; false ends the
+    ///                look, which is then useless
     static Look lookAt(const std::string& text, balance_shaft::Measured what,
                        const balance_shaft::TableReading& decided, const SliderCrank<double>& crank,
                        const std::function<bool(double)>& goesOn);
@@ -113,7 +112,7 @@ class ImportModel : public QObject {
     std::shared_ptr<const std::string> text_;  ///< null until it is read
     balance_shaft::TableReading decided_;
     Look look_;
-    QString unreadable_;  ///< why there is nothing to look at
+    QString unreadable_;  ///< why there are no lines to show
     std::optional<bool> shifted_;
 };
 

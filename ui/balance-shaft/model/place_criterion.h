@@ -28,9 +28,9 @@ struct PlaceCriterion {
     /// The range's weight in the sum in N·m, whose parts are not relative to the engine without a
     /// shaft.
     double rangeWeight(const Study& study) const;
-    /// The best of the places nearby whose l and α are whole 0.01 mm and 0.01°, among those that
-    /// can be built as the place itself can, or cannot; the place where there is none.
-    /// @param keepsDistance  l is whole already and stays
+    /// The best of the places nearby whose l and α are whole 0.01 mm and 0.01° and that are as
+    /// feasible as the place itself; else the place.
+    /// @param keepsDistance  l is whole already and is kept
     Position shortened(const Study& study, const Position& exact, bool keepsDistance = false) const;
 
   private:

@@ -24,15 +24,15 @@ class RelievedShaftModel : public QObject {
     balance_shaft::RelievedShaft shaft() const { return model_->relievedShaft(); }
     balance_shaft::RelievedShaftSizes sizes() const;
     Sized sized() const;
-    /// What was found becomes what is given.
+    /// The computed sizes become given ones.
     void choose(Sized sized);
-    /// A size in m, given or found; empty where there is none.
+    /// A size in m, given or found; empty without one.
     std::optional<double> sizeOf(Size size) const;
     bool isGiven(Size size) const { return (sizes().*size).has_value(); }
     void setSize(const Field& field, Size size, double metres);
     void setDensity(double density);
 
-    // What is shown of any.
+    // The results shown of any shaft.
     static Results results(const balance_shaft::RelievedShaft& shaft);
     static QString verdict(const balance_shaft::RelievedShaft& shaft);
     /// Section and side view, real size.

@@ -10,21 +10,21 @@
 
 namespace ravnoves {
 
-/// What a range and an RMS over the places of the shaft's axis look like, and what is best. None of
-/// it depends on where the axis is now. Lengths in m, moments in N·m.
+/// The range and RMS over the places of the shaft's axis, and the best ones, independent of the
+/// present axis. Lengths in m, moments in N·m.
 struct ShaftMap {
     using Position = balance_shaft::ShaftPosition;
     using Criteria = balance_shaft::PositionCriteria;
 
     using Place = balance_shaft::BestPosition;
-    /// The best α of each centre distance, of all and of those that can be built.
+    /// The best α of each centre distance, of all and of the feasible ones.
     struct Distances {
         std::vector<double> distance;
         std::vector<Place> range, rms;
         std::vector<std::optional<Place>> rangeBuilt, rmsBuilt;
     };
 
-    /// Half of the square to show: it holds what is best and this l, with room around.
+    /// Half of the square to show: it contains the best places and this l, with room around.
     double viewFor(double centreDistance) const;
 
     balance_shaft::PositionStudy study;
@@ -33,7 +33,7 @@ struct ShaftMap {
     /// Element row × columns + column of a grid over the same rectangle.
     std::vector<balance_shaft::Obstacle> obstacles = {};
     std::size_t obstacleColumns = 0;
-    /// Where the shaft cannot be built: closed lines, to be filled by the odd-even rule.
+    /// Infeasible places: closed lines, to be filled by the odd-even rule.
     std::vector<QPolygonF> blocked = {};
     balance_shaft::BestPositions best = {};
     balance_shaft::BestPositions buildable = {};

@@ -16,11 +16,11 @@ namespace ravnoves {
 
 class BackgroundJob;
 
-/// The map of the places of the shaft's axis: the map made last (ShaftMap), what the criterion
-/// (PlaceCriterion) makes of it, places worth seeing, and the moves of the axis over it. What it
-/// says as text is shaft_map_text's.
+/// The map of the places of the shaft's axis: the latest map (ShaftMap), its values by the
+/// criterion (PlaceCriterion), places worth seeing, and the moves of the axis over it. Its texts
+/// are shaft_map_text's.
 ///
-/// The map is made in the background when the input changes; a shaft that moves leaves it as it is.
+/// The map is made in the background when the input changes; a moving shaft does not change it.
 class ShaftMapModel : public QObject {
     Q_OBJECT
 
@@ -43,8 +43,8 @@ class ShaftMapModel : public QObject {
     explicit ShaftMapModel(BalanceShaftModel* model);
 
     BackgroundJob* job() const { return job_; }
-    /// Makes the map again where it is not that of the input. What it shows stays as wide as it is
-    /// while a slider moves the shaft, or a hand holds it.
+    /// Makes the map again where the input has changed. Its extent is kept while a slider or a hand
+    /// moves the shaft.
     void need();
     void setHeld(bool held);
     /// The map made last, or null; isStale() where a newer one is on the way.
@@ -68,9 +68,8 @@ class ShaftMapModel : public QObject {
     const ChangeContours& field() const { return field_; }
 
     const std::vector<Marker>& markers() const { return markers_; }
-    /// The smallest place that can be built and is at most a hundredth worse than the best by the
-    /// criterion; the best of all where none can be built; null where the map is not there
-    /// yet.
+    /// The smallest feasible place that is at most a hundredth worse than the best by the
+    /// criterion; the best of all where nothing fits; null before there is a map.
     const Marker* best() const;
 
     Position present() const;
@@ -83,7 +82,7 @@ class ShaftMapModel : public QObject {
     enum Parts : std::uint64_t {
         Snapped = 2,  ///< by the pointer
         Keyed = 10'000,
-        Exact = 100'000'000'000  ///< leaves what is a short number one
+        Exact = 100'000'000'000  ///< keeps short numbers
     };
     /// Moves it; moves that follow each other are one step of the history.
     void moveTo(const Position& position, Parts parts = Exact);
@@ -91,8 +90,8 @@ class ShaftMapModel : public QObject {
     void goTo(const Position& position, Parts parts = Exact);
     void goToBest();
     void setDistance(double metres);
-    /// Goes to this centre distance, at the best α of the criterion there: of those that can be
-    /// built where there are any.
+    /// Moves to this centre distance, at the best α of the criterion there: of the feasible ones
+    /// where there are any.
     void goToDistance(double metres);
     double largestDistance() const;  ///< that a slider should reach, m
 
@@ -105,7 +104,7 @@ class ShaftMapModel : public QObject {
     void moved();
 
   private:
-    /// The shaft is within what is shown, and that is not much wider than it needs to be.
+    /// The shaft is within the extent shown, and this is not much too wide.
     bool fits() const;
     void start();
     void showMap();

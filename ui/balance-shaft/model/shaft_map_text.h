@@ -11,23 +11,23 @@ struct CsvFormat;
 /// What the map of places says as text, and its field as a table.
 namespace ravnoves::shaft_map_text {
 
-/// What is best, and what a place that cannot be built would gain.
+/// The best place, and the gain of an infeasible one.
 QString best(const ShaftMapModel& map);
-/// What is best in another map by the criterion of this one, and this one's best against it.
+/// The best place of another map by the criterion of this one, and this one's against it.
 QString bestAgainst(const ShaftMapModel& map, const ShaftMapModel& other, const QString& name);
-/// One place: l, α, range, RMS, change, size, and why it cannot be built.
+/// One place: l, α, range, RMS, change, size, and its obstacle if it is infeasible.
 /// @param decimals  of l and α; 2 name a place of ShaftMapModel::shortened()
 QString place(const ShaftMapModel& map, const ShaftMapModel::Position& position, int decimals = 2);
 /// The same but for the reason, a line each.
 QStringList placeLines(const ShaftMapModel& map, const ShaftMapModel::Position& position,
                        int decimals = 2);
-/// What the place gives here against what it gives in another map, the difference of each.
+/// The place's values here against another map's, the difference of each.
 QString placeAgainst(const ShaftMapModel& map, const ShaftMapModel& other, const QString& name,
                      const ShaftMapModel::Position& position);
-/// Why the shaft cannot be built there; empty where it can.
+/// Why the shaft is infeasible there; empty where it fits.
 QString reason(const ShaftMapModel& map, const ShaftMapModel::Position& position);
 
-/// Range, RMS and whether it can be built over a grid of places.
+/// Range, RMS and feasibility over a grid of places.
 QString fieldCsv(const ShaftMapModel& map, const CsvFormat& format);
 
 }  // namespace ravnoves::shaft_map_text

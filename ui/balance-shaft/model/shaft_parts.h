@@ -16,13 +16,13 @@ class BalanceShaftModel;
 std::span<const PagePart> shaftParts();
 Content shaftPart(const BalanceShaftModel& model, std::string_view id);
 
-/// Shades the angles of the shaft, 0 to 360°, that cannot be built.
+/// Shades the infeasible angles of the shaft, 0 to 360°.
 /// @param orientation  Qt::Horizontal where α runs along x
 std::vector<plot::Band> unbuildableBands(const balance_shaft::BuildableAngles& buildable,
                                          Qt::Orientation orientation = Qt::Horizontal);
 /// Of a figure whose curves follow the crank.
 Figure overCycle(const BalanceShaftModel& model, const QString& title, const QString& unit);
-/// Of a figure over α, with what cannot be built and where the shaft is.
+/// A figure over α, with the infeasible angles and the shaft's.
 Figure overAngle(const BalanceShaftModel& model, const QString& title, const QString& unit);
 
 /// Of a map of changes, in percent.
@@ -59,7 +59,7 @@ struct SpeedWords {
 
 // What makes them, by tab, in the order of the page.
 using ShaftPartMakers = std::span<const PartMaker<BalanceShaftModel>>;
-ShaftPartMakers momentParts();  ///< with what is beside the tabs
+ShaftPartMakers momentParts();  ///< of the figures beside the tabs
 ShaftPartMakers mapParts();
 ShaftPartMakers cycleParts();
 ShaftPartMakers speedParts();

@@ -22,7 +22,7 @@ class SpeedStudyModel : public QObject {
 
   public:
     using Criterion = balance_shaft::SpeedStudy::Criterion;
-    /// Best α at each speed: of those that can be built, of all where none can.
+    /// Best α at each speed: of the feasible ones, of all where none is.
     struct Curves {
         std::vector<double> speed;       ///< min⁻¹
         std::vector<double> rangeAngle;  ///< °
@@ -46,7 +46,7 @@ class SpeedStudyModel : public QObject {
     /// The model's criterion is another.
     void showCriterion();
 
-    /// Begins to solve where what it depends on has changed since.
+    /// Begins to solve where its inputs have changed since.
     void need();
     void cancel();
     /// False before the first study, and where none can be made of this input.
@@ -54,14 +54,14 @@ class SpeedStudyModel : public QObject {
     /// None can be made of this input; answer() says why.
     bool isRejected() const { return study_.study != nullptr && !isSolved(); }
 
-    // Of what is solved.
+    // Of the solved study.
     const balance_shaft::BuildableAngles& buildable() const { return study_.study->buildable(); }
     Curves curves() const;
     /// α that is the best compromise by the criterion, °.
     double bestCompromiseDeg() const { return bestCompromise().shaft_angle / degree; }
     void goToBestCompromise();
 
-    /// The best compromise α in a sentence; why there is none.
+    /// The best compromise α in a sentence, or the reason for none.
     QString answer() const;
 
     /// A place of the map: α, and of a torque that follows it the speed, min⁻¹.
@@ -88,7 +88,7 @@ class SpeedStudyModel : public QObject {
     struct Study {
         std::shared_ptr<const balance_shaft::SpeedStudy> study;
         std::optional<balance_shaft::SpeedStudy::Map> map;
-        Best best;  ///< of what can be built, of all where nothing can
+        Best best;  ///< of the feasible angles, of all where none is
         Best ofAll;
     };
 
@@ -107,7 +107,7 @@ class SpeedStudyModel : public QObject {
     std::optional<ChangeContours> map_;           ///< by the criterion
     QString trouble_;                             ///< why the last run gave nothing
     int seen_ = -1;                               ///< solution of the model
-    std::optional<balance_shaft::Input> wanted_;  ///< what is solved, or will be
+    std::optional<balance_shaft::Input> wanted_;  ///< the solved input, or the next one
     std::optional<balance_shaft::Input> solvedInput_;
 };
 

@@ -13,9 +13,9 @@ namespace ravnoves {
 
 class BalanceShaftModel;
 
-/// The torque table of a case. A text that leaves it no cycle stays rejected in its cell, and is
+/// The torque table of a case. A text that makes it no cycle remains rejected in its cell, and is
 /// tried again with each other one. The first and the last row are one instant of the cycle: a
-/// torque typed in one goes to the other.
+/// torque typed in one is put into the other.
 class TorqueTableModel final : public RejectingTable {
     Q_OBJECT
 
@@ -27,9 +27,9 @@ class TorqueTableModel final : public RejectingTable {
     using RejectingTable::trouble;
     void insertRowBelow(int row) override;
     void removeRowRange(int first, int count) override;
-    /// Replaces the whole table by text from a spreadsheet, in the unit that the column shows where
-    /// the text names none.
-    /// @return what was read, as a sentence; throws InputError and changes nothing
+    /// Replaces the whole table by text from a spreadsheet, in the column's unit unless the text
+    /// names another.
+    /// @return a sentence on the rows read; throws InputError and changes nothing
     QString replaceByText(const std::string& text);
     /// Replaces the whole table by another.
     void replaceBy(const balance_shaft::TorqueTable& table);
@@ -53,10 +53,10 @@ class TorqueTableModel final : public RejectingTable {
 
     const balance_shaft::TorqueTable& table() const;
     int rowOf(const Cell& cell) const;
-    /// What the case holds, with all digits.
+    /// The case's value, with all digits.
     QString ownText(const Place& place) const;
     bool beginsWithAngles(const std::vector<QStringList>& cells) const;
-    /// Takes what was typed as far as the table stays a cycle; the rest is rejected in its cells.
+    /// Accepts the typed texts as long as the table is a cycle; the rest is rejected in its cells.
     void put(Texts texts);
     QString take(const balance_shaft::TorqueTable& table);
 

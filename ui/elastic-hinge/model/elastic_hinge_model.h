@@ -69,7 +69,7 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     void setMotionTime(std::optional<double> seconds);
     Animated animated() const { return animated_; }
     void setAnimated(Animated animated);
-    /// The motion that the picture plays; null where there is none.
+    /// The motion that the picture plays; null without one.
     const elastic_hinge::Motion* animatedMotion() const;
     /// Speed of the crank in the picture, rad/s.
     double shownSpeed() const;
@@ -112,7 +112,7 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     /// How guides are exported.
     struct GuideExport {
         elastic_hinge::Hinge hinge = elastic_hinge::Hinge::crank;
-        std::optional<elastic_hinge::Branch> branch;  ///< none: that of the guide
+        std::optional<elastic_hinge::Branch> branch;  ///< none: the guide's
         elastic_hinge::GuideDrawing drawing;
         double stepDeg = 0.5;
     };
@@ -124,7 +124,7 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     QString motionsText() const;
 
     /// Writes a guide as DXF or CSV, by the file's ending.
-    /// @return an empty string, or what is wrong
+    /// @return an empty string, or the fault
     QString exportGuide(const QString& path, elastic_hinge::Hinge hinge,
                         elastic_hinge::GuideDrawing drawing, double stepDeg) const;
 

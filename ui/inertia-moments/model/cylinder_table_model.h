@@ -36,7 +36,7 @@ class CylinderTableModel final : public RejectingTable {
 
     explicit CylinderTableModel(InertiaMomentsModel* model, QObject* parent = nullptr);
 
-    /// Says what is wrong with the last change, beside the rejected texts that are in cells.
+    /// Shows the fault of the last change, beside the rejected texts of cells.
     void say(const QString& why);
 
     /// A copy of the row below it.
@@ -56,7 +56,7 @@ class CylinderTableModel final : public RejectingTable {
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
   private:
-    /// Where rows come or go, none is what it was.
+    /// Where rows come or go, none has its old name.
     std::string rowName(int row) const override;
     QString held(int row, int column) const override;
     /// In the unit; empty where the cell has none.

@@ -23,7 +23,7 @@ Content enginePart(const InertiaMomentsModel& model, std::string_view id);
 /// True where the first two orders have no moment but a force: an engine in one plane.
 bool hasForcesOnly(const inertia_moments::Result& result);
 
-/// Force or moment of an order at kφ (rad); 0 where it is nothing but rounding.
+/// Force or moment of an order at kφ (rad); 0 where it is mere rounding.
 inertia_moments::Complex vectorAt(const inertia_moments::EngineOrder& order, bool force,
                                   double angle);
 

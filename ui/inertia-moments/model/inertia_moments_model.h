@@ -38,7 +38,7 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
 
     QString sceneName() const override { return QStringLiteral("inertia-moments"); }
     Json resultJson() const override;
-    /// What stood at its usual place follows another spacing or crank radius.
+    /// Anything at its usual place follows another spacing or crank radius.
     QString editField(const std::string& pointer, const FieldValue& value,
                       const QString& name) override;
     bool setViewOption(const QString& key, const QString& value) override;
@@ -67,11 +67,11 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     /// @return an empty string, or why it cannot be done
     QString setEvenFiring();
     bool hasArticulatedRods() const;
-    /// Hangs the rods of each crankpin on that of its first cylinder, with the usual knuckle
-    /// radius, or puts them all back on their crankpins.
-    /// @return an empty string, or why it cannot be done
+    /// Hangs the rods of each crankpin on the rod of its first cylinder, with the usual knuckle
+    /// radius, or returns them to their crankpins.
+    /// @return an empty string, or the obstacle
     QString setArticulatedRods(bool on);
-    /// Makes an input's own table the one that is edited: that of its layout, where it has one.
+    /// The input's editable table: its layout's, where it has one.
     std::vector<inertia_moments::Cylinder>& tableOf(Input& input) const;
     /// Something beside the input is rejected; with nothing, that is over.
     void sayTrouble(const QString& why) { sayRejected(why); }
@@ -82,15 +82,15 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     static std::vector<int> readOrder(const QString& text);
     /// Why this cannot be the firing order; empty where it can. A table may have none.
     QString orderTrouble(const std::vector<int>& order) const;
-    /// @return an empty string, or what is wrong with it
+    /// @return an empty string, or the fault
     QString setFiringOrder(const std::vector<int>& order);
 
     // --------------------------------------------------------------- throws
 
-    /// True where rods share a crankpin: the mass of a throw is not that of a cylinder.
+    /// True where rods share a crankpin: the masses of a throw and of a cylinder differ.
     bool hasSharedPins() const;
-    /// Gives the rotating mass for a throw or for a cylinder; the engine stays as it is.
-    /// @return an empty string, or why it cannot be done
+    /// Gives the rotating mass for a throw or for a cylinder; the engine is unchanged.
+    /// @return an empty string, or the obstacle
     QString setRotatingMassOfThrow(bool ofThrow);
     /// "1.6 kg, rods: 2", from the lightest to the heaviest throw where they differ.
     QString throwMassText() const;
@@ -125,8 +125,8 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
 
     // ---------------------------------------------------------------- view
 
-    /// True where the charts of the orders show forces, since no moment is left. What is compared
-    /// with another engine shows what that one does.
+    /// True where the charts of the orders show forces, since no moment is left. A comparison shows
+    /// the same of the other engine.
     bool showsForces() const;
     void takeView(const SceneModel& other) override;
     CrankAngle* crank() { return &crank_; }

@@ -26,11 +26,11 @@ struct MethodMeasurement {
 /// How much patience a measurement has.
 enum class MeasurementEffort {
     quick,     ///< about a second: by itself, when something was chosen
-    thorough,  ///< as the command line measures: when the user asks for it
+    thorough,  ///< as the command line measures, on demand
 };
 
-/// Measures kernels in a worker thread, one at a time, and keeps what it has measured: the newest
-/// measurement of every kernel, and the errors along every sweep (they do not change).
+/// Measures kernels in a worker thread, one at a time, and keeps the newest measurement of every
+/// kernel, and the errors along every sweep (they do not change).
 class MethodMeasurements : public BackgroundJob {
     Q_OBJECT
 

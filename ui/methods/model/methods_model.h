@@ -11,11 +11,11 @@
 
 namespace ravnoves {
 
-/// The state of the page "Methods": which kernel is looked at, along which hard parameter, at which
-/// value, and what was measured there. It is no case: there is nothing to save.
+/// The state of the page "Methods": the kernel looked at, its hard parameter and value, and the
+/// measurements. It is no case, so it has no file.
 ///
-/// What is chosen is measured by itself while the page is in front; the newest measurement stays
-/// until the next is complete.
+/// The chosen kernel is measured automatically while the page is in front; the newest measurement
+/// remains until the next is complete.
 class MethodsModel : public SceneModel {
     Q_OBJECT
 
@@ -58,11 +58,11 @@ class MethodsModel : public SceneModel {
     void setShownMethod(std::size_t method);
 
     MethodMeasurements* measurements() { return measurements_; }
-    /// What is shown: the newest measurement of the kernel or, before its first, of the one looked
-    /// at before. Null before any.
+    /// The measurement shown: the newest of the kernel or, before its first, of the previous
+    /// kernel. Null before any.
     const MethodMeasurement* shown() const { return shown_.get(); }
-    /// It is of another kernel, parameter or value than what is chosen now, or a newer one is on
-    /// the way.
+    /// It has another kernel, parameter or value than the chosen one, or a newer one is being
+    /// measured.
     bool isStale() const;
     void measureAgain();
     void cancel();
@@ -81,7 +81,7 @@ class MethodsModel : public SceneModel {
     void failed(const QString& why);
 
   private:
-    /// What was chosen of a kernel; kept while another is looked at.
+    /// The choices for a kernel; kept while another is looked at.
     struct Choice {
         std::size_t sweep = 0;
         std::optional<double> value;  ///< empty: the preset's

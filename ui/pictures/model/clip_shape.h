@@ -8,8 +8,8 @@
 
 namespace ravnoves {
 
-/// The rectangle that a painter lets be seen, for a device that does not clip: cuts what is drawn
-/// to it. All is in the device's pixels, the y axis downwards.
+/// The visible rectangle of a painter, for a device that does not clip: cuts drawings to it. In the
+/// device's pixels, the y axis downwards.
 class ClipShape {
   public:
     /// A stretch of a polyline that is seen.
@@ -31,7 +31,7 @@ class ClipShape {
     std::vector<Stretch> cutLine(const QPolygonF& line) const;
 
   private:
-    /// Where a straight line from 0 to 1 enters and leaves what is seen.
+    /// Where a straight line from 0 to 1 enters and leaves the rectangle.
     std::optional<std::pair<double, double>> crossings(const QLineF& line) const;
 
     QRectF bounds_;

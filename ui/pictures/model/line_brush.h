@@ -18,7 +18,7 @@ namespace ravnoves {
 /// itself it is no darker.
 class LineBrush {
   public:
-    /// @param picture  RGB32 or premultiplied ARGB32, written to until the brush is gone
+    /// @param picture  RGB32 or premultiplied ARGB32, written to until the brush is destroyed
     /// @param clip  pixels of the picture that may change
     LineBrush(QImage& picture, const QRect& clip);
 
@@ -33,7 +33,7 @@ class LineBrush {
 
   private:
     void markDashes(const QPolygonF& line, const QList<qreal>& pattern);
-    /// Of a straight way from a point, what lies within the clip: from, to; nothing is 0 to 0.
+    /// The part of a straight way from a point that is within the clip: from, to; 0 to 0 if empty.
     std::pair<double, double> stretchSeen(const QPointF& from, const QPointF& along,
                                           double length) const;
     void mark(const QPolygonF& line);

@@ -8,22 +8,21 @@ class QPainter;
 
 namespace ravnoves {
 
-/// Whether a painter paints pixels, and at most moves and scales what it paints: alike in both
-/// directions.
+/// Whether a painter paints pixels, moved and scaled at most, and alike in both directions.
 bool paintsPixels(const QPainter& painter);
 
 /// Whether the pixels of a picture can be written to beside a painter: opaque or premultiplied, 4
 /// bytes each.
 bool hasWritablePixels(const QImage& picture);
 
-/// The picture that a painter paints onto, where its pixels can be written to beside, in 4 bytes
-/// each, and those of a box that the painter may change.
+/// The picture under a painter, where its pixels can be written directly, in 4 bytes each, and the
+/// pixels of a box that the painter may change.
 struct PaintedPixels {
     QImage* picture = nullptr;
     QRect seen;
 };
-/// No picture where there is none, as on a widget, and of a small box where the painter is clipped:
-/// to ask for the clip takes as long as a layer of that size.
+/// No picture for other devices, as a widget, and of a small box where the painter is clipped:
+/// reading the clip takes as long as a layer of that size.
 PaintedPixels pixelsOf(const QPainter& painter, const QRectF& box);
 
 /// A premultiplied colour over another.

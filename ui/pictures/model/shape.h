@@ -9,7 +9,7 @@ class QPainter;
 namespace ravnoves {
 
 // Shapes with the painter's pen and brush. Onto a screen by the distance of its pixels from the
-// edge: Qt's outlines take up to ten times as long. Anywhere else, and dashed, they are Qt's own.
+// edge: Qt's outlines need up to ten times as long. Elsewhere, and dashed, they are Qt's own.
 
 /// A circle.
 void paintDisc(QPainter& painter, const QPointF& middle, double radius);

@@ -19,7 +19,7 @@ inline void paintLine(QPainter& painter, const QPointF& from, const QPointF& to)
     paintLine(painter, QPolygonF{from, to});
 }
 
-/// Lines of one pen: where they meet, a pale pen gets no darker.
+/// Lines of one pen: where they meet, a translucent pen gets no darker.
 struct LinesOfPen {
     QPen pen;
     std::vector<QPolygonF> lines;
@@ -28,7 +28,7 @@ struct LinesOfPen {
 /// screen once.
 void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all);
 
-/// Lines along the axes, with the painter's pen: each pixel darkened by what of it they cover.
+/// Lines along the axes, with the painter's pen: each pixel darkened by the share that they cover.
 void paintGridLines(QPainter& painter, const QList<QLineF>& lines);
 
 /// Lines at 45° that fill an area.

@@ -5,9 +5,9 @@
 
 namespace ravnoves {
 
-/// Leaves out the points of a polyline that would move no pixel: every dropped point lies within
-/// `tolerance` (pixels) of the line that remains (Ramer, Douglas and Peucker). A chart pays for
-/// points drawn, so a 721-point curve is drawn with 100 to 200.
+/// Leaves out the points of a polyline that would move no pixel: every dropped point is within
+/// `tolerance` (pixels) of the remaining line (Ramer, Douglas and Peucker). A chart pays for points
+/// drawn, so a 721-point curve is drawn with 100 to 200.
 /// @param points  in pixels; may be empty
 QPolygonF thinPolyline(const std::vector<QPointF>& points, double tolerance = 0.25);
 

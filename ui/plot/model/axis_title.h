@@ -5,8 +5,8 @@
 
 namespace ravnoves {
 
-/// The title of an axis in so many pixels: its words give way, its unit never. "first-order force
-/// F₁, N" becomes "first-or…, N", at last "N".
+/// The title of an axis within `room` pixels: its words are shortened, its unit never. "first-order
+/// force F₁, N" becomes "first-or…, N", at last "N".
 QString fittedAxisTitle(const QString& title, const QFont& font, double room);
 
 }  // namespace ravnoves

@@ -20,8 +20,8 @@ struct ValueGrid {
 using Crossing = std::function<double(std::size_t from, std::size_t to)>;
 
 /// The lines along which a grid has a level, in columns and rows (marching squares); lines that are
-/// closed end where they begin. What is not finite is below every level. A cell whose corners lie
-/// crosswise goes by the mean of the four.
+/// closed end where they begin. Values that are not finite are below every level. A cell with
+/// crosswise corners follows the mean of the four.
 /// @param crossing  default: in proportion to the values
 std::vector<QPolygonF> contourLines(const ValueGrid& grid, double level,
                                     const Crossing& crossing = {});

@@ -22,7 +22,7 @@ struct Figure {
         /// Where it is drawn out of scale, the places that it represents; else empty.
         std::vector<double> trueX = {};
         std::vector<double> trueY = {};
-        /// What is read out of point i of x, as lines; null: the curve's value is.
+        /// Reads out point i of x, as lines; null: the curve's value.
         std::function<QString(std::size_t point)> text = {};
     };
 
@@ -44,7 +44,7 @@ struct Figure {
     std::optional<std::pair<double, double>> rightRange = {};
     bool equalScale = false;  ///< one unit is the same length on both axes
     std::vector<Curve> curves = {};
-    /// Nothing: what is there follows the crank, not the case.
+    /// Empty: the present marks follow the crank, not the case.
     std::optional<std::vector<plot::Mark>> marks = {};
     std::vector<plot::Band> bands = {};
     std::vector<plot::Line> lines = {};

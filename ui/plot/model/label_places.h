@@ -7,8 +7,8 @@
 
 namespace ravnoves {
 
-/// What is drawn in a plot, on a coarse grid, and the labels that are in it: finds the place for
-/// one more where it covers least.
+/// The drawing of a plot, on a coarse grid, and its labels: finds the place for one more where it
+/// covers the minimum.
 class LabelPlaces {
   public:
     explicit LabelPlaces(const QRectF& area);
@@ -21,12 +21,12 @@ class LabelPlaces {
     void addLabel(const QRectF& label);
     /// How much a label here would cover; 0 where nothing is.
     double covered(const QRectF& label) const;
-    /// That of a line of so many pixels.
+    /// The cover of a line of that many pixels.
     static double coveredBy(double length);
-    /// True where another label stands.
+    /// True where another label is.
     bool meetsLabel(const QRectF& label) const;
-    /// Of places for one label, the most wanted first, that which covers least; moved into the
-    /// area. It is taken then.
+    /// Of places for one label, the most wanted first, the one that covers the minimum; moved into
+    /// the area and occupied.
     QRectF place(std::span<const QRectF> places);
 
   private:

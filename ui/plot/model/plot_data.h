@@ -36,7 +36,7 @@ struct CurveStyle {
     bool inLegend = true;
     QString toolTip = {};
     double barWidth = 0.8;
-    double barShift = 0.0;  ///< of the bar's middle, so that groups stand side by side
+    double barShift = 0.0;  ///< of the bar's middle, so that groups are side by side
     bool gaps = false;      ///< the line is broken where a point is not finite
     bool closed = false;    ///< with gaps: the last point continues in the first
     /// Of a vector's path: the angle φ that its points share out evenly, from 0, degrees. The
@@ -76,7 +76,7 @@ struct Line {
     Role role = Role::Neutral;
     QString text = {};
     Side side = Side::Left;
-    bool keptAtEdge = false;  ///< beyond what is shown: an arrow at the edge, with its value
+    bool keptAtEdge = false;  ///< beyond the shown range: an arrow at the edge, with its value
 };
 
 }  // namespace plot
@@ -87,13 +87,13 @@ struct PlotCurve {
     plot::CurveStyle style = {};
     std::vector<double> x = {};
     std::vector<double> y = {};
-    /// What is drawn out of scale represents these places, point by point; else empty.
+    /// True places of a curve drawn out of scale, point by point; else empty.
     std::vector<double> trueX = {};
     std::vector<double> trueY = {};
     std::vector<std::size_t> starts = {};  ///< points that do not hang together with the one before
     std::vector<double> below = {};        ///< of the spread, from each point; or none
     std::vector<double> above = {};
-    /// What is read out of a point, as lines; null where nothing is.
+    /// Reads out a point, as lines; null without a text.
     std::function<QString(std::size_t point)> text = {};
     bool ascending = true;  ///< x never decreases, so the cursor may interpolate
     bool shown = true;
@@ -151,7 +151,7 @@ struct PlotData {
     bool faded = false;
     bool spreadShown = true;
     QString fadedText = {};
-    /// What the same plot shows of a reference; its curves rest under those of the same number.
+    /// The same plot of a reference; each curve is under the one of the same number.
     const PlotData* reference = nullptr;
     QString referenceName = {};
     bool referenceShown = true;
@@ -161,7 +161,7 @@ struct PlotData {
     const PlotScale& scale(Side side) const { return side == Side::Left ? left : right; }
     PlotCurve& curve(int number) { return curves.at(static_cast<std::size_t>(number)); }
     const PlotCurve& curve(int number) const { return curves.at(static_cast<std::size_t>(number)); }
-    /// The place of the curve with this word; nothing where there is none.
+    /// The place of the curve with this word; empty without one.
     std::optional<std::size_t> find(std::string_view id) const;
     bool sideUsed(Side side) const;
     /// The same curve of the reference; null where it has none.
@@ -183,10 +183,10 @@ struct PlotData {
 
     /// The scales follow the data, unless the user has zoomed.
     void fitScales();
-    /// Shrinks the rectangle of an equal scale to what there is to see: data or the whole image.
+    /// Shrinks the rectangle of an equal scale to its contents: data or the whole image.
     void endWithData();
-    /// Widens the axis with room to spare until one unit is as long on both; from what was zoomed
-    /// to, whatever the sizes of the plot have been since.
+    /// Widens the axis with room to spare until one unit is as long on both; from the zoomed
+    /// section, whatever the sizes of the plot have been since.
     void equalise();
     /// Zooms about a pixel.
     void zoom(double factorX, double factorY, const QPointF& about);
@@ -216,8 +216,8 @@ struct PlotData {
     /// The readable point after or before pointRead, in a round; the first or last where none is.
     std::optional<Point> nextPoint(int by) const;
     /// The data of the shown curves as a table: one x, then a column for each curve, empty where it
-    /// has no point there. A curve that goes back and forth in x has its own x beside it. What is
-    /// drawn of the reference is beside its curve under its name.
+    /// has no point there. A curve back and forth in x has its own x beside it. The reference's
+    /// curve is beside its curve under its name.
     QString csv(const CsvFormat& format) const;
 
   private:
@@ -225,7 +225,7 @@ struct PlotData {
     void keepSection();
     std::vector<QPolygonF> shadesOf(const PlotCurve& curve) const;
 
-    std::pair<double, double> sectionX_;  ///< what was zoomed to
+    std::pair<double, double> sectionX_;  ///< the zoomed section
     std::pair<double, double> sectionLeft_;
 };
 

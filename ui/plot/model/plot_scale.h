@@ -34,7 +34,7 @@ struct PlotScale {
     double low = 0.0;  ///< shown interval
     double high = 1.0;
     std::optional<std::pair<double, double>> fixed = {};  ///< what fit() keeps to
-    /// The interval before the user zoomed; there is nothing to see further out.
+    /// The interval before the user zoomed; the limit of zooming out.
     std::pair<double, double> home = {0.0, 1.0};
     double step = 1.0;  ///< between ticks of a linear axis, in numbers shown
 
@@ -62,15 +62,15 @@ struct PlotScale {
         return unscaled(start + fraction * (scaled(high) - start));
     }
 
-    /// Shows data from minimum to maximum. Without data (minimum > maximum) it stays.
-    /// @param steady  stays too while the data fit and fill more than half of it: under a hand that
-    ///   drags, axes that follow each step are not to be read, and take half of each frame
+    /// Shows data from minimum to maximum. Without data (minimum > maximum) it is unchanged.
+    /// @param steady  unchanged too while the data fit and fill more than half: during a drag, axes
+    ///                that follow each step are illegible, and take half of each frame
     void fit(double minimum, double maximum, bool steady = false);
     /// Keeps to this interval, with a little room.
-    /// @return whether that is news; an interval that is none is rejected
+    /// @return whether it has changed; an invalid interval is rejected
     bool fix(double min, double max);
-    /// Widens the interval by the factor about a fraction of it; not beyond what numbers can tell
-    /// apart, nor beyond home.
+    /// Widens the interval by the factor about one of its fractions; within the precision of
+    /// numbers and within home.
     void zoom(double factor, double about);
     std::pair<double, double> interval() const { return {low, high}; }
     bool isHome() const { return home == interval(); }
@@ -79,9 +79,9 @@ struct PlotScale {
     /// The same middle, another span.
     void widen(double span);
 
-    /// Chooses `step` for an axis so many pixels long, and its decimals with it.
+    /// Chooses `step` for an axis of that many pixels, and its decimals with it.
     void chooseStep(double pixels, double pixelsPerTick);
-    /// The same for labels beside one another, of which the widest takes so many pixels.
+    /// The same for labels beside one another, the widest of `widest` pixels.
     void chooseStep(double pixels, double pixelsPerTick,
                     const std::function<double(const QString& label)>& width,
                     const QLocale& locale);

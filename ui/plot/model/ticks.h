@@ -20,7 +20,7 @@ double niceAngleStep(double span, int wanted);
 /// @param low, high  low < high
 double readableStep(double low, double high, int wanted, bool degrees);
 
-/// The smallest interval of whole ticks that holds [min, max]; widened where it is empty.
+/// The smallest interval of whole ticks around [min, max]; widened where it is empty.
 std::pair<double, double> niceInterval(double min, double max, int wanted);
 
 /// Decimals that a tick label needs to tell neighbouring ticks apart.
@@ -33,8 +33,8 @@ struct TickFormat {
 };
 TickFormat tickFormat(double low, double high, double step);
 
-/// Ticks of a logarithmic axis, about `wanted` at most: every so many decades; with few decades
-/// also 2 and 5 of each; within one decade as on a linear axis.
+/// Ticks of a logarithmic axis, about `wanted` at most: at whole decades; with few decades also 2
+/// and 5 of each; within one decade as on a linear axis.
 /// @param low, high  0 < low < high
 std::vector<double> logarithmicTicks(double low, double high, int wanted);
 

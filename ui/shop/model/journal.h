@@ -63,7 +63,7 @@ struct JournalDraft {
 /// An engine of the user's own.
 struct JournalEngine {
     QString name;
-    QByteArray values;  ///< what the scene keeps of it, JSON text
+    QByteArray values;  ///< values that the scene keeps, JSON text
 };
 
 /// What came out of a backup.
@@ -76,7 +76,7 @@ struct JournalQuery {
     QString text;    ///< in the numbers, customer, technician or engine; empty: all
     QDate from;      ///< first day; invalid: no bound
     QDate to;        ///< last day
-    int limit = -1;  ///< the newest so many; -1: all
+    int limit = -1;  ///< the newest ones; -1: all
     bool unfinishedOnly = false;
 };
 
@@ -119,7 +119,7 @@ class Journal : public QObject {
     const QString& lastError() const { return error_; }
     /// What the user should know of the opening: a damaged file was set aside. Empty else.
     const QString& openMessage() const { return openMessage_; }
-    /// The backup that can be restored in its place; empty where there is none.
+    /// The backup that can be restored in its place; empty without one.
     const QString& offeredBackup() const { return offered_; }
 
     /// Adds the job (id 0) or changes it. On success job.id, revision and saved are set.

@@ -34,7 +34,7 @@ QString bare(const QString& text);
 
 /// True where SQLite says that the file is damaged or no database.
 bool saysDamaged(const QSqlError& error);
-/// Whether another program holds the file now.
+/// Whether another program has locked the file now.
 bool saysBusy(const QSqlError& error);
 /// What SQLite says, as text for who works with the journal.
 QString faultText(const QSqlError& error);

@@ -15,7 +15,7 @@ struct Shown {
     shop::Crank crank;
     std::optional<double> crank_radius;  ///< m
     std::optional<double> speed;         ///< rad/s
-    shop::SetNumbers piston_sets;        ///< as they are on the sheet
+    shop::SetNumbers piston_sets;        ///< as on the sheet
     shop::SetNumbers rod_sets;
     /// Parts were moved on a sheet of another number of cylinders, whose set numbers say nothing.
     bool is_origin_unknown = false;
@@ -31,21 +31,21 @@ void takeAsWeighed(Shown& shown, const shop::MatchingTask& task, const shop::Wei
 
 /// Which sets to move, as text.
 QString summary(const Words& words, const Shown& shown);
-/// Why it is not the goal asked for, what is not proven, what is taken for granted.
+/// Why it misses the goal, unproven parts, and the assumptions.
 QStringList remarks(const Words& words, const Shown& shown);
-/// What is gained: a quantity, as weighed, placed so.
+/// The gain: a quantity, as weighed, as placed.
 Results effects(const Words& words, const Shown& shown);
 
 /// From which cylinder each set comes; a dot where it was weighed there.
 Results assignment(const Words& words, const Shown& shown);
-/// What is to be weighed again before anything is done by the weights of a sheet: what is unlike
-/// the others of its column, and rods whose ends are swapped. "Weigh again first: piston of
-/// cylinder 3; rod of cylinder 5."; empty where the weights are believed.
+/// Parts to weigh again before the weights of a sheet are used: those unlike the others of their
+/// column, and rods whose ends are swapped. "Weigh again first: piston of cylinder 3; rod of
+/// cylinder 5."; empty where the weights are plausible.
 QString weighAgain(const Words& words, const shop::WeighIn& sheet);
 
-/// What to take off each part to reach the lightest of its column, for columns that differ; by the
-/// numbers of the parts, wherever they are moved. Nothing of a column whose weights are doubted:
-/// nobody is told to grind parts to a slip of the keys.
+/// Metal to remove from each part to reach the lightest of its column, for columns that differ; by
+/// the numbers of the parts, wherever they are moved. Columns with doubtful weights are left out:
+/// no part is ground by a slip of the keys.
 Results takeOff(const Words& words, shop::WeighIn sheet);
 
 }  // namespace ravnoves::matching_text

@@ -10,11 +10,11 @@
 
 namespace ravnoves {
 
-/// A line of a scale as text: what is no printable ASCII as "‹02›".
+/// A line of a scale as text: other bytes than printable ASCII as "‹02›".
 QString shownLine(const QByteArray& raw);
 
-/// Listens to the scale at a serial port. A port that is not there, or goes away in the middle, is
-/// looked for again every second until it is back.
+/// Listens to the scale at a serial port. A missing port, also one unplugged later, is looked for
+/// again every second until it is back.
 class ScaleReader : public QObject {
     Q_OBJECT
 
@@ -34,7 +34,7 @@ class ScaleReader : public QObject {
     const QString& rejection() const { return rejection_; }
 
   Q_SIGNALS:
-    /// It was connected or has gone: isConnected() and trouble() say which.
+    /// It was connected or removed: see isConnected() and trouble().
     void connectionChanged();
     /// A line as it came, whatever it is.
     void lineRead(const QByteArray& raw, const ravnoves::shop::ScaleLine& line);

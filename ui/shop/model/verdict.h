@@ -23,12 +23,12 @@ extern const QString passesWithWarnings;
 inline bool isWithheld(const QString& verdict) {
     return verdict == otherBobWeight || verdict == otherCrankshaft || verdict == stopped;
 }
-/// Which of them a run or the sheet has (its `read_on` and `read_with`); empty where it holds.
+/// Which of them a run or the sheet has (its `read_on` and `read_with`); empty while valid.
 template <typename Read>
 QString otherWord(const Read& read) {
     return read.read_on ? otherCrankshaft : read.read_with ? otherBobWeight : QString();
 }
-/// The word of a run or the sheet: what it is of, else its verdict.
+/// The word of a run or the sheet: its state, else its verdict.
 template <typename Read>
 QString readWord(const Read& read, const std::optional<bool>& measured,
                  const std::optional<bool>& corrected = {}) {
@@ -43,7 +43,7 @@ enum class VerdictKind {
     Open  ///< to be measured again, or doubted
 };
 VerdictKind verdictKind(const QString& verdict);
-/// That what is said is of the values before entries that a form rejects; empty without such.
+/// States that the values before the rejected entries were used; empty without such entries.
 QString rejectedNote(const Words& words, const QStringList& rejected);
 
 /// A verdict's word as page, card and journal say it: "fails → passes" is measured → after

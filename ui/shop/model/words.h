@@ -36,7 +36,7 @@ class Words {
     /// A unit of core, or the one that the user wants in its place; empty for pure numbers.
     QString unit(Unit unit) const;
 
-    /// The program's is that of the moment.
+    /// The program's language may change meanwhile.
     QLocale locale() const { return own_ ? locale_ : QLocale(); }
     /// Fixed decimals, decimal sign of the language, a true minus.
     QString number(double value, int decimals) const;
@@ -47,8 +47,8 @@ class Words {
     /// Both for a table: the number alone, or with its unit.
     ResultCell cell(double si, Unit unit, int decimals) const;
     ResultCell cellWithUnit(double si, Unit unit, int decimals) const;
-    /// A day of ISO 8601 as the language writes it, "31.05.2024" or "2024-05-31"; what is no day
-    /// stays as it is.
+    /// A day of ISO 8601 as the language writes it, "31.05.2024" or "2024-05-31"; other texts are
+    /// unchanged.
     QString day(const QString& iso) const;
     /// As many of the decimals as the number has: "2.79", "40".
     QString plain(double value, int decimals = 4) const;

@@ -46,8 +46,8 @@ class BandSamples {
         std::vector<double> above;
     };
 
-    /// @param nominal  not a number where there is none
-    /// @param periods  of numbers that are angles; else 0
+    /// @param nominal  NaN for a missing one
+    /// @param periods  of angles; else 0
     BandSamples(std::vector<double> nominal, std::vector<double> periods)
         : nominal_(std::move(nominal)), periods_(std::move(periods)) {}
 

@@ -23,7 +23,7 @@ class PartNumbers {
     const std::vector<double>& periods() const { return periods_; }
     /// Of another input; not a number where it has none.
     std::vector<double> of(const SceneModel& sample) const;
-    /// What was found of them, part by part.
+    /// Their spreads, part by part.
     std::map<std::string, PartSpread, std::less<>> spreads(const BandSamples::Sides& sides,
                                                            const QString& how) const;
 

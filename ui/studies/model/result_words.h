@@ -12,11 +12,11 @@ struct ResultName {
     QString text;  ///< "Mᵤₚₛ, range"
     QString unit;  ///< of its key; may be empty
 
-    /// How numbers of it are shown.
+    /// The unit of its numbers on the screen.
     ShownUnit shown() const { return shownUnit(unit); }
     /// With the unit that is shown.
     QString withUnit() const { return shownTitle(ownTitle()).text; }
-    /// With that of its key: of an axis, which shows another one itself.
+    /// With the unit of its key: of an axis, which converts by itself.
     QString ownTitle() const { return titleWithUnit(text, unit); }
 };
 

@@ -17,7 +17,7 @@ struct StudyAnswer {
     struct Share {
         std::string pointer;
         double alone = 0.0;
-        double whole = 0.0;  ///< with what it does together with others
+        double whole = 0.0;  ///< with its interactions
     };
     std::string pointer;
     std::optional<double> nominal, mean, deviation, linearDeviation, low, high;  ///< 5 %, 95 %

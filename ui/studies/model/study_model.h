@@ -34,7 +34,7 @@ class StudyModel : public QObject {
         QString unit;
         double nominal = 0.0;  ///< in the unit of its key
         std::optional<studies::Varied> varied = {};
-        ShownUnit shown = {};  ///< that of its field
+        ShownUnit shown = {};  ///< its field's
         bool isGone = false;   ///< the case has it no more: the study runs without it
     };
     enum class Preset { Weighed, Machined, Typical, OnePercent };
@@ -45,7 +45,7 @@ class StudyModel : public QObject {
     const studies::Study& study() const { return study_; }
     /// Why the case's study or its answer is rejected; empty where neither is.
     QString trouble() const { return trouble_; }
-    /// A method that older cases ask for and that is gone; empty where there is none.
+    /// A removed method that older cases have; empty without one.
     QString goneMethod() const { return goneMethod_; }
     BackgroundJob* job() const { return job_; }
 
@@ -59,16 +59,16 @@ class StudyModel : public QObject {
     /// As the scene describes it, or by its keys where no case so far had it.
     ResultName resultName(const std::string& pointer) const;
     QString inputName(const std::string& pointer) const;
-    /// The title of an axis of it in the unit that is shown.
+    /// The title of its axis in the unit shown.
     ShownTitle inputTitle(const std::string& pointer) const;
 
     /// "0.02", "1 %", "σ 0.5", in the unit of its field; empty where the input does not scatter.
     static QString scatterText(const Input& input);
-    /// With its unit, as it is shown.
+    /// With the unit shown.
     static QString scatterShown(const Input& input);
-    /// Its name; of one that is gone with a word on that.
+    /// Its name; a missing input's with a word on that.
     static QString nameText(const Input& input);
-    /// Its value with that unit; a dash where it is gone.
+    /// Its value with that unit; a dash where it is missing.
     static QString nominalText(const Input& input);
     /// Takes the same of some inputs by their pointers, as one step; an empty text takes an input
     /// out. All of them are taken, or none.
@@ -78,12 +78,11 @@ class StudyModel : public QObject {
     static constexpr double machinedMm = 0.05;
     /// Gives every input of a kind its usual scatter: masses and lengths these, all ± 1 %.
     void take(Preset preset);
-    /// Nothing scatters and nothing is watched; what the case had is gone, one that is rejected
-    /// too.
+    /// Removes all scatters and watched results, with the case's study, a rejected one too.
     void clear();
     void watch(const std::string& pointer);
     void unwatch(const std::vector<std::string>& pointers);
-    /// A limit of a result as it is typed, in the unit that is shown.
+    /// A limit of a result for typing, in the unit shown.
     QString limitText(const std::string& pointer, const std::optional<double>& limit) const;
     /// Takes the same into a limit.
     /// @return an empty string, or why it cannot be
@@ -99,15 +98,15 @@ class StudyModel : public QObject {
     bool isBusy() const;
     /// Computes while someone looks.
     void setWatched(bool watched);
-    /// Null where there is nothing to say.
+    /// Null without answers.
     const StudyAnswers* answers() const { return answers_ ? &*answers_ : nullptr; }
     /// Of the answers, with the names of inputs and results.
     QStringList notes() const;
-    /// Why the linear answer of a value fails; empty where it holds.
+    /// Why the linear answer of a value fails; empty where it is valid.
     QString failure(const StudyAnswer& answer) const;
     /// Why samples were rejected, as text, and how many.
     std::vector<std::pair<QString, std::uint64_t>> rejected() const;
-    /// They are of what was before, and newer ones are on the way.
+    /// They are of an earlier state, and newer ones are being computed.
     bool isStale() const { return stale_; }
     /// The text with names of inputs and results in the place of pointers.
     QString named(QString text) const;
@@ -126,7 +125,8 @@ class StudyModel : public QObject {
     /// With the name of the place.
     QString reasonText(const Reason& reason) const;
     void readStudy();
-    /// Puts what is typed for an input into a study. @return an empty string, or why it cannot be
+    /// Puts the typed scatter of an input into a study.
+    /// @return an empty string, or the fault
     QString readScatter(studies::Study& next, const std::string& pointer,
                         const QString& text) const;
     void change(const QString& name, const studies::Study& next);
@@ -141,7 +141,7 @@ class StudyModel : public QObject {
     studies::Study study_;
     std::vector<Input> inputs_;
     std::optional<StudyAnswers> answers_;
-    std::shared_ptr<studies::Part> done_;  ///< what they are of; null before the first run
+    std::shared_ptr<studies::Part> done_;  ///< the part of the answers; null before the first run
     int doneAt_ = -1;                      ///< solution of the scene
     QString trouble_;
     QString goneMethod_;
@@ -150,12 +150,11 @@ class StudyModel : public QObject {
     mutable std::map<std::string, ResultName> names_;  ///< of results
     mutable int namedOf_ = -1;                         ///< solutions_ when they were looked up
     bool stale_ = false;
-    bool behind_ = false;  ///< the input has moved since it was taken over
+    bool behind_ = false;  ///< the input has moved since the last copy
     bool watched_ = false;
 };
 
-/// The study of a case that says it as JSON text. A method of older versions that is gone gives way
-/// to Sobol points.
+/// The study of a case from its JSON text. A removed method of older versions becomes Sobol points.
 /// @param gone  set to the word of that method
 /// @throws InputError
 studies::Study readStudyText(const std::string& text, QString* gone = nullptr);

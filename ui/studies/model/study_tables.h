@@ -5,8 +5,8 @@
 
 namespace ravnoves {
 
-/// Rows of a study: names, and cells that are typed. What is typed or pasted is one step, all of it
-/// or nothing.
+/// Rows of a study: names, and cells that are typed. An entry or a paste is one step, all or
+/// nothing.
 class StudyTable : public RejectingTable {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ class StudyTable : public RejectingTable {
     StudyTable(StudyModel* model, QStringList headings, QObject* parent);
 
     virtual bool isTyped(int row, int column) const = 0;
-    /// @param isEdited  as it is typed, not as it is shown
+    /// @param isEdited  for typing, not for display
     virtual QString text(int row, int column, bool isEdited) const = 0;
     /// @return an empty string, or why it cannot be
     virtual QString write(int row, int column, const std::vector<QStringList>& cells) = 0;
@@ -41,7 +41,7 @@ class StudyTable : public RejectingTable {
     QStringList headings_;
 };
 
-/// The inputs of a case with what they scatter by.
+/// The inputs of a case with their scatter.
 class ScatterTable final : public StudyTable {
     Q_OBJECT
 
@@ -52,7 +52,7 @@ class ScatterTable final : public StudyTable {
 
     /// These inputs do not scatter any more.
     void removeRowRange(int first, int count) override;
-    /// The last column of the block is that of the tolerances.
+    /// The last column of the block has the tolerances.
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;

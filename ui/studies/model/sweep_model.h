@@ -26,9 +26,9 @@ struct Sweep {
         double low = 0.0;    ///< 5 %
         double high = 0.0;   ///< 95 %
         double size = 0.0;   ///< 95 % of the amount, |…|
-        double built = 0.0;  ///< share of the samples that could be solved, and can be built
+        double built = 0.0;  ///< share of the samples that are solved and feasible
     };
-    /// So many samples at least can be built at the best place.
+    /// The minimum share of feasible samples at the best place.
     static constexpr double minBuilt = 0.95;
 
     std::string input;  ///< pointers
@@ -37,8 +37,8 @@ struct Sweep {
     double half = 0.0;  ///< of the input's ±; 0 where it has none
     std::optional<double> nominalResult = {};
     std::vector<Place> places;
-    /// Where the 95 % amount is smallest, and so many samples can be built, or as many as anywhere;
-    /// between the places.
+    /// Where the 95 % amount is smallest, with `minBuilt` of the samples feasible, or the largest
+    /// share; between the places.
     std::optional<Place> best = {};
 };
 
@@ -55,7 +55,7 @@ class SweepModel : public QObject {
     // Pointers.
     const std::string& input() const { return choice_.input; }
     const std::string& result() const { return choice_.result; }
-    /// @param choice  an end that it does not give is that of usualEnds()
+    /// @param choice  a missing end is taken from usualEnds()
     void choose(const SweepChoice& choice);
     /// From and to, in the unit of the input's key.
     using Ends = std::pair<double, double>;
@@ -67,7 +67,7 @@ class SweepModel : public QObject {
     /// Computes while someone looks.
     void setWatched(bool watched);
 
-    /// What was found last; null where there is nothing.
+    /// The latest sweep; null before any.
     const Sweep* sweep() const { return sweep_ ? &*sweep_ : nullptr; }
     /// Newer numbers are on the way, or should be.
     bool isStale() const { return stale_; }
@@ -81,7 +81,7 @@ class SweepModel : public QObject {
   private:
     /// What a sweep is made of.
     struct Wanted {
-        studies::Study study = {};  ///< what is swept first; nothing where no sweep can be made
+        studies::Study study = {};  ///< the first sweep; empty where no sweep can be made
         double nominal = 0.0;
         double half = 0.0;
         int solution = -1;  ///< of the scene

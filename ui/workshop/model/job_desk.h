@@ -14,8 +14,8 @@ namespace ravnoves {
 
 class WorkshopModel;
 
-/// Where a job lies while it is worked on: its place in the journal, and the language of its card.
-/// For a crash it is kept as any case is (model/recovery.h).
+/// The place of a job during the work: in the journal, and the language of its card. For a crash it
+/// is kept as any case (model/recovery.h).
 class JobDesk : public QObject {
     Q_OBJECT
 
@@ -27,10 +27,10 @@ class JobDesk : public QObject {
     /// Opens the journal; called once the page is shown. False: no journal, see journalTrouble().
     bool openJournal();
     Journal* journal() { return journal_.get(); }
-    /// The backup that is offered in place of a damaged journal; empty where there is none.
+    /// The backup offered in place of a damaged journal; empty without one.
     QString offeredBackup() const { return journal_ ? journal_->offeredBackup() : QString(); }
     bool isOpen() const { return journal_ && journal_->isOpen(); }
-    /// What is wrong with the journal, or what happened to it; empty where nothing.
+    /// The faults and news of the journal; empty without any.
     QString journalTrouble() const { return journalTrouble_; }
     void setJournalTrouble(const QString& text);
 
@@ -62,9 +62,9 @@ class JobDesk : public QObject {
     bool isNameless() const;
     /// True where the journal has the sheet in its present state, though a case file may not.
     bool isJournaled() const { return isJournaled_; }
-    /// Saves the job as it is on the sheet, finished or to go on with another day. One without
-    /// an answer, or by which nobody could find it again, is not finished; one without anything is
-    /// not saved. @return a sentence for the status bar; `ok` says whether it is saved
+    /// Saves the job on the sheet, finished or to be continued another day. One without an answer,
+    /// or without a name to find it by, is not finished; an empty one is not saved.
+    /// @return a sentence for the status bar; `ok` is whether it is saved
     QString saveJob(bool* ok = nullptr, bool isFinished = true);
     /// The same returns: a sentence.
     QString backUpJournal(const QString& file);
@@ -76,7 +76,7 @@ class JobDesk : public QObject {
     void takeRestored();
     /// Opens a job. @return an empty string, or what went wrong
     QString openJob(qint64 id) { return takeJob(id, false); }
-    /// What it keeps for another engine of the kind, as a new job.
+    /// Its parts for another engine of the kind, as a new job.
     QString copyJob(qint64 id) { return takeJob(id, true); }
 
     /// What the case of a job is known by: both numbers and the customer, where it has them. Empty
@@ -87,7 +87,7 @@ class JobDesk : public QObject {
     /// Who did the job that was saved last on this computer.
     static QString rememberedTechnician();
 
-    /// Language of the job card: empty for that of the program.
+    /// Language of the job card: empty for the program's.
     QString cardLanguage() const { return cardLanguage_; }
     void setCardLanguage(const QString& code);
     Words cardWords() const;

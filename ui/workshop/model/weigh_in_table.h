@@ -24,7 +24,7 @@ class WeighInTable {
     explicit WeighInTable(WorkshopModel* model) : model_(model) {}
 
     int rows() const;
-    /// What is described once for all cells of a row.
+    /// The description common to all cells of a row.
     static const Field& fieldOf(int row);
     static QString titleOf(int row);
     static QString partOf(int column);
@@ -38,9 +38,9 @@ class WeighInTable {
 
     std::optional<double> mass(int row, int column) const;
     void setMass(int row, int column, std::optional<double> mass);
-    /// Writes a block of cells, as a spreadsheet does, in one step; a cell without text leaves what
-    /// is there, and where one is rejected nothing is written.
-    /// @return an empty string, or what is wrong
+    /// Writes a block of cells, as a spreadsheet does, in one step; a cell without text keeps its
+    /// value, and one rejected cell rejects the block.
+    /// @return an empty string, or the fault
     QString paste(int row, int column, const std::vector<QStringList>& cells);
 
   private:

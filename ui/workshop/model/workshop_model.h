@@ -16,7 +16,7 @@ namespace ravnoves {
 
 class InputError;
 
-/// What is below a column of the weigh-in sheet; dashes where nothing is weighed.
+/// The lines below a column of the weigh-in sheet; dashes where nothing is weighed.
 struct WeighedColumn {
     QString mean = QStringLiteral("–");
     QString deviation = QStringLiteral("–");  ///< of the mean from nominal, with its sign
@@ -30,7 +30,7 @@ struct WeighedColumn {
 struct WorkshopScene {
     using Input = workshop::Input;
     struct Solved {
-        workshop::Result found;    ///< all of it, with what is doubted
+        workshop::Result found;    ///< all results, with the doubtful ones
         workshop::Result allowed;  ///< what may be shown as an answer
         Verdict verdict;
     };
@@ -44,14 +44,14 @@ struct WorkshopScene {
     static bool isSameEngine(const Input& input, const Input& named);
     static Input read(const Json& input, const CaseContext& context);
     static Json write(const Input& input);
-    /// Rejects nothing: what is missing or broken is named by the model.
+    /// Rejects nothing: the model names missing and wrong values.
     static Solved solve(const Input& input);
 
     bool dated;  ///< a new job is of today, and has what the shop keeps
 };
 
 /// The state of the page Workshop: one job from the scale to the drilled crankshaft. The sheet may
-/// be half filled: what is missing is named, what can be computed is computed.
+/// be half filled: missing values are named, everything else is computed.
 class WorkshopModel : public CaseModel<WorkshopScene> {
     Q_OBJECT
 
@@ -91,7 +91,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     }
     const std::vector<workshop::Doubt>& doubts() const { return solved().found.doubts; }
     workshop::Withheld withheld() const { return solved().found.withheld(); }
-    /// What is not weighed yet is taken as nominal.
+    /// Parts not weighed yet count as nominal.
     bool isProvisional() const { return solved().found.is_provisional(); }
     /// Its place in the journal.
     JobDesk* desk() { return &desk_; }
@@ -103,13 +103,13 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
                       const QString& name) override;
     /// Chooses the type, with as many rods on a bob weight as are usual for it.
     QString chooseType(int type);
-    /// Changes the correction; it comes into being with the first value and goes with the last.
+    /// Changes the correction; it begins with the first value and ends with the last.
     QString editCorrection(const QString& name,
                            const std::function<void(bob_weights::Correction&)>& mutate);
     QString editTolerance(const QString& name,
                           const std::function<void(bob_weights::Tolerance&)>& mutate);
-    /// Changes the weights, as many as the engine has cylinders; without any there is no sheet.
-    /// Those of plugs count from the first on, until the user says otherwise.
+    /// Changes the weights, one for each cylinder of the engine; without any there is no sheet.
+    /// Weights of plugs are used from the first on, until the user chooses otherwise.
     QString editWeights(const QString& name,
                         const std::function<void(bob_weights::WeighIn&)>& mutate);
     /// The columns of the rods' ends change places.
@@ -126,24 +126,25 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     bool isPlanned() const;
     /// A reading of the machine, SI.
     std::optional<double> reading(std::size_t run, std::size_t plane, bool isAngle) const;
-    /// The first of the run after the newest makes that the newest; without any it is none.
+    /// The first reading of the run after the newest makes that the newest; without any there is no
+    /// run.
     QString editReading(const QString& name, std::size_t run, std::size_t plane, bool isAngle,
                         std::optional<double> value);
-    /// The newest readings that do not hold are said to hold for the crankshaft and the bob weight
-    /// that there are now, and with them what was read together with them.
+    /// Declares the newest invalid readings valid for the present crankshaft and bob weight, and
+    /// with them those read together with them.
     void confirmReadings();
-    /// What is wrong with them; empty where all hold.
+    /// Why they are invalid; empty while all are valid.
     QString otherRunText() const;
 
-    /// Makes the machine as it is set up here that of new jobs.
+    /// Makes this machine's settings the default of new jobs.
     void keepMachine();
     bool isShopsMachine() const;
 
     // --------------------------------------------------------------------------------- plugs
     bool hasPlugs() const { return input().plugs.has_value(); }
     bool mayHavePlugs() const { return workshop::may_have_plugs(input().engine); }
-    /// Says whether the crankshaft has sludge-trap plugs. What the other form does not ask for
-    /// comes back with it.
+    /// Whether the crankshaft has sludge-trap plugs. Values that the other form lacks return with
+    /// it.
     void setHasPlugs(bool there);
     QString editPlugs(const QString& name, const std::function<void(v8_plugs::Input&)>& mutate);
     /// Reads the user's own engines again: another program may have kept one.
@@ -162,7 +163,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// The same return.
     QString renameEngine(const QString& from, const QString& to);
     QString removeEngine(const QString& name);
-    /// The user's own at a place in engineNames(); null where there is none.
+    /// The user's own at a place in engineNames(); null without one.
     const JournalEngine* ownEngine(int place) const;
     /// True where the sheet's values are not those kept under the engine's name.
     bool ownEngineChanged() const;
@@ -187,8 +188,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// Parts are elsewhere than they were weighed, and it is known where that was.
     bool canMoveBack() const;
 
-    // ---------------------------------- what is said: in the language of the page, or of the card
-    /// "V-8, 90°", "4 in line", "Boxer, 6".
+    // ---------------------------------- texts in the language of the page, or of the card "V-8,
+    // 90°", "4 in line", "Boxer, 6".
     static QString engineName(const Words& words, const bob_weights::Engine& engine);
     /// As the machine is set up to call it.
     static QString planeName(const Words& words, const workshop::Machine& machine,
@@ -199,11 +200,11 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// How the machine is set up.
     QString machineText(const Words& words = {}) const;
 
-    /// The bob weight; where it is not known why, or what is missing.
+    /// The bob weight; where unknown, the reason or the missing values.
     QString headline(const Words& words = {}) const;
-    /// What is withheld, to be seen and not to be used; empty where nothing is.
+    /// The withheld result, to be seen and not to be used; empty without one.
     QString doubtfulText() const;
-    QString hangText(const Words& words = {}) const;  ///< on what it is hung
+    QString hangText(const Words& words = {}) const;  ///< where it is hung
     QString factorText(const Words& words = {}) const;
     QString reasonText() const;
     /// What may remain, and where that comes from.
@@ -211,14 +212,14 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// The lines of the bob weight, their subtotals and sum: printed numbers add up.
     Results lineResults(const Words& words = {}) const;
 
-    /// What was typed or weighed, but does not count (yet).
+    /// Values typed or weighed, but not used (yet).
     QStringList notCounted(const Words& words = {}) const;
-    /// What is wrong or to be known beside the verdict, a sentence each.
+    /// Faults and notes beside the verdict, a sentence each.
     QStringList troubles() const { return troubles(Words(), false); }
     /// @param withDoubts  and what the verdict says of doubts
     QStringList troubles(const Words& words, bool withDoubts) const;
 
-    /// Whether the crankpins differ, so that the bob weight is no more than their mean.
+    /// Whether the crankpins differ, so that the bob weight is only their mean.
     bool isMean() const;
     /// Which cylinders each crankpin carries, "1+5"; empty where they do not share out.
     QStringList cylindersOfCrankpins() const;
@@ -241,7 +242,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     Results planeResults(const Words& words = {}) const;
     /// @param plane  its holes alone, without its name
     Results holeResults(const Words& words = {}, std::optional<std::size_t> plane = {}) const;
-    /// What was drilled and pressed in after earlier runs, run by run.
+    /// Holes and slugs after earlier runs, run by run.
     Results drilledResults(const Words& words = {}) const;
     /// A hole or slug of the record after a run: "Run 1: ⌀ 10 mm".
     QString drilledName(std::size_t run, const bob_weights::DrilledHole& hole) const;
@@ -256,9 +257,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// Whether the crankshaft passes or what to do; what that lacks where it is not known.
     QString correctionText() const;
 
-    // Of the plugs; empty without.
-    /// What to do; what is missing where that is not known. Where the method neglects what matters,
-    /// it is what can be done.
+    // Of the plugs; empty without. The instruction; the missing values where it is unknown. Where
+    // the method neglects something relevant, it is a possibility.
     QString adviceText(const Words& words = {}) const;
     /// How to bore, or why it cannot be bored.
     QString boringText(const Words& words = {}) const;
@@ -284,12 +284,12 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     bool hasNumbers() const;
     /// What the answer still lacks, as a sentence; empty where it lacks nothing.
     QString answerLacks() const;
-    /// Whether the sheet's engine is that of a job in all but its name.
+    /// Whether the sheet's engine equals a job's in all but its name.
     /// @throws InputError
     bool isEngineOf(const CaseFile& job) const;
     /// Empties the sheet for the next job of the same engine.
     void newJob();
-    /// What newJob() keeps, and what it clears.
+    /// The values that newJob() keeps, and those that it clears.
     static QString carriedOver() {
         return tr(
             "Kept: engine, nominal masses, plugs, factor, machine, planes, drills, limit and "
@@ -300,7 +300,7 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     void enginesChanged();
     /// Which sheet of the form to show: job, parts, weigh-in, plugs, machine, correction.
     void sheetChosen(int sheet);
-    /// The engine became another than the job before had, and lost what was of its crankshaft.
+    /// The engine differs from the previous job's, and lost the values of its crankshaft.
     void crankForgotten();
 
   protected:
@@ -344,17 +344,17 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
 
     /// Readings that do not say with which bob weight they were taken get this one.
     static void noteBobWeight(Input& input, double bobWeight);
-    /// The card has become that of another crankshaft: whose the readings are is noted with them.
+    /// The card has become another crankshaft's: the readings are marked with their own.
     /// @param before  the editing
     static void noteShaft(Input& input, const Input& before);
     /// What the job of another engine of the kind keeps: nothing that was weighed or read.
     Input nextOf(const Input& before) const;
 
     bool isLoading_ = false;
-    /// Of readings that do not say it: that of the case as it came.
+    /// For readings without one: the case's as loaded.
     std::optional<double> bobWeightAsLoaded_;
     Input beforeEditing_;             ///< of a field; else before the last change
-    std::optional<Input> otherForm_;  ///< what was there before plugs came or went
+    std::optional<Input> otherForm_;  ///< the state before plugs were added or removed
     std::optional<Input> carried_;    ///< what the job began with of the job before
     QList<JournalEngine> ownEngines_;
     JobDesk desk_;

@@ -27,7 +27,7 @@ struct ShiftPlot {
 std::span<const PagePart> workshopParts();
 Content workshopPart(const WorkshopModel& model, std::string_view id);
 
-/// What is said of the answer, a sentence or more: a line of the page, and of the part's notes.
+/// A text of the answer, a sentence or more: a line of the page, and of the part's notes.
 struct AnswerLine {
     std::string_view id;
     Severity severity;

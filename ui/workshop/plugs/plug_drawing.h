@@ -16,9 +16,9 @@ struct DrawingStyle {
     QColor line;  ///< outlines
     QColor thin;  ///< dimension lines, hatching
     QColor text;
-    QColor cut;        ///< what is to be bored
+    QColor cut;        ///< metal to bore out
     QFont font;        ///< its pixel size sets the size of arrows and gaps
-    double lineWidth;  ///< outlines; thin lines are half of it
+    double lineWidth;  ///< outlines; thin lines are half as wide
 };
 
 /// What the drawing shows of the plug.

@@ -8,7 +8,7 @@ namespace ravnoves {
 
 class WorkshopModel;
 
-/// The plug in section with its dimensions and what is to be bored out of it.
+/// The plug in section with its dimensions and the metal to bore out.
 class PlugView : public QWidget {
     Q_OBJECT
 
