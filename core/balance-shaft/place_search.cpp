@@ -72,7 +72,7 @@ class Search {
     /// @param known  the criterion at the place, where it has been asked for
     void offer(Place place, const PlaceValue* known = nullptr) {
         const Place wanted = place;
-        if (!places_.mend(place) || exceeded(place) != nullptr) {
+        if (!places_.make_feasible(place) || exceeded(place) != nullptr) {
             return;
         }
         const double value =

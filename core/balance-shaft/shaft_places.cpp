@@ -294,7 +294,7 @@ bool ShaftPlaces::is_blocked(const PlacePolygon& part, const Cuts& cuts) const {
     return are_all(meets_crank) || are_all(meets_cylinder) || (cuts.rod && are_all(meets_rod));
 }
 
-bool ShaftPlaces::mend(Eigen::Vector2d& place) const {
+bool ShaftPlaces::make_feasible(Eigen::Vector2d& place) const {
     const double nearest = nearest_allowed();
     const double maximum = farthest();
     constexpr int tries = 12;

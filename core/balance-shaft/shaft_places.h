@@ -86,7 +86,7 @@ class ShaftPlaces {
     /// convex areas.
     bool is_blocked(const PlacePolygon& part, const Cuts& cuts) const;
     /// Moves a nearly feasible place to a feasible one, where it finds one.
-    bool mend(Eigen::Vector2d& place) const;
+    bool make_feasible(Eigen::Vector2d& place) const;
     /// A rectangle around all feasible places within a distance of the crank's axis: left, bottom,
     /// right, top, m; empty where left > right.
     std::array<double, 4> region(double distance) const;

@@ -134,10 +134,9 @@ std::vector<std::string> note_lines(const Guide& guide, const GuideDrawing& draw
         lines.push_back("WARNING: the preload exceeds the minimum by only " +
                         format_number(margin / units::mm, 2));
     }
-    lines.emplace_back(
-        drawing.guide_turns
-            ? "Guide turns counter-clockwise, spring stands still; zero angle on +X"
-            : "Spring turns counter-clockwise, guide stands still; zero angle on +X");
+    lines.emplace_back(drawing.guide_turns
+                           ? "Guide turns counter-clockwise, spring is fixed; zero angle on +X"
+                           : "Spring turns counter-clockwise, guide is fixed; zero angle on +X");
     return lines;
 }
 

@@ -263,7 +263,7 @@ void RelievedShaftView::showFeasible() {
 }
 
 void RelievedShaftView::chooseFile() {
-    if (!goOnWithoutRejected(this, tr("Export drawing"))) {
+    if (!continueWithoutRejected(this, tr("Export drawing"))) {
         return;
     }
     const QString path =

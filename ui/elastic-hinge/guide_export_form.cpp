@@ -111,7 +111,7 @@ QString GuideExportForm::exportTo(const QString& path) {
 }
 
 void GuideExportForm::ask(const QString& suffix) {
-    if (!goOnWithoutRejected(this, tr("Export guide"))) {
+    if (!continueWithoutRejected(this, tr("Export guide"))) {
         return;
     }
     QList<FileFormat> formats{dxfFormat(), csvFormat()};

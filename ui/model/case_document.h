@@ -33,7 +33,7 @@ struct DocumentDialogs {
     enum class Overwrite { Yes, Elsewhere, No };
     std::function<Overwrite(const QString& path)> overwrite{};
     /// Before saving: entries may be rejected, and are not in the case; @return false to stay.
-    std::function<bool()> goOnWithoutRejected{};
+    std::function<bool()> continueWithoutRejected{};
     /// The same before a case is closed of which nothing else is unsaved.
     std::function<bool()> leaveRejected{};
     /// Saves a case without a file in a place of the page's own: whether it is saved there; nothing
@@ -130,7 +130,7 @@ class CaseDocument : public QObject {
     void load(const CaseFile& file, const CaseContext& context);
     void take(const CaseFile& file, const CaseContext& context);
     bool mayBeSaved() const {
-        return !dialogs_.goOnWithoutRejected || dialogs_.goOnWithoutRejected();
+        return !dialogs_.continueWithoutRejected || dialogs_.continueWithoutRejected();
     }
     bool chooseAndSave();
     bool saveElsewhere(const QString& trouble);

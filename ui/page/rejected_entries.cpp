@@ -81,7 +81,7 @@ QString rejectedWords(const QWidget* part) {
            QStringLiteral("\n\n") + rejected.join(QLatin1Char('\n'));
 }
 
-bool goOnWithoutRejected(QWidget* part, const QString& title) {
+bool continueWithoutRejected(QWidget* part, const QString& title) {
     const QString words = rejectedWords(part);
     if (words.isEmpty()) {
         return true;

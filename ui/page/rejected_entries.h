@@ -23,6 +23,6 @@ QString rejectedWords(const QWidget* part);
 /// Names the rejected entries of that page and that the values before them are used.
 /// @param title  of the action
 /// @return true where there are none, or the user continues without them
-bool goOnWithoutRejected(QWidget* part, const QString& title);
+bool continueWithoutRejected(QWidget* part, const QString& title);
 
 }  // namespace ravnoves

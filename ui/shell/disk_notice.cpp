@@ -44,18 +44,18 @@ void DiskNotice::showFor(CaseDocument* document, QWidget* page) {
         own.state() == FileOnDisk::State::Same ? document->changedSource() : nullptr;
     const FileOnDisk& file = source != nullptr ? *source : own;
     setVisible(file.state() != FileOnDisk::State::Same);
-    const bool isGone = file.state() == FileOnDisk::State::Gone;
-    reload_->setVisible(!isGone);
+    const bool isMissing = file.state() == FileOnDisk::State::Gone;
+    reload_->setVisible(!isMissing);
     saveAs_->setVisible(source == nullptr);
     keep_->setToolTip(source == nullptr ? tr("Continue with this page. Saving replaces the file.")
                                         : tr("Continue with the numbers read before. The next "
                                              "time, the case opens with the numbers of the file."));
     const QString words =
         source == nullptr
-            ? (isGone ? tr("%1 was deleted, moved or renamed.")
-                      : tr("%1 was changed by another program."))
-            : (isGone ? tr("%1, a file of this case, was deleted, moved or renamed.")
-                      : tr("%1, a file of this case, was changed by another program."));
+            ? (isMissing ? tr("%1 was deleted, moved or renamed.")
+                         : tr("%1 was changed by another program."))
+            : (isMissing ? tr("%1, a file of this case, was deleted, moved or renamed.")
+                         : tr("%1, a file of this case, was changed by another program."));
     text_->setText(words.arg(QFileInfo(file.path()).fileName()));
     text_->setToolTip(file.path());
     if (hadFocus && isHidden()) {

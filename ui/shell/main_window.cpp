@@ -293,7 +293,7 @@ void MainWindow::offerRecovered() {
             recovery_->discard(recovered);
         }
     });
-    connect(dialog, &RecoveryDialog::thrownAway, this,
+    connect(dialog, &RecoveryDialog::discarded, this,
             [this](const RecoveredCase& recovered) { recovery_->discard(recovered); });
     connect(dialog, &RecoveryDialog::olderThrownAway, recovery_, &Recovery::discardOlder);
     connect(dialog, &RecoveryDialog::olderWanted, this, [this, dialog] {
@@ -486,7 +486,7 @@ QString MainWindow::writeReport(const QString& path, const Patience& patience) {
 }
 
 void MainWindow::exportReport() {
-    if (!goOnWithoutRejected(currentPage(), tr("Report"))) {
+    if (!continueWithoutRejected(currentPage(), tr("Report"))) {
         return;
     }
     ReportDialog dialog(this);

@@ -104,11 +104,11 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
             }
         })->setDefault(true);
         add("recovery_throw_away", tr("&Discard"), [this] {
-            if (!mayThrowAway()) {
+            if (!mayDiscard()) {
                 return;
             }
             for (const RecoveredCase& each : takeTicked(&RecoveryDialog::olderThrownAway)) {
-                Q_EMIT thrownAway(each);
+                Q_EMIT discarded(each);
             }
         })->setAutoDefault(false);
     }
@@ -131,7 +131,7 @@ bool RecoveryDialog::eventFilter(QObject* watched, QEvent* event) {
     return QDialog::eventFilter(watched, event);
 }
 
-bool RecoveryDialog::mayThrowAway() {
+bool RecoveryDialog::mayDiscard() {
     constexpr qsizetype maximum = 8;  // a box has room for
     QStringList ticked;
     for (int row = 0; row < list_->topLevelItemCount(); ++row) {

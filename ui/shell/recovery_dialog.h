@@ -17,7 +17,7 @@ class RecoveryDialog : public QDialog {
 
   Q_SIGNALS:
     void restored(const RecoveredCase& recovered);
-    void thrownAway(const RecoveredCase& recovered);
+    void discarded(const RecoveredCase& recovered);
     /// Those that are too many to be listed are to be offered next.
     void olderWanted();
     void olderThrownAway();
@@ -27,7 +27,7 @@ class RecoveryDialog : public QDialog {
 
   private:
     /// Asks, once for all.
-    bool mayThrowAway();
+    bool mayDiscard();
     /// Removes the ticked entries from the list: the cases, and the line of the older ones, which
     /// `older` follows. Closes when the list is empty.
     QList<RecoveredCase> takeTicked(void (RecoveryDialog::*older)());

@@ -26,8 +26,8 @@ class SavingDialogs {
     Answer saveChanges(bool hasFile) const {
         documents_->bringToFront(*document_);
         // A case that came from a file goes back to it.
-        if (const auto goOn = hasFile ? std::nullopt : document_->page->askToSave()) {
-            return *goOn ? Answer::Discard : Answer::Stay;
+        if (const auto answer = hasFile ? std::nullopt : document_->page->askToSave()) {
+            return *answer ? Answer::Discard : Answer::Stay;
         }
         const QString scene = documents_->scenes()[document_->scene].title;
         const QString name = documents_->nameOf(*document_);
@@ -82,14 +82,16 @@ class SavingDialogs {
                                                   : Overwrite::No;
     }
 
-    bool goOnWithout() const { return goOnWithoutRejected(document_->page, tr("Save case")); }
+    bool continueWithout() const {
+        return continueWithoutRejected(document_->page, tr("Save case"));
+    }
 
     bool leaveRejected() const {
         if (rejectedEntries(document_->page).isEmpty()) {
             return true;
         }
         documents_->bringToFront(*document_);
-        return goOnWithoutRejected(document_->page, tr("Close case"));
+        return continueWithoutRejected(document_->page, tr("Close case"));
     }
 
   private:
@@ -109,7 +111,7 @@ DocumentDialogs savingDialogs(Documents& documents, OpenDocument& document) {
     dialogs.saveInPlace = [ask] { return ask.saveInPlace(); };
     dialogs.elsewhere = [ask](const QString& trouble) { return ask.elsewhere(trouble); };
     dialogs.overwrite = [ask](const QString& path) { return ask.overwrite(path); };
-    dialogs.goOnWithoutRejected = [ask] { return ask.goOnWithout(); };
+    dialogs.continueWithoutRejected = [ask] { return ask.continueWithout(); };
     dialogs.leaveRejected = [ask] { return ask.leaveRejected(); };
     return dialogs;
 }

@@ -121,7 +121,7 @@ void SweepView::fillChoices() {
     std::vector<std::pair<QString, QString>> inputs;
     for (const bool scatters : {true, false}) {
         for (const StudyModel::Input& input : study_->inputs()) {
-            if (input.varied.has_value() == scatters && !input.isGone) {
+            if (input.varied.has_value() == scatters && !input.isMissing) {
                 inputs.emplace_back(input.name, QString::fromStdString(input.pointer));
             }
         }

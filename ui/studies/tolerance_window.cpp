@@ -469,7 +469,7 @@ void ToleranceWindow::showFound() {
         lines << tr("Out of date: these tolerances were not accepted: %1.")
                      .arg(rejected.join(QStringLiteral(", ")));
     }
-    if (const QString gone = model_->goneMethod(); !gone.isEmpty()) {
+    if (const QString gone = model_->removedMethod(); !gone.isEmpty()) {
         lines << tr("The method of this case, %1, is no longer available. Sobol points are used; "
                     "tolerances and limits are kept.")
                      .arg(gone == u"second-order" ? tr("second order") : tr("Latin hypercube"));

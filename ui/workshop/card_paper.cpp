@@ -50,7 +50,7 @@ QString WorkshopCard::otherRejectedText() const {
     return rejectedNote(words_, others);
 }
 
-double WorkshopCard::goOn(CardPage& page) const {
+double WorkshopCard::continueOn(CardPage& page) const {
     constexpr double points = 9.0;
     const double end = CardPage::top + page.paragraph(CardPage::left, CardPage::top, CardPage::full,
                                                       title(), points, true);
@@ -63,7 +63,7 @@ void WorkshopCard::paint(QPainter& painter, const QRectF& page,
     painter.save();
     CardPage counted(painter, page);
     counted.setMeasuring(true);
-    counted.setNextSheet([&] { return goOn(counted); });
+    counted.setNextSheet([&] { return continueOn(counted); });
     draw(counted);
     CardPage sheet(painter, page);
     const auto begin = [&] {
@@ -84,7 +84,7 @@ void WorkshopCard::paint(QPainter& painter, const QRectF& page,
     sheet.setNextSheet([&] {
         sheet.setMeasuring(!next || !next());
         begin();
-        return goOn(sheet);
+        return continueOn(sheet);
     });
     begin();
     draw(sheet);

@@ -55,7 +55,7 @@ class WorkshopCard {
     void draw(CardPage& page) const;
     QString title() const;
     /// @return where the continued text begins, mm
-    double goOn(CardPage& page) const;
+    double continueOn(CardPage& page) const;
     /// Empty where nothing is rejected that the answer depends on.
     QString rejectedText() const { return rejectedNote(words_, rejectedOfResult_); }
     /// The same of all other entries.

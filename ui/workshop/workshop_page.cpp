@@ -287,7 +287,7 @@ bool WorkshopPage::eventFilter(QObject* watched, QEvent* event) {
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
         if (enter && key->modifiers().testFlag(Qt::ControlModifier) == false) {
-            goOn(static_cast<QWidget*>(watched));
+            focusNext(static_cast<QWidget*>(watched));
             return true;
         }
     } else if (event->type() == QEvent::FocusIn &&
@@ -328,7 +328,7 @@ void WorkshopPage::beginSheets() {
     unseen_.remove(sheets_->currentIndex());
 }
 
-void WorkshopPage::goOn(QWidget* from) {
+void WorkshopPage::focusNext(QWidget* from) {
     auto* entry = qobject_cast<EntryField*>(from);
     if (entry != nullptr && !entry->trouble().isEmpty()) {
         QApplication::beep();  // a rejected entry is not passed over
@@ -392,7 +392,7 @@ void WorkshopPage::openJournal() {
 }
 
 bool WorkshopPage::rejectedEntriesAreKnown() {
-    return goOnWithoutRejected(this, tr("Entries not accepted"));
+    return continueWithoutRejected(this, tr("Entries not accepted"));
 }
 
 std::optional<bool> WorkshopPage::askToSave() {

@@ -71,7 +71,7 @@ class WorkshopPage : public ScenePage {
     static QWidget* nextEntry(const WorkshopSheet& sheet, bool isEmpty);
     /// Another job is on the sheets: none of them continues where the last job was.
     void beginSheets();
-    void goOn(QWidget* from);
+    void focusNext(QWidget* from);
     bool hasUnsavedJob();
     /// Asks about an unsaved job. @return false where the user wants to stay
     bool leaveJob();

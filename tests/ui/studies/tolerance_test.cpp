@@ -856,7 +856,7 @@ TEST_F(Tolerances, MethodsThatAreGoneGiveWayAndLoseNothing) {
                       {"seed", 7}};
         scene().loadFile(file, scene().context(), nullptr);
         EXPECT_EQ(tolerances->model()->trouble(), QString());
-        EXPECT_EQ(tolerances->model()->goneMethod(), QLatin1String(method));
+        EXPECT_EQ(tolerances->model()->removedMethod(), QLatin1String(method));
         EXPECT_EQ(study().method, studies::Method::sobol);
         ASSERT_EQ(study().vary.size(), 1U);
         EXPECT_EQ(study().vary[0].size, 0.5);
@@ -867,7 +867,7 @@ TEST_F(Tolerances, MethodsThatAreGoneGiveWayAndLoseNothing) {
         EXPECT_EQ(scene().caseFile().study, file.study) << "the file is as it was until a change";
         scatter("/crank_radius_mm", u"0.4"_s);
         EXPECT_EQ(scene().caseFile().study["method"], "sobol");
-        EXPECT_TRUE(tolerances->model()->goneMethod().isEmpty());
+        EXPECT_TRUE(tolerances->model()->removedMethod().isEmpty());
     }
 }
 

@@ -49,11 +49,11 @@ void ImportModel::decide(const TableReading& decided) {
 void ImportModel::start() {
     job_->start(
         [this, what = what_, crank = crank_, path = path_, text = text_,
-         decided = decided_](const BackgroundJob::Progress& goesOn) -> std::function<void()> {
+         decided = decided_](const BackgroundJob::Progress& continues) -> std::function<void()> {
             return withinMemory([&]() -> std::function<void()> {
                 const auto read =
                     text ? text : std::make_shared<const std::string>(read_text_file(fsPath(path)));
-                auto look = std::make_shared<Look>(lookAt(*read, what, decided, crank, goesOn));
+                auto look = std::make_shared<Look>(lookAt(*read, what, decided, crank, continues));
                 return [this, read, look] {
                     text_ = read;
                     look_ = std::move(*look);
@@ -65,7 +65,7 @@ void ImportModel::start() {
 
 ImportModel::Look ImportModel::lookAt(const std::string& text, Measured what,
                                       const TableReading& decided, const SliderCrank<double>& crank,
-                                      const std::function<bool(double)>& goesOn) {
+                                      const std::function<bool(double)>& continues) {
     constexpr std::size_t shown_rows = 12;
     Look look;
     // Settings can be changed also where no rows are found.
@@ -77,12 +77,12 @@ ImportModel::Look ImportModel::lookAt(const std::string& text, Measured what,
                                view.header_lines + shown_rows)
                      .rows;
     look.columns = static_cast<int>(std::min(view.columns, std::size_t{max_columns}));
-    if (!goesOn(0.1)) {
+    if (!continues(0.1)) {
         return look;
     }
     try {
         look.proposal = propose_reading(text, what, decided, 0);
-        if (!goesOn(0.4)) {
+        if (!continues(0.4)) {
             return look;
         }
         if (what == Measured::torque) {
@@ -90,7 +90,7 @@ ImportModel::Look ImportModel::lookAt(const std::string& text, Measured what,
         } else {
             look.pressure = parse_pressure_trace(text, look.proposal.reading);
             look.deadCentre = find_dead_centre(crank, look.pressure->trace);
-            if (goesOn(0.7)) {
+            if (continues(0.7)) {
                 chooseKept(text, look);
             }
         }

@@ -96,11 +96,11 @@ class ImportModel : public QObject {
         std::string sum;  ///< SHA-256 of the file
     };
 
-    /// @param goesOn  called between the steps, each of which reads the whole file; false ends the
-    ///                look, which is then useless
+    /// @param continues  called between the steps, each of which reads the whole file; false ends
+    ///                   the look, which is then useless
     static Look lookAt(const std::string& text, balance_shaft::Measured what,
                        const balance_shaft::TableReading& decided, const SliderCrank<double>& crank,
-                       const std::function<bool(double)>& goesOn);
+                       const std::function<bool(double)>& continues);
     static void chooseKept(const std::string& text, Look& look);
     void start();
     const balance_shaft::TableFormat* format() const;

@@ -69,11 +69,11 @@ void findObstacles(ShaftMap& map, const std::function<bool(double)>& progress) {
     }
 }
 
-/// @param goesOn  false stops it
+/// @param continues  false stops it
 ShaftMap::Distances bestOfDistances(const PositionStudy& study, double reach,
-                                    const std::function<bool()>& goesOn) {
+                                    const std::function<bool()>& continues) {
     ShaftMap::Distances found;
-    for (std::size_t i = 1; i <= distances && goesOn(); ++i) {
+    for (std::size_t i = 1; i <= distances && continues(); ++i) {
         const double distance = reach * static_cast<double>(i) / distances;
         found.distance.push_back(distance);
         found.range.push_back(study.best_at(distance, 1.0));

@@ -101,21 +101,21 @@ std::optional<std::pair<double, double>> ClipShape::crossings(const QLineF& line
 std::vector<ClipShape::Stretch> ClipShape::cutLine(const QPolygonF& line) const {
     std::vector<Stretch> seen;
     double before = 0.0;
-    bool goesOn = false;
+    bool continues = false;
     for (qsizetype i = 0; i + 1 < line.size(); ++i) {
         const QLineF step(line[i], line[i + 1]);
         const auto cuts = crossings(step);
         const bool reachesEnd = cuts && cuts->second == 1.0;
         if (cuts) {
-            if (!goesOn || cuts->first > 0.0) {
+            if (!continues || cuts->first > 0.0) {
                 seen.push_back({{step.pointAt(cuts->first)}, before + cuts->first * step.length()});
             }
             seen.back().points << (reachesEnd ? step.p2() : step.pointAt(cuts->second));
         }
-        goesOn = reachesEnd;
+        continues = reachesEnd;
         before += step.length();
     }
-    if (line.isClosed() && goesOn && seen.size() > 1 &&
+    if (line.isClosed() && continues && seen.size() > 1 &&
         seen.front().points.first() == line.first()) {
         seen.back().points << seen.front().points.mid(1);
         seen.erase(seen.begin());

@@ -94,9 +94,9 @@ double pastEnd(const QPointF& end, const QPointF* next, const QPointF& along, do
     // Into the wedge between both, no farther than they turn.
     const QPointF way = *next - end;
     const double length = std::sqrt(QPointF::dotProduct(way, way));
-    const bool goesOn = length > tiny && QPointF::dotProduct(way, along) > 0.0;
+    const bool continues = length > tiny && QPointF::dotProduct(way, along) > 0.0;
     const double turn = std::abs(way.x() * along.y() - way.y() * along.x()) / length;
-    return goesOn && turn < 1.0 ? reach * turn : reach;
+    return continues && turn < 1.0 ? reach * turn : reach;
 }
 
 /// Whether 32 pixels have nothing on them.

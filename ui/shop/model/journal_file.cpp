@@ -457,24 +457,24 @@ std::optional<Contents> contentsOf(const QSqlDatabase& database,
         return std::nullopt;
     }
     Contents found;
-    const auto goesOn = [&] { return cancelled == nullptr || !*cancelled; };
+    const auto continues = [&] { return cancelled == nullptr || !*cancelled; };
     if (!query.exec(QStringLiteral("SELECT %1 FROM job")
                         .arg(head->version == 1 ? journal_rows::columnsOfVersionOne
                                                 : journal_rows::columns))) {
         return std::nullopt;
     }
-    while (goesOn() && query.next()) {
+    while (continues() && query.next()) {
         found.jobs << journal_rows::read(query);
     }
     if (query.lastError().isValid() ||
         !query.exec(QStringLiteral("SELECT name, engine_values FROM engine"))) {
         return std::nullopt;
     }
-    while (goesOn() && query.next()) {
+    while (continues() && query.next()) {
         found.engines << JournalEngine{query.value(0).toString(),
                                        query.value(1).toString().toUtf8()};
     }
-    return goesOn() ? std::optional(found) : std::nullopt;
+    return continues() ? std::optional(found) : std::nullopt;
 }
 
 }  // namespace

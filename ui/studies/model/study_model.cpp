@@ -137,7 +137,7 @@ void StudyModel::refresh() {
             inputs_.push_back(
                 unnamedInput(varied.pointer, isThere ? input.at(place).get<double>() : 0.0));
             found = inputs_.end() - 1;
-            found->isGone = !isThere;
+            found->isMissing = !isThere;
         }
         found->varied = varied;
     }
@@ -147,7 +147,7 @@ void StudyModel::refresh() {
 
 const StudyModel::Input* StudyModel::input(const std::string& pointer) const {
     const auto found = std::ranges::find_if(
-        inputs_, [&](const Input& each) { return each.pointer == pointer && !each.isGone; });
+        inputs_, [&](const Input& each) { return each.pointer == pointer && !each.isMissing; });
     return found != inputs_.end() ? &*found : nullptr;
 }
 
@@ -158,14 +158,14 @@ Range StudyModel::rangeOf(const std::string& pointer) const {
 
 void StudyModel::readStudy() {
     trouble_.clear();
-    goneMethod_.clear();
+    removedMethod_.clear();
     isRejected_ = false;
     study_ = freshStudy();
     if (scene_->study().empty()) {
         return;
     }
     try {
-        study_ = readStudyText(scene_->study(), &goneMethod_);
+        study_ = readStudyText(scene_->study(), &removedMethod_);
         if (study_.method == studies::Method::grid) {
             trouble_ =
                 tr("This case lists values of its inputs. The command line computes the "
@@ -311,7 +311,7 @@ void StudyModel::start() {
     Study study = study_;
     std::erase_if(study.vary, [this](const Varied& varied) {
         return std::any_of(inputs_.begin(), inputs_.end(), [&](const Input& each) {
-            return each.isGone && each.pointer == varied.pointer;
+            return each.isMissing && each.pointer == varied.pointer;
         });
     });
     if (study.vary.empty() || study.watch.empty() || isRejected_) {

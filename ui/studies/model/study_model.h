@@ -34,8 +34,8 @@ class StudyModel : public QObject {
         QString unit;
         double nominal = 0.0;  ///< in the unit of its key
         std::optional<studies::Varied> varied = {};
-        ShownUnit shown = {};  ///< its field's
-        bool isGone = false;   ///< the case has it no more: the study runs without it
+        ShownUnit shown = {};    ///< its field's
+        bool isMissing = false;  ///< the case has it no more: the study runs without it
     };
     enum class Preset { Weighed, Machined, Typical, OnePercent };
 
@@ -46,7 +46,7 @@ class StudyModel : public QObject {
     /// Why the case's study or its answer is rejected; empty where neither is.
     QString trouble() const { return trouble_; }
     /// A removed method that older cases have; empty without one.
-    QString goneMethod() const { return goneMethod_; }
+    QString removedMethod() const { return removedMethod_; }
     BackgroundJob* job() const { return job_; }
 
     const std::vector<Input>& inputs() const { return inputs_; }
@@ -144,7 +144,7 @@ class StudyModel : public QObject {
     std::shared_ptr<studies::Part> done_;  ///< the part of the answers; null before the first run
     int doneAt_ = -1;                      ///< solution of the scene
     QString trouble_;
-    QString goneMethod_;
+    QString removedMethod_;
     bool isRejected_ = false;  ///< the case's study cannot be read, and stays until it is cleared
     int solutions_ = -1;       ///< of the scene, at the last look
     mutable std::map<std::string, ResultName> names_;  ///< of results

@@ -62,11 +62,11 @@ QString StudyModel::scatterShown(const Input& input) {
 }
 
 QString StudyModel::nameText(const Input& input) {
-    return input.isGone ? tr("%1 (no longer in the case)").arg(input.name) : input.name;
+    return input.isMissing ? tr("%1 (no longer in the case)").arg(input.name) : input.name;
 }
 
 QString StudyModel::nominalText(const Input& input) {
-    if (input.isGone) {
+    if (input.isMissing) {
         return QStringLiteral("–");
     }
     constexpr int digits = 8;
@@ -148,7 +148,7 @@ void StudyModel::take(Preset preset) {
     const bool machined = preset == Preset::Machined || preset == Preset::Typical;
     for (const Input& input : inputs_) {
         Varied varied{.pointer = input.pointer};
-        if (input.isGone) {
+        if (input.isMissing) {
             continue;
         }
         if (preset == Preset::OnePercent && input.nominal != 0.0) {

@@ -112,7 +112,7 @@ int ScatterTable::rowCount(const QModelIndex& parent) const {
 }
 
 bool ScatterTable::isTyped(int row, int column) const {
-    return column == Scatter && !input(row).isGone;
+    return column == Scatter && !input(row).isMissing;
 }
 
 QVariant ScatterTable::headerData(int section, Qt::Orientation orientation, int role) const {
@@ -125,7 +125,7 @@ QVariant ScatterTable::headerData(int section, Qt::Orientation orientation, int 
 }
 
 QVariant ScatterTable::data(const QModelIndex& index, int role) const {
-    if (index.isValid() && index.row() < rowCount() && input(index.row()).isGone) {
+    if (index.isValid() && index.row() < rowCount() && input(index.row()).isMissing) {
         if (role == Qt::ToolTipRole) {
             return tr(
                 "The case no longer has this input, so the study runs without it. Remove it, "

@@ -248,7 +248,7 @@ SweepModel::Wanted SweepModel::wantedNow() const {
                   .half = halfOf(*swept),
                   .solution = scene.solutions()};
     for (const StudyModel::Input& input : study_->inputs()) {
-        if (&input != swept && !input.isGone && halfOf(input) > 0.0) {
+        if (&input != swept && !input.isMissing && halfOf(input) > 0.0) {
             wanted.study.vary.push_back(*input.varied);
         }
     }
