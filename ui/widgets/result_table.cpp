@@ -304,7 +304,10 @@ QStringList ResultTable::below(int row, int column) const {
         lines = {lines.join(QStringLiteral("  "))};
     }
     if (const QString spread = spreadAt(row, column); !spread.isEmpty()) {
-        lines << spread;
+        // Sides that are wider than a column's share are below one another.
+        const bool isWide = textWidth(smallFont(), spread) > viewport()->width() / columnCount();
+        lines << (isWide && spread.startsWith(QLatin1Char('+')) ? spread.split(QLatin1Char(' '))
+                                                                : QStringList{spread});
     }
     return lines;
 }

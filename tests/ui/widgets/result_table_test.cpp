@@ -272,6 +272,22 @@ TEST(SpreadResultTable, SaysNoMoreDigitsThanItsNumberBears) {
     EXPECT_EQ(table.spreadAt(0, 1), u"+0.012 −0"_s);
 }
 
+TEST(SpreadResultTable, PutsItsSidesBelowEachOtherBeforeItScrolls) {
+    ResultTable table;
+    table.setColumns({u"N"_s, u"exact"_s, u"two-term"_s, u"diff."_s});
+    const ResultCell value(0.0001431, u"0.0001431"_s);
+    table.setRows({ResultRow{u"The sixth order's force"_s, value, value, value}});
+    std::vector<CellSpread> spreads;
+    for (const int column : {1, 2, 3}) {
+        spreads.push_back({0, column, table.item(0, 0)->text(), 0.00000031, 0.00000052});
+    }
+    table.setSpreads(spreads);
+    for (const int width : {900, 380}) {
+        test::showAt(table, {width, 160});
+        EXPECT_LE(table.horizontalHeader()->length(), table.viewport()->width()) << width;
+    }
+}
+
 TEST(SpreadResultTable, DigitsEndWhereTheSpreadBegins) {
     ResultTable table;
     table.setColumns({u"Quantity"_s, u"Value"_s});
