@@ -15,20 +15,17 @@ inline constexpr Range engine_masses = {.max = 1e9};                ///< kg
 inline constexpr Range engine_speeds = Range::between(1e-6, 1e7);   ///< min⁻¹ or rad/s
 
 inline constexpr Field speed{.key = "speed_rpm",
-                             .unit = units::rpm,
                              .range = Range::greater_than(0),
                              .size = engine_speeds,
                              .label = CORE_TEXT("balance-shaft", "&Speed n"),
                              .symbol = "n",
                              .hint = CORE_TEXT("balance-shaft", "Crankshaft speed.")};
 inline constexpr Field angular_speed{.key = "angular_speed_rad_s",
-                                     .unit = units::rad_per_s,
                                      .range = Range::greater_than(0),
                                      .size = engine_speeds,
                                      .symbol = "ω",
                                      .hint = CORE_TEXT("balance-shaft", "Instead of the speed.")};
 inline constexpr Field crank_radius{.key = "crank_radius_mm",
-                                    .unit = units::mm,
                                     .range = Range::greater_than(0),
                                     .size = engine_lengths,
                                     .label = CORE_TEXT("balance-shaft", "&Crank radius r"),
@@ -36,7 +33,6 @@ inline constexpr Field crank_radius{.key = "crank_radius_mm",
                                     .hint = CORE_TEXT("balance-shaft", "Half the stroke.")};
 /// On the form beside the crank radius.
 inline constexpr Field stroke{.key = "stroke_mm",
-                              .unit = units::mm,
                               .range = crank_radius.range,
                               .label = CORE_TEXT("balance-shaft", "Stro&ke 2 r"),
                               .hint = CORE_TEXT("balance-shaft", "Twice the crank radius.")};
@@ -47,7 +43,6 @@ inline constexpr Field cylinder{
                       "view.")};
 inline constexpr Field bore{
     .key = "bore_mm",
-    .unit = units::mm,
     .range = Range::greater_than(0),
     .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "&Bore"),
@@ -57,7 +52,6 @@ inline constexpr Field bore{
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field rod_length{
     .key = "rod_length_mm",
-    .unit = units::mm,
     .range = Range::greater_than(0),
     .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Rod lengt&h L"),
@@ -69,7 +63,6 @@ inline constexpr Field rod_length{
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field offset{
     .key = "offset_mm",
-    .unit = units::mm,
     .range = Range::between(-10000, 10000),
     .label = CORE_TEXT("balance-shaft", "O&ffset e"),
     .symbol = "e",
@@ -79,14 +72,12 @@ inline constexpr Field offset{
 /// The object {name: kg}; its parts must add up to more than 0.
 inline constexpr Field reciprocating_masses{
     .key = "reciprocating_masses_kg",
-    .unit = units::kg,
     .hint = CORE_TEXT(
         "balance-shaft",
         "Parts of the reciprocating mass by name, for example piston, pin, rings, rod_small_end.")};
 /// The sum, where the parts are not given one by one.
 inline constexpr Field reciprocating_mass{
     .key = "reciprocating_mass_kg",
-    .unit = units::kg,
     .range = Range::greater_than(0),
     .size = engine_masses,
     .symbol = "mⱼ",
@@ -121,7 +112,6 @@ inline constexpr std::array mass_parts{
 /// Bounds its small-end share.
 inline constexpr Field rod_mass{
     .key = "rod_mass_kg",
-    .unit = units::kg,
     .range = Range::greater_than(0),
     .size = engine_masses,
     .label = CORE_TEXT("balance-shaft", "Whole rod with she&lls"),
@@ -131,7 +121,6 @@ inline constexpr Field rod_mass{
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field counterweight_radius{
     .key = "counterweight_radius_mm",
-    .unit = units::mm,
     .range = Range::greater_than(0),
     .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Coun&terweight radius ρ₁"),
@@ -141,7 +130,6 @@ inline constexpr Field counterweight_radius{
                       "counterweights.")};
 inline constexpr Field counterweight_mass{
     .key = "counterweight_mass_kg",
-    .unit = units::kg,
     .range = Range::at_least(0),
     .size = engine_masses,
     .label = CORE_TEXT("balance-shaft", "Counterweight &mass m₁"),
@@ -152,14 +140,12 @@ inline constexpr Field counterweight_mass{
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field centre_distance{
     .key = "centre_distance_mm",
-    .unit = units::mm,
     .range = Range::at_least(0),
     .size = Range::between(0, engine_lengths.max),
     .label = CORE_TEXT("balance-shaft", "Centre &distance l"),
     .symbol = "l",
     .hint = CORE_TEXT("balance-shaft", "From the crank axis to the shaft axis.")};
 inline constexpr Field shaft_angle{.key = "shaft_angle_deg",
-                                   .unit = units::degree,
                                    .range = Range::between(-3600, 3600),
                                    .symbol = "α",
                                    .hint = CORE_TEXT("balance-shaft",
@@ -204,7 +190,6 @@ inline constexpr Field envelope{.key = "envelope",
                                 .hint = CORE_TEXT("balance-shaft", "Sizes of the front view.")};
 inline constexpr Field cylinder_top{
     .key = "cylinder_top_mm",
-    .unit = units::mm,
     .range = Range::greater_than(0),
     .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Cylinder &top"),
@@ -213,7 +198,6 @@ inline constexpr Field cylinder_top{
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field cylinder_bottom{
     .key = "cylinder_bottom_mm",
-    .unit = units::mm,
     .range = Range::at_least(0),
     .size = some_lengths,
     .label = CORE_TEXT("balance-shaft", "Cylinder bott&om"),
@@ -223,7 +207,6 @@ inline constexpr Field cylinder_bottom{
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field cylinder_wall{
     .key = "cylinder_wall_mm",
-    .unit = units::mm,
     .range = Range::at_least(0),
     .size = some_lengths,
     .label = CORE_TEXT("balance-shaft", "C&ylinder wall"),
@@ -232,7 +215,6 @@ inline constexpr Field cylinder_wall{
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field rod_width{
     .key = "rod_width_mm",
-    .unit = units::mm,
     .range = Range::greater_than(0),
     .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Rod widt&h"),
@@ -243,7 +225,6 @@ inline constexpr Field rod_width{
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field clearance{
     .key = "clearance_mm",
-    .unit = units::mm,
     .range = Range::at_least(0),
     .size = some_lengths,
     .label = CORE_TEXT("balance-shaft", "Clearance to sha&ft"),
@@ -251,7 +232,6 @@ inline constexpr Field clearance{
                       "Minimum clearance of the shaft's swing circle to crank, rod and cylinder.")};
 inline constexpr Field crank_swing_radius{
     .key = "crank_swing_radius_mm",
-    .unit = units::mm,
     .range = Range::greater_than(0),
     .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Crank swing radi&us"),
@@ -261,7 +241,6 @@ inline constexpr Field crank_swing_radius{
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field shaft_swing_radius{
     .key = "shaft_swing_radius_mm",
-    .unit = units::mm,
     .range = Range::greater_than(0),
     .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Shaft swin&g radius"),
@@ -272,7 +251,6 @@ inline constexpr Field shaft_swing_radius{
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field gear_tip_radius{
     .key = "gear_tip_radius_mm",
-    .unit = units::mm,
     .range = Range::greater_than(0),
     .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Gear tip r&adius"),
@@ -280,7 +258,6 @@ inline constexpr Field gear_tip_radius{
     .if_empty = CORE_TEXT("balance-shaft", "l/2, the pitch circle"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field wall{.key = "wall_mm",
-                            .unit = units::mm,
                             .range = Range::at_least(0),
                             .size = some_lengths,
                             .label = CORE_TEXT("balance-shaft", "Housing &wall and gap"),
@@ -294,7 +271,6 @@ inline constexpr Field place_limits{
                       "Limits on the place of the shaft's axis, in addition to the clearance.")};
 inline constexpr Field centre_distance_min{
     .key = "centre_distance_min_mm",
-    .unit = units::mm,
     .range = Range::between(0, 1e6),
     .label = CORE_TEXT("balance-shaft", "Minimum l"),
     .symbol = "l",
@@ -302,7 +278,6 @@ inline constexpr Field centre_distance_min{
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field centre_distance_max{
     .key = "centre_distance_max_mm",
-    .unit = units::mm,
     .range = Range::between(0, 1e6),
     .label = CORE_TEXT("balance-shaft", "Maximum l"),
     .symbol = "l",
@@ -310,7 +285,6 @@ inline constexpr Field centre_distance_max{
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field shaft_angle_from{
     .key = "shaft_angle_from_deg",
-    .unit = units::degree,
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("balance-shaft", "α from"),
     .symbol = "α",
@@ -319,7 +293,6 @@ inline constexpr Field shaft_angle_from{
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field shaft_angle_to{
     .key = "shaft_angle_to_deg",
-    .unit = units::degree,
     .range = Range::between(-360, 720),
     .label = CORE_TEXT("balance-shaft", "α to"),
     .symbol = "α",
@@ -328,7 +301,6 @@ inline constexpr Field shaft_angle_to{
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field place_left{
     .key = "left_mm",
-    .unit = units::mm,
     .range = Range::between(-1e6, 1e6),
     .label = CORE_TEXT("balance-shaft", "Minimum x"),
     .symbol = "x",
@@ -338,7 +310,6 @@ inline constexpr Field place_left{
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field place_right{
     .key = "right_mm",
-    .unit = units::mm,
     .range = Range::between(-1e6, 1e6),
     .label = CORE_TEXT("balance-shaft", "Maximum x"),
     .symbol = "x",
@@ -346,7 +317,6 @@ inline constexpr Field place_right{
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field place_bottom{
     .key = "bottom_mm",
-    .unit = units::mm,
     .range = Range::between(-1e6, 1e6),
     .label = CORE_TEXT("balance-shaft", "Minimum y"),
     .symbol = "y",
@@ -355,7 +325,6 @@ inline constexpr Field place_bottom{
     .placeholder = CORE_TEXT("balance-shaft", "any")};
 inline constexpr Field place_top{
     .key = "top_mm",
-    .unit = units::mm,
     .range = Range::between(-1e6, 1e6),
     .label = CORE_TEXT("balance-shaft", "Maximum y"),
     .symbol = "y",
@@ -379,7 +348,6 @@ inline constexpr Field shifted_teeth{
                       "The shaft is assembled k teeth ahead: a phase error of 360° k / z.")};
 inline constexpr Field backlash{
     .key = "backlash_mm",
-    .unit = units::mm,
     .range = Range::between(0, 10),
     .label = CORE_TEXT("balance-shaft", "Back&lash"),
     .hint = CORE_TEXT("balance-shaft",
@@ -397,7 +365,6 @@ inline constexpr Field table_angle{
     .hint = CORE_TEXT("balance-shaft", "Rows of one cycle: the crank angles, ascending.")};
 inline constexpr Field table_torque{
     .key = "torque_Nm",
-    .unit = units::N_m,
     .range = Range::between(-1e12, 1e12),
     .hint = CORE_TEXT("balance-shaft", "Torque at these angles; the last value equals the first.")};
 inline constexpr Field csv{
@@ -435,7 +402,6 @@ inline constexpr Field pressure{
     .hint = CORE_TEXT("balance-shaft", "Gas torque from a measured cylinder pressure.")};
 inline constexpr Field trace_shift{
     .key = "crank_angle_shift_deg",
-    .unit = units::degree,
     .range = Range::between(-720, 720),
     .label = CORE_TEXT("balance-shaft", "&Shift of the angles"),
     .hint = CORE_TEXT("balance-shaft",
@@ -445,7 +411,6 @@ inline constexpr Field cycle{.key = "cycle",
                              .hint = CORE_TEXT("balance-shaft", "Gas torque of a computed cycle.")};
 inline constexpr Field crankcase_pressure{
     .key = "crankcase_pressure_bar",
-    .unit = units::bar,
     .range = Range::between(0, 1e3),
     .label = CORE_TEXT("balance-shaft", "Crankcase &pressure"),
     .symbol = "p₀",
@@ -458,13 +423,11 @@ inline constexpr Field compression_ratio{
     .hint = CORE_TEXT("balance-shaft", "Maximum over minimum volume.")};
 inline constexpr Field intake_pressure{
     .key = "intake_pressure_bar",
-    .unit = units::bar,
     .range = Range::greater_than(0, 1e3),
     .label = CORE_TEXT("balance-shaft", "&Intake pressure"),
     .hint = CORE_TEXT("balance-shaft", "Absolute, constant over intake.")};
 inline constexpr Field exhaust_pressure{
     .key = "exhaust_pressure_bar",
-    .unit = units::bar,
     .range = Range::greater_than(0, 1e3),
     .label = CORE_TEXT("balance-shaft", "E&xhaust pressure"),
     .hint = CORE_TEXT("balance-shaft", "Absolute, constant over exhaust.")};
@@ -482,32 +445,29 @@ inline constexpr Field polytropic_expansion{
                       "Polytropic exponent of combustion and expansion; about 1.22 to 1.32.")};
 inline constexpr Field heat{
     .key = "heat_J",
-    .unit = units::joule,
     .range = Range::between(0, 1e12),
     .label = CORE_TEXT("balance-shaft", "&Heat"),
     .hint = CORE_TEXT("balance-shaft", "Heat released per cycle; instead of the IMEP."),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field imep{
     .key = "indicated_mean_effective_pressure_bar",
-    .unit = units::bar,
     .range = Range::between(-1e3, 1e3),
     .label = CORE_TEXT("balance-shaft", "I&MEP"),
     .hint = CORE_TEXT("balance-shaft", "Indicated mean effective pressure; the heat follows."),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field combustion_start{
     .key = "combustion_start_deg",
-    .unit = units::degree,
     .range = Range::between(270, 450),
     .label = CORE_TEXT("balance-shaft", "&Start of combustion"),
     .hint = CORE_TEXT("balance-shaft", "Crank angle; 360° is the firing top dead centre.")};
 inline constexpr Field combustion_duration{
     .key = "combustion_duration_deg",
-    .unit = units::degree,
     .range = Range::between(1, 180),
     .label = CORE_TEXT("balance-shaft", "&Duration"),
     .hint = CORE_TEXT("balance-shaft", "Crank angle from the start to the end of heat release.")};
 inline constexpr Field wiebe_m{
     .key = "wiebe_m",
+    .unit = units::none,
     .range = Range::between(0, 10),
     .label = CORE_TEXT("balance-shaft", "&Wiebe exponent m"),
     .symbol = "m",
@@ -516,7 +476,6 @@ inline constexpr Field wiebe_m{
                       "engines.")};
 inline constexpr Field ports_open{
     .key = "ports_open_deg",
-    .unit = units::degree,
     .range = Range::between(60, 175),
     .label = CORE_TEXT("balance-shaft", "Ports ope&n"),
     .hint = CORE_TEXT("balance-shaft",
@@ -529,7 +488,6 @@ inline constexpr Field flywheel{
                       "Flywheel: moment of inertia J, or coefficient of fluctuation δ.")};
 inline constexpr Field flywheel_inertia{
     .key = "inertia_kg_m2",
-    .unit = units::kg_m2,
     .range = Range::greater_than(0, 1e9),
     .label = CORE_TEXT("balance-shaft", "Inertia &J"),
     .symbol = "J",
@@ -550,14 +508,12 @@ inline constexpr Field fluctuation{
 inline constexpr Field speed_band{.key = "speed_band",
                                   .hint = CORE_TEXT("balance-shaft", "A band of speeds to study.")};
 inline constexpr Field band_from{.key = "from_rpm",
-                                 .unit = units::rpm,
                                  .range = Range::greater_than(0),
                                  .size = Range::at_least(0.1),  // below it inertia is rounding
                                  .label = CORE_TEXT("balance-shaft", "&Band from"),
                                  .hint = CORE_TEXT("balance-shaft", "Minimum speed of the band."),
                                  .is_setting = true};
 inline constexpr Field band_to{.key = "to_rpm",
-                               .unit = units::rpm,
                                .range = Range::greater_than(0),
                                .size = {.max = engine_speeds.max},
                                .label = CORE_TEXT("balance-shaft", "Band &to"),
@@ -577,7 +533,6 @@ inline constexpr Field relieved_shaft{
         CORE_TEXT("balance-shaft", "A bar with a segment milled away in place of counterweights.")};
 inline constexpr Field bar_diameter{
     .key = "diameter_mm",
-    .unit = units::mm,
     .range = Range::between(1e-3, 1e5),
     .label = CORE_TEXT("balance-shaft", "&Diameter D"),
     .symbol = "D",
@@ -585,21 +540,18 @@ inline constexpr Field bar_diameter{
                       "Diameter of the round bar; also the swing circle of the shaft.")};
 inline constexpr Field relief_depth{
     .key = "depth_mm",
-    .unit = units::mm,
     .range = Range::between(1e-6, 1e5),
     .label = CORE_TEXT("balance-shaft", "Depth &h"),
     .symbol = "h",
     .hint = CORE_TEXT("balance-shaft", "Depth of the milled segment, from the bar's surface.")};
 inline constexpr Field relief_length{
     .key = "length_mm",
-    .unit = units::mm,
     .range = Range::between(1e-3, 1e5),
     .label = CORE_TEXT("balance-shaft", "&Length b"),
     .symbol = "b",
     .hint = CORE_TEXT("balance-shaft", "Length of the milled segment.")};
 inline constexpr Field density{
     .key = "density_kg_m3",
-    .unit = units::kg_m3,
     .range = Range::between(100, 30000),
     .label = CORE_TEXT("balance-shaft", "Densit&y"),
     .hint = CORE_TEXT("balance-shaft",

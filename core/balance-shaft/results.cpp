@@ -1,7 +1,6 @@
 #include "balance-shaft/results.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -19,7 +18,27 @@ namespace ravnoves::balance_shaft {
 
 namespace {
 
-namespace key = result_field;
+namespace key {
+using namespace result_field;
+constexpr ResultField shaft_angle{"shaft_angle_deg", CORE_TEXT("balance-shaft", "α"), 2};
+constexpr ResultField optimum{"optimum", CORE_TEXT("balance-shaft", "Best α")};
+constexpr ResultField optimum_range{"range", CORE_TEXT("balance-shaft", "minimum range")};
+constexpr ResultField optimum_rms{"rms", CORE_TEXT("balance-shaft", "minimum RMS")};
+constexpr ResultField range{"range_Nm", CORE_TEXT("balance-shaft", "range"), 2,
+                            CORE_TEXT("balance-shaft", "Maximum minus minimum over the cycle.")};
+constexpr ResultField rms{"rms_Nm", CORE_TEXT("balance-shaft", "RMS"), 2,
+                          CORE_TEXT("balance-shaft", "About the mean, over the cycle.")};
+constexpr ResultField max_crank_angle{"max_crank_angle_deg",
+                                      CORE_TEXT("balance-shaft", "φ of the maximum"), 1};
+constexpr ResultField min_crank_angle{"min_crank_angle_deg",
+                                      CORE_TEXT("balance-shaft", "φ of the minimum"), 1};
+constexpr ResultField width{"width_mm", CORE_TEXT("balance-shaft", "width"), 1};
+constexpr ResultField height{"height_mm", CORE_TEXT("balance-shaft", "height"), 1};
+constexpr ResultField shaft_angles{
+    "shaft_angle_deg", CORE_TEXT("balance-shaft", "α"), 1, {}, units::none};
+constexpr ResultField front{"front", CORE_TEXT("balance-shaft", "Pareto-optimal places")};
+constexpr ResultField ratio{"ratio", CORE_TEXT("balance-shaft", "over its value without shaft"), 4};
+}  // namespace key
 using ravnoves::result_field::feasible;
 using ravnoves::result_field::note;
 using ravnoves::result_field::notes;
@@ -28,9 +47,9 @@ using ravnoves::result_field::text;
 
 void visit_metrics(ResultVisitor& visitor, const ResultField& field, const MomentMetrics& metrics) {
     visitor.object(field, [&] {
-        visitor.number(key::mean, metrics.mean);
-        visitor.number(key::max, metrics.max);
-        visitor.number(key::min, metrics.min);
+        visitor.number({"mean_Nm", CORE_TEXT("balance-shaft", "mean"), 2}, metrics.mean);
+        visitor.number({"max_Nm", CORE_TEXT("balance-shaft", "maximum"), 2}, metrics.max);
+        visitor.number({"min_Nm", CORE_TEXT("balance-shaft", "minimum"), 2}, metrics.min);
         visitor.number(key::range, metrics.range);
         visitor.number(key::rms, metrics.rms);
         visitor.number(key::max_crank_angle, metrics.max_angle);
@@ -56,8 +75,11 @@ void visit_optima(ResultVisitor& visitor, const Optimum& range, const Optimum& r
 
 /// What Moments::fill() gives.
 void visit_moments(ResultVisitor& visitor, const Result& result) {
-    visitor.number(key::angular_speed, result.angular_speed);
-    visitor.number(key::reciprocating_mass, result.reciprocating_mass);
+    visitor.number({"angular_speed_rad_s", CORE_TEXT("balance-shaft", "Angular speed ω"), 2},
+                   result.angular_speed);
+    visitor.number(
+        {"reciprocating_mass_kg", CORE_TEXT("balance-shaft", "Reciprocating mass mⱼ"), 4},
+        result.reciprocating_mass);
     visitor.number(key::inertia_force_1_max, result.inertia_force_1_max);
     visitor.number(key::counterweight_mass, result.counterweight_mass);
     visitor.number(key::counterweight_force, result.counterweight_force);
@@ -65,219 +87,219 @@ void visit_moments(ResultVisitor& visitor, const Result& result) {
     visitor.number(key::shaft_bearing_load, result.counterweight_force);
     visitor.number(key::moment_amplitude, result.moment_amplitude);
     visitor.number(key::shaft_angle, result.shaft_angle);
-    visitor.object(key::metrics, [&] {
-        visit_metrics(visitor, key::M_up, result.M_up);
-        visit_metrics(visitor, key::M_s, result.M_s);
-        visit_metrics(visitor, key::M_ups, result.M_ups);
+    visitor.object({"metrics"}, [&] {
+        visit_metrics(visitor, {"M_up", CORE_TEXT("balance-shaft", "Mᵤₚ")}, result.M_up);
+        visit_metrics(visitor, {"M_s", CORE_TEXT("balance-shaft", "Mₛ")}, result.M_s);
+        visit_metrics(visitor, {"M_ups", CORE_TEXT("balance-shaft", "Mᵤₚₛ")}, result.M_ups);
     });
-    visitor.object(key::change_without_shaft, [&] {
-        visitor.number(key::range_percent, result.range_change);
-        visitor.number(key::rms_percent, result.rms_change);
-    });
+    visitor.object({"change_without_shaft", CORE_TEXT("balance-shaft", "Change vs. no shaft")},
+                   [&] {
+                       visitor.number({"range_percent", CORE_TEXT("balance-shaft", "range"), 1},
+                                      result.range_change);
+                       visitor.number({"rms_percent", CORE_TEXT("balance-shaft", "RMS"), 1},
+                                      result.rms_change);
+                   });
     visitor.object(key::optimum,
                    [&] { visit_optima(visitor, result.best_range, result.best_rms); });
 }
 
-/// What neither visit_moments() nor RepeatedResults gives by themselves.
-constexpr std::array needs_solver{&ravnoves::result_field::verdict,
-                                  &ravnoves::result_field::notes,
-                                  &key::printed_mean,
-                                  &key::optimum_buildable,
-                                  &key::order_1,
-                                  &key::dead_centre,
-                                  &key::counterweight_lag,
-                                  &key::envelope,
-                                  &key::inertia_check,
-                                  &key::spectrum,
-                                  &key::flywheel,
-                                  &key::indicated,
-                                  &key::curves,
-                                  &key::sweep,
-                                  &key::clearances,
-                                  &key::crank_only,
-                                  &key::envelope_study,
-                                  &key::best_position,
-                                  &key::best_position_buildable,
-                                  &key::gear_error,
-                                  &key::relieved_shaft,
-                                  &key::speed_band};
-
-void visit_feasible_angles(ResultVisitor& visitor, const BuildableAngles& buildable, double alpha) {
-    visitor.object(key::buildable, [&] {
-        std::vector<double> ends;
-        for (const AngleStretch& stretch : buildable.stretches) {
-            ends.push_back(stretch.from / degree);
-            ends.push_back(stretch.to / degree);
-        }
-        visitor.rows(key::buildable_angles, ends, 2);
-        visitor.flag(key::at_shaft_angle, buildable.contains(alpha));
-        if (!buildable.reason.empty()) {
-            visitor.text(reason, buildable.reason);
-        }
-    });
+void visit_best_buildable(ResultVisitor& visitor, const Result& result) {
+    if (result.buildable.stretches.empty()) {
+        visitor.nothing(key::optimum_range);
+        visitor.nothing(key::optimum_rms);
+        visitor.text(reason, result.buildable.reason);
+    } else {
+        visit_optima(visitor, result.best_range_buildable, result.best_rms_buildable);
+    }
 }
 
-void visit_buildable(ResultVisitor& visitor, const Result& result) {
-    // Of what can be built; null, with the reason, where nothing can.
-    visitor.object(key::optimum_buildable, [&] {
-        if (result.buildable.stretches.empty()) {
-            visitor.nothing(key::optimum_range);
-            visitor.nothing(key::optimum_rms);
-            visitor.text(reason, result.buildable.reason);
-        } else {
-            visit_optima(visitor, result.best_range_buildable, result.best_rms_buildable);
-        }
-    });
-    visit_feasible_angles(visitor, result.buildable, result.shaft_angle);
+void visit_feasible_angles(ResultVisitor& visitor, const BuildableAngles& buildable, double alpha) {
+    std::vector<double> ends;
+    for (const AngleStretch& stretch : buildable.stretches) {
+        ends.push_back(stretch.from / degree);
+        ends.push_back(stretch.to / degree);
+    }
+    visitor.rows({"shaft_angles_deg", CORE_TEXT("balance-shaft", "Feasible α"), 3, {}, units::none},
+                 ends, 2);
+    visitor.flag({"at_shaft_angle", CORE_TEXT("balance-shaft", "Feasible at this α"), 0},
+                 buildable.contains(alpha));
+    if (!buildable.reason.empty()) {
+        visitor.text(reason, buildable.reason);
+    }
 }
 
 void visit_inertia_check(ResultVisitor& visitor, const InertiaCheck& check) {
-    visitor.object(key::inertia_check, [&] {
-        visitor.number(key::fitted, check.fitted);
-        visitor.number(key::entered, check.entered);
-        visitor.number(key::fitted_lambda,
-                       check.fitted ? std::optional(check.fitted_lambda) : std::nullopt);
-        visitor.flag(key::consistent, check.consistent);
-        if (check.fitted) {
-            visitor.number(key::residual_rms, check.residual_rms);
-            visitor.number(key::matching_speed, check.matching_speed);
-            visitor.number(key::matching_mass, check.matching_mass);
-            visitor.flag(key::lambda_is_given, !check.lambda_fitted);
-        }
-        if (!check.consistent) {
-            visitor.text(reason, check.text);
-        }
-        visitor.text(text, check.text);
-    });
+    visitor.number({"fitted_m_r2_w2_Nm", CORE_TEXT("balance-shaft", "m r² ω² fitted"), 2},
+                   check.fitted);
+    visitor.number({"entered_m_r2_w2_Nm", CORE_TEXT("balance-shaft", "m r² ω² entered"), 2},
+                   check.entered);
+    visitor.number({"fitted_lambda", CORE_TEXT("balance-shaft", "λ fitted"), 4},
+                   check.fitted ? std::optional(check.fitted_lambda) : std::nullopt);
+    visitor.flag({"consistent", CORE_TEXT("balance-shaft", "consistent"), 0}, check.consistent);
+    if (check.fitted) {
+        visitor.number({"residual_rms_Nm", CORE_TEXT("balance-shaft", "residual RMS"), 2},
+                       check.residual_rms);
+        visitor.number({"matching_speed_rpm", CORE_TEXT("balance-shaft", "speed that fits"), 0},
+                       check.matching_speed);
+        visitor.number({"matching_mass_kg", CORE_TEXT("balance-shaft", "mass that fits"), 4},
+                       check.matching_mass);
+        visitor.flag({"lambda_is_given", CORE_TEXT("balance-shaft", "λ is given"), 0},
+                     !check.lambda_fitted);
+    }
+    if (!check.consistent) {
+        visitor.text(reason, check.text);
+    }
+    visitor.text(text, check.text);
 }
 
 void visit_spectrum(ResultVisitor& visitor, const Result& result) {
-    visitor.object(key::spectrum, [&] {
-        const auto column = [&](const ResultField& field, const std::vector<OrderLine>& lines,
-                                double OrderLine::*member) {
-            std::vector<double> values;
-            for (const OrderLine& line : lines) {
-                values.push_back(line.*member);
-            }
-            visitor.numbers(field, values);
-        };
-        column(key::orders, result.spectrum_M_up, &OrderLine::order);
-        column(key::M_up_amplitude, result.spectrum_M_up, &OrderLine::amplitude);
-        column(key::M_up_phase, result.spectrum_M_up, &OrderLine::phase);
-        column(key::M_ups_amplitude, result.spectrum_M_ups, &OrderLine::amplitude);
-        column(key::M_ups_phase, result.spectrum_M_ups, &OrderLine::phase);
-    });
+    const auto column = [&](const ResultField& field, const std::vector<OrderLine>& lines,
+                            double OrderLine::*member) {
+        std::vector<double> values;
+        for (const OrderLine& line : lines) {
+            values.push_back(line.*member);
+        }
+        visitor.numbers(field, values);
+    };
+    column({"order", CORE_TEXT("balance-shaft", "order"), 1}, result.spectrum_M_up,
+           &OrderLine::order);
+    column({"M_up_amplitude_Nm", CORE_TEXT("balance-shaft", "Mᵤₚ, amplitude"), 2},
+           result.spectrum_M_up, &OrderLine::amplitude);
+    column({"M_up_phase_deg", CORE_TEXT("balance-shaft", "Mᵤₚ, phase"), 1}, result.spectrum_M_up,
+           &OrderLine::phase);
+    column({"M_ups_amplitude_Nm", CORE_TEXT("balance-shaft", "Mᵤₚₛ, amplitude"), 2},
+           result.spectrum_M_ups, &OrderLine::amplitude);
+    column({"M_ups_phase_deg", CORE_TEXT("balance-shaft", "Mᵤₚₛ, phase"), 1}, result.spectrum_M_ups,
+           &OrderLine::phase);
 }
 
 void visit_flywheel(ResultVisitor& visitor, const Flywheel& flywheel) {
-    visitor.object(key::flywheel, [&] {
-        visitor.number(key::excess_work, flywheel.excess_work);
-        visitor.number(key::fluctuation, flywheel.fluctuation);
-        visitor.number(key::inertia, flywheel.inertia);
-        visitor.number(key::max_energy, flywheel.max_energy);
-        visitor.number(key::max_crank_angle, flywheel.max_angle);
-        visitor.number(key::min_energy, flywheel.min_energy);
-        visitor.number(key::min_crank_angle, flywheel.min_angle);
-    });
+    visitor.number(key::excess_work, flywheel.excess_work);
+    visitor.number(key::fluctuation, flywheel.fluctuation);
+    visitor.number(key::inertia, flywheel.inertia);
+    visitor.number({"max_energy_J", CORE_TEXT("balance-shaft", "maximum energy"), 1},
+                   flywheel.max_energy);
+    visitor.number(key::max_crank_angle, flywheel.max_angle);
+    visitor.number({"min_energy_J", CORE_TEXT("balance-shaft", "minimum energy"), 1},
+                   flywheel.min_energy);
+    visitor.number(key::min_crank_angle, flywheel.min_angle);
 }
 
 void visit_indicated(ResultVisitor& visitor, const IndicatedCycle& indicated, double power,
                      double angular_speed) {
-    visitor.object(key::indicated, [&] {
-        visitor.number(key::displacement, indicated.displacement);
-        visitor.number(key::clearance_volume, indicated.clearance);
-        visitor.number(key::heat, indicated.heat);
-        visitor.number(key::work, indicated.work);
-        visitor.number(key::mean_effective_pressure, indicated.imep);
-        visitor.number(key::power, power);
-        visitor.number(key::mean_torque, power / angular_speed);
-        visitor.number(key::peak_pressure, indicated.peak_pressure);
-        visitor.number(key::peak_pressure_crank_angle, indicated.peak_pressure_angle);
-    });
+    visitor.number(key::displacement, indicated.displacement);
+    visitor.number(key::clearance_volume, indicated.clearance);
+    visitor.number(key::heat, indicated.heat);
+    visitor.number(key::work, indicated.work);
+    visitor.number(key::mean_effective_pressure, indicated.imep);
+    visitor.number(key::power, power);
+    visitor.number(key::mean_torque, power / angular_speed);
+    visitor.number(key::peak_pressure, indicated.peak_pressure);
+    visitor.number(key::peak_pressure_crank_angle, indicated.peak_pressure_angle);
 }
 
 void visit_curves(ResultVisitor& visitor, const Result& result) {
-    visitor.object(key::curves, [&] {
-        const MomentCurves& curves = result.curves;
-        visitor.numbers(key::crank_angles, curves.crank_angle_deg);
-        visitor.numbers(key::M_up_curve, curves.M_up);
-        visitor.numbers(key::M_s_curve, curves.M_s);
-        visitor.numbers(key::M_ups_curve, curves.M_ups);
-        visitor.numbers(key::excess_energy, result.flywheel.energy);
-        if (result.indicated) {
-            visitor.numbers(key::M_gas, curves.M_gas);
-            visitor.numbers(key::M_inertia, curves.M_inertia);
-            visitor.numbers(key::M_offset, curves.M_offset);
-            visitor.numbers(key::pressure, curves.pressure);
-            visitor.numbers(key::volume, curves.volume);
-        }
-    });
-    visitor.object(key::sweep, [&] {
-        const AngleSweep& sweep = result.sweep;
-        visitor.numbers(key::shaft_angles, sweep.shaft_angle_deg);
-        visitor.numbers(key::range, sweep.range);
-        visitor.numbers(key::rms, sweep.rms);
-        visitor.numbers(key::mean_M_s, sweep.mean_M_s);
-        visitor.numbers(key::mean_M_ups, sweep.mean_M_ups);
-        visitor.numbers(key::printed_mean_M_s, sweep.printed_mean_M_s);
-        visitor.numbers(key::printed_mean_M_ups, sweep.printed_mean_M_ups);
-    });
+    const MomentCurves& curves = result.curves;
+    visitor.numbers(
+        {"crank_angle_deg", CORE_TEXT("balance-shaft", "Crank angle φ"), 1, {}, units::none},
+        curves.crank_angle_deg);
+    visitor.numbers({"M_up_Nm", CORE_TEXT("balance-shaft", "Mᵤₚ"), 2}, curves.M_up);
+    visitor.numbers({"M_s_Nm", CORE_TEXT("balance-shaft", "Mₛ"), 2}, curves.M_s);
+    visitor.numbers({"M_ups_Nm", CORE_TEXT("balance-shaft", "Mᵤₚₛ"), 2}, curves.M_ups);
+    visitor.numbers({"excess_energy_J", CORE_TEXT("balance-shaft", "excess energy"), 1},
+                    result.flywheel.energy);
+    if (result.indicated) {
+        visitor.numbers({"M_gas_Nm", CORE_TEXT("balance-shaft", "gas torque"), 2}, curves.M_gas);
+        visitor.numbers({"M_inertia_Nm", CORE_TEXT("balance-shaft", "inertia torque"), 2},
+                        curves.M_inertia);
+        visitor.numbers({"M_offset_Nm", CORE_TEXT("balance-shaft", "moment of the offset"), 2},
+                        curves.M_offset);
+        visitor.numbers({"pressure_bar", CORE_TEXT("balance-shaft", "pressure"), 2},
+                        curves.pressure);
+        visitor.numbers({"volume_cm3", CORE_TEXT("balance-shaft", "volume"), 2}, curves.volume);
+    }
+}
+
+void visit_sweep(ResultVisitor& visitor, const AngleSweep& sweep) {
+    visitor.numbers(key::shaft_angles, sweep.shaft_angle_deg);
+    visitor.numbers(key::range, sweep.range);
+    visitor.numbers(key::rms, sweep.rms);
+    visitor.numbers({"mean_M_s_Nm", CORE_TEXT("balance-shaft", "mean of Mₛ"), 2}, sweep.mean_M_s);
+    visitor.numbers({"mean_M_ups_Nm", CORE_TEXT("balance-shaft", "mean of Mᵤₚₛ"), 2},
+                    sweep.mean_M_ups);
+    visitor.numbers(
+        {"printed_mean_M_s_25_nodes_Nm", CORE_TEXT("balance-shaft", "mean of 25 rows of Mₛ"), 2},
+        sweep.printed_mean_M_s);
+    visitor.numbers({"printed_mean_M_ups_nodes_Nm",
+                     CORE_TEXT("balance-shaft", "mean of table rows of Mᵤₚₛ"), 2},
+                    sweep.printed_mean_M_ups);
 }
 
 /// Free space at the shaft's angle and the sizes that it comes from.
 void visit_clearances(ResultVisitor& visitor, const FrontView& view, double shaft_angle) {
-    visitor.object(key::clearances, [&] {
-        const ShaftClearance free = shaft_clearance(view, shaft_angle);
-        visitor.number(key::crank_clearance, free.crank);
-        visitor.number(key::cylinder_clearance, free.cylinder);
-        visitor.number(key::rod_clearance, free.rod);
-        visitor.number(key::min_allowed, view.clearance);
-        visitor.number(key::shaft_swing_radius, view.shaft_swing_radius);
-        visitor.number(key::crank_swing_radius, view.crank_swing_radius);
-        visitor.number(key::rod_width, view.rod_width);
-        visitor.number(key::cylinder_bore, view.cylinder_bore);
-        visitor.number(key::cylinder_wall, view.cylinder_wall);
-        visitor.number(key::cylinder_bottom, view.cylinder_bottom);
-        visitor.number(key::cylinder_top, view.cylinder_top);
-        visitor.number(key::gear_tip_radius, view.gear_tip_radius);
-    });
+    const ShaftClearance free = shaft_clearance(view, shaft_angle);
+    visitor.number({"crank_mm", CORE_TEXT("balance-shaft", "to the crank"), 1}, free.crank);
+    visitor.number({"cylinder_mm", CORE_TEXT("balance-shaft", "to the cylinder"), 1},
+                   free.cylinder);
+    visitor.number({"rod_mm", CORE_TEXT("balance-shaft", "to the rod"), 1}, free.rod);
+    visitor.number({"least_allowed_mm", CORE_TEXT("balance-shaft", "minimum allowed"), 1},
+                   view.clearance);
+    visitor.number(
+        {"shaft_swing_radius_mm", CORE_TEXT("balance-shaft", "swing radius of the shaft"), 1},
+        view.shaft_swing_radius);
+    visitor.number(
+        {"crank_swing_radius_mm", CORE_TEXT("balance-shaft", "swing radius of the crank"), 1},
+        view.crank_swing_radius);
+    visitor.number({"rod_width_mm", CORE_TEXT("balance-shaft", "width of the rod"), 1},
+                   view.rod_width);
+    visitor.number({"cylinder_bore_mm", CORE_TEXT("balance-shaft", "cylinder bore"), 1},
+                   view.cylinder_bore);
+    visitor.number({"cylinder_wall_mm", CORE_TEXT("balance-shaft", "cylinder wall"), 1},
+                   view.cylinder_wall);
+    visitor.number({"cylinder_bottom_mm", CORE_TEXT("balance-shaft", "bottom of the cylinder"), 1},
+                   view.cylinder_bottom);
+    visitor.number({"cylinder_top_mm", CORE_TEXT("balance-shaft", "top of the cylinder"), 1},
+                   view.cylinder_top);
+    visitor.number({"gear_tip_radius_mm", CORE_TEXT("balance-shaft", "tip radius of the gear"), 1},
+                   view.gear_tip_radius);
 }
 
 void visit_crank_balance(ResultVisitor& visitor, const Solver& solver) {
-    visitor.object(key::crank_only, [&] {
-        const CrankBalance balance = crank_balance(solver);
-        visitor.number(key::share, balance.share);
-        visitor.number(key::first_order, balance.first_order);
-        visitor.number(key::along_cylinder, balance.along);
-        visitor.number(key::across_cylinder, balance.across);
-        visitor.number(key::largest, balance.largest);
-        visitor.number(key::counterweight_moment, balance.counterweight_moment);
-        visitor.number(key::with_shaft, balance.with_shaft);
-        visitor.number(key::second_order, balance.second_order);
-    });
+    const CrankBalance balance = crank_balance(solver);
+    visitor.number({"share", CORE_TEXT("balance-shaft", "share balanced on the crank")},
+                   balance.share);
+    visitor.number(key::first_order, balance.first_order);
+    visitor.number(key::along_cylinder, balance.along);
+    visitor.number(key::across_cylinder, balance.across);
+    visitor.number({"largest_N", CORE_TEXT("balance-shaft", "maximum"), 1}, balance.largest);
+    visitor.number({"counterweight_moment_kg_m",
+                    CORE_TEXT("balance-shaft", "unbalance of the crank's counterweight"), 5},
+                   balance.counterweight_moment);
+    visitor.number(key::with_shaft, balance.with_shaft);
+    visitor.number(key::second_order, balance.second_order);
 }
 
 void visit_envelope_study(ResultVisitor& visitor, const Solver& solver) {
-    visitor.object(key::envelope_study, [&] {
-        const EnvelopeStudy study = envelope_study(solver);
-        std::vector<std::size_t> efficient;
-        for (std::size_t i = 0; i < study.efficient.size(); ++i) {
-            if (study.efficient[i]) {
-                efficient.push_back(i);
-            }
+    const EnvelopeStudy study = envelope_study(solver);
+    std::vector<std::size_t> efficient;
+    for (std::size_t i = 0; i < study.efficient.size(); ++i) {
+        if (study.efficient[i]) {
+            efficient.push_back(i);
         }
-        visitor.list(key::efficient, efficient.size(), [&](std::size_t i) {
-            visitor.number(key::shaft_angle, study.shaft_angle_deg[efficient[i]] * degree);
-            visitor.number(key::width, study.width[efficient[i]]);
-            visitor.number(key::height, study.height[efficient[i]]);
-            visitor.number(key::range, study.range[efficient[i]]);
-        });
-    });
+    }
+    visitor.list({"efficient", CORE_TEXT("balance-shaft", "Pareto-optimal")}, efficient.size(),
+                 [&](std::size_t i) {
+                     visitor.number(key::shaft_angle, study.shaft_angle_deg[efficient[i]] * degree);
+                     visitor.number(key::width, study.width[efficient[i]]);
+                     visitor.number(key::height, study.height[efficient[i]]);
+                     visitor.number(key::range, study.range[efficient[i]]);
+                 });
 }
 
 void visit_place(ResultVisitor& visitor, const ShaftPosition& place,
                  const PositionCriteria& criteria) {
-    visitor.number(key::centre_distance, place.centre_distance());
+    visitor.number({"centre_distance_mm", CORE_TEXT("balance-shaft", "centre distance l"), 2},
+                   place.centre_distance());
     visitor.number(key::shaft_angle, place.shaft_angle());
     visitor.number(key::range, criteria.range);
     visitor.number(key::rms, criteria.rms);
@@ -287,7 +309,7 @@ void visit_best(ResultVisitor& visitor, const BestPositions& best) {
     const auto visit = [&](const ResultField& field, const std::optional<BestPosition>& one) {
         visitor.object_or_null(field, one.has_value(), [&] {
             visit_place(visitor, one->position, one->criteria);
-            visitor.number(key::gap, one->gap);
+            visitor.number({"gap_Nm", CORE_TEXT("balance-shaft", "certified gap"), 6}, one->gap);
         });
     };
     visit(key::optimum_range, best.range);
@@ -297,67 +319,63 @@ void visit_best(ResultVisitor& visitor, const BestPositions& best) {
     }
 }
 
-void visit_places(ResultVisitor& visitor, const Solver& solver) {
-    if (!visitor.wants(key::best_position.key) &&
-        !visitor.wants(key::best_position_buildable.key)) {
-        return;
+void visit_front(ResultVisitor& visitor, const PositionStudy& study) {
+    const BestPositions best = study.best_buildable();
+    visit_best(visitor, best);
+    if (visitor.wants(key::front.key)) {
+        const std::vector<FrontPosition> front = study.front(best);
+        visitor.list(key::front, front.size(), [&](std::size_t i) {
+            visit_place(visitor, front[i].position, front[i].criteria);
+            visitor.number({"size_m2", CORE_TEXT("balance-shaft", "size"), 4},
+                           front[i].criteria.size);
+        });
     }
-    const PositionStudy study(solver);
-    visitor.object(key::best_position, [&] { visit_best(visitor, study.best()); });
-    visitor.object(key::best_position_buildable, [&] {
-        const BestPositions best = study.best_buildable();
-        visit_best(visitor, best);
-        if (visitor.wants(key::front.key)) {
-            const std::vector<FrontPosition> front = study.front(best);
-            visitor.list(key::front, front.size(), [&](std::size_t i) {
-                visit_place(visitor, front[i].position, front[i].criteria);
-                visitor.number(key::size, front[i].criteria.size);
-            });
-        }
-        visitor.number(key::front_gap, PositionStudy::front_gap);
-    });
+    visitor.number({"front_gap", CORE_TEXT("balance-shaft", "certified gap of the places"), 6},
+                   PositionStudy::front_gap);
 }
 
 void visit_gear_error(ResultVisitor& visitor, const Solver& solver, double shaft_angle) {
-    visitor.object(key::gear_error, [&] {
-        const GearError error = gear_error(solver, shaft_angle);
-        visitor.number(key::phase_error, error.phase_error);
-        visitor.number(key::residual_force, error.residual_force);
-        visitor.number(key::range, error.range);
-        visitor.number(key::rms, error.rms);
-        visitor.number(key::play, error.play);
-        visitor.number(key::play_force, error.play_force);
-        visitor.number(key::play_range_low, error.play_range_low);
-        visitor.number(key::play_range_high, error.play_range_high);
-    });
+    const GearError error = gear_error(solver, shaft_angle);
+    visitor.number({"phase_error_deg", CORE_TEXT("balance-shaft", "phase error")},
+                   error.phase_error);
+    visitor.number(key::residual_force, error.residual_force);
+    visitor.number(key::range, error.range);
+    visitor.number(key::rms, error.rms);
+    visitor.number({"play_deg", CORE_TEXT("balance-shaft", "play")}, error.play);
+    visitor.number({"play_force_N", CORE_TEXT("balance-shaft", "force from the play"), 1},
+                   error.play_force);
+    visitor.number(
+        {"play_range_low_Nm", CORE_TEXT("balance-shaft", "minimum range over the play"), 2},
+        error.play_range_low);
+    visitor.number(
+        {"play_range_high_Nm", CORE_TEXT("balance-shaft", "maximum range over the play"), 2},
+        error.play_range_high);
 }
 
 void visit_relieved_shaft(ResultVisitor& visitor, const RelievedShaft& shaft) {
-    visitor.object(key::relieved_shaft, [&] {
-        visitor.flag(feasible, shaft.feasible);
-        if (!shaft.feasible) {
-            visitor.text(reason, shaft.reason);
+    visitor.flag(feasible, shaft.feasible);
+    if (!shaft.feasible) {
+        visitor.text(reason, shaft.reason);
+    }
+    const auto put = [&](const ResultField& field, double value) {
+        if (shaft.feasible || value > 0.0) {
+            visitor.number(field, value);
         }
-        const auto put = [&](const ResultField& field, double value) {
-            if (shaft.feasible || value > 0.0) {
-                visitor.number(field, value);
-            }
-        };
-        put(key::required_unbalance, shaft.required);
-        put(key::unbalance, shaft.unbalance);
-        put(key::diameter, shaft.diameter);
-        put(key::depth, shaft.depth);
-        put(key::length, shaft.length);
-        put(key::flat_width, 2.0 * shaft.half_width);
-        put(key::removed_mass, shaft.removed_mass);
-        put(key::relieved_part_mass, shaft.mass);
-        put(key::centre_of_mass_radius, shaft.centre_of_mass_radius);
-        put(key::critical_radius, shaft.critical_radius);
-        put(key::critical_length, shaft.critical_length);
-        if (!shaft.note.empty()) {
-            visitor.text(note, shaft.note);
-        }
-    });
+    };
+    put(key::required_unbalance, shaft.required);
+    put(key::unbalance, shaft.unbalance);
+    put({"diameter_mm", CORE_TEXT("balance-shaft", "diameter"), 2}, shaft.diameter);
+    put({"depth_mm", CORE_TEXT("balance-shaft", "depth of the relief")}, shaft.depth);
+    put({"length_mm", CORE_TEXT("balance-shaft", "length of the relief"), 2}, shaft.length);
+    put(key::flat_width, 2.0 * shaft.half_width);
+    put(key::removed_mass, shaft.removed_mass);
+    put(key::relieved_part_mass, shaft.mass);
+    put(key::centre_of_mass_radius, shaft.centre_of_mass_radius);
+    put(key::critical_radius, shaft.critical_radius);
+    put(key::critical_length, shaft.critical_length);
+    if (!shaft.note.empty()) {
+        visitor.text(note, shaft.note);
+    }
 }
 
 void visit_compromise(ResultVisitor& visitor, const ResultField& field, const SpeedStudy& study,
@@ -375,53 +393,60 @@ void visit_compromise(ResultVisitor& visitor, const ResultField& field, const Sp
                 const auto found = study.best_compromise_angle(criterion, measure, within);
                 visitor.number(key::shaft_angle, found.shaft_angle);
                 visitor.number(value, found.value);
-                visitor.number(key::worst_speed, found.worst_speed);
+                visitor.number({"worst_speed_rpm", CORE_TEXT("balance-shaft", "worst speed"), 0},
+                               found.worst_speed);
             });
         };
         one(key::optimum_range, Criterion::range, Measure::absolute, key::range);
-        one(key::range_relative, Criterion::range, Measure::relative, key::ratio);
+        one({"range_relative", CORE_TEXT("balance-shaft", "range, relative")}, Criterion::range,
+            Measure::relative, key::ratio);
         one(key::optimum_rms, Criterion::rms, Measure::absolute, key::rms);
-        one(key::rms_relative, Criterion::rms, Measure::relative, key::ratio);
+        one({"rms_relative", CORE_TEXT("balance-shaft", "RMS, relative")}, Criterion::rms,
+            Measure::relative, key::ratio);
     });
 }
 
 void visit_speed_band(ResultVisitor& visitor, const Input& input, const SpeedBand& band) {
-    visitor.object(key::speed_band, [&] {
-        const SpeedStudy study(input, band);
-        visitor.flag(feasible, study.reason().empty());
-        if (!study.reason().empty()) {
-            visitor.text(reason, study.reason());
-            return;
+    const SpeedStudy study(input, band);
+    visitor.flag(feasible, study.reason().empty());
+    if (!study.reason().empty()) {
+        visitor.text(reason, study.reason());
+        return;
+    }
+    using Point = SpeedStudy::Point;
+    const auto column = [&](const ResultField& field, double Point::*member) {
+        std::vector<double> values;
+        for (const Point& point : study.points()) {
+            values.push_back(point.*member);
         }
-        using Point = SpeedStudy::Point;
-        const auto column = [&](const ResultField& field, double Point::*member) {
-            std::vector<double> values;
-            for (const Point& point : study.points()) {
-                values.push_back(point.*member);
-            }
-            visitor.numbers(field, values);
-        };
-        column(key::speeds, &Point::angular_speed);
-        column(key::moment_amplitude, &Point::moment_amplitude);
-        column(key::range_without_shaft, &Point::range_without);
-        column(key::rms_without_shaft, &Point::rms_without);
-        column(key::best_range_angle, &Point::best_range_angle);
-        column(key::best_range, &Point::best_range);
-        column(key::best_rms_angle, &Point::best_rms_angle);
-        column(key::best_rms, &Point::best_rms);
-        visit_compromise(visitor, key::best_compromise, study, whole_turn());
-        visit_compromise(visitor, key::best_compromise_feasible, study,
-                         study.buildable().stretches);
-        if (band.map) {
-            visitor.object(key::map, [&] {
-                constexpr std::size_t angles = 360;
-                const auto map = study.map(angles);
-                visitor.numbers(key::shaft_angles, map->shaft_angle_deg);
-                visitor.rows(key::range, map->range, angles);
-                visitor.rows(key::rms, map->rms, angles);
-            });
-        }
-    });
+        visitor.numbers(field, values);
+    };
+    column({"speed_rpm", CORE_TEXT("balance-shaft", "speed"), 0}, &Point::angular_speed);
+    column(key::moment_amplitude, &Point::moment_amplitude);
+    column({"range_without_shaft_Nm", CORE_TEXT("balance-shaft", "range without shaft"), 2},
+           &Point::range_without);
+    column({"rms_without_shaft_Nm", CORE_TEXT("balance-shaft", "RMS without shaft"), 2},
+           &Point::rms_without);
+    column({"best_range_shaft_angle_deg", CORE_TEXT("balance-shaft", "α of the minimum range"), 2},
+           &Point::best_range_angle);
+    column({"best_range_Nm", CORE_TEXT("balance-shaft", "minimum range"), 2}, &Point::best_range);
+    column({"best_rms_shaft_angle_deg", CORE_TEXT("balance-shaft", "α of the minimum RMS"), 2},
+           &Point::best_rms_angle);
+    column({"best_rms_Nm", CORE_TEXT("balance-shaft", "minimum RMS"), 2}, &Point::best_rms);
+    visit_compromise(visitor, {"least_bad", CORE_TEXT("balance-shaft", "Best compromise")}, study,
+                     whole_turn());
+    visit_compromise(
+        visitor, {"least_bad_buildable", CORE_TEXT("balance-shaft", "Best feasible compromise")},
+        study, study.buildable().stretches);
+    if (band.map) {
+        visitor.object({"map", CORE_TEXT("balance-shaft", "Map over speed and α")}, [&] {
+            constexpr std::size_t angles = 360;
+            const auto map = study.map(angles);
+            visitor.numbers(key::shaft_angles, map->shaft_angle_deg);
+            visitor.rows(key::range, map->range, angles);
+            visitor.rows(key::rms, map->rms, angles);
+        });
+    }
 }
 
 std::vector<Message> notes_of(const Input& input, const Result& result) {
@@ -438,44 +463,90 @@ std::vector<Message> notes_of(const Input& input, const Result& result) {
 
 }  // namespace
 
-void visit_results(ResultVisitor& visitor, const Solver& solver, const Result& result) {
-    visit_verdict(visitor, [&] { return verdict(result); });
+void RepeatedResults::visit(ResultVisitor& visitor, const Input& input) {
+    std::optional<Solver> solved;
+    Result result;
+    const auto solver = [&]() -> const Solver& {
+        if (!solved) {
+            solved.emplace(input);
+            result = solved->result();
+        }
+        return *solved;
+    };
+    const auto whole = [&]() -> const Result& {
+        solver();
+        return result;
+    };
+    visit_verdict(visitor, [&] { return verdict(whole()); });
+    if (!solved) {
+        moments_of(input).fill(input, visitor.wants(key::optimum.key), result);
+    }
     visit_moments(visitor, result);
-    visitor.object(key::printed_mean, [&] {
-        visitor.number(key::M_s_25_nodes, result.printed_mean_M_s);
-        visitor.number(key::M_up_nodes, result.printed_mean_M_up);
-        visitor.number(key::M_ups_nodes, result.printed_mean_M_ups);
+    visitor.object({"printed_mean", CORE_TEXT("balance-shaft", "Mean of table rows (paper)")}, [&] {
+        visitor.number({"M_s_25_nodes_Nm", CORE_TEXT("balance-shaft", "Mₛ, 25 rows"), 2},
+                       whole().printed_mean_M_s);
+        visitor.number({"M_up_nodes_Nm", CORE_TEXT("balance-shaft", "Mᵤₚ, table rows"), 2},
+                       whole().printed_mean_M_up);
+        visitor.number({"M_ups_nodes_Nm", CORE_TEXT("balance-shaft", "Mᵤₚₛ, table rows"), 2},
+                       whole().printed_mean_M_ups);
     });
-    visit_buildable(visitor, result);
-    visitor.object(key::order_1, [&] {
-        visitor.number(key::amplitude, result.order_1_amplitude);
-        visitor.number(key::phase, result.order_1_phase);
-        visitor.number(key::share_of_variance, result.order_1_share);
+    visitor.object({"optimum_buildable", CORE_TEXT("balance-shaft", "Best feasible α")},
+                   [&] { visit_best_buildable(visitor, whole()); });
+    visitor.object({"buildable", CORE_TEXT("balance-shaft", "Feasible positions")}, [&] {
+        visit_feasible_angles(visitor, buildable_of(input), result.shaft_angle);
     });
-    visitor.number(key::dead_centre, result.dead_centre);
-    visitor.number(key::counterweight_lag, result.counterweight_lag);
-    visitor.object(key::envelope, [&] {
-        visitor.number(key::width, result.envelope.width());
-        visitor.number(key::height, result.envelope.height());
+    visitor.object({"order_1", CORE_TEXT("balance-shaft", "First order of Mᵤₚ")}, [&] {
+        visitor.number({"amplitude_Nm", CORE_TEXT("balance-shaft", "amplitude"), 2},
+                       result.order_1_amplitude);
+        visitor.number({"phase_deg", CORE_TEXT("balance-shaft", "phase"), 1}, result.order_1_phase);
+        visitor.number({"share_of_variance", CORE_TEXT("balance-shaft", "share of the variance")},
+                       result.order_1_share);
     });
-    visitor.texts(notes, [&] { return notes_of(solver.input(), result); });
-    visit_inertia_check(visitor, result.inertia_check);
-    visit_spectrum(visitor, result);
-    visit_flywheel(visitor, result.flywheel);
-    if (result.indicated) {
-        visit_indicated(visitor, *result.indicated, result.indicated_power, result.angular_speed);
+    visitor.number({"dead_centre_deg", CORE_TEXT("balance-shaft", "Crank angle at TDC")},
+                   result.dead_centre);
+    visitor.number(
+        {"counterweight_lag_deg", CORE_TEXT("balance-shaft", "Lag of the counterweights")},
+        result.counterweight_lag);
+    visitor.object({"envelope", CORE_TEXT("balance-shaft", "Envelope")}, [&] {
+        visitor.number(key::width, whole().envelope.width());
+        visitor.number(key::height, whole().envelope.height());
+    });
+    visitor.texts(notes, [&] { return notes_of(input, whole()); });
+    visitor.object({"inertia_check", CORE_TEXT("balance-shaft", "Check of the inertia torque")},
+                   [&] { visit_inertia_check(visitor, whole().inertia_check); });
+    visitor.object({"spectrum", CORE_TEXT("balance-shaft", "Order spectrum")},
+                   [&] { visit_spectrum(visitor, whole()); });
+    visitor.object({"flywheel", CORE_TEXT("balance-shaft", "Flywheel")},
+                   [&] { visit_flywheel(visitor, whole().flywheel); });
+    if (input.torque.is_computed()) {
+        visitor.object({"indicated", CORE_TEXT("balance-shaft", "Indicated cycle")}, [&] {
+            const Result& all = whole();
+            visit_indicated(visitor, *all.indicated, all.indicated_power, all.angular_speed);
+        });
     }
-    visit_curves(visitor, result);
-    visit_clearances(visitor, solver.front_view(), result.shaft_angle);
-    visit_crank_balance(visitor, solver);
-    visit_envelope_study(visitor, solver);
-    visit_places(visitor, solver);
-    visit_gear_error(visitor, solver, result.shaft_angle);
-    if (solver.input().relieved_shaft) {
-        visit_relieved_shaft(visitor, result.relieved_shaft);
+    visitor.object({"curves", CORE_TEXT("balance-shaft", "Curves")},
+                   [&] { visit_curves(visitor, whole()); });
+    visitor.object({"sweep", CORE_TEXT("balance-shaft", "Sweep over α")},
+                   [&] { visit_sweep(visitor, whole().sweep); });
+    visitor.object({"clearances", CORE_TEXT("balance-shaft", "Clearances")},
+                   [&] { visit_clearances(visitor, solver().front_view(), result.shaft_angle); });
+    visitor.object({"crank_only", CORE_TEXT("balance-shaft", "Without shaft")},
+                   [&] { visit_crank_balance(visitor, solver()); });
+    visitor.object({"envelope_study", CORE_TEXT("balance-shaft", "Range and size")},
+                   [&] { visit_envelope_study(visitor, solver()); });
+    visitor.object({"best_position", CORE_TEXT("balance-shaft", "Optimum ignoring clearance")},
+                   [&] { visit_best(visitor, PositionStudy(solver()).best()); });
+    visitor.object({"best_position_buildable", CORE_TEXT("balance-shaft", "Best feasible place")},
+                   [&] { visit_front(visitor, PositionStudy(solver())); });
+    visitor.object({"gear_error", CORE_TEXT("balance-shaft", "Gears")},
+                   [&] { visit_gear_error(visitor, solver(), result.shaft_angle); });
+    if (input.relieved_shaft) {
+        visitor.object({"relieved_shaft", CORE_TEXT("balance-shaft", "Relieved shaft")},
+                       [&] { visit_relieved_shaft(visitor, whole().relieved_shaft); });
     }
-    if (const auto& band = solver.input().speed_band) {
-        visit_speed_band(visitor, solver.input(), *band);
+    if (const auto& band = input.speed_band) {
+        visitor.object({"speed_band", CORE_TEXT("balance-shaft", "Speed band")},
+                       [&] { visit_speed_band(visitor, input, *band); });
     }
 }
 
@@ -503,21 +574,6 @@ const BuildableAngles& RepeatedResults::buildable_of(const Input& input) {
         limits_ = input.place_limits;
     }
     return buildable_;
-}
-
-void RepeatedResults::visit(ResultVisitor& visitor, const Input& input) {
-    if (std::any_of(needs_solver.begin(), needs_solver.end(),
-                    [&](const ResultField* field) { return visitor.wants(field->key); })) {
-        const Solver solver(input);
-        visit_results(visitor, solver, solver.result());
-        return;
-    }
-    Result result;
-    moments_of(input).fill(input, visitor.wants(key::optimum.key), result);
-    visit_moments(visitor, result);
-    if (visitor.wants(key::buildable.key)) {
-        visit_feasible_angles(visitor, buildable_of(input), result.shaft_angle);
-    }
 }
 
 namespace {

@@ -14,9 +14,7 @@
 
 namespace ravnoves::balance_shaft {
 
-/// The values of a solved input, in the order of the contract.
-void visit_results(ResultVisitor& visitor, const Solver& solver, const Result& result);
-/// The same, which computes first what the visitor wants.
+/// The values of the result, in the order of the contract.
 /// @param input  as check_input() leaves it
 /// @throws InputError as Solver
 void visit_results(ResultVisitor& visitor, const Input& input);

@@ -47,7 +47,6 @@ inline constexpr Field cylinders{.key = "cylinders",
                                  .hint = CORE_TEXT("bob-weights", "Number of cylinders.")};
 inline constexpr Field bank_angle{
     .key = "bank_angle_deg",
-    .unit = units::degree,
     .range = Range::between(0, 180),
     .label = CORE_TEXT("bob-weights", "&Bank angle γ"),
     .hint = CORE_TEXT("bob-weights", "Angle between the two banks of a V."),
@@ -62,7 +61,6 @@ inline constexpr Field rods_per_pin{
     .words = rods_words};
 inline constexpr Field pin_split{
     .key = "pin_split_deg",
-    .unit = units::degree,
     .range = Range::between(-120, 120),
     .label = CORE_TEXT("bob-weights", "Crankpin &split δ"),
     .hint = CORE_TEXT("bob-weights",
@@ -75,7 +73,6 @@ inline constexpr Field factor{
     .hint = CORE_TEXT("bob-weights", "Part of the reciprocating mass in the bob weight.")};
 inline constexpr Field reciprocating_percent{
     .key = "reciprocating_percent",
-    .unit = units::percent,
     .range = Range::between(0, 100),
     .label = CORE_TEXT("bob-weights", "Balance &factor"),
     .hint = CORE_TEXT("bob-weights", "Part of the reciprocating mass in the bob weight."),
@@ -83,7 +80,6 @@ inline constexpr Field reciprocating_percent{
     .placeholder = CORE_TEXT("bob-weights", "by theory")};
 inline constexpr Field overbalance_percent{
     .key = "overbalance_percent",
-    .unit = units::percent,
     .range = Range::between(-50, 50),
     .label = CORE_TEXT("bob-weights", "&Overbalance"),
     .hint = CORE_TEXT("bob-weights",
@@ -99,7 +95,6 @@ inline constexpr Field numbering{
     .hint = CORE_TEXT("V8", "The two cylinders that share a crankpin."),
     .words = numbering_words};
 inline constexpr Field part_mass{.key = "mass_g",
-                                 .unit = units::gram,
                                  .range = nominal.range,
                                  .hint = CORE_TEXT("bob-weights", "Masses by cylinder.")};
 inline constexpr Field balance{
@@ -118,7 +113,6 @@ inline constexpr Field planes{.key = "planes",
                               .hint = CORE_TEXT("bob-weights", "The two correction planes.")};
 inline constexpr Field plane_position{
     .key = "position_mm",
-    .unit = units::mm,
     .range = Range::between(-10'000, 10'000),
     .label = CORE_TEXT("bob-weights", "Position"),
     .hint = CORE_TEXT("bob-weights",
@@ -127,7 +121,6 @@ inline constexpr Field plane_position{
     .placeholder = CORE_TEXT("V8", "required")};
 inline constexpr Field plane_radius{
     .key = "radius_mm",
-    .unit = units::mm,
     .range = Range::between(1, 2000),
     .label = CORE_TEXT("bob-weights", "Radius"),
     .hint = CORE_TEXT("bob-weights",
@@ -135,7 +128,6 @@ inline constexpr Field plane_radius{
     .placeholder = CORE_TEXT("V8", "required")};
 inline constexpr Field from_angle{
     .key = "from_deg",
-    .unit = units::degree,
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("bob-weights", "Drill from"),
     .hint = CORE_TEXT("bob-weights",
@@ -145,7 +137,6 @@ inline constexpr Field from_angle{
     .placeholder = CORE_TEXT("bob-weights", "whole rim")};
 inline constexpr Field to_angle{
     .key = "to_deg",
-    .unit = units::degree,
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("bob-weights", "Drill to"),
     .hint = CORE_TEXT("bob-weights", "End of the sector, towards larger angles."),
@@ -164,21 +155,18 @@ inline constexpr Field run_readings{.key = "readings",
                                     .hint = CORE_TEXT("bob-weights", "Readings of that run.")};
 inline constexpr Field reading_position{
     .key = "position_mm",
-    .unit = units::mm,
     .range = plane_position.range,
     .label = CORE_TEXT("bob-weights", "Read at"),
     .hint = CORE_TEXT("bob-weights", "Position of the reading."),
     .if_empty = CORE_TEXT("bob-weights", "in the correction plane"),
     .placeholder = CORE_TEXT("bob-weights", "the plane")};
 inline constexpr Field unbalance{.key = "unbalance_g_mm",
-                                 .unit = units::gram_mm,
                                  .range = Range::between(0, 1e9),
                                  .label = CORE_TEXT("bob-weights", "Unbalance"),
                                  .hint = CORE_TEXT("bob-weights", "Reading of the machine."),
                                  .placeholder = CORE_TEXT("V8", "required")};
 inline constexpr Field angle{
     .key = "angle_deg",
-    .unit = units::degree,
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("bob-weights", "Heavy spot"),
     .hint = CORE_TEXT("bob-weights",
@@ -189,20 +177,17 @@ using shop::field::bob_weight_then;
 inline constexpr Field drill{.key = "drill", .hint = CORE_TEXT("bob-weights", "Available drills.")};
 inline constexpr Field diameters{
     .key = "diameters_mm",
-    .unit = units::mm,
     .range = Range::greater_than(0, 100),
     .label = CORE_TEXT("bob-weights", "&Drills"),
     .hint = CORE_TEXT("bob-weights", "Diameters of the available drills.")};
 inline constexpr Field density{
     .key = "density_kg_m3",
-    .unit = units::kg_m3,
     .range = Range::between(1000, 25'000),
     .label = CORE_TEXT("bob-weights", "De&nsity"),
     .hint =
         CORE_TEXT("bob-weights", "Density of the crankshaft: steel 7850, cast iron 7200 kg/m³.")};
 inline constexpr Field maximum_depth{
     .key = "maximum_depth_mm",
-    .unit = units::mm,
     .range = Range::greater_than(0, 500),
     .label = CORE_TEXT("bob-weights", "&Maximum depth"),
     .hint = CORE_TEXT("bob-weights",
@@ -211,7 +196,6 @@ inline constexpr Field maximum_depth{
     .placeholder = CORE_TEXT("V8", "required")};
 inline constexpr Field point_angle{
     .key = "point_angle_deg",
-    .unit = units::degree,
     .range = Range::between(60, 180),
     .label = CORE_TEXT("bob-weights", "&Point angle"),
     .hint = CORE_TEXT("bob-weights",
@@ -219,13 +203,11 @@ inline constexpr Field point_angle{
                       "holes of slugs too.")};
 inline constexpr Field depth_step{
     .key = "depth_step_mm",
-    .unit = units::mm,
     .range = Range::between(0, 10),
     .label = CORE_TEXT("bob-weights", "Depth &step"),
     .hint = CORE_TEXT("bob-weights", "Depths are rounded to this step. 0: no rounding.")};
 inline constexpr Field minimum_wall{
     .key = "minimum_wall_mm",
-    .unit = units::mm,
     .range = Range::between(0, 100),
     .label = CORE_TEXT("bob-weights", "&Wall between holes"),
     .hint = CORE_TEXT("bob-weights",
@@ -238,14 +220,12 @@ inline constexpr Field maximum_holes{
     .hint = CORE_TEXT("bob-weights", "Maximum number of holes in one plane.")};
 inline constexpr Field maximum_angle{
     .key = "maximum_angle_deg",
-    .unit = units::degree,
     .range = Range::between(0, 85),
     .label = CORE_TEXT("bob-weights", "Max. an&gle from heavy spot"),
     .hint =
         CORE_TEXT("bob-weights", "Maximum angle from the heavy spot to a hole, on either side.")};
 inline constexpr Field smallest_depth{
     .key = "smallest_depth_mm",
-    .unit = units::mm,
     .range = Range::between(0, 50),
     .label = CORE_TEXT("bob-weights", "Minimum depth"),
     .hint = CORE_TEXT("bob-weights", "Minimum depth of a new hole.")};
@@ -280,12 +260,10 @@ inline constexpr Field drilled_plane{.key = "plane",
                                      .words = plane_words};
 inline constexpr Field drilled_diameter{
     .key = "diameter_mm",
-    .unit = units::mm,
     .range = diameters.range,
     .label = CORE_TEXT("bob-weights", "Hole"),
     .hint = CORE_TEXT("bob-weights", "Diameter of hole or slug.")};
 inline constexpr Field drilled_depth{.key = "depth_mm",
-                                     .unit = units::mm,
                                      .range = Range::between(0, 500),
                                      .label = CORE_TEXT("bob-weights", "Depth"),
                                      .hint = CORE_TEXT("bob-weights",
@@ -293,25 +271,21 @@ inline constexpr Field drilled_depth{.key = "depth_mm",
                                                        "drill point.")};
 inline constexpr Field drilled_angle{
     .key = "angle_deg",
-    .unit = units::degree,
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("bob-weights", "Angle"),
     .hint = CORE_TEXT("bob-weights", "Angle from the machine's zero mark.")};
 inline constexpr Field drilled_mass{
     .key = "removed_g",
-    .unit = units::gram,
     .range = Range::between(-1e6, 1e6),
     .label = CORE_TEXT("bob-weights", "Takes off"),
     .hint = CORE_TEXT("bob-weights",
                       "Mass taken off; negative for a slug, minus the mass of its hole.")};
 inline constexpr Field drilled_slug{.key = "slug_g",
-                                    .unit = units::gram,
                                     .range = Range::between(0, 1e6),
                                     .label = CORE_TEXT("bob-weights", "Slug"),
                                     .hint = CORE_TEXT("bob-weights", "Mass of the slug itself.")};
 inline constexpr Field drilled_from_depth{
     .key = "from_depth_mm",
-    .unit = units::mm,
     .range = drilled_depth.range,
     .label = CORE_TEXT("bob-weights", "Depth before"),
     .hint = CORE_TEXT("bob-weights", "Depth of the hole before it was deepened.")};
@@ -331,7 +305,6 @@ inline constexpr Field slug{
     .hint = CORE_TEXT("bob-weights", "Heavy metal pressed in opposite the heavy spot.")};
 inline constexpr Field slug_diameter{
     .key = "diameter_mm",
-    .unit = units::mm,
     .range = Range::greater_than(0, 100),
     .label = CORE_TEXT("bob-weights", "Slug diame&ter"),
     .hint = CORE_TEXT("bob-weights", "Diameter of the available slugs."),
@@ -339,7 +312,6 @@ inline constexpr Field slug_diameter{
     .placeholder = CORE_TEXT("bob-weights", "no slugs")};
 inline constexpr Field slug_density{
     .key = "density_kg_m3",
-    .unit = units::kg_m3,
     .range = Range::between(1000, 25'000),
     .label = CORE_TEXT("bob-weights", "Slug dens&ity"),
     .hint = CORE_TEXT("bob-weights", "Tungsten heavy metal 17 000 to 18 500 kg/m³."),
@@ -363,7 +335,6 @@ inline constexpr Field plane_tolerance{
     .hint = CORE_TEXT("bob-weights", "Permissible residual unbalance in each plane."),
     .placeholder = CORE_TEXT("V8", "required")};
 inline constexpr Field centre_of_mass{.key = "centre_of_mass_mm",
-                                      .unit = units::mm,
                                       .range = plane_position.range,
                                       .label = CORE_TEXT("bob-weights", "Centre of mass"),
                                       .hint = CORE_TEXT("bob-weights", "Along the crankshaft."),
@@ -371,7 +342,6 @@ inline constexpr Field centre_of_mass{.key = "centre_of_mass_mm",
                                       .placeholder = CORE_TEXT("bob-weights", "midway")};
 inline constexpr Field front_bearing{
     .key = "front_bearing_mm",
-    .unit = units::mm,
     .range = plane_position.range,
     .label = CORE_TEXT("bob-weights", "Front bearing"),
     .hint = CORE_TEXT("bob-weights",
@@ -387,7 +357,6 @@ inline constexpr Field front_share{
         "bob-weights",
         "Share of the permissible unbalance, without positions of bearings or centre of mass.")};
 inline constexpr Field rear_bearing{.key = "rear_bearing_mm",
-                                    .unit = units::mm,
                                     .range = plane_position.range,
                                     .label = CORE_TEXT("bob-weights", "Rear bearing"),
                                     .hint = front_bearing.hint,

@@ -6,7 +6,6 @@
 
 #include "bob-weights/factor_theory.h"
 #include "bob-weights/fields.h"
-#include "bob-weights/result_fields.h"
 #include "bob-weights/solver.h"
 #include "numerics/demand.h"
 #include "shop/results.h"
@@ -18,7 +17,24 @@ namespace {
 
 using ravnoves::result_field::feasible;
 using ravnoves::result_field::reason;
-namespace key = result_field;
+namespace key {
+constexpr ResultField reciprocating_percent{"reciprocating_percent",
+                                            CORE_TEXT("bob-weights", "Balance factor"), 1};
+constexpr ResultField not_counted{"not_counted"};
+constexpr ResultField crankpins{"crankpins_g",
+                                CORE_TEXT("bob-weights", "Bob weights of the crankpins"), 1};
+constexpr ResultField permissible{"permissible_g_mm", CORE_TEXT("bob-weights", "Permissible"), 1};
+constexpr ResultField correction{"correction", CORE_TEXT("bob-weights", "Correction")};
+constexpr ResultField planes{"planes", CORE_TEXT("bob-weights", "Plane")};
+constexpr ResultField unbalance{"unbalance_g_mm", CORE_TEXT("bob-weights", "Unbalance"), 1};
+constexpr ResultField angle{"angle_deg", CORE_TEXT("bob-weights", "Heavy spot"), 1};
+constexpr ResultField holes{"holes", CORE_TEXT("bob-weights", "Hole")};
+constexpr ResultField slugs{"slugs", CORE_TEXT("bob-weights", "Slug")};
+constexpr ResultField remaining{"remaining_g_mm", CORE_TEXT("bob-weights", "Residual"), 1};
+constexpr ResultField remaining_angle{"remaining_angle_deg",
+                                      CORE_TEXT("bob-weights", "Direction of the residual"), 1};
+constexpr ResultField within{"within_tolerance", CORE_TEXT("bob-weights", "Within tolerance")};
+}  // namespace key
 
 std::vector<Message> keys_of(const auto& parts, const auto& part_of) {
     std::vector<Message> keys;
@@ -37,17 +53,21 @@ class JobVisit {
     void visit_all() {
         RAVNOVES_DEMAND(result_.reciprocating && result_.rotating,
                         "what is written is the result of a whole input");
-        visitor_.number(key::reciprocating, result_.reciprocating);
-        visitor_.number(key::rotating, result_.rotating);
+        visitor_.number({"reciprocating_g", CORE_TEXT("bob-weights", "Reciprocating mass"), 1,
+                         CORE_TEXT("bob-weights", "Mass of one cylinder.")},
+                        result_.reciprocating);
+        visitor_.number({"rotating_g", CORE_TEXT("bob-weights", "Rotating mass"), 1,
+                         CORE_TEXT("bob-weights", "Mass of one cylinder.")},
+                        result_.rotating);
         visitor_.number(key::reciprocating_percent, result_.factor);
         visit_bob_weight();
-        visitor_.object(key::theory, [&] { visit_theory(); });
-        visitor_.texts(key::not_given,
+        visitor_.object({"theory", CORE_TEXT("bob-weights", "Theory")}, [&] { visit_theory(); });
+        visitor_.texts({"not_given"},
                        keys_of(result_.not_given, [](const PartField* part) { return part; }));
         if (visitor_.wants(key::not_counted.key)) {
             visitor_.texts(key::not_counted, shop::both(replaced(input_), not_counted(input_)));
         }
-        visitor_.texts(key::looks_like_kilograms,
+        visitor_.texts({"looks_like_kilograms"},
                        keys_of(result_.in_kilograms, [](const auto& each) { return each.first; }));
         if (input_.weigh_in) {
             visitor_.object(shop::result_field::weigh_in, [&] { visit_weigh_in(); });
@@ -57,7 +77,9 @@ class JobVisit {
                              {(*result_.permissible)[0], (*result_.permissible)[1]});
         }
         if (result_.permissible_whole) {
-            visitor_.number(key::permissible_rotor, result_.permissible_whole);
+            visitor_.number(
+                {"permissible_rotor_g_mm", CORE_TEXT("bob-weights", "Permissible, whole shaft"), 1},
+                result_.permissible_whole);
         }
         if (result_.newest() != nullptr) {
             visitor_.object(key::correction, [&] { visit_correction(); });
@@ -65,10 +87,12 @@ class JobVisit {
     }
 
     void visit_bob_weight() {
-        visitor_.number(key::bob_weight, result_.bob_weight);
-        visitor_.integer(key::bob_weights, input_.engine.crankpins());
+        visitor_.number({"bobweight_g", CORE_TEXT("bob-weights", "Bob weight"), 1},
+                        result_.bob_weight);
+        visitor_.integer({"bobweights", CORE_TEXT("bob-weights", "Number of bob weights")},
+                         input_.engine.crankpins());
         if (!result_.bob_weight) {
-            visitor_.nothing(shop::result_field::lines);
+            visitor_.nothing({"lines"});
             return;
         }
         const std::vector<Line>& lines = result_.lines;
@@ -86,34 +110,43 @@ class JobVisit {
     void visit_hole(const Hole& hole, bool added, bool planned) {
         // A slug takes off less than nothing: so every line counts in the same sense.
         const double sign = added ? -1.0 : 1.0;
-        visitor_.number(key::diameter, hole.diameter);
-        visitor_.number(key::depth, hole.depth);
-        visitor_.number(key::hole_angle, hole.angle);
-        visitor_.number(key::removed, sign * hole.mass);
-        visitor_.number(key::removed_unbalance, sign * hole.unbalance);
+        visitor_.number({"diameter_mm", CORE_TEXT("bob-weights", "Diameter"), 2}, hole.diameter);
+        visitor_.number({"depth_mm", CORE_TEXT("bob-weights", "Depth"), 1}, hole.depth);
+        visitor_.number({"angle_deg", CORE_TEXT("bob-weights", "Angle"), 1}, hole.angle);
+        visitor_.number({"removed_g", CORE_TEXT("bob-weights", "Takes off"), 2}, sign * hole.mass);
+        visitor_.number({"removed_g_mm", CORE_TEXT("bob-weights", "Takes off, unbalance"), 1},
+                        sign * hole.unbalance);
         if (added) {
-            visitor_.number(key::added, hole.mass);
-            visitor_.number(key::added_unbalance, hole.unbalance);
+            visitor_.number({"added_g", CORE_TEXT("bob-weights", "Adds"), 2}, hole.mass);
+            visitor_.number({"added_g_mm", CORE_TEXT("bob-weights", "Adds, unbalance"), 1},
+                            hole.unbalance);
             if (hole.slug > 0.0) {
-                visitor_.number(key::slug_mass, hole.slug);
+                visitor_.number({"slug_g", CORE_TEXT("bob-weights", "Mass of the slug"), 2},
+                                hole.slug);
             }
         }
         if (added) {
             const auto speed = service_speed(input_);
-            visitor_.word(key::direction, direction_words[hole.is_axial ? 0 : 1].word);
-            visitor_.number(key::slug_radius, hole.slug_radius);
-            visitor_.number(key::centrifugal_force, speed && hole.slug > 0.0
-                                                        ? std::optional(hole.slug_force(*speed))
-                                                        : std::nullopt);
+            visitor_.word({"direction"}, direction_words[hole.is_axial ? 0 : 1].word);
+            visitor_.number({"radius_mm", CORE_TEXT("bob-weights", "Radius of the hole centre"), 1,
+                             CORE_TEXT("bob-weights",
+                                       "Radius of the slug's centre about the crank "
+                                       "axis.")},
+                            hole.slug_radius);
+            visitor_.number(
+                {"centrifugal_force_N", CORE_TEXT("bob-weights", "Centrifugal force"), 0,
+                 CORE_TEXT("bob-weights", "Centrifugal force of the slug at the service speed.")},
+                speed && hole.slug > 0.0 ? std::optional(hole.slug_force(*speed)) : std::nullopt);
             return;
         }
         const bool is_deeper = hole.deepens && hole.from_depth > 0.0;
-        visitor_.word(key::deepens, is_deeper && planned
-                                        ? "/correction/earlier_runs/" +
-                                              std::to_string(hole.deepens->run) + "/drilled/" +
-                                              std::to_string(hole.deepens->hole)
-                                        : std::string());
-        visitor_.number(key::from_depth, is_deeper ? std::optional(hole.from_depth) : std::nullopt);
+        visitor_.word({"deepens"}, is_deeper && planned
+                                       ? "/correction/earlier_runs/" +
+                                             std::to_string(hole.deepens->run) + "/drilled/" +
+                                             std::to_string(hole.deepens->hole)
+                                       : std::string());
+        visitor_.number({"from_depth_mm", CORE_TEXT("bob-weights", "Depth before"), 1},
+                        is_deeper ? std::optional(hole.from_depth) : std::nullopt);
     }
 
     void visit_holes(const ResultField& field, const std::vector<Hole>& holes, bool added,
@@ -132,9 +165,15 @@ class JobVisit {
         const RunResult& newest = *result_.newest();
         visit_reading(newest, i);
         const auto radius = newest.planes ? input_.correction->planes[i].radius : std::nullopt;
-        visitor_.number(key::grams_at_radius,
+        visitor_.number({"grams_at_radius",
+                         CORE_TEXT("bob-weights", "Mass at drilling radius"),
+                         2,
+                         {},
+                         units::gram},
                         radius ? std::optional(*newest.unbalances()[i] / *radius) : std::nullopt);
-        visitor_.flag(key::within_as_measured, newest.within(i));
+        visitor_.flag({"within_tolerance_as_measured",
+                       CORE_TEXT("bob-weights", "Within tolerance as measured")},
+                      newest.within(i));
         if (!result_.correction) {
             for (const ResultField* field : {&key::holes, &key::slugs, &key::remaining,
                                              &key::remaining_angle, &key::within, &feasible}) {
@@ -150,7 +189,9 @@ class JobVisit {
         visitor_.flag(key::within, plane.within_tolerance);
         visitor_.flag(feasible, plane.reason.empty());
         if (plane.beyond_sector > 0.0) {
-            visitor_.number(key::beyond_sector, plane.beyond_sector);
+            visitor_.number(
+                {"edge_beyond_sector_mm", CORE_TEXT("bob-weights", "Edge beyond the sector"), 2},
+                plane.beyond_sector);
         }
         if (!plane.reason.empty()) {
             visitor_.text(reason, plane.reason);
@@ -162,16 +203,22 @@ class JobVisit {
             visit_reading(run, i);
             visitor_.flag(key::within, run.within(i));
             if (const auto& other = run.other_effect[i]) {
-                visitor_.object(key::expected, [&] {
+                visitor_.object({"expected", CORE_TEXT("bob-weights", "Expected")}, [&] {
                     visitor_.number(key::unbalance, other->expected);
                     visitor_.number(key::angle, other->expected_angle);
-                    visitor_.flag(key::acted_opposite, other->is_opposite);
-                    visitor_.flag(key::acted_in_other_plane, other->is_in_other_plane);
+                    visitor_.flag({"drilling_acted_opposite",
+                                   CORE_TEXT("bob-weights", "Drilling acted the opposite way")},
+                                  other->is_opposite);
+                    visitor_.flag({"drilling_acted_in_other_plane",
+                                   CORE_TEXT("bob-weights", "Drilling acted in the other plane")},
+                                  other->is_in_other_plane);
                 });
             }
             if (!is_newest) {
-                visit_holes(key::drilled_holes, run.drilled[i].holes, false, false);
-                visit_holes(key::drilled_slugs, run.drilled[i].slugs, true, false);
+                visit_holes({"drilled_holes", CORE_TEXT("bob-weights", "Drilled hole")},
+                            run.drilled[i].holes, false, false);
+                visit_holes({"drilled_slugs", CORE_TEXT("bob-weights", "Pressed-in slug")},
+                            run.drilled[i].slugs, true, false);
             }
         });
         visitor_.flag(key::within, run.passes());
@@ -180,10 +227,11 @@ class JobVisit {
 
     void visit_correction() {
         visit_planes();
-        visitor_.list(key::runs, result_.runs.size(), [&](std::size_t i) {
-            visit_run(result_.runs[i], i + 1 == result_.runs.size());
-        });
-        visitor_.number(key::amplification, result_.amplification);
+        visitor_.list(
+            {"runs", CORE_TEXT("bob-weights", "Run")}, result_.runs.size(),
+            [&](std::size_t i) { visit_run(result_.runs[i], i + 1 == result_.runs.size()); });
+        visitor_.number({"amplification", CORE_TEXT("bob-weights", "Amplification of errors"), 2},
+                        result_.amplification);
         shop::visit_other(visitor_, result_.newest()->read_with, result_.newest()->read_on);
     }
 
@@ -202,18 +250,21 @@ class JobVisit {
     void visit_theory() {
         visitor_.number(key::reciprocating_percent, result_.theory_factor);
         visitor_.text(reason, factor_reason(input_.engine));
-        visitor_.text(key::effect,
+        visitor_.text({"effect"},
                       factor_effect(input_.engine, result_.factor + input_.factor.overbalance));
-        visitor_.integer(key::cylinders, is_pair(input_.engine) ? 2 : 1);
+        visitor_.integer({"cylinders", CORE_TEXT("bob-weights", "Cylinders")},
+                         is_pair(input_.engine) ? 2 : 1);
         const auto left = [&](const ResultField& field, const auto& part) {
             visitor_.number(field, result_.first_order
                                        ? std::optional(std::invoke(part, *result_.first_order))
                                        : std::nullopt);
         };
-        left(key::forward, &FirstOrder::forward);
-        left(key::backward, &FirstOrder::backward);
-        left(key::upright, &FirstOrder::upright);
-        left(key::across, &FirstOrder::across);
+        left({"forward_g", CORE_TEXT("bob-weights", "Force with the crank"), 1},
+             &FirstOrder::forward);
+        left({"backward_g", CORE_TEXT("bob-weights", "Force against the crank"), 1},
+             &FirstOrder::backward);
+        left({"upright_g", CORE_TEXT("bob-weights", "Force upright"), 1}, &FirstOrder::upright);
+        left({"across_g", CORE_TEXT("bob-weights", "Force across"), 1}, &FirstOrder::across);
     }
 
     ResultVisitor& visitor_;

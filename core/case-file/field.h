@@ -3,6 +3,7 @@
 #include <span>
 #include <string_view>
 
+#include "case-file/key_units.h"
 #include "case-file/message.h"
 #include "case-file/range.h"
 #include "numerics/units.h"
@@ -19,7 +20,7 @@ struct Word {
 /// undo step, the table of the help and the studies all follow from it.
 struct Field {
     std::string_view key;  ///< key in the case file, for example "crank_radius_mm"
-    Unit unit = units::none;
+    Unit unit = unit_of_key(key).unit;
     Range range{};  ///< in the unit; of whole numbers too
     /// Within the range, what an engine can be and arithmetic can take: said only where it is left.
     Range size{};

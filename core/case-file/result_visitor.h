@@ -10,19 +10,28 @@
 #include <variant>
 #include <vector>
 
+#include "case-file/key_units.h"
 #include "case-file/message.h"
 #include "numerics/units.h"
 
 namespace ravnoves {
 
-/// One value of a result, described once: the file, `--only`, what a study watches, the names in
-/// tables, their tips and the help follow from it.
+/// One value of a result, described once, where it is visited: the file, `--only`, what a study
+/// watches, the names in tables, their tips and the help follow from it. The unit is that of the
+/// key, unless another is given.
 struct ResultField {
+    consteval ResultField(std::string_view its_key, Text its_label = {}, int its_decimals = 3,
+                          Text its_hint = {})
+        : ResultField(its_key, its_label, its_decimals, its_hint, unit_of_key(its_key).unit) {}
+    constexpr ResultField(std::string_view its_key, Text its_label, int its_decimals, Text its_hint,
+                          Unit its_unit)
+        : key(its_key), unit(its_unit), decimals(its_decimals), label(its_label), hint(its_hint) {}
+
     std::string_view key;  ///< in the file, with its unit: "relief_mm"
-    Unit unit = units::none;
-    int decimals = 3;  ///< in a table, in the unit
-    Text label{};      ///< "Relief of the guide"
-    Text hint{};       ///< a sentence with its formula
+    Unit unit;
+    int decimals;  ///< in a table, in the unit
+    Text label;    ///< "Relief of the guide"
+    Text hint;     ///< a sentence with its formula
 };
 
 /// Numbers of a list whose elements are lists of `columns`.
@@ -43,10 +52,10 @@ using ResultValue = std::variant<std::monostate, double, long long, bool, std::s
 ///
 ///     void visit_results(ResultVisitor& visitor, const Input& input);
 ///
-/// with one call for each value: `visitor.number(result_field::relief, guide.relief)`. Numbers are
-/// SI values here and in the field's unit elsewhere; one that is not finite, or is empty, is null.
-/// Unwanted values are neither visited nor computed: a call with a function calls it for a wanted
-/// value alone.
+/// with one call for each value: `visitor.number({"relief_mm", CORE_TEXT(…), 4}, guide.relief)`.
+/// Numbers are SI values here and in the field's unit elsewhere; one that is not finite, or is
+/// empty, is null. Unwanted values are neither visited nor computed: a call with a function calls it
+/// for a wanted value alone.
 class ResultVisitor {
   public:
     virtual ~ResultVisitor() = default;

@@ -36,13 +36,13 @@ struct Verdict {
 };
 
 namespace result_field {
-inline constexpr ResultField verdict{.key = "verdict", .label = CORE_TEXT("core", "Verdict")};
-inline constexpr ResultField severity{.key = "severity", .label = CORE_TEXT("core", "Severity")};
-inline constexpr ResultField text{.key = "text"};
-inline constexpr ResultField reason{.key = "reason", .label = CORE_TEXT("core", "Reason")};
-inline constexpr ResultField note{.key = "note", .label = CORE_TEXT("core", "Note")};
-inline constexpr ResultField notes{.key = "notes", .label = CORE_TEXT("core", "Notes")};
-inline constexpr ResultField feasible{.key = "feasible", .label = CORE_TEXT("core", "Feasible")};
+inline constexpr ResultField verdict{"verdict", CORE_TEXT("core", "Verdict")};
+inline constexpr ResultField severity{"severity", CORE_TEXT("core", "Severity")};
+inline constexpr ResultField text{"text"};
+inline constexpr ResultField reason{"reason", CORE_TEXT("core", "Reason")};
+inline constexpr ResultField note{"note", CORE_TEXT("core", "Note")};
+inline constexpr ResultField notes{"notes", CORE_TEXT("core", "Notes")};
+inline constexpr ResultField feasible{"feasible", CORE_TEXT("core", "Feasible")};
 }  // namespace result_field
 
 /// As in every result.

@@ -76,7 +76,6 @@ inline constexpr Field slider_mass{
 };
 inline constexpr Field gravity{
     .key = "gravity_m_s2",
-    .unit = units::m_per_s2,
     .range = Range::between(1e-3, 1e3),
     .label = CORE_TEXT("elastic-hinge", "&Gravity g"),
     .symbol = "g",
@@ -93,7 +92,6 @@ inline constexpr Field gravity_with_masses{
 };
 inline constexpr Field crank_radius{
     .key = "crank_radius_mm",
-    .unit = units::mm,
     .range = Range::between(1e-3, 1e5),
     .label = CORE_TEXT("elastic-hinge", "&Crank radius r"),
     .symbol = "r",
@@ -110,7 +108,6 @@ inline constexpr Field lambda{
 };
 inline constexpr Field angular_speed{
     .key = "angular_speed_rad_s",
-    .unit = units::rad_per_s,
     .range = Range::between(0, 1e6),
     .label = CORE_TEXT("elastic-hinge", "Crank speed"),
     .symbol = "ω",
@@ -145,7 +142,6 @@ inline constexpr Field spring{
     .key = "spring", .hint = CORE_TEXT("elastic-hinge", "The spring of the crank's hinge.")};
 inline constexpr Field stiffness{
     .key = "stiffness_N_m",
-    .unit = units::N_per_m,
     .range = Range::between(1e-3, 1e15),
     .label = CORE_TEXT("elastic-hinge", "Stiffness"),
     .symbol = "c",
@@ -155,7 +151,6 @@ inline constexpr Field stiffness{
 };
 inline constexpr Field free_length{
     .key = "free_length_mm",
-    .unit = units::mm,
     .range = Range::between(1e-3, 1e6),
     .label = CORE_TEXT("elastic-hinge", "&Free length ℓ₀"),
     .symbol = "ℓ₀",
@@ -164,7 +159,6 @@ inline constexpr Field free_length{
 };
 inline constexpr Field guide_radius{
     .key = "guide_radius_at_zero_mm",
-    .unit = units::mm,
     .range = Range::between(1e-6, 1e6),
     .label = CORE_TEXT("elastic-hinge", "Guide radius ρ₀"),
     .symbol = "ρ₀",
@@ -212,7 +206,6 @@ inline constexpr Field rod_counterweight{
 };
 inline constexpr Field counterweight_distance{
     .key = "distance_mm",
-    .unit = units::mm,
     .range = Range::between(1e-3, 1e5),
     .label = CORE_TEXT("elastic-hinge", "Counterweight's distance"),
     .symbol = "ℓ₂",
@@ -229,7 +222,6 @@ inline constexpr Field counterweight_weight{
 };
 inline constexpr Field counterweight_mass{
     .key = "mass_kg",
-    .unit = units::kg,
     .range = Range::between(0, 1e11),
     .label = CORE_TEXT("elastic-hinge", "Mass m&₄"),
     .symbol = "m₄",
@@ -251,7 +243,6 @@ inline constexpr Field counterweight_inertia{
 
 inline constexpr Field roller_radius{
     .key = "roller_radius_mm",
-    .unit = units::mm,
     .range = Range::between(0, 1e5),
     .label = CORE_TEXT("elastic-hinge", "Roller radi&us"),
     .hint = CORE_TEXT("elastic-hinge",
@@ -260,7 +251,6 @@ inline constexpr Field roller_radius{
 };
 inline constexpr Field profile_error{
     .key = "profile_error_um",
-    .unit = units::micrometre,
     .range = Range::between(0, 1e4),
     .label = CORE_TEXT("elastic-hinge", "Profile error"),
     .hint = CORE_TEXT(
@@ -281,21 +271,18 @@ inline constexpr Field guide_search{
     .hint = CORE_TEXT("elastic-hinge", "Search for a spring with a feasible guide.")};
 inline constexpr Field wanted_relief{
     .key = "relief_mm",
-    .unit = units::mm,
     .range = Range::between(1e-6, 1e5),
     .label = CORE_TEXT("elastic-hinge", "R&elief"),
     .hint = CORE_TEXT("elastic-hinge", "Maximum minus minimum radius of the guide"),
 };
 inline constexpr Field outer_diameter{
     .key = "outer_diameter_mm",
-    .unit = units::mm,
     .range = Range::between(1e-3, 1e6),
     .label = CORE_TEXT("elastic-hinge", "&Outer diameter"),
     .hint = CORE_TEXT("elastic-hinge", "Guide and rollers must fit in this diameter"),
 };
 inline constexpr Field smallest_spring_length{
     .key = "smallest_spring_length_mm",
-    .unit = units::mm,
     .range = Range::between(0, 1e6),
     .label = CORE_TEXT("elastic-hinge", "&Shortest spring"),
     .hint = CORE_TEXT("elastic-hinge", "Minimum length of the spring (solid length)."),
@@ -304,7 +291,6 @@ inline constexpr Field smallest_spring_length{
 };
 inline constexpr Field preload_margin{
     .key = "preload_margin_mm",
-    .unit = units::mm,
     .range = Range::between(0, 1e3),
     .label = CORE_TEXT("elastic-hinge", "Preload &margin"),
     .hint = CORE_TEXT("elastic-hinge", "Preload beyond the guide's minimum."),
@@ -321,7 +307,6 @@ inline constexpr Field turns{
 };
 inline constexpr Field start_speed{
     .key = "start_speed_rad_s",
-    .unit = units::rad_per_s,
     .range = Range::between(-1e6, 1e6),
     .label = CORE_TEXT("elastic-hinge", "Off-design sp&eed"),
     .hint = CORE_TEXT("elastic-hinge",
@@ -332,14 +317,12 @@ inline constexpr Field start_speed{
 };
 inline constexpr Field start_angle{
     .key = "start_angle_deg",
-    .unit = units::degree,
     .range = Range::between(-3600, 3600),
     .label = CORE_TEXT("elastic-hinge", "S&tart angle"),
     .hint = CORE_TEXT("elastic-hinge", "Crank angle at which the motion starts"),
 };
 inline constexpr Field crank_torque{
     .key = "crank_torque_Nm",
-    .unit = units::N_m,
     .range = Range::between(-1e9, 1e9),
     .label = CORE_TEXT("elastic-hinge", "&Moment on the crank"),
     .hint =
@@ -355,14 +338,12 @@ inline constexpr Field with_profile_error{
 // Of a guide's drawing and table; not in the case file.
 inline constexpr Field chord_tolerance{
     .key = "chord_tolerance_mm",
-    .unit = units::mm,
     .range = Range::between(1e-5, 1),
     .label = CORE_TEXT("elastic-hinge", "Chord to&lerance"),
     .hint = CORE_TEXT("elastic-hinge", "DXF: maximum distance of the polyline from the curve"),
 };
 inline constexpr Field table_step{
     .key = "step_deg",
-    .unit = units::degree,
     .range = Range::between(0.01, 90),
     .label = CORE_TEXT("elastic-hinge", "S&tep of the table"),
     .hint = CORE_TEXT("elastic-hinge", "CSV: step of the crank angle"),

@@ -1,14 +1,11 @@
 #include "elastic-hinge/results.h"
 
 #include <algorithm>
-#include <array>
 #include <initializer_list>
 #include <optional>
 #include <string_view>
-#include <utility>
 
 #include "case-file/decimal.h"
-#include "elastic-hinge/result_fields.h"
 #include "elastic-hinge/solver.h"
 
 namespace ravnoves::elastic_hinge {
@@ -18,7 +15,33 @@ namespace {
 using ravnoves::result_field::feasible;
 using ravnoves::result_field::notes;
 using ravnoves::result_field::reason;
-namespace key = result_field;
+namespace key {
+constexpr ResultField guide{"guide", CORE_TEXT("elastic-hinge", "Crank guide")};
+constexpr ResultField guide_beside_rod_hinge{
+    "guide_beside_rod_hinge", CORE_TEXT("elastic-hinge", "Crank guide with the rod hinge")};
+constexpr ResultField rod_hinge_guide{"rod_hinge_guide",
+                                      CORE_TEXT("elastic-hinge", "Rod hinge guide")};
+constexpr ResultField side_force{"side_force", CORE_TEXT("elastic-hinge", "Side force")};
+constexpr ResultField series{"series", CORE_TEXT("elastic-hinge", "Series against exact")};
+constexpr ResultField motion{"motion", CORE_TEXT("elastic-hinge", "Motion")};
+constexpr ResultField curves{"curves", CORE_TEXT("elastic-hinge", "Curves")};
+constexpr ResultField branch{"branch", CORE_TEXT("elastic-hinge", "Branch")};
+constexpr ResultField relief{
+    "relief_mm", CORE_TEXT("elastic-hinge", "Relief of the guide"), 4,
+    CORE_TEXT("elastic-hinge", "Maximum minus minimum radius of the guide.")};
+constexpr ResultField largest_spring_force{
+    "largest_spring_force_N", CORE_TEXT("elastic-hinge", "Maximum spring force"), 1,
+    CORE_TEXT("elastic-hinge", "c |ℓ − ℓ₀|, maximum over a turn.")};
+constexpr ResultField largest_moment{"largest_moment_Nm",
+                                     CORE_TEXT("elastic-hinge", "Maximum moment")};
+constexpr ResultField compressed{"compressed", CORE_TEXT("elastic-hinge", "Spring compressed")};
+constexpr ResultField stretched{"stretched", CORE_TEXT("elastic-hinge", "Spring stretched")};
+constexpr ResultField profile_error{"profile_error", CORE_TEXT("elastic-hinge", "Profile error")};
+constexpr ResultField guide_radius_compressed{"guide_radius_compressed_mm",
+                                              CORE_TEXT("elastic-hinge", "ρ, spring compressed")};
+constexpr ResultField guide_radius_stretched{"guide_radius_stretched_mm",
+                                             CORE_TEXT("elastic-hinge", "ρ, spring stretched")};
+}  // namespace key
 
 /// Of the hinge's moment: what a profile error may take from a guide that can be made.
 constexpr double max_relative_error = 0.05;
@@ -47,14 +70,30 @@ std::optional<double> when(bool there, double value) {
 
 void visit_branch(ResultVisitor& visitor, const ResultField& field, const BranchSummary& branch) {
     visitor.object_or_null(field, branch.exists, [&] {
-        visitor.number(key::min_radius, branch.min_radius);
-        visitor.number(key::max_radius, branch.max_radius);
-        visitor.number(key::smallest_curvature_radius, branch.smallest_curvature_radius);
-        visitor.number(key::largest_roller_radius, branch.largest_roller_radius);
-        visitor.flag(key::undercut, branch.undercut);
-        visitor.number(key::profile_min_radius, branch.profile_min_radius);
-        visitor.number(key::profile_max_radius, branch.profile_max_radius);
-        visitor.number(key::max_pressure_angle, branch.max_pressure_angle);
+        visitor.number({"min_radius_mm", CORE_TEXT("elastic-hinge", "Minimum ρ")},
+                       branch.min_radius);
+        visitor.number({"max_radius_mm", CORE_TEXT("elastic-hinge", "Maximum ρ")},
+                       branch.max_radius);
+        visitor.number({"smallest_curvature_radius_mm",
+                        CORE_TEXT("elastic-hinge", "Minimum curvature radius"), 2,
+                        CORE_TEXT("elastic-hinge",
+                                  "Radius of curvature of the guide; a cutter must be smaller.")},
+                       branch.smallest_curvature_radius);
+        visitor.number(
+            {"largest_roller_radius_mm", CORE_TEXT("elastic-hinge", "Maximum roller radius"), 2,
+             CORE_TEXT("elastic-hinge",
+                       "Maximum radius of a roller that touches the whole guide.")},
+            branch.largest_roller_radius);
+        visitor.flag({"undercut", CORE_TEXT("elastic-hinge", "Undercut")}, branch.undercut);
+        visitor.number(
+            {"profile_min_radius_mm", CORE_TEXT("elastic-hinge", "Minimum profile radius")},
+            branch.profile_min_radius);
+        visitor.number(
+            {"profile_max_radius_mm", CORE_TEXT("elastic-hinge", "Maximum profile radius")},
+            branch.profile_max_radius);
+        visitor.number(
+            {"max_pressure_angle_deg", CORE_TEXT("elastic-hinge", "Maximum pressure angle"), 2},
+            branch.max_pressure_angle);
     });
 }
 
@@ -63,27 +102,47 @@ void visit_guide(ResultVisitor& visitor, const Guide& guide) {
     const bool made = guide.feasible;
     visitor.flag(feasible, guide.feasible);
     visitor.text(reason, guide.reason);
-    visitor.number(key::preload, when(known, guide.preload));
-    visitor.number(key::minimum_preload, when(known, guide.minimum_preload));
-    visitor.number(key::minimum_stiffness, known ? guide.minimum_stiffness : std::nullopt);
+    visitor.number({"preload_mm", CORE_TEXT("elastic-hinge", "Preload"), 2,
+                    CORE_TEXT("elastic-hinge", "|ℓ₀/2 − ρ₀| of the spring.")},
+                   when(known, guide.preload));
+    visitor.number({"minimum_preload_mm", CORE_TEXT("elastic-hinge", "Minimum preload"), 2,
+                    CORE_TEXT("elastic-hinge", "Minimum |ℓ₀/2 − ρ₀| to store the energy.")},
+                   when(known, guide.minimum_preload));
+    visitor.number({"minimum_stiffness_N_m", CORE_TEXT("elastic-hinge", "Minimum stiffness"), 0},
+                   known ? guide.minimum_stiffness : std::nullopt);
     visitor.number(
-        key::first_missing_crank_angle,
+        {"first_missing_crank_angle_deg", CORE_TEXT("elastic-hinge", "Guide ends at φ"), 1},
         when(guide.problem == GuideProblem::preload_too_small, guide.first_missing_angle));
-    visitor.number(key::worst_crank_angle, when(known, guide.worst_angle));
+    visitor.number(
+        {"worst_crank_angle_deg", CORE_TEXT("elastic-hinge", "φ of the maximum energy"), 1},
+        when(known, guide.worst_angle));
     visitor.word(key::branch, known ? word_of(guide.branch) : "");
     visitor.number(key::relief, when(made, guide.relief));
-    visitor.number(key::spring_travel, when(made, guide.spring_travel));
+    visitor.number(
+        {"spring_travel_mm", CORE_TEXT("elastic-hinge", "Spring travel"), 3,
+         CORE_TEXT("elastic-hinge", "Maximum minus minimum length of the spring over a turn.")},
+        when(made, guide.spring_travel));
     visitor.number(key::largest_spring_force, when(made, guide.largest_spring_force));
-    visitor.number(key::smallest_spring_force, when(made, guide.smallest_spring_force));
+    visitor.number(
+        {"smallest_spring_force_N", CORE_TEXT("elastic-hinge", "Minimum spring force"), 1},
+        when(made, guide.smallest_spring_force));
     visitor.number(key::largest_moment, when(known, guide.largest_moment));
     visit_branch(visitor, key::compressed, guide.compressed);
     visit_branch(visitor, key::stretched, guide.stretched);
     visitor.object_or_null(key::profile_error, made, [&] {
-        visitor.number(key::amplitude, guide.error.amplitude);
-        visitor.integer(key::waves, guide.error.waves);
-        visitor.number(key::error_torque, guide.error.torque);
-        visitor.number(key::relative_torque, guide.error.relative);
-        visitor.number(key::error_energy, guide.error.energy);
+        visitor.number({"amplitude_um", CORE_TEXT("elastic-hinge", "Amplitude")},
+                       guide.error.amplitude);
+        visitor.integer({"waves", CORE_TEXT("elastic-hinge", "Waves")}, guide.error.waves);
+        visitor.number({"torque_Nm", CORE_TEXT("elastic-hinge", "Moment error"), 2,
+                        CORE_TEXT("elastic-hinge",
+                                  "Maximum error of the hinge's moment at this profile error.")},
+                       guide.error.torque);
+        visitor.number(
+            {"relative_torque", CORE_TEXT("elastic-hinge", "Moment error, share"), 3,
+             CORE_TEXT("elastic-hinge", "Moment error over the hinge's maximum moment.")},
+            guide.error.relative);
+        visitor.number({"energy_J", CORE_TEXT("elastic-hinge", "Energy error")},
+                       guide.error.energy);
     });
 }
 
@@ -94,41 +153,51 @@ void visit_proposal(ResultVisitor& visitor, const GuideProposal& proposal) {
         return;
     }
     visitor.word(key::branch, word_of(proposal.branch));
-    visitor.object(key::spring, [&] {
-        visitor.number(key::stiffness, proposal.spring.stiffness);
-        visitor.number(key::free_length, proposal.spring.free_length);
-        visitor.number(key::guide_radius_at_zero, proposal.spring.guide_radius_at_zero);
+    visitor.object({"spring", CORE_TEXT("elastic-hinge", "Spring")}, [&] {
+        visitor.number({"stiffness_N_m", CORE_TEXT("elastic-hinge", "Stiffness c"), 0},
+                       proposal.spring.stiffness);
+        visitor.number({"free_length_mm", CORE_TEXT("elastic-hinge", "Free length ℓ₀")},
+                       proposal.spring.free_length);
+        visitor.number({"guide_radius_at_zero_mm", CORE_TEXT("elastic-hinge", "Guide radius ρ₀")},
+                       proposal.spring.guide_radius_at_zero);
     });
     visitor.number(key::relief, proposal.relief);
-    visitor.number(key::outer_diameter, proposal.outer_diameter);
-    visitor.number(key::smallest_spring_length, proposal.smallest_spring_length);
+    visitor.number({"outer_diameter_mm", CORE_TEXT("elastic-hinge", "Outer diameter"), 1},
+                   proposal.outer_diameter);
+    visitor.number(
+        {"smallest_spring_length_mm", CORE_TEXT("elastic-hinge", "Minimum spring length"), 1},
+        proposal.smallest_spring_length);
     visitor.number(key::largest_spring_force, proposal.largest_spring_force);
-    visitor.number(key::largest_spring_energy, proposal.largest_spring_energy);
+    visitor.number({"largest_spring_energy_J", CORE_TEXT("elastic-hinge", "Maximum spring energy")},
+                   proposal.largest_spring_energy);
 }
 
 void visit_motion(ResultVisitor& visitor, const Motion& motion) {
     visitor.flag(feasible, true);
-    visitor.word(key::end, word_of(motion.end));
+    visitor.word({"end", CORE_TEXT("elastic-hinge", "End of the motion")}, word_of(motion.end));
     visitor.text(reason, motion.reason);
-    visitor.number(key::time, motion.time.back());
-    visitor.number(key::end_crank_angle, motion.crank_angle.back());
-    visitor.number(key::speed, motion.speed.back());
-    visitor.number(key::mean_speed, motion.mean_speed);
-    visitor.number(key::min_speed, motion.min_speed);
-    visitor.number(key::max_speed, motion.max_speed);
-    visitor.number(key::speed_ripple, motion.ripple);
-    visitor.number(key::energy_drift, motion.energy_drift);
-    visitor.integer(key::steps, motion.steps);
+    visitor.number({"time_s", CORE_TEXT("elastic-hinge", "Time")}, motion.time.back());
+    visitor.number({"crank_angle_deg", CORE_TEXT("elastic-hinge", "Crank angle φ"), 1},
+                   motion.crank_angle.back());
+    visitor.number({"speed_rad_s", CORE_TEXT("elastic-hinge", "Speed")}, motion.speed.back());
+    visitor.number({"mean_speed_rad_s", CORE_TEXT("elastic-hinge", "Mean speed")},
+                   motion.mean_speed);
+    visitor.number({"min_speed_rad_s", CORE_TEXT("elastic-hinge", "Minimum speed")},
+                   motion.min_speed);
+    visitor.number({"max_speed_rad_s", CORE_TEXT("elastic-hinge", "Maximum speed")},
+                   motion.max_speed);
+    visitor.number({"speed_ripple", CORE_TEXT("elastic-hinge", "Speed ripple"), 5,
+                    CORE_TEXT("elastic-hinge", "(ω_max − ω_min) / ω mean of the free motion.")},
+                   motion.ripple);
+    visitor.number({"energy_drift", CORE_TEXT("elastic-hinge", "Energy drift")},
+                   motion.energy_drift);
+    visitor.integer({"steps", CORE_TEXT("elastic-hinge", "Steps")}, motion.steps);
 }
 
 /// Without and, where their guides exist, with hinges.
 void visit_motions(ResultVisitor& visitor, const Input& input, const Result& result) {
-    const std::array<std::pair<const ResultField*, HingeSet>, 3> sets{
-        {{&key::without_hinge, HingeSet::none},
-         {&key::with_crank_hinge, HingeSet::crank},
-         {&key::with_both_hinges, HingeSet::crank_and_rod}}};
-    for (const auto& [field, hinges] : sets) {
-        visitor.object(*field, [&, hinges = hinges] {
+    const auto visit = [&](const ResultField& field, HingeSet hinges) {
+        visitor.object(field, [&] {
             const Guide& guide = hinges == HingeSet::crank_and_rod ? result.crank_guide_with_rod
                                                                    : result.crank_guide;
             if (!result.design->has_exact_kinematics()) {
@@ -142,7 +211,10 @@ void visit_motions(ResultVisitor& visitor, const Input& input, const Result& res
                 visit_motion(visitor, simulate(input, result, hinges));
             }
         });
-    }
+    };
+    visit({"without_hinge", CORE_TEXT("elastic-hinge", "Without hinge")}, HingeSet::none);
+    visit({"with_crank_hinge", CORE_TEXT("elastic-hinge", "Crank hinge")}, HingeSet::crank);
+    visit({"with_both_hinges", CORE_TEXT("elastic-hinge", "Both hinges")}, HingeSet::crank_and_rod);
 }
 
 }  // namespace
@@ -150,23 +222,35 @@ void visit_motions(ResultVisitor& visitor, const Input& input, const Result& res
 void visit_results(ResultVisitor& visitor, const Input& input, const Result& result) {
     const double g = result.design->mechanism().gravity;
     visit_verdict(visitor, [&] { return verdict(input, result); });
-    visitor.number(key::rod_hinge_moment_integral, result.rod_hinge_integral);
+    visitor.number(
+        {"rod_hinge_moment_integral_J", CORE_TEXT("elastic-hinge", "∮ M₁₂ dφ"), 3,
+         CORE_TEXT("elastic-hinge",
+                   "Work of the rod hinge's moment over a turn; 0 if a spring can supply it.")},
+        result.rod_hinge_integral);
     if (result.has_counterweight) {
-        visitor.number(key::counterweight_weight, result.counterweight_mass * g);
-        visitor.number(key::counterweight_mass, result.counterweight_mass);
-        visitor.number(key::balancing_weight, result.balancing_mass * g);
+        visitor.number(
+            {"counterweight_weight_N", CORE_TEXT("elastic-hinge", "Counterweight P₄"), 3,
+             CORE_TEXT("elastic-hinge", "Weight on the rod for ∮ M₁₂ dφ = 0, or as entered.")},
+            result.counterweight_mass * g);
+        visitor.number(
+            {"counterweight_mass_kg", CORE_TEXT("elastic-hinge", "Counterweight P₄"), 4,
+             CORE_TEXT("elastic-hinge", "Weight on the rod for ∮ M₁₂ dφ = 0, or as entered.")},
+            result.counterweight_mass);
+        visitor.number({"balancing_weight_N", CORE_TEXT("elastic-hinge", "Balancing weight")},
+                       result.balancing_mass * g);
     }
     visitor.object(key::guide, [&] { visit_guide(visitor, result.crank_guide); });
     visitor.object(key::guide_beside_rod_hinge,
                    [&] { visit_guide(visitor, result.crank_guide_with_rod); });
     visitor.object(key::rod_hinge_guide, [&] {
         visit_guide(visitor, result.rod_guide);
-        visitor.numbers(key::hinge_angle, result.rod_guide.polar_angle);
+        visitor.numbers({"hinge_angle_deg", CORE_TEXT("elastic-hinge", "Hinge angle θ")},
+                        result.rod_guide.polar_angle);
         visitor.numbers(key::guide_radius_compressed, result.rod_guide.radius_compressed);
         visitor.numbers(key::guide_radius_stretched, result.rod_guide.radius_stretched);
     });
     if (input.guide_search) {
-        visitor.object(key::guide_search, [&] {
+        visitor.object({"guide_search", CORE_TEXT("elastic-hinge", "Proposed guide")}, [&] {
             GuideProposal none;
             none.reason = CORE_TEXT("elastic-hinge", "no spring is given: enter its free length");
             visit_proposal(visitor, result.proposal.value_or(none));
@@ -175,16 +259,32 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
     visitor.object(key::side_force, [&] {
         const double with = result.largest_side_force_with;
         const double without = result.largest_side_force_without;
-        visitor.number(key::largest_without_hinge, without);
-        visitor.number(key::largest_with_hinge, with);
-        visitor.number(key::largest_by_newton_euler,
+        visitor.number(
+            {"largest_without_hinge_N", CORE_TEXT("elastic-hinge", "Side force, no hinge"), 1,
+             CORE_TEXT("elastic-hinge", "Maximum force of the slider on its guide.")},
+            without);
+        visitor.number(
+            {"largest_with_hinge_N", CORE_TEXT("elastic-hinge", "Side force, rod hinge"), 2,
+             CORE_TEXT("elastic-hinge",
+                       "Maximum force of the slider on its guide with the rod hinge.")},
+            with);
+        visitor.number({"largest_by_newton_euler_N",
+                        CORE_TEXT("elastic-hinge", "Side force by Newton–Euler"), 2},
                        when(!result.side_force_true.empty(), result.largest_side_force_true));
-        visitor.number(key::reduction_factor, when(with > 0.0, without / with));
+        visitor.number(
+            {"reduction_factor", CORE_TEXT("elastic-hinge", "Side force, reduction factor"), 1},
+            when(with > 0.0, without / with));
     });
     visitor.object(key::series, [&] {
-        visitor.number(key::largest_cos_psi_error, result.series_error);
-        visitor.number(key::at_crank_angle, result.series_error_angle);
-        visitor.number(key::largest_rod_hinge_moment_error, result.series_moment_error);
+        visitor.number(
+            {"largest_cos_psi_error", CORE_TEXT("elastic-hinge", "Maximum error of cos ψ"), 6},
+            result.series_error);
+        visitor.number(
+            {"at_crank_angle_deg", CORE_TEXT("elastic-hinge", "φ of the maximum error"), 1},
+            result.series_error_angle);
+        visitor.number({"largest_rod_hinge_moment_error_Nm",
+                        CORE_TEXT("elastic-hinge", "Maximum error of M₁₂")},
+                       result.series_moment_error);
     });
     if (input.motion) {
         visitor.object(key::motion, [&] { visit_motions(visitor, input, result); });
@@ -197,14 +297,27 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
     });
     visitor.object(key::curves, [&] {
         const MechanismCurves& curves = result.curves;
-        visitor.numbers(key::crank_angle, result.crank_angle_deg);
-        visitor.numbers(key::reduced_inertia, curves.reduced_inertia);
-        visitor.numbers(key::crank_moment, curves.crank_moment);
-        visitor.numbers(key::rod_hinge_moment, curves.rod_hinge_moment);
-        visitor.numbers(key::rod_hinge_moment_potential, curves.rod_hinge_moment_potential);
-        visitor.numbers(key::side_force_without_hinge, curves.side_force_without_hinge);
-        visitor.numbers(key::side_force_with_hinge, curves.side_force_with_hinge);
-        visitor.numbers(key::crank_moment_with_rod_hinge, curves.crank_moment_with_rod_hinge);
+        visitor.numbers(
+            {"crank_angle_deg", CORE_TEXT("elastic-hinge", "Crank angle φ"), 3, {}, units::none},
+            result.crank_angle_deg);
+        visitor.numbers({"reduced_inertia_kg_m2", CORE_TEXT("elastic-hinge", "Reduced inertia")},
+                        curves.reduced_inertia);
+        visitor.numbers({"crank_moment_Nm", CORE_TEXT("elastic-hinge", "Crank hinge moment M")},
+                        curves.crank_moment);
+        visitor.numbers({"rod_hinge_moment_Nm", CORE_TEXT("elastic-hinge", "Rod hinge moment M₁₂")},
+                        curves.rod_hinge_moment);
+        visitor.numbers({"rod_hinge_moment_potential_Nm",
+                         CORE_TEXT("elastic-hinge", "Rod hinge moment, potential part")},
+                        curves.rod_hinge_moment_potential);
+        visitor.numbers(
+            {"side_force_without_hinge_N", CORE_TEXT("elastic-hinge", "Side force without hinge")},
+            curves.side_force_without_hinge);
+        visitor.numbers(
+            {"side_force_with_hinge_N", CORE_TEXT("elastic-hinge", "Side force with hinge")},
+            curves.side_force_with_hinge);
+        visitor.numbers({"crank_moment_with_rod_hinge_Nm",
+                         CORE_TEXT("elastic-hinge", "Crank hinge moment with the rod hinge")},
+                        curves.crank_moment_with_rod_hinge);
         visitor.numbers(key::guide_radius_compressed, result.crank_guide.radius_compressed);
         visitor.numbers(key::guide_radius_stretched, result.crank_guide.radius_stretched);
     });

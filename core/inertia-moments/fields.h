@@ -11,7 +11,6 @@ namespace ravnoves::inertia_moments::field {
 
 inline constexpr Field crank_radius{
     .key = "crank_radius_mm",
-    .unit = units::mm,
     .range = Range::greater_than(0),
     .label = CORE_TEXT("inertia-moments", "&Crank radius R"),
     .symbol = "R",
@@ -26,7 +25,6 @@ inline constexpr Field lambda{.key = "lambda",
                                                 "λ (1 + |e|/R) < 1. Volkswagen VR5: 0.265.")};
 inline constexpr Field rod_length{
     .key = "rod_length_mm",
-    .unit = units::mm,
     .range = Range::greater_than(0),
     .label = CORE_TEXT("inertia-moments", "Ro&d length L"),
     .symbol = "L",
@@ -35,7 +33,6 @@ inline constexpr Field rod_length{
                       "when the crank radius changes.")};
 inline constexpr Field speed{
     .key = "speed_rpm",
-    .unit = units::rpm,
     .range = Range::greater_than(0),
     .label = CORE_TEXT("inertia-moments", "Speed &n"),
     .symbol = "n",
@@ -43,7 +40,6 @@ inline constexpr Field speed{
         CORE_TEXT("inertia-moments", "Crankshaft speed; forces and moments grow with its square.")};
 inline constexpr Field reciprocating_mass{
     .key = "reciprocating_mass_kg",
-    .unit = units::kg,
     .range = Range::greater_than(0),
     .label = CORE_TEXT("inertia-moments", "Re&ciprocating mass"),
     .hint = CORE_TEXT("inertia-moments",
@@ -51,7 +47,6 @@ inline constexpr Field reciprocating_mass{
                       "the rod is a rigid body. Volkswagen VR5: 0.622 kg.")};
 inline constexpr Field rotating_mass{
     .key = "rotating_mass_kg",
-    .unit = units::kg,
     .range = Range::at_least(0),
     .label = CORE_TEXT("inertia-moments", "R&otating mass"),
     .hint =
@@ -60,7 +55,6 @@ inline constexpr Field rotating_mass{
                   "share unless the rod is a rigid body. A pin with two rods carries it twice.")};
 inline constexpr Field rotating_mass_per_throw{
     .key = "rotating_mass_per_throw_kg",
-    .unit = units::kg,
     .range = Range::at_least(0),
     .label = CORE_TEXT("inertia-moments", "R&otating mass of a throw"),
     .hint = CORE_TEXT("inertia-moments",
@@ -77,7 +71,6 @@ inline constexpr Field strokes{
     .words = stroke_words};
 inline constexpr Field reference_position{
     .key = "reference_position_mm",
-    .unit = units::mm,
     .label = CORE_TEXT("inertia-moments", "Centre of mass &z"),
     .symbol = "z",
     .hint = CORE_TEXT(
@@ -85,7 +78,6 @@ inline constexpr Field reference_position{
         "Axial position of the reference point of moments, positive towards cylinder 1.")};
 inline constexpr Field step{
     .key = "step_deg",
-    .unit = units::degree,
     .range = Range::between(0.01, 90),
     .hint = CORE_TEXT("inertia-moments",
                       "Step of the curves in the result; without a step there are no curves."),
@@ -105,13 +97,11 @@ inline constexpr Field cylinders{
     .hint = CORE_TEXT("inertia-moments", "The cylinders one by one, instead of a layout.")};
 inline constexpr Field axial_position{
     .key = "axial_position_mm",
-    .unit = units::mm,
     .label = CORE_TEXT("inertia-moments", "Axial position"),
     .symbol = "z",
     .hint = CORE_TEXT("inertia-moments", "Axial position, positive towards cylinder 1")};
 inline constexpr Field bank_angle{
     .key = "bank_angle_deg",
-    .unit = units::degree,
     .range = Range::between(-3600, 3600),
     .label = CORE_TEXT("inertia-moments", "Bank angle"),
     .symbol = "β",
@@ -119,7 +109,6 @@ inline constexpr Field bank_angle{
                       "Direction of the cylinder's axis, counter-clockwise from up")};
 inline constexpr Field offset{
     .key = "offset_mm",
-    .unit = units::mm,
     .label = CORE_TEXT("inertia-moments", "Offset"),
     .symbol = "e",
     .hint = CORE_TEXT("inertia-moments",
@@ -127,7 +116,6 @@ inline constexpr Field offset{
                       "counter-clockwise side")};
 inline constexpr Field crankpin_angle{
     .key = "crankpin_angle_deg",
-    .unit = units::degree,
     .range = Range::between(-3600, 3600),
     .label = CORE_TEXT("inertia-moments", "Crankpin angle"),
     .symbol = "κ",
@@ -142,7 +130,6 @@ inline constexpr Field articulated{
                       "it runs on the crankpin.")};
 inline constexpr Field knuckle_radius{
     .key = "knuckle_radius_mm",
-    .unit = units::mm,
     .range = Range::between(0, 1e6),
     .label = CORE_TEXT("inertia-moments", "Knuckle radius"),
     .symbol = "rₖ",
@@ -151,7 +138,6 @@ inline constexpr Field knuckle_radius{
     .if_empty = CORE_TEXT("inertia-moments", "the rod runs on the crankpin")};
 inline constexpr Field knuckle_angle{
     .key = "knuckle_angle_deg",
-    .unit = units::degree,
     .range = Range::between(-3600, 3600),
     .label = CORE_TEXT("inertia-moments", "Knuckle angle"),
     .symbol = "γₖ",
@@ -161,7 +147,6 @@ inline constexpr Field knuckle_angle{
     .if_empty = CORE_TEXT("inertia-moments", "the difference of the bank angles")};
 inline constexpr Field articulated_length{
     .key = "rod_length_mm",
-    .unit = units::mm,
     .range = Range::greater_than(0, 1e6),
     .label = CORE_TEXT("inertia-moments", "Rod length"),
     .symbol = "l",
@@ -177,7 +162,6 @@ inline constexpr Field master{
     .if_empty = CORE_TEXT("inertia-moments", "0, the only rod on the crankpin")};
 inline constexpr Field knuckle_mass{
     .key = "knuckle_mass_kg",
-    .unit = units::kg,
     .range = Range::at_least(0),
     .label = CORE_TEXT("inertia-moments", "Knuckle mass"),
     .symbol = "mₖ",
@@ -206,7 +190,6 @@ inline constexpr Field layout_cylinders{
     .hint = CORE_TEXT("inertia-moments", "Number of cylinders of a VR engine.")};
 inline constexpr Field included_angle{
     .key = "bank_angle_deg",
-    .unit = units::degree,
     .range = Range::between(0, 180),
     .label = CORE_TEXT("inertia-moments", "Bank an&gle γ"),
     .symbol = "γ",
@@ -215,7 +198,6 @@ inline constexpr Field included_angle{
                       "table only the bank angles are scaled.")};
 inline constexpr Field layout_offset{
     .key = "offset_mm",
-    .unit = units::mm,
     .label = CORE_TEXT("inertia-moments", "O&ffset e"),
     .symbol = "e",
     .hint = CORE_TEXT("inertia-moments",
@@ -223,7 +205,6 @@ inline constexpr Field layout_offset{
                       "the others are scaled.")};
 inline constexpr Field spacing{
     .key = "spacing_mm",
-    .unit = units::mm,
     .range = Range::greater_than(0),
     .label = CORE_TEXT("inertia-moments", "&Spacing a"),
     .symbol = "a",
@@ -231,14 +212,12 @@ inline constexpr Field spacing{
                       "Distance between neighbouring crankpins (in V engines: throws) along the "
                       "crank. Volkswagen VR5: 63 mm.")};
 inline constexpr Field stagger{.key = "stagger_mm",
-                               .unit = units::mm,
                                .label = CORE_TEXT("inertia-moments", "Sta&gger"),
                                .hint = CORE_TEXT("inertia-moments",
                                                  "Distance along the crank from bank 1's to bank "
                                                  "2's cylinder of a throw. 0 for forked rods.")};
 inline constexpr Field first_position{
     .key = "first_position_mm",
-    .unit = units::mm,
     .label = CORE_TEXT("inertia-moments", "&Position of cylinder 1"),
     .symbol = "z",
     .hint = CORE_TEXT("inertia-moments",
@@ -253,18 +232,15 @@ inline constexpr Field rod{
     .hint = CORE_TEXT("inertia-moments",
                       "The rod as a rigid body; otherwise its shares are in the masses.")};
 inline constexpr Field rod_mass{.key = "mass_kg",
-                                .unit = units::kg,
                                 .range = Range::at_least(0),
                                 .label = CORE_TEXT("inertia-moments", "Rod &mass"),
                                 .hint = CORE_TEXT("inertia-moments", "Whole rod")};
 inline constexpr Field rod_centre{
     .key = "centre_from_big_end_mm",
-    .unit = units::mm,
     .label = CORE_TEXT("inertia-moments", "Centre from &big end"),
     .hint = CORE_TEXT("inertia-moments", "Centre of mass, from the big end towards the small end")};
 inline constexpr Field rod_inertia{
     .key = "inertia_kg_m2",
-    .unit = units::kg_m2,
     .range = Range::at_least(0),
     .label = CORE_TEXT("inertia-moments", "&Inertia"),
     .hint = CORE_TEXT("inertia-moments", "Moment of inertia about the centre of mass")};
@@ -309,14 +285,12 @@ inline constexpr Field shaft_task{
     .words = tasks};
 inline constexpr Field weight_distance{
     .key = "weight_distance_mm",
-    .unit = units::mm,
     .range = weight_range,
     .label = CORE_TEXT("inertia-moments", "Distance of the shaft's weights"),
     .symbol = "L",
     .hint = CORE_TEXT("inertia-moments", "Distance between the two weights along the shaft")};
 inline constexpr Field shaft_position{
     .key = "axial_position_mm",
-    .unit = units::mm,
     .label = CORE_TEXT("inertia-moments", "Place of the shaft"),
     .symbol = "z",
     .hint = CORE_TEXT("inertia-moments", "Axial position of the weight."),
@@ -324,7 +298,6 @@ inline constexpr Field shaft_position{
     .placeholder = CORE_TEXT("inertia-moments", "c. m.")};
 inline constexpr Field weight_radius{
     .key = "weight_radius_mm",
-    .unit = units::mm,
     .range = weight_range,
     .label = CORE_TEXT("inertia-moments", "Radius of the shaft's weights"),
     .symbol = "ρ",
@@ -333,7 +306,6 @@ inline constexpr Field weight_radius{
     .if_empty = CORE_TEXT("inertia-moments", "only mρ is given")};
 inline constexpr Field phase_error{
     .key = "phase_error_deg",
-    .unit = units::degree,
     .range = Range::between(-360, 360),
     .label = CORE_TEXT("inertia-moments", "Phase of the shaft"),
     .symbol = "δ",
@@ -351,23 +323,19 @@ inline constexpr Field end_webs{
     .hint = CORE_TEXT("inertia-moments", "The two counterweights on the end webs.")};
 inline constexpr Field front_position{
     .key = "front_position_mm",
-    .unit = units::mm,
     .label = CORE_TEXT("inertia-moments", "&Front web at z"),
     .hint = CORE_TEXT("inertia-moments", "Axial position of the front weight")};
 inline constexpr Field rear_position{
     .key = "rear_position_mm",
-    .unit = units::mm,
     .label = CORE_TEXT("inertia-moments", "R&ear web at z"),
     .hint = CORE_TEXT("inertia-moments", "Axial position of the rear weight")};
 inline constexpr Field front_radius{
     .key = "front_radius_mm",
-    .unit = units::mm,
     .range = weight_range,
     .label = CORE_TEXT("inertia-moments", "Front &radius ρ"),
     .hint = CORE_TEXT("inertia-moments", "Radius of the front weight's centre of mass")};
 inline constexpr Field rear_radius{
     .key = "rear_radius_mm",
-    .unit = units::mm,
     .range = weight_range,
     .label = CORE_TEXT("inertia-moments", "Rear ra&dius ρ"),
     .hint = CORE_TEXT("inertia-moments", "Radius of the rear weight's centre of mass")};

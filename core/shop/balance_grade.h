@@ -51,7 +51,6 @@ namespace field {
 
 inline constexpr Field grade{
     .key = "grade_mm_s",
-    .unit = units::mm_per_s,
     .range = Range::between(0.1, 10'000),
     .label = CORE_TEXT("V8", "&Grade G"),
     .hint = CORE_TEXT("V8",
@@ -59,13 +58,11 @@ inline constexpr Field grade{
                       "trucks and locomotives: G 100; inherently balanced crankshafts: better.")};
 inline constexpr Field rotor_mass{
     .key = "rotor_mass_kg",
-    .unit = units::kg,
     .range = Range::between(0.1, 100'000),
     .label = CORE_TEXT("V8", "&Mass with bob weights"),
     .hint = CORE_TEXT("V8", "Mass of crankshaft and bob weights on the machine.")};
 inline constexpr Field service_speed{
     .key = "service_speed_rpm",
-    .unit = units::rpm,
     .range = Range::between(1, 100'000),
     .label = CORE_TEXT("V8", "Service s&peed"),
     .hint = CORE_TEXT("V8", "Maximum speed in service, not the speed of the machine.")};

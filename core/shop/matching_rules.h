@@ -93,7 +93,6 @@ inline constexpr Field shell_moves{
     .words = part_moves_words};
 inline constexpr Field permitted_crankpin_spread{
     .key = "permitted_spread_g",
-    .unit = units::gram,
     .range = Range::between(0, 100'000),
     .label = CORE_TEXT("matching", "Permitted crankpin range"),
     .hint = CORE_TEXT(
@@ -101,7 +100,6 @@ inline constexpr Field permitted_crankpin_spread{
     .placeholder = CORE_TEXT("matching", "no limit")};
 inline constexpr Field crankpin_angles{
     .key = "crankpin_angles_deg",
-    .unit = units::degree,
     .range = Range::between(-720, 720),
     .label = CORE_TEXT("matching", "Crankpins at"),
     .hint = CORE_TEXT(
@@ -111,7 +109,6 @@ inline constexpr Field crankpin_angles{
     .placeholder = CORE_TEXT("matching", "as usual")};
 inline constexpr Field cylinder_spacing{
     .key = "cylinder_spacing_mm",
-    .unit = units::mm,
     .range = Range::between(1, 10'000),
     .label = CORE_TEXT("matching", "Cylinder spacing"),
     .hint = CORE_TEXT(
@@ -119,7 +116,6 @@ inline constexpr Field cylinder_spacing{
     .placeholder = CORE_TEXT("matching", "no couple")};
 inline constexpr Field bank_offset{
     .key = "bank_offset_mm",
-    .unit = units::mm,
     .range = Range::between(-1000, 1000),
     .label = CORE_TEXT("matching", "Bank offset"),
     .hint = CORE_TEXT("matching",
@@ -128,7 +124,6 @@ inline constexpr Field bank_offset{
     .placeholder = {"", "0"}};
 inline constexpr Field matching_crank_radius{
     .key = "crank_radius_mm",
-    .unit = units::mm,
     .range = Range::between(1, 5000),
     .label = CORE_TEXT("matching", "Crank radius"),
     .hint = CORE_TEXT(

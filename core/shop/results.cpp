@@ -16,22 +16,30 @@ void visit_shaking(ResultVisitor& visitor, const ResultField& field, const Shaki
                    bool spacing_known, const std::optional<double>& radius,
                    const std::optional<double>& speed) {
     visitor.object(field, [&] {
-        visitor.number(key::force_mass, shaking.force);
-        visitor.number(key::ends, shaking.ends);
+        visitor.number({"force_g", CORE_TEXT("workshop", "Force, mass at the crank radius"), 2},
+                       shaking.force);
+        visitor.number({"rms_at_ends_g", CORE_TEXT("workshop", "RMS at the ends"), 2},
+                       shaking.ends);
         if (spacing_known) {
-            visitor.number(key::couple_mass, shaking.couple);
+            visitor.number(
+                {"couple_g_mm", CORE_TEXT("workshop", "Couple, mass at the crank radius"), 1},
+                shaking.couple);
         }
         if (!radius) {
             return;
         }
-        visitor.number(key::force_unbalance, shaking.force * *radius);
+        visitor.number({"force_g_mm", CORE_TEXT("workshop", "Force, unbalance"), 1},
+                       shaking.force * *radius);
         if (spacing_known) {
-            visitor.number(key::couple_unbalance, shaking.couple * *radius);
+            visitor.number({"couple_g_mm2", CORE_TEXT("workshop", "Couple, unbalance"), 0},
+                           shaking.couple * *radius);
         }
         if (speed) {
-            visitor.number(key::force, shaking.force * *radius * *speed * *speed);
+            visitor.number({"force_N", CORE_TEXT("workshop", "Force"), 1},
+                           shaking.force * *radius * *speed * *speed);
             if (spacing_known) {
-                visitor.number(key::couple, shaking.couple * *radius * *speed * *speed);
+                visitor.number({"couple_Nm", CORE_TEXT("workshop", "Couple"), 2},
+                               shaking.couple * *radius * *speed * *speed);
             }
         }
     });
@@ -54,22 +62,28 @@ void visit_columns(ResultVisitor& visitor, const WeighIn& sheet) {
         if (!found) {
             continue;
         }
-        visitor.object({.key = part_word(part).word, .label = part_word(part).label}, [&] {
-            visitor.number(key::mean, found->mean);
+        visitor.object({part_word(part).word, part_word(part).label, 0, {}, units::none}, [&] {
+            visitor.number({"mean_g", CORE_TEXT("workshop", "Mean"), 2}, found->mean);
             visitor.number(key::spread, found->spread);
-            visitor.integer(key::heaviest_cylinder, found->heaviest + 1);
-            visitor.integer(key::lightest_cylinder, found->lightest + 1);
-            visitor.flag(key::within_permitted_spread, found->within_permitted);
+            visitor.integer({"heaviest_cylinder", CORE_TEXT("workshop", "Heaviest, cylinder")},
+                            found->heaviest + 1);
+            visitor.integer({"lightest_cylinder", CORE_TEXT("workshop", "Lightest, cylinder")},
+                            found->lightest + 1);
+            visitor.flag(
+                {"within_permitted_spread", CORE_TEXT("workshop", "Within permitted range")},
+                found->within_permitted);
             if (sheet.is_moved()) {
-                visitor.integers(key::part_numbers, part_numbers(sheet, part));
+                visitor.integers({"part_numbers", CORE_TEXT("workshop", "Part number")},
+                                 part_numbers(sheet, part));
             }
             std::vector<double> off;
             for (const Weighed& mass : take_off(column.mass)) {
                 off.push_back(mass.value_or(std::numeric_limits<double>::quiet_NaN()));
             }
-            visitor.numbers(key::take_off, off);
+            visitor.numbers({"take_off_g", CORE_TEXT("workshop", "Take off"), 2}, off);
             if (column.nominal) {
-                visitor.number(key::mean_deviation, found->mean - *column.nominal);
+                visitor.number({"mean_deviation_g", CORE_TEXT("workshop", "Mean minus nominal"), 2},
+                               found->mean - *column.nominal);
             }
         });
     }
@@ -77,31 +91,35 @@ void visit_columns(ResultVisitor& visitor, const WeighIn& sheet) {
 
 void visit_matched(ResultVisitor& visitor, const Matched& matched,
                    const std::optional<double>& crank_radius, const std::optional<double>& speed) {
-    visitor.integers(key::pistons_from, from_one(matched.pistons));
-    visitor.integers(key::rods_from, from_one(matched.rods));
-    visitor.integer(key::sets_moved, matched.moved);
-    visitor.word(key::goal, goal_words[static_cast<std::size_t>(matched.goal)].word);
-    visitor.number(key::spread_before, matched.spread_before);
-    visitor.number(key::spread_after, matched.spread);
-    visitor.flag(key::proven, matched.proven);
+    visitor.integers({"pistons_from_cylinder"}, from_one(matched.pistons));
+    visitor.integers({"rods_from_cylinder"}, from_one(matched.rods));
+    visitor.integer({"sets_moved", CORE_TEXT("workshop", "Sets moved")}, matched.moved);
+    visitor.word({"goal"}, goal_words[static_cast<std::size_t>(matched.goal)].word);
+    visitor.number({"spread_before_g", CORE_TEXT("workshop", "Range of the crankpins before"), 2},
+                   matched.spread_before);
+    visitor.number({"spread_g", CORE_TEXT("workshop", "Range of the crankpins"), 2},
+                   matched.spread);
+    visitor.flag({"proven", CORE_TEXT("workshop", "Proven")}, matched.proven);
     if (matched.shaking && matched.shaking_before) {
-        visit_shaking(visitor, key::shaking_before, *matched.shaking_before, matched.spacing_known,
-                      crank_radius, speed);
-        visit_shaking(visitor, key::shaking, *matched.shaking, matched.spacing_known, crank_radius,
-                      speed);
+        visit_shaking(visitor, {"shaking_before", CORE_TEXT("workshop", "Shaking before")},
+                      *matched.shaking_before, matched.spacing_known, crank_radius, speed);
+        visit_shaking(visitor, {"shaking", CORE_TEXT("workshop", "Shaking")}, *matched.shaking,
+                      matched.spacing_known, crank_radius, speed);
     }
     if (!matched.remark.empty()) {
-        visitor.text(key::remark, matched.remark);
+        visitor.text({"remark"}, matched.remark);
     }
 }
 
 void visit_other(ResultVisitor& visitor, const std::optional<double>& read_with,
                  const std::optional<OtherShaft>& read_on) {
     if (read_with) {
-        visitor.number(key::read_with, read_with);
+        visitor.number(
+            {"read_with_bobweight_g", CORE_TEXT("workshop", "Bob weight of the readings"), 1},
+            read_with);
     }
     if (read_on) {
-        visitor.word(key::read_on, read_on->then);
+        visitor.word({"read_on"}, read_on->then);
     }
 }
 

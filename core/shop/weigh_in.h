@@ -128,11 +128,9 @@ namespace field {
 inline constexpr Field weigh_in{.key = "weigh_in",
                                 .hint = CORE_TEXT("V8", "Masses of the parts by the scale.")};
 inline constexpr Field nominal{.key = "nominal_g",
-                               .unit = units::gram,
                                .range = Range::between(0.001, 100'000),
                                .hint = CORE_TEXT("V8", "Nominal mass of the part.")};
 inline constexpr Field permitted_spread{.key = "permitted_spread_g",
-                                        .unit = units::gram,
                                         .range = Range::between(0, 100'000),
                                         .hint = CORE_TEXT("V8", "Permitted range of the masses.")};
 inline constexpr Field piston_sets{
@@ -144,7 +142,6 @@ inline constexpr Field rod_sets{
 /// Of a reading of the balancing machine.
 inline constexpr Field bob_weight_then{
     .key = "bobweight_g",
-    .unit = units::gram,
     .range = Range::between(0, 100'000'000),
     .label = CORE_TEXT("V8", "Bob weight of the reading"),
     .hint = CORE_TEXT(

@@ -50,7 +50,6 @@ inline constexpr Field changes_source{
     .words = source_words};
 inline constexpr Field tolerance{
     .key = "tolerance_g_mm",
-    .unit = units::gram_mm,
     .range = Range::between(0, 1e6),
     .label = CORE_TEXT("V8", "Permissible residu&al unbalance"),
     .hint = CORE_TEXT("V8",
@@ -66,10 +65,8 @@ inline constexpr Field numbering{
     .label = CORE_TEXT("V8", "C&ylinders of a crankpin"),
     .hint = CORE_TEXT("V8", "The two cylinders that share a crankpin."),
     .words = numbering_words};
-inline constexpr Field part_mass{.key = "mass_g",
-                                 .unit = units::gram,
-                                 .range = nominal.range,
-                                 .hint = CORE_TEXT("V8", "Eight masses, by cylinder.")};
+inline constexpr Field part_mass{
+    .key = "mass_g", .range = nominal.range, .hint = CORE_TEXT("V8", "Eight masses, by cylinder.")};
 
 // ----------------------------------------------------------------------------------- plug
 inline constexpr Field plug{.key = "plug", .hint = CORE_TEXT("V8", "Sizes of the plug.")};
@@ -79,49 +76,41 @@ inline constexpr Field thread{
     .hint = CORE_TEXT("V8", "Metric thread with its pitch, like M22x1.5."),
     .placeholder = {"", "M22x1.5"}};
 inline constexpr Field plug_height{.key = "height_mm",
-                                   .unit = units::mm,
                                    .range = Range::between(0.1, 200),
                                    .label = CORE_TEXT("V8", "&Height h"),
                                    .hint = CORE_TEXT("V8", "Height of the whole plug.")};
 inline constexpr Field bore_diameter{.key = "bore_diameter_mm",
-                                     .unit = units::mm,
                                      .range = Range::between(0, 200),
                                      .label = CORE_TEXT("V8", "&Bore diameter"),
                                      .hint = CORE_TEXT("V8", "Diameter of the present bore."),
                                      .if_empty = CORE_TEXT("V8", "a solid plug")};
 inline constexpr Field bore_depth{.key = "bore_depth_mm",
-                                  .unit = units::mm,
                                   .range = Range::between(0, 200),
                                   .label = CORE_TEXT("V8", "Bore de&pth"),
                                   .hint = CORE_TEXT("V8", "Depth from the outer face."),
                                   .if_empty = CORE_TEXT("V8", "a solid plug")};
 inline constexpr Field cutter_diameter{.key = "cutter_diameter_mm",
-                                       .unit = units::mm,
                                        .range = Range::between(0.1, 200),
                                        .label = CORE_TEXT("V8", "&Cutter diameter"),
                                        .if_empty = CORE_TEXT("V8", "no boring is planned")};
 inline constexpr Field minimum_wall{
     .key = "minimum_wall_mm",
-    .unit = units::mm,
     .range = Range::between(0, 100),
     .label = CORE_TEXT("V8", "Minimum &wall"),
     .hint = CORE_TEXT("V8", "Minimum between the bore and the root of the thread."),
     .if_empty = CORE_TEXT("V8", "no limit")};
 inline constexpr Field minimum_bottom{
     .key = "minimum_bottom_mm",
-    .unit = units::mm,
     .range = Range::between(0, 100),
     .label = CORE_TEXT("V8", "Minimum b&ottom"),
     .hint = CORE_TEXT("V8", "Minimum between the bore and the inner face."),
     .if_empty = CORE_TEXT("V8", "no limit")};
 inline constexpr Field steel_density{.key = "steel_density_kg_m3",
-                                     .unit = units::kg_m3,
                                      .range = Range::between(1000, 25000),
                                      .label = CORE_TEXT("V8", "&Steel"),
                                      .hint = CORE_TEXT("V8", "Carbon steel 7850 kg/m³.")};
 inline constexpr Field aluminium_density{
     .key = "aluminium_density_kg_m3",
-    .unit = units::kg_m3,
     .range = Range::between(1000, 25000),
     .label = CORE_TEXT("V8", "&Aluminium"),
     .hint = CORE_TEXT("V8", "Wrought alloys 2640 to 2850 kg/m³.")};

@@ -9,7 +9,6 @@
 #include "shop/results.h"
 #include "shop/sentences.h"
 #include "v8-plugs/presets.h"
-#include "v8-plugs/result_fields.h"
 #include "v8-plugs/solver.h"
 
 namespace ravnoves::v8_plugs {
@@ -18,13 +17,34 @@ namespace {
 
 using ravnoves::result_field::feasible;
 using ravnoves::result_field::reason;
-namespace key = result_field;
+namespace key {
+constexpr ResultField unbalanced_mass{
+    "unbalanced_mass_g", CORE_TEXT("v8-plugs", "Excess on a crankpin Δmᵤ"), 3,
+    CORE_TEXT("v8-plugs", "Excess mass of the parts on the crankpin axis.")};
+constexpr ResultField unbalance{"unbalance_g_mm", CORE_TEXT("v8-plugs", "Unbalance of a crankpin"),
+                                1};
+constexpr ResultField not_counted{"not_counted"};
+constexpr ResultField recommended{"recommended"};
+constexpr ResultField state{"state"};
+constexpr ResultField warning{"warning"};
+constexpr ResultField required_reduction{"required_reduction_g",
+                                         CORE_TEXT("v8-plugs", "Required off each plug")};
+constexpr ResultField reduction{"reduction_g", CORE_TEXT("v8-plugs", "Take off each plug")};
+constexpr ResultField residual_mass{"residual_mass_g", CORE_TEXT("v8-plugs", "Remains")};
+constexpr ResultField residual_unbalance{"residual_unbalance_g_mm",
+                                         CORE_TEXT("v8-plugs", "Residual unbalance"), 1};
+constexpr ResultField bob_weight_sum{"bobweight_g", CORE_TEXT("v8-plugs", "Bob weight"), 1};
+constexpr ResultField with_plugs_in{"bobweight_with_plugs_in_g",
+                                    CORE_TEXT("v8-plugs", "Bob weight, plugs in"), 1};
+constexpr ResultField shift{"shift_mm", CORE_TEXT("v8-plugs", "Shift"), 2};
+constexpr ResultField bob_weight{"bobweight", CORE_TEXT("v8-plugs", "Bob weight")};
+}  // namespace key
 
 constexpr std::array<std::string_view, 3> limit_words{"none", "wall", "bottom"};
 
 void visit_bob_weight(ResultVisitor& visitor, const ResultField& field, const BobWeight& weight) {
     visitor.object(field, [&] {
-        visitor.number(key::sum, weight.sum());
+        visitor.number({"sum_g", CORE_TEXT("v8-plugs", "Sum"), 1}, weight.sum());
         shop::visit_lines(visitor, weight.lines.size(), [&](std::size_t i) {
             const BobWeightLine& line = weight.lines[i];
             return shop::CardLine{bob_weight_word(line.part).word, line.factor, line.mass};
@@ -33,31 +53,35 @@ void visit_bob_weight(ResultVisitor& visitor, const ResultField& field, const Bo
 }
 
 void visit_shift_effect(ResultVisitor& visitor, const ShiftEffect& effect, double tolerance) {
-    visitor.word(key::from, effect.planned ? "bore" : "range");
+    visitor.word({"from"}, effect.planned ? "bore" : "range");
     visitor.numbers(key::shift, {effect.min_shift, effect.max_shift});
     visitor.numbers(key::unbalance, {effect.minimum, effect.maximum});
     visitor.number(key::residual_unbalance, effect.residual_unbalance);
-    visitor.flag(key::beyond_tolerance, std::abs(effect.residual_unbalance) > tolerance);
+    visitor.flag({"beyond_tolerance", CORE_TEXT("v8-plugs", "Beyond tolerance")},
+                 std::abs(effect.residual_unbalance) > tolerance);
     // For the shifts in their order: the smallest asks for most.
-    visitor.numbers(key::corrected_reduction, {effect.max_reduction, effect.min_reduction});
+    visitor.numbers({"corrected_reduction_g"}, {effect.max_reduction, effect.min_reduction});
     if (effect.depth) {
-        visitor.number(key::corrected_depth, effect.depth);
+        visitor.number({"corrected_depth_mm", CORE_TEXT("v8-plugs", "Corrected depth"), 2},
+                       effect.depth);
     }
 }
 
 void visit_boring(ResultVisitor& visitor, const Boring& boring,
                   const std::optional<ShiftEffect>& effect) {
     const bool possible = boring.limit == Boring::Limit::none;
-    visitor.flag(key::possible, possible);
-    visitor.word(key::limited_by, limit_words.at(static_cast<std::size_t>(boring.limit)));
-    visitor.number(key::depth, boring.depth);
-    visitor.number(key::deeper_by, boring.deeper);
-    visitor.number(key::wall, boring.wall);
-    visitor.number(key::bottom, boring.bottom);
-    visitor.number(key::maximum_reduction, boring.max_reduction);
+    visitor.flag({"possible", CORE_TEXT("v8-plugs", "Possible")}, possible);
+    visitor.word({"limited_by"}, limit_words.at(static_cast<std::size_t>(boring.limit)));
+    visitor.number({"depth_mm", CORE_TEXT("v8-plugs", "Depth"), 2}, boring.depth);
+    visitor.number({"deeper_by_mm", CORE_TEXT("v8-plugs", "Deeper by"), 2}, boring.deeper);
+    visitor.number({"wall_mm", CORE_TEXT("v8-plugs", "Wall"), 2}, boring.wall);
+    visitor.number({"bottom_mm", CORE_TEXT("v8-plugs", "Bottom"), 2}, boring.bottom);
+    visitor.number({"maximum_reduction_g", CORE_TEXT("v8-plugs", "Maximum by the walls")},
+                   boring.max_reduction);
     if (possible) {
         visitor.number(key::shift, effect ? effect->max_shift : 0.0);
-        visitor.number(key::shift_unbalance, effect ? effect->maximum : 0.0);
+        visitor.number({"shift_unbalance_g_mm", CORE_TEXT("v8-plugs", "Effect of the shift"), 2},
+                       effect ? effect->maximum : 0.0);
     }
 }
 
@@ -71,9 +95,13 @@ void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, dou
     const auto number = [&](const ResultField& field, double Option::*member) {
         visitor.number(field, option ? std::optional((*option).*member) : std::nullopt);
     };
-    number(key::constant, &Option::constant);
-    number(key::slope, &Option::slope);
-    number(key::maximum, &Option::maximum);
+    number({"constant_g", CORE_TEXT("v8-plugs", "Fixed part"), 3,
+            CORE_TEXT("v8-plugs", "Compensated without machining.")},
+           &Option::constant);
+    number({"slope", CORE_TEXT("v8-plugs", "Gain"), 3,
+            CORE_TEXT("v8-plugs", "Compensated by a gram off each plug.")},
+           &Option::slope);
+    number({"maximum_g", CORE_TEXT("v8-plugs", "Maximum")}, &Option::maximum);
     if (option && !solved) {
         for (const ResultField* field :
              {&key::required_reduction, &key::reduction, &feasible, &key::residual_mass,
@@ -97,33 +125,36 @@ void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, dou
         visitor.text(reason, CORE_TEXT("v8-plugs", "the engine has no such plug"));
         return;
     }
-    weight(key::nominal_bob_weight, &OptionBobWeight::nominal, &BobWeight::sum);
+    weight({"nominal_bobweight_g", CORE_TEXT("v8-plugs", "Bob weight, nominal"), 1},
+           &OptionBobWeight::nominal, &BobWeight::sum);
     const double plug = option->plug_mass_unmachined - option->reduction;
-    visitor.number(key::plug_mass, plug);
+    visitor.number({"plug_mass_g", CORE_TEXT("v8-plugs", "Mass of a plug")}, plug);
     if (!option->feasible) {
         visitor.text(reason, describe_failure(*option, tolerance));
     }
     if (weights) {
         visit_bob_weight(visitor, key::bob_weight, weights->after);
     }
-    visitor.list(key::shifts, 2, [&](std::size_t i) {
+    visitor.list({"centre_of_mass_shift", CORE_TEXT("v8-plugs", "Shift")}, 2, [&](std::size_t i) {
         const double shift = i == 0 ? smallest_shift : largest_shift;
         visitor.number(key::shift, shift);
-        visitor.number(key::coefficient, shift_coefficient(shift, crank_radius));
+        visitor.number({"coefficient", CORE_TEXT("v8-plugs", "Coefficient"), 4},
+                       shift_coefficient(shift, crank_radius));
         visitor.number(key::unbalance, shift_unbalance(plug, shift));
     });
     if (const auto& effect = result.shift[index(id)]) {
-        visitor.object(key::shift_effect, [&] { visit_shift_effect(visitor, *effect, tolerance); });
+        visitor.object({"shift_effect", CORE_TEXT("v8-plugs", "Effect of the shift")},
+                       [&] { visit_shift_effect(visitor, *effect, tolerance); });
     }
     if (const auto& boring = result.boring[index(id)]) {
-        visitor.object(key::boring,
+        visitor.object({"boring", CORE_TEXT("v8-plugs", "Boring")},
                        [&] { visit_boring(visitor, *boring, result.shift[index(id)]); });
     }
 }
 
 void visit_crankpins(ResultVisitor& visitor, const std::array<double, crankpin_count>& excess,
                      double crank_radius) {
-    visitor.object(key::crankpins, [&] {
+    visitor.object({"crankpins", CORE_TEXT("v8-plugs", "Crankpins")}, [&] {
         const double mean = std::accumulate(excess.begin(), excess.end(), 0.0) / crankpin_count;
         std::vector<double> deviation;
         for (const double mass : excess) {
@@ -131,7 +162,7 @@ void visit_crankpins(ResultVisitor& visitor, const std::array<double, crankpin_c
         }
         visitor.numbers(key::unbalanced_mass, {excess.begin(), excess.end()});
         visitor.number(shop::result_field::spread, spread(excess));
-        visitor.numbers(key::deviation, deviation);
+        visitor.numbers({"deviation_g_mm", {}, 1}, deviation);
     });
 }
 
@@ -151,9 +182,11 @@ void visit_plug_mass(ResultVisitor& visitor, const ResultField& field,
                      const std::optional<PlugMass>& mass) {
     if (mass) {
         visitor.object(field, [&] {
-            visitor.number(key::geometry_mass, mass->geometry);
-            visitor.number(key::entered_mass, mass->typed);
-            visitor.flag(key::fits, mass->fits);
+            visitor.number({"geometry_mass_g", CORE_TEXT("v8-plugs", "Mass by the sizes"), 2},
+                           mass->geometry);
+            visitor.number({"entered_mass_g", CORE_TEXT("v8-plugs", "Mass as entered")},
+                           mass->typed);
+            visitor.flag({"fits", CORE_TEXT("v8-plugs", "Masses agree")}, mass->fits);
         });
     }
 }
@@ -205,21 +238,23 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
     const Coefficients coefficients = plugs.coefficients();
     visitor.number(key::unbalanced_mass, excess);
     visitor.number(key::unbalance, excess * plugs.crank_radius);
-    visitor.number(key::k_p, coefficients.k_p);
-    visitor.number(key::k_y, coefficients.k_y);
-    visitor.number(key::k_y_new, coefficients.k_y_new);
-    visitor.number(key::slope_angle, std::atan(coefficients.k_y));
-    visitor.object(key::mass_changes, [&] {
-        for (const auto& [field, member, repair_only] : mass_change_fields()) {
-            visitor.number({field.key, field.unit, 3, field.label}, result.changes.*member);
-        }
-    });
+    visitor.number({"k_p", CORE_TEXT("v8-plugs", "Coefficient kₚ")}, coefficients.k_p);
+    visitor.number({"k_y", CORE_TEXT("v8-plugs", "Coefficient kᵤ")}, coefficients.k_y);
+    visitor.number({"k_y_new", CORE_TEXT("v8-plugs", "Coefficient kᵤₙ")}, coefficients.k_y_new);
+    visitor.number({"slope_angle_deg", CORE_TEXT("v8-plugs", "Slope angle"), 1},
+                   std::atan(coefficients.k_y));
+    visitor.object(
+        {"mass_changes_g", CORE_TEXT("v8-plugs", "Mass changes"), 3, {}, units::none}, [&] {
+            for (const auto& [field, member, repair_only] : mass_change_fields()) {
+                visitor.number({field.key, field.label, 3, {}, field.unit}, result.changes.*member);
+            }
+        });
     if (visitor.wants(key::not_counted.key)) {
         visitor.texts(key::not_counted, shop::both(replaced(input), not_counted(input)));
     }
-    visitor.object(key::options, [&] {
+    visitor.object({"options", CORE_TEXT("v8-plugs", "Options")}, [&] {
         for (const OptionId id : all_options) {
-            visitor.object({.key = option_word(id).word, .label = option_word(id).label}, [&] {
+            visitor.object({option_word(id).word, option_word(id).label, 0, {}, units::none}, [&] {
                 visit_option(visitor, result, id, plugs.crank_radius, input.tolerance);
             });
         }
@@ -233,8 +268,9 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
     }
     if (result.nominal && result.before) {
         visitor.object(key::bob_weight, [&] {
-            visit_bob_weight(visitor, key::nominal, *result.nominal);
-            visit_bob_weight(visitor, key::before, *result.before);
+            visit_bob_weight(visitor, {"nominal", CORE_TEXT("v8-plugs", "Nominal")},
+                             *result.nominal);
+            visit_bob_weight(visitor, {"before", CORE_TEXT("v8-plugs", "Before")}, *result.before);
         });
     }
     if (input.weigh_in) {
@@ -242,9 +278,10 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
                        [&] { visit_weigh_in(visitor, input, result, plugs.crank_radius, speed); });
     }
     if (result.steel_plug) {
-        visitor.object(key::plug, [&] {
-            visit_plug_mass(visitor, key::steel, result.steel_plug);
-            visit_plug_mass(visitor, key::aluminium, result.aluminium_plug);
+        visitor.object({"plug", CORE_TEXT("v8-plugs", "Plug")}, [&] {
+            visit_plug_mass(visitor, {"steel", CORE_TEXT("v8-plugs", "Steel")}, result.steel_plug);
+            visit_plug_mass(visitor, {"aluminium", CORE_TEXT("v8-plugs", "Aluminium")},
+                            result.aluminium_plug);
         });
     }
 }

@@ -29,25 +29,21 @@ inline constexpr Field balancing{
     .key = "balancing", .hint = CORE_TEXT("V8", "Limits and readings of the balancing machine.")};
 inline constexpr Field front_reading{
     .key = "front_reading_g_mm",
-    .unit = units::gram_mm,
     .range = Range::between(0, 1e9),
     .label = CORE_TEXT("V8", "&Front plane (pulley)"),
     .hint = CORE_TEXT("V8", "Residual unbalance after correction.")};
 inline constexpr Field rear_reading{
     .key = "rear_reading_g_mm",
-    .unit = units::gram_mm,
     .range = Range::between(0, 1e9),
     .label = CORE_TEXT("V8", "&Rear plane (flywheel)"),
     .hint = CORE_TEXT("V8", "Residual unbalance after correction.")};
 
 inline constexpr Field front_bob_weight{
     .key = "front_bobweight_g",
-    .unit = shop::field::bob_weight_then.unit,
     .range = shop::field::bob_weight_then.range,
     .label = CORE_TEXT("V8", "Bob weight of the reading, front"),
     .hint = shop::field::bob_weight_then.hint};
 inline constexpr Field rear_bob_weight{.key = "rear_bobweight_g",
-                                       .unit = shop::field::bob_weight_then.unit,
                                        .range = shop::field::bob_weight_then.range,
                                        .label = CORE_TEXT("V8", "Bob weight of the reading, rear"),
                                        .hint = shop::field::bob_weight_then.hint};

@@ -14,20 +14,9 @@ namespace ravnoves::workshop {
 namespace {
 
 namespace key {
-constexpr ResultField plugs{.key = "plugs", .label = CORE_TEXT("workshop", "Plugs")};
-constexpr ResultField balancing{.key = "balancing",
-                                .label = CORE_TEXT("v8-plugs", "Balancing machine")};
-constexpr ResultField limit{.key = "limit"};
-constexpr ResultField planes[] = {{.key = "front", .label = CORE_TEXT("v8-plugs", "Front plane")},
-                                  {.key = "rear", .label = CORE_TEXT("v8-plugs", "Rear plane")}};
-constexpr ResultField permissible{"permissible_g_mm", units::gram_mm, 1,
-                                  CORE_TEXT("v8-plugs", "Permissible")};
-constexpr ResultField reading{"reading_g_mm", units::gram_mm, 1, CORE_TEXT("v8-plugs", "Reading")};
-constexpr ResultField passes{.key = "passes", .label = CORE_TEXT("v8-plugs", "Passes")};
-constexpr ResultField doubts{.key = "doubts", .label = CORE_TEXT("workshop", "Doubts")};
-constexpr ResultField kind{.key = "kind"};
-constexpr ResultField blocks{.key = "blocks"};
-constexpr ResultField doubtful{.key = "doubtful", .label = CORE_TEXT("workshop", "Doubtful")};
+constexpr ResultField planes[] = {{"front", CORE_TEXT("v8-plugs", "Front plane")},
+                                  {"rear", CORE_TEXT("v8-plugs", "Rear plane")}};
+constexpr ResultField permissible{"permissible_g_mm", CORE_TEXT("v8-plugs", "Permissible"), 1};
 }  // namespace key
 
 std::vector<Message> words_of(const Withheld& blocks) {
@@ -95,15 +84,16 @@ void visit_balancing(ResultVisitor& visitor, const Input& input, const bob_weigh
     if (!shaft.permissible_whole || tolerance->centre_of_mass || tolerance->front_bearing) {
         return;
     }
-    visitor.object(key::balancing, [&] {
-        visitor.word(key::limit, "iso-21940-11");
+    visitor.object({"balancing", CORE_TEXT("v8-plugs", "Balancing machine")}, [&] {
+        visitor.word({"limit"}, "iso-21940-11");
         const bob_weights::RunResult* newest = shaft.newest();
         for (std::size_t i = 0; i < 2; ++i) {
             visitor.object(key::planes[i], [&] {
                 visitor.number(key::permissible, (*shaft.permissible)[i]);
                 if (newest != nullptr && newest->alone[i]) {
-                    visitor.number(key::reading, newest->alone[i]->unbalance);
-                    visitor.flag(key::passes, newest->within(i));
+                    visitor.number({"reading_g_mm", CORE_TEXT("v8-plugs", "Reading"), 1},
+                                   newest->alone[i]->unbalance);
+                    visitor.flag({"passes", CORE_TEXT("v8-plugs", "Passes")}, newest->within(i));
                 }
             });
         }
@@ -142,22 +132,24 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
     if (visitor.wants(ravnoves::result_field::verdict.key)) {
         visit_verdict(visitor, verdict(input, result));
     }
-    visitor.list(key::doubts, result.doubts.size(), [&](std::size_t i) {
-        const DoubtRule& rule = *result.doubts[i].rule;
-        visitor.word(key::kind, rule.word);
-        visitor.word(ravnoves::result_field::severity, severity_word(rule.severity));
-        visitor.text(ravnoves::result_field::text, result.doubts[i].text);
-        visitor.texts(key::blocks, words_of(rule.blocks));
-    });
+    visitor.list({"doubts", CORE_TEXT("workshop", "Doubts")}, result.doubts.size(),
+                 [&](std::size_t i) {
+                     const DoubtRule& rule = *result.doubts[i].rule;
+                     visitor.word({"kind"}, rule.word);
+                     visitor.word(ravnoves::result_field::severity, severity_word(rule.severity));
+                     visitor.text(ravnoves::result_field::text, result.doubts[i].text);
+                     visitor.texts({"blocks"}, words_of(rule.blocks));
+                 });
     const auto visit_object = [&](const Result& shown) {
         if (shown.plugs) {
-            visitor.object(key::plugs, [&] { visit_plugs(visitor, input, shown); });
+            visitor.object({"plugs", CORE_TEXT("workshop", "Plugs")},
+                           [&] { visit_plugs(visitor, input, shown); });
         }
     };
     const Result shown = allowed(result);
     visit_job(visitor, input, shown.shaft);
     visit_object(shown);
-    visitor.object_or_null(key::doubtful, withheld.any(), [&] {
+    visitor.object_or_null({"doubtful", CORE_TEXT("workshop", "Doubtful")}, withheld.any(), [&] {
         visit_verdict(visitor, undoubted(input, result));
         if (withheld.bob_weight) {
             visit_bob_weight(visitor, input, result.shaft);

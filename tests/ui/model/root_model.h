@@ -49,8 +49,9 @@ struct RootScene {
 };
 
 inline void visit_fields(FieldVisitor& visitor, RootScene::Input& input) {
-    visitor.number(Field{.key = "crank_radius_mm", .label = CORE_TEXT("test", "Square")},
-                   input.square);
+    visitor.number(
+        Field{.key = "crank_radius_mm", .unit = units::none, .label = CORE_TEXT("test", "Square")},
+        input.square);
 }
 
 class RootModel : public CaseModel<RootScene> {

@@ -66,7 +66,7 @@ BalanceShaftModel::BalanceShaftModel(QObject* parent)
     : CaseModel({}, parent), centreJob_(new BackgroundJob(this)) {}
 
 Json BalanceShaftModel::resultJson() const {
-    return result_json({}, solver(), result());
+    return result_json({}, input());
 }
 
 bool BalanceShaftModel::setViewOption(const QString& key, const QString& value) {
