@@ -1,4 +1,4 @@
-#include "balance-shaft/formulas.h"
+#include "balance-shaft/results.h"
 
 #include <array>
 
@@ -69,10 +69,7 @@ std::vector<Formula> formulas(const Input& input) {
                         CORE_TEXT("balance-shaft", "ρ₁ radius of its centre of mass")});
     }
     list.push_back({CORE_TEXT("balance-shaft", "Force of a counterweight"),
-                    "P<sub>1</sub> = m<sub>1</sub> ρ<sub>1</sub> ω<sup>2</sup>",
-                    gots_klevtsov,
-                    "",
-                    {}});
+                    "P<sub>1</sub> = m<sub>1</sub> ρ<sub>1</sub> ω<sup>2</sup>", gots_klevtsov});
     if (input.torque.is_computed()) {
         add_torque(list);
     }
@@ -94,10 +91,7 @@ std::vector<Formula> formulas(const Input& input) {
                               "l distance and α angle of the shaft's axis from the crank axis; of "
                               "an offset cylinder δ is the lag of the counterweights")});
     list.push_back({CORE_TEXT("balance-shaft", "Moment on the mounts"),
-                    "M<sub>ups</sub> = M<sub>up</sub> + M<sub>s</sub>",
-                    gots_klevtsov,
-                    "(5)",
-                    {}});
+                    "M<sub>ups</sub> = M<sub>up</sub> + M<sub>s</sub>", gots_klevtsov, "(5)"});
     list.push_back({CORE_TEXT("balance-shaft", "Range"),
                     "ΔM = max M<sub>ups</sub> − min M<sub>ups</sub>", gots_klevtsov, "",
                     CORE_TEXT("balance-shaft", "of the continuous cycle")});

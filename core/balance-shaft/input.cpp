@@ -5,7 +5,6 @@
 
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/fields.h"
-#include "balance-shaft/input_check.h"
 #include "case-file/decimal.h"
 #include "case-file/field_writer.h"
 #include "case-file/input_error.h"

@@ -204,6 +204,8 @@ void visit_fields(FieldVisitor& visitor, RelievedShaftSizes& sizes);
 /// Checks the ranges and that the sizes taken together stay in the range of numbers.
 /// @throws InputError that names the JSON pointer, as read_input() would
 void check_input(const Input& input);
+/// The same without the ranges of the single fields.
+void check_joined(const Input& input);
 /// @throws InputError that names the JSON pointer below /input/speed_band
 void check_speed_band(const SpeedBand& band);
 

@@ -6,7 +6,6 @@
 
 #include "numerics/angle.h"
 #include "numerics/extrema.h"
-#include "numerics/short_trigonometry.h"
 #include "numerics/vector_lanes.h"
 
 namespace ravnoves::balance_shaft {
@@ -55,6 +54,23 @@ struct BlockPeaks {
         return max_of(of_all);
     }
 };
+
+struct CosSin {
+    double cos;
+    double sin;
+};
+
+/// For |t| ≤ 15°; the next terms are below 1e-17.
+CosSin short_cos_sin(double t) {
+    const double q = t * t;
+    return {1.0 + q * (-1.0 / 2 +
+                       q * (1.0 / 24 +
+                            q * (-1.0 / 720 + q * (1.0 / 40320 +
+                                                   q * (-1.0 / 3628800 + q * (1.0 / 479001600)))))),
+            t * (1.0 + q * (-1.0 / 6 +
+                            q * (1.0 / 120 +
+                                 q * (-1.0 / 5040 + q * (1.0 / 362880 + q * (-1.0 / 39916800))))))};
+}
 
 Eigen::ArrayXd block_maxima(const Eigen::ArrayXd& of) {
     constexpr auto rows = static_cast<Eigen::Index>(block);

@@ -1,4 +1,4 @@
-#include "balance-shaft/older_cases.h"
+#include "balance-shaft/scene.h"
 
 #include <array>
 #include <map>

@@ -1,11 +1,11 @@
 #include "balance-shaft/place_search.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
-
-#include "numerics/cutting_planes.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -271,6 +271,104 @@ class Search {
     PlaceFound best_{{0.0, 0.0}, infinite, 0.0};
 };
 
+/// min c·v over the v with aᵢ·v ≥ bᵢ, while constraints are added: the dual simplex method, which
+/// continues from the last vertex. For some hundred constraints.
+class CuttingPlanes {
+  public:
+    using Vector = Eigen::Vector3d;
+
+    struct Constraint {
+        Vector a;
+        double b;
+    };
+
+    /// @param first  three constraints that meet in one point from which c cannot fall: c is a sum
+    /// of
+    ///               their a with factors of at least 0
+    /// @param tolerance  what a constraint may be short of
+    CuttingPlanes(const Vector& cost, const std::vector<Constraint>& first, double tolerance)
+        : cost_(cost), planes_(first), tolerance_(tolerance) {
+        planes_.reserve(64);
+        meet();
+    }
+
+    void add(const Vector& a, double b) { planes_.push_back({a, b}); }
+
+    /// @return the best vertex; its cost is a lower bound
+    const Vector& solve() {
+        const double rounding = 16 * std::numeric_limits<double>::epsilon();
+        for (int pivots = 0; pivots < 200; ++pivots) {
+            std::size_t entering = planes_.size();
+            double worst = tolerance_;
+            for (std::size_t i = 0; i < planes_.size(); ++i) {
+                const Constraint& plane = planes_[i];
+                const double missing = plane.b - plane.a.dot(vertex_);
+                if (missing > worst && !is_met(i)) {
+                    worst = missing;
+                    entering = i;
+                }
+            }
+            if (entering == planes_.size()) {
+                break;
+            }
+            // v stays in the planes but one; that one leaves whose factor falls to 0 first.
+            const Vector rates = rows_.transpose().solve(planes_[entering].a);
+            int leaving = -1;
+            double minimum = 0.0;
+            for (int k = 0; k < 3; ++k) {
+                if (rates[k] > rounding) {
+                    const double ratio = factors_[k] / rates[k];
+                    if (leaving < 0 || ratio < minimum ||
+                        (ratio == minimum && rates[k] > rates[leaving])) {
+                        leaving = k;
+                        minimum = ratio;
+                    }
+                }
+            }
+            if (leaving < 0) {
+                break;
+            }
+            const auto old = basis_[static_cast<std::size_t>(leaving)];
+            const Vector before = vertex_;
+            basis_[static_cast<std::size_t>(leaving)] = entering;
+            meet();
+            if (!(cost_.dot(vertex_) >= cost_.dot(before) - 64 * tolerance_)) {  // rounding
+                basis_[static_cast<std::size_t>(leaving)] = old;
+                meet();
+                break;
+            }
+        }
+        return vertex_;
+    }
+
+  private:
+    bool is_met(std::size_t plane) const {
+        return std::find(basis_.begin(), basis_.end(), plane) != basis_.end();
+    }
+
+    /// Planes may be nearly parallel: an LU decomposition leaves small residuals all the same.
+    void meet() {
+        Eigen::Matrix3d rows;
+        Vector right;
+        for (int k = 0; k < 3; ++k) {
+            const Constraint& plane = planes_[basis_[static_cast<std::size_t>(k)]];
+            rows.row(k) = plane.a.transpose();
+            right[k] = plane.b;
+        }
+        rows_.compute(rows);
+        vertex_ = rows_.solve(right);
+        factors_ = rows_.transpose().solve(cost_);
+    }
+
+    Vector cost_;
+    std::vector<Constraint> planes_;
+    double tolerance_;
+    std::array<std::size_t, 3> basis_{0, 1, 2};
+    Eigen::PartialPivLU<Eigen::Matrix3d> rows_;  ///< of the planes in basis_
+    Vector vertex_;
+    Vector factors_;  ///< of the planes that meet in the vertex, ≥ 0
+};
+
 }  // namespace
 
 std::optional<PlaceFound> search_places(const ShaftPlaces& places, const PlaceQuestion& question) {
@@ -285,26 +383,25 @@ PlaceFound lowest_place(const PlaceQuestion& question) {
     if (!(reach > 0.0)) {  // nothing moves: the crank's axis is best
         return best;
     }
-    using Planes = CuttingPlanes<double, 3>;
     const auto cut = [&](const PlaceValue& here, const Place& at) {
         const Place gradient = here.gradient * reach;
-        return Planes::Constraint{{-gradient.x(), -gradient.y(), 1.0},
-                                  here.value - gradient.dot(at)};
+        return CuttingPlanes::Constraint{{-gradient.x(), -gradient.y(), 1.0},
+                                         here.value - gradient.dot(at)};
     };
     const double x = at_crank.gradient.x() < 0.0 ? -1.0 : 1.0;
     const double y = at_crank.gradient.y() < 0.0 ? -1.0 : 1.0;
     const double rounding =
         16.0 * std::numeric_limits<double>::epsilon() * std::max(at_crank.value, 1e-300);
-    Planes planes({0.0, 0.0, 1.0},
-                  {cut(at_crank, {0.0, 0.0}), {{x, 0.0, 0.0}, -1.0}, {{0.0, y, 0.0}, -1.0}},
-                  rounding);
+    CuttingPlanes planes({0.0, 0.0, 1.0},
+                         {cut(at_crank, {0.0, 0.0}), {{x, 0.0, 0.0}, -1.0}, {{0.0, y, 0.0}, -1.0}},
+                         rounding);
     planes.add({-x, 0.0, 0.0}, -1.0);
     planes.add({0.0, -y, 0.0}, -1.0);
     constexpr double exact = 5e-14;
     constexpr int max_rounds = 500;
     Place at(0.0, 0.0);
     for (int round = 0; round < max_rounds; ++round) {
-        const Planes::Vector vertex = planes.solve();
+        const CuttingPlanes::Vector vertex = planes.solve();
         best.gap = std::max(0.0, best.value - vertex.z());
         if (best.gap <= exact * best.value || (round > 0 && at == vertex.head<2>())) {
             break;
@@ -315,7 +412,7 @@ PlaceFound lowest_place(const PlaceQuestion& question) {
             best.value = here.value;
             best.place = at * reach;
         }
-        const Planes::Constraint plane = cut(here, at);
+        const CuttingPlanes::Constraint plane = cut(here, at);
         planes.add(plane.a, plane.b);
     }
     return best;

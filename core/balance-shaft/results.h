@@ -4,11 +4,13 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "balance-shaft/clearance.h"
 #include "balance-shaft/input.h"
 #include "balance-shaft/moments.h"
 #include "balance-shaft/solver.h"
+#include "bibliography/formula.h"
 #include "case-file/result_visitor.h"
 #include "case-file/verdict.h"
 
@@ -48,5 +50,11 @@ inline constexpr std::string_view best_range_act = "best-range";
 /// Whether the shaft fits, and its effect on the moment on the mounts; or a slip of the input that
 /// makes this doubtful.
 Verdict verdict(const Result& result);
+
+/// The formulas that the result of this input rests on, in the order of the computation.
+std::vector<Formula> formulas(const Input& input);
+
+/// What the model leaves out, a sentence each.
+std::span<const Text> left_out();
 
 }  // namespace ravnoves::balance_shaft

@@ -5,12 +5,10 @@
 
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/fields.h"
-#include "balance-shaft/results.h"
 #include "case-file/field_reader.h"
 #include "case-file/field_writer.h"
 #include "case-file/input_error.h"
 #include "case-file/object_reader.h"
-#include "case-file/result_json.h"
 #include "case-file/sha256.h"
 #include "case-file/text_file.h"
 
@@ -194,10 +192,6 @@ void read_kept(const Json& kept, const CaseContext& context, Input& input) {
     if (!table.empty()) {
         take(table);
     }
-}
-
-Json solve_scene(const Json& input, const CaseContext& context, const Wanted& wanted) {
-    return result_json(wanted, read_input(input, context));
 }
 
 }  // namespace ravnoves::balance_shaft

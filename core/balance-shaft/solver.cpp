@@ -15,7 +15,6 @@
 #include "numerics/angle.h"
 #include "numerics/constants.h"
 #include "numerics/periodic_piecewise.h"
-#include "numerics/vector_lanes.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -93,38 +92,6 @@ RelievedShaft relieved_shaft(const Input& input, const FrontView& view) {
                 in_mm(input.counterweight_radius), in_mm(swing)});
     return shaft;
 }
-
-/// At the angles of the curves.
-struct CurveColumns {
-    const double* cos;
-    const double* sin;
-    const double* tipping;  ///< M_up, N·m
-    std::size_t count;
-};
-
-/// M_s = x cos φ + y sin φ and M_up + M_s.
-struct ShaftCurves {
-    template <typename Lanes>
-    RAVNOVES_KERNEL static void run(const CurveColumns& at, double x, double y, double* shaft,
-                                    double* sum) {
-        std::size_t i = 0;
-        for (; i + lanes_of<Lanes> <= at.count; i += lanes_of<Lanes>) {
-            Lanes cos;
-            Lanes sin;
-            Lanes tipping;
-            load(cos, at.cos + i);
-            load(sin, at.sin + i);
-            load(tipping, at.tipping + i);
-            const Lanes moment = x * cos + y * sin;
-            store(shaft + i, moment);
-            store(sum + i, tipping + moment);
-        }
-        for (; i < at.count; ++i) {
-            shaft[i] = x * at.cos[i] + y * at.sin[i];
-            sum[i] = at.tipping[i] + shaft[i];
-        }
-    }
-};
 
 }  // namespace
 
@@ -372,10 +339,11 @@ void Solver::move_shaft(double shaft_angle, Result& result) const {
     result.spectrum_M_ups[prepared.strokes == 2 ? 0 : 1] =
         order_line(1.0, {order_1.x(), order_1.y()});
 
-    const CurveColumns at{prepared.cos_curve.data(), prepared.sin_curve.data(),
-                          prepared.base.curves.M_up.data(), prepared.cos_curve.size()};
-    run_kernel<ShaftCurves>(at, shaft.x(), shaft.y(), result.curves.M_s.data(),
-                            result.curves.M_ups.data());
+    for (std::size_t i = 0; i < prepared.cos_curve.size(); ++i) {
+        const double moment = shaft.x() * prepared.cos_curve[i] + shaft.y() * prepared.sin_curve[i];
+        result.curves.M_s[i] = moment;
+        result.curves.M_ups[i] = prepared.base.curves.M_up[i] + moment;
+    }
 }
 
 double Solver::M_up(double crank_angle) const {

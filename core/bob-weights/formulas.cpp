@@ -1,4 +1,4 @@
-#include "bob-weights/formulas.h"
+#include "bob-weights/results.h"
 
 #include "bob-weights/factor_theory.h"
 #include "shop/balance_grade.h"
@@ -33,10 +33,7 @@ std::vector<Formula> formulas(const Input& input) {
                    "of the crankpins, φ direction of the throw from the middle of the banks")});
     list.push_back(
         {CORE_TEXT("bob-weights", "Balance factor by theory"),
-         input.engine.pin_split == 0.0 ? "F = ½" : "F = ½ [1 − |cos(γ + δ/2)| / cos(δ/2)]",
-         "",
-         "",
-         {}});
+         input.engine.pin_split == 0.0 ? "F = ½" : "F = ½ [1 − |cos(γ + δ/2)| / cos(δ/2)]"});
     list.push_back({CORE_TEXT("bob-weights", "Bob weight"),
                     "B = m<sub>m</sub> + n [m<sub>r</sub> + F m<sub>j</sub>]", "", "",
                     CORE_TEXT("bob-weights", "n rods on it, mₘ oil in the crankpin")});

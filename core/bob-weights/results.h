@@ -2,7 +2,9 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
+#include "bibliography/formula.h"
 #include "bob-weights/input.h"
 #include "bob-weights/result.h"
 #include "case-file/result_visitor.h"
@@ -21,5 +23,8 @@ void visit_planes(ResultVisitor& visitor, const Input& input, const Result& resu
 /// Whether the crankshaft passes; before it is read, what to hang on it.
 Verdict verdict(const Input& input, const Result& result,
                 const std::array<std::string, 2>& plane_names = {});
+
+/// The formulas that the result of this input rests on, in the order of the computation.
+std::vector<Formula> formulas(const Input& input);
 
 }  // namespace ravnoves::bob_weights

@@ -30,27 +30,12 @@ std::shared_ptr<const AngleGrid> angle_grid(int samples) {
     grid.angle.resize(n);
     grid.sin_phi.resize(n);
     grid.cos_phi.resize(n);
-    // The second half mirrors the first to the last digit, as the second quarter does and the
-    // second half of the first one where the grid has them.
-    const std::size_t half = (n - 1) / 2;
-    const std::size_t quarter = (n - 1) / 4;
     for (std::size_t i = 0; i < n; ++i) {
         const double turn = static_cast<double>(i) / static_cast<double>(n - 1);
         grid.angle_deg[i] = 360.0 * static_cast<double>(i) / static_cast<double>(n - 1);
         grid.angle[i] = two_pi * turn;
-        if (const std::size_t mirror = n - 1 - i; mirror < i) {
-            grid.sin_phi[i] = -grid.sin_phi[mirror];
-            grid.cos_phi[i] = grid.cos_phi[mirror];
-        } else if (n % 2 == 1 && half - i < i) {  // i ≤ half, as it is not past its mirror
-            grid.sin_phi[i] = grid.sin_phi[half - i];
-            grid.cos_phi[i] = -grid.cos_phi[half - i];
-        } else if (n % 4 == 1 && quarter - i < i) {
-            grid.sin_phi[i] = grid.cos_phi[quarter - i];
-            grid.cos_phi[i] = grid.sin_phi[quarter - i];
-        } else {
-            grid.sin_phi[i] = boost::math::sin_pi(2.0 * turn);
-            grid.cos_phi[i] = boost::math::cos_pi(2.0 * turn);
-        }
+        grid.sin_phi[i] = boost::math::sin_pi(2.0 * turn);
+        grid.cos_phi[i] = boost::math::cos_pi(2.0 * turn);
     }
     kept = std::make_shared<const AngleGrid>(std::move(grid));
     return kept;

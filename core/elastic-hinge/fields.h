@@ -82,14 +82,11 @@ inline constexpr Field gravity{
     .hint = CORE_TEXT("elastic-hinge", "The standard value is 9.80665 m/s²."),
 };
 /// With masses, gravity may be 0 (a horizontal mechanism).
-inline constexpr Field gravity_with_masses{
-    .key = gravity.key,
-    .unit = gravity.unit,
-    .range = Range::between(0, 1e3),
-    .label = gravity.label,
-    .symbol = gravity.symbol,
-    .hint = gravity.hint,
-};
+inline constexpr Field gravity_with_masses = [] {
+    Field field = gravity;
+    field.range = Range::between(0, 1e3);
+    return field;
+}();
 inline constexpr Field crank_radius{
     .key = "crank_radius_mm",
     .range = Range::between(1e-3, 1e5),
@@ -138,6 +135,14 @@ inline constexpr Field guide_sign{
     .words = guide_sign_words,
 };
 
+/// The same quantity of another part.
+constexpr Field named(Field field, Text label, Text hint) {
+    field.label = label;
+    field.hint = hint;
+    field.placeholder = {};
+    return field;
+}
+
 inline constexpr Field spring{
     .key = "spring", .hint = CORE_TEXT("elastic-hinge", "The spring of the crank's hinge.")};
 inline constexpr Field stiffness{
@@ -172,30 +177,14 @@ inline constexpr Field rod_hinge_spring{
     .hint = CORE_TEXT("elastic-hinge",
                       "If off, the rod's hinge has the same spring as the crank's hinge"),
 };
-inline constexpr Field rod_stiffness{
-    .key = stiffness.key,
-    .unit = stiffness.unit,
-    .range = stiffness.range,
-    .label = CORE_TEXT("elastic-hinge", "Its &stiffness c"),
-    .symbol = stiffness.symbol,
-    .hint = CORE_TEXT("elastic-hinge", "Value of the rod hinge's own spring"),
-};
-inline constexpr Field rod_free_length{
-    .key = free_length.key,
-    .unit = free_length.unit,
-    .range = free_length.range,
-    .label = CORE_TEXT("elastic-hinge", "Its free length &ℓ₀"),
-    .symbol = free_length.symbol,
-    .hint = rod_stiffness.hint,
-};
-inline constexpr Field rod_guide_radius{
-    .key = guide_radius.key,
-    .unit = guide_radius.unit,
-    .range = guide_radius.range,
-    .label = CORE_TEXT("elastic-hinge", "Its radius ρ&₀"),
-    .symbol = guide_radius.symbol,
-    .hint = CORE_TEXT("elastic-hinge", "Radius of the rod hinge's own guide at θ = 0"),
-};
+inline constexpr Field rod_stiffness =
+    named(stiffness, CORE_TEXT("elastic-hinge", "Its &stiffness c"),
+          CORE_TEXT("elastic-hinge", "Value of the rod hinge's own spring"));
+inline constexpr Field rod_free_length =
+    named(free_length, CORE_TEXT("elastic-hinge", "Its free length &ℓ₀"), rod_stiffness.hint);
+inline constexpr Field rod_guide_radius =
+    named(guide_radius, CORE_TEXT("elastic-hinge", "Its radius ρ&₀"),
+          CORE_TEXT("elastic-hinge", "Radius of the rod hinge's own guide at θ = 0"));
 
 inline constexpr Field rod_counterweight{
     .key = "rod_counterweight",

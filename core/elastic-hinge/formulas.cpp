@@ -1,4 +1,4 @@
-#include "elastic-hinge/formulas.h"
+#include "elastic-hinge/results.h"
 
 #include <array>
 
@@ -45,20 +45,11 @@ void add_rod_hinge(std::vector<Formula>& list, const Input& input) {
                                   "M₁₂ over a turn is zero")});
     }
     list.push_back({CORE_TEXT("elastic-hinge", "Potential part of M₁₂"),
-                    "M<sub>12</sub> − (1/2π) ∮ M<sub>12</sub> dφ",
-                    zotov_sviridov,
-                    "(5)",
-                    {}});
+                    "M<sub>12</sub> − (1/2π) ∮ M<sub>12</sub> dφ", zotov_sviridov, "(5)"});
     list.push_back({CORE_TEXT("elastic-hinge", "Side force with the rod's hinge"),
-                    "−∮ M<sub>12</sub> dφ / (2π ℓ cos ψ)",
-                    zotov_sviridov,
-                    "(6)",
-                    {}});
+                    "−∮ M<sub>12</sub> dφ / (2π ℓ cos ψ)", zotov_sviridov, "(6)"});
     list.push_back({CORE_TEXT("elastic-hinge", "Side force without the hinge"),
-                    "−M<sub>12</sub> / (ℓ cos ψ)",
-                    zotov_sviridov,
-                    "(7)",
-                    {}});
+                    "−M<sub>12</sub> / (ℓ cos ψ)", zotov_sviridov, "(7)"});
     list.push_back({CORE_TEXT("elastic-hinge", "Moment on the crank with the rod's hinge"),
                     "M<sub>1</sub> = M + (M<sub>12</sub> − (1/2π) ∮ M<sub>12</sub> dφ) "
                     "(1 + λ cos φ / cos ψ)",

@@ -1,5 +1,6 @@
 #include "elastic-hinge/input.h"
 
+#include "case-file/field_reader.h"
 #include "case-file/field_writer.h"
 #include "case-file/input_error.h"
 #include "elastic-hinge/fields.h"
@@ -35,6 +36,16 @@ Mechanism<double> mechanism_of(const Input& input) {
             input.rod_counterweight->mass.value_or(mechanism.balancing_mass());
     }
     return mechanism;
+}
+
+Input read_input(const Json& json) {
+    Input input = read_fields<Input>(json);
+    check_input(input);
+    return input;
+}
+
+Json write_input(const Input& input) {
+    return write_fields(input);
 }
 
 }  // namespace ravnoves::elastic_hinge

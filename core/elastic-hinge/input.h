@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "case-file/json_fwd.h"
 #include "elastic-hinge/mechanism.h"
 #include "numerics/constants.h"
 
@@ -108,6 +109,12 @@ void visit_fields(FieldVisitor& visitor, Input& input);
 /// Checks the range of every field, and what fields rule out together.
 /// @throws InputError that names the JSON pointer as a case would have it
 void check_input(const Input& input);
+
+/// Reads the "input" object of a case, and checks it.
+/// @throws InputError that names the JSON pointer
+Input read_input(const Json& input);
+/// The "input" object that reads back to the same Input.
+Json write_input(const Input& input);
 
 /// The input's mechanism, with the counterweight's mass given or solved.
 Mechanism<double> mechanism_of(const Input& input);

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <span>
 #include <string_view>
+#include <vector>
 
+#include "bibliography/formula.h"
 #include "case-file/result_visitor.h"
 #include "case-file/verdict.h"
 #include "elastic-hinge/input.h"
@@ -24,5 +27,11 @@ inline constexpr double min_preload_margin = 0.05 * units::mm;
 
 /// What the crank's guide is worth: none; one that cannot be made; one that can.
 Verdict verdict(const Input& input, const Result& result);
+
+/// The formulas that the result of this input rests on, in the order of the computation.
+std::vector<Formula> formulas(const Input& input);
+
+/// What the model leaves out, a sentence each.
+std::span<const Text> left_out();
 
 }  // namespace ravnoves::elastic_hinge

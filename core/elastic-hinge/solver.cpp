@@ -95,34 +95,16 @@ void fill(MechanismCurves& curves, const Mechanism<double>& mechanism,
     }
 }
 
-/// The rod's moments and the side forces for one λ (the counterweight solved again, where it is).
+/// The curves for another λ (the counterweight solved again, where it is).
 MechanismCurves curves_at_lambda(Input input, double lambda, const AngleGrid& grid) {
     input.lambda = lambda;
     const Mechanism<double> mechanism = mechanism_of(input);
     const bool solved = input.rod_counterweight && !input.rod_counterweight->mass;
     const double static_moment = solved ? 0.0 : mechanism.static_moment();
     const double mean = rod_hinge_integral(mechanism, static_moment, input.kinematics) / two_pi;
-    const double square = input.angular_speed * input.angular_speed;
-    const std::size_t n = grid.size();
     MechanismCurves curves;
-    resize(curves, n, false);
-    for (std::size_t i = 0; 2 * i < n; ++i) {
-        const double s = grid.sin_phi[i];
-        const double c = grid.cos_phi[i];
-        const auto rod = rod_angle(input.kinematics, lambda, s, c);
-        const auto moment = rod_hinge_moment(mechanism, static_moment, s, c, rod);
-        const double arm = lambda / (mechanism.crank_radius * rod.cos_psi);
-        // φ and −φ: the weight's part is even, the inertia's odd.
-        for (const double side : {1.0, -1.0}) {
-            const std::size_t at = side > 0.0 ? i : n - 1 - i;
-            const double value = moment.weight + side * square * moment.inertia;
-            curves.rod_hinge_moment[at] = value;
-            curves.rod_hinge_moment_potential[at] = value - mean;
-            curves.side_force_without_hinge[at] =
-                -(moment.weight + side * square * moment.true_inertia) * arm;
-            curves.side_force_with_hinge[at] = -mean * arm;
-        }
-    }
+    fill(curves, mechanism, turn_states(mechanism, static_moment, input.kinematics, grid), grid,
+         input.angular_speed, mean);
     return curves;
 }
 

@@ -12,8 +12,7 @@ namespace ravnoves::elastic_hinge {
 struct SolveOptions {
     int samples = 721;           ///< crank angles, both ends of the turn included; at least 13
     std::vector<double> speeds;  ///< members of Result::by_speed, rad/s, ≥ 0
-    /// Members of Result::by_lambda, 0 < λ ≤ 1: the rod's moments and side forces only. λ = 1 is
-    /// left out with the exact kinematics.
+    /// Members of Result::by_lambda, 0 < λ ≤ 1. λ = 1 is left out with the exact kinematics.
     std::vector<double> lambdas;
     bool with_curves = true;      ///< with side forces, and what the series differs by
     bool with_rod_guides = true;  ///< the guides of the rod's hinge and of the crank's beside it

@@ -1,4 +1,4 @@
-#include "inertia-moments/formulas.h"
+#include "inertia-moments/results.h"
 
 #include <algorithm>
 #include <array>
@@ -48,10 +48,7 @@ void add_weights(std::vector<Formula>& list, const Input& input) {
     }
     if (has(Balances::force)) {
         list.push_back({CORE_TEXT("inertia-moments", "Balance shaft against a force"),
-                        "m ρ (kω)<sup>2</sup> = |A|, |B|",
-                        "",
-                        "",
-                        {}});
+                        "m ρ (kω)<sup>2</sup> = |A|, |B|"});
     }
     if (input.rotating_mass > 0.0 || input.end_webs) {
         list.push_back({CORE_TEXT("inertia-moments", "Rotating masses"),

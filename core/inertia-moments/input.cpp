@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case-file/field_reader.h"
 #include "case-file/field_visitor.h"
 #include "case-file/field_writer.h"
 #include "case-file/input_error.h"
@@ -234,6 +235,16 @@ void check_input(const Input& input) {
     check_throws(input, engine);
     check_articulated(input, engine);
     check_size(input, engine);
+}
+
+Input read_input(const Json& json) {
+    Input input = read_fields<Input>(json);
+    check_input(input);
+    return input;
+}
+
+Json write_input(const Input& input) {
+    return write_fields(input);
 }
 
 }  // namespace ravnoves::inertia_moments

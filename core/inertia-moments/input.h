@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "case-file/json_fwd.h"
 #include "numerics/constants.h"
 
 namespace ravnoves {
@@ -151,5 +152,11 @@ RigidRod usual_rod(const Input& input);
 /// Checks ranges, the layout, locking, and that forces and moments stay in the range of numbers.
 /// @throws InputError that names the JSON pointer, as read_input() would
 void check_input(const Input& input);
+
+/// Reads the "input" object of a case, and checks it.
+/// @throws InputError that names the JSON pointer
+Input read_input(const Json& input);
+/// The "input" object that reads back to the same Input.
+Json write_input(const Input& input);
 
 }  // namespace ravnoves::inertia_moments

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
+#include "bibliography/formula.h"
 #include "case-file/result_visitor.h"
 #include "case-file/verdict.h"
 #include "inertia-moments/input.h"
@@ -15,5 +19,11 @@ void visit_results(ResultVisitor& visitor, const Input& input);
 
 /// The largest residual force and moment of orders 1 to 4, and what puts them in doubt.
 Verdict verdict(const Input& input, const Result& result);
+
+/// The formulas that the result of this input rests on, in the order of the computation.
+std::vector<Formula> formulas(const Input& input);
+
+/// What the model leaves out, a sentence each.
+std::span<const Text> left_out();
 
 }  // namespace ravnoves::inertia_moments

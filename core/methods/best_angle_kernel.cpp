@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "balance-shaft/angle_search.h"
-#include "balance-shaft/method_choices.h"
 #include "methods/definition.h"
 #include "methods/torque_cycle.h"
 #include "methods/torque_reference.h"
@@ -97,7 +96,13 @@ Kernel best_angle_kernel() {
     kernel.evaluation = CORE_TEXT("methods", "one search over all α, the table being prepared");
     kernel.reference = CORE_TEXT(
         "methods", "every angle of a scan where the slope turns, halved until it is found");
-    kernel.choice = balance_shaft::best_angle_choice;
+    kernel.choice = {
+        "balance-shaft", "cutting-planes", "exact", 1e-9,
+        CORE_TEXT(
+            "methods",
+            "The range is the maximum of many sinusoids, with kinks and several minima. "
+            "Sinusoids that bound it from below exclude worse angles, so the optimum is proven, "
+            "with fewer evaluations than a scan of 5°.")};
     definition.methods = {
         method_of({"scan",
                    CORE_TEXT("methods", "scan"),

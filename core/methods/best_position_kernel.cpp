@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "balance-shaft/method_choices.h"
 #include "balance-shaft/place_search.h"
 #include "methods/definition.h"
 #include "methods/torque_cycle.h"
@@ -98,7 +97,13 @@ Kernel best_position_kernel() {
     kernel.evaluation =
         CORE_TEXT("methods", "one search over all places, the table being prepared");
     kernel.reference = CORE_TEXT("methods", "ellipsoids around the place, cut by slopes");
-    kernel.choice = balance_shaft::best_position_choice;
+    kernel.choice = {
+        "balance-shaft", "cutting-planes", "exact", 1e-9,
+        CORE_TEXT(
+            "methods",
+            "Over the plane of places the range is convex: the maximum of linear functions minus "
+            "their minimum. Planes below find its kinks, where other methods stop or jump, and "
+            "prove that no place is better.")};
     definition.methods = {
         {{"first-order",
           CORE_TEXT("methods", "place without first order"),

@@ -2,7 +2,6 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
-#include "balance-shaft/method_choices.h"
 #include "methods/definition.h"
 #include "methods/torque_cycle.h"
 #include "methods/torque_reference.h"
@@ -142,7 +141,13 @@ Kernel cycle_mean_kernel() {
     kernel.evaluation = CORE_TEXT("methods", "all of these, from the table");
     kernel.reference =
         CORE_TEXT("methods", "Gauss-Legendre sums over the pieces, the spline by its bends");
-    kernel.choice = balance_shaft::cycle_mean_choice;
+    kernel.choice = {
+        "balance-shaft", "exact", "pieces", 1e-9,
+        CORE_TEXT(
+            "methods",
+            "The paper's conclusions use a mean, so it must be the mean of the cycle, not of "
+            "some nodes: nine digits for any table. The pieces between the rows are integrated "
+            "exactly; then each shaft angle needs three multiplications.")};
     definition.methods = {
         node_rule({"nodes-end-twice",
                    CORE_TEXT("methods", "node mean, end counted twice"),

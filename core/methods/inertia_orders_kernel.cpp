@@ -2,7 +2,6 @@
 
 #include "inertia-moments/cylinder_orders.h"
 #include "inertia-moments/engine.h"
-#include "inertia-moments/method_choices.h"
 #include "methods/definition.h"
 #include "methods/reference_mechanism.h"
 
@@ -130,7 +129,13 @@ Kernel inertia_orders_kernel() {
     kernel.evaluation = CORE_TEXT("methods", "all the orders of one cylinder");
     kernel.reference =
         CORE_TEXT("methods", "integrals of s″ over half turns by the double exponential rule");
-    kernel.choice = inertia_moments::orders_choice;
+    kernel.choice = {
+        "inertia-moments", "transform-by-accuracy", "1e-13", 1e-11,
+        CORE_TEXT(
+            "methods",
+            "In a balanced layout orders cancel and only rounding may remain: eleven digits. No "
+            "fixed number of points suffices for every λ and K; the number follows from the "
+            "known decay of the orders.")};
     definition.methods = {
         method_of(
             {"two-term",

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "case-file/message.h"
-#include "numerics/method_choice.h"
 
 /// Speed against accuracy: every method that could compute a quantity of the scenes, with its
 /// error against 50 digits, its cost, and where it fails.
@@ -64,6 +63,17 @@ struct SweepInfo {
     std::vector<double> values(std::size_t n) const;
     /// True where a value can be on a logarithmic axis.
     bool logarithmic() const { return spacing == Spacing::logarithmic; }
+};
+
+/// The method and setting that compute a kernel's quantity in its scene, and how far the result may
+/// be off. Tests fail where the method exceeds the tolerance, or where a cheaper one would have
+/// held it.
+struct MethodChoice {
+    std::string_view scene;    ///< of the case files
+    std::string_view method;   ///< id of the method
+    std::string_view setting;  ///< label of its setting
+    double tolerance;          ///< in the kernel's measure of error
+    Text reason;               ///< why this tolerance and this method: sentences for the page
 };
 
 /// Runs a method on the problem it was prepared for and writes the outputs.

@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "balance-shaft/angle_search.h"
-#include "balance-shaft/method_choices.h"
 #include "methods/definition.h"
 #include "methods/torque_cycle.h"
 #include "methods/torque_reference.h"
@@ -111,7 +110,13 @@ Kernel moment_range_kernel() {
     kernel.error_measure = CORE_TEXT("methods", "share of the maximum torque of the table + A");
     kernel.evaluation = CORE_TEXT("methods", "the range at one α, the table being prepared");
     kernel.reference = CORE_TEXT("methods", "extrema of every half degree by Newton's method");
-    kernel.choice = balance_shaft::moment_range_choice;
+    kernel.choice = {
+        "balance-shaft", "exact", "pieces", 1e-9,
+        CORE_TEXT(
+            "methods",
+            "The optimum angle compares ranges, so nine digits. Nodes miss a peak between them; "
+            "the extremum of a line plus a sine has a closed form, and only the few intervals "
+            "that may contain it are solved.")};
     definition.methods = {
         {{"nodes",
           CORE_TEXT("methods", "maximum and minimum node"),

@@ -66,10 +66,6 @@ RAVNOVES_KERNEL void load(Lanes& to, const double* from) {
     std::memcpy(&to, from, sizeof to);
 }
 template <typename Lanes>
-RAVNOVES_KERNEL void store(double* to, const Lanes& from) {
-    std::memcpy(to, &from, sizeof from);
-}
-template <typename Lanes>
 RAVNOVES_KERNEL void set_all(Lanes& to, double value) {
     to = value - Lanes{};
 }
@@ -78,24 +74,12 @@ RAVNOVES_KERNEL void raise(Lanes& maximum, const Lanes& value) {
     maximum = value > maximum ? value : maximum;
 }
 template <typename Lanes>
-RAVNOVES_KERNEL void lower(Lanes& minimum, const Lanes& value) {
-    minimum = value < minimum ? value : minimum;
-}
-template <typename Lanes>
 RAVNOVES_KERNEL double max_of(const Lanes& of) {
     double maximum = of[0];
     for (std::size_t i = 1; i < lanes_of<Lanes>; ++i) {
         maximum = of[i] > maximum ? of[i] : maximum;
     }
     return maximum;
-}
-template <typename Lanes>
-RAVNOVES_KERNEL double minimum(const Lanes& of) {
-    double minimum = of[0];
-    for (std::size_t i = 1; i < lanes_of<Lanes>; ++i) {
-        minimum = of[i] < minimum ? of[i] : minimum;
-    }
-    return minimum;
 }
 
 }  // namespace ravnoves

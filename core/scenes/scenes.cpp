@@ -8,9 +8,6 @@
 #include <vector>
 
 #include "balance-shaft/fields.h"
-#include "balance-shaft/formulas.h"
-#include "balance-shaft/input_check.h"
-#include "balance-shaft/older_cases.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/results.h"
 #include "balance-shaft/scene.h"
@@ -18,21 +15,18 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/result_json.h"
-#include "elastic-hinge/formulas.h"
+#include "elastic-hinge/input.h"
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/results.h"
-#include "elastic-hinge/scene.h"
-#include "inertia-moments/formulas.h"
+#include "inertia-moments/input.h"
 #include "inertia-moments/presets.h"
 #include "inertia-moments/results.h"
-#include "inertia-moments/scene.h"
 #include "numerics/demand.h"
 #include "scenes/typed_response.h"
-#include "workshop/formulas.h"
+#include "workshop/input.h"
 #include "workshop/older_formats.h"
 #include "workshop/presets.h"
 #include "workshop/results.h"
-#include "workshop/scene.h"
 
 namespace ravnoves {
 
@@ -128,6 +122,11 @@ std::unique_ptr<Response> respond(const Json& input, const CaseContext& context,
 }
 
 template <auto read>
+Json solve(const Json& input, const CaseContext& context, const Wanted& wanted) {
+    return result_json(wanted, read_whole<read>(input, context));
+}
+
+template <auto read>
 std::vector<ResultEntry> results_of(const Json& input, const CaseContext& context) {
     return list_results(read_whole<read>(input, context));
 }
@@ -147,13 +146,13 @@ std::vector<Preset<Json>> written() {
 }
 
 /// A scene by what each of them has.
-template <typename Input, auto solve, auto left_out, auto presets, auto read, auto check,
+template <typename Input, auto left_out, auto presets, auto read, auto check,
           typename Results = FreshResults<Input>>
 SceneSolver scene(std::string_view name, Text title = {}, Text summary = {}) {
     return {.name = name,
             .title = title,
             .summary = summary,
-            .solve = solve,
+            .solve = solve<read>,
             .formulas = formulas_of<Input>,
             .left_out = left_out,
             .presets = written<presets>,
@@ -161,24 +160,18 @@ SceneSolver scene(std::string_view name, Text title = {}, Text summary = {}) {
             .results = results_of<read>};
 }
 
-template <auto read>
-Json solve_older(const Json& input, const CaseContext& /*context*/, const Wanted& wanted) {
-    return result_json(wanted, read(input, Completeness::required));
-}
-
 /// Of a format that the workshop reads: nobody begins in it.
 template <typename Input, auto read, auto check>
 SceneSolver older_scene(std::string_view name) {
     constexpr auto no_presets = [] { return std::vector<Preset<Input>>(); };
-    return scene<Input, solve_older<read>, workshop::left_out, no_presets, read, check>(name);
+    return scene<Input, workshop::left_out, no_presets, read, check>(name);
 }
 
 SceneSolver balance_shaft_scene() {
     using namespace balance_shaft;
-    SceneSolver made =
-        scene<Input, solve_scene, left_out, presets, read_input, check_joined, RepeatedResults>(
-            "balance-shaft", CORE_TEXT("scenes", "Balance shaft"),
-            CORE_TEXT("scenes", "Position the balance shaft of a single-cylinder engine"));
+    SceneSolver made = scene<Input, left_out, presets, read_input, check_joined, RepeatedResults>(
+        "balance-shaft", CORE_TEXT("scenes", "Balance shaft"),
+        CORE_TEXT("scenes", "Position the balance shaft of a single-cylinder engine"));
     made.buildable = "/buildable/at_shaft_angle";
     made.file_notes = torque_notes;
     return made;
@@ -190,12 +183,12 @@ std::span<const SceneSolver> scene_solvers() {
     // One line per scene; the order is that of the navigation.
     static const std::array scenes{
         balance_shaft_scene(),
-        scene<elastic_hinge::Input, elastic_hinge::solve_scene, elastic_hinge::left_out,
-              elastic_hinge::presets, elastic_hinge::read_input, elastic_hinge::check_input>(
+        scene<elastic_hinge::Input, elastic_hinge::left_out, elastic_hinge::presets,
+              elastic_hinge::read_input, elastic_hinge::check_input>(
             "elastic-hinge", CORE_TEXT("scenes", "Elastic hinges"),
             CORE_TEXT("scenes", "Spring guides for constant crank speed")),
-        scene<workshop::Input, workshop::solve_scene, workshop::left_out, workshop::presets,
-              workshop::read_input, workshop::check_input>(
+        scene<workshop::Input, workshop::left_out, workshop::presets, workshop::read_input,
+              workshop::check_input>(
             "workshop", CORE_TEXT("scenes", "Workshop"),
             CORE_TEXT("scenes",
                       "From the scale to the drilled crankshaft, plugs of a V-8 included")),
@@ -203,8 +196,8 @@ std::span<const SceneSolver> scene_solvers() {
             "v8-plugs"),
         older_scene<workshop::BobWeightsCase, workshop::read_bob_weights_case,
                     workshop::check_bob_weights_case>("bob-weights"),
-        scene<inertia_moments::Input, inertia_moments::solve_scene, inertia_moments::left_out,
-              inertia_moments::presets, inertia_moments::read_input, inertia_moments::check_input>(
+        scene<inertia_moments::Input, inertia_moments::left_out, inertia_moments::presets,
+              inertia_moments::read_input, inertia_moments::check_input>(
             "inertia-moments", CORE_TEXT("scenes", "Inertia moments"),
             CORE_TEXT("scenes", "Forces and moments of VR5 and any other cylinder layout")),
     };

@@ -1,4 +1,4 @@
-#include "v8-plugs/formulas.h"
+#include "v8-plugs/results.h"
 
 namespace ravnoves::v8_plugs {
 
@@ -53,10 +53,7 @@ std::vector<Formula> formulas(const Input& input) {
                    "Δmₚ piston, Δm_b big end of the rod, in repair Δm_rp repair piston with rings "
                    "and Δm_sh repair shells; kᵣ coefficient of the rod")});
     list.push_back({CORE_TEXT("v8-plugs", "Lightening of each plug"),
-                    "Δm = Δm<sub>u</sub> / k<sub>u</sub>",
-                    nazarov,
-                    "(3), (18)",
-                    {}});
+                    "Δm = Δm<sub>u</sub> / k<sub>u</sub>", nazarov, "(3), (18)"});
     list.push_back({CORE_TEXT("v8-plugs", "Aluminium in place of steel plugs"),
                     "k<sub>u</sub> (m<sub>s</sub> − m<sub>a</sub>)", nazarov, "(12), (15)",
                     CORE_TEXT("v8-plugs",

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "bibliography/formula.h"
 #include "case-file/result_visitor.h"
 #include "case-file/verdict.h"
 #include "v8-plugs/input.h"
@@ -22,5 +24,8 @@ Verdict verdict_of_plugs(const Input& input, const Result& result);
 /// That the plug's sizes do not fit its mass, as it was entered or as the paper prints it; empty
 /// where they do.
 Message plug_doubt(const Input& input, const Result& result);
+
+/// The formulas that the result of this input rests on, in the order of the computation.
+std::vector<Formula> formulas(const Input& input);
 
 }  // namespace ravnoves::v8_plugs

@@ -1,9 +1,9 @@
-#include "workshop/formulas.h"
+#include "workshop/results.h"
 
 #include <array>
 
-#include "bob-weights/formulas.h"
-#include "v8-plugs/formulas.h"
+#include "bob-weights/results.h"
+#include "v8-plugs/results.h"
 
 namespace ravnoves::workshop {
 

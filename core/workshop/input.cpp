@@ -158,6 +158,22 @@ bool is_planned(const Correction& correction) {
            (readings[0].angle || readings[1].angle || !correction.planes.empty());
 }
 
+Input read_input(const Json& json, Completeness completeness) {
+    Input input = read_fields<Input>(json, completeness);
+    if (completeness == Completeness::required) {
+        check_input(input);
+    } else {
+        bob_weights::fit_weigh_in(input);
+    }
+    return input;
+}
+
+Json write_input(const Input& input) {
+    Input whole = input;
+    bob_weights::fit_weigh_in(whole);
+    return write_fields(whole);
+}
+
 void check_input(const Input& input) {
     check_fields(input);
     check_rules(input);

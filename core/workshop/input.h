@@ -5,11 +5,8 @@
 #include <string>
 
 #include "bob-weights/input.h"
+#include "case-file/field_reader.h"
 #include "v8-plugs/input.h"
-
-namespace ravnoves {
-class FieldVisitor;
-}
 
 /// One job of the shop: the parts on the scale, the plugs of a V-8 that has them, the bob weights,
 /// the readings of the machine and the holes.
@@ -54,6 +51,13 @@ void note_counts_changed(bob_weights::Correction& correction);
 /// Whether the newest readings and their planes are to be made a plan of holes; else they have a
 /// verdict alone.
 bool is_planned(const bob_weights::Correction& correction);
+
+/// Reads the case's "input" object. With Completeness::as_is, rules that join values are left to
+/// the page.
+/// @throws InputError
+Input read_input(const Json& input, Completeness completeness = Completeness::required);
+/// Writes an "input" object that read_input() turns into the same Input.
+Json write_input(const Input& input);
 
 /// Checks the ranges, that nothing which a result needs is missing, and the rules that join fields.
 /// @throws InputError

@@ -14,8 +14,8 @@
 #include "shop/results.h"
 #include "v8-plugs/fields.h"
 #include "v8-plugs/results.h"
+#include "workshop/input.h"
 #include "workshop/results.h"
-#include "workshop/scene.h"
 #include "workshop/solver.h"
 
 namespace ravnoves::workshop {

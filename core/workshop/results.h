@@ -1,5 +1,9 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
+#include "bibliography/formula.h"
 #include "case-file/result_visitor.h"
 #include "case-file/verdict.h"
 #include "workshop/input.h"
@@ -22,5 +26,10 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
 Verdict verdict(const Input& input, const Result& result);
 /// The same beside a list of the warnings: no more than that there are any.
 Verdict short_verdict(const Input& input, const Result& result);
+
+/// Formulas of the plugs, if any, and of bob weight and correction.
+std::vector<Formula> formulas(const Input& input);
+/// What the models leave out.
+std::span<const Text> left_out();
 
 }  // namespace ravnoves::workshop

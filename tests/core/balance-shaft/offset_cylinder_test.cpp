@@ -317,7 +317,7 @@ TEST(OffsetCylinder, AnglesCountFromTheTrueDeadCentre) {
     const auto& pressure = result.curves.pressure;
     const auto peak = std::max_element(pressure.begin(), pressure.end()) - pressure.begin();
     EXPECT_NEAR(result.indicated->peak_pressure_angle / degree, static_cast<double>(peak), 1.0);
-    const Json json = result_json({}, Solver(input), result);
+    const Json json = written(input);
     EXPECT_NEAR(json.at("dead_centre_deg").get<double>(), 2.3393, 1e-4);
     EXPECT_NEAR(json.at("counterweight_lag_deg").get<double>(), 3.1723, 1e-4);
     EXPECT_NEAR(json.at("crank_only").at("with_shaft_N").get<double>(), 9.17, 0.01);

@@ -1,7 +1,5 @@
 // One record of the cylinder, whatever the source of the torque.
 
-#include "balance-shaft/older_cases.h"
-
 #include <gtest/gtest.h>
 
 #include <random>

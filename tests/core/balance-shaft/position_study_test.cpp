@@ -524,8 +524,7 @@ TEST(PositionStudyTest, limitsAreChecked) {
 }
 
 TEST(PositionStudyTest, theResultHoldsTheBestPlaces) {
-    const Solver solver(preset_tmz_650d());
-    const Json json = result_json({}, solver, solver.result());
+    const Json json = written(preset_tmz_650d());
     EXPECT_NEAR(json["best_position"]["range"]["range_Nm"].get<double>(), 1063.504264, 5e-7);
     EXPECT_NEAR(json["best_position"]["rms"]["centre_distance_mm"].get<double>(), 36.950446, 5e-7);
     const Json& built = json["best_position_buildable"];
@@ -533,7 +532,7 @@ TEST(PositionStudyTest, theResultHoldsTheBestPlaces) {
     EXPECT_TRUE(built["rms"].contains("shaft_angle_deg"));
     ASSERT_TRUE(built["front"].is_array());
     EXPECT_TRUE(built["front"][0].contains("size_m2"));
-    EXPECT_EQ(result_json({}, solver, solver.result()), json);
+    EXPECT_EQ(written(preset_tmz_650d()), json);
 }
 
 TEST(PositionStudyTest, theMinSumHasNoBetterPlaceOnAGridOrOnItsCircle) {

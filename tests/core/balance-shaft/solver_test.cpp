@@ -398,7 +398,15 @@ TEST(BalanceShaft, MovingTheShaftEqualsSolvingAgain) {
     for (const double angle : {0.0, 0.1, 123.4, 359.9, 405.0, -45.0}) {
         solver.move_shaft(angle * degree, moved);
         input.shaft_angle = angle * degree;
-        EXPECT_EQ(result_json({}, solver, moved), written(input)) << angle;
+        const Result again = solve(input);
+        EXPECT_EQ(moved.M_s.max_angle, again.M_s.max_angle) << angle;
+        EXPECT_EQ(moved.M_ups.range, again.M_ups.range) << angle;
+        EXPECT_EQ(moved.rms_change, again.rms_change) << angle;
+        EXPECT_EQ(moved.printed_mean_M_ups, again.printed_mean_M_ups) << angle;
+        EXPECT_EQ(moved.curves.M_ups, again.curves.M_ups) << angle;
+        EXPECT_EQ(moved.spectrum_M_ups[1].phase, again.spectrum_M_ups[1].phase) << angle;
+        EXPECT_EQ(moved.envelope.width(), again.envelope.width()) << angle;
+        EXPECT_EQ(verdict(moved).text, verdict(again).text) << angle;
     }
 }
 

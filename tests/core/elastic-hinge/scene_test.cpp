@@ -1,6 +1,7 @@
-#include "elastic-hinge/scene.h"
 #include "case-file/case_file.h"
 #include "case-file/json.h"
+#include "case-file/result_json.h"
+#include "elastic-hinge/input.h"
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/results.h"
 
@@ -67,7 +68,7 @@ TEST(ElasticHingeCase, WritesWhatItReads) {
 TEST(ElasticHingeCase, APreloadOfExactlyTheMinimumIsFeasible) {
     for (const char* name : {"zotov-energy", "zotov-as-printed", "zotov-counterweight"}) {
         Json json = ravnoves::test::example(name).input;
-        const auto guide = [&] { return solve_scene(json, {}).at("guide"); };
+        const auto guide = [&] { return result_json({}, read_input(json)).at("guide"); };
         const double minimum = guide().at("minimum_preload_mm").get<double>();
         for (const double side : {-1.0, 1.0}) {
             json["spring"]["guide_radius_at_zero_mm"] = 100.0 + side * minimum;
@@ -81,9 +82,9 @@ TEST(ElasticHingeCase, APreloadOfExactlyTheMinimumIsFeasible) {
 TEST(ElasticHingeCase, CounterweightIsByNewtonAndEulerUnlessAskedOtherwise) {
     Json json = ravnoves::test::example("zotov-counterweight").input;
     EXPECT_EQ(read_input(json).rod_counterweight->inertia, CounterweightInertia::newton_euler);
-    const Json right = solve_scene(json, {});
+    const Json right = result_json({}, read_input(json));
     json["rod_counterweight"]["inertia"] = "as-printed";
-    const Json printed = solve_scene(json, {});
+    const Json printed = result_json({}, read_input(json));
     // The signs of a hinge's moment change no force of the mechanism without hinge.
     EXPECT_EQ(printed.at("curves").at("side_force_without_hinge_N"),
               right.at("curves").at("side_force_without_hinge_N"));
@@ -96,13 +97,14 @@ TEST(ElasticHingeCase, ResultHoldsMotionAndSearchWhereAsked) {
     Json json = ravnoves::test::example("zotov-energy").input;
     json["motion"] = {{"turns", 3}};
     json["guide_search"] = {{"relief_mm", 1}, {"outer_diameter_mm", 250}};
-    const Json result = solve_scene(json, {});
+    const Json result = result_json({}, read_input(json));
     EXPECT_EQ(result.at("motion").at("with_crank_hinge").at("end"), "completed");
     EXPECT_LT(result.at("motion").at("with_crank_hinge").at("speed_ripple"), 1e-9);
     EXPECT_GT(result.at("motion").at("without_hinge").at("speed_ripple"), 0.5);
     EXPECT_EQ(result.at("guide_search").at("feasible"), true);
     json["spring"] = result.at("guide_search").at("spring");
-    EXPECT_NEAR(solve_scene(json, {}).at("guide").at("relief_mm").get<double>(), 1.0, 1e-6);
+    EXPECT_NEAR(result_json({}, read_input(json)).at("guide").at("relief_mm").get<double>(), 1.0,
+                1e-6);
 }
 
 TEST(ElasticHingeCase, ErrorsNameTheField) {
@@ -153,7 +155,7 @@ TEST(ElasticHingeCase, AnEmptyFieldStandsForWhatTheHelpSays) {
     Json json = ravnoves::test::example("zotov-counterweight").input;
     json["guide_search"] = {{"relief_mm", 1.0}, {"outer_diameter_mm", 250.0}};
     json["motion"] = {{"turns", 1.0}};
-    const auto solved = [](const Json& input) { return solve_scene(input, {}, {}); };
+    const auto solved = [](const Json& input) { return result_json({}, read_input(input)); };
     const Json empty = solved(json);
     const double r = json.at("crank_radius_mm");
     const double length = r / json.at("lambda").get<double>();

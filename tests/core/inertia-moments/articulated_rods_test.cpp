@@ -9,13 +9,14 @@
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "case-file/result_json.h"
 #include "engines.h"
 #include "example_check.h"
 #include "inertia-moments/comparison.h"
 #include "inertia-moments/fields.h"
+#include "inertia-moments/input.h"
 #include "inertia-moments/pose.h"
 #include "inertia-moments/presets.h"
-#include "inertia-moments/scene.h"
 #include "numerics/real50.h"
 
 namespace ravnoves::inertia_moments {
@@ -385,7 +386,7 @@ TEST(ArticulatedRods, AnExampleHasTheExpectedNumbers) {
 
 TEST(ArticulatedRods, APresetRadialFiresUnevenly) {
     const Input input = preset_radial(9);
-    const Json json = solve_scene(write_input(input), {});
+    const Json json = result_json({}, read_input(write_input(input)));
     EXPECT_TRUE(read_input(write_input(input)) == input);
     EXPECT_TRUE(json.at("notes").empty());
     EXPECT_EQ(json.at("throws").size(), 1U);

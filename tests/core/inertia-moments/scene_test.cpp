@@ -1,10 +1,11 @@
-#include "inertia-moments/scene.h"
+#include "inertia-moments/input.h"
 
 #include <gtest/gtest.h>
 
 #include "case-file/case_file.h"
 #include "case-file/field_index.h"
 #include "case-file/json.h"
+#include "case-file/result_json.h"
 #include "engines.h"
 #include "error_of.h"
 
@@ -30,7 +31,7 @@ Json table_json() {
 using ravnoves::test::error_of;
 
 std::string error_in(Json input) {
-    return error_of([&] { solve_scene(input, {}); });
+    return error_of([&] { result_json({}, read_input(input)); });
 }
 
 TEST(CaseIo, WritesWhatItReads) {
@@ -62,7 +63,7 @@ TEST(CaseIo, WritesWhatItReads) {
 }
 
 TEST(CaseIo, KeysHaveTheContractsNamesAndNullRules) {
-    const Json twin = solve_scene(table_json(), {});
+    const Json twin = result_json({}, read_input(table_json()));
     // Two pistons in antiphase: no first-order force, so it has no direction.
     const Json& force_1 = twin["exact"]["order_1"]["force_N"];
     EXPECT_TRUE(force_1["forward"]["angle_deg"].is_null());
@@ -74,7 +75,7 @@ TEST(CaseIo, KeysHaveTheContractsNamesAndNullRules) {
     EXPECT_NEAR(twin["rotating"]["moment_factor_m"].get<double>(), 0.08, 1e-15);
     EXPECT_EQ(twin["rotating"]["force_N"].get<double>(), 0.0);
     EXPECT_FALSE(twin.contains("tdc_angle_deg"));
-    const Json vr5 = solve_scene(vr5_json(), {});
+    const Json vr5 = result_json({}, read_input(vr5_json()));
     for (const char* form : {"two_term", "exact"}) {
         for (const char* order : {"order_1", "order_2", "order_4"}) {
             for (const char* quantity : {"force_N", "moment_Nm"}) {
@@ -94,7 +95,7 @@ TEST(CaseIo, KeysHaveTheContractsNamesAndNullRules) {
     EXPECT_FALSE(vr5.contains("curves"));
     Json with_step = vr5_json();
     with_step["step_deg"] = 10;
-    const Json curves = solve_scene(with_step, {}).at("curves");
+    const Json curves = result_json({}, read_input(with_step)).at("curves");
     EXPECT_EQ(curves.at("crank_angle_deg").size(), 37U);
     EXPECT_NEAR(curves.at("crank_angle_deg")[36].get<double>(), 360.0, 1e-12);
 }
@@ -104,8 +105,8 @@ TEST(CaseIo, LayoutAndItsTableAreTheSameEngine) {
     Input table = layout;
     table.cylinders = make_cylinders(*layout.layout, layout.crank_radius, layout.lambda);
     table.layout.reset();
-    Json a = solve_scene(write_input(layout), {});
-    Json b = solve_scene(write_input(table), {});
+    Json a = result_json({}, read_input(write_input(layout)));
+    Json b = result_json({}, read_input(write_input(table)));
     // The table carries degrees, rounded once more than the layout.
     const double x = a["exact"]["order_2"]["moment_Nm"]["vertical"]["cos"].get<double>();
     const double y = b["exact"]["order_2"]["moment_Nm"]["vertical"]["cos"].get<double>();
@@ -252,7 +253,7 @@ TEST(CaseIo, ALayoutOfTheLibraryStaysCentred) {
 
 /// Before and after balancing are of the same parts: without weights and shafts nothing differs.
 TEST(CaseIo, BeforeAndAfterHaveTheRotatingMasses) {
-    const Json result = solve_scene(vr5_json(), {}, {});
+    const Json result = result_json({}, read_input(vr5_json()));
     EXPECT_EQ(result.at("unbalanced"), result.at("remaining"));
     EXPECT_NE(result.at("unbalanced").at("order_1"), result.at("exact").at("order_1"));
     EXPECT_EQ(result.at("unbalanced").at("order_2"), result.at("exact").at("order_2"));

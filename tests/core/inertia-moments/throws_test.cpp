@@ -7,8 +7,9 @@
 #include <map>
 
 #include "case-file/json.h"
+#include "case-file/result_json.h"
 #include "engines.h"
-#include "inertia-moments/scene.h"
+#include "inertia-moments/input.h"
 
 namespace ravnoves::inertia_moments {
 namespace {
@@ -120,7 +121,7 @@ TEST(Throws, AMassForEachThrowNeedsThrowsThatAreAlike) {
     // Two on one pin, a third alone.
     input.cylinders = {{0.05, 0.5, 0.0, 0.0}, {0.03, -0.5, 0.0, 0.0}, {-0.06, 0.5, 0.0, 2.0}};
     Json json = write_input(input);
-    const Json solved = solve_scene(json, {});
+    const Json solved = result_json({}, read_input(json));
     ASSERT_EQ(solved.at("throws").size(), 2U);
     EXPECT_EQ(solved.at("throws").at(0).at("cylinders"), Json({1, 2}));
     EXPECT_DOUBLE_EQ(solved.at("throws").at(0).at("rotating_mass_kg").get<double>(), 1.6);
@@ -154,7 +155,7 @@ TEST(Radials, AreSaidToHavePlainRods) {
     }
     EXPECT_TRUE(solve(arrow).notes.empty());
     EXPECT_EQ(solve(arrow).engine.throws.size(), 1U);
-    const Json json = solve_scene(write_input(radial(5)), {});
+    const Json json = result_json({}, read_input(write_input(radial(5))));
     EXPECT_EQ(json.at("notes").size(), 1U);
     EXPECT_EQ(json.at("throws").size(), 1U);
 }
@@ -178,7 +179,7 @@ TEST(TwoStrokes, PistonsAreAtTopDeadCentreAtEvenIntervalsOfOneTurn) {
             EXPECT_NEAR(motion.ds, 0.0, 1e-9) << name;
             EXPECT_LT(motion.d2s, 0.0) << name;
         }
-        EXPECT_EQ(solve_scene(write_input(input), {}).at("firing_cycle_deg"), 360.0);
+        EXPECT_EQ(result_json({}, read_input(write_input(input))).at("firing_cycle_deg"), 360.0);
     }
 }
 

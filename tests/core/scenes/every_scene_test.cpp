@@ -19,12 +19,12 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
-#include "elastic-hinge/scene.h"
+#include "elastic-hinge/input.h"
 #include "example_check.h"
-#include "inertia-moments/scene.h"
+#include "inertia-moments/input.h"
 #include "scenes/scenes.h"
+#include "workshop/input.h"
 #include "workshop/older_formats.h"
-#include "workshop/scene.h"
 
 namespace ravnoves {
 namespace {

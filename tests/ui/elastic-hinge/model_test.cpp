@@ -8,8 +8,8 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "elastic-hinge/input.h"
 #include "elastic-hinge/presets.h"
-#include "elastic-hinge/scene.h"
 #include "text/message_text.h"
 
 namespace ravnoves {

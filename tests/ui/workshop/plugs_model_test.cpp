@@ -6,10 +6,11 @@
 #include <algorithm>
 
 #include "case-file/input_error.h"
+#include "case-file/result_json.h"
 #include "job_page_test.h"
 #include "v8-plugs/presets.h"
 #include "workshop/doubts.h"
-#include "workshop/scene.h"
+#include "workshop/input.h"
 
 namespace ravnoves {
 namespace {
@@ -40,7 +41,7 @@ TEST_F(PlugsModelTest, ResultIsTheCommandLines) {
     for (const char* name : {"v8-4.25-repair.case.json", "v8-6-manufacture.case.json"}) {
         const Json input = plugsJob(name);
         model.loadInput(input, {});
-        EXPECT_EQ(model.resultJson(), workshop::solve_scene(input, {}));
+        EXPECT_EQ(model.resultJson(), result_json({}, workshop::read_input(input)));
         EXPECT_EQ(model.inputJson(), input);
     }
     EXPECT_EQ(model.adviceText(),

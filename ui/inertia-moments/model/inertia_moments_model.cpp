@@ -7,8 +7,8 @@
 
 #include "case-file/result_json.h"
 #include "inertia-moments/fields.h"
+#include "inertia-moments/input.h"
 #include "inertia-moments/results.h"
-#include "inertia-moments/scene.h"
 #include "model/case_model_json.h"
 #include "text/message_text.h"
 #include "text/shown_units.h"

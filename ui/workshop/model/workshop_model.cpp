@@ -8,16 +8,17 @@
 #include "bob-weights/solver.h"
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "case-file/result_json.h"
 #include "model/case_document.h"
 #include "model/case_model_json.h"
 #include "shop/model/verdict.h"
 #include "shop/weigh_in.h"
 #include "text/message_text.h"
 #include "v8-plugs/fields.h"
+#include "workshop/input.h"
 #include "workshop/model/plug_engines.h"
 #include "workshop/model/shop_machine.h"
 #include "workshop/results.h"
-#include "workshop/scene.h"
 #include "workshop/solver.h"
 
 namespace ravnoves {
@@ -200,7 +201,7 @@ bool WorkshopModel::setViewOption(const QString& key, const QString& value) {
 
 Json WorkshopModel::resultJson() const {
     try {
-        return workshop::solve_scene(inputJson(), context());
+        return result_json({}, workshop::read_input(inputJson()));
     } catch (const InputError& error) {
         return {{"error", error.what()}};  // a sheet half filled has no result yet
     }
