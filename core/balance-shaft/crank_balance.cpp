@@ -33,7 +33,7 @@ CrankBalance crank_balance(const Solver& solver) {
     CrankBalance balance;
     balance.share = input.crank_share;
     const double centred = input.reciprocating_mass() * input.crank_radius * omega2;
-    const PistonFirstOrder& first_order = solver.first_order();
+    const PistonFirstOrder& first_order = solver.moments().piston_1;
     balance.first_order = input.reciprocating_mass() * first_order.radius * omega2;
     balance.across = balance.share * centred;
     balance.along = balance.first_order - balance.across;
@@ -41,7 +41,8 @@ CrankBalance crank_balance(const Solver& solver) {
     balance.lag = first_order.lag;
     balance.largest = std::max(std::abs(balance.along), balance.across);
     balance.counterweight_moment = balance.share * input.reciprocating_mass() * input.crank_radius;
-    balance.with_shaft = std::abs(balance.first_order - 2.0 * solver.counterweight_force());
+    balance.with_shaft =
+        std::abs(balance.first_order - 2.0 * solver.moments().forces.counterweight_force);
     balance.second_order = centred * input.crank_radius / input.effective_rod_length();
     return balance;
 }

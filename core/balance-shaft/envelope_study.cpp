@@ -13,7 +13,7 @@ EnvelopeStudy envelope_study(const Solver& solver, std::size_t angles) {
     EnvelopeStudy study;
     for (std::size_t i = 0; i < angles; ++i) {
         const double angle = 360.0 * static_cast<double>(i) / static_cast<double>(angles);
-        const Envelope box = solver.envelope(angle * degree);
+        const Envelope box = envelope(solver.front_view(), angle * degree);
         study.shaft_angle_deg.push_back(angle);
         study.width.push_back(box.width());
         study.height.push_back(box.height());

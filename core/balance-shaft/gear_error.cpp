@@ -33,7 +33,7 @@ std::pair<double, double> sine_band(double middle, double half) {
 
 GearError gear_error(const Solver& solver, double shaft_angle) {
     const Input& input = solver.input();
-    const double force = solver.counterweight_force();
+    const double force = solver.moments().forces.counterweight_force;
     const double distance = input.centre_distance;
     GearError result;
     result.phase_error = two_pi * input.gears.shifted_teeth / input.gears.teeth;
@@ -50,10 +50,10 @@ GearError gear_error(const Solver& solver, double shaft_angle) {
                                  residual(force, result.phase_error + result.play));
     result.play_range_low = result.range;
     result.play_range_high = result.range;
-    const double turned = angle + solver.shaft_phase();
+    const double turned = angle + solver.moments().phase;
     if (result.play > 0.0) {
         const double first = angle - result.play;
-        const AngleMinimum minimum = minimise_range(solver.plane(), force * distance,
+        const AngleMinimum minimum = minimise_range(solver.moments().plane, force * distance,
                                                     {{turned - result.play, turned + result.play}});
         // Between these angles the range R lies at most A h²/4 above the larger one beside, since
         // R + A α² is convex: 1e-7 of A where the play is 1°.
@@ -64,7 +64,7 @@ GearError gear_error(const Solver& solver, double shaft_angle) {
         for (std::size_t i = 0; i < angles; ++i) {
             at[i] = first + 2.0 * result.play * static_cast<double>(i) / (angles - 1.0);
         }
-        solver.sweep(at, range, rms);
+        solver.moments().sweep(at, range, rms);
         result.play_range_low = std::min(result.range, minimum.value);
         result.play_range_high =
             std::max(result.range, *std::max_element(range.begin(), range.end()));

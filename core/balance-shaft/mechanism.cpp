@@ -23,7 +23,7 @@ MechanismPose mechanism_pose(const Solver& solver, double crank_angle, double sh
     const double rho = view.counterweight_radius;
     // The crank turns clockwise in the view, the shaft the other way: their counterweights meet in
     // the vertical component only.
-    const PistonFirstOrder& first_order = solver.first_order();
+    const PistonFirstOrder& first_order = solver.moments().piston_1;
     const double cos_1 = std::cos(theta - first_order.lag);
     const double sin_1 = std::sin(theta - first_order.lag);
     const Vector2 crank_direction{-sin_1, -cos_1};
@@ -35,7 +35,7 @@ MechanismPose mechanism_pose(const Solver& solver, double crank_angle, double sh
                                 pose.shaft_axis.y + rho * shaft_direction.y};
     pose.inertia_force = {0.0, -mass * piston.d2s * speed2};
     pose.inertia_force_1 = {0.0, mass * first_order.radius * speed2 * cos_1};
-    const double force = solver.counterweight_force();
+    const double force = solver.moments().forces.counterweight_force;
     pose.crank_counterweight_force = {force * crank_direction.x, force * crank_direction.y};
     pose.shaft_counterweight_force = {force * shaft_direction.x, force * shaft_direction.y};
     pose.M_up = solver.M_up(crank_angle);

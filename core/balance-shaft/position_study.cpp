@@ -87,9 +87,9 @@ struct PositionStudy::Prepared {
 
 PositionStudy::Prepared::Prepared(const Solver& of)
     : solver(of),
-      plane(solver.plane()),
+      plane(solver.moments().plane),
       places(of.front_view(), of.input().place_limits),
-      shaft(of.counterweight_force(), of.shaft_phase()) {
+      shaft(of.moments().forces.counterweight_force, of.moments().phase) {
     const MomentPlane::Extrema found = plane({0.0, 0.0});
     range_without = found.range();
     size = std::max(std::abs(found.max.value), std::abs(found.min.value));

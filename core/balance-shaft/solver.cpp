@@ -6,7 +6,6 @@
 
 #include "balance-shaft/angle_search.h"
 #include "balance-shaft/engine_torque.h"
-#include "balance-shaft/moments.h"
 #include "balance-shaft/shaft_places.h"
 #include "balance-shaft/table_reading.h"
 #include "balance-shaft/trace_check.h"
@@ -355,12 +354,8 @@ double Solver::M_s(double crank_angle, double shaft_angle) const {
            std::sin(shaft_angle + crank_angle + prepared_->phase);
 }
 
-double Solver::shaft_phase() const {
-    return prepared_->phase;
-}
-
-const PistonFirstOrder& Solver::first_order() const {
-    return prepared_->piston_1;
+const Moments& Solver::moments() const {
+    return *prepared_;
 }
 
 const BuildableAngles& Solver::buildable() const {
@@ -375,25 +370,8 @@ double Solver::rms(double shaft_angle) const {
     return prepared_->plane.rms(prepared_->shaft_moment(shaft_angle));
 }
 
-void Solver::sweep(std::span<const double> shaft_angle, std::span<double> range,
-                   std::span<double> rms) const {
-    prepared_->sweep(shaft_angle, range, rms);
-}
-
-const MomentPlane& Solver::plane() const {
-    return prepared_->plane;
-}
-
-double Solver::counterweight_force() const {
-    return prepared_->forces.counterweight_force;
-}
-
 const FrontView& Solver::front_view() const {
     return prepared_->view;
-}
-
-Envelope Solver::envelope(double shaft_angle) const {
-    return balance_shaft::envelope(prepared_->view, shaft_angle);
 }
 
 Result solve(const Input& input) {

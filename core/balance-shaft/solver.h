@@ -1,12 +1,10 @@
 #pragma once
 
 #include <memory>
-#include <span>
 
 #include "balance-shaft/envelope.h"
 #include "balance-shaft/input.h"
-#include "balance-shaft/moment_plane.h"
-#include "balance-shaft/offset_cylinder.h"
+#include "balance-shaft/moments.h"
 #include "balance-shaft/result.h"
 
 namespace ravnoves::balance_shaft {
@@ -31,24 +29,13 @@ class Solver {
 
     double M_up(double crank_angle) const;                     ///< N·m; angle in rad, any
     double M_s(double crank_angle, double shaft_angle) const;  ///< N·m, equation (4)
-    /// M_s = P₁ l sin(α + φ + shaft_phase()), rad; 0 where the cylinder is not offset.
-    double shaft_phase() const;
-    /// First order of the piston's acceleration.
-    const PistonFirstOrder& first_order() const;
+    const Moments& moments() const;
     const BuildableAngles& buildable() const;
     /// ΔM_ups of the continuous cycle at α, N·m.
     double range(double shaft_angle) const;
     /// RMS of M_ups about its mean at α, N·m.
     double rms(double shaft_angle) const;
-    /// Both at many angles, cheaper where neighbours in the list are near each other; as many
-    /// ranges and RMS as angles.
-    void sweep(std::span<const double> shaft_angle, std::span<double> range,
-               std::span<double> rms) const;
-    /// Range and RMS of M_up with any moment of the shaft.
-    const MomentPlane& plane() const;
-    double counterweight_force() const;  ///< P₁, N
     const FrontView& front_view() const;
-    Envelope envelope(double shaft_angle) const;
 
     struct Prepared;
 

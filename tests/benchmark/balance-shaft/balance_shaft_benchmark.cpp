@@ -60,7 +60,7 @@ void sweep(benchmark::State& state) {
     std::vector<double> range(alpha.size());
     std::vector<double> rms(alpha.size());
     for (auto _ : state) {
-        solver.sweep(alpha, range, rms);
+        solver.moments().sweep(alpha, range, rms);
         benchmark::DoNotOptimize(range.data());
         benchmark::DoNotOptimize(rms.data());
         benchmark::ClobberMemory();
@@ -77,7 +77,7 @@ void best_angle(benchmark::State& state) {
     const double amplitude = solver.result().moment_amplitude;
     int evaluations = 0;
     for (auto _ : state) {
-        const AngleMinimum best = minimise_range(solver.plane(), amplitude);
+        const AngleMinimum best = minimise_range(solver.moments().plane, amplitude);
         evaluations = best.evaluations;
         benchmark::DoNotOptimize(best.alpha);
     }

@@ -41,7 +41,7 @@ struct Samples {
     double force;
 
     explicit Samples(const Solver& solver)
-        : moment(721), cos(721), sin(721), force(solver.counterweight_force()) {
+        : moment(721), cos(721), sin(721), force(solver.moments().forces.counterweight_force) {
         for (int i = 0; i <= 720; ++i) {
             moment[i] = solver.M_up(i * degree);
             cos[i] = std::cos(i * degree);

@@ -211,7 +211,7 @@ TEST(BuildableAngles, ThePapersBestAngleIsNotOneOfThem) {
     EXPECT_NEAR(*result.best_range.shaft_angle / degree, 50.65, 0.01);
     EXPECT_FALSE(result.buildable.contains(*result.best_range.shaft_angle));
     EXPECT_FALSE(result.is_buildable);  // at 45°
-    const Json json = written(solver.input());
+    const Json json = test::written(solver.input());
     EXPECT_NEAR(json.at("optimum").at("range").at("shaft_angle_deg").get<double>(), 50.65, 0.01);
     const Json& built = json.at("optimum_buildable").at("range");
     EXPECT_NEAR(built.at("shaft_angle_deg").get<double>(),
@@ -251,7 +251,7 @@ TEST(BuildableAngles, NothingIsAnAnswerWithItsReason) {
     const auto reason = [](const auto& change) {
         Input input = preset_tmz_650d();
         change(input);
-        const Json json = written(input);
+        const Json json = test::written(input);
         EXPECT_TRUE(json.at("optimum_buildable").at("range").is_null());
         EXPECT_TRUE(json.at("optimum_buildable").at("rms").is_null());
         EXPECT_FALSE(json.at("optimum").at("range").at("shaft_angle_deg").is_null());

@@ -29,7 +29,7 @@ TEST(EnvelopeStudyTest, TheBoxHoldsItsCircles) {
     const Solver solver(preset_tmz_650d());
     const FrontView& view = solver.front_view();
     for (double angle = 0.0; angle < 360.0; angle += 7.0) {
-        const Envelope box = solver.envelope(angle * degree);
+        const Envelope box = envelope(solver.front_view(), angle * degree);
         const double x = view.centre_distance * std::sin(angle * degree);
         const double y = view.centre_distance * std::cos(angle * degree);
         EXPECT_LE(box.left, x - view.shaft_swing_radius + 1e-12);

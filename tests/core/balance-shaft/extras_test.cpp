@@ -59,7 +59,7 @@ TEST(GearErrorTest, ResidualForceAgainstTheSumOfTheForces) {
     const Solver solver(input);
     const GearError error = gear_error(solver, input.shaft_angle);
     EXPECT_NEAR(error.phase_error / degree, 9.0, 1e-12);
-    const double p1 = solver.counterweight_force();
+    const double p1 = solver.moments().forces.counterweight_force;
     for (int i = 0; i < 360; i += 7) {
         const double phi = i * degree;
         const double delta = error.phase_error;

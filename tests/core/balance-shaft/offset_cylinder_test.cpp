@@ -158,12 +158,12 @@ TEST(OffsetCylinder, CounterweightsMeetTheFirstOrder) {
         // the crankpin leave.
         EXPECT_NEAR(balance.with_shaft, 9.17, 0.01);
         const double in_quadrature =
-            balance.first_order * std::sin(std::abs(solver.first_order().lag));
+            balance.first_order * std::sin(std::abs(solver.moments().piston_1.lag));
         EXPECT_NEAR(in_quadrature, 331.14, 0.01);
         // And with m₁ by r₁ nothing is left.
         Input exact = input;
         exact.counterweight_mass =
-            input.reciprocating_mass() * solver.first_order().radius / (2.0 * 0.046);
+            input.reciprocating_mass() * solver.moments().piston_1.radius / (2.0 * 0.046);
         EXPECT_NEAR(crank_balance(Solver(exact)).with_shaft, 0.0, 1e-9);
         for (std::size_t i = 0; i < 181; i += 20) {
             const ForceLocus locus = shaft_locus(balance);
@@ -192,7 +192,7 @@ TEST(OffsetCylinder, PictureKnowsTheOffset) {
     Input left = offset_engine(-8e-3);
     left.centre_distance = 0.0;
     left.envelope.crank_swing_radius = left.envelope.shaft_swing_radius = 0.01;
-    const Envelope box = Solver(left).envelope(1.0);
+    const Envelope box = envelope(Solver(left).front_view(), 1.0);
     EXPECT_NEAR(box.left, -8e-3 - 0.0955 * 0.56, 1e-15);
     EXPECT_NEAR(box.right, -8e-3 + 0.0955 * 0.56, 1e-15);
 }
@@ -206,7 +206,7 @@ TEST(OffsetCylinder, MirrorImageHasTheMirroredTerm) {
     for (std::size_t i = 0; i < a.size(); ++i) {
         EXPECT_NEAR(a[i], -b[a.size() - 1 - i], 1e-9);
     }
-    EXPECT_NEAR(right.shaft_phase(), -left.shaft_phase(), 1e-15);
+    EXPECT_NEAR(right.moments().phase, -left.moments().phase, 1e-15);
 }
 
 TEST(OffsetCylinder, AngleSweepMetricsAndGearsFollow) {
@@ -317,7 +317,7 @@ TEST(OffsetCylinder, AnglesCountFromTheTrueDeadCentre) {
     const auto& pressure = result.curves.pressure;
     const auto peak = std::max_element(pressure.begin(), pressure.end()) - pressure.begin();
     EXPECT_NEAR(result.indicated->peak_pressure_angle / degree, static_cast<double>(peak), 1.0);
-    const Json json = written(input);
+    const Json json = test::written(input);
     EXPECT_NEAR(json.at("dead_centre_deg").get<double>(), 2.3393, 1e-4);
     EXPECT_NEAR(json.at("counterweight_lag_deg").get<double>(), 3.1723, 1e-4);
     EXPECT_NEAR(json.at("crank_only").at("with_shaft_N").get<double>(), 9.17, 0.01);

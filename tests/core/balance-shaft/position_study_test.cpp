@@ -57,9 +57,9 @@ PositionCriteria by_solver(Input input, const ShaftPosition& at) {
     input.centre_distance = at.centre_distance();
     input.shaft_angle = at.shaft_angle();
     const Solver solver(input);
-    return {
-        solver.range(input.shaft_angle), solver.rms(input.shaft_angle),
-        solver.envelope(input.shaft_angle).width() * solver.envelope(input.shaft_angle).height()};
+    return {solver.range(input.shaft_angle), solver.rms(input.shaft_angle),
+            envelope(solver.front_view(), input.shaft_angle).width() *
+                envelope(solver.front_view(), input.shaft_angle).height()};
 }
 
 TEST(PositionStudyTest, thePapersEngineHasTheseBestPlaces) {
@@ -82,7 +82,8 @@ TEST(PositionStudyTest, thePapersEngineHasTheseBestPlaces) {
     for (int i = 0; i < nodes; ++i) {
         const double phi = 4.0 * pi * i / nodes;
         const double moment =
-            solver.M_up(phi) + best.rms->position.centre_distance() * solver.counterweight_force() *
+            solver.M_up(phi) + best.rms->position.centre_distance() *
+                                   solver.moments().forces.counterweight_force *
                                    std::sin(phi + best.rms->position.shaft_angle());
         mean += moment / nodes;
         square += moment * moment / nodes;
@@ -206,7 +207,7 @@ TEST(PositionStudyTest, noPlaceOfAFineGridBeatsTheBestOf1000Torques) {
         EXPECT_GE(found, minimum - missed) << seed;
         EXPECT_LE(found, minimum + 2.0 * step / std::numbers::sqrt2) << seed;
         // And none of a grid about the best, as fine as you like.
-        const double force = solver.counterweight_force();
+        const double force = solver.moments().forces.counterweight_force;
         for (const double fine : {1e-2, 1e-4, 1e-6}) {
             for (int i = 0; i < 8; ++i) {
                 const double dx = fine * reach * std::cos(pi * i / 4) / force;
@@ -524,7 +525,7 @@ TEST(PositionStudyTest, limitsAreChecked) {
 }
 
 TEST(PositionStudyTest, theResultHoldsTheBestPlaces) {
-    const Json json = written(preset_tmz_650d());
+    const Json json = test::written(preset_tmz_650d());
     EXPECT_NEAR(json["best_position"]["range"]["range_Nm"].get<double>(), 1063.504264, 5e-7);
     EXPECT_NEAR(json["best_position"]["rms"]["centre_distance_mm"].get<double>(), 36.950446, 5e-7);
     const Json& built = json["best_position_buildable"];
@@ -532,7 +533,7 @@ TEST(PositionStudyTest, theResultHoldsTheBestPlaces) {
     EXPECT_TRUE(built["rms"].contains("shaft_angle_deg"));
     ASSERT_TRUE(built["front"].is_array());
     EXPECT_TRUE(built["front"][0].contains("size_m2"));
-    EXPECT_EQ(written(preset_tmz_650d()), json);
+    EXPECT_EQ(test::written(preset_tmz_650d()), json);
 }
 
 TEST(PositionStudyTest, theMinSumHasNoBetterPlaceOnAGridOrOnItsCircle) {

@@ -519,16 +519,17 @@ TEST(BalanceShaftEnvelope, BoxesTheCirclesAndTheCylinder) {
     input.envelope.wall = 0.005;
     input.centre_distance = 0.1;
     const Solver solver(input);
-    const Envelope right = solver.envelope(90.0 * degree);
+    const Envelope right = envelope(solver.front_view(), 90.0 * degree);
     EXPECT_NEAR(right.width(), 0.075 + 0.1 + 0.057, 1e-12);
     EXPECT_NEAR(right.height(), 0.075 + 0.255, 1e-12);
-    const Envelope below = solver.envelope(180.0 * degree);
+    const Envelope below = envelope(solver.front_view(), 180.0 * degree);
     EXPECT_NEAR(below.width(), 0.150, 1e-12);
     EXPECT_NEAR(below.height(), 0.157 + 0.255, 1e-12);
-    const Envelope above = solver.envelope(0.0);
+    const Envelope above = envelope(solver.front_view(), 0.0);
     EXPECT_NEAR(above.height(), 0.075 + 0.255, 1e-12);
     // Mirror image.
-    EXPECT_NEAR(solver.envelope(1.0).width(), solver.envelope(-1.0).width(), 1e-12);
+    EXPECT_NEAR(envelope(solver.front_view(), 1.0).width(),
+                envelope(solver.front_view(), -1.0).width(), 1e-12);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ TEST(BalanceShaftSweep, ManyAnglesAtOnceHaveTheDigitsOfEach) {
              {degrees, some_angles(60, -10.0, 10.0), std::vector<double>{1.0}, {}}) {
             std::vector<double> range(alpha.size());
             std::vector<double> rms(alpha.size());
-            solver.sweep(alpha, range, rms);
+            solver.moments().sweep(alpha, range, rms);
             for (std::size_t i = 0; i < alpha.size(); ++i) {
                 EXPECT_EQ(range[i], solver.range(alpha[i])) << alpha[i];
                 EXPECT_EQ(rms[i], solver.rms(alpha[i]));
@@ -70,7 +70,7 @@ TEST(BalanceShaftSweep, ExtremaStandAtTheirAnglesAndNoSampleIsBeyondThem) {
         for (const double amplitude : {0.0, 1.0, 50.0, 430.0, 3000.0}) {
             for (const double alpha : some_angles(10, 0.0, two_pi)) {
                 const MomentPlane::Moment shaft = shaft_at(amplitude, alpha);
-                const MomentPlane::Extrema found = solver.plane()(shaft);
+                const MomentPlane::Extrema found = solver.moments().plane(shaft);
                 const double rounding = 4e-14 * (1000.0 + amplitude);
                 const auto value = [&](double angle) {
                     return moment(angle) + amplitude * std::sin(angle * degree + alpha);
