@@ -66,7 +66,7 @@ constexpr std::array<EngineField, 14> fields{{
     {described(
          "rod_coefficient", units::none, coefficient_range, CORE_TEXT("V8", "Rod coefficient kᵣ"),
          CORE_TEXT("V8",
-                   "Design coefficient of the rod: a heavier big end has the factor (2 + k).")),
+                   "A heavier big end has the factor (2 + k), unless the small ends are weighed.")),
      &Engine::rod_coefficient, EngineGroup::basic},
     {described("oil_mass_g", units::gram, oil_range, CORE_TEXT("V8", "Oil of one crankpin mₘ"),
                CORE_TEXT("V8", "Oil in the sludge trap of one crankpin of a running engine.")),

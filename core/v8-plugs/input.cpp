@@ -105,13 +105,19 @@ bool Input::takes_typed(double MassChanges::*change) const {
     return !changes_from_weigh_in || !weigh_in || !is_weighed(*weigh_in, process, change);
 }
 
+std::optional<double> Input::rod_coefficient() const {
+    const bool weighed =
+        changes_from_weigh_in && weigh_in && (*weigh_in)[Part::rod_small_end].is_complete();
+    return weighed && engine.rod_coefficient ? 0.0 : engine.rod_coefficient;
+}
+
 double rounding_squares(const Input& input) {
     double sum = 0.0;
     for (const Part part : all_parts) {
         if (input.changes_from_weigh_in && input.weigh_in &&
             (*input.weigh_in)[part].is_complete()) {
             // Two of them are on a crankpin.
-            const double counts = 2.0 * excess_factor(part, input.engine.rod_coefficient.value());
+            const double counts = 2.0 * excess_factor(part, input.rod_coefficient().value());
             sum += counts * counts / cylinder_count;
         }
     }
@@ -159,6 +165,11 @@ std::vector<Message> not_counted(const Input& input) {
         list.emplace_back(
             CORE_TEXT("V8", "Weighed masses are not used: the typed changes are selected."));
         return list;
+    }
+    if (input.changes().rod_big_end != 0.0 &&
+        input.rod_coefficient() != input.engine.rod_coefficient) {
+        list.emplace_back(
+            CORE_TEXT("V8", "The rod coefficient kᵣ is not used: the small ends are weighed."));
     }
     for (const Part part : all_parts) {
         const PartColumn& column = (*input.weigh_in)[part];

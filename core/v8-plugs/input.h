@@ -71,6 +71,9 @@ struct Input {
     MassChanges changes() const;
     /// True where the change is the typed one, not the weighed.
     bool takes_typed(double MassChanges::*change) const;
+    /// k_ш, the part of a heavier big end that its small end adds; 0 where small ends are weighed,
+    /// which then add it themselves. Nothing while the engine has none.
+    std::optional<double> rod_coefficient() const;
     bool has_typed_changes() const { return changes_given || typed_changes != MassChanges{}; }
     /// False on a sheet on which none is typed, or nothing weighed counts yet.
     bool changes_known() const {

@@ -14,10 +14,11 @@ PlugMass plug_mass(double typed, const PlugGeometry& geometry, double density) {
 }
 
 void solve_weigh_in(const Input& input, Result& result) {
-    if (!input.weigh_in || !input.engine.rod_coefficient) {
+    const auto coefficient = input.rod_coefficient();
+    if (!input.weigh_in || !coefficient) {
         return;
     }
-    const double k = *input.engine.rod_coefficient;
+    const double k = *coefficient;
     if (input.weigh_in->is_counted()) {
         result.assignment =
             shop::match(matching_task(*input.weigh_in, k), input.weigh_in->matching);
@@ -133,10 +134,14 @@ void solve_bob_weights(const Input& input, bool changes_known, Result& result) {
 Result solve(const Input& input, bool changes_known, bool places_parts) {
     Result result;
     result.changes = input.changes();
-    if (changes_known && input.engine.rod_coefficient) {
-        result.unbalanced_mass = unbalanced_mass(result.changes, *input.engine.rod_coefficient);
+    const auto k = input.rod_coefficient();
+    if (changes_known && k) {
+        result.unbalanced_mass = unbalanced_mass(result.changes, *k);
     }
     result.plugs = plug_set(input.engine);
+    if (result.plugs) {
+        result.plugs->rod_coefficient = k.value();
+    }
     if (result.plugs && result.unbalanced_mass) {
         for (const OptionId id : all_options) {
             result.options[index(id)] =

@@ -10,6 +10,8 @@
 
 #include "shop/kilograms.h"
 #include "support.h"
+#include "v8-plugs/presets.h"
+#include "v8-plugs/solver.h"
 
 namespace ravnoves::v8_plugs {
 namespace {
@@ -55,6 +57,30 @@ TEST(WeighInSheet, MeanOfTheCrankpinsIsTheMethodsExcess) {
         };
         EXPECT_NEAR(spread(after), best.spread, 1e-12);
         EXPECT_LE(spread(after), spread(by_crankpin) + 1e-15);
+    }
+}
+
+// All parts weighed: two rods turn, one of two pistons counts, and no coefficient stands for a
+// part.
+TEST(WeighInSheet, WeighedSmallEndsReplaceTheRodCoefficient) {
+    Workshop workshop(19);
+    for (int round = 0; round < 60; ++round) {
+        Input input;
+        input.process = workshop.process();
+        input.engine = *find_preset("4.25 l");
+        input.changes_from_weigh_in = true;
+        input.weigh_in = random_sheet(workshop);
+        double expected = 0.0;
+        for (const Part part : all_parts) {
+            const bool turns = part == Part::rod_big_end || part == Part::shells;
+            for (const auto& mass : (*input.weigh_in)[part].mass) {
+                expected += (turns ? 2.0 : 1.0) * (*mass - *(*input.weigh_in)[part].nominal) / 8.0;
+            }
+        }
+        EXPECT_NEAR(solve(input, true, true).unbalanced_mass.value(), expected, 1e-12);
+        EXPECT_EQ(not_counted(input).size(), 1);
+        (*input.weigh_in)[Part::rod_small_end].mass.front().reset();
+        EXPECT_EQ(input.rod_coefficient(), input.engine.rod_coefficient);
     }
 }
 

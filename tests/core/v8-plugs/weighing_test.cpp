@@ -31,10 +31,15 @@ shop::Weighing weighing(const Input& input, double resolution) {
 
 TEST(Weighing, OfEveryPartIsTheSquareRootOfItsSquares) {
     const double d = 0.1 * gram;
-    // Repair: piston, pin, rings and small end count once, the big end 2 + k, a shell twice.
-    const double squares = 4.0 + 2.4 * 2.4 + 4.0;
-    const auto found = weighing(job(Process::repair), d);
-    EXPECT_NEAR(found.bob_weight, 2.0 * d * std::sqrt((1.0 + squares / 8.0) / 12.0), 1e-15);
+    // Repair: piston, pin, rings and small end count once, big end and shell twice. Without small
+    // ends the big end stands for them: 2 + k.
+    Input input = job(Process::repair);
+    const auto expected = [&](double squares) {
+        return 2.0 * d * std::sqrt((1.0 + squares / 8.0) / 12.0);
+    };
+    EXPECT_NEAR(weighing(input, d).bob_weight, expected(4.0 + 4.0 + 4.0), 1e-15);
+    (*input.weigh_in)[Part::rod_small_end].mass.front().reset();
+    EXPECT_NEAR(weighing(input, d).bob_weight, expected(3.0 + 2.4 * 2.4 + 4.0), 1e-15);
 
     Input nothing = job(Process::repair);
     nothing.weigh_in.reset();
@@ -47,7 +52,7 @@ TEST(Weighing, IsWhatRoundedReadingsScatterBy) {
     for (const Process process : {Process::manufacture, Process::repair}) {
         Input input = job(process);
         const double d = 0.5 * gram;
-        const double k = *input.engine.rod_coefficient;
+        const double k = input.rod_coefficient().value();
         constexpr int runs = 4000;
         double squares = 0.0;
         for (int run = 0; run < runs; ++run) {

@@ -191,7 +191,7 @@ QString WorkshopModel::checkText() const {
                                      gramMillimetres(
                                          words, difference * engine.crank_radius.value_or(0.0))));
     }
-    if (const auto& k = engine.rod_coefficient) {
+    if (const auto k = plugsInput()->rod_coefficient(); k && *k != 0.0) {
         said << words
                     .translate(
                         "V8",

@@ -684,7 +684,7 @@ std::optional<matching_text::Shown> WorkshopModel::matchingShown() const {
         shown.crank_radius = plugs->engine.crank_radius;
         matching_text::takeAsWeighed(
             shown,
-            v8_plugs::matching_task(*plugs->weigh_in, plugs->engine.rod_coefficient.value_or(0.0)),
+            v8_plugs::matching_task(*plugs->weigh_in, plugs->rod_coefficient().value_or(0.0)),
             sheet);
     } else {
         matching_text::takeAsWeighed(
