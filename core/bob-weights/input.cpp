@@ -225,7 +225,7 @@ BearingPlaces places_of_bearings(const Input& input) {
     }
     if (const auto& centre = tolerance.centre_of_mass) {
         const auto [minimum, maximum] =
-            std::minmax({*front, *rear, first.value_or(*front), second.value_or(*rear)});
+            std::minmax({first.value_or(*front), second.value_or(*rear)});
         return *centre < minimum || *centre > maximum ? BearingPlaces::centre_beyond
                                                       : BearingPlaces::plausible;
     }

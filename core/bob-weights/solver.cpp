@@ -182,7 +182,7 @@ Vector vector_of(const RunResult::InPlane& read) {
 }
 
 /// Whether the run after says that what was drilled did something else than it was to: by more than
-/// half of that and by more than the limit, beyond which it is still. Where nothing was drilled, no
+/// a third of that and by more than the limit, beyond which it is still. Where nothing was drilled, no
 /// more than that of what was there changes.
 std::array<std::optional<OtherEffect>, 2> other_effects(
     const RunResult& before, const RunResult& after,
@@ -204,7 +204,7 @@ std::array<std::optional<OtherEffect>, 2> other_effects(
         const bool is_drilled = meant[i] != 0.0;
         const double whole = std::abs(is_drilled ? meant[i] : was);
         if ((is_drilled && std::abs(is) <= limit) ||
-            std::abs(is - expected) <= std::max(0.5 * whole, limit)) {
+            std::abs(is - expected) <= std::max(0.35 * whole, limit)) {
             continue;
         }
         found[i] = {

@@ -1,5 +1,8 @@
 #include "shop/balance_grade.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace ravnoves::shop {
 
 std::span<const BalanceGrade> balance_grades() {
@@ -21,6 +24,19 @@ std::span<const BalanceGrade> balance_grades() {
         {1, CORE_TEXT("workshop", "Grinding machine drives")},
         {0.4, CORE_TEXT("workshop", "Spindles of high-precision machines, gyroscopes")}};
     return grades;
+}
+
+bool is_plausible_grade(double grade, const std::optional<double>& rotor_mass) {
+    constexpr double finest_of_standard = 16.0;
+    constexpr double coarsest_of_cars = 100.0;
+    constexpr double large = 500.0;  // kg
+    const double mm_per_s = grade / units::mm_per_s;
+    const auto is_it = [&](const BalanceGrade& each) {
+        return std::abs(each.mm_per_s / mm_per_s - 1.0) < 1e-6;
+    };
+    return mm_per_s <= finest_of_standard ||
+           (std::ranges::any_of(balance_grades(), is_it) &&
+            (mm_per_s <= coarsest_of_cars * 1.001 || rotor_mass.value_or(0.0) > large));
 }
 
 Formula permissible_unbalance_formula() {

@@ -44,6 +44,10 @@ inline bool is_odd_speed(const std::optional<double>& service_speed) {
            (*service_speed < 30.0 * units::rpm || *service_speed > 30'000.0 * units::rpm);
 }
 
+/// Whether a crankshaft may be balanced to the grade, mm/s as m/s: up to 16 any, above it those of
+/// the standard, above 100 only for shafts of large engines.
+bool is_plausible_grade(double grade, const std::optional<double>& rotor_mass);
+
 /// permissible_unbalance() as a report prints it.
 Formula permissible_unbalance_formula();
 

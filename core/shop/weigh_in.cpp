@@ -160,7 +160,7 @@ void visit_sheet(FieldVisitor& visitor, WeighIn& sheet, const Field& numbering, 
                               }
                               visitor.number(field::permitted_spread, column.permitted_spread);
                               WeightList weights(mass, column.mass);
-                              visitor.custom(mass, true, weights);
+                              visitor.custom(mass, false, weights);
                           });
     }
     visit_matching(visitor, sheet.matching, asks_radius);
@@ -169,7 +169,7 @@ void visit_sheet(FieldVisitor& visitor, WeighIn& sheet, const Field& numbering, 
 void check_weighed(const WeighIn& sheet, bool nominal_needed) {
     for (const Part part : all_parts) {
         const PartColumn& column = sheet[part];
-        if (!column.is_begun() || (column.is_empty() && !nominal_needed)) {
+        if (column.is_empty()) {
             continue;
         }
         const std::string place = "/input/weigh_in/" + std::string(part_word(part).word) + "/";

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 
 #include "bob-weights/drill_sizes.h"
 #include "bob-weights/factor_theory.h"
+#include "bob-weights/fields.h"
 #include "bob-weights/solver.h"
 #include "shop/balance_grade.h"
 #include "shop/kilograms.h"
@@ -343,6 +345,56 @@ Messages spread_of_parts(const DoubtCase& job) {
     return list;
 }
 
+/// How heavy a part is beside another one of its cylinder in any engine.
+Messages unlike_parts(const DoubtCase& job) {
+    using Parts = bob_weights::Parts;
+    struct Rule {
+        std::optional<double> Parts::*part;
+        std::optional<double> Parts::*beside;
+        double minimum;
+        double maximum;
+    };
+    static constexpr Rule rules[] = {{&Parts::pin, &Parts::piston, 0.05, 1.0},
+                                     {&Parts::rings, &Parts::piston, 0.01, 0.5},
+                                     {&Parts::locks, &Parts::pin, 0.0, 0.3},
+                                     {&Parts::small_end, &Parts::big_end, 0.1, 2.0},
+                                     {&Parts::shells, &Parts::big_end, 0.02, 0.5}};
+    const auto line_of = [&](std::optional<double> Parts::*member) {
+        const auto found = std::find_if(
+            job.shaft.lines.begin(), job.shaft.lines.end(),
+            [&](const auto& line) { return line.part != nullptr && line.part->member == member; });
+        return found != job.shaft.lines.end() && found->mass > 0.0 ? &*found : nullptr;
+    };
+    Messages list;
+    for (const auto& [part, beside, minimum, maximum] : rules) {
+        const auto* one = line_of(part);
+        const auto* other = line_of(beside);
+        if (one != nullptr && other != nullptr &&
+            (one->mass < minimum * other->mass || one->mass > maximum * other->mass)) {
+            list.emplace_back(
+                CORE_TEXT("workshop",
+                          "%1 of %2 beside %3 of %4 is implausible. Correct the wrong value."),
+                one->name().label, in_grams(one->mass), other->name().label, in_grams(other->mass));
+        }
+    }
+    return list;
+}
+
+/// The oil of a crankpin is a few per cent of the bob weight.
+Messages much_oil(const DoubtCase& job) {
+    constexpr double maximum = 0.06;
+    const auto oil = job.plugs != nullptr && job.plugs->before
+                         ? job.plugs->before->product(v8_plugs::BobWeightLine::Part::oil)
+                         : job.input.parts.oil;
+    if (!oil || !job.shaft.bob_weight || !(*oil > maximum * *job.shaft.bob_weight)) {
+        return {};
+    }
+    return {{CORE_TEXT("workshop",
+                       "Oil of %1 in a crankpin is implausible for a bob weight of %2. Correct the "
+                       "oil."),
+             in_grams(*oil), in_grams(*job.shaft.bob_weight)}};
+}
+
 /// What reciprocates in an engine weighs about twice what turns; far from that a mass is mistyped.
 Messages unlike_halves(const DoubtCase& job) {
     const auto& reciprocating = job.shaft.reciprocating;
@@ -550,9 +602,52 @@ Messages great_reading(const DoubtCase& job) {
     return list;
 }
 
+std::optional<double> crank_radius(const DoubtCase& job) {
+    return job.plugs_input != nullptr ? job.plugs_input->engine.crank_radius
+           : job.input.weigh_in       ? job.input.weigh_in->matching.crank_radius
+                                      : std::nullopt;
+}
+
+Messages grade(const DoubtCase& job) {
+    const auto& grade = is_by_grade(job) ? job.input.tolerance->grade : std::nullopt;
+    if (!grade || shop::is_plausible_grade(*grade, job.input.tolerance->rotor_mass)) {
+        return {};
+    }
+    return {{CORE_TEXT("workshop",
+                       "A balance grade of G %1 is implausible for this crankshaft. Correct it, or "
+                       "enter the limit in g·mm."),
+             Number{*grade / units::mm_per_s, units::none, -1}}};
+}
+
+/// The crank radius, or the smallest and the largest that the planes allow: a counterweight reaches
+/// about as far as the crankpin, and never three times as far.
+constexpr double nearest_plane = 0.8;
+constexpr double farthest_plane = 3.0;
+std::optional<std::array<double, 2>> crank_radii(const DoubtCase& job) {
+    if (const auto radius = crank_radius(job)) {
+        return {{*radius, *radius}};
+    }
+    if (job.input.correction && !job.input.correction->planes.empty()) {
+        if (const auto& radius = job.input.correction->planes.front().radius) {
+            return {{*radius / farthest_plane, *radius / nearest_plane}};
+        }
+    }
+    return std::nullopt;
+}
+
+/// At its highest speed the pistons of an engine run at 4 to 28 m/s in the mean.
+bool is_implausible_speed(const DoubtCase& job, double speed) {
+    constexpr double slowest = 2.5;
+    constexpr double fastest = 40.0;
+    const auto radii = crank_radii(job);
+    const double strokes = 2.0 * speed / std::numbers::pi;  // 4 n, with n = ω / 2π
+    return shop::is_odd_speed(speed) ||
+           (radii && (strokes * (*radii)[1] < slowest || strokes * (*radii)[0] > fastest));
+}
+
 Messages service_speed(const DoubtCase& job) {
     const auto& speed = is_by_grade(job) ? job.input.tolerance->service_speed : std::nullopt;
-    if (!shop::is_odd_speed(speed)) {
+    if (!speed || !is_implausible_speed(job, *speed)) {
         return {};
     }
     return {{CORE_TEXT("workshop", "A service speed of %1 is implausible. Correct the speed."),
@@ -566,34 +661,26 @@ Messages bearings(const DoubtCase& job) {
                               "The bearings are in reverse order to the planes. Measure all "
                               "positions from one point in one direction.")};
         case bob_weights::BearingPlaces::centre_beyond:
-            return {CORE_TEXT(
-                "workshop",
-                "The centre of mass is beyond planes and bearings. Correct its position.")};
+            return {
+                CORE_TEXT("workshop",
+                          "The centre of mass is not between the bearings (or planes). Correct its "
+                          "position.")};
         case bob_weights::BearingPlaces::plausible:
             break;
     }
     return {};
 }
 
-std::optional<double> crank_radius(const DoubtCase& job) {
-    return job.plugs_input != nullptr ? job.plugs_input->engine.crank_radius
-           : job.input.weigh_in       ? job.input.weigh_in->matching.crank_radius
-                                      : std::nullopt;
-}
-
-/// A counterweight reaches about as far as the crankpin, and never three times as far.
 Messages plane_radius(const DoubtCase& job) {
     const auto crank = crank_radius(job);
     Messages list;
     if (!job.input.correction || !crank) {
         return list;
     }
-    constexpr double minimum = 0.8;
-    constexpr double maximum = 3.0;
     const auto& planes = job.input.correction->planes;
     for (std::size_t i = 0; i < planes.size() && i < 2; ++i) {
         const auto& radius = planes[i].radius;
-        if (radius && (*radius < minimum * *crank || *radius > maximum * *crank)) {
+        if (radius && (*radius < nearest_plane * *crank || *radius > farthest_plane * *crank)) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: a drilling radius of %2 does not match a crank radius "
                                         "of %3. Enter the radius, not the diameter."),
@@ -611,10 +698,13 @@ const std::vector<bob_weights::Plane>* both_planes(const DoubtCase& job, auto ha
                : nullptr;
 }
 
-/// No counterweight of an engine with light parts reaches far.
+/// No counterweight of an engine with light parts reaches far, though a flywheel may.
+template <bool implausible>
 Messages far_radius(const DoubtCase& job) {
     constexpr double light = 5.0 * units::kg;
+    constexpr double near = 20.0 * units::mm;
     constexpr double far = 120.0 * units::mm;
+    constexpr double beyond = 200.0 * units::mm;
     Messages list;
     if (!job.input.correction || crank_radius(job) ||
         job.shaft.bob_weight.value_or(light) >= light) {
@@ -622,12 +712,40 @@ Messages far_radius(const DoubtCase& job) {
     }
     const auto& planes = job.input.correction->planes;
     for (std::size_t i = 0; i < planes.size() && i < 2; ++i) {
-        if (planes[i].radius && *planes[i].radius > far) {
+        const double radius = planes[i].radius.value_or(far);
+        if (implausible ? radius < near || radius > beyond : radius > far && radius <= beyond) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: a drilling radius of %2 is unusual for such a bob "
                                         "weight. Enter the radius, not the diameter."),
-                              plane_name(job, i), millimetres(*planes[i].radius));
+                              plane_name(job, i), millimetres(radius));
         }
+    }
+    return list;
+}
+
+/// No hole goes as deep as the journals, and no slug is as thick.
+Messages deep_holes(const DoubtCase& job) {
+    constexpr double maximum = 0.6;  // of the drilling radius
+    Messages list;
+    if (!job.input.correction) {
+        return list;
+    }
+    const bob_weights::Correction& correction = *job.input.correction;
+    double radius = 0.0;
+    for (const bob_weights::Plane& plane : correction.planes) {
+        radius = std::max(radius, plane.radius.value_or(0.0));
+    }
+    const auto check = [&](const Field& field, const std::optional<double>& size) {
+        if (size && radius > 0.0 && *size > maximum * radius) {
+            list.emplace_back(CORE_TEXT("workshop",
+                                        "%1: %2 is implausible at a drilling radius of %3. Correct "
+                                        "the wrong value."),
+                              field.label, millimetres(*size), millimetres(radius));
+        }
+    };
+    check(bob_weights::field::maximum_depth, correction.drill.maximum_depth);
+    if (correction.slug) {
+        check(bob_weights::field::slug_diameter, correction.slug->diameter);
     }
     return list;
 }
@@ -637,7 +755,8 @@ Messages unlike_radii(const DoubtCase& job) {
     const auto* planes = both_planes(job, [](const auto& plane) { return plane.radius; });
     constexpr double maximum = 1.8;
     if (planes == nullptr || !differ(*(*planes)[0].radius, *(*planes)[1].radius, maximum) ||
-        !plane_radius(job).empty() || !far_radius(job).empty()) {
+        !plane_radius(job).empty() || !far_radius<true>(job).empty() ||
+        !far_radius<false>(job).empty()) {
         return {};
     }
     return {{CORE_TEXT("workshop",
@@ -647,13 +766,31 @@ Messages unlike_radii(const DoubtCase& job) {
 
 Messages plane_order(const DoubtCase& job) {
     const auto* planes = both_planes(job, [](const auto& plane) { return plane.position; });
-    if (planes == nullptr || *(*planes)[0].position < *(*planes)[1].position) {
+    if (planes == nullptr) {
+        return {};
+    }
+    const double front = *(*planes)[0].position;
+    const double rear = *(*planes)[1].position;
+    if (front >= rear) {
+        return {{CORE_TEXT("workshop",
+                           "%1 at %2 is not before %3 at %4. Correct the positions of the planes."),
+                 plane_name(job, 0), millimetres(front), plane_name(job, 1), millimetres(rear)}};
+    }
+    const auto& readings = job.input.correction->readings;
+    if (readings.size() != 2 || (!readings[0].position && !readings[1].position)) {
+        return {};
+    }
+    // Readings in the reverse order swap the ends; so close together they tell no ends apart.
+    constexpr double nearest = 0.1;
+    const double first = readings[0].position.value_or(front);
+    const double second = readings[1].position.value_or(rear);
+    if (second - first > nearest * (rear - front)) {
         return {};
     }
     return {{CORE_TEXT("workshop",
-                       "%1 at %2 is not before %3 at %4. Check the positions of the planes."),
-             plane_name(job, 0), millimetres(*(*planes)[0].position), plane_name(job, 1),
-             millimetres(*(*planes)[1].position)}};
+                       "The first reading is at %1, the second at %2, but the planes are at %3 and "
+                       "%4. Correct the positions of the readings."),
+             millimetres(first), millimetres(second), millimetres(front), millimetres(rear)}};
 }
 
 /// A machine may show grams at the drilling radius: such a number is far below a limit in g·mm.
@@ -763,6 +900,9 @@ std::span<const DoubtRule> doubt_rules() {
         {"odd-mass", error, all, "", odd_mass},
         {"typed-against-weighed", error, all, "", typed_against_weighed},
         {"nominal-against-weighed", error, all, "", nominal_against_weighed},
+        {"unlike-halves", error, all, "", unlike_halves},
+        {"unlike-parts", error, all, "", unlike_parts},
+        {"much-oil", error, all, "", much_oil},
         {"share-of-one", error, all, "", share_of_one},
         {"plug-mass", error, all, "", plug_doubt<true>},
         {"half-weighed", error, all, "", half_weighed},
@@ -771,23 +911,25 @@ std::span<const DoubtRule> doubt_rules() {
         {"other-bob-weight", error, judged, "", other_readings<false>},
         {"beside-planes", error, verdict_alone, "", beside_planes},
         {"rotor-mass", error, judged, "", rotor_mass},
+        {"plane-radius", error, judged, "", plane_radius},
+        {"implausible-radius", error, judged, "", far_radius<true>},
+        {"plane-order", error, judged, "", plane_order},
+        {"deep-holes", error, judged, "", deep_holes},
+        {"grade", error, judged, "", grade},
         {"great-reading", error, judged, "", great_reading},
         {"service-speed", error, judged, "", service_speed},
         {"bearings", error, judged, "", bearings},
         {"drilled-at-light-spot", error, judged, "", drilled_at_light_spot},
         {"drilled-counting-otherwise", error, judged, drilled_act, drilled_counting_otherwise},
         {"drilled-otherwise", error, judged, drilled_act, drilled_otherwise},
-        {"plane-radius", error, judged, "", plane_radius},
         {"taken-as-nominal", warning, nothing, "", taken_as_nominal, true},
         {"paper-plug", warning, nothing, "", plug_doubt<false>},
         {"gear-against-parts", warning, nothing, "", gear_against_parts},
         {"plug-shift", warning, nothing, "", plug_shift},
         {"unequal-crankpins", warning, nothing, "", unequal_crankpins},
-        {"unlike-halves", warning, nothing, "", unlike_halves},
         {"spread", warning, nothing, "", spread_of_parts},
-        {"far-radius", warning, nothing, "", far_radius},
+        {"far-radius", warning, nothing, "", far_radius<false>},
         {"unlike-radii", warning, nothing, "", unlike_radii},
-        {"plane-order", warning, nothing, "", plane_order},
         {"amplification", warning, nothing, "", amplification},
         {"reading-in-grams", warning, nothing, "", reading_in_grams},
         {"drill-size", warning, nothing, "", drill_size},

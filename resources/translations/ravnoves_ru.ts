@@ -1695,10 +1695,6 @@
         <translation>Максимум, который можно снять с одной заглушки по прочности стенок.</translation>
     </message>
     <message>
-        <source>Design coefficient of the rod: a heavier big end has the factor (2 + k).</source>
-        <translation>Конструктивный коэффициент шатуна: лишняя масса нижней головки учитывается с множителем (2 + k).</translation>
-    </message>
-    <message>
         <source>Factor of the oil on the crankpin&apos;s axis, from its centre of mass.</source>
         <translation>Множитель массы масла на оси шейки, по его центру масс.</translation>
     </message>
@@ -1965,6 +1961,14 @@
     <message>
         <source>Mass of crankshaft and bob weights on the machine.</source>
         <translation>Масса вала с грузами на станке.</translation>
+    </message>
+    <message>
+        <source>A heavier big end has the factor (2 + k), unless the small ends are weighed.</source>
+        <translation>Лишняя масса нижней головки учитывается с множителем (2 + k), если верхние головки не взвешены.</translation>
+    </message>
+    <message>
+        <source>The rod coefficient kᵣ is not used: the small ends are weighed.</source>
+        <translation>Коэффициент шатуна kᵣ не учитывается: верхние головки взвешены.</translation>
     </message>
 </context>
 <context>
@@ -3975,10 +3979,6 @@
     <message>
         <source>Constant force that turns against the crank, 2 P₁ |sin(δ/2)|.</source>
         <translation>Постоянная сила, вращающаяся против кривошипа, 2 P₁ |sin(δ/2)|.</translation>
-    </message>
-    <message>
-        <source>required unbalance, m₁ ρ₁</source>
-        <translation>нужный дисбаланс m₁ρ₁</translation>
     </message>
     <message>
         <source>required unbalance</source>
@@ -18410,10 +18410,6 @@ but no position is feasible</source>
         <translation>Подшипники расположены в обратном порядке относительно плоскостей. Измерьте все положения от одной точки в одном направлении.</translation>
     </message>
     <message>
-        <source>The centre of mass is beyond planes and bearings. Correct its position.</source>
-        <translation>Центр масс вне плоскостей и подшипников. Исправьте его положение.</translation>
-    </message>
-    <message>
         <source>%1: a drilling radius of %2 does not match a crank radius of %3. Enter the radius, not the diameter.</source>
         <translation>%1: радиус сверления %2 не соответствует радиусу кривошипа %3. Введите радиус, а не диаметр.</translation>
     </message>
@@ -18452,10 +18448,6 @@ but no position is feasible</source>
     <message>
         <source>Drilling radii of %1 and %2: one looks like a diameter. Check both.</source>
         <translation>Радиусы сверления %1 и %2: один похож на диаметр. Проверьте оба.</translation>
-    </message>
-    <message>
-        <source>%1 at %2 is not before %3 at %4. Check the positions of the planes.</source>
-        <translation>%1 (%2) не впереди другой: %3 (%4). Проверьте положения плоскостей.</translation>
     </message>
     <message>
         <source>Part number</source>
@@ -18516,6 +18508,34 @@ but no position is feasible</source>
     <message>
         <source>The readings need a known bob weight. Complete engine and parts.</source>
         <translation>Для показаний нужна известная масса балансировочного груза. Заполните двигатель и детали.</translation>
+    </message>
+    <message>
+        <source>Oil of %1 in a crankpin is implausible for a bob weight of %2. Correct the oil.</source>
+        <translation>Масло в шейке, %1, неправдоподобно при балансировочном грузе %2. Исправьте массу масла.</translation>
+    </message>
+    <message>
+        <source>A balance grade of G %1 is implausible for this crankshaft. Correct it, or enter the limit in g·mm.</source>
+        <translation>Класс точности G %1 неправдоподобен для этого вала. Исправьте его или введите допуск в г·мм.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is implausible at a drilling radius of %3. Correct the wrong value.</source>
+        <translation>%1: %2 неправдоподобно при радиусе сверления %3. Исправьте неверное значение.</translation>
+    </message>
+    <message>
+        <source>%1 at %2 is not before %3 at %4. Correct the positions of the planes.</source>
+        <translation>%1 (%2) не впереди другой: %3 (%4). Исправьте положения плоскостей.</translation>
+    </message>
+    <message>
+        <source>The first reading is at %1, the second at %2, but the planes are at %3 and %4. Correct the positions of the readings.</source>
+        <translation>Первое показание снято на %1, второе на %2, а плоскости на %3 и %4. Исправьте места показаний.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 beside %3 of %4 is implausible. Correct the wrong value.</source>
+        <translation>Неправдоподобно: %1 — %2, %3 — %4. Исправьте неверное значение.</translation>
+    </message>
+    <message>
+        <source>The centre of mass is not between the bearings (or planes). Correct its position.</source>
+        <translation>Центр масс не между подшипниками (плоскостями). Исправьте его положение.</translation>
     </message>
 </context>
 </TS>
