@@ -4852,12 +4852,12 @@
         <translation>Плотность вала: сталь 7850, чугун 7200 кг/м³.</translation>
     </message>
     <message>
-        <source>Depth of the full diameter, without the drill point; of an axial slug at most the thickness of the counterweight.</source>
-        <translation>Глубина по полному диаметру, без конуса сверла; для осевой вставки – не больше толщины противовеса.</translation>
-    </message>
-    <message>
         <source>&amp;Maximum depth</source>
         <translation>&amp;Максимальная глубина</translation>
+    </message>
+    <message>
+        <source>Depth of the full diameter, without the drill point; of an axial slug at most the thickness of the counterweight.</source>
+        <translation>Глубина по полному диаметру, без конуса сверла; для осевой вставки – не больше толщины противовеса.</translation>
     </message>
     <message>
         <source>Depth of the full diameter, without the drill point.</source>
@@ -5148,16 +5148,16 @@
         <translation>должны быть мм, #1–#60, A–Z или дюймы вида 1/4, через точку с запятой</translation>
     </message>
     <message>
+        <source>No slug of ⌀ %1 fits: the maximum depth of %2 is too small.</source>
+        <translation>Вставка ⌀ %1 не помещается: мала максимальная глубина %2.</translation>
+    </message>
+    <message>
         <source>No slug of ⌀ %1 fits: the counterweight is too thin, with a maximum depth of %2.</source>
         <translation>Вставка ⌀ %1 не помещается: противовес слишком тонок, максимальная глубина %2.</translation>
     </message>
     <message>
         <source>No slug of ⌀ %1 fits: a wall of %2 leaves it no room.</source>
         <translation>Вставка ⌀ %1 не помещается: стенка %2 не оставляет ей места.</translation>
-    </message>
-    <message>
-        <source>No slug of ⌀ %1 fits: the maximum depth of %2 is too small.</source>
-        <translation>Вставка ⌀ %1 не помещается: мала максимальная глубина %2.</translation>
     </message>
     <message>
         <source>No slug of ⌀ %1 fits at %2: its edge would be beyond the drilling sector.</source>
@@ -16887,20 +16887,8 @@ but no position is feasible</source>
         <translation>размах, г</translation>
     </message>
     <message>
-        <source>may move</source>
-        <translation>подбор</translation>
-    </message>
-    <message>
         <source>Parts were moved by this rule: press “As weighed” to change the rule.</source>
         <translation>Детали переставлены по этому правилу: чтобы изменить его, нажмите «Как взвешено».</translation>
-    </message>
-    <message>
-        <source>Small end and big end are one rod and move together.</source>
-        <translation>Верхняя и нижняя головки — один шатун и переставляются вместе.</translation>
-    </message>
-    <message>
-        <source>Permitted moves of a part – anywhere, within its bank, with its set, or fixed.</source>
-        <translation>Куда можно ставить деталь: куда угодно, в своём ряду, с комплектом или на месте.</translation>
     </message>
     <message>
         <source>Moves the masses on this sheet with the parts.</source>
@@ -16921,10 +16909,6 @@ but no position is feasible</source>
     <message>
         <source>Mass to take off each part to match the lightest</source>
         <translation>Сколько снять с каждой детали до самой лёгкой</translation>
-    </message>
-    <message>
-        <source>with rod</source>
-        <translation>с шатуном</translation>
     </message>
 </context>
 <context>

@@ -58,7 +58,7 @@ class WeighInSheet : public WorkshopSheet {
     QLabel* put(int row, int column, const QString& text, int size, bool bold = false);
     void addColumn(int column);
     NumberField* addCell(int row, int column);
-    void addMoves(int row);
+    void addMoves();
     /// @return true where the clipboard has several numbers
     bool pasteBlock(int row, int column);
     void addGoal();

@@ -38,6 +38,7 @@ WeighInSheet::WeighInSheet(WorkshopModel* model, QWidget* parent)
     column()->setSpacing(Theme::space);
     addSource();
     addWeights();
+    addMoves();
     section({});
     line(Theme::baseSize, [model] { return model->weighInText(); });
     addGoal();
@@ -81,7 +82,7 @@ void WeighInSheet::addSource() {
     });
 }
 
-/// The grid of weights, with what is below its columns and where their parts may go.
+/// The grid of weights, with what is below its columns.
 void WeighInSheet::addWeights() {
     grid_ = new QGridLayout;
     column()->addLayout(grid_);
@@ -107,7 +108,6 @@ void WeighInSheet::addWeights() {
         rows[static_cast<int>(cell) % rows_] << cells_[cell];
     }
     addGrid(rows);
-    addMoves(row);
     column()->addWidget(trouble_);
 }
 
@@ -201,60 +201,26 @@ bool WeighInSheet::pasteBlock(int row, int column) {
     return isBlock;
 }
 
-void WeighInSheet::addMoves(int row) {
-    auto* title = new QLabel(tr("may move"), this);
-    title->setFont(Theme::font(Theme::smallSize));
-    title->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    grid_->addWidget(title, row, 0);
-    const auto add = [&](shop::Part part, const Field& field, auto Rules::*member) {
-        using Moves = std::decay_t<decltype(Rules().*member)>;
-        auto* box = ordered(new QComboBox(this));
-        box->setObjectName(
-            QStringLiteral("moves_") +
-            QString::fromUtf8(field.key.data(), static_cast<qsizetype>(field.key.size())));
-        makeCell(box);
-        box->setAccessibleName(fieldName(field));
-        box->setToolTip(fieldHint(field));
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumWidth(Theme::withText(cellWidth));
-        box->setMinimumHeight(Theme::withText(cellHeight));
-        box->setFont(Theme::font(Theme::smallSize));
-        for (const Word& word : field.words) {
-            box->addItem(shownText(word.label));
+/// Which parts may change places.
+void WeighInSheet::addMoves() {
+    section({});
+    for (const char* parts : {"pistons", "pins", "rings", "rods", "shells"}) {
+        QComboBox* box = wide(choice((std::string("/weigh_in/matching/") + parts).c_str()), 150);
+        box->setObjectName(QStringLiteral("moves_") + QLatin1String(parts));
+        const std::string_view part = parts;
+        if (part == "pistons" || part == "rods") {
+            continue;
         }
-        connect(box, &QComboBox::activated, this, [this, member, name = fieldName(field)](int at) {
-            editRules(name, [&](Rules& rules) { rules.*member = static_cast<Moves>(at); });
-        });
-        const bool isSet = part == shop::Part::piston || part == shop::Part::rod_big_end;
-        follow([this, box, member, isSet, hint = fieldHint(field)] {
-            box->setCurrentIndex(static_cast<int>(rules().*member));
+        follow([this, box, hint = box->toolTip()] {
             // By another rule the parts would not go back to where they were weighed.
-            const bool isFixed = !isSet && model_->canMoveBack();
+            const bool isFixed = model_->canMoveBack();
             box->setEnabled(!isFixed);
             box->setToolTip(
                 isFixed
                     ? tr("Parts were moved by this rule: press “As weighed” to change the rule.")
                     : hint);
         });
-        grid_->addWidget(box, row, static_cast<int>(part) + 1);
-    };
-    add(shop::Part::piston, shop::field::piston_moves, &Rules::pistons);
-    add(shop::Part::pin, shop::field::pin_moves, &Rules::pins);
-    add(shop::Part::rings, shop::field::ring_moves, &Rules::rings);
-    add(shop::Part::rod_big_end, shop::field::rod_moves, &Rules::rods);
-    auto* withRod = new QLabel(tr("with rod"), this);
-    withRod->setFont(Theme::font(Theme::smallSize));
-    withRod->setAlignment(Qt::AlignCenter);
-    withRod->setToolTip(tr("Small end and big end are one rod and move together."));
-    grid_->addWidget(withRod, row, static_cast<int>(shop::Part::rod_small_end) + 1);
-    add(shop::Part::shells, shop::field::shell_moves, &Rules::shells);
-    QLabel* words = captionLabel(
-        tr("Permitted moves of a part – anywhere, within its bank, with its set, or fixed."), this);
-    words->setObjectName(QStringLiteral("moves_words"));
-    QSizePolicy policy = words->sizePolicy();
-    policy.setHorizontalPolicy(QSizePolicy::Ignored);  // the columns are those of the cells
-    words->setSizePolicy(policy);
-    grid_->addWidget(words, row + 1, 0, 1, -1);
+    }
 }
 
 shop::MatchingRules WeighInSheet::rules() const {

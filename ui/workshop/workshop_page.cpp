@@ -175,6 +175,7 @@ QString WorkshopPage::resultsAsText() const {
 }
 
 void WorkshopPage::addSheet(WorkshopSheet* form, const QString& title) {
+    form->setMaximumWidth(Theme::withText(sheetWidth));  // a field is near its name
     auto* scroll = scrolled(form, sheets_);
     sheets_->addTab(scroll, title);
     forms_ << form;

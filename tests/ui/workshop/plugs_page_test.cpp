@@ -248,6 +248,10 @@ TEST(PlugsAnswer, NoColumnOfItsTablesIsOutOfSightWithLargeText) {
         page.viewModel()->loadInput(repairJob(), {});
         test::showAt(page, {846, 590});  // beside the scenes in a window of 1024 × 700
         auto* sheets = test::named<QTabWidget>(page, "sheets");
+        sheets->setCurrentIndex(1);
+        EXPECT_GT(sheets->width(), Theme::withText(470));
+        EXPECT_EQ(sheets->currentWidget()->findChild<WorkshopSheet*>()->width(),
+                  Theme::withText(470));
         sheets->setCurrentIndex(sheets->count() - 1);
         int tables = 0;
         for (const ResultTable* table : page.findChildren<ResultTable*>()) {
