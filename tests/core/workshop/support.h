@@ -13,6 +13,7 @@
 #include "error_of.h"
 #include "workshop/input.h"
 #include "workshop/older_formats.h"
+#include "workshop/results.h"
 
 namespace ravnoves::workshop::test {
 
