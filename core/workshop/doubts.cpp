@@ -399,8 +399,8 @@ Messages much_oil(const DoubtCase& job) {
 Messages unlike_halves(const DoubtCase& job) {
     const auto& reciprocating = job.shaft.reciprocating;
     const auto& rotating = job.shaft.rotating;
-    constexpr double minimum = 0.4;
-    constexpr double maximum = 4.0;
+    constexpr double minimum = 0.3;
+    constexpr double maximum = 5.0;
     if (!reciprocating || !rotating || !(*rotating > 0.0) || !(*reciprocating > 0.0)) {
         return {};
     }

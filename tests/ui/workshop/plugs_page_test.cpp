@@ -167,10 +167,13 @@ TEST_F(PlugsPageTest, APlugThatCannotBeMadeIsNoAnswer) {
 }
 
 TEST_F(PlugsPageTest, SaysWhereThePlugsAreWhileTheBobWeightsHang) {
-    for (const char* name : {"reciprocating_mass_g", "rotating_mass_g", "oil_mass_g"}) {
+    for (const char* name : {"reciprocating_mass_g", "rotating_mass_g"}) {
         type(name, u"700"_s);
     }
-    fill({{"oil_coefficient", "1"}, {"steel_plug_mass_g", "25"}, {"rod_big_end", "0.5"}});
+    fill({{"oil_mass_g", "30"},
+          {"oil_coefficient", "1"},
+          {"steel_plug_mass_g", "25"},
+          {"rod_big_end", "0.5"}});
     ASSERT_TRUE(model->plugs()->before) << qPrintable(label("headline"));
     const BobWeight& after =
         model->plugs()->bob_weights[index(model->plugs()->advice->option->id)]->after;
