@@ -166,11 +166,6 @@ std::vector<Message> not_counted(const Input& input) {
             CORE_TEXT("V8", "Weighed masses are not used: the typed changes are selected."));
         return list;
     }
-    if (input.changes().rod_big_end != 0.0 &&
-        input.rod_coefficient() != input.engine.rod_coefficient) {
-        list.emplace_back(
-            CORE_TEXT("V8", "The rod coefficient kᵣ is not used: the small ends are weighed."));
-    }
     for (const Part part : all_parts) {
         const PartColumn& column = (*input.weigh_in)[part];
         if (column.is_complete() || column.is_empty()) {

@@ -1867,6 +1867,10 @@
         <translation>Без заглушек. С заглушками навесьте %1.</translation>
     </message>
     <message>
+        <source>Big end × 2: the small ends are weighed, kᵣ is not used.</source>
+        <translation>Головка × 2: верхние головки взвешены, kᵣ не учитывается.</translation>
+    </message>
+    <message>
         <source>Big end × %1: 2 for two rods, kᵣ = %2 by the method; effect here: %3.</source>
         <translation>Головка × %1: 2 за два шатуна, kᵣ = %2 по методу; влияние здесь: %3.</translation>
     </message>
@@ -1965,10 +1969,6 @@
     <message>
         <source>A heavier big end has the factor (2 + k), unless the small ends are weighed.</source>
         <translation>Лишняя масса нижней головки учитывается с множителем (2 + k), если верхние головки не взвешены.</translation>
-    </message>
-    <message>
-        <source>The rod coefficient kᵣ is not used: the small ends are weighed.</source>
-        <translation>Коэффициент шатуна kᵣ не учитывается: верхние головки взвешены.</translation>
     </message>
 </context>
 <context>

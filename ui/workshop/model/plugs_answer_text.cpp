@@ -191,7 +191,10 @@ QString WorkshopModel::checkText() const {
                                      gramMillimetres(
                                          words, difference * engine.crank_radius.value_or(0.0))));
     }
-    if (const auto k = plugsInput()->rod_coefficient(); k && *k != 0.0) {
+    const auto k = plugsInput()->rod_coefficient();
+    if (k && k != engine.rod_coefficient) {
+        said << words.translate("V8", "Big end × 2: the small ends are weighed, kᵣ is not used.");
+    } else if (k) {
         said << words
                     .translate(
                         "V8",
