@@ -203,11 +203,6 @@ std::optional<double> service_speed(const Input& input) {
                                                         : std::nullopt;
 }
 
-bool is_share_of_one(const Factor& factor) {
-    const double share = factor.reciprocating.value_or(0.0);
-    return share > 0.0 && share <= 0.01;
-}
-
 BearingPlaces places_of_bearings(const Input& input) {
     if (!input.correction || input.correction->planes.size() != 2 || !input.tolerance) {
         return BearingPlaces::plausible;  // a sheet may be saved half filled

@@ -225,12 +225,16 @@ struct Correction {
     friend bool operator==(const Correction&, const Correction&) = default;
 };
 
-/// Whether its first run has no readings: it represents the holes that were there before.
-inline bool starts_with_holes(const Correction& correction) {
-    return !correction.earlier_runs.empty() && correction.earlier_runs.front().drilled &&
-           std::none_of(correction.earlier_runs.front().readings.begin(),
-                        correction.earlier_runs.front().readings.end(),
-                        [](const EarlierReading& reading) { return has_number(reading); });
+/// Place of the first run of the machine: one without readings before it represents the holes that
+/// were there.
+inline std::size_t first_run(const std::optional<Correction>& correction) {
+    return correction && !correction->earlier_runs.empty() &&
+                   correction->earlier_runs.front().drilled &&
+                   std::none_of(correction->earlier_runs.front().readings.begin(),
+                                correction->earlier_runs.front().readings.end(),
+                                [](const EarlierReading& reading) { return has_number(reading); })
+               ? 1
+               : 0;
 }
 
 /// What may remain: a grade, or an unbalance for each plane.
@@ -292,9 +296,6 @@ std::vector<Message> not_counted(const Input& input);
 
 /// Of the tolerance; empty without a grade.
 std::optional<double> service_speed(const Input& input);
-
-/// A reciprocating factor that was typed as a share of 1, as it seems: 0.5 for 50 % is 0.5 %.
-bool is_share_of_one(const Factor& factor);
 
 /// Order of bearings, planes and centre of mass along the crankshaft.
 enum class BearingPlaces {

@@ -32,18 +32,6 @@ inline std::optional<bool> is_within(double unbalance, const std::optional<doubl
     return permissible ? std::optional(is_within(unbalance, *permissible)) : std::nullopt;
 }
 
-/// A crankshaft's mass that seems typed in grams: crankshafts of cars, trucks and locomotives weigh
-/// less than 2 t.
-inline bool is_mass_in_grams(const std::optional<double>& rotor_mass) {
-    constexpr double heaviest = 2000.0;  // kg
-    return rotor_mass && *rotor_mass > heaviest;
-}
-/// No engine's speed in service, as it seems: below 30 or above 30 000 min⁻¹.
-inline bool is_odd_speed(const std::optional<double>& service_speed) {
-    return service_speed &&
-           (*service_speed < 30.0 * units::rpm || *service_speed > 30'000.0 * units::rpm);
-}
-
 /// Whether a crankshaft may be balanced to the grade, mm/s as m/s: up to 16 any, above it those of
 /// the standard, above 100 only for shafts of large engines.
 bool is_plausible_grade(double grade, const std::optional<double>& rotor_mass);

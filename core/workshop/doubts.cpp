@@ -196,14 +196,16 @@ Messages nominal_against_weighed(const DoubtCase& job) {
     return list;
 }
 
+/// 0.5 for 50 % is 0.5 %.
 Messages share_of_one(const DoubtCase& job) {
-    if (!bob_weights::is_share_of_one(job.input.factor)) {
+    const double share = job.input.factor.reciprocating.value_or(0.0);
+    if (share <= 0.0 || share > 0.01) {
         return {};
     }
     return {
         {CORE_TEXT("workshop",
                    "A balance factor of %1 looks like a fraction. Enter percent: 50 for one half."),
-         Number{*job.input.factor.reciprocating / units::percent, units::percent, -2}}};
+         Number{share / units::percent, units::percent, -2}}};
 }
 
 Messages gear_against_parts(const DoubtCase& job) {
@@ -563,13 +565,14 @@ double heaviest_rotor(const DoubtCase& job) {
 }
 
 Messages rotor_mass(const DoubtCase& job) {
+    constexpr double heaviest = 2000.0;  // kg, of cars, trucks and locomotives
     const auto& mass = is_by_grade(job) ? job.input.tolerance->rotor_mass : std::nullopt;
     if (!mass) {
         return {};
     }
     const double weights = bob_weights_of(job);
     const Number shown{*mass, units::kg, 0};
-    if (shop::is_mass_in_grams(mass) || (weights > 0.0 && *mass > heaviest_rotor(job))) {
+    if (*mass > heaviest || (weights > 0.0 && *mass > heaviest_rotor(job))) {
         return {{CORE_TEXT("workshop",
                            "A crankshaft of %1 is too heavy for this engine. Correct its mass in "
                            "kilograms, or enter the limit in g·mm."),
@@ -641,7 +644,7 @@ bool is_implausible_speed(const DoubtCase& job, double speed) {
     constexpr double fastest = 40.0;
     const auto radii = crank_radii(job);
     const double strokes = 2.0 * speed / std::numbers::pi;  // 4 n, with n = ω / 2π
-    return shop::is_odd_speed(speed) ||
+    return speed < 30.0 * units::rpm || speed > 30'000.0 * units::rpm ||
            (radii && (strokes * (*radii)[1] < slowest || strokes * (*radii)[0] > fastest));
 }
 

@@ -367,7 +367,7 @@ void CorrectionSheet::addEarlierHole() {
     hole.angle = *fields[2]->value() * field::drilled_angle.unit;
     hole.state = HoleState::measured;
     model_->editCorrection(tr("Hole that was there before"), [&](Correction& correction) {
-        if (!starts_with_holes(correction)) {
+        if (first_run(correction) == 0) {
             EarlierRun before;
             before.readings.clear();  // it was not read
             before.drilled.emplace();

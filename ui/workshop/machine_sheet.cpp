@@ -313,12 +313,8 @@ void MachineSheet::buildTolerance() {
     current()->addWidget(tr("&For"), grades_, {},
                          tr("Balance quality grades of ISO 21940-11 and their uses."));
     number("/tolerance/grade_mm_s");
-    doubt(number("/tolerance/rotor_mass_kg"), [this] {
-        const auto& limit = model_->input().tolerance;
-        return limit && limit->by_grade && shop::is_mass_in_grams(limit->rotor_mass);
-    });
-    doubt(number("/tolerance/service_speed_rpm"),
-          [this] { return shop::is_odd_speed(service_speed(model_->input())); });
+    doubt(number("/tolerance/rotor_mass_kg"), "rotor-mass");
+    doubt(number("/tolerance/service_speed_rpm"), "service-speed");
     const auto doubtPlace = [this](const char* place, BearingPlaces wrong) {
         doubt(number(place),
               [this, wrong] { return places_of_bearings(model_->input()) == wrong; });

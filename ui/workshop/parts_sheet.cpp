@@ -43,8 +43,7 @@ void PartsSheet::buildParts() {
     }
     section(tr("Balance factor"));
     withPlugs(false);
-    doubt(number("/factor/reciprocating_percent"),
-          [this] { return bob_weights::is_share_of_one(model_->input().factor); });
+    doubt(number("/factor/reciprocating_percent"), "share-of-one");
     number("/factor/overbalance_percent");
     line(Theme::smallSize, [this] { return model_->reasonText(); });
 }

@@ -106,7 +106,7 @@ Block planeBlock(const Words& words, const WorkshopModel& model) {
 Block runBlock(const Words& words, const WorkshopModel& model) {
     const std::optional<Correction>& correction = model.input().correction;
     const auto& runs = model.solution().runs;
-    const std::size_t first = correction && starts_with_holes(*correction) ? 1 : 0;
+    const std::size_t first = first_run(correction);
     const QString unit = words.unit(units::gram_mm);
     const auto name = [&](std::size_t plane, const QString& of) {
         return model.planeName(plane, words) + QStringLiteral(", ") + of;

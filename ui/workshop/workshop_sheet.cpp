@@ -211,6 +211,14 @@ void WorkshopSheet::doubt(EntryField* field, std::function<bool()> isDoubtful) {
     follow([field, isDoubtful = std::move(isDoubtful)] { field->setDoubtful(isDoubtful()); });
 }
 
+void WorkshopSheet::doubt(EntryField* field, std::string_view word) {
+    doubt(field, [this, word] {
+        const auto& doubts = model_->doubts();
+        return std::any_of(doubts.begin(), doubts.end(),
+                           [&](const workshop::Doubt& each) { return each.rule->word == word; });
+    });
+}
+
 void WorkshopSheet::withPlugs(bool there) {
     follow([this, there, made = current()] { made->setVisible(model_->hasPlugs() == there); });
 }

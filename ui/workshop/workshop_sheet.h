@@ -74,6 +74,8 @@ class WorkshopSheet : public Form {
     QLabel* line(int pixelSize, std::function<QString()> text);
     /// A field is yellow while it has a reading of another bob weight.
     void doubt(EntryField* field, std::function<bool()> isDoubtful);
+    /// The same while its value is doubted, by the word of the rule.
+    void doubt(EntryField* field, std::string_view word);
     /// Takes a field into the order.
     template <typename Widget>
     Widget* ordered(Widget* field) {

@@ -1198,6 +1198,7 @@ TEST_F(JobPageTest, WhatTheLimitIsMadeOfIsDoubted) {
         QString said;
     } cases[] = {
         {"rotor_mass_kg", "32000", u"A crankshaft of 32000 kg is too heavy"_s},
+        {"rotor_mass_kg", "120", u"A crankshaft of 120 kg is too heavy"_s},
         {"service_speed_rpm", "6", u"A service speed of 6 min⁻¹ is implausible."_s},
         {"front_bearing_mm", "700", u"The bearings are in reverse order"_s},
         {"centre_of_mass_mm", "6000", u"The centre of mass is not between the bearings"_s},

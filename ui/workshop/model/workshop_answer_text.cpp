@@ -155,16 +155,11 @@ QString missingText(const Words& words, const workshop::Machine& machine, const 
                      .arg(sheet, name, words.text(missing->hint));
 }
 
-/// Holes that were there before the first run are one without readings.
-std::size_t firstOf(const workshop::Input& input) {
-    return input.correction && starts_with_holes(*input.correction) ? 1 : 0;
-}
-
 /// "Sheet 5, Run 1, Front plane: enter Heavy spot."
 QString valueMissing(const Words& words, const workshop::Input& input, std::size_t run,
                      std::size_t plane, const Field& field) {
     return words.translate("BobWeights", "Sheet 5, %1, %2: enter %3.")
-        .arg(WorkshopModel::runName(words, run - firstOf(input)),
+        .arg(WorkshopModel::runName(words, run - first_run(input.correction)),
              WorkshopModel::planeName(words, input.machine, plane), words.name(field));
 }
 
@@ -278,7 +273,7 @@ QStringList correctedRuns(const Words& words, const workshop::Input& input,
             list << words
                         .translate("BobWeights",
                                    "%1: the drilled holes were planned from another reading.")
-                        .arg(WorkshopModel::runName(words, run - firstOf(input)));
+                        .arg(WorkshopModel::runName(words, run - first_run(input.correction)));
         }
     }
     return list;

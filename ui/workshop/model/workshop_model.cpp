@@ -430,9 +430,8 @@ void WorkshopModel::swapRodEnds() {
 
 // -------------------------------------------------------------------------- runs of the machine
 
-/// Holes that were there before the first run are one without readings.
 std::size_t WorkshopModel::firstRun() const {
-    return input().correction && starts_with_holes(*input().correction) ? 1 : 0;
+    return first_run(input().correction);
 }
 
 std::size_t WorkshopModel::newestRun() const {
