@@ -17,8 +17,8 @@
 namespace ravnoves {
 
 /// One value of a result, described once, where it is visited: the file, `--only`, what a study
-/// watches, the names in tables, their tips and the help follow from it. The unit is that of the
-/// key, unless another is given.
+/// watches, the names in tables, their tips and the help follow. Its key gives the unit, unless
+/// another is given.
 struct ResultField {
     consteval ResultField(std::string_view its_key, Text its_label = {}, int its_decimals = 3,
                           Text its_hint = {})

@@ -66,8 +66,8 @@ struct SweepInfo {
 };
 
 /// The method and setting that compute a kernel's quantity in its scene, and how far the result may
-/// be off. Tests fail where the method exceeds the tolerance, or where a cheaper one would have
-/// held it.
+/// be off. Tests fail where the method exceeds the tolerance, or where a cheaper one would be
+/// within it.
 struct MethodChoice {
     std::string_view scene;    ///< of the case files
     std::string_view method;   ///< id of the method

@@ -95,10 +95,10 @@ check_folders_apart() {
         done
     done
 }
-# A folder of core with a scene.h is a scene.
+# A folder of core with a solver.h is a scene.
 scenes=()
-for file in core/*/scene.h; do
-    file=${file%/scene.h}
+for file in core/*/solver.h; do
+    file=${file%/solver.h}
     scenes+=("${file#core/}")
 done
 [ ${#scenes[@]} -gt 2 ] || fault "the scenes could not be found: ${scenes[*]}"
