@@ -32,8 +32,8 @@ inline std::optional<bool> is_within(double unbalance, const std::optional<doubl
     return permissible ? std::optional(is_within(unbalance, *permissible)) : std::nullopt;
 }
 
-/// Whether a crankshaft may be balanced to the grade, mm/s as m/s: any up to 16, above it the grades of
-/// the standard, above 100 only for shafts of large engines.
+/// Whether a crankshaft may be balanced to the grade, mm/s as m/s: any up to 16, above it the
+/// grades of the standard, above 100 only for shafts of large engines.
 bool is_plausible_grade(double grade, const std::optional<double>& rotor_mass);
 
 /// permissible_unbalance() as a report prints it.
