@@ -242,6 +242,9 @@ void Solver::Prepared::prepare_notes() {
             base.doubts.push_back(std::move(doubt));
             base.trace_is_a_turn_off = peaks_a_turn_off(input, *gas);
         }
+        if (Message coarse = coarse_rows(input.torque.trace); !coarse.empty()) {
+            base.doubts.push_back(std::move(coarse));
+        }
         if (const PressureTrace& trace = input.torque.trace; !trace.unit_named) {
             base.notes.push_back(assumed_unit_note(trace.unit));
         }

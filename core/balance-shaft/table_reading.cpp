@@ -386,7 +386,12 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
     constexpr double cycle_deg = 2.0 * turn_deg;
     const double span = series.span();
     const bool may_be_open = what == Measured::pressure || counts;
-    const double whole = may_be_open || span > cycle_deg ? span + series.last_step() : span;
+    const double next = span + series.last_step();
+    // Steps that do not divide the cycle: it ends within the last one if the user chose it.
+    const double chosen = turn_deg * reading.strokes.value_or(0) / 2.0;
+    const bool ends_within = may_be_open && span < chosen && chosen < next &&
+                             !is_cycle(span, false) && !is_cycle(next, false);
+    const double whole = ends_within ? chosen : may_be_open || span > cycle_deg ? next : span;
     const double nominal = near(whole, turn_deg) ? turn_deg : cycle_deg;
     // Of fine steps either may be a cycle: the nearer one is.
     const bool is_closed =

@@ -110,6 +110,27 @@ bool is_usual_lateness(double angle) {
 
 }  // namespace
 
+Message coarse_rows(const PressureTrace& trace) {
+    const std::vector<double>& angle = trace.crank_angle_deg;
+    const auto peak = std::max_element(trace.pressure.begin(), trace.pressure.end());
+    const double at = angle[static_cast<std::size_t>(peak - trace.pressure.begin())];
+    const double period = angle.back() - angle.front();
+    constexpr double reach = 60.0;  // of the steep part, each way
+    double widest = 0.0;
+    for (std::size_t i = 1; i < angle.size(); ++i) {
+        if (std::abs(std::remainder(angle[i - 1] - at, period)) < reach) {
+            widest = std::max(widest, angle[i] - angle[i - 1]);
+        }
+    }
+    constexpr double largest = 6.0;
+    return widest > largest
+               ? Message(CORE_TEXT("balance-shaft",
+                                   "Pressure trace: %1 between rows near the peak; peak and work "
+                                   "are uncertain, and the dead centre requires steps of 4°."),
+                         Number{widest, units::degree, 3})
+               : Message();
+}
+
 bool peaks_a_turn_off(const Input& input, const CylinderGas& gas) {
     const double late = lateness(input, gas);
     return input.strokes == 4 && !is_usual_lateness(late) &&

@@ -30,6 +30,8 @@ std::optional<CompressionFit> fit_compression(const CylinderGas& gas);
 ///
 /// A trace out of phase by 5° changes the exponent by about 0.15, gauge pressure makes it 1.7 to 3.
 Message check_trace(const Input& input, const CylinderGas& gas);
+/// That its rows about the peak are too far apart for peak and work; empty where they are not.
+Message coarse_rows(const PressureTrace& trace);
 /// Whether its peak is beside the top dead centre of the gas exchange.
 bool peaks_a_turn_off(const Input& input, const CylinderGas& gas);
 

@@ -4101,6 +4101,74 @@
         <translation>Стальной полудиск с радиусом вращения вала должен для m₁ ρ₁ иметь длину %1: больше двух диаметров цилиндра.</translation>
     </message>
     <message>
+        <source>A four-stroke cycle takes two turns, 720°; a two-stroke cycle one, 360°. Torque table and pressure trace must span the cycle.</source>
+        <translation>Четырёхтактный цикл занимает два оборота, 720°; двухтактный — один, 360°. Таблица момента и индикаторная диаграмма должны охватывать цикл.</translation>
+    </message>
+    <message>
+        <source>Volume of the cylinder</source>
+        <translation>Объём цилиндра</translation>
+    </message>
+    <message>
+        <source>V_d displacement, ε compression ratio</source>
+        <translation>V_d рабочий объём, ε степень сжатия</translation>
+    </message>
+    <message>
+        <source>Pressure of compression</source>
+        <translation>Давление сжатия</translation>
+    </message>
+    <message>
+        <source>pₐ intake pressure, Vₐ volume where the ports close, n₁ polytropic exponent</source>
+        <translation>pₐ давление впуска, Vₐ объём при закрытии окон, n₁ показатель политропы</translation>
+    </message>
+    <message>
+        <source>pₐ intake pressure, Vₐ volume at bottom dead centre, n₁ polytropic exponent</source>
+        <translation>pₐ давление впуска, Vₐ объём в нижней мёртвой точке, n₁ показатель политропы</translation>
+    </message>
+    <message>
+        <source>Heat release (Wiebe)</source>
+        <translation>Тепловыделение (Вибе)</translation>
+    </message>
+    <message>
+        <source>x burnt share, τ share of the combustion&apos;s duration, m form exponent; all is burnt at τ = 1</source>
+        <translation>x выгоревшая доля, τ доля продолжительности сгорания, m показатель характера сгорания; при τ = 1 сгорело всё</translation>
+    </message>
+    <message>
+        <source>Pressure of combustion and expansion</source>
+        <translation>Давление сгорания и расширения</translation>
+    </message>
+    <message>
+        <source>s at the start of combustion, Q heat of a cycle, n₂ polytropic exponent</source>
+        <translation>s в начале сгорания, Q теплота за цикл, n₂ показатель политропы</translation>
+    </message>
+    <message>
+        <source>Pressure with open ports</source>
+        <translation>Давление при открытых окнах</translation>
+    </message>
+    <message>
+        <source>to and from bottom dead centre φ_b; o where the ports open, pᵣ exhaust and pₐ intake pressure</source>
+        <translation>до и после нижней мёртвой точки φ_b; o при открытии окон, pᵣ давление выпуска, pₐ давление впуска</translation>
+    </message>
+    <message>
+        <source>Pressure of gas exchange</source>
+        <translation>Давление газообмена</translation>
+    </message>
+    <message>
+        <source>pᵣ from bottom to top dead centre, exhaust; pₐ from there to bottom dead centre, intake</source>
+        <translation>pᵣ от нижней до верхней мёртвой точки, выпуск; pₐ далее до нижней мёртвой точки, впуск</translation>
+    </message>
+    <message>
+        <source>must be less than %1 in magnitude, the rod length minus crank radius</source>
+        <translation>по модулю должно быть меньше %1, длины шатуна минус радиус кривошипа</translation>
+    </message>
+    <message>
+        <source>must be greater than the crank radius plus the offset, %1</source>
+        <translation>должно быть больше радиуса кривошипа плюс дезаксаж, %1</translation>
+    </message>
+    <message>
+        <source>Pressure trace: %1 between rows near the peak; peak and work are uncertain, and the dead centre requires steps of 4°.</source>
+        <translation>Индикаторная диаграмма: %1 между строками у пика; пик и работа неточны, для поиска мёртвой точки нужен шаг 4°.</translation>
+    </message>
+    <message>
         <source>Same unbalance as %1 at ρ₁ = %2; map and clearances use the swing radius %3.</source>
         <translation>Дисбаланс как у %1 на ρ₁ = %2; карта и зазоры используют радиус вращения %3.</translation>
     </message>

@@ -9,6 +9,7 @@
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/scene.h"
 #include "case-file/decimal.h"
+#include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "synthetic_engine.h"
@@ -474,6 +475,22 @@ TEST(TableReading, TracesOfFineStepsThatLackTheirLastRowAreClosedNotStretched) {
     EXPECT_EQ(
         test::error_of([&] { EXPECT_EQ(parse_pressure_trace(text).trace.pressure.size(), 7201U); }),
         "no error");
+}
+
+TEST(TableReading, StepsThatDoNotDivideTheChosenCycleEndWithinTheLast) {
+    std::string csv = "angle;p, bar\n";
+    for (int angle = 0; angle <= 700; angle += 28) {
+        csv += std::to_string(angle) + ";" + std::to_string(angle == 364 ? 50 : 1) + "\n";
+    }
+    EXPECT_THROW(parse_pressure_trace(csv), InputError);
+    TableReading reading;
+    reading.strokes = 4;
+    const PressureTrace trace = parse_pressure_trace(csv, reading).trace;
+    EXPECT_EQ(trace.crank_angle_deg.size(), 27U);
+    EXPECT_EQ(trace.crank_angle_deg.back(), 720.0);
+    EXPECT_EQ(trace.pressure.back(), trace.pressure.front());
+    csv.resize(csv.find("672;"));  // two steps are missing
+    EXPECT_THROW(parse_pressure_trace(csv, reading), InputError);
 }
 
 TEST(TableReading, TurnsOfATorqueOfATwoStrokeAreAveraged) {

@@ -103,6 +103,24 @@ TEST(TraceCheck, SaneTracesAreNotAccused) {
     EXPECT_EQ(note_of(flat), "");
 }
 
+TEST(TraceCheck, RowsFarApartNearThePeakAreDoubted) {
+    const PressureTrace fine = traced(diesel(), {}).torque.trace;
+    const auto doubt = [&](int step) {
+        PressureTrace trace;
+        for (std::size_t i = 0; i < fine.pressure.size(); ++i) {
+            if (static_cast<int>(i) % step == 0 || i + 1 == fine.pressure.size()) {
+                trace.crank_angle_deg.push_back(fine.crank_angle_deg[i]);
+                trace.pressure.push_back(fine.pressure[i]);
+            }
+        }
+        return coarse_rows(trace).english();
+    };
+    EXPECT_EQ(doubt(1), "");
+    EXPECT_EQ(doubt(6), "");
+    EXPECT_TRUE(doubt(28).starts_with("Pressure trace: 28° between rows near the peak;"))
+        << doubt(28);
+}
+
 TEST(TraceCheck, FindsTheExponentOfTheCompression) {
     for (const Input& engine : sane_engines()) {
         const auto fit = fit_compression(*cylinder_gas(traced(engine, {})));
