@@ -28,6 +28,51 @@ void add_torque(std::vector<Formula>& list) {
                               "crank axis, ′ by φ")});
 }
 
+void add_cycle(std::vector<Formula>& list, int strokes) {
+    list.push_back(
+        {CORE_TEXT("balance-shaft", "Volume of the cylinder"),
+         "V = V<sub>c</sub> + A (s<sub>max</sub> − s), V<sub>c</sub> = V<sub>d</sub> / (ε − 1)", "",
+         "", CORE_TEXT("balance-shaft", "V_d displacement, ε compression ratio")});
+    list.push_back({CORE_TEXT("balance-shaft", "Pressure of compression"),
+                    "p = p<sub>a</sub> (V<sub>a</sub> / V)<sup>n₁</sup>", "", "",
+                    strokes == 2
+                        ? CORE_TEXT("balance-shaft",
+                                    "pₐ intake pressure, Vₐ volume where the ports close, n₁ "
+                                    "polytropic exponent")
+                        : CORE_TEXT("balance-shaft",
+                                    "pₐ intake pressure, Vₐ volume at bottom dead centre, n₁ "
+                                    "polytropic exponent")});
+    list.push_back({CORE_TEXT("balance-shaft", "Heat release (Wiebe)"),
+                    "x = (1 − exp(−a τ<sup>m+1</sup>)) / (1 − exp(−a)), a = ln 1000", "", "",
+                    CORE_TEXT("balance-shaft",
+                              "x burnt share, τ share of the combustion's duration, m form "
+                              "exponent; all is burnt at τ = 1")});
+    list.push_back(
+        {CORE_TEXT("balance-shaft", "Pressure of combustion and expansion"),
+         "p V<sup>n₂</sup> = p<sub>s</sub> V<sub>s</sub><sup>n₂</sup> + (n₂ − 1) Q ∫ "
+         "V<sup>n₂−1</sup> dx",
+         "", "",
+         CORE_TEXT("balance-shaft",
+                   "s at the start of combustion, Q heat of a cycle, n₂ polytropic exponent")});
+    if (strokes == 2) {
+        list.push_back(
+            {CORE_TEXT("balance-shaft", "Pressure with open ports"),
+             "p = p<sub>r</sub> + (p<sub>o</sub> − p<sub>r</sub>) "
+             "((φ<sub>b</sub> − φ) / (φ<sub>b</sub> − φ<sub>o</sub>))<sup>2</sup>; "
+             "p = p<sub>a</sub>",
+             "", "",
+             CORE_TEXT("balance-shaft",
+                       "to and from bottom dead centre φ_b; o where the ports open, pᵣ exhaust "
+                       "and pₐ intake pressure")});
+    } else {
+        list.push_back({CORE_TEXT("balance-shaft", "Pressure of gas exchange"),
+                        "p = p<sub>r</sub>; p = p<sub>a</sub>", "", "",
+                        CORE_TEXT("balance-shaft",
+                                  "pᵣ from bottom to top dead centre, exhaust; pₐ from there to "
+                                  "bottom dead centre, intake")});
+    }
+}
+
 void add_gears(std::vector<Formula>& list, const GearPair& gears) {
     if (gears.shifted_teeth != 0) {
         list.push_back(
@@ -72,6 +117,9 @@ std::vector<Formula> formulas(const Input& input) {
                     "P<sub>1</sub> = m<sub>1</sub> ρ<sub>1</sub> ω<sup>2</sup>", gots_klevtsov});
     if (input.torque.is_computed()) {
         add_torque(list);
+    }
+    if (input.torque.kind == TorqueSource::Kind::cycle) {
+        add_cycle(list, input.strokes);
     }
     if (input.torque.is_computed() || offset) {
         add_piston_pin(list);

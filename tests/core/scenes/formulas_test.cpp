@@ -107,6 +107,20 @@ TEST(Formulas, FollowTheCase) {
     EXPECT_FALSE(has(input_of("zotov-as-printed"), "Minimum preload"));
 }
 
+TEST(Formulas, OfAComputedCycleAreAllThere) {
+    const CaseFile file = test::example("tmz-650d");
+    Json input = file.input;
+    input["cylinder"] = {{"bore_mm", 92}, {"rod_length_mm", 160}};
+    const std::size_t given = scene_solver(file.scene).formulas(input).size();
+    for (const int strokes : {2, 4}) {
+        input["strokes"] = strokes;
+        input["torque"] = {
+            {"cycle",
+             {{"heat_J", 1000}, {"combustion_start_deg", 352}, {"combustion_duration_deg", 60}}}};
+        EXPECT_EQ(scene_solver(file.scene).formulas(input).size(), given + 7) << strokes;
+    }
+}
+
 TEST(Formulas, EveryModelSaysWhatItLeavesOut) {
     for (const SceneSolver& scene : scene_solvers()) {
         EXPECT_GE(scene.left_out().size(), 3u) << scene.name;
