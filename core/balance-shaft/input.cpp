@@ -107,27 +107,25 @@ void check_strokes(const Input& input) {
     }
 }
 
-/// The crank must turn round, with room to spare where the cylinder is offset.
+/// The crank must turn round.
 void check_rod(const Input& input) {
     const std::string parent = pointer(field::cylinder);
     const double offset = input.cylinder.offset;
-    const double minimum = input.crank_radius + 2.0 * std::abs(offset);
+    const double minimum = input.crank_radius + std::abs(offset);
     if (!(input.effective_rod_length() > minimum * (1.0 + 1e-9))) {
         if (!input.cylinder.rod_length) {
             throw InputError(
                 pointer(field::offset, parent),
-                {CORE_TEXT(
-                     "balance-shaft",
-                     "must be less than %1 in magnitude, half of rod length minus crank radius"),
-                 shown(field::offset, 0.5 * (input.effective_rod_length() - input.crank_radius))},
+                {CORE_TEXT("balance-shaft",
+                           "must be less than %1 in magnitude, the rod length minus crank radius"),
+                 shown(field::offset, input.effective_rod_length() - input.crank_radius)},
                 shown(field::offset, offset));
         }
-        throw InputError(
-            pointer(field::rod_length, parent),
-            {CORE_TEXT("balance-shaft",
-                       "must be greater than the crank radius plus twice the offset, %1"),
-             shown(field::crank_radius, rounded_to_digits(minimum, 12))},
-            shown(field::rod_length, input.effective_rod_length()));
+        throw InputError(pointer(field::rod_length, parent),
+                         {CORE_TEXT("balance-shaft",
+                                    "must be greater than the crank radius plus the offset, %1"),
+                          shown(field::crank_radius, rounded_to_digits(minimum, 12))},
+                         shown(field::rod_length, input.effective_rod_length()));
     }
 }
 

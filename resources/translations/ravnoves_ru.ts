@@ -3581,14 +3581,6 @@
         <translation>должно содержать либо %1, либо %2</translation>
     </message>
     <message>
-        <source>must be less than %1 in magnitude, half of rod length minus crank radius</source>
-        <translation>по модулю должно быть меньше %1, половины разности длины шатуна и радиуса кривошипа</translation>
-    </message>
-    <message>
-        <source>must be greater than the crank radius plus twice the offset, %1</source>
-        <translation>должно быть больше радиуса кривошипа плюс удвоенный дезаксаж, %1</translation>
-    </message>
-    <message>
         <source>must be greater than %1; across 0° enter %2</source>
         <translation>должно быть больше %1; через 0° пишите %2</translation>
     </message>

@@ -368,9 +368,10 @@ TEST(ComputedTorque, BadCyclesAreRejected) {
     EXPECT_EQ(rejection(R"({"torque": {"cycle": {"heat_J": null}}})"),
               "/input/torque/cycle: must have either heat_J or "
               "indicated_mean_effective_pressure_bar, got neither");
-    EXPECT_EQ(rejection(R"({"cylinder": {"rod_length_mm": 46}})"),
-              "/input/cylinder/rod_length_mm: must be greater than the crank radius plus twice the "
-              "offset, 46, got 46");
+    EXPECT_EQ(
+        rejection(R"({"cylinder": {"rod_length_mm": 46}})"),
+        "/input/cylinder/rod_length_mm: must be greater than the crank radius plus the offset, "
+        "46, got 46");
     for (const std::string key : {"rod_length_mm", "bore_mm"}) {
         EXPECT_EQ(rejection(R"({"cylinder": {")" + key + R"(": null}})"),
                   "/input/cylinder/" + key +

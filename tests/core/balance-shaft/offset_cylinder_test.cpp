@@ -302,7 +302,10 @@ TEST(OffsetCylinder, AMeasuredTableHasTheTermToo) {
     EXPECT_EQ(read_input(json, {}).cylinder.offset, 8e-3);
     EXPECT_EQ(write_input(read_input(json, {})), json);
     Json locked = json;
-    locked["cylinder"]["offset_mm"] = 60;
+    const double room = 1e3 * (crank.rod_length - crank.crank_radius);
+    locked["cylinder"]["offset_mm"] = 0.999 * room;
+    EXPECT_NO_THROW(Solver{read_input(locked, {})});
+    locked["cylinder"]["offset_mm"] = 1.001 * room;
     EXPECT_TRUE(error_of([&] {
                     read_input(locked, {});
                 }).starts_with("/input/cylinder/rod_length_mm: must be"));

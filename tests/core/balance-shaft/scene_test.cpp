@@ -130,7 +130,7 @@ TEST(BalanceShaftInput, EveryFieldRejectsWhatItCannotBe) {
          "shaft_angle_deg: must be from -3600 to 3600, got 1000000000"},
         {R"({"step_deg": 0})", "step_deg: must be from 0.01 to 90, got 0"},
         {R"({"cylinder": {"rod_length_mm": 40}})",
-         "cylinder/rod_length_mm: must be greater than the crank radius plus twice the offset, 46, "
+         "cylinder/rod_length_mm: must be greater than the crank radius plus the offset, 46, "
          "got 40"},
         {R"({"envelope": {"wall_mm": -1}})", "envelope/wall_mm: must be at least 0, got -1"},
         {R"({"interpolation": "cubic"})",
