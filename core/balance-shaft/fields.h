@@ -158,7 +158,7 @@ inline constexpr Field strokes{
     .key = "strokes",
     .label = CORE_TEXT("balance-shaft", "Stro&kes"),
     .hint = CORE_TEXT("balance-shaft",
-                      "Four strokes: a cycle of two turns, 720°; two strokes: one turn, 360°. "
+                      "A four-stroke cycle takes two turns, 720°; a two-stroke cycle one, 360°. "
                       "Torque table and pressure trace must span the cycle."),
     .words = stroke_words};
 inline constexpr Word interpolation_words[] = {

@@ -2182,11 +2182,11 @@
     </message>
     <message>
         <source>Heat released per cycle; instead of the IMEP.</source>
-        <translation>Теплота, выделенная за цикл; вместо pᵢ.</translation>
+        <translation>Теплота, выделенная за цикл; вместо среднего индикаторного давления.</translation>
     </message>
     <message>
         <source>I&amp;MEP</source>
-        <translation>Давл&amp;ение pᵢ</translation>
+        <translation>Ср. инд. давл&amp;ение pᵢ</translation>
     </message>
     <message>
         <source>&amp;Start of combustion</source>
@@ -3327,10 +3327,6 @@
     <message>
         <source>Parts of the reciprocating mass by name, for example piston, pin, rings, rod_small_end.</source>
         <translation>Части поступательно движущейся массы по именам, например piston, pin, rings, rod_small_end.</translation>
-    </message>
-    <message>
-        <source>Four strokes: a cycle of two turns, 720°; two strokes: one turn, 360°. Torque table and pressure trace must span the cycle.</source>
-        <translation>Четыре такта: цикл в два оборота, 720°; два такта: один оборот, 360°. Таблица момента и индикаторная диаграмма должны охватывать цикл.</translation>
     </message>
     <message>
         <source>Part of mⱼ r balanced on the crank alone, without a shaft. The force then describes an ellipse: a line at 0 and 1, a circle at ½.</source>
@@ -14831,11 +14827,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Meaning</source>
-        <translation>Значение</translation>
-    </message>
-    <message>
-        <source>Not used: the weighed masses replace it</source>
-        <translation>Не используется: заменено взвешенными массами</translation>
+        <translation>Пояснение</translation>
     </message>
     <message>
         <source>No results.</source>
@@ -15919,7 +15911,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>&amp;Load, IMEP</source>
-        <translation>&amp;Нагрузка, pᵢ</translation>
+        <translation>&amp;Нагрузка, ср. инд. давление</translation>
     </message>
     <message>
         <source>Indicated mean effective pressure of the computed cycle.</source>
