@@ -85,8 +85,11 @@ QString markdown(const QString& topic) {
 bool loadHelp(const QString& topic, QTextDocument* document) {
     const QString text = markdown(topic);
     document->clear();  // with its pictures, which are in the colours of the theme
+    // Else tables are laid out again at each piece inserted.
+    document->setLayoutEnabled(false);
     document->setMarkdown(text);
     layOut(document);
+    document->setLayoutEnabled(true);
     return !text.isEmpty();
 }
 

@@ -72,6 +72,7 @@ HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent),
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     text_ = new HelpText(halves);
     text_->setFrameShape(QFrame::NoFrame);
+    text_->setSearchPaths({QStringLiteral(":/help")});
     text_->document()->setDocumentMargin(Theme::margin * 2);
     text_->document()->setDefaultFont(Theme::font(Theme::baseSize + 1));
     halves->setStretchFactor(1, 1);

@@ -8,10 +8,11 @@
 #include <QWhatsThis>
 
 #include "events.h"
+#include "page/scene_page.h"
+#include "processor_time.h"
 #include "shell/help_pages.h"
 #include "shell/help_window.h"
 #include "shell/scene_list.h"
-#include "page/scene_page.h"
 #include "text/language.h"
 #include "text/preferences.h"
 #include "theme/icons.h"
@@ -85,6 +86,23 @@ TEST_F(HelpSearch, FollowsLanguageAndTheme) {
     Preferences::instance().tell();
     QApplication::processEvents();
     EXPECT_EQ(list->currentItem()->text(), u"Keys and mouse"_s);
+}
+
+// Tables of a shown page must not be laid out at each piece that is put in.
+TEST_F(HelpSearch, ShowsEveryPageWithItsPicturesSoon) {
+    for (const QString& topic : helpTopics()) {
+        const test::ProcessorTime spent;
+        help.goTo(topic);
+        QApplication::processEvents();
+        EXPECT_LT(spent.seconds(), 5.0) << topic.toStdString();
+        for (const QTextFormat& format : text->document()->allFormats()) {
+            if (format.isImageFormat()) {
+                const QString name = format.toImageFormat().name();
+                EXPECT_FALSE(text->loadResource(QTextDocument::ImageResource, QUrl(name)).isNull())
+                    << name.toStdString();
+            }
+        }
+    }
 }
 
 TEST(HelpPages, LeaveRoomBetweenParagraphsAndShowTheirFigures) {
