@@ -33,6 +33,12 @@ constexpr std::array<RadialSize, radial_counts.size()> radial_sizes{
      {radial_counts[2], 70.0, 54.0, 2400.0, 1.8, 1.0},
      {radial_counts[3], 87.3, 67.0, 2200.0, 2.8, 1.6}}};
 
+const RadialSize& radial_size(int cylinders) {
+    const auto size = std::ranges::find(radial_sizes, cylinders, &RadialSize::cylinders);
+    RAVNOVES_DEMAND(size != radial_sizes.end(), "a radial of the list");
+    return *size;
+}
+
 /// As a person would enter it.
 double tidy(double length) {
     return rounded(length, field::front_position, 5);
@@ -122,25 +128,35 @@ Input preset_vw_vr5() {
 }
 
 Input preset_radial(int cylinders) {
-    const auto size =
-        std::find_if(radial_sizes.begin(), radial_sizes.end(),
-                     [&](const RadialSize& each) { return each.cylinders == cylinders; });
-    RAVNOVES_DEMAND(size != radial_sizes.end(), "a radial of the list");
+    const RadialSize& size = radial_size(cylinders);
     Input input;
-    input.crank_radius = size->crank_radius * units::mm;
+    input.crank_radius = size.crank_radius * units::mm;
     input.lambda = 0.25;
-    input.angular_speed = size->speed * units::rpm;
-    input.reciprocating_mass = size->reciprocating_mass;
-    input.rotating_mass = size->rotating_mass;
+    input.angular_speed = size.speed * units::rpm;
+    input.reciprocating_mass = size.reciprocating_mass;
+    input.rotating_mass = size.rotating_mass;
+    make_radial(input, cylinders);
+    return input;
+}
+
+void make_radial(Input& input, int cylinders) {
+    const RadialSize& size = radial_size(cylinders);
+    const double knuckle_radius =
+        tidy(size.knuckle_radius / size.crank_radius * input.crank_radius);
+    input.layout.reset();
+    input.cylinders.clear();
+    input.firing_order.clear();
+    input.reference_position = 0.0;
+    input.shafts.clear();
     for (int i = 0; i < cylinders; ++i) {
         // Numbered with the rotation of the crank: cylinder i + 1 comes to the top after i.
         Cylinder& cylinder = input.cylinders.emplace_back();
         cylinder.bank_angle = (360.0 / cylinders) * i * units::degree;
         if (i > 0) {
             ArticulatedRod& rod = cylinder.articulated.emplace();
-            rod.knuckle_radius = size->knuckle_radius * units::mm;
+            rod.knuckle_radius = knuckle_radius;
             rod.master = 1;
-            rod.knuckle_mass = size->rotating_mass / 2.0;
+            rod.knuckle_mass = input.rotating_mass / 2.0;
         }
         input.firing_order.push_back(2 * i % cylinders + 1);  // every other one: the count is odd
     }
@@ -155,7 +171,6 @@ Input preset_radial(int cylinders) {
         shaft.enabled = false;
         input.shafts.push_back(shaft);
     }
-    return input;
 }
 
 std::vector<Preset<Input>> presets() {

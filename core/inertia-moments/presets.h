@@ -24,6 +24,9 @@ inline constexpr std::array radial_counts{3, 5, 7, 9};
 /// order is included, switched off.
 /// @param cylinders  one of radial_counts
 Input preset_radial(int cylinders);
+/// The cylinders of that radial, its knuckles scaled to the crank of this engine, which keeps its
+/// crank radius, λ, speed and masses.
+void make_radial(Input& input, int cylinders);
 
 /// The engine of the paper and the radials.
 std::vector<Preset<Input>> presets();

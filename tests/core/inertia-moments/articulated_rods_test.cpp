@@ -420,6 +420,21 @@ TEST(ArticulatedRods, APresetRadialFiresUnevenly) {
     EXPECT_GT(result.exact.order(2).force.max(), 0.3 * unit);
 }
 
+TEST(ArticulatedRods, ARadialKeepsTheSizesOfTheEngine) {
+    Input input = preset_vw_vr5();
+    const Input before = input;
+    make_radial(input, 9);
+    EXPECT_EQ(input.crank_radius, before.crank_radius);
+    EXPECT_EQ(input.ratio(), before.ratio());
+    EXPECT_EQ(input.angular_speed, before.angular_speed);
+    EXPECT_EQ(input.reciprocating_mass, before.reciprocating_mass);
+    EXPECT_EQ(input.rotating_mass, before.rotating_mass);
+    ASSERT_EQ(input.cylinders.size(), 9U);
+    EXPECT_NEAR(input.cylinders[1].articulated->knuckle_radius, 67.0 / 87.3 * before.crank_radius,
+                1e-5);
+    EXPECT_NO_THROW(solve(input));
+}
+
 TEST(ArticulatedRods, EveryPresetRadialFiresEveryOtherCylinder) {
     for (const int count : radial_counts) {
         const Input input = preset_radial(count);

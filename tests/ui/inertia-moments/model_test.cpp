@@ -255,7 +255,10 @@ TEST(InertiaMomentsModel, SettingsByKeyAsOnTheCommandLine) {
 
 TEST(InertiaMomentsModel, RodsAreHungWithTheUsualKnuckleRadius) {
     InertiaMomentsModel model;
+    const double mass = model.input().reciprocating_mass;
     model.chooseLayout(QStringLiteral("radial-5"));
+    EXPECT_EQ(model.input().reciprocating_mass, mass);
+    EXPECT_FALSE(model.canChangeBankAngle());
     EXPECT_EQ(model.setArticulatedRods(false), QString());
     EXPECT_FALSE(model.hasArticulatedRods());
     EXPECT_EQ(model.layoutName(), QStringLiteral("table"));

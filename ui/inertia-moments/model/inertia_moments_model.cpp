@@ -123,24 +123,12 @@ QString InertiaMomentsModel::layoutTitle(const QString& name) const {
 }
 
 QString InertiaMomentsModel::layoutName() const {
-    const auto isSizedAs = [this](const Input& other) {
-        return input().crank_radius == other.crank_radius && input().ratio() == other.ratio() &&
-               input().reciprocating_mass == other.reciprocating_mass &&
-               input().angular_speed == other.angular_speed &&
-               input().reference_position == other.reference_position;
-    };
     if (!input().layout) {
-        static const auto radials = [] {
-            std::vector<Input> list;
-            list.reserve(std::size(inertia_moments::radial_counts));
-            for (const int count : inertia_moments::radial_counts) {
-                list.push_back(inertia_moments::preset_radial(count));
-            }
-            return list;
-        }();
-        for (const Input& radial : radials) {
-            if (input().cylinders == radial.cylinders && isSizedAs(radial)) {
-                return radialEngine.arg(radial.cylinders.size());
+        for (const int count : inertia_moments::radial_counts) {
+            Input radial = input();
+            inertia_moments::make_radial(radial, count);
+            if (input().cylinders == radial.cylinders) {
+                return radialEngine.arg(count);
             }
         }
         return ownTable;
@@ -150,7 +138,11 @@ QString InertiaMomentsModel::layoutName() const {
         return name;
     }
     static const Input paper = inertia_moments::preset_vw_vr5();
-    if (input().layout == paper.layout && isSizedAs(paper)) {
+    if (input().layout == paper.layout && input().crank_radius == paper.crank_radius &&
+        input().ratio() == paper.ratio() &&
+        input().reciprocating_mass == paper.reciprocating_mass &&
+        input().angular_speed == paper.angular_speed &&
+        input().reference_position == paper.reference_position) {
         return paperEngine;
     }
     for (const int cylinders : {5, 6}) {
@@ -176,9 +168,8 @@ void InertiaMomentsModel::chooseLayout(const QString& name) {
     }
     if (const int count = radialCount(name); count > 0) {
         edit(
-            tr("Layout"), [count](Input& input) { input = inertia_moments::preset_radial(count); },
+            tr("Layout"), [count](Input& input) { inertia_moments::make_radial(input, count); },
             layoutTitle(name));
-        Q_EMIT broughtIn();
         return;
     }
     if (name == ownTable) {
@@ -335,7 +326,7 @@ bool InertiaMomentsModel::canChangeBankAngle() const {
         return inertia_moments::arrangement_of(*input().layout) !=
                inertia_moments::Arrangement::in_line;
     }
-    return bankAngleDeg() > 1e-9;
+    return bankAngleDeg() > 1e-9 && radialCount(layoutName()) == 0;
 }
 
 void InertiaMomentsModel::setBankAngleDeg(double angle) {
