@@ -223,11 +223,11 @@ std::optional<Message> note_of_linear(const Part& part, std::size_t w,
     if (!(distance > minimum)) {
         return std::nullopt;
     }
-    return Message{CORE_TEXT("studies",
-                             "The linear answer fails for %1: distance of the samples %2 (RMS), "
-                             "standard deviation %3."),
-                   part.study.watch[w].pointer, Number{distance, {}, 4},
-                   Number{linear.deviation, {}, 4}};
+    return Message{
+        CORE_TEXT("studies",
+                  "The linear answer fails for %1: the samples deviate from it by %2 (RMS), "
+                  "standard deviation %3."),
+        part.study.watch[w].pointer, Number{distance, {}, 4}, Number{linear.deviation, {}, 4}};
 }
 
 /// Where sensitivities are vague, their largest standard error.

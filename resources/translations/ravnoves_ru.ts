@@ -17772,10 +17772,6 @@ but no position is feasible</source>
         <translation>не может быть &quot;grid&quot;, если сетка не задана</translation>
     </message>
     <message>
-        <source>The linear answer fails for %1: distance of the samples %2 (RMS), standard deviation %3.</source>
-        <translation>Линейный ответ для %1 неверен: отклонение проб %2 (СКЗ), стандартное отклонение %3.</translation>
-    </message>
-    <message>
         <source>%1 of %2 trial samples cannot be solved; the linear answer does not show that.</source>
         <translation>%1 из %2 опробованных проб решить нельзя; линейный ответ этого не показывает.</translation>
     </message>
@@ -17799,6 +17795,10 @@ but no position is feasible</source>
 <context>
     <name>v8-plugs</name>
     <message>
+    <message>
+        <source>The linear answer fails for %1: the samples deviate from it by %2 (RMS), standard deviation %3.</source>
+        <translation>Линейный ответ для %1 неверен: пробы отклоняются от него на %2 (СКЗ), стандартное отклонение %3.</translation>
+    </message>
         <source>mⱼ and m_R nominal reciprocating and rotating mass, mₘ oil, k_m its coefficient</source>
         <translation>mⱼ и m_R — номинальные поступательная и вращающаяся массы, mₘ — масло, k_m — его коэффициент</translation>
     </message>

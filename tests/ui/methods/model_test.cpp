@@ -117,6 +117,9 @@ TEST(CaseBudgetModel, ShowsEachLeadingResultWithWhatChangesIt) {
         << headline.toStdString();
     EXPECT_TRUE(headline.contains(name(1) + QLatin1Char(','))) << headline.toStdString();
     EXPECT_GE(model.leftOut().size(), 3);
+    // Of a first result that only rounding changes, the headline is of the next.
+    load(openExample("radial-9"));
+    EXPECT_FALSE(messageText(model.verdict().text).contains(QStringLiteral("Rounding")));
     // An empty case is no error.
     load(openExample("../templates/workshop"));
     EXPECT_TRUE(model.results().rows.isEmpty());

@@ -233,6 +233,18 @@ TEST_F(Tolerances, WhatIsTypedIsComputedAndShown) {
     EXPECT_EQ(the<ResultTable>()->rowCount(), 1);
 }
 
+TEST_F(Tolerances, NoShareIsGivenToWhatHasNoEffect) {
+    auto& model = dynamic_cast<BalanceShaftModel&>(scene());
+    model.setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
+    scatter("/reciprocating_masses_kg/piston", u"1 %"_s);
+    scatter("/centre_distance_mm", u"1"_s);
+    watch("/metrics/M_up/range_Nm");  // without shaft
+    waitForAnswer();
+    for (const StudyAnswer::Share& share : tolerances->model()->answers()->values[0].shares) {
+        EXPECT_EQ(share.alone > 0.0, share.pointer != "/centre_distance_mm") << share.pointer;
+    }
+}
+
 TEST_F(Tolerances, ResultsAreNamedWithTheUnitsOfTheirKeys) {
     const auto name = [](const char* scene, const char* pointer) {
         return StudyModel(test::makePage(scene)->model()).resultName(pointer).withUnit();

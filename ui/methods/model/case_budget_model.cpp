@@ -95,7 +95,11 @@ Verdict CaseBudgetModel::verdict() const {
     if (budget_.empty()) {
         return {Severity::note, CORE_TEXT("methods", "Solving the case for each change.")};
     }
-    const CaseDoubt& first = budget_.front();
+    // The first result that more than rounding changes.
+    const auto doubted = std::ranges::find_if(budget_, [](const CaseDoubt& doubt) {
+        return doubt.contributions.front().kind != Contribution::Kind::rounding;
+    });
+    const CaseDoubt& first = doubted != budget_.end() ? *doubted : budget_.front();
     return {Severity::note,
             {CORE_TEXT("methods", "%1: %2. Maximum contribution: %3, %4."), first.result.name,
              valueCell(first.result).text.toStdString(),

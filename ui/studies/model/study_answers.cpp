@@ -52,7 +52,10 @@ StudyAnswer answerOf(const studies::Part& part, std::size_t place) {
     }
     const auto reported = [isSampled](const std::vector<std::optional<studies::Estimate>>& all,
                                       std::size_t j) {
-        return isSampled && j < all.size() && all[j] ? std::optional(all[j]->value) : std::nullopt;
+        // A share within its own error is noise.
+        return isSampled && j < all.size() && all[j] && all[j]->value > 2.0 * all[j]->error
+                   ? std::optional(all[j]->value)
+                   : std::nullopt;
     };
     for (std::size_t j = 0; j < part.study.vary.size(); ++j) {
         const double alone =
