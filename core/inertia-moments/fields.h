@@ -342,7 +342,7 @@ inline constexpr Field rear_radius{
 inline constexpr Field first_order_share{
     .key = "first_order_share",
     .range = Range::between(0, 1),
-    .label = CORE_TEXT("inertia-moments", "&Share of order 1 cancelled"),
+    .label = CORE_TEXT("inertia-moments", "&Share of forward order 1"),
     .hint = CORE_TEXT("inertia-moments",
                       "1 cancels the forward half of the reciprocating first order; in a single "
                       "cylinder this is a balance factor of 50 %.")};

@@ -87,9 +87,9 @@ void visit_pair(ResultVisitor& visitor, const ResultField& field, const Rotating
                        pair.horizontal());
         visit_harmonic(visitor, {"vertical", CORE_TEXT("inertia-moments", "vertical")},
                        pair.vertical());
-        visit_rotating_part(visitor, {"forward", CORE_TEXT("inertia-moments", "forward")},
+        visit_rotating_part(visitor, {"forward", CORE_TEXT("inertia-moments", "forward part")},
                             pair.forward, scale);
-        visit_rotating_part(visitor, {"backward", CORE_TEXT("inertia-moments", "backward")},
+        visit_rotating_part(visitor, {"backward", CORE_TEXT("inertia-moments", "backward part")},
                             pair.backward, scale);
     });
 }

@@ -7681,14 +7681,6 @@
         <translation>вертикально</translation>
     </message>
     <message>
-        <source>forward</source>
-        <translation>прямой</translation>
-    </message>
-    <message>
-        <source>backward</source>
-        <translation>обратный</translation>
-    </message>
-    <message>
         <source>from offsets and rods</source>
         <translation>от дезаксажей и шатунов</translation>
     </message>
@@ -8045,10 +8037,6 @@
         <translation>Цилиндры %1 на одной шейке считаются с обычными шатунами: отметка «Прицепные шатуны» над таблицей добавит второй порядок, 5–12 %, и неравномерность мёртвых точек.</translation>
     </message>
     <message>
-        <source>&amp;Share of order 1 cancelled</source>
-        <translation>Пога&amp;шенная доля 1-го порядка</translation>
-    </message>
-    <message>
         <source>1 cancels the forward half of the reciprocating first order; in a single cylinder this is a balance factor of 50 %.</source>
         <translation>1 гасит прямую половину первого порядка поступательных масс. Для одного цилиндра это коэффициент балансировки 50&#xa0;%.</translation>
     </message>
@@ -8091,6 +8079,18 @@
     <message>
         <source>must be empty: this rod runs on the crankpin</source>
         <translation>должно быть пусто: этот шатун сидит на шатунной шейке</translation>
+    </message>
+    <message>
+        <source>&amp;Share of forward order 1</source>
+        <translation>&amp;Доля прямого 1-го порядка</translation>
+    </message>
+    <message>
+        <source>forward part</source>
+        <translation>прямая часть</translation>
+    </message>
+    <message>
+        <source>backward part</source>
+        <translation>обратная часть</translation>
     </message>
 </context>
 <context>
@@ -10785,7 +10785,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Ripple from %1</source>
-        <translation>Неравном. от %1</translation>
+        <translation>Неравн. от %1</translation>
     </message>
     <message>
         <source>%1: %2…%3, drift %4</source>
@@ -10836,10 +10836,6 @@ but no position is feasible</source>
         <translation>Максимальная погрешность момента шарнира при этой погрешности профиля; в скобках — к максимальному моменту</translation>
     </message>
     <message>
-        <source>Minimum curvature radius</source>
-        <translation>Радиус кривизны, мин.</translation>
-    </message>
-    <message>
         <source>Radius of curvature of the guide; a cutter must be smaller</source>
         <translation>Радиус кривизны направляющей; фреза должна быть меньше</translation>
     </message>
@@ -10886,6 +10882,10 @@ but no position is feasible</source>
     <message>
         <source>Present design: relief %1, maximum force %2, moment error %3.</source>
         <translation>Текущая конструкция: перепад %1, максимальная сила %2, погрешность момента %3.</translation>
+    </message>
+    <message>
+        <source>Min. curvature radius</source>
+        <translation>Радиус кривизны, мин.</translation>
     </message>
 </context>
 <context>

@@ -410,7 +410,7 @@ Results ElasticHingeModel::quantities() const {
             units::N_m,
             tr("Maximum error of the hinge's moment at this profile error; in brackets relative to "
                "the maximum moment")),
-        length(tr("Minimum curvature radius"), guide.summary().smallest_curvature_radius, 2,
+        length(tr("Min. curvature radius"), guide.summary().smallest_curvature_radius, 2,
                tr("Radius of curvature of the guide; a cutter must be smaller")),
         row(tr("Maximum roller radius"),
             when(there, roller ? shownCell(*roller, units::mm, 2) : ResultCell(tr("any"))),
