@@ -592,6 +592,12 @@ Text what_is_met(Obstacle obstacle) {
     }
 }
 
+/// Whether some α is feasible, yet none has a smaller range than no shaft.
+bool is_useless_for_range(const Result& result) {
+    return !result.buildable.stretches.empty() && result.moment_amplitude != 0.0 &&
+           result.best_range_buildable.value >= result.M_up.range;
+}
+
 /// Of the shaft alone, without warnings about the input.
 Verdict shaft_verdict(const Result& result) {
     const auto percent = [](double share) {
@@ -599,7 +605,7 @@ Verdict shaft_verdict(const Result& result) {
     };
     const std::string_view best =
         !result.buildable.stretches.empty() && result.best_range_buildable.shaft_angle
-            ? best_range_act
+            ? (is_useless_for_range(result) ? best_place_act : best_range_act)
             : "";
     if (!result.is_buildable) {
         return {Severity::error,
@@ -640,7 +646,7 @@ Message useless(const Result& result) {
     if (result.buildable.stretches.empty() || result.moment_amplitude == 0.0) {
         return {};
     }
-    const bool range = result.best_range_buildable.value >= result.M_up.range;
+    const bool range = is_useless_for_range(result);
     const bool rms = result.best_rms_buildable.value >= result.M_up.rms;
     return range && rms ? CORE_TEXT("balance-shaft",
                                     "At every feasible α, range and RMS are larger than without "

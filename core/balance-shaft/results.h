@@ -43,9 +43,11 @@ class RepeatedResults {
     BuildableAngles buildable_;
 };
 
-/// Acts of the verdict: the trace belongs a turn earlier or later; a better α is feasible.
+/// Acts of the verdict: the trace belongs a turn earlier or later; a better α is feasible; only
+/// another place of the shaft has a smaller range.
 inline constexpr std::string_view move_trace_act = "move-trace";
 inline constexpr std::string_view best_range_act = "best-range";
+inline constexpr std::string_view best_place_act = "best-place";
 
 /// Whether the shaft fits, and its effect on the moment on the mounts; or a slip of the input that
 /// makes this doubtful.

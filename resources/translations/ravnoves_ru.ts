@@ -4089,6 +4089,18 @@
         <translation>Стальной полудиск с радиусом вращения вала должен для m₁ ρ₁ иметь длину %1: больше двух диаметров цилиндра.</translation>
     </message>
     <message>
+        <source>Same unbalance as %1 at ρ₁ = %2; map and clearances use the swing radius %3.</source>
+        <translation>Дисбаланс как у %1 на ρ₁ = %2; карта и зазоры используют радиус вращения %3.</translation>
+    </message>
+    <message>
+        <source>The heading of the pressure has no unit; the numbers look like %1.</source>
+        <translation>В заголовке давления нет единицы; числа похожи на %1.</translation>
+    </message>
+    <message>
+        <source>Pressure at the bottom dead centre before compression: %1 bar. The numbers look like %2; %3 is used.</source>
+        <translation>Давление в нижней мёртвой точке перед сжатием: %1 бар. Числа похожи на %2; принято %3.</translation>
+    </message>
+    <message>
         <source>A four-stroke cycle takes two turns, 720°; a two-stroke cycle one, 360°. Torque table and pressure trace must span the cycle.</source>
         <translation>Четырёхтактный цикл занимает два оборота, 720°; двухтактный — один, 360°. Таблица момента и индикаторная диаграмма должны охватывать цикл.</translation>
     </message>
@@ -4155,18 +4167,6 @@
     <message>
         <source>Pressure trace: %1 between rows near the peak; peak and work are uncertain, and the dead centre requires steps of 4°.</source>
         <translation>Индикаторная диаграмма: %1 между строками у пика; пик и работа неточны, для поиска мёртвой точки нужен шаг 4°.</translation>
-    </message>
-    <message>
-        <source>Same unbalance as %1 at ρ₁ = %2; map and clearances use the swing radius %3.</source>
-        <translation>Дисбаланс как у %1 на ρ₁ = %2; карта и зазоры используют радиус вращения %3.</translation>
-    </message>
-    <message>
-        <source>The heading of the pressure has no unit; the numbers look like %1.</source>
-        <translation>В заголовке давления нет единицы; числа похожи на %1.</translation>
-    </message>
-    <message>
-        <source>Pressure at the bottom dead centre before compression: %1 bar. The numbers look like %2; %3 is used.</source>
-        <translation>Давление в нижней мёртвой точке перед сжатием: %1 бар. Числа похожи на %2; принято %3.</translation>
     </message>
 </context>
 <context>
@@ -10178,6 +10178,10 @@ but no position is feasible</source>
         <source>Part</source>
         <translation>Деталь</translation>
     </message>
+    <message>
+        <source>Best place on the &amp;map</source>
+        <translation>Лучшее место на &amp;карте</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BalancingForm</name>
@@ -10496,10 +10500,6 @@ but no position is feasible</source>
     <message>
         <source>Unit</source>
         <translation>Ед.</translation>
-    </message>
-    <message>
-        <source>V, cm³</source>
-        <translation>V, см³</translation>
     </message>
     <message>
         <source>V without clearance, cm³</source>
@@ -14849,6 +14849,10 @@ but no position is feasible</source>
         <source>Sweep, %1 from %2 to %3. %4</source>
         <translation>Вариация параметра, %1 от %2 до %3. %4</translation>
     </message>
+    <message>
+        <source>Not used: other inputs replace it</source>
+        <translation>Не используется: заменено другими данными</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ResultTable</name>
@@ -15427,10 +15431,6 @@ but no position is feasible</source>
         <translation>%1 при&#xa0;%2 не помещается.</translation>
     </message>
     <message>
-        <source>; compared with it %1.</source>
-        <translation>; относительно него %1.</translation>
-    </message>
-    <message>
         <source>Compared with %1 here: range %2; RMS %3; box %4</source>
         <translation>Относительно %1 здесь: размах %2; СКЗ %3; габарит %4</translation>
     </message>
@@ -15461,6 +15461,10 @@ but no position is feasible</source>
     <message>
         <source>Best place, the smallest box with the %1 within 1 % of its minimum: %2 at %3, box %4.</source>
         <translation>Лучшее место, наименьший габарит (%1 в пределах 1&#xa0;% от минимума): %2 при %3, габарит %4.</translation>
+    </message>
+    <message>
+        <source>; present best place: %1.</source>
+        <translation>; лучшее место сейчас: %1.</translation>
     </message>
 </context>
 <context>
@@ -17791,14 +17795,14 @@ but no position is feasible</source>
         <source>was not written by this program</source>
         <translation>не то, что записывает эта программа</translation>
     </message>
-</context>
-<context>
-    <name>v8-plugs</name>
-    <message>
     <message>
         <source>The linear answer fails for %1: the samples deviate from it by %2 (RMS), standard deviation %3.</source>
         <translation>Линейный ответ для %1 неверен: пробы отклоняются от него на %2 (СКЗ), стандартное отклонение %3.</translation>
     </message>
+</context>
+<context>
+    <name>v8-plugs</name>
+    <message>
         <source>mⱼ and m_R nominal reciprocating and rotating mass, mₘ oil, k_m its coefficient</source>
         <translation>mⱼ и m_R — номинальные поступательная и вращающаяся массы, mₘ — масло, k_m — его коэффициент</translation>
     </message>

@@ -90,8 +90,9 @@ QTabWidget* BalanceShaftPage::buildInputs() {
     }
     form->number("/envelope/clearance_mm");
     form->number("/envelope/wall_mm");
-    form->section(tr("Torque between the rows of its table"));
+    FormSection* rows = form->section(tr("Torque between the rows of its table"));
     form->choice("/interpolation");
+    form->follow([this, rows] { rows->setVisible(model_->replacedInputs().empty()); });
     form->column()->addStretch();
 
     auto* tabs = new QTabWidget(this);

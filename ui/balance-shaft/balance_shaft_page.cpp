@@ -142,12 +142,15 @@ void BalanceShaftPage::showVerdict() {
     verdict_->show(verdict,
                    verdict.act == balance_shaft::move_trace_act   ? tr("Shift the trace by &360°")
                    : verdict.act == balance_shaft::best_range_act ? tr("&Use the best feasible α")
+                   : verdict.act == balance_shaft::best_place_act ? tr("Best place on the &map")
                                                                   : QString());
 }
 
 void BalanceShaftPage::doVerdictAct() {
     if (model_->verdict().act == balance_shaft::move_trace_act) {
         model_->moveTraceByTurn();
+    } else if (model_->verdict().act == balance_shaft::best_place_act) {
+        showTabs({QStringLiteral("map")});
     } else {
         model_->goToBest(Criterion::range);
     }

@@ -107,7 +107,7 @@ class SceneModel : public QObject {
         return {};
     }
     virtual std::vector<FieldEntry> fields(std::string_view /*only*/ = {}) const { return {}; }
-    /// Pointers of the typed values that do not count, since weighed ones are in their place.
+    /// Pointers of the typed values that do not count, since others are in their place.
     virtual std::vector<std::string> replacedInputs() const { return {}; }
     /// Pointers of the objects with usual values where the case does not have them.
     virtual std::vector<std::string> usualObjects() const { return {}; }

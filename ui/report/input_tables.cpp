@@ -74,7 +74,7 @@ class Inputs {
     QString meaningOf(const std::string& pointer) const {
         const FieldEntry* entry = names_.entryAt(pointer);
         if (std::find(replaced_.begin(), replaced_.end(), pointer) != replaced_.end()) {
-            return ReportWords::tr("Not used: the weighed masses replace it");
+            return ReportWords::tr("Not used: other inputs replace it");
         }
         // What the field would stand for while it is empty explains no value.
         return entry == nullptr ? QString() : firstSentence(shownText(entry->field.hint));

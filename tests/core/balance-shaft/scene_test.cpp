@@ -70,6 +70,7 @@ TEST(BalanceShaftCase, TheVerdictSaysChangesAsTheyAreRounded) {
     EXPECT_NE(verdict(result).text.english().find(
                   "At every feasible α, the range is larger than without shaft."),
               std::string::npos);
+    EXPECT_EQ(verdict(result).act, best_place_act);
 }
 
 /// The error of the example with a patch (RFC 7396: null takes a key away) on its input.

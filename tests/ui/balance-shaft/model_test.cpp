@@ -75,6 +75,11 @@ TEST(BalanceShaftModel, MovingTheShaftFollowsEverywhere) {
     model.goToBest(By::rms);
     EXPECT_EQ(model.shaftAngleDeg(), *model.result().best_rms_buildable.shaft_angle / degree);
     EXPECT_TRUE(model.bestText(By::rms).contains(QStringLiteral("11.76° would give")));
+    // No word of what rounds to nothing.
+    model.setByKey(QStringLiteral("envelope/clearance_mm"), QStringLiteral("0"));
+    const QString less = QStringLiteral(" 0.0\u00A0N·m less");
+    EXPECT_FALSE(model.bestText(By::range).contains(less));
+    EXPECT_FALSE(model.bestText(By::rms).contains(less));
     // Where nothing can be built, the best of all is shown and said to be that.
     model.setByKey(QStringLiteral("envelope/clearance_mm"), QStringLiteral("50"));
     model.goToBest(By::range);
@@ -279,7 +284,9 @@ TEST(BalanceShaftParts, AreInTheUnitsOfTheirAxes) {
     BalanceShaftModel model;
     EXPECT_TRUE(figureOf(model, "torque").curves.empty());
     EXPECT_TRUE(figureOf(model, "indicator").curves.empty());
+    EXPECT_TRUE(model.replacedInputs().empty());
     model.setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
+    EXPECT_EQ(model.replacedInputs(), std::vector<std::string>{"/interpolation"});
     const auto& curves = model.result().curves;
     const Figure torque = figureOf(model, "torque");
     const std::vector<double>& total = curveOf(torque, "total").y;
@@ -287,11 +294,11 @@ TEST(BalanceShaftParts, AreInTheUnitsOfTheirAxes) {
         EXPECT_NEAR(total[i], curves.M_gas[i] + curves.M_inertia[i], 1e-9);
     }
     const Figure indicator = figureOf(model, "indicator");
-    EXPECT_EQ(indicator.curves[0].id, "loop");  // of a trace without clearance it is another
+    EXPECT_EQ(indicator.curves[0].id, "loop");
     EXPECT_NEAR(indicator.curves[0].y[100], curves.pressure[100] / 1e5, 1e-12);
     EXPECT_EQ(figureOf(model, "pressure").curves[0].y, indicator.curves[0].y);
-    EXPECT_NEAR(indicator.x.max / 1.03 * 1e-6,
-                *std::max_element(curves.volume.begin(), curves.volume.end()), 1e-15);
+    // As a trace is drawn, without the clearance volume.
+    EXPECT_NEAR(indicator.x.max / 1.03 * 1e-6, model.result().indicated->displacement, 1e-9);
     const Figure orders = figureOf(model, "orders");
     EXPECT_EQ(curveOf(orders, "M_ups").x.at(1), 1.0);
     EXPECT_EQ(curveOf(orders, "M_ups").y.at(1), model.result().spectrum_M_ups[1].amplitude);

@@ -37,7 +37,7 @@ TEST_F(PlugsPageTest, AReportSaysWhichTypedChangesDoNotCount) {
             rows << row.join(u'|');
         }
     }
-    const QString unused = u"Not used: the weighed masses replace it"_s;
+    const QString unused = u"Not used: other inputs replace it"_s;
     EXPECT_TRUE(rows.contains(u"One repair piston with rings Δmᵣₚ|2|g|"_s + unused))
         << qPrintable(rows.join(u'\n'));
     EXPECT_EQ(rows.filter(u"big end"_s).filter(unused).size(), 0);

@@ -503,6 +503,12 @@ Results BalanceShaftModel::flywheel() const {
     return results;
 }
 
+std::vector<std::string> BalanceShaftModel::replacedInputs() const {
+    using Kind = balance_shaft::TorqueSource::Kind;
+    return input().torque.kind == Kind::cycle ? std::vector<std::string>{"/interpolation"}
+                                              : std::vector<std::string>();
+}
+
 QString BalanceShaftModel::bestText(Criterion criterion) const {
     const Optimum& found = best(criterion);
     if (!found.shaft_angle) {
@@ -515,10 +521,11 @@ QString BalanceShaftModel::bestText(Criterion criterion) const {
             .arg(number(*found.shaft_angle / degree, 2), shownNumber(found.value, units::N_m, 1));
     if (result().buildable.stretches.empty()) {
         text += tr("\nbut no position is feasible");
-    } else if (all.shaft_angle && *all.shaft_angle != *found.shaft_angle) {
+    } else if (const ResultCell less = shownCell(found.value - all.value, units::N_m, 1);
+               all.shaft_angle && less.text != shownCell(0.0, units::N_m, 1).text) {
         text += QLatin1Char('\n') + tr("%1° would give %2 less but does not fit")
                                         .arg(number(*all.shaft_angle / degree, 2),
-                                             shownNumber(found.value - all.value, units::N_m, 1));
+                                             withUnit(less.text, shownUnit(units::N_m).name));
     }
     return text;
 }

@@ -68,6 +68,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     }
     void needPart(std::string_view id) override;
     Json resultJson() const override;
+    std::vector<std::string> replacedInputs() const override;
     bool setViewOption(const QString& key, const QString& value) override;
     void takeView(const SceneModel& other) override;
 

@@ -127,7 +127,7 @@ QString bestAgainst(const ShaftMapModel& map, const ShaftMapModel& other, const 
         return byRange ? criteria.range : criteria.rms;
     };
     return text +
-           ShaftMapModel::tr("; compared with it %1.")
+           ShaftMapModel::tr("; present best place: %1.")
                .arg(differenceText(value(best->criteria), value(was->criteria), units::N_m, 1));
 }
 

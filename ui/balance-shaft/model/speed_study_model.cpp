@@ -173,7 +173,7 @@ QString SpeedStudyModel::answer() const {
     QString other;
     if (buildable().stretches.empty()) {
         other = tr(" No position is feasible.");
-    } else if (best.value > ofAll.value + 1e-6) {
+    } else if (best.value > ofAll.value + 5e-4) {
         other = tr(" %1° would gain %2 % more but does not fit.")
                     .arg(fixedNumber(ofAll.shaft_angle / degree, 1, locale),
                          fixedNumber(100.0 * (best.value - ofAll.value), 1, locale));

@@ -84,13 +84,15 @@ Figure indicator(const BalanceShaftModel& model) {
         return figure;
     }
     std::vector<double> volume = inUnit(units::cm3, result.curves.volume);
-    figure.x = {.title = result.indicated->clearance ? CycleWords::tr("V, cm³")
-                                                     : CycleWords::tr("V without clearance, cm³"),
+    // A trace has no clearance volume: without it all cycles can be compared.
+    for (double& each : volume) {
+        each -= result.indicated->clearance.value_or(0.0) / units::cm3;
+    }
+    figure.x = {.title = CycleWords::tr("V without clearance, cm³"),
                 .min = 0.0,
                 .max = 1.03 * *std::max_element(volume.begin(), volume.end())};
-    // Volumes with and without clearance are not drawn over each other: they are two curves.
-    figure.add(result.indicated->clearance ? "loop" : "loop-without-clearance", pressureStyle(),
-               std::move(volume), inUnit(units::bar, result.curves.pressure));
+    figure.add("loop", pressureStyle(), std::move(volume),
+               inUnit(units::bar, result.curves.pressure));
     return figure;
 }
 
