@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
+#include <algorithm>
 #include <cmath>
 
 #include "text/message_text.h"
@@ -115,7 +116,6 @@ VerdictLine::VerdictLine(QWidget* parent)
     text_->setObjectName(QStringLiteral("verdict"));
     text_->setTextFormat(Qt::PlainText);
     text_->setWordWrap(true);
-    setMinimumHeight(act_->sizeHint().height());  // nothing moves where the button comes
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     act_->setObjectName(QStringLiteral("verdict_act"));
     row->addWidget(sign_);
@@ -125,8 +125,8 @@ VerdictLine::VerdictLine(QWidget* parent)
     row->addWidget(act_);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     connect(act_, &QPushButton::clicked, this, &VerdictLine::acted);
-    connect(&Theme::instance(), &Theme::changed, this, &VerdictLine::showColours);
-    showColours();
+    connect(&Theme::instance(), &Theme::changed, this, &VerdictLine::dress);
+    dress();
 }
 
 void VerdictLine::show(const Verdict& verdict, const QString& act) {
@@ -138,7 +138,7 @@ void VerdictLine::show(const Verdict& verdict, const QString& act) {
     act_->setVisible(!act.isEmpty());
     setAccessibleName(text());
     if (isOther) {
-        showColours();
+        dress();
     }
 }
 
@@ -149,11 +149,14 @@ QString VerdictLine::text() const {
 void VerdictLine::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::FontChange) {
-        showColours();
+        dress();
     }
 }
 
-void VerdictLine::showColours() {
+void VerdictLine::dress() {
+    // Nothing moves where the button comes, or a second line.
+    setMinimumHeight(Theme::gap +
+                     std::max(act_->sizeHint().height(), 2 * text_->fontMetrics().lineSpacing()));
     const int size = Theme::withText(signSize);
     QPixmap sign(QSize(size, size) * devicePixelRatioF());
     sign.setDevicePixelRatio(devicePixelRatioF());

@@ -31,7 +31,8 @@ class VerdictLine : public QWidget {
     void changeEvent(QEvent* event) override;
 
   private:
-    void showColours();
+    /// In the present theme and font.
+    void dress();
 
     Severity severity_ = Severity::good;
     QLabel* sign_;

@@ -493,8 +493,10 @@ TEST_F(BalanceShaftPageTest, TheStrokeIsTwiceTheCrankRadiusWhicheverIsTyped) {
 TEST_F(BalanceShaftPageTest, WhileAnEntryIsRedTheVerdictSaysWhoseResultsTheyAre) {
     const auto* verdict = page.findChild<VerdictLine*>();
     const QString before = verdict->text();
+    const int height = verdict->height();
     type(field("crank_radius_mm"), QStringLiteral("-1"));
     EXPECT_TRUE(verdict->text().contains(QStringLiteral("previous value of the red field")));
+    EXPECT_EQ(verdict->height(), height) << "no field moves under the hand";
     type(field("crank_radius_mm"), QStringLiteral("46"));
     EXPECT_EQ(verdict->text(), before);
 }
