@@ -101,6 +101,8 @@ struct PlaneResult {
     std::optional<bool> measured_within;   ///< as the machine reads it
     std::optional<bool> within_tolerance;  ///< after the correction
     Message reason;                        ///< why more remains than may; empty where all is well
+
+    bool is_planned() const { return !holes.empty() || !slugs.empty(); }
 };
 
 /// Everything the page, the card and the result file show. What needs values that are not there yet
@@ -135,6 +137,10 @@ struct Result {
     /// Of the correction: whether both planes are within their limits after it; nothing where the
     /// drilling before it acted otherwise than meant, for the plan rests on that.
     std::optional<bool> passes_after() const;
+    /// Something is to be drilled or pressed in.
+    bool is_planned() const {
+        return correction && ((*correction)[0].is_planned() || (*correction)[1].is_planned());
+    }
 };
 
 /// An amplification of more than this is worth a word.

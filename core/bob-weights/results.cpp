@@ -323,9 +323,12 @@ Verdict verdict(const Input& input, const Result& result,
             verdict.severity = after == true ? Severity::warning : Severity::error;
             verdict.text = shop::two_sentences(
                 verdict.text,
-                {CORE_TEXT("bob-weights", "After the planned correction: %1 %3, %2 %4."),
-                 shop::in_gram_millimetres(planes[0].remaining),
-                 shop::in_gram_millimetres(planes[1].remaining), names[0], names[1]});
+                result.is_planned()
+                    ? Message{CORE_TEXT("bob-weights",
+                                        "After the planned correction: %1 %3, %2 %4."),
+                              shop::in_gram_millimetres(planes[0].remaining),
+                              shop::in_gram_millimetres(planes[1].remaining), names[0], names[1]}
+                    : CORE_TEXT("bob-weights", "No hole is possible."));
         }
         if (!newest->acted_as_meant()) {
             verdict.warn(CORE_TEXT("bob-weights",

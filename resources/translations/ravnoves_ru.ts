@@ -2017,6 +2017,10 @@
         <source>PASS, but see the warnings</source>
         <translation>ГОДЕН, но есть предупреждения</translation>
     </message>
+    <message>
+        <source>FAIL: no hole is possible</source>
+        <translation>НЕ ГОДЕН: сверлить негде</translation>
+    </message>
 </context>
 <context>
     <name>balance-shaft</name>
@@ -5230,6 +5234,10 @@
     <message>
         <source>Six in line</source>
         <translation>Рядный шестицилиндровый</translation>
+    </message>
+    <message>
+        <source>No hole is possible.</source>
+        <translation>Сверлить негде.</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,7 @@ const QColor CardPage::grey(0x55, 0x55, 0x55);
 const QColor CardPage::hair(0x99, 0x99, 0x99);
 const QColor CardPage::shade(0xEE, 0xEE, 0xEE);
 const QColor CardPage::amber(0x9A, 0x67, 0x00);
+const QColor CardPage::red(0xB0, 0x20, 0x20);
 
 CardPage::CardPage(QPainter& painter, const QRectF& page)
     : painter_(painter), page_(page), unit_(page.width() / width) {

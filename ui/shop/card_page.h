@@ -29,6 +29,7 @@ class CardPage {
     static const QColor hair;   ///< thin lines
     static const QColor shade;  ///< behind what matters
     static const QColor amber;  ///< what does not count
+    static const QColor red;    ///< STOP
 
     /// @param page  the whole sheet in the painter's units
     CardPage(QPainter& painter, const QRectF& page);

@@ -419,7 +419,9 @@ double WorkshopCard::answer(CardPage& page, double y) const {
     const workshop::Withheld withheld = model_.withheld();
     const bool isDoubtful = withheld.any() || !rejectedText().isEmpty();
     const QString verdict = withheld.any() ? QString() : verdictText(words_, model_.verdictNow());
-    const QColor& colour = isDoubtful ? CardPage::amber : CardPage::ink;
+    const QColor& colour = withheld.any() ? CardPage::red
+                           : isDoubtful   ? CardPage::amber
+                                          : CardPage::ink;
     const bool isKnown = model_.solution().bob_weight.has_value();
     const double inner = cardLeft + 3.0;
     const double room = cardWidth - 6.0;

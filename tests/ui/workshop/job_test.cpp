@@ -377,6 +377,15 @@ TEST_F(JobPageTest, ReadingsBecomeHoles) {
     type("to_1", u"300"_s);
     EXPECT_TRUE(label("troubles").contains(u"outside the drilling sector"_s))
         << label("troubles").toStdString();
+    fill({{"from_2", "20"}, {"to_2", "100"}});
+    limitTo(400);
+    const QString impossible = u"FAIL: no hole is possible"_s;
+    EXPECT_EQ(model->planeResults().rows.last().texts(),
+              QStringList({u"Verdict"_s, impossible, impossible}));
+    EXPECT_TRUE(label("verdict").contains(u"No hole is possible."_s))
+        << qPrintable(label("verdict"));
+    EXPECT_TRUE(card().contains(impossible));
+    EXPECT_EQ(verdictText(Words(), model->verdictNow()), impossible) << "in the journal";
     type("slug_diameter_mm", u"20"_s);
     type("slug_density_kg_m3", u"17500"_s);
     EXPECT_FALSE((*model->solution().correction)[0].slugs.empty());

@@ -106,6 +106,7 @@ TEST_F(DoubtedJobTest, HasNoHoleNoWeightAndNoPassAnywhere) {
         }
     }
     EXPECT_GE(blocking, 10);
+    EXPECT_EQ(verdictKind(stopped), VerdictKind::Fail) << "red in the journal as on the page";
 }
 
 TEST_F(DoubtedJobTest, IsAnsweredWhereADoubtBlocksNothing) {

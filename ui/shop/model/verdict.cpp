@@ -6,7 +6,8 @@
 
 namespace ravnoves {
 
-QString verdictWord(const std::optional<bool>& measured, const std::optional<bool>& corrected) {
+QString verdictWord(const std::optional<bool>& measured, const std::optional<bool>& corrected,
+                    bool isPlanned) {
     if (!measured) {
         return {};
     }
@@ -15,7 +16,8 @@ QString verdictWord(const std::optional<bool>& measured, const std::optional<boo
     }
     return !corrected   ? QStringLiteral("fails")
            : *corrected ? QStringLiteral("fails-then-passes")
-                        : QStringLiteral("fails-then-fails");
+           : isPlanned  ? QStringLiteral("fails-then-fails")
+                        : QStringLiteral("fails-without-hole");
 }
 
 const QString otherBobWeight = QStringLiteral("other-bob-weight");
@@ -32,9 +34,9 @@ struct KnownVerdict {
 };
 
 /// All of them, with what page, card and journal say.
-const std::array<KnownVerdict, 8>& knownVerdicts() {
+const std::array<KnownVerdict, 9>& knownVerdicts() {
     using Kind = VerdictKind;
-    static const std::array<KnownVerdict, 8> all{{
+    static const std::array<KnownVerdict, 9> all{{
         {QStringLiteral("passes"), Kind::Pass, QT_TRANSLATE_NOOP("Workshop", "PASS")},
         {passesWithWarnings, Kind::Pass,
          QT_TRANSLATE_NOOP("Workshop", "PASS, but see the warnings")},
@@ -43,9 +45,11 @@ const std::array<KnownVerdict, 8>& knownVerdicts() {
          QT_TRANSLATE_NOOP("Workshop", "FAIL → drill, then PASS")},
         {QStringLiteral("fails-then-fails"), Kind::Fail,
          QT_TRANSLATE_NOOP("Workshop", "FAIL → drill, still FAIL")},
+        {QStringLiteral("fails-without-hole"), Kind::Fail,
+         QT_TRANSLATE_NOOP("Workshop", "FAIL: no hole is possible")},
         {otherBobWeight, Kind::Open, QT_TRANSLATE_NOOP("Workshop", "another bob weight")},
         {otherCrankshaft, Kind::Open, QT_TRANSLATE_NOOP("Workshop", "another crankshaft")},
-        {stopped, Kind::Open, QT_TRANSLATE_NOOP("Workshop", "STOP")},
+        {stopped, Kind::Fail, QT_TRANSLATE_NOOP("Workshop", "STOP")},
     }};
     return all;
 }

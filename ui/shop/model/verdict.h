@@ -8,8 +8,10 @@
 namespace ravnoves {
 
 /// The machine's verdict, as the journal keeps it: "passes" or "fails" as measured; where it fails
-/// and a correction is known, "fails-then-passes" or "fails-then-fails"; empty without limits.
-QString verdictWord(const std::optional<bool>& measured, const std::optional<bool>& corrected);
+/// and a correction is known, "fails-then-passes" or "fails-then-fails", or "fails-without-hole"
+/// where nothing is planned; empty without limits.
+QString verdictWord(const std::optional<bool>& measured, const std::optional<bool>& corrected,
+                    bool isPlanned = true);
 
 /// The verdicts of readings that were taken with another bob weight, or of another crankshaft:
 /// none.
@@ -31,16 +33,16 @@ QString otherWord(const Read& read) {
 /// The word of a run or the sheet: its state, else its verdict.
 template <typename Read>
 QString readWord(const Read& read, const std::optional<bool>& measured,
-                 const std::optional<bool>& corrected = {}) {
+                 const std::optional<bool>& corrected = {}, bool isPlanned = true) {
     const QString other = otherWord(read);
-    return other.isEmpty() ? verdictWord(measured, corrected) : other;
+    return other.isEmpty() ? verdictWord(measured, corrected, isPlanned) : other;
 }
 /// What a verdict says of the crankshaft.
 enum class VerdictKind {
     None,
     Pass,
     Fail,
-    Open  ///< to be measured again, or doubted
+    Open  ///< to be drilled or measured again
 };
 VerdictKind verdictKind(const QString& verdict);
 /// States that the values before the rejected entries were used; empty without such entries.

@@ -298,11 +298,7 @@ QStringList shortfalls(const Words& words, const workshop::Machine& machine,
 
 /// Nothing is drilled by readings that may not hold.
 bool hasHoles(const bob_weights::Result& result) {
-    return result.correction && result.holds() &&
-           std::any_of(result.correction->begin(), result.correction->end(),
-                       [](const PlaneResult& plane) {
-                           return !plane.holes.empty() || !plane.slugs.empty();
-                       });
+    return result.is_planned() && result.holds();
 }
 
 QString slugNote(const Words& words, const std::array<PlaneResult, 2>& planes) {
@@ -889,7 +885,8 @@ Results WorkshopModel::planeResults(const Words& words) const {
             const QString verdict = verdictText(
                 words, planned ? readWord(*newest, (*planned)[i].measured_within,
                                           newest->other_effect[i] ? std::nullopt
-                                                                  : (*planned)[i].within_tolerance)
+                                                                  : (*planned)[i].within_tolerance,
+                                          (*planned)[i].is_planned())
                                : readWord(*newest, newest->within(i)));
             return ResultCell(verdict.isEmpty() ? noNumber : verdict);
         });

@@ -729,7 +729,8 @@ QString WorkshopModel::verdictNow() const {
     return newest->holds() && newest->passes() == true &&
                    solved().verdict.severity >= Severity::warning
                ? passesWithWarnings
-               : readWord(*newest, newest->passes(), solution().passes_after());
+               : readWord(*newest, newest->passes(), solution().passes_after(),
+                          solution().is_planned());
 }
 
 JournalJob WorkshopModel::journalEntry() const {
