@@ -252,7 +252,7 @@ void rejectEitherNumbers(const QString& word, const Message& where, bool isUsual
     const QString whole = match.captured(1);
     const QString fraction = match.captured(2).remove(trailing);
     const QString two = whole + QStringLiteral("; ") + match.captured(2).remove(leading);
-    const QString one = fraction.isEmpty() ? whole : whole + QLatin1Char(',') + fraction;
+    const QString one = fraction.isEmpty() ? whole : whole + QLatin1Char('.') + fraction;
     throw InputError(where,
                      {CORE_TEXT("core", "must be two numbers or one: enter %1 or %2"),
                       quoted_list({two.toStdString()}), quoted_list({one.toStdString()})},
@@ -271,7 +271,17 @@ std::vector<double> readNumberList(const QString& typed, const Field& field, con
         named != nullptr ? QString(typed).replace(mixed, QStringLiteral("\\1-")) : typed;
     const ShownUnit shown = shownUnit(field);
     std::vector<double> values;
+    QStringList words;
     for (const QString& word : whole.split(between, Qt::SkipEmptyParts)) {
+        // "12 mm" is one number; "12 A" may be two drills.
+        if (!words.isEmpty() && (named == nullptr || word.size() > 1) &&
+            typedUnit(word) != nullptr) {
+            words.last() += word;
+        } else {
+            words << word;
+        }
+    }
+    for (const QString& word : std::as_const(words)) {
         auto value = readTypedNumber(word, shown.name).value;
         rejectEitherNumbers(
             word, where,

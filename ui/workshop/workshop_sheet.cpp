@@ -130,7 +130,7 @@ void WorkshopSheet::text(const char* pointer, int longest) {
     enlarge(field);
 }
 
-void WorkshopSheet::checked(const Field& description, const CheckedText& text) {
+EntryField* WorkshopSheet::checked(const Field& description, const CheckedText& text) {
     auto* field = ordered(new CheckedField(
         [text](const QString& typed) {
             return text.normal(typed).isEmpty() ? text.rejection(typed) : QString();
@@ -161,6 +161,7 @@ void WorkshopSheet::checked(const Field& description, const CheckedText& text) {
             field->setValue(text.shown ? text.shown(value) : value);
         }
     });
+    return field;
 }
 
 void WorkshopSheet::numberList(
@@ -178,18 +179,19 @@ void WorkshopSheet::numberList(
             return capitalised(errorText(error));  // the field's name stands before it
         }
     };
-    checked(description,
-            {[&description, numbers, trouble](const QString& typed) {
-                 return trouble(typed).isEmpty() ? numberListText(numbers(typed), description)
-                                                 : QString();
-             },
-             trouble, [&description, read] { return numberListText(read(), description); },
-             [numbers, write = std::move(write)](const QString& name, const QString& typed) {
-                 write(name, numbers(typed));
-             }});
+    EntryField* field =
+        checked(description,
+                {[&description, numbers, trouble](const QString& typed) {
+                     return trouble(typed).isEmpty() ? numberListText(numbers(typed), description)
+                                                     : QString();
+                 },
+                 trouble, [&description, read] { return numberListText(read(), description); },
+                 [numbers, write = std::move(write)](const QString& name, const QString& typed) {
+                     write(name, numbers(typed));
+                 }});
     // "12, 5" is two numbers and "10,12" one, and either may have been meant as the other.
-    QLabel* understood = line(Theme::smallSize, [&description, read] {
-        const std::vector<double> values = read();
+    QLabel* understood = line(Theme::smallSize, [&description, read, field] {
+        const auto values = field->trouble().isEmpty() ? read() : std::vector<double>();
         const QString read =
             numberListText(values, description) + QLatin1Char(' ') + shownUnit(description).name;
         return values.empty()       ? QString()
@@ -198,6 +200,7 @@ void WorkshopSheet::numberList(
     });
     understood->setObjectName(QString::fromStdString(std::string(description.key) + "_understood"));
     understood->setTextInteractionFlags(Qt::NoTextInteraction);  // of the form: no report has it
+    connect(field, &EntryField::troubleChanged, this, &WorkshopSheet::showAll);
 }
 
 QLabel* WorkshopSheet::line(int pixelSize, std::function<QString()> text) {

@@ -64,7 +64,7 @@ class WorkshopSheet : public Form {
         bool isOfResult = true;  ///< EntryField::isOfResult()
     };
     /// Its row; its faults are below the field.
-    void checked(const Field& description, const CheckedText& text);
+    EntryField* checked(const Field& description, const CheckedText& text);
     /// A row of numbers, as readNumberList() takes them; each is described by the field.
     void numberList(
         const Field& description, const std::function<std::vector<double>()>& read,

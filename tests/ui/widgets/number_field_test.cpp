@@ -503,8 +503,8 @@ TEST(NumberList, ReadsNumbersOneAfterTheOther) {
                        .unit = units::mm,
                        .range = Range::greater_than(0, 100),
                        .label = {"", "&Drills"}};
-    for (const char* typed :
-         {"8 10,5 16", "8; 10.5;16", "8, 10,5, 16", "8; 10.50; 16", " 8mm ;10.5 16 "}) {
+    for (const char* typed : {"8 10,5 16", "8; 10.5;16", "8, 10,5, 16", "8; 10.50; 16",
+                              " 8mm ;10.5 16 ", "8 mm; 10.5 mm 16"}) {
         EXPECT_EQ(readNumberList(QString::fromUtf8(typed), drills, {}), List({8, 10.5, 16}))
             << typed;
     }
@@ -514,11 +514,11 @@ TEST(NumberList, ReadsNumbersOneAfterTheOther) {
         List({0, 90}));
     EXPECT_EQ(numberListText({8, 10.5}, drills), QStringLiteral("8; 10.5"));
     for (const auto& [typed, why] :
-         {std::pair("8 mm",
-                    "Drills: must be numbers with blanks or semicolons between them, got \"mm\""),
+         {std::pair("8 wide",
+                    "Drills: must be numbers with blanks or semicolons between them, got \"wide\""),
           std::pair("8 -3", "Drills: must be greater than 0 and at most 100 mm, got -3 mm"),
           std::pair("8,10",
-                    "Drills: must be two numbers or one: enter \"8; 10\" or \"8,1\", got \"8,10\""),
+                    "Drills: must be two numbers or one: enter \"8; 10\" or \"8.1\", got \"8,10\""),
           std::pair(
               "6, 10,0mm",
               "Drills: must be two numbers or one: enter \"10; 0\" or \"10\", got \"10,0mm\"")}) {

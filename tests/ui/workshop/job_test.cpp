@@ -806,8 +806,11 @@ TEST_F(JobPageTest, DrillsAreReadByNumberLetterAndFraction) {
     // A comma between what is no drill may be between two.
     type("diameters_mm", u"10,12"_s);
     EXPECT_EQ(find<EntryField>("diameters_mm")->trouble(),
-              u"Must be two numbers or one: enter \"10; 12\" or \"10,12\", got \"10,12\""_s);
+              u"Must be two numbers or one: enter \"10; 12\" or \"10.12\", got \"10,12\""_s);
     EXPECT_EQ(model->input().correction->drill.diameters_mm, read);
+    EXPECT_EQ(label("diameters_mm_understood"), QString());
+    type("diameters_mm", u"12 mm; 10 mm"_s);
+    EXPECT_EQ(label("diameters_mm_understood"), u"Read as 2: 12; 10 mm"_s);
     // A click selects all: the next drill joins no digits.
     auto* drills = find<EntryField>("diameters_mm");
     drills->clearFocus();
