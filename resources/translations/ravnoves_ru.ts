@@ -13967,12 +13967,12 @@ but no position is feasible</source>
         <translation>«%1» прочитано как %2. Если имеется в виду %3, введите это число.</translation>
     </message>
     <message>
-        <source>Grams need the drilling radius of the plane: enter it first.</source>
-        <translation>Для граммов нужен радиус сверления плоскости: введите сначала его.</translation>
-    </message>
-    <message>
         <source>“%1” at a radius of %2: %3.</source>
         <translation>«%1» на радиусе %2: %3.</translation>
+    </message>
+    <message>
+        <source>Grams need the drilling radius of the plane: enter it first. If two planes have different radii, enter %1.</source>
+        <translation>Для граммов нужен радиус сверления плоскости: сначала введите его. Если радиусы плоскостей разные, введите %1.</translation>
     </message>
 </context>
 <context>

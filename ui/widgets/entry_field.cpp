@@ -245,6 +245,11 @@ void EntryField::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LocaleChange && trouble_.isEmpty()) {
         showValue();
         describe();
+    } else if (event->type() == QEvent::EnabledChange && !isEnabledTo(parentWidget()) &&
+               !trouble_.isEmpty()) {
+        setTrouble({});  // nobody could correct it
+        showValue();
+        endEditing();
     }
     QLineEdit::changeEvent(event);
 }

@@ -77,7 +77,10 @@ NumberField::Reading NumberField::read(const QString& typed) const {
                               : std::nullopt) {
         const auto lever = lever_();
         if (!lever) {
-            return {{}, tr("Grams need the drilling radius of the plane: enter it first.")};
+            return {{},
+                    tr("Grams need the drilling radius of the plane: enter it first. If two planes "
+                       "have different radii, enter %1.")
+                        .arg(unit_)};
         }
         const double unbalance = *mass * units::gram * *lever;
         number = shown(unbalance / units::gram_mm);

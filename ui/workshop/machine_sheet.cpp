@@ -283,7 +283,12 @@ void MachineSheet::buildTolerance() {
             model_->editTolerance(tr("Kind of limit"), [on](Tolerance& it) { it.by_grade = !on; });
         });
     ordered(own);
-    number("/tolerance/g_mm");
+    number("/tolerance/g_mm")->setLever([this]() -> std::optional<double> {
+        const auto& correction = model_->input().correction;
+        const bool isOne = correction && correction->planes.size() == 2 &&
+                           correction->planes[0].radius == correction->planes[1].radius;
+        return isOne ? correction->planes[0].radius : std::nullopt;
+    });
     grades_ = ordered(new QComboBox(current()));
     grades_->setObjectName(QStringLiteral("grade_list"));
     grades_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

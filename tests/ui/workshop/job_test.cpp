@@ -777,7 +777,8 @@ TEST_F(JobPageTest, AReadingInGramsIsAtTheDrillingRadius) {
     typeShopCard();
     type("unbalance_1", u"35 g"_s);
     EXPECT_EQ(field("unbalance_1")->trouble(),
-              u"Grams need the drilling radius of the plane: enter it first."_s);
+              u"Grams need the drilling radius of the plane: enter it first. If two planes have "
+              u"different radii, enter g·mm."_s);
     typeReadings();
     type("unbalance_1", u"35 g"_s);
     EXPECT_NEAR(*model->reading(0, 0, false), 35 * 85 * units::gram_mm, 1e-12);
@@ -790,6 +791,12 @@ TEST_F(JobPageTest, AReadingInGramsIsAtTheDrillingRadius) {
     EXPECT_EQ(verdict(), u"Passes"_s);
     EXPECT_TRUE(label("troubles").contains(u"enter them with their unit: 35 g."_s))
         << qPrintable(label("troubles"));
+    // So is the limit of a plane.
+    type("g_mm", u"5 g"_s);
+    EXPECT_NEAR(*model->input().tolerance->plane, 5 * 85 * units::gram_mm, 1e-12);
+    type("radius_2", u"90"_s);
+    type("g_mm", u"6 g"_s);
+    EXPECT_TRUE(field("g_mm")->trouble().endsWith(u"different radii, enter g·mm."_s));
 }
 
 TEST_F(JobPageTest, DrillsAreReadByNumberLetterAndFraction) {
@@ -948,6 +955,15 @@ TEST_F(JobPageTest, LimitsComeByGradeOrByHand) {
     save();
     EXPECT_EQ(jobs().at(0).verdict, u"fails-then-passes"_s);
     EXPECT_TRUE(card().contains(u"FAIL → drill, then PASS"_s));
+    // What was typed into a limit that a grade replaces waits for nobody.
+    type("g_mm", u"5 wide"_s);
+    EXPECT_FALSE(label("rejected").isEmpty());
+    grades->setFocus();
+    QTest::keyClick(grades, Qt::Key_Down);
+    EXPECT_TRUE(model->input().tolerance->by_grade);
+    EXPECT_FALSE(field("g_mm")->isEnabled());
+    EXPECT_EQ(field("g_mm")->text() + field("g_mm")->trouble(), QString());
+    EXPECT_EQ(label("rejected"), QString());
 }
 
 TEST_F(JobPageTest, JournalAndCard) {
