@@ -126,13 +126,16 @@ void CorrectionSheet::buildWhatIf() {
     followPlanes(plane);
     const auto add = [this](const Field& field, std::optional<double> WhatIf::*member,
                             const char* name) {
-        number(
+        NumberField* made = number(
             field, [this, member] { return whatIf_.*member; },
             [this, member](std::optional<double> value) {
                 whatIf_.*member = value;
                 showWhatIf();
-            })
-            ->setObjectName(QLatin1String(name));
+            });
+        made->setObjectName(QLatin1String(name));
+        made->setIsOfResult(false);
+        connect(made, &EntryField::troubleChanged, this, &CorrectionSheet::showWhatIf);
+        whatIfFields_ << made;
     };
     add(field::drilled_diameter, &WhatIf::diameter, "what_if_diameter");
     add(field::drilled_depth, &WhatIf::depth, "what_if_depth");
@@ -158,8 +161,11 @@ void CorrectionSheet::followPlanes(QComboBox* box) {
 }
 
 void CorrectionSheet::showWhatIf() {
+    const bool isRejected = std::ranges::any_of(
+        whatIfFields_, [](const NumberField* each) { return !each->trouble().isEmpty(); });
     const auto left =
-        whatIf_.diameter && whatIf_.depth && whatIf_.angle && !model_->withheld().holes
+        !isRejected && whatIf_.diameter && whatIf_.depth && whatIf_.angle &&
+                !model_->withheld().holes
             ? what_if(model_->input(), model_->solution(), static_cast<PlaneName>(whatIf_.plane),
                       *whatIf_.diameter, *whatIf_.depth, *whatIf_.angle)
             : std::nullopt;

@@ -164,6 +164,7 @@ class CorrectionSheet : public WorkshopSheet {
         std::optional<double> angle;
     };
     WhatIf whatIf_;
+    QList<NumberField*> whatIfFields_;
     QLabel* whatIfLine_ = nullptr;
     QGridLayout* holes_ = nullptr;
     TroubleLine* trouble_ = nullptr;

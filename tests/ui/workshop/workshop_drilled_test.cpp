@@ -168,6 +168,11 @@ TEST_F(DrilledTest, AHoleThatIsThoughtOfSaysWhatItWouldLeaveAndChangesNothing) {
     type("what_if_angle", u"300"_s);
     const QString said = label("what_if");
     EXPECT_TRUE(said.startsWith(u"Front plane: residual "_s)) << qPrintable(said);
+    // Of what is no number nothing is said, and the plan is none the worse.
+    type("what_if_angle", u"abc"_s);
+    EXPECT_EQ(label("what_if") + label("rejected"), QString());
+    type("what_if_angle", u"300"_s);
+    EXPECT_EQ(label("what_if"), said);
     type("what_if_depth", u"5"_s);
     EXPECT_NE(label("what_if"), said);
     EXPECT_EQ(model->input(), before);
