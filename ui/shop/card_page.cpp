@@ -239,9 +239,8 @@ double CardTable::heightOf(const CardPage& page, const QStringList& texts, bool 
          ++i) {
         const QString& text = texts.at(static_cast<qsizetype>(i));
         const double room = columns_[i].width - 2.0 * inset;
-        if (page.textWidth(text, CardPage::smallestType, bold) > room) {
-            height =
-                std::max(height, page.heightOf(text, CardPage::smallestType, room, bold) + inset);
+        if (page.textWidth(text, wrappedType(), bold) > room) {
+            height = std::max(height, page.heightOf(text, wrappedType(), room, bold) + inset);
         }
     }
     return height;
@@ -256,9 +255,9 @@ void CardTable::drawCells(CardPage& page, double x, double y, const Row& row, bo
          ++i) {
         const QString& text = texts.at(static_cast<qsizetype>(i));
         const double room = columns_[i].width - 2.0 * inset;
-        if (page.textWidth(text, CardPage::smallestType, bold) > room) {
-            page.paragraph(x + inset, y + 0.5 * inset, room, text, CardPage::smallestType, bold,
-                           colour, columns_[i].align);
+        if (page.textWidth(text, wrappedType(), bold) > room) {
+            page.paragraph(x + inset, y + 0.5 * inset, room, text, wrappedType(), bold, colour,
+                           columns_[i].align);
         } else {
             page.text(x + inset, y + above, room, text, caption ? points_ - 0.7 : points_,
                       columns_[i].align, bold, colour);

@@ -109,12 +109,19 @@ TEST_F(JobPageTest, ASlugIsWholeOnTheCardWithItsMass) {
                          u", hole centre at R 71.9 mm"_s;
     EXPECT_TRUE(
         plain(model->holeResults().rows.at(0).at(0).text).startsWith(u"Front plane: "_s + name));
+    EXPECT_EQ(model->holeResults().rows.at(1).at(0).text, u"parallel to the crankshaft"_s);
     const QString adds = u"adds "_s + Words().digits(plane.slugs[0].mass, units::gram, 2);
     EXPECT_EQ(model->holeResults().rows.at(0).at(3).text, adds);
     EXPECT_TRUE(label("hole_note").contains(u"its mass is given with its diameter"_s));
     const QString printed = cardText();
     EXPECT_TRUE(printed.contains(name)) << qPrintable(printed);
     EXPECT_TRUE(printed.contains(adds)) << qPrintable(printed);
+    for (const auto& each : onCard.texts) {
+        if (each.text.startsWith(u"slug"_s)) {
+            EXPECT_GE(each.pixelSize, 24) << "7 points: it is read at the machine";
+            break;
+        }
+    }
     static const QRegularExpression cut(u"\\w…"_s);
     EXPECT_FALSE(cut.match(printed).hasMatch()) << qPrintable(printed);
     EXPECT_TRUE(printed.contains(

@@ -963,24 +963,23 @@ Results WorkshopModel::holeResults(const Words& words, std::optional<std::size_t
     QString before;
     const auto add = [&](const Hole& hole, bool isSlug) {
         const bool isDeeper = hole.deepens && hole.from_depth > 0.0;
-        QString name = sizeName(words, isSlug, hole);
-        if (isSlug) {
-            name += QStringLiteral(", ") +
-                    inSentence(words.text(direction_words[hole.is_axial ? 0 : 1].label));
-        }
-        if (isSlug && speed) {
-            name += QStringLiteral(", ") +
-                    words.translate("BobWeights", "centrifugal force %1 at %2")
-                        .arg(words.number(hole.slug_force(*speed), units::newton, 0),
-                             words.plainWithUnit(*speed, units::rpm, 0));
-        }
         results.rows << ResultRow{
-            before + name,
+            before + sizeName(words, isSlug, hole),
             isDeeper ? ResultCell(words.translate("BobWeights", "%1 → %2")
                                       .arg(words.digits(hole.from_depth, units::mm, 1),
                                            words.digits(hole.depth, units::mm, 1)))
                      : words.cell(hole.depth, units::mm, 1),
             direction(words, hole.angle), massCell(words, hole.mass, isSlug)};
+        if (isSlug) {  // more than a line has room for
+            QStringList how{words.text(direction_words[hole.is_axial ? 0 : 1].label)};
+            if (speed) {
+                how << words.translate("BobWeights", "centrifugal force %1 at %2")
+                           .arg(words.number(hole.slug_force(*speed), units::newton, 0),
+                                words.plainWithUnit(*speed, units::rpm, 0));
+            }
+            results.rows << ResultRow{inSentence(how.join(QStringLiteral(", "))), QString(),
+                                      QString(), QString()};
+        }
     };
     for (std::size_t i = 0; i < 2; ++i) {
         if (plane.value_or(i) != i) {
