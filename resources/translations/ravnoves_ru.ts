@@ -265,10 +265,6 @@
         <translation>При взвешивании до %1 балансировочный груз известен до ±%2 (95&#xa0;%).</translation>
     </message>
     <message>
-        <source>This is enough for the permissible residual at a crank radius up to %1.</source>
-        <translation>Этого достаточно для допустимого остатка при радиусе кривошипа до %1.</translation>
-    </message>
-    <message>
         <source>Bob weight by crankpin, %1: %2.</source>
         <translation>Балансировочный груз по шейкам, %1: %2.</translation>
     </message>

@@ -325,6 +325,14 @@ TEST_F(ScaleTest, SettingsShowWhatItSendsAndHold) {
     page = static_cast<WorkshopPage*>(window->currentPage());
     EXPECT_TRUE(test::named<QLabel>(*page, "limits")->text().contains(u"Weighed to 0.1\u00A0g"_s))
         << test::named<QLabel>(*page, "limits")->text().toStdString();
+    EXPECT_TRUE(test::named<QLabel>(*page, "limits")->text().contains(u"too coarse"_s));
+    // Without a crank radius nothing is said of its unbalance.
+    EXPECT_EQ(window->openCase(QStringLiteral(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json")),
+              QString());
+    page = static_cast<WorkshopPage*>(window->currentPage());
+    EXPECT_TRUE(
+        test::named<QLabel>(*page, "limits")->text().endsWith(u"is accurate to ±0.15 g (95 %)."_s))
+        << test::named<QLabel>(*page, "limits")->text().toStdString();
 }
 
 TEST_F(ScaleTest, AKeyboardScaleAndAColumnWithUnitsAreUnderstood) {

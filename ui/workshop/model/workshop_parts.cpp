@@ -261,42 +261,42 @@ QString weighingNote(const WorkshopModel& model) {
     const auto digit = [&](double mass) { return words.plainWithUnit(mass, units::gram, 6); };
     const auto weight = [&](double mass) { return words.number(mass, units::gram, 2); };
     QStringList said;
+    shop::Weighing found{};
+    std::optional<double> limit;
+    std::optional<double> radius;
     if (model.hasPlugs()) {
         const v8_plugs::Input& plugs = *model.plugsInput();
-        const double radius = plugs.engine.crank_radius.value();
-        const auto found = shop::weighing(resolution, rounding_squares(plugs), plugs.tolerance);
+        limit = plugs.tolerance;
+        radius = plugs.engine.crank_radius;
+        found = shop::weighing(resolution, rounding_squares(plugs), limit);
         said << words
                     .translate("V8",
                                "Weighed to %1, the bob weight is accurate to ±%2 and the "
                                "unbalance of a crankpin to ±%3 (95 %).")
                     .arg(digit(resolution), weight(found.bob_weight),
-                         words.number(found.bob_weight * radius, units::gram_mm, 1));
-        const QString tolerance = words.number(plugs.tolerance, units::gram_mm, 0);
-        said << (found.is_enough(radius)
+                         words.number(found.bob_weight * radius.value(), units::gram_mm, 1));
+    } else {
+        const bob_weights::Result& result = model.solution();
+        const auto& sheet = model.input().weigh_in;
+        limit = result.permissible ? std::optional(std::ranges::min(*result.permissible))
+                                   : std::nullopt;
+        radius = sheet ? sheet->matching.crank_radius : std::nullopt;
+        found = shop::weighing(resolution, rounding_squares(model.input(), result), limit);
+        said << words
+                    .translate("BobWeights",
+                               "Weighed to %1, a bob weight is accurate to ±%2 (95 %).")
+                    .arg(digit(resolution), weight(found.bob_weight));
+    }
+    if (found.largest_radius && radius) {
+        const QString tolerance = words.number(*limit, units::gram_mm, 0);
+        said << (found.is_enough(*radius)
                      ? words.translate("V8", "This is enough for the tolerance of %1.")
                            .arg(tolerance)
                      : words
                            .translate("V8",
                                       "This is too coarse for the tolerance of %1: use a scale "
                                       "with a last digit of %2.")
-                           .arg(tolerance, digit(found.coarsest(radius))));
-    } else {
-        const bob_weights::Result& result = model.solution();
-        const auto limit = result.permissible ? std::optional(std::ranges::min(*result.permissible))
-                                              : std::nullopt;
-        const auto found =
-            shop::weighing(resolution, rounding_squares(model.input(), result), limit);
-        said << words
-                    .translate("BobWeights",
-                               "Weighed to %1, a bob weight is accurate to ±%2 (95 %).")
-                    .arg(digit(resolution), weight(found.bob_weight));
-        if (found.largest_radius) {
-            said << words
-                        .translate("BobWeights",
-                                   "This is enough for the permissible residual at a crank radius "
-                                   "up to %1.")
-                        .arg(words.number(*found.largest_radius, units::mm, 0));
-        }
+                           .arg(tolerance, digit(found.coarsest(*radius))));
     }
     return said.join(QLatin1Char(' '));
 }
