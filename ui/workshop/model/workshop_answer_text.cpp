@@ -268,8 +268,10 @@ QStringList correctedRuns(const Words& words, const workshop::Input& input,
     const std::size_t runs =
         input.correction ? std::min(input.correction->earlier_runs.size(), result.runs.size()) : 0;
     for (std::size_t run = 0; run < runs; ++run) {
+        // The next run has shown what those of before the last did.
         if (!input.correction->earlier_runs[run].drilled_by.empty() &&
-            result.runs[run].is_drilled()) {
+            result.runs[run].is_drilled() && run + 2 == result.runs.size() &&
+            result.newest()->passes() != true) {
             list << words
                         .translate("BobWeights",
                                    "%1: the drilled holes were planned from another reading.")
