@@ -352,7 +352,7 @@ inline constexpr Field front_bearing{
 inline constexpr Field front_share{
     .key = "front_share",
     .range = Range::between(0.3, 0.7),
-    .label = CORE_TEXT("V8", "&Share of the front plane"),
+    .label = CORE_TEXT("V8", "&Share of the first plane"),
     .hint = CORE_TEXT(
         "bob-weights",
         "Share of the permissible unbalance, without positions of bearings or centre of mass.")};

@@ -71,9 +71,11 @@ constexpr std::array<EngineField, 14> fields{{
     {described("oil_mass_g", units::gram, oil_range, CORE_TEXT("V8", "Oil of one crankpin mₘ"),
                CORE_TEXT("V8", "Oil in the sludge trap of one crankpin of a running engine.")),
      &Engine::oil_mass, EngineGroup::bob_weight},
-    {described(
-         "oil_coefficient", units::none, coefficient_range, CORE_TEXT("V8", "Oil coefficient kₘ"),
-         CORE_TEXT("V8", "Factor of the oil on the crankpin's axis, from its centre of mass.")),
+    {described("oil_coefficient", units::none, coefficient_range,
+               CORE_TEXT("V8", "Oil coefficient kₘ"),
+               CORE_TEXT("V8",
+                         "How many times the oil mass is in the bob weight; 1 if its centre is on "
+                         "the crankpin's axis.")),
      &Engine::oil_coefficient, EngineGroup::bob_weight},
     {described("reciprocating_mass_g", units::gram, gear_mass_range,
                CORE_TEXT("V8", "Reciprocating, one cylinder mⱼ"),

@@ -1351,10 +1351,6 @@
         <translation>&amp;Частота вращения</translation>
     </message>
     <message>
-        <source>&amp;Share of the front plane</source>
-        <translation>&amp;Доля передней плоскости</translation>
-    </message>
-    <message>
         <source>&amp;Front plane (pulley)</source>
         <translation>&amp;Передняя плоскость (шкив)</translation>
     </message>
@@ -1691,10 +1687,6 @@
         <translation>Максимум, который можно снять с одной заглушки по прочности стенок.</translation>
     </message>
     <message>
-        <source>Factor of the oil on the crankpin&apos;s axis, from its centre of mass.</source>
-        <translation>Множитель массы масла на оси шейки, по его центру масс.</translation>
-    </message>
-    <message>
         <source>Masses of the parts</source>
         <translation>Массы деталей</translation>
     </message>
@@ -1896,7 +1888,7 @@
     </message>
     <message>
         <source>This is too coarse for the tolerance of %1: use a scale with a last digit of %2.</source>
-        <translation>Для допуска %1 это слишком грубо: возьмите весы с последним знаком %2.</translation>
+        <translation>Для допуска %1 это слишком грубо: возьмите весы с дискретностью %2.</translation>
     </message>
     <message>
         <source>The values are inconsistent.</source>
@@ -1908,7 +1900,7 @@
     </message>
     <message>
         <source>One improved piston Δmₚᵢ</source>
-        <translation>Один поршень</translation>
+        <translation>Один улучшенный поршень</translation>
     </message>
     <message>
         <source>Big end of one rod</source>
@@ -1948,11 +1940,11 @@
     </message>
     <message>
         <source>Reciprocating, one cylinder mⱼ</source>
-        <translation>Поступательная, один цилиндр mⱼ</translation>
+        <translation>Поступательная, 1 цилиндр mⱼ</translation>
     </message>
     <message>
         <source>Rotating, one cylinder</source>
-        <translation>Вращающаяся, один цилиндр</translation>
+        <translation>Вращающаяся, 1 цилиндр</translation>
     </message>
     <message>
         <source>&amp;Mass with bob weights</source>
@@ -1965,6 +1957,14 @@
     <message>
         <source>A heavier big end has the factor (2 + k), unless the small ends are weighed.</source>
         <translation>Лишняя масса нижней головки учитывается с множителем (2 + k), если верхние головки не взвешены.</translation>
+    </message>
+    <message>
+        <source>&amp;Share of the first plane</source>
+        <translation>&amp;Доля первой плоскости</translation>
+    </message>
+    <message>
+        <source>How many times the oil mass is in the bob weight; 1 if its centre is on the crankpin&apos;s axis.</source>
+        <translation>Сколько раз масса масла входит в балансировочный груз; 1, если её центр на оси шейки.</translation>
     </message>
 </context>
 <context>
@@ -4525,7 +4525,7 @@
     </message>
     <message>
         <source>Reciprocating mass</source>
-        <translation>Возвратно-поступательная масса</translation>
+        <translation>Поступательная масса</translation>
     </message>
     <message>
         <source>Rotating mass</source>
@@ -4865,7 +4865,7 @@
     </message>
     <message>
         <source>whole rim</source>
-        <translation>вся окружность</translation>
+        <translation>весь обод</translation>
     </message>
     <message>
         <source>End of the sector, towards larger angles.</source>
@@ -5057,7 +5057,7 @@
     </message>
     <message>
         <source>must differ from the first</source>
-        <translation>должно отличаться от первого</translation>
+        <translation>значение должно отличаться от первого</translation>
     </message>
     <message>
         <source>must be left out if centre of mass or bearings are given</source>
@@ -5189,7 +5189,7 @@
     </message>
     <message>
         <source>Loc&amp;ks of one pin</source>
-        <translation>&amp;Стопорные кольца одного пальца</translation>
+        <translation>&amp;Стопорные кольца пальца</translation>
     </message>
     <message>
         <source>S&amp;mall end of one rod</source>
@@ -17364,8 +17364,8 @@ but no position is feasible</source>
         <translation>Введите допустимый остаточный дисбаланс.</translation>
     </message>
     <message>
-        <source>Kept: engine, nominal masses, plugs, factor, machine, planes, drills, limit and speed. Cleared: weighed masses, readings, holes and the crankshaft’s mass.</source>
-        <translation>Сохранены: двигатель, номинальные массы, заглушки, коэффициент, станок, плоскости, свёрла, предел и частота вращения. Очищены: взвешенные массы, показания, отверстия и масса коленчатого вала.</translation>
+        <source>Cleared: weighed masses, readings, holes and the crankshaft’s mass. All else is kept.</source>
+        <translation>Очищены: взвешенные массы, показания, отверстия и масса вала. Остальное сохранено.</translation>
     </message>
 </context>
 <context>

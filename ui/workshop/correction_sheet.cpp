@@ -303,7 +303,8 @@ void CorrectionSheet::addHoleRow() {
         states << shownText(word.label);
     }
     QComboBox* state =
-        choiceOf(field::drilled_state, &DrilledHole::state, "drilled_state", states, 118, change);
+        choiceOf(field::drilled_state, &DrilledHole::state, "drilled_state", states, 0, change);
+    state->setMinimumWidth(widthFor(state));
     const QList<QWidget*> widgets{name, ordered(plane), ordered(depth), ordered(angle),
                                   ordered(state)};
     for (int column = 0; column < widgets.size(); ++column) {

@@ -202,12 +202,12 @@ QStringList JournalDialog::cellsOf(const Words& words, const JournalJob& job) co
     const auto number = [&](const std::optional<double>& value, const Unit& unit) {
         return value ? words.digits(*value * unit, unit, 1) : QStringLiteral("–");
     };
-    QString machine = verdictText(words, job.verdict);
+    QStringList machine{verdictText(words, job.verdict)};
     if (job.frontReading || job.rearReading) {
-        machine += (machine.isEmpty() ? QString() : QStringLiteral(": ")) +
-                   number(job.frontReading, units::gram_mm) + QStringLiteral(" / ") +
-                   number(job.rearReading, units::gram_mm);
+        machine.prepend(number(job.frontReading, units::gram_mm) + QStringLiteral(" / ") +
+                        number(job.rearReading, units::gram_mm));
     }
+    machine.removeAll(QString());
     const ListedJob listed = listedJob(words, job);
     return {words.day(job.date.toString(Qt::ISODate)),
             job.engineNumber,
@@ -217,7 +217,7 @@ QStringList JournalDialog::cellsOf(const Words& words, const JournalJob& job) co
             job.technician,
             job.isFinished ? listed.result : tr("unfinished"),
             number(job.bobWeight, units::gram),
-            machine};
+            machine.join(QStringLiteral(": "))};
 }
 
 void JournalDialog::showDayTrouble(const JournalQuery& wanted) {

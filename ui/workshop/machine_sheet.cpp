@@ -328,13 +328,11 @@ void MachineSheet::buildTolerance() {
     doubtPlace("/tolerance/front_bearing_mm", BearingPlaces::reversed);
     doubtPlace("/tolerance/rear_bearing_mm", BearingPlaces::reversed);
     number("/tolerance/front_share");
-    // Below the fields: they must not move while one types.
-    line(Theme::smallSize, [this] {
-        return grades_->currentIndex() < 0
-                   ? QString()
-                   : grades_->itemData(grades_->currentIndex(), Qt::ToolTipRole).toString();
+    // The list cuts it, and a line of its own would move the fields below it.
+    follow([this, hint = grades_->toolTip()] {
+        const QString use = grades_->currentData(Qt::ToolTipRole).toString();
+        grades_->setToolTip(use.isEmpty() ? hint : use);
     });
-    line(Theme::baseSize, [this] { return model_->limitText(); });
 }
 
 }  // namespace ravnoves

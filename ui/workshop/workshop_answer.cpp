@@ -121,7 +121,7 @@ QWidget* WorkshopAnswer::buildLines() {
     column->addWidget(lines);
     say(column, "check", Theme::smallSize, &Theme::mutedText);
     column->addStretch();
-    row->add(panel, 4);
+    row->add(panel, 5);
     auto* beside = new QWidget(row);
     QVBoxLayout* drawn = columnIn(beside);
     auto* force = new PartPlot(model_, "force", beside);

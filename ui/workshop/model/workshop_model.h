@@ -292,8 +292,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// The values that newJob() keeps, and those that it clears.
     static QString carriedOver() {
         return tr(
-            "Kept: engine, nominal masses, plugs, factor, machine, planes, drills, limit and "
-            "speed. Cleared: weighed masses, readings, holes and the crankshaft’s mass.");
+            "Cleared: weighed masses, readings, holes and the crankshaft’s mass. All else is "
+            "kept.");
     }
 
   Q_SIGNALS:
