@@ -15919,7 +15919,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>&amp;Load, IMEP</source>
-        <translation>&amp;Нагрузка, ср. инд. давление</translation>
+        <translation>&amp;Нагрузка, pᵢ</translation>
     </message>
     <message>
         <source>Indicated mean effective pressure of the computed cycle.</source>

@@ -134,7 +134,7 @@ class CardTable {
     void drawCells(CardPage& page, double x, double y, const Row& row, bool caption) const;
 
     static constexpr double inset = 0.6;  ///< of a text in its cell, mm
-    /// What is too wide for a line in this type is wrapped, points.
+    /// Type of wrapped text, points: text too wide for a line even in this type.
     double wrappedType() const { return std::max(CardPage::smallestType, points_ - 2.0); }
 
     std::vector<Column> columns_;

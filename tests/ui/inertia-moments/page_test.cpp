@@ -388,7 +388,7 @@ TEST_F(InertiaMomentsPageTest, ARadialOfTheListHasArticulatedRods) {
     EXPECT_FALSE(page.grab().isNull());
     // Dead centres and strokes are read at the numbers of the cylinders.
     EXPECT_EQ(cylinders()->headerData(3, Qt::Vertical, Qt::ToolTipRole).toString(),
-              QStringLiteral("Top dead centre 3.303° from its axis, stroke 175.19\u00A0mm"));
+              QStringLiteral("Top dead centre 3.686° from its axis, stroke 90.40\u00A0mm"));
     // A rigid rod for all is rejected in words.
     auto* rigid = page.findChild<QCheckBox*>(QStringLiteral("rigid_rod"));
     QSignalSpy status(&page, &ScenePage::status);
@@ -397,9 +397,9 @@ TEST_F(InertiaMomentsPageTest, ARadialOfTheListHasArticulatedRods) {
     EXPECT_FALSE(rigid->isChecked());
     ASSERT_GE(status.size(), 1);
     EXPECT_TRUE(status.last().at(0).toString().contains(QStringLiteral("articulated")));
-    // The sizes of a preset that are changed make it a table of one's own.
+    // Sizes and speed are the engine's, knuckles are the layout's.
     model->editField("/speed_rpm", 1800.0, {});
-    EXPECT_EQ(model->layoutName(), QStringLiteral("table"));
+    EXPECT_EQ(model->layoutName(), QStringLiteral("radial-9"));
 }
 
 // What is rejected is named by row and column as they are read, while the text stands in its cell.
@@ -450,9 +450,9 @@ TEST_F(InertiaMomentsPageTest, ARadialShowsStrokesAndForces) {
     model->chooseLayout(QStringLiteral("radial-9"));
     CylinderTableModel* table = cylinders();
     EXPECT_EQ(table->index(3, CylinderTableModel::TopDeadCentre).data().toString(),
-              QStringLiteral("3.303"));
+              QStringLiteral("3.686"));
     const auto stroke = table->index(3, CylinderTableModel::Stroke);
-    EXPECT_EQ(stroke.data().toString(), QStringLiteral("175.19"));
+    EXPECT_EQ(stroke.data().toString(), QStringLiteral("90.40"));
     EXPECT_FALSE(table->flags(stroke).testFlag(Qt::ItemIsEditable));
     EXPECT_FALSE(table->setData(stroke, QStringLiteral("170"), Qt::EditRole));
     const auto heading = [&](int column) {

@@ -331,7 +331,7 @@ TEST_F(ScaleTest, SettingsShowWhatItSendsAndHold) {
               QString());
     page = static_cast<WorkshopPage*>(window->currentPage());
     EXPECT_TRUE(
-        test::named<QLabel>(*page, "limits")->text().endsWith(u"is accurate to ±0.15 g (95 %)."_s))
+        test::named<QLabel>(*page, "limits")->text().endsWith(u"is accurate to ±0.22 g (95 %)."_s))
         << test::named<QLabel>(*page, "limits")->text().toStdString();
 }
 
