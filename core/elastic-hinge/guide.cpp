@@ -224,12 +224,14 @@ double largest_moment(const Design& design, Hinge hinge, const std::vector<Deman
 
 /// Why there is no guide where the preload is too small.
 Message preload_reason(const Guide& guide) {
+    // Rounded up so that what is shown suffices.
+    const double minimum = std::ceil(guide.minimum_preload / units::mm * 1e4 - 1e-9) / 1e4;
     const Message reason{CORE_TEXT("elastic-hinge",
                                    "from a crank angle of %1 the spring stores too little energy "
                                    "(worst at %2): the preload |ℓ₀/2 − ρ₀| is %3, the minimum %4"),
                          number(guide.first_missing_angle, units::degree),
                          number(guide.worst_angle, units::degree), number(guide.preload, units::mm),
-                         number_up(guide.minimum_preload, units::mm)};
+                         Number{minimum, units::mm, -4}};
     if (guide.minimum_stiffness && std::isfinite(*guide.minimum_stiffness)) {
         return {CORE_TEXT("elastic-hinge", "%1; with this preload the minimum stiffness is %2"),
                 reason, number_up(*guide.minimum_stiffness, units::kN_per_m)};

@@ -142,7 +142,7 @@ TEST(ElasticHingeGuide, TooLittlePreloadIsRejectedWithWhatWouldDo) {
     const Guide& guide = result.crank_guide;
     EXPECT_FALSE(guide.feasible);
     EXPECT_EQ(guide.problem, GuideProblem::preload_too_small);
-    EXPECT_NE(guide.reason.english().find("minimum 0.60002"), std::string::npos)
+    EXPECT_NE(guide.reason.english().find("minimum 0.6001 mm"), std::string::npos)
         << guide.reason.english();
     EXPECT_NE(guide.reason.english().find("75.9257°"), std::string::npos) << guide.reason.english();
     EXPECT_NEAR(guide.worst_angle / degree, 75.9257, 1e-3);
@@ -158,6 +158,12 @@ TEST(ElasticHingeGuide, TooLittlePreloadIsRejectedWithWhatWouldDo) {
         EXPECT_EQ(gap, energy_at(*result.design, result.crank_angle_deg[i] * degree) > stored);
     }
     EXPECT_GT(missing, 10U);
+
+    // What is shown suffices, to the last of four decimals.
+    const std::string reason = guide.reason.english();
+    const double shown = std::stod(reason.substr(reason.find("the minimum ") + 12));
+    EXPECT_GE(shown, guide.minimum_preload / units::mm - 1e-9);
+    EXPECT_LT(shown, guide.minimum_preload / units::mm + 1e-4);
 
     Input preloaded = input;
     preloaded.spring->guide_radius_at_zero = 0.1 - guide.minimum_preload * (1 + 1e-9);

@@ -99,7 +99,7 @@ TEST(ElasticHingeModel, TooLittlePreloadIsCorrected) {
         model.edit(QStringLiteral("rho"),
                    [&](auto& input) { input.spring->guide_radius_at_zero = radius; });
         EXPECT_EQ(model.verdict().severity, Severity::error);
-        EXPECT_TRUE(verdictOf(model).contains(QStringLiteral("0.60002")))
+        EXPECT_TRUE(verdictOf(model).contains(QStringLiteral("0.6001")))
             << verdictOf(model).toStdString();
         EXPECT_TRUE(verdictOf(model).contains(QStringLiteral("28801.8")))
             << verdictOf(model).toStdString();
