@@ -17045,10 +17045,6 @@ but no position is feasible</source>
         <translation>Балансировочный груз по строкам</translation>
     </message>
     <message>
-        <source>Details of the plugs</source>
-        <translation>Подробности о заглушках</translation>
-    </message>
-    <message>
         <source>Correction</source>
         <translation>Коррекция</translation>
     </message>
@@ -17069,8 +17065,12 @@ but no position is feasible</source>
         <translation>Уже просверлено</translation>
     </message>
     <message>
-        <source>Compensation by option, and details that the method neglects.</source>
-        <translation>Компенсация по вариантам и чем метод пренебрегает.</translation>
+        <source>Details</source>
+        <translation>Подробности</translation>
+    </message>
+    <message>
+        <source>Charts that explain the bob weight or the plugs.</source>
+        <translation>Графики, поясняющие балансировочный груз или заглушки.</translation>
     </message>
 </context>
 <context>

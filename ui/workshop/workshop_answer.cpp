@@ -122,17 +122,8 @@ QWidget* WorkshopAnswer::buildLines() {
     say(column, "check", Theme::smallSize, &Theme::mutedText);
     column->addStretch();
     row->add(panel, 5);
-    auto* beside = new QWidget(row);
-    QVBoxLayout* drawn = columnIn(beside);
-    auto* force = new PartPlot(model_, "force", beside);
-    force->setAccessibleName(
-        ForcePlot::tr("First-order force of the cylinders on a bob weight, over a turn"));
-    drawn->addWidget(force, 1);
-    force_ = force;
-    auto* plug = new PlugView(model_, beside);
-    drawn->addWidget(plug, 1);
-    plugPlots_ = plug;
-    row->add(beside, 3);
+    plug_ = new PlugView(model_, row);
+    row->add(plug_, 3);
     return row;
 }
 
@@ -141,26 +132,36 @@ QWidget* WorkshopAnswer::buildDetails() {
     QVBoxLayout* column = columnIn(holder);
     auto* fold = new QToolButton(holder);
     fold->setObjectName(QStringLiteral("details"));
-    fold->setText(tr("Details of the plugs"));
+    fold->setText(tr("Details"));
     fold->setCheckable(true);
     fold->setArrowType(Qt::RightArrow);
     fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    fold->setToolTip(tr("Compensation by option, and details that the method neglects."));
+    fold->setToolTip(tr("Charts that explain the bob weight or the plugs."));
     column->addWidget(fold);
     auto* plots = new FoldingRow(besideEachOther, holder);
-    plots->add(new LowPlot(
-        model_, "compensation",
-        CompensationPlot::tr("Excess compensated over the lightening of one plug"), plots));
-    plots->add(new LowPlot(model_, "shift",
-                           ShiftPlot::tr("Coefficient Δk over the shift Δr for five crank radii"),
-                           plots));
+    const QList<QWidget*> ofPlugs{
+        new LowPlot(model_, "compensation",
+                    CompensationPlot::tr("Excess compensated over the lightening of one plug"),
+                    plots),
+        new LowPlot(model_, "shift",
+                    ShiftPlot::tr("Coefficient Δk over the shift Δr for five crank radii"), plots)};
+    auto* force = new LowPlot(
+        model_, "force",
+        ForcePlot::tr("First-order force of the cylinders on a bob weight, over a turn"), plots);
+    for (QWidget* plot : ofPlugs) {
+        plots->add(plot);
+    }
+    plots->add(force);
     plots->hide();
     column->addWidget(plots);
     QLabel* note = copyableCaption("shift_note", holder);
     note->hide();
     column->addWidget(note);
-    const auto show = [this, fold, plots, note, holder] {
-        holder->setVisible(model_->hasPlugs());
+    const auto show = [this, fold, plots, note, ofPlugs, force] {
+        for (QWidget* plot : ofPlugs) {
+            plot->setVisible(model_->hasPlugs());
+        }
+        force->setVisible(!model_->hasPlugs());
         fold->setArrowType(fold->isChecked() ? Qt::DownArrow : Qt::RightArrow);
         plots->setVisible(fold->isChecked());
         sayOrHide(note, fold->isChecked() ? model_->shiftText() : QString());
@@ -249,8 +250,7 @@ void WorkshopAnswer::showAnswer() {
     plugs_->setVisible(plugs != nullptr && !isStopped);
     lines_->setVisible(known);
     weight_->setVisible(!isOfMachine_ && (known || model_->hasPlugs()));
-    force_->setVisible(!model_->hasPlugs());
-    plugPlots_->setVisible(model_->hasPlugs());
+    plug_->setVisible(model_->hasPlugs());
     const bool isDrilled = drilled_->rowCount() > 0;
     pictures_->setVisible(model_->solution().correction.has_value() || isDrilled);
     drilledHeading_->setVisible(isDrilled);

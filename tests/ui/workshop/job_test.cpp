@@ -1799,6 +1799,8 @@ TEST_F(JobPageTest, ThePlotOfTheForceHoldsBothEllipses) {
     EXPECT_FALSE(partPlot(page, "force")->isVisible());
     model->loadInput(bobWeightsJob(), {});
     PartPlot* plot = partPlot(page, "force");
+    EXPECT_FALSE(plot->isVisible());
+    find<QToolButton>("details")->click();
     EXPECT_TRUE(plot->isVisible());
     plot->grab();  // its axes follow where it is painted
     const auto& solution = model->solution();
