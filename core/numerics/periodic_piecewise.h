@@ -61,7 +61,6 @@ class PeriodicPiecewise {
     PeriodicPiecewise refined(double longest) const;
 
     double period() const { return knots_.back() - knots_.front(); }
-    bool is_linear() const { return linear_; }
     std::size_t size() const { return pieces_.size(); }           ///< n
     const std::vector<double>& knots() const { return knots_; }   ///< n + 1 places
     const std::vector<Cubic>& pieces() const { return pieces_; }  ///< n pieces

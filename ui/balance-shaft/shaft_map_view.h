@@ -29,7 +29,6 @@ class ShaftMapView : public QWidget {
     ShaftMapPlot* plot() const { return plot_; }
     QComboBox* criterionChoice() const { return criterion_; }
     QLabel* words() const { return words_; }
-    QTabWidget* charts() const { return tabs_; }
 
     /// The minimum of the map alone: the charts move to tabs where there is no room.
     QSize minimumSizeHint() const override;

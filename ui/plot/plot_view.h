@@ -70,7 +70,6 @@ class PlotView : public QWidget {
     void setImage(const QImage& image, const QRectF& values);
     void setMarks(std::vector<Mark> marks) { overlay(data_.marks, std::move(marks)); }
     void setBands(std::vector<Band> bands);
-    const std::vector<Band>& bands() const { return data_.bands; }
     void setLines(std::vector<Line> lines) { overlay(data_.lines, std::move(lines)); }
     /// The present value of what the x axis shows: a line through the plot with a dot on each
     /// curve; nothing removes it.

@@ -16,7 +16,6 @@ class HelpWindow : public QDialog {
   public:
     explicit HelpWindow(const QString& topic, QWidget* parent = nullptr);
 
-    QString topic() const { return topic_; }
     /// Comes to the front with this page.
     void goTo(const QString& topic);
 

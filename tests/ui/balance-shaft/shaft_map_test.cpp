@@ -374,7 +374,7 @@ TEST_F(ShaftMapTest, ASecondSliderSetsTheDistance) {
 }
 
 TEST_F(ShaftMapTest, ChartsGoToTheirPlaces) {
-    view->charts()->setCurrentWidget(distances);
+    view->findChild<QTabWidget*>()->setCurrentWidget(distances);
     QApplication::processEvents();
     EXPECT_NEAR(*distances->valueAt(0, 90.0),
                 map->map()->study.best_at(90 * mm, 1.0).criteria.range, 3.0);
@@ -398,7 +398,7 @@ TEST_F(ShaftMapTest, ChartsGoToTheirPlaces) {
     EXPECT_GE(range, minimum - 0.5);
     EXPECT_EQ(model->history()->count(), 1);
 
-    view->charts()->setCurrentWidget(sizes);
+    view->findChild<QTabWidget*>()->setCurrentWidget(sizes);
     QApplication::processEvents();
     const auto& front = map->map()->front;
     ASSERT_GT(front.size(), 3U);
@@ -433,7 +433,7 @@ TEST_F(ShaftMapTest, NumbersOfTheMapOverlapNowhere) {
         }
         // Where there is room the charts stand beside the map.
         const bool isWide = view->width() >= 860;  // the page may have folded
-        EXPECT_EQ(view->charts()->count(), isWide ? 2 : 4);
+        EXPECT_EQ(view->findChild<QTabWidget*>()->count(), isWide ? 2 : 4);
         EXPECT_EQ(sizes->isVisible(), isWide);
     }
 }
@@ -457,7 +457,7 @@ TEST_F(ShaftMapTest, ResultsFoldByTheWidthAloneNotByTheOneBefore) {
 }
 
 TEST_F(ShaftMapTest, LimitsAreHatchedAndSaid) {
-    view->charts()->setCurrentIndex(1);
+    view->findChild<QTabWidget*>()->setCurrentIndex(1);
     QApplication::processEvents();
     auto* left = test::named<NumberField>(*view, "left_mm");
     left->setFocus();

@@ -276,10 +276,10 @@ TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {
     // What cannot be built is shaded along α, which runs upwards in one plot.
     const auto& stretch = model->result().buildable.stretches.at(0);
     for (const PlotView* plot : {angles, map}) {
-        ASSERT_EQ(plot->bands().size(), 2U);
-        EXPECT_NEAR(plot->bands()[0].to, stretch.from / degree, 1e-9);
+        ASSERT_EQ(plot->data().bands.size(), 2U);
+        EXPECT_NEAR(plot->data().bands[0].to, stretch.from / degree, 1e-9);
     }
-    EXPECT_EQ(angles->bands()[0].orientation, Qt::Vertical);
+    EXPECT_EQ(angles->data().bands[0].orientation, Qt::Vertical);
     EXPECT_TRUE(answer().contains(QStringLiteral("does not fit"))) << answer().toStdString();
     // A click into the map sets the angle.
     QTRY_VERIFY_WITH_TIMEOUT(map->plotArea().contains(map->toPixel(200.0, speed)), 5000);
@@ -428,7 +428,7 @@ TEST_F(BalanceShaftViewsTest, ANewStudyReplacesTheOneThatRuns) {
 TEST_F(BalanceShaftViewsTest, SizeFollowsTheShaft) {
     PartPlot* sizes = openPlot("sizes");
     PartPlot* range = partPlot(page, "range-over-size");
-    EXPECT_EQ(sizes->bands().size(), 2U);
+    EXPECT_EQ(sizes->data().bands.size(), 2U);
     EXPECT_EQ(range->data().curve(1).style.name, QStringLiteral("feasible"));
     model->setShaftAngleDeg(90.0);
     EXPECT_NEAR(*sizes->valueAt(0, 90.0), 1e3 * model->result().envelope.width(), 1e-6);
