@@ -489,6 +489,14 @@ void MethodsPage::setActive(bool active) {
 }
 
 void MethodsPage::updateActive() {
+    if (active_) {
+        // An empty tab answers nothing; with a case open it is the first question.
+        const bool hasCase = caseLastInFront().has_value();
+        if (tabs_->isTabVisible(0) != hasCase) {
+            tabs_->setTabVisible(0, hasCase);
+            tabs_->setCurrentIndex(hasCase ? 0 : 1);
+        }
+    }
     // Nothing is measured behind another tab: it would only disturb.
     model_->setActive(active_ && isInFront(charts_));
     if (active_ && isInFront(case_)) {

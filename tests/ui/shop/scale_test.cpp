@@ -330,8 +330,9 @@ TEST_F(ScaleTest, SettingsShowWhatItSendsAndHold) {
     EXPECT_EQ(window->openCase(QStringLiteral(RAVNOVES_EXAMPLES "/bob-weights-v8.case.json")),
               QString());
     page = static_cast<WorkshopPage*>(window->currentPage());
-    EXPECT_TRUE(
-        test::named<QLabel>(*page, "limits")->text().endsWith(u"is accurate to ±0.22 g (95 %)."_s))
+    EXPECT_TRUE(test::named<QLabel>(*page, "limits")
+                    ->text()
+                    .endsWith(u"is accurate to ±0.22\u00A0g (95\u00A0%)."_s))
         << test::named<QLabel>(*page, "limits")->text().toStdString();
 }
 
