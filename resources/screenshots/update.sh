@@ -16,7 +16,7 @@ shot() {
     "$program" --screenshot "$file" --theme light --size 1280x800 "$@"
 }
 
-shot "$here/balance-shaft.png" --language en --scene balance-shaft
+shot "$here/balance-shaft.png" --language en --case "$here/../examples/with-shaft-88x75.case.json"
 shot "$here/balance-shaft-map.png" --language en --set tab=map \
     --case "$here/../examples/with-shaft-88x75.case.json"
 shot "$here/methods.png" --language en --scene methods --set tab=charts
