@@ -182,7 +182,7 @@ Vector vector_of(const RunResult::InPlane& read) {
 }
 
 /// Whether the run after says that what was drilled did something else than it was to: by more than
-/// a third of that and by more than the limit, beyond which it is still. Where nothing was drilled, no
+/// 0.35 of that and by more than the limit, beyond which it is still. Where nothing was drilled, no
 /// more than that of what was there changes.
 std::array<std::optional<OtherEffect>, 2> other_effects(
     const RunResult& before, const RunResult& after,

@@ -27,16 +27,16 @@ std::span<const BalanceGrade> balance_grades() {
 }
 
 bool is_plausible_grade(double grade, const std::optional<double>& rotor_mass) {
-    constexpr double finest_of_standard = 16.0;
-    constexpr double coarsest_of_cars = 100.0;
-    constexpr double large = 500.0;  // kg
+    constexpr double any_up_to = 16.0;  // mm/s
+    constexpr double of_cars = 100.0;   // mm/s
+    constexpr double large = 500.0;     // kg
     const double mm_per_s = grade / units::mm_per_s;
-    const auto is_it = [&](const BalanceGrade& each) {
-        return std::abs(each.mm_per_s / mm_per_s - 1.0) < 1e-6;
-    };
-    return mm_per_s <= finest_of_standard ||
-           (std::ranges::any_of(balance_grades(), is_it) &&
-            (mm_per_s <= coarsest_of_cars * 1.001 || rotor_mass.value_or(0.0) > large));
+    const bool is_large = rotor_mass.value_or(0.0) > large;
+    return mm_per_s <= any_up_to ||
+           std::ranges::any_of(balance_grades(), [&](const BalanceGrade& each) {
+               return std::abs(each.mm_per_s / mm_per_s - 1.0) < 1e-6 &&
+                      (each.mm_per_s <= of_cars || is_large);
+           });
 }
 
 Formula permissible_unbalance_formula() {

@@ -158,8 +158,8 @@ inline constexpr Field bob_weight_then{
 void visit_sheet(FieldVisitor& visitor, WeighIn& sheet, const Field& numbering, const Field& mass,
                  bool nominal_needed, bool asks_radius);
 
-/// Throws where a column that is begun lacks a weight.
-/// @param nominal_needed  or a nominal mass
+/// Throws where a column with any weight lacks another one. A nominal mass alone is no weight.
+/// @param nominal_needed  or its nominal mass
 /// @throws InputError
 void check_weighed(const WeighIn& sheet, bool nominal_needed);
 

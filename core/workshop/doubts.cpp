@@ -715,12 +715,13 @@ Messages far_radius(const DoubtCase& job) {
     }
     const auto& planes = job.input.correction->planes;
     for (std::size_t i = 0; i < planes.size() && i < 2; ++i) {
-        const double radius = planes[i].radius.value_or(far);
-        if (implausible ? radius < near || radius > beyond : radius > far && radius <= beyond) {
+        const auto& radius = planes[i].radius;
+        if (radius && (implausible ? *radius < near || *radius > beyond
+                                   : *radius > far && *radius <= beyond)) {
             list.emplace_back(CORE_TEXT("workshop",
                                         "%1: a drilling radius of %2 is unusual for such a bob "
                                         "weight. Enter the radius, not the diameter."),
-                              plane_name(job, i), millimetres(radius));
+                              plane_name(job, i), millimetres(*radius));
         }
     }
     return list;
