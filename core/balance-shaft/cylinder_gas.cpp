@@ -17,7 +17,7 @@ namespace {
 
 using boost::math::quadrature::gauss;
 
-constexpr int combustion_steps = 256;
+constexpr int combustion_steps = 64;
 const double vibe_a = std::log(1000.0);
 
 }  // namespace
@@ -28,9 +28,8 @@ CylinderGas::CylinderGas(const SliderCrank<double>& crank, double bore, double c
       area_(pi / 4.0 * bore * bore),
       top_dead_centre_(crank.top_dead_centre()),
       bottom_(crank.bottom_dead_centre() - crank.top_dead_centre()),
-      longest_(crank.at(top_dead_centre_).s) {
-    indicated_.displacement = area_ * crank_.stroke();
-}
+      longest_(crank.at(top_dead_centre_).s),
+      displacement_(area_ * crank.stroke()) {}
 
 CylinderGas::CylinderGas(const SliderCrank<double>& crank, double bore, double crankcase_pressure,
                          const PressureTrace& trace, bool smooth)
@@ -42,7 +41,6 @@ CylinderGas::CylinderGas(const SliderCrank<double>& crank, double bore, double c
     for (const double angle : trace.crank_angle_deg) {
         breaks_.push_back(wrap(angle * degree, period_));
     }
-    find_indicated();
 }
 
 CylinderGas::CylinderGas(const SliderCrank<double>& crank, double bore, double crankcase_pressure,
@@ -50,8 +48,7 @@ CylinderGas::CylinderGas(const SliderCrank<double>& crank, double bore, double c
     : CylinderGas(crank, bore, crankcase_pressure) {
     cycle_ = gas_cycle;
     period_ = pi * strokes;
-    clearance_ = indicated_.displacement / (cycle_.compression_ratio - 1.0);
-    indicated_.clearance = clearance_;
+    clearance_ = displacement_ / (cycle_.compression_ratio - 1.0);
     const double end = cycle_.combustion_start + cycle_.combustion_duration;
     if (strokes == 2) {
         // The ports close where the piston stands as at their opening, on its way up.
@@ -73,8 +70,8 @@ CylinderGas::CylinderGas(const SliderCrank<double>& crank, double bore, double c
         angle = wrap(angle, period_);
     }
 
-    const double volume_at_closing = strokes == 2 ? volume(ports_close_ + top_dead_centre_)
-                                                  : clearance_ + indicated_.displacement;
+    const double volume_at_closing =
+        strokes == 2 ? volume(ports_close_ + top_dead_centre_) : clearance_ + displacement_;
     intake_constant_ =
         cycle_.intake_pressure * std::pow(volume_at_closing, cycle_.polytropic_compression);
     const double start_volume = volume(cycle_.combustion_start + top_dead_centre_);
@@ -88,29 +85,27 @@ CylinderGas::CylinderGas(const SliderCrank<double>& crank, double bore, double c
             wiebe_integral(cycle_.combustion_start + k * step,
                            cycle_.combustion_start + (k + 1) * step);
     }
+    if (strokes == 2) {
+        const double opening = two_pi + cycle_.ports_open;
+        at_opening_ = closed_pressure(opening, volume(opening + top_dead_centre_));
+    }
     if (cycle_.heat) {
         heat_ = *cycle_.heat;
     } else {
-        // The work is linear in the heat.
-        const double motored = work();
-        heat_ = cycle_.intake_pressure * indicated_.displacement;
-        const double per_heat = (work() - motored) / heat_;
-        const double wanted = cycle_.imep.value_or(0.0) * indicated_.displacement;
-        heat_ = (wanted - motored) / per_heat;
+        const Parts done = work();
+        heat_ = (cycle_.imep.value_or(0.0) * displacement_ - done.motored) / done.per_heat;
         if (!(heat_ >= 0.0) || !std::isfinite(heat_)) {
             throw InputError("/input/torque/cycle/indicated_mean_effective_pressure_bar",
                              {CORE_TEXT("balance-shaft",
                                         "must be at least %1, the value of the cycle without heat"),
-                              Number{motored / indicated_.displacement / units::bar, {}, 6}},
+                              Number{done.motored / displacement_ / units::bar, {}, 6}},
                              Number{cycle_.imep.value_or(0.0) / units::bar});
         }
     }
-    indicated_.heat = heat_;
-    find_indicated();
 }
 
 double CylinderGas::volume(double theta) const {
-    return clearance_ + area_ * (longest_ - crank_.at(theta).s);
+    return volume_above(crank_.at(theta).s);
 }
 
 /// ∫ Vⁿ⁻¹ (dx/dφ) dφ over a part of the combustion. At its start dx/dφ ~ τᵐ, which for an m that is
@@ -121,7 +116,8 @@ double CylinderGas::wiebe_integral(double from, double to) const {
     const double m = cycle_.wiebe_m;
     const double scale = vibe_a * (m + 1.0) / -std::expm1(-vibe_a);
     const auto integrand = [&](double tau) {
-        return scale * std::pow(tau, m) * std::exp(-vibe_a * std::pow(tau, m + 1.0)) *
+        const double power = std::pow(tau, m);
+        return scale * power * std::exp(-vibe_a * power * tau) *
                std::pow(volume(start + duration * tau + top_dead_centre_),
                         cycle_.polytropic_expansion - 1.0);
     };
@@ -150,45 +146,49 @@ double CylinderGas::released_integral(double angle) const {
     return integral_[static_cast<std::size_t>(whole)] + wiebe_integral(from, angle);
 }
 
-double CylinderGas::cycle_pressure(double angle) const {
+CylinderGas::Parts CylinderGas::pressure_parts(double angle, double volume) const {
+    if (trace_) {
+        return {(*trace_)(angle / degree), 0.0};
+    }
     if (ports_close_ > 0.0) {
         if (angle >= ports_close_ || angle < cycle_.ports_open) {
-            return closed_pressure(angle < cycle_.ports_open ? angle + two_pi : angle);
+            return closed_pressure(angle < cycle_.ports_open ? angle + two_pi : angle, volume);
         }
         if (angle >= bottom_) {
-            return cycle_.intake_pressure;
+            return {cycle_.intake_pressure, 0.0};
         }
         const double rest = (bottom_ - angle) / (bottom_ - cycle_.ports_open);
-        const double released = closed_pressure(two_pi + cycle_.ports_open);
-        return cycle_.exhaust_pressure + (released - cycle_.exhaust_pressure) * rest * rest;
+        const double part = rest * rest;
+        return {cycle_.exhaust_pressure + (at_opening_.motored - cycle_.exhaust_pressure) * part,
+                at_opening_.per_heat * part};
     }
     if (angle < bottom_) {
-        return cycle_.intake_pressure;
+        return {cycle_.intake_pressure, 0.0};
     }
     if (angle >= two_pi + bottom_) {
-        return cycle_.exhaust_pressure;
+        return {cycle_.exhaust_pressure, 0.0};
     }
-    return closed_pressure(angle);
+    return closed_pressure(angle, volume);
 }
 
 /// From the end of the intake to the release.
-double CylinderGas::closed_pressure(double angle) const {
-    const double v = volume(angle + top_dead_centre_);
+CylinderGas::Parts CylinderGas::closed_pressure(double angle, double volume) const {
     if (angle < cycle_.combustion_start) {
-        return intake_constant_ * std::pow(v, -cycle_.polytropic_compression);
+        return {intake_constant_ * std::pow(volume, -cycle_.polytropic_compression), 0.0};
     }
-    return (start_constant_ +
-            (cycle_.polytropic_expansion - 1.0) * heat_ * released_integral(angle)) *
-           std::pow(v, -cycle_.polytropic_expansion);
+    const double expansion = std::pow(volume, -cycle_.polytropic_expansion);
+    return {start_constant_ * expansion,
+            (cycle_.polytropic_expansion - 1.0) * released_integral(angle) * expansion};
 }
 
 double CylinderGas::pressure(double theta) const {
-    const double angle = wrap(theta - top_dead_centre_, period_);
-    return trace_ ? (*trace_)(angle / degree) : cycle_pressure(angle);
+    return of(pressure_parts(wrap(theta - top_dead_centre_, period_), volume(theta)));
 }
 
-double CylinderGas::torque(double theta) const {
-    return -(pressure(theta) - crankcase_pressure_) * area_ * crank_.at(theta).ds;
+double CylinderGas::torque(double theta, const PistonMotion<double>& motion) const {
+    const double angle = wrap(theta - top_dead_centre_, period_);
+    const double pressure = of(pressure_parts(angle, volume_above(motion.s)));
+    return -(pressure - crankcase_pressure_) * area_ * motion.ds;
 }
 
 std::vector<double> CylinderGas::breaks_deg() const {
@@ -203,50 +203,68 @@ std::vector<double> CylinderGas::breaks_deg() const {
     return places;
 }
 
-double CylinderGas::work() const {
+CylinderGas::Parts CylinderGas::work() const {
     // Between the breaks the integrand is smooth: 7 nodes on 5° are exact to rounding.
     std::vector<double> ends = breaks_;
     ends.push_back(0.0);
     ends.push_back(period_);
     std::sort(ends.begin(), ends.end());
-    const auto power = [&](double angle) {
-        return -pressure(angle + top_dead_centre_) * area_ * crank_.at(angle + top_dead_centre_).ds;
+    using Rule = gauss<double, 7>;
+    Parts sum;
+    const auto add = [&](double angle, double weight) {
+        const PistonMotion<double> motion = crank_.at(angle + top_dead_centre_);
+        const Parts pressure = pressure_parts(angle, volume_above(motion.s));
+        const double swept = -weight * area_ * motion.ds;
+        sum.motored += swept * pressure.motored;
+        sum.per_heat += swept * pressure.per_heat;
     };
-    double sum = 0.0;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         const double h = ends[i + 1] - ends[i];
         if (h <= 0.0) {
             continue;
         }
         const int parts = std::max(1, static_cast<int>(std::ceil(h / (5.0 * degree))));
+        const double half = h / parts / 2.0;
         for (int k = 0; k < parts; ++k) {
-            sum += gauss<double, 7>::integrate(power, ends[i] + h * k / parts,
-                                               ends[i] + h * (k + 1) / parts);
+            const double middle = ends[i] + (2 * k + 1) * half;
+            add(middle, Rule::weights()[0] * half);
+            for (std::size_t node = 1; node < Rule::abscissa().size(); ++node) {
+                const double step = Rule::abscissa()[node] * half;
+                add(middle - step, Rule::weights()[node] * half);
+                add(middle + step, Rule::weights()[node] * half);
+            }
         }
     }
     return sum;
 }
 
-void CylinderGas::find_indicated() {
-    indicated_.work = work();
-    indicated_.imep = indicated_.work / indicated_.displacement;
+IndicatedCycle CylinderGas::indicated() const {
+    IndicatedCycle result;
+    result.displacement = displacement_;
+    if (!trace_) {
+        result.clearance = clearance_;
+        result.heat = heat_;
+    }
+    result.work = of(work());
+    result.imep = result.work / displacement_;
     constexpr int samples = 1440;
     int highest = 0;
     for (int i = 0; i < samples; ++i) {
         const double p = pressure(period_ * i / samples + top_dead_centre_);
-        if (p > indicated_.peak_pressure) {
-            indicated_.peak_pressure = p;
+        if (p > result.peak_pressure) {
+            result.peak_pressure = p;
             highest = i;
         }
     }
     const auto [highest_angle, negative] = boost::math::tools::brent_find_minima(
         [this](double angle) { return -pressure(angle + top_dead_centre_); },
         period_ * (highest - 1) / samples, period_ * (highest + 1) / samples, 30);
-    indicated_.peak_pressure_angle = period_ * highest / samples;
-    if (-negative > indicated_.peak_pressure) {
-        indicated_.peak_pressure = -negative;
-        indicated_.peak_pressure_angle = wrap(highest_angle, period_);
+    result.peak_pressure_angle = period_ * highest / samples;
+    if (-negative > result.peak_pressure) {
+        result.peak_pressure = -negative;
+        result.peak_pressure_angle = wrap(highest_angle, period_);
     }
+    return result;
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -79,21 +79,31 @@ class CylinderGas {
     double pressure(double theta) const;  ///< Pa; any θ, rad
     /// V = V_c + A (s_max − s), m³; V_c = 0 for a trace.
     double volume(double theta) const;
-    double torque(double theta) const;  ///< gas torque, N·m
-    const IndicatedCycle& indicated() const { return indicated_; }
+    double displacement() const { return displacement_; }  ///< m³
+    /// Gas torque, N·m. @param motion  the piston's at θ
+    double torque(double theta, const PistonMotion<double>& motion) const;
+    double torque(double theta) const { return torque(theta, crank_.at(theta)); }
+    /// Work and peak of the cycle, found anew at each call.
+    IndicatedCycle indicated() const;
     double period() const { return period_; }  ///< 4π, or 2π of a two-stroke engine
     double top_dead_centre() const { return top_dead_centre_; }  ///< θ, rad
     /// θ in degrees, ascending from 0 to the period, where the pressure has a kink or a jump.
     std::vector<double> breaks_deg() const;
 
   private:
+    /// Of a cycle, linear in its heat: Pa or J, and the same per J of heat. Of a trace, the first.
+    struct Parts {
+        double motored = 0.0;
+        double per_heat = 0.0;
+    };
     CylinderGas(const SliderCrank<double>& crank, double bore, double crankcase_pressure);
-    double cycle_pressure(double angle) const;
-    double closed_pressure(double angle) const;
+    double of(const Parts& parts) const { return parts.motored + heat_ * parts.per_heat; }
+    double volume_above(double s) const { return clearance_ + area_ * (longest_ - s); }
+    Parts pressure_parts(double angle, double volume) const;
+    Parts closed_pressure(double angle, double volume) const;
     double wiebe_integral(double from, double to) const;
     double released_integral(double angle) const;
-    double work() const;
-    void find_indicated();
+    Parts work() const;
 
     SliderCrank<double> crank_;
     double crankcase_pressure_ = 0.0;  ///< p₀, Pa
@@ -102,24 +112,24 @@ class CylinderGas {
     double top_dead_centre_ = 0.0;  ///< θ, rad
     double bottom_ = 0.0;           ///< bottom dead centre after top dead centre, rad, near π
     double longest_ = 0.0;          ///< s at top dead centre, m
-    double clearance_ = 0.0;
-    std::vector<double> breaks_;  ///< angles from TDC where the pressure has a kink or jump, rad
+    double displacement_ = 0.0;     ///< m³
+    double clearance_ = 0.0;        ///< m³; 0 for a trace
+    std::vector<double> breaks_;    ///< angles from TDC where the pressure has a kink or jump, rad
 
     std::optional<PeriodicPiecewise> trace_;  ///< Pa over degrees
 
     GasCycle cycle_;
     double ports_close_ = 0.0;  ///< of a two-stroke, rad from TDC
+    Parts at_opening_;          ///< of a two-stroke: pressure where the ports open
     double heat_ = 0.0;
     double start_constant_ = 0.0;   ///< p_s V_sⁿ
     double intake_constant_ = 0.0;  ///< p V^n_c of compression
     std::vector<double> integral_;  ///< ∫ Vⁿ⁻¹ dx up to equal steps of the combustion
-    IndicatedCycle indicated_;
 };
 
 /// Inertia torque M_j = −m_j ω² s′ s″, N·m.
-inline double inertia_torque(const SliderCrank<double>& crank, double mass, double angular_speed,
-                             double theta) {
-    const PistonMotion<double> motion = crank.at(theta);
+inline double inertia_torque(const PistonMotion<double>& motion, double mass,
+                             double angular_speed) {
     return -mass * angular_speed * angular_speed * motion.ds * motion.d2s;
 }
 

@@ -29,25 +29,22 @@ std::optional<CylinderGas> cylinder_gas(const Input& input) {
     }
 }
 
-PeriodicPiecewise TorqueParts::torque(double angular_speed) const {
-    return PeriodicPiecewise::sum(gas, unit_inertia, angular_speed * angular_speed);
-}
-
 namespace {
 
-/// Every 0.5° of the cycle and the breaks, ascending; what all but coincides counts once.
+/// Every degree of the cycle and the breaks, ascending; what all but coincides counts once.
 std::vector<double> torque_knots(const CylinderGas& gas) {
-    const int steps = static_cast<int>(std::lround(gas.period() / degree * 2.0));
+    const int last = static_cast<int>(std::lround(gas.period() / degree));
     std::vector<double> knots = gas.breaks_deg();
-    for (int i = 0; i <= steps; ++i) {
-        knots.push_back(i / 2.0);
+    const auto breaks = static_cast<std::ptrdiff_t>(knots.size());
+    for (int angle = 0; angle <= last; ++angle) {
+        knots.push_back(angle);
     }
-    std::sort(knots.begin(), knots.end());
+    std::inplace_merge(knots.begin(), knots.begin() + breaks, knots.end());
     constexpr double same = 1e-7;
     knots.erase(
         std::unique(knots.begin(), knots.end(), [](double a, double b) { return b - a < same; }),
         knots.end());
-    knots.back() = steps / 2.0;
+    knots.back() = last;
     return knots;
 }
 
@@ -78,6 +75,19 @@ void take_torque_kind(Input& input, TorqueSource::Kind kind, double mean_torque)
     }
 }
 
+PeriodicPiecewise computed_torque(const Input& input, const CylinderGas& gas) {
+    const SliderCrank<double> crank = slider_crank(input);
+    const double top = crank.top_dead_centre();
+    const double mass = input.reciprocating_mass();
+    return PeriodicPiecewise::through(
+        [&](const double& angle) {
+            const double theta = angle * degree + top;
+            const PistonMotion<double> motion = crank.at(theta);
+            return gas.torque(theta, motion) + inertia_torque(motion, mass, input.angular_speed);
+        },
+        torque_knots(gas));
+}
+
 TorqueParts torque_parts(const Input& input, const CylinderGas& gas) {
     const SliderCrank<double> crank = slider_crank(input);
     const double top = crank.top_dead_centre();
@@ -87,7 +97,7 @@ TorqueParts torque_parts(const Input& input, const CylinderGas& gas) {
                 [&](const double& angle) { return gas.torque(angle * degree + top); }, knots),
             PeriodicPiecewise::through(
                 [&](const double& angle) {
-                    return inertia_torque(crank, mass, 1.0, angle * degree + top);
+                    return inertia_torque(crank.at(angle * degree + top), mass, 1.0);
                 },
                 knots)};
 }
@@ -105,8 +115,8 @@ std::optional<TorqueParts> torque_parts(const Input& input, const InertiaCheck& 
     std::vector<double> gas(table.size());
     std::vector<double> unit_inertia(table.size());
     for (std::size_t i = 0; i < table.size(); ++i) {
-        unit_inertia[i] = inertia_torque(crank, *check.fitted / speed2, 1.0,
-                                         table.crank_angle_deg[i] * degree + top);
+        unit_inertia[i] = inertia_torque(crank.at(table.crank_angle_deg[i] * degree + top),
+                                         *check.fitted / speed2, 1.0);
         gas[i] = table.torque[i] - speed2 * unit_inertia[i];
     }
     const auto curve = [&](std::vector<double>&& values) {

@@ -33,13 +33,14 @@ void take_torque_kind(Input& input, TorqueSource::Kind kind, double mean_torque)
 struct TorqueParts {
     PeriodicPiecewise gas;           ///< N·m
     PeriodicPiecewise unit_inertia;  ///< −m_j s′ s″, N·m s², with the same knots
-
-    PeriodicPiecewise torque(double angular_speed) const;  ///< M_id, N·m
 };
 
-/// The parts of a computed torque: cubics between every 0.5° and every place where the pressure has
-/// a kink, so that the curve is the torque itself to about 1e-5 of its range, whatever
+/// M_id of an input whose torque is computed: cubics between every degree and every place where the
+/// pressure has a kink, so that range and RMS are those of the torque itself to 1e-7, whatever
 /// interpolation a table would have.
+PeriodicPiecewise computed_torque(const Input& input, const CylinderGas& gas);
+
+/// Its parts.
 TorqueParts torque_parts(const Input& input, const CylinderGas& gas);
 
 /// The parts of a table that belongs to the masses and the speed entered: its fitted inertia torque

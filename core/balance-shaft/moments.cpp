@@ -12,7 +12,7 @@ namespace {
 
 /// M_id over the cycle, as given or computed.
 PeriodicPiecewise engine_torque(const Input& input, const std::optional<CylinderGas>& gas) {
-    return gas ? torque_parts(input, *gas).torque(input.angular_speed)
+    return gas ? computed_torque(input, *gas)
                : torque_curve(input.torque.table, input.interpolation);
 }
 
@@ -61,16 +61,25 @@ Moments::Moments(const Input& checked)
           checked.reciprocating_mass() * checked.angular_speed * checked.angular_speed)),
       plane(moment) {}
 
-bool Moments::follow(const Input& checked) {
-    if (gas || crank.offset != 0.0) {
+bool have_same_tipping_moment(const Input& one, const Input& other) {
+    if (one.strokes != other.strokes || one.interpolation != other.interpolation ||
+        one.torque != other.torque) {
         return false;
     }
+    if (!one.torque.is_computed() && one.cylinder.offset == 0.0 && other.cylinder.offset == 0.0) {
+        return true;
+    }
+    return one.crank_radius == other.crank_radius && one.cylinder == other.cylinder &&
+           one.angular_speed == other.angular_speed &&
+           one.reciprocating_mass() == other.reciprocating_mass();
+}
+
+void Moments::follow(const Input& checked) {
     crank = slider_crank(checked);
     top = crank.top_dead_centre();
     piston_1 = piston_first_order(crank);
     phase = top - piston_1.lag;
     forces = Forces(checked);
-    return true;
 }
 
 void Moments::sweep(std::span<const double> alpha, std::span<double> range,

@@ -39,9 +39,8 @@ struct Moments {
     /// @param checked  as check_input() leaves it
     explicit Moments(const Input& checked);
 
-    /// Follows an input whose torque, interpolation, strokes and offset are unchanged.
-    /// @return false, with nothing done, where M_up depends on more than these
-    bool follow(const Input& checked);
+    /// Follows an input of the same tipping moment.
+    void follow(const Input& checked);
 
     /// M_s at an angle.
     MomentPlane::Moment shaft_moment(double alpha) const {
@@ -63,6 +62,10 @@ struct Moments {
     /// The part of that which follows the shaft's angle.
     void move_shaft(double alpha, Result& result) const;
 };
+
+/// Whether what M_up follows from is the same in both: a torque that is given, or all that a
+/// computed one and the offset's part depend on.
+bool have_same_tipping_moment(const Input& one, const Input& other);
 
 /// Differences below this part of the size are rounding.
 inline constexpr double moment_rounding = 1e-12;

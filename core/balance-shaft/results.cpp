@@ -551,17 +551,15 @@ void RepeatedResults::visit(ResultVisitor& visitor, const Input& input) {
 }
 
 void visit_results(ResultVisitor& visitor, const Input& input) {
-    RepeatedResults({}).visit(visitor, input);
+    RepeatedResults().visit(visitor, input);
 }
 
-RepeatedResults::RepeatedResults(std::span<const std::string> varied)
-    : keeps_torque_(std::none_of(varied.begin(), varied.end(), [](const std::string& pointer) {
-          return pointer.starts_with("/torque") || pointer == "/cylinder/offset_mm";
-      })) {}
-
 const Moments& RepeatedResults::moments_of(const Input& input) {
-    if (!moments_ || !keeps_torque_ || !moments_->follow(input)) {
+    if (moments_ && have_same_tipping_moment(moments_of_, input)) {
+        moments_->follow(input);
+    } else {
         moments_.emplace(input);
+        moments_of_ = input;
     }
     return *moments_;
 }

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,9 +24,6 @@ void visit_results(ResultVisitor& visitor, const Input& input);
 /// once. For one thread at a time.
 class RepeatedResults {
   public:
-    /// @param varied  pointers below "input" to the numbers that may differ
-    explicit RepeatedResults(std::span<const std::string> varied);
-
     /// @param input  as check_input() leaves it
     /// @throws InputError as visit_results()
     void visit(ResultVisitor& visitor, const Input& input);
@@ -36,8 +32,8 @@ class RepeatedResults {
     const Moments& moments_of(const Input& input);
     const BuildableAngles& buildable_of(const Input& input);
 
-    bool keeps_torque_;
     std::optional<Moments> moments_;
+    Input moments_of_;
     std::optional<FrontView> view_;
     PlaceLimits limits_;
     BuildableAngles buildable_;

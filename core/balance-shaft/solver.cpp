@@ -168,9 +168,10 @@ void Solver::Prepared::prepare_curves() {
         const double theta = angle * degree + top;
         curves.pressure.push_back(gas->pressure(theta));
         curves.volume.push_back(gas->volume(theta));
-        curves.M_gas.push_back(gas->torque(theta));
+        const PistonMotion<double> motion = crank.at(theta);
+        curves.M_gas.push_back(gas->torque(theta, motion));
         curves.M_inertia.push_back(
-            inertia_torque(crank, base.reciprocating_mass, input.angular_speed, theta));
+            inertia_torque(motion, base.reciprocating_mass, input.angular_speed));
         curves.M_offset.push_back(offset_lever(crank, theta) * base.reciprocating_mass *
                                   input.angular_speed * input.angular_speed);
     }
@@ -240,7 +241,7 @@ void Solver::Prepared::prepare_notes() {
         Message doubt = check_trace(input, *gas);
         if (!doubt.empty()) {
             base.doubts.push_back(std::move(doubt));
-            base.trace_is_a_turn_off = peaks_a_turn_off(input, *gas);
+            base.trace_is_a_turn_off = peaks_a_turn_off(input, *base.indicated);
         }
         if (Message coarse = coarse_rows(input.torque.trace); !coarse.empty()) {
             base.doubts.push_back(std::move(coarse));

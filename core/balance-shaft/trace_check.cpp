@@ -56,10 +56,10 @@ std::optional<CompressionFit> fit_compression(const CylinderGas& gas) {
     std::vector<double> volume;  // without V_c, displacements
     std::vector<double> pressure;
     std::vector<double> logarithm;
+    const double clearance = gas.volume(gas.top_dead_centre());
     for (int before = 80; before >= 30; --before) {
         const double theta = gas.top_dead_centre() + two_pi - before * degree;
-        volume.push_back((gas.volume(theta) - gas.indicated().clearance.value_or(0.0)) /
-                         gas.indicated().displacement);
+        volume.push_back((gas.volume(theta) - clearance) / gas.displacement());
         pressure.push_back(gas.pressure(theta));
         if (!(pressure.back() > 0.0)) {
             return std::nullopt;
@@ -98,8 +98,8 @@ std::optional<CompressionFit> fit_compression(const CylinderGas& gas) {
 namespace {
 
 /// Place of the peak from the firing top dead centre, −cycle/2 … cycle/2, °.
-double lateness(const Input& input, const CylinderGas& gas) {
-    return std::remainder(gas.indicated().peak_pressure_angle / degree - 360.0, input.cycle_deg());
+double lateness(const Input& input, const IndicatedCycle& cycle) {
+    return std::remainder(cycle.peak_pressure_angle / degree - 360.0, input.cycle_deg());
 }
 
 bool is_usual_lateness(double angle) {
@@ -131,8 +131,8 @@ Message coarse_rows(const PressureTrace& trace) {
                : Message();
 }
 
-bool peaks_a_turn_off(const Input& input, const CylinderGas& gas) {
-    const double late = lateness(input, gas);
+bool peaks_a_turn_off(const Input& input, const IndicatedCycle& cycle) {
+    const double late = lateness(input, cycle);
     return input.strokes == 4 && !is_usual_lateness(late) &&
            is_usual_lateness(std::remainder(late - 360.0, input.cycle_deg()));
 }
@@ -140,7 +140,8 @@ bool peaks_a_turn_off(const Input& input, const CylinderGas& gas) {
 Message check_trace(const Input& input, const CylinderGas& gas) {
     const PressureTrace& trace = input.torque.trace;
     constexpr double atmosphere = 1.0 * units::bar;
-    const double peak = gas.indicated().peak_pressure;
+    const IndicatedCycle cycle = gas.indicated();
+    const double peak = cycle.peak_pressure;
     const double minimum = *std::min_element(trace.pressure.begin(), trace.pressure.end());
     constexpr double min_rise = 2.0;
     if (!(peak > min_rise * minimum)) {
@@ -150,10 +151,10 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
         return Number{rounded_to_digits(value, digits)};
     };
 
-    const double peak_deg = gas.indicated().peak_pressure_angle / degree;
-    const double late = lateness(input, gas);
+    const double peak_deg = cycle.peak_pressure_angle / degree;
+    const double late = lateness(input, cycle);
     if (!is_usual_lateness(late)) {
-        if (peaks_a_turn_off(input, gas)) {
+        if (peaks_a_turn_off(input, cycle)) {
             return {CORE_TEXT(
                         "balance-shaft",
                         "The peak of the pressure trace is at %1, near the gas-exchange dead "

@@ -33,6 +33,6 @@ Message check_trace(const Input& input, const CylinderGas& gas);
 /// That its rows about the peak are too far apart for peak and work; empty where they are not.
 Message coarse_rows(const PressureTrace& trace);
 /// Whether its peak is beside the top dead centre of the gas exchange.
-bool peaks_a_turn_off(const Input& input, const CylinderGas& gas);
+bool peaks_a_turn_off(const Input& input, const IndicatedCycle& cycle);
 
 }  // namespace ravnoves::balance_shaft

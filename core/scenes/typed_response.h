@@ -19,7 +19,6 @@ namespace ravnoves {
 /// Visits each input's results again.
 template <typename Input>
 struct FreshResults {
-    explicit FreshResults(std::span<const std::string> /*varied*/) {}
     void visit(ResultVisitor& visitor, const Input& input) { visit_results(visitor, input); }
 };
 
@@ -38,8 +37,7 @@ class TypedResponse final : public Response {
           json_(json),
           varied_(varied.begin(), varied.end()),
           input_(read_input(json_, context_)),
-          numbers_(watched),
-          results_(varied) {
+          numbers_(watched) {
         Input other = input_;
         for (const std::string& pointer : varied_) {
             auto found = list_fields(input_, pointer);

@@ -214,7 +214,7 @@ TEST(InertiaTorque, IsTheLossOfKineticEnergyOverTheAngle) {
         const double slope = (8.0 * (energy(theta + h) - energy(theta - h)) -
                               (energy(theta + 2 * h) - energy(theta - 2 * h))) /
                              (12.0 * h);
-        EXPECT_NEAR(inertia_torque(crank, mass, speed, theta), -slope, 1e-7 * 400.0);
+        EXPECT_NEAR(inertia_torque(crank.at(theta), mass, speed), -slope, 1e-7 * 400.0);
     }
 }
 
@@ -278,8 +278,9 @@ TEST(ComputedTorque, CriteriaAreThoseOfTheTorqueItself) {
             const CylinderGas gas = *cylinder_gas(input);
             const SliderCrank<double> crank = slider_crank(input);
             const auto moment = [&](double theta) {
-                return -gas.torque(theta) - inertia_torque(crank, input.reciprocating_mass(),
-                                                           input.angular_speed, theta);
+                return -gas.torque(theta) - inertia_torque(crank.at(theta),
+                                                           input.reciprocating_mass(),
+                                                           input.angular_speed);
             };
             const Result result = solve(input);
             const auto [highest, lowest] = true_extrema(moment, gas.period());

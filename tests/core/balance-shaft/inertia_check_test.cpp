@@ -96,9 +96,10 @@ TorqueTable table_of(const Input& engine, double step_deg, double noise, unsigne
     TorqueTable table;
     for (double angle = 0.0; angle < 720.0 - 1e-9; angle += step_deg) {
         table.crank_angle_deg.push_back(angle);
-        table.torque.push_back(gas.torque(angle * degree) +
-                               inertia_torque(crank, mass, engine.angular_speed, angle * degree) +
-                               normal(generator));
+        table.torque.push_back(
+            gas.torque(angle * degree) +
+            inertia_torque(crank.at(angle * degree), mass, engine.angular_speed) +
+            normal(generator));
     }
     table.crank_angle_deg.push_back(720.0);
     table.torque.push_back(table.torque.front());

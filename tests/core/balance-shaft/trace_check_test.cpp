@@ -193,10 +193,10 @@ TEST(TraceCheck, AWrongPhaseIsNoticed) {
 
 TEST(TraceCheck, ATurnOffIsCorrectedByTheShift) {
     Input input = traced(diesel(), {.late_deg = 360.0});
-    EXPECT_TRUE(peaks_a_turn_off(input, *cylinder_gas(input)));
+    EXPECT_TRUE(peaks_a_turn_off(input, cylinder_gas(input)->indicated()));
     input.torque.trace_shift = two_pi;
     EXPECT_EQ(note_of(input), "");
-    EXPECT_FALSE(peaks_a_turn_off(input, *cylinder_gas(input)));
+    EXPECT_FALSE(peaks_a_turn_off(input, cylinder_gas(input)->indicated()));
     const CylinderGas there = *cylinder_gas(input);
     const CylinderGas right = *cylinder_gas(traced(diesel(), {}));
     for (const double angle : {-100.0, 3.0, 350.5, 372.0, 719.0}) {

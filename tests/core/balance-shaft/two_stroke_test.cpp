@@ -149,8 +149,8 @@ TEST(TwoStroke, TheInertiaCheckOfAMotoredTableWorksOverOneTurn) {
     Input table = as_table(input);
     for (std::size_t i = 0; i < table.torque.table.size(); ++i) {
         table.torque.table.torque[i] =
-            inertia_torque(crank, input.reciprocating_mass(), input.angular_speed,
-                           static_cast<double>(i % 360) * degree);
+            inertia_torque(crank.at(static_cast<double>(i % 360) * degree),
+                           input.reciprocating_mass(), input.angular_speed);
     }
     const InertiaCheck check = solve(table).inertia_check;
     ASSERT_TRUE(check.consistent);

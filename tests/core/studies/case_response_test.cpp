@@ -55,11 +55,19 @@ TEST(Wanted, EachNumberAloneIsThatOfTheWhole) {
 }
 
 TEST(TypedResponse, GivesTheNumbersOfTheWholeSolution) {
-    CaseFile file = example("tmz-650d");
-    const Json flat = solve_case(file, {}).at("result").flatten();
-    for (const std::array<std::string, 2>& varied :
-         {std::array<std::string, 2>{"/crank_radius_mm", "/reciprocating_masses_kg/piston"},
-          std::array<std::string, 2>{"/shaft_angle_deg", "/torque/torque_Nm/26"}}) {
+    const struct {
+        const char* file;
+        std::array<std::string, 2> varied;
+    } cases[] = {{"tmz-650d", {"/crank_radius_mm", "/reciprocating_masses_kg/piston"}},
+                 {"tmz-650d", {"/shaft_angle_deg", "/torque/torque_Nm/26"}},
+                 {"with-shaft-88x75", {"/crank_radius_mm", "/shaft_angle_deg"}},
+                 {"with-shaft-88x75", {"/speed_rpm", "/centre_distance_mm"}},
+                 {"with-shaft-88x75", {"/cylinder/bore_mm", "/cylinder/rod_length_mm"}},
+                 {"with-shaft-88x75",
+                  {"/reciprocating_masses_kg/piston", "/torque/cycle/compression_ratio"}}};
+    for (const auto& [name, varied] : cases) {
+        CaseFile file = example(name);
+        const Json flat = solve_case(file, {}).at("result").flatten();
         // Those that rest on the moments alone; a solver gives the others.
         std::vector<std::string> watched{"/moment_amplitude_Nm", "/counterweight_mass_kg"};
         for (const auto& item : flat.items()) {
@@ -71,12 +79,14 @@ TEST(TypedResponse, GivesTheNumbersOfTheWholeSolution) {
         ASSERT_GT(watched.size(), 25U);
         const auto quick = scene_solver(file.scene).respond(file.input, {}, varied, watched);
         std::vector<double> y(watched.size());
-        for (int i = 0; i < 4; ++i) {
+        for (int i = 0; i < 6; ++i) {
             std::array<double, 2> x{};
             CaseFile moved = file;
-            for (std::size_t j = 0; j < 2; ++j) {
+            // Together, then one alone: what the one that stays leaves as it was is kept.
+            for (const std::size_t j : {0, 1}) {
                 Json& value = moved.input.at(Json::json_pointer(varied[j]));
-                x[j] = value.get<double>() * (1.0 + 0.003 * i);
+                const int step = i < 3 ? i : j == static_cast<std::size_t>(i % 2) ? i : 2;
+                x[j] = value.get<double>() * (1.0 + 0.003 * step);
                 value = x[j];
             }
             ASSERT_TRUE(quick->evaluate(x, y));
@@ -84,7 +94,7 @@ TEST(TypedResponse, GivesTheNumbersOfTheWholeSolution) {
             for (std::size_t w = 0; w < watched.size(); ++w) {
                 const Json& value = result.at(Json::json_pointer(watched[w]));
                 EXPECT_EQ(y[w], value.is_boolean() ? value.get<bool>() : value.get<double>())
-                    << watched[w];
+                    << name << varied[0] << watched[w];
             }
         }
         EXPECT_FALSE(quick->evaluate(std::array<double, 2>{-1.0, 1e13}, y));

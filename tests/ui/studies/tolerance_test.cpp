@@ -108,6 +108,22 @@ class Tolerances : public ::testing::Test {
         }));
     }
 
+    /// What it says of the first watched value.
+    Json ofTheCommandLine() const {
+        const SceneModel& scene = *tolerances->model()->scene();
+        const studies::Problem problem = studies::problem_of(scene.caseFile(), scene.context());
+        studies::Part part = studies::begin_part(problem);
+        studies::run_part(problem, part);
+        return studies::write_results(part)["watched"][problem.study.watch.at(0).pointer];
+    }
+    static void expectSame(const StudyAnswer& shown, const Json& found) {
+        EXPECT_EQ(*shown.mean, found["mean"].get<double>());
+        EXPECT_EQ(*shown.deviation, found["standard_deviation"].get<double>());
+        EXPECT_EQ(*shown.low, found["percentiles"]["5"].get<double>());
+        EXPECT_EQ(*shown.high, found["percentiles"]["95"].get<double>());
+        EXPECT_EQ(*shown.linearDeviation, found["linear"]["standard_deviation"].get<double>());
+    }
+
     MainWindow window;
     ToleranceWindow* tolerances = nullptr;
 };
@@ -310,17 +326,9 @@ TEST_F(Tolerances, TheCommandLineFindsTheSame) {
     QAbstractItemModel* table = tolerances->watched()->view()->model();
     ASSERT_TRUE(table->setData(table->index(0, WatchTable::Maximum), formNumber(limit, QLocale())));
     waitForAnswer();
-    studies::Problem problem = studies::problem_of(scene().caseFile(), scene().context());
-    ASSERT_TRUE(problem.study.watch.at(0).max);
-    studies::Part part = studies::begin_part(problem);
-    studies::run_part(problem, part);
-    const Json found = studies::write_results(part)["watched"]["/metrics/M_ups/range_Nm"];
+    const Json found = ofTheCommandLine();
     const StudyAnswer& shown = model.answers()->values.at(0);
-    EXPECT_EQ(*shown.mean, found["mean"].get<double>());
-    EXPECT_EQ(*shown.deviation, found["standard_deviation"].get<double>());
-    EXPECT_EQ(*shown.low, found["percentiles"]["5"].get<double>());
-    EXPECT_EQ(*shown.high, found["percentiles"]["95"].get<double>());
-    EXPECT_EQ(*shown.linearDeviation, found["linear"]["standard_deviation"].get<double>());
+    expectSame(shown, found);
     EXPECT_EQ(*shown.within, found["within"]["share"].get<double>());
     EXPECT_EQ(*shown.withinLow, found["within"]["low"].get<double>());
     EXPECT_EQ(*shown.withinHigh, found["within"]["high"].get<double>());
@@ -330,6 +338,24 @@ TEST_F(Tolerances, TheCommandLineFindsTheSame) {
     scene().undo();
     waitForAnswer();
     EXPECT_FALSE(model.answers()->values.at(0).within);
+}
+
+TEST_F(Tolerances, TheCommandLineFindsTheSameOfEachSourceOfTheTorque) {
+    using Kind = balance_shaft::TorqueSource::Kind;
+    scatter("/crank_radius_mm", u"0.5"_s);
+    scatter("/shaft_angle_deg", u"1"_s);
+    watch("/metrics/M_ups/range_Nm");
+    auto& model = dynamic_cast<BalanceShaftModel&>(scene());
+    std::vector<double> deviations;
+    for (const Kind kind : {Kind::table, Kind::cycle, Kind::table}) {
+        model.setTorqueKind(kind);
+        waitForAnswer();
+        const StudyAnswer& shown = tolerances->model()->answers()->values.at(0);
+        expectSame(shown, ofTheCommandLine());
+        deviations.push_back(*shown.deviation);
+    }
+    EXPECT_NE(deviations[0], deviations[1]);
+    EXPECT_EQ(deviations[0], deviations[2]);
 }
 
 TEST_F(Tolerances, WhereTheLinearAnswerFailsItIsMarked) {

@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <thread>
 
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
@@ -27,6 +26,7 @@ using studies::Watched;
 namespace {
 
 constexpr int restMs = 250;
+constexpr int every = 0;  ///< core of the machine works for a study
 
 /// A study of the window begins small: it answers while one looks.
 Study freshStudy() {
@@ -330,14 +330,12 @@ void StudyModel::start() {
                  at = scene_->solutions()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
         const studies::Problem problem = studies::problem_of(file, context);
-        // One core stays free for the window.
-        const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
         const auto part =
-            std::make_shared<studies::Part>(studies::begin_part(problem, 1, 1, threads, progress));
+            std::make_shared<studies::Part>(studies::begin_part(problem, 1, 1, every, progress));
         if (!progress(studies::share_done(*part))) {
             return {};
         }
-        studies::run_part(problem, *part, threads, [&](const studies::Part&) {
+        studies::run_part(problem, *part, every, [&](const studies::Part&) {
             return progress(studies::share_done(*part));
         });
         if (!part->finished()) {
