@@ -63,13 +63,14 @@ int decimalsOf(const ResultTable::Spread& spread) {
     return std::clamp(1 - static_cast<int>(std::floor(std::log10(maximum))), 0, 9);
 }
 
-/// So many digits that two of the larger side say something, beside this number.
+/// So many digits that two of the larger side say something, beside this number; empty where the
+/// sides are far less than its last digit.
 QString spreadText(const ResultTable::Spread& spread, const ResultNumber& number) {
     const double maximum = std::max(spread.below, spread.above);
     const double minimum = std::min(spread.below, spread.above);
     const int decimals = std::min(decimalsOf(spread), number.decimals.value_or(9) + 1);
     if (maximum < 0.5 * std::pow(10.0, -decimals)) {
-        return QStringLiteral("± 0");  // far less than the number's last digit
+        return {};
     }
     const auto shown = [&](double size) {
         return maximum < 1e-9 || maximum >= 1e9         ? formNumber(size, QLocale(), 2)

@@ -128,22 +128,30 @@ Results gears(const BalanceShaftModel& model) {
         return ResultCell::two(pattern, shownCell(one, units::N_m, digits),
                                shownCell(other, units::N_m, digits));
     };
+    // What the gears have not is a dash; a report leaves such rows out.
+    const auto when = [](bool is, const ResultCell& cell) {
+        return is ? cell : ResultCell(QStringLiteral("–"));
+    };
+    const bool isOut = error.phase_error != 0.0;
+    const bool hasPlay = error.play > 0.0;
     const QString to = QStringLiteral("%1 → %2");
     const QString momentUnit = shownUnit(units::N_m).name;
     const QString degrees = QStringLiteral("°");
     Results results{{ForceWords::tr("Gears"), ForceWords::tr("Value"), ForceWords::tr("Unit")}};
     results.rows = {
-        {{RowWords::tr("phase error"), angle(error.phase_error, 2), degrees},
+        {{RowWords::tr("phase error"), when(isOut, angle(error.phase_error, 2)), degrees},
          RowWords::tr("360° k / z")},
-        shownRow(key::residual_force, error.residual_force),
-        {{RowWords::tr("range"), moments(error.right_range, to, error.range, 0), momentUnit},
+        shownRow(key::residual_force, isOut ? std::optional(error.residual_force) : std::nullopt),
+        {{RowWords::tr("range"), when(isOut, moments(error.right_range, to, error.range, 0)),
+          momentUnit},
          RowWords::tr("ΔMᵤₚₛ, correct timing → k teeth out")},
-        {{RowWords::tr("RMS"), moments(error.right_rms, to, error.rms, 1), momentUnit},
+        {{RowWords::tr("RMS"), when(isOut, moments(error.right_rms, to, error.rms, 1)), momentUnit},
          RowWords::tr("RMS of Mᵤₚₛ, correct timing → k teeth out")},
-        {{RowWords::tr("play, ±"), angle(error.play, 3), degrees},
+        {{RowWords::tr("play, ±"), when(hasPlay, angle(error.play, 3)), degrees},
          RowWords::tr("Angle of the shaft within the play, to either side: play / l")},
         {{RowWords::tr("range in play"),
-          moments(error.play_range_low, QStringLiteral("%1…%2"), error.play_range_high, 0),
+          when(hasPlay,
+               moments(error.play_range_low, QStringLiteral("%1…%2"), error.play_range_high, 0)),
           momentUnit},
          RowWords::tr("Minimum and maximum ΔMᵤₚₛ within the play")}};
     return results;
