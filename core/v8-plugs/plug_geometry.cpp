@@ -5,6 +5,7 @@
 
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "case-file/object_reader.h"
 #include "numerics/units.h"
 

@@ -7,6 +7,7 @@
 #include "balance-shaft/presets.h"
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
+#include "test_cases.h"
 
 namespace ravnoves::balance_shaft {
 namespace {

@@ -14,6 +14,7 @@
 #include "csv_lines.h"
 #include "methods/plain_text.h"
 #include "methods/validation/rows.h"
+#include "support.h"
 
 namespace ravnoves::methods {
 namespace {
