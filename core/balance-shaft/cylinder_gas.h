@@ -83,7 +83,7 @@ class CylinderGas {
     /// Gas torque, N·m. @param motion  the piston's at θ
     double torque(double theta, const PistonMotion<double>& motion) const;
     double torque(double theta) const { return torque(theta, crank_.at(theta)); }
-    /// Work and peak of the cycle, found anew at each call.
+    /// Work and peak of the cycle, computed at each call.
     IndicatedCycle indicated() const;
     double period() const { return period_; }  ///< 4π, or 2π of a two-stroke engine
     double top_dead_centre() const { return top_dead_centre_; }  ///< θ, rad

@@ -31,20 +31,20 @@ std::optional<CylinderGas> cylinder_gas(const Input& input) {
 
 namespace {
 
-/// Every degree of the cycle and the breaks, ascending; what all but coincides counts once.
+/// Every 0.5° of the cycle and the breaks, ascending; what all but coincides counts once.
 std::vector<double> torque_knots(const CylinderGas& gas) {
-    const int last = static_cast<int>(std::lround(gas.period() / degree));
+    const int steps = static_cast<int>(std::lround(gas.period() / degree * 2.0));
     std::vector<double> knots = gas.breaks_deg();
     const auto breaks = static_cast<std::ptrdiff_t>(knots.size());
-    for (int angle = 0; angle <= last; ++angle) {
-        knots.push_back(angle);
+    for (int i = 0; i <= steps; ++i) {
+        knots.push_back(i / 2.0);
     }
     std::inplace_merge(knots.begin(), knots.begin() + breaks, knots.end());
     constexpr double same = 1e-7;
     knots.erase(
         std::unique(knots.begin(), knots.end(), [](double a, double b) { return b - a < same; }),
         knots.end());
-    knots.back() = last;
+    knots.back() = steps / 2.0;
     return knots;
 }
 

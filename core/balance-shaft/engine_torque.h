@@ -35,8 +35,8 @@ struct TorqueParts {
     PeriodicPiecewise unit_inertia;  ///< −m_j s′ s″, N·m s², with the same knots
 };
 
-/// M_id of an input whose torque is computed: cubics between every degree and every place where the
-/// pressure has a kink, so that range and RMS are those of the torque itself to 1e-7, whatever
+/// M_id of an input whose torque is computed: cubics between every 0.5° and every place where the
+/// pressure has a kink, so that the curve is the torque itself to about 1e-5 of its range, whatever
 /// interpolation a table would have.
 PeriodicPiecewise computed_torque(const Input& input, const CylinderGas& gas);
 

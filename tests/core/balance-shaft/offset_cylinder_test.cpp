@@ -84,7 +84,7 @@ TEST(OffsetCylinder, TippingMomentByNewtonAndEulerOnTheBlock) {
             // The block: gas on the head, piston on the wall; the main bearing has no lever.
             const double tipping =
                 moment({offset, head}, {0.0, pressed}) + moment(piston, {rod_x, 0.0});
-            EXPECT_NEAR(solver.M_up(phi), tipping, 1e-4) << offset << " " << i;
+            EXPECT_NEAR(solver.M_up(phi), tipping, 1e-5) << offset << " " << i;
             // The engine torque is what the rod does to the crank.
             const double torque = moment(pin, {-rod_x, -rod_y});
             const double term = offset * mass * speed2 * crank.at(theta).d2s;
