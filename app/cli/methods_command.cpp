@@ -54,7 +54,7 @@ class MethodsCommand final : public Command {
   public:
     explicit MethodsCommand(CLI::App& app) {
         app_ = app.add_subcommand(
-            "methods", "Measure what each numerical method costs here, its error, where it fails");
+            "methods", "Measure time, error and limits of each numerical method on this machine");
         // Made when it is read: to have the kernels' names is to prepare the kernels.
         app_->footer([] {
             return "Kernels: " + kernel_names() +

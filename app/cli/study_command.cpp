@@ -177,8 +177,7 @@ class Progress {
 
   private:
     static constexpr const char* not_left =
-        "is not what an interrupted study leaves, and would be written over; move it or choose "
-        "another file";
+        "is not an interrupted study and would be overwritten; move it or choose another file";
 
     std::string path_;
     std::string lock_path_;
@@ -189,10 +188,10 @@ class StudyCommand final : public Command {
   public:
     explicit StudyCommand(CLI::App& app) {
         app_ = app.add_subcommand(
-            "study", "Vary a case's inputs as its \"study\" says, and print what that does");
+            "study", "Vary the inputs of a case by its \"study\" and print the effect");
         app_->footer(
-            "Any number of shards, put together by --merge, prints what one run prints, to the\n"
-            "last digit. With -o an interrupted run continues where it stopped.\n");
+            "Any number of shards, combined by --merge, prints the same digits as one run.\n"
+            "With -o an interrupted run continues where it stopped.\n");
         CLI::Option* case_option = app_->add_option(
             "CASE", case_path_, "Case file (JSON) with a study; - is standard input");
         case_option->type_name("")->check(names_a_file);
@@ -201,14 +200,14 @@ class StudyCommand final : public Command {
             ->check(names_a_file);
         CLI::Option* shard_option =
             app_->add_option("--shard", shard_text_,
-                             "Take the K-th of N parts of the samples and print its counts")
+                             "Compute the K-th of N parts of the samples and print its counts")
                 ->type_name("K/N");
         CLI::Option* threads_option =
             app_->add_option("--threads", threads_,
-                             "Number of threads; default and maximum: one a core")
+                             "Number of threads; default and maximum: one per core")
                 ->type_name("COUNT")
                 ->check(CLI::Range(1, 1024));
-        app_->add_option("--merge", parts_, "Put the parts of a study together")
+        app_->add_option("--merge", parts_, "Combine the parts of a study")
             ->type_name("PART...")
             ->expected(1, -1)
             ->check(names_a_file)

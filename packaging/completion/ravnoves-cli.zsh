@@ -4,7 +4,7 @@ local -a commands help
 commands=(
     'solve:solve a case file'
     'study:vary the inputs of a case as its study says'
-    'methods:measure what each numerical method costs, its error, where it fails'
+    'methods:measure time, error and limits of each numerical method'
     'validate:compute every number printed in the four papers and compare'
 )
 help=('(- *)'{-h,--help}'[show the options and exit]')

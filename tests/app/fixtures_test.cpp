@@ -96,8 +96,7 @@ TEST_F(Fixtures, AStudyThatAnotherVersionBeganIsKept) {
     const Outcome outcome = run("study interrupted.case.json -o interrupted.study.json");
     EXPECT_EQ(outcome.status, 2);
     EXPECT_TRUE(
-        outcome.err.starts_with("interrupted.study.json.unfinished: is not what an "
-                                "interrupted study leaves"))
+        outcome.err.starts_with("interrupted.study.json.unfinished: is not an interrupted study"))
         << outcome.err;
     EXPECT_EQ(test::read_all(left), was);
     expect_same("interrupted/" +

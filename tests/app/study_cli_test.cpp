@@ -191,7 +191,7 @@ TEST_F(StudyCommandLine, LeavesWhatAnotherLeftThere) {
     for (const char* name : {"r.json.unfinished", "r.json.unfinished.lock"}) {
         write(name, "my notes");
         expect_rejected(run("study case.json -o r.json"),
-                        name + std::string(": is not what an interrupted study leaves, and would"));
+                        name + std::string(": is not an interrupted study and would be"));
         EXPECT_EQ(read_all(folder / name), "my notes");
         fs::remove(folder / name);
     }
