@@ -231,6 +231,11 @@ class CompressionLine {
 
 }  // namespace
 
+double DeadCentre::proposed_shift() const {
+    const double rest = std::remainder(shift, two_pi);
+    return std::abs(rest) <= uncertainty ? shift - rest : shift;
+}
+
 Message DeadCentre::describe() const {
     const auto degrees = [](double angle, int digits) {
         return Number{rounded_to_decimals(angle / degree, digits), units::degree};
@@ -241,7 +246,7 @@ Message DeadCentre::describe() const {
                 : CORE_TEXT("balance-shaft",
                             "The dead centre may be at %1 ± %2 of the trace, a shift of %3; the "
                             "compression line is not more precise."),
-            degrees(angle, 2), degrees(uncertainty, 2), degrees(shift, 2)};
+            degrees(angle, 2), degrees(uncertainty, 2), degrees(proposed_shift(), 2)};
 }
 
 std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,

@@ -20,6 +20,8 @@ struct DeadCentre {
     bool is_motored = false;   ///< no combustion was found
 
     bool is_certain() const { return uncertainty < 1.0 * degree; }
+    /// The shift to make: whole turns, 0 too, where the rest is within the uncertainty.
+    double proposed_shift() const;
     /// "The dead centre is at 362.1 ± 0.3°: shift the angles by −2.1°."
     Message describe() const;
 };

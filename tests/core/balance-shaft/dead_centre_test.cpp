@@ -98,6 +98,20 @@ TEST(DeadCentre, SaysHowSureItIs) {
     EXPECT_NE(noisy->describe().english().find("may be at"), std::string::npos);
 }
 
+// A whole turn that the line tells to 0.8° is a whole turn, and 0.2° of as much is none.
+TEST(DeadCentre, ProposesWholeTurnsWhereTheRestIsUncertain) {
+    const auto proposed = [](double shift, double uncertainty) {
+        return DeadCentre{.shift = shift * degree, .uncertainty = uncertainty * degree}
+                   .proposed_shift() /
+               degree;
+    };
+    EXPECT_EQ(proposed(-0.2, 0.8), 0.0);
+    EXPECT_NEAR(proposed(359.8, 0.8), 360.0, 1e-12);
+    EXPECT_NEAR(proposed(-360.3, 0.4), -360.0, 1e-12);
+    EXPECT_EQ(proposed(-3.9, 0.9), -3.9 * degree / degree);
+    EXPECT_EQ(proposed(358.5, 0.8), 358.5 * degree / degree);
+}
+
 TEST(DeadCentre, IsNoneWithoutACompression) {
     PressureTrace flat;
     for (int i = 0; i <= 720; ++i) {

@@ -192,13 +192,13 @@ QString ImportModel::deadCentreText() const {
     return (found.is_certain()
                 ? tr("Dead centre: shift by %1° ± %2° (from the compression line)")
                 : tr("Dead centre, uncertain: shift by %1° ± %2° (from the compression line)"))
-        .arg(degrees(found.shift), degrees(found.uncertainty));
+        .arg(degrees(found.proposed_shift()), degrees(found.uncertainty));
 }
 
 bool ImportModel::isShifted() const {
     const auto& found = look_.deadCentre;
     constexpr double farOff = 10.0;  // a turn, say, to a degree
-    return found && shifted_.value_or(std::abs(found->shift) >
+    return found && shifted_.value_or(std::abs(found->proposed_shift()) >
                                       (found->is_certain() ? 1.0 : farOff) * found->uncertainty);
 }
 
@@ -224,8 +224,9 @@ void ImportModel::putTraceInto(balance_shaft::Input& input) const {
     torque.trace_reading = look_.kept;
     constexpr int decimals = 2;  // as it is proposed
     torque.trace_shift =
-        isShifted() ? rounded_to_decimals(look_.deadCentre->shift / degree, decimals) * degree
-                    : 0.0;
+        isShifted()
+            ? rounded_to_decimals(look_.deadCentre->proposed_shift() / degree, decimals) * degree
+            : 0.0;
     input.strokes = input.strokes_of_torque();
     balance_shaft::fill_cylinder(input);
 }
