@@ -20,7 +20,18 @@ namespace {
 
 /// A unit that may be typed in the place of another of its quantity.
 struct TypedUnit {
-    enum Quantity { Mass, Length, Unbalance, Speed, Angle, Torque, Force, Density } quantity;
+    enum Quantity {
+        Mass,
+        Length,
+        Unbalance,
+        Speed,
+        Angle,
+        Torque,
+        Force,
+        Density,
+        Pressure,
+        Stiffness
+    } quantity;
     Unit unit;
     const char16_t* spelling;  ///< lower case, without dots, as are the other ones
     const char16_t* inRussian;
@@ -70,6 +81,16 @@ constexpr std::array typedUnits{
     TypedUnit{TypedUnit::Force, units::newton, u"n", u"н"},
     TypedUnit{TypedUnit::Force, units::kN, u"kn", u"кн"},
     TypedUnit{TypedUnit::Force, units::pound_force, u"lbf", u"фунтс"},
+    TypedUnit{TypedUnit::Pressure, units::bar, u"bar", u"бар"},
+    TypedUnit{TypedUnit::Pressure, units::mbar, u"mbar", u"мбар"},
+    TypedUnit{TypedUnit::Pressure, units::pascal, u"pa", u"па"},
+    TypedUnit{TypedUnit::Pressure, units::kPa, u"kpa", u"кпа"},
+    TypedUnit{TypedUnit::Pressure, units::MPa, u"mpa", u"мпа"},
+    TypedUnit{TypedUnit::Pressure, units::psi, u"psi", u"psi"},
+    TypedUnit{TypedUnit::Stiffness, units::N_per_m, u"n/m", u"н/м"},
+    TypedUnit{TypedUnit::Stiffness, units::kN_per_m, u"kn/m", u"кн/м"},
+    TypedUnit{TypedUnit::Stiffness, units::kN_per_m, u"n/mm", u"н/мм"},
+    TypedUnit{TypedUnit::Stiffness, units::lbf_per_inch, u"lbf/in", u"фунтс/дюйм"},
     TypedUnit{TypedUnit::Density, units::kg_m3, u"kg/m³", u"кг/м³"},
     TypedUnit{TypedUnit::Density, gramPerCentimetre3, u"g/cm³", u"г/см³"},
     TypedUnit{TypedUnit::Density, gramPerCentimetre3, u"g/cc", u"кг/дм³"},

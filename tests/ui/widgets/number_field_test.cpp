@@ -301,6 +301,10 @@ TEST(NumberText, AUnitThatIsTypedIsConverted) {
             .value.value_or(0.0);
     };
     EXPECT_NEAR(typed(u"300 rad/s", u"min⁻¹"), 300.0 * 30.0 / std::numbers::pi, 1e-9);
+    EXPECT_NEAR(typed(u"850 kPa", u"bar"), 8.5, 1e-12);
+    EXPECT_NEAR(typed(u"0,85 МПа", u"bar"), 8.5, 1e-12);
+    EXPECT_NEAR(typed(u"60 N/mm", u"kN/m"), 60.0, 1e-12);
+    EXPECT_NEAR(typed(u"60 Н/мм", u"N/m"), 60000.0, 1e-9);
     EXPECT_NEAR(typed(u"1 rad", u"°"), 180.0 / std::numbers::pi, 1e-12);
     EXPECT_NEAR(typed(u"90 град", u"rad"), std::numbers::pi / 2.0, 1e-12);
     EXPECT_DOUBLE_EQ(typed(u"1.5 kN", u"N"), 1500.0);
