@@ -209,8 +209,8 @@ inline constexpr Field spacing{
     .label = CORE_TEXT("inertia-moments", "&Spacing a"),
     .symbol = "a",
     .hint = CORE_TEXT("inertia-moments",
-                      "Distance between neighbouring crankpins (in V engines: throws) along the "
-                      "crank. Volkswagen VR5: 63 mm.")};
+                      "Distance along the crank between neighbouring crankpins, or throws of a "
+                      "V engine. Volkswagen VR5: 63 mm.")};
 inline constexpr Field stagger{.key = "stagger_mm",
                                .label = CORE_TEXT("inertia-moments", "Sta&gger"),
                                .hint = CORE_TEXT("inertia-moments",

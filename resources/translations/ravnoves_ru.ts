@@ -7925,8 +7925,8 @@
         <translation>Расстояние осей цилиндров от оси вала. В таблице — максимальное; остальные меняются пропорционально.</translation>
     </message>
     <message>
-        <source>Distance between neighbouring crankpins (in V engines: throws) along the crank. Volkswagen VR5: 63 mm.</source>
-        <translation>Расстояние между соседними шатунными шейками (в V-образных — коленами) вдоль вала. Volkswagen VR5: 63 мм.</translation>
+        <source>Distance along the crank between neighbouring crankpins, or throws of a V engine. Volkswagen VR5: 63 mm.</source>
+        <translation>Расстояние вдоль вала между соседними шатунными шейками или коленами V-образного двигателя. Volkswagen VR5: 63 мм.</translation>
     </message>
     <message>
         <source>Distance along the crank from bank 1&apos;s to bank 2&apos;s cylinder of a throw. 0 for forked rods.</source>
@@ -16090,6 +16090,10 @@ but no position is feasible</source>
     <message>
         <source>%1 (no longer in the case)</source>
         <translation>%1 (в задаче больше нет)</translation>
+    </message>
+    <message>
+        <source>Feasible samples: %1</source>
+        <translation>Допустимых проб: %1</translation>
     </message>
 </context>
 <context>

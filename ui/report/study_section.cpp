@@ -1,7 +1,6 @@
 #include "report/study_section.h"
 
 #include <QApplication>
-#include <QElapsedTimer>
 #include <QPicture>
 #include <memory>
 
@@ -26,12 +25,8 @@ using namespace report;
 
 namespace {
 
-constexpr int studyPatienceMs = 60'000;
-
 void waitFor(const auto& model, const Patience& patience) {
-    QElapsedTimer waited;
-    waited.start();
-    while (model.isBusy() && waited.elapsed() < studyPatienceMs) {
+    while (model.isBusy()) {
         patience.wait(50);
     }
 }
@@ -131,7 +126,10 @@ void addSweep(Report& report, StudyModel& study, const Patience& patience) {
     waitFor(model, patience);
     model.setWatched(false);
     if (model.sweep() == nullptr || model.isStale()) {
-        report.items.push_back(Paragraph{view->words().toHtmlEscaped(), Paragraph::Kind::Warning});
+        if (!model.trouble().isEmpty()) {
+            report.items.push_back(
+                Paragraph{model.trouble().toHtmlEscaped(), Paragraph::Kind::Warning});
+        }
         return;
     }
     constexpr QSize size(660, 300);
@@ -191,6 +189,11 @@ void addTolerances(Report& report, SceneModel& model, const Patience& patience) 
                                              .arg(QLocale().toString(qulonglong(answers->solved)))
                                              .toHtmlEscaped(),
                                          Paragraph::Kind::Muted});
+    }
+    if (const QString feasible = answers->feasibleText(); !feasible.isEmpty()) {
+        report.items.push_back(Paragraph{feasible.toHtmlEscaped(), answers->isRarelyFeasible()
+                                                                       ? Paragraph::Kind::Warning
+                                                                       : Paragraph::Kind::Muted});
     }
     for (const auto& [reason, count] : study.rejected()) {
         report.items.push_back(Paragraph{ReportWords::tr("Rejected: %1 × %2")

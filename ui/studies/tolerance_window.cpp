@@ -493,6 +493,9 @@ void ToleranceWindow::showFound() {
         }
         if (studies::is_sampled(model_->study().method)) {
             lines << tr("Samples solved: %1").arg(QLocale().toString(answers->solved));
+            if (const QString feasible = answers->feasibleText(); !feasible.isEmpty()) {
+                lines << feasible;
+            }
         }
         for (const auto& [reason, count] : model_->rejected()) {
             lines << tr("Rejected: %1 × %2").arg(QLocale().toString(count), reason);

@@ -1051,5 +1051,27 @@ TEST_F(Tolerances, StandInTheReport) {
     EXPECT_EQ(tables[1].rows[0][4], shown.text(shown.deviation, 1.0));
 }
 
+// The first example's shaft stands in the cylinder, and at the edge of what fits, about half of
+// the samples do.
+TEST_F(Tolerances, SayHowManySamplesAreFeasible) {
+    auto& model = dynamic_cast<BalanceShaftModel&>(scene());
+    scatter("/shaft_angle_deg", u"0.5"_s);
+    watch("/moment_amplitude_Nm");
+    waitForAnswer();
+    const StudyAnswers* answers = tolerances->model()->answers();
+    EXPECT_EQ(*answers->feasible, model.result().is_buildable ? 1.0 : 0.0);
+    ASSERT_FALSE(model.result().buildable.stretches.empty());
+    model.setShaftAngleDeg(model.result().buildable.stretches.front().from / degree);
+    waitForAnswer();
+    answers = tolerances->model()->answers();
+    EXPECT_EQ(answers->values.size(), 1U);
+    EXPECT_NEAR(*answers->feasible, 0.5, 0.02);
+    EXPECT_TRUE(answers->isRarelyFeasible());
+    const auto labels = tolerances->findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(labels, [&](const QLabel* each) {
+        return each->text().contains(answers->feasibleText());
+    }));
+}
+
 }  // namespace
 }  // namespace ravnoves

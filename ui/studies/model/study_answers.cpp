@@ -1,5 +1,6 @@
 #include "studies/model/study_answers.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -98,15 +99,27 @@ QString StudyAnswer::withinText() const {
         .arg(percentText(*within), shown(withinLow), shown(withinHigh));
 }
 
-StudyAnswers answersOf(const studies::Part& part) {
+QString StudyAnswers::feasibleText() const {
+    return feasible ? QCoreApplication::translate("ravnoves::StudyModel", "Feasible samples: %1")
+                          .arg(percentText(*feasible))
+                    : QString();
+}
+
+StudyAnswers answersOf(const studies::Part& part, std::size_t watched) {
     StudyAnswers answers{.values = {},
                          .solved = part.tally.solved(),
                          .rejected = studies::rejections_of(part),
                          .notes = {}};
-    for (std::size_t place = 0; place < part.study.watch.size(); ++place) {
+    for (std::size_t place = 0; place < watched; ++place) {
         answers.values.push_back(answerOf(part, place));
     }
+    if (watched < part.study.watch.size() && answers.solved > 0) {
+        answers.feasible = part.tally.statistics(watched, part.blocks).mean;
+    }
     for (const studies::Note& note : studies::noted(part)) {
+        if (note.fails && *note.fails >= watched) {
+            continue;
+        }
         answers.notes.push_back(note.text);
         if (note.fails) {
             answers.values[*note.fails].fails = note.text;

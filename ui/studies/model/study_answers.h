@@ -36,11 +36,17 @@ struct StudyAnswer {
 struct StudyAnswers {
     std::vector<StudyAnswer> values;
     std::uint64_t solved = 0;
+    std::optional<double> feasible = {};  ///< share of these, where the scene tells
     std::vector<studies::Rejection> rejected;
     std::vector<Message> notes;
+
+    /// "Feasible samples: 98.2 %"; empty where that is not known.
+    QString feasibleText() const;
+    bool isRarelyFeasible() const { return feasible && *feasible < 0.95; }
 };
 
 /// The answers of a study that is done.
-StudyAnswers answersOf(const studies::Part& part);
+/// @param watched  values that are asked for; one behind them tells whether a sample is feasible
+StudyAnswers answersOf(const studies::Part& part, std::size_t watched);
 
 }  // namespace ravnoves

@@ -319,14 +319,21 @@ void StudyModel::start() {
         show(std::nullopt, trouble_);
         return;
     }
+    const std::size_t watched = study.watch.size();
+    if (const std::string_view built = scene_solver(scene_->sceneName().toStdString()).buildable;
+        !built.empty() && studies::is_sampled(study.method) &&
+        std::ranges::none_of(study.watch,
+                             [&](const Watched& each) { return each.pointer == built; })) {
+        study.watch.push_back({.pointer = std::string(built)});
+    }
     if (done_ != nullptr && doneAt_ == scene_->solutions() && studies::set_limits(*done_, study)) {
         job_->cancel();
-        show(answersOf(*done_), {});
+        show(answersOf(*done_, watched), {});
         return;
     }
     CaseFile file = scene_->caseFile();
     file.study = studies::write_study(study);
-    job_->start([this, file = std::move(file), context = scene_->context(),
+    job_->start([this, file = std::move(file), context = scene_->context(), watched,
                  at = scene_->solutions()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
         const studies::Problem problem = studies::problem_of(file, context);
@@ -341,7 +348,7 @@ void StudyModel::start() {
         if (!part->finished()) {
             return {};
         }
-        return [this, part, at, answers = answersOf(*part)] {
+        return [this, part, at, answers = answersOf(*part, watched)] {
             done_ = part;
             doneAt_ = at;
             show(answers, {});
