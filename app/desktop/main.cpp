@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
     const bool report = given(argc, argv, {"--report"});
     const bool isSilent = screenshot || report;
     if (isSilent) {
-        ravnoves::sayPlacesByPointer();
+        ravnoves::namePlacesByPointer();
         // The same pixels everywhere: no scaling.
         qunsetenv("QT_FONT_DPI");
         // Before Qt starts: what an option says, or none.

@@ -194,7 +194,7 @@ CountingPlan counting_plan(const Watched& watched, std::optional<double> nominal
 
 /// @return nothing where it was stopped
 std::shared_ptr<FirstSamples> take_first(const Problem& problem, const Part& part, int threads,
-                                         const std::function<bool(double done)>& goes_on) {
+                                         const std::function<bool(double done)>& keep_going) {
     const std::uint64_t count = first_samples_of(part.study);
     const std::size_t watched = part.study.watch.size();
     auto first = std::make_shared<FirstSamples>();
@@ -210,10 +210,10 @@ std::shared_ptr<FirstSamples> take_first(const Problem& problem, const Part& par
                 first->reasons[k] = workers[i]->reason();
             }
             constexpr auto often = std::chrono::milliseconds(50);
-            if (i == 0 && goes_on && Clock::now() - reported > often) {
+            if (i == 0 && keep_going && Clock::now() - reported > often) {
                 reported = Clock::now();
                 stopped =
-                    !goes_on(static_cast<double>(k) / static_cast<double>(count + part.size()));
+                    !keep_going(static_cast<double>(k) / static_cast<double>(count + part.size()));
             }
         }
     };
@@ -263,7 +263,7 @@ void try_expansions(Response& response, const Study& study, std::span<const doub
 
 /// @return false where it was stopped
 bool make_basis(const Problem& problem, Part& part, int threads,
-                const std::function<bool(double done)>& goes_on) {
+                const std::function<bool(double done)>& keep_going) {
     Basis& basis = part.basis;
     const Study& study = part.study;
     const std::size_t watched = study.watch.size();
@@ -283,7 +283,7 @@ bool make_basis(const Problem& problem, Part& part, int threads,
         }
         expand_about_means();
     }
-    part.first = take_first(problem, part, threads, goes_on);
+    part.first = take_first(problem, part, threads, keep_going);
     if (part.first == nullptr) {
         return false;
     }
@@ -331,7 +331,7 @@ double share_done(const Part& part) {
 }
 
 Part begin_part(const Problem& problem, std::uint64_t shard, std::uint64_t shards, int threads,
-                const std::function<bool(double done)>& goes_on) {
+                const std::function<bool(double done)>& keep_going) {
     Part part{.origin = problem.origin,
               .study = problem.study,
               .shard = shard,
@@ -341,7 +341,7 @@ Part begin_part(const Problem& problem, std::uint64_t shard, std::uint64_t shard
     part.basis.nominal = problem.nominal_result;
     if (part.study.method == Method::grid) {
         part.rows.resize(part.size());
-    } else if (!make_basis(problem, part, threads, goes_on)) {
+    } else if (!make_basis(problem, part, threads, keep_going)) {
         return part;
     }
     part.tally = Tally(part.basis.plan, part.study.vary.size());

@@ -94,10 +94,11 @@ std::vector<Block> blocks_of(const Study& study, std::uint64_t shard, std::uint6
 inline constexpr std::uint64_t tried_samples = 64;
 
 /// A part of which nothing is done yet. Its basis costs some thousand solutions at most.
-/// @param goes_on  sees now and then how much of all work is done, 0…1, and may stop it by false:
+/// @param keep_going  sees now and then how much of all work is done, 0…1, and may stop it by
+/// false:
 ///                 the part is worth nothing then
 Part begin_part(const Problem& problem, std::uint64_t shard = 1, std::uint64_t shards = 1,
-                int threads = 0, const std::function<bool(double done)>& goes_on = {});
+                int threads = 0, const std::function<bool(double done)>& keep_going = {});
 
 /// How much of all work a part's samples and basis are, 0…1.
 double share_done(const Part& part);

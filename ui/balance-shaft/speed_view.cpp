@@ -60,11 +60,12 @@ QWidget* SpeedView::buildWords() {
     answer->setFont(Theme::font());
     colourText(answer, &Theme::text);
     row->addWidget(answer, 1);
-    goBestCompromise_ = new QPushButton(tr("Apply"), panel);
-    goBestCompromise_->setAccessibleName(tr("Apply the best compromise α"));
-    goBestCompromise_->setToolTip(goBestCompromise_->accessibleName());
-    connect(goBestCompromise_, &QPushButton::clicked, study_, &SpeedStudyModel::goToBestCompromise);
-    row->addWidget(goBestCompromise_);
+    applyBestCompromise_ = new QPushButton(tr("Apply"), panel);
+    applyBestCompromise_->setAccessibleName(tr("Apply the best compromise α"));
+    applyBestCompromise_->setToolTip(applyBestCompromise_->accessibleName());
+    connect(applyBestCompromise_, &QPushButton::clicked, study_,
+            &SpeedStudyModel::goToBestCompromise);
+    row->addWidget(applyBestCompromise_);
     rebuild_ =
         TorqueSourceEditor::rebuildButton(model_, QStringLiteral("rebuild_torque_here"), panel);
     row->addWidget(rebuild_);
@@ -135,7 +136,7 @@ void SpeedView::showStudy() {
     load_->setToolTip(study_->hasLoad()
                           ? QString()
                           : tr("The load can be changed for a computed cycle (Torque tab)."));
-    goBestCompromise_->setVisible(study_->isSolved());
+    applyBestCompromise_->setVisible(study_->isSolved());
     rebuild_->setVisible(!study_->isSolved() && model_->canRebuildTorque());
     charts_->setVisible(!study_->isRejected());
 }

@@ -34,7 +34,7 @@ class SpeedView : public QWidget {
     FieldSlider* load_;
     QComboBox* criterion_;
     QPushButton* rebuild_;
-    QPushButton* goBestCompromise_;
+    QPushButton* applyBestCompromise_;
     QWidget* charts_;
 };
 

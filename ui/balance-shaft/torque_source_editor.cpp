@@ -206,7 +206,7 @@ QWidget* TorqueSourceEditor::buildPressure() {
     file->addWide(move);
     form->follow([this, doubts, move] {
         const bool isOfTrace = model_->input().torque.kind == TorqueSource::Kind::pressure;
-        sayOrHide(doubts, isOfTrace ? model_->doubtsText() : QString());
+        showOrHide(doubts, isOfTrace ? model_->doubtsText() : QString());
         move->setVisible(model_->result().trace_is_a_turn_off);
     });
     form->section(tr("Cylinder"));
@@ -295,12 +295,12 @@ void TorqueSourceEditor::showForm(int page) {
                                          : tr("No pressure trace yet; the table is used."));
     const QString file = QString::fromStdString(torque.trace_csv);
     const QString name = QFileInfo(file).fileName();
-    sayOrHide(trace_, file.isEmpty() ? QString()
-                      : torque.trace.pressure.empty()
-                          ? tr("%1 cannot be read; import it again from its new place.").arg(file)
-                      : torque.trace_sum.now == describedSum_
-                          ? name + QStringLiteral(": ") + described_
-                          : tr("Pressure trace: %1.").arg(name));
+    showOrHide(trace_, file.isEmpty() ? QString()
+                       : torque.trace.pressure.empty()
+                           ? tr("%1 cannot be read; import it again from its new place.").arg(file)
+                       : torque.trace_sum.now == describedSum_
+                           ? name + QStringLiteral(": ") + described_
+                           : tr("Pressure trace: %1.").arg(name));
     trace_->setToolTip(file);
 }
 

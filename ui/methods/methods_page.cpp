@@ -250,15 +250,15 @@ void MethodsPage::showBudget() {
     const CaseFile* file = hasResults ? &budget_->open()->file : nullptr;
     const QString scene =
         file != nullptr ? sceneTitle(QString::fromStdString(file->scene)) : QString();
-    sayOrHide(
+    showOrHide(
         caseTitle_,
         file == nullptr || file->title.empty()
             ? scene
             : tr("%1: %2").arg(scene, SceneModel::titleText(QString::fromStdString(file->title))));
     const QStringList leftOut = budget_->leftOut();
-    sayOrHide(leftOut_, !hasResults ? QString()
-                                    : tr("The model leaves out:") + QStringLiteral("\n• ") +
-                                          leftOut.join(QStringLiteral("\n• ")));
+    showOrHide(leftOut_, !hasResults ? QString()
+                                     : tr("The model leaves out:") + QStringLiteral("\n• ") +
+                                           leftOut.join(QStringLiteral("\n• ")));
 }
 
 QWidget* MethodsPage::buildResults() {

@@ -96,7 +96,7 @@ CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* 
     sourcesLater_->setInterval(delay);
     connect(sourcesLater_, &QTimer::timeout, this, &CaseDocument::watchSources);
     connect(model, &SceneModel::historyChanged, sourcesLater_, [this] { sourcesLater_->start(); });
-    connect(model, &SceneModel::historyChanged, this, &CaseDocument::tellNeed);
+    connect(model, &SceneModel::historyChanged, this, &CaseDocument::updateNeed);
     connect(model, &SceneModel::titleChanged, this, &CaseDocument::nameChanged);
     connect(model, &SceneModel::changed, this, [this] {
         if (QString name = model_->jobName(); name != jobName_) {
@@ -110,9 +110,9 @@ CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* 
     });
     connect(&disk_, &FileOnDisk::stateChanged, this, [this] {
         const FileOnDisk::State state = disk_.state();
-        isLastCopy_ = state == FileOnDisk::State::Gone ||
+        isLastCopy_ = state == FileOnDisk::State::Missing ||
                       (state == FileOnDisk::State::Changed && !holdsCase(path_));
-        tellNeed();
+        updateNeed();
     });
 }
 
@@ -126,7 +126,7 @@ bool CaseDocument::hasFile(const SceneModel& model) {
     });
 }
 
-void CaseDocument::tellNeed() {
+void CaseDocument::updateNeed() {
     const bool needs = needsSaving();
     if (std::exchange(neededSaving_, needs) != needs) {
         Q_EMIT nameChanged();
@@ -403,7 +403,7 @@ bool CaseDocument::saveElsewhere(const QString& trouble) {
     return dialogs_.elsewhere(trouble) && chooseAndSave();
 }
 
-bool CaseDocument::mayGo() {
+bool CaseDocument::canClose() {
     disk_.check();
     if (!needsSaving()) {
         return !dialogs_.leaveRejected || dialogs_.leaveRejected();

@@ -111,7 +111,7 @@ class CaseDocument : public QObject {
     bool save();
     bool saveAs();
     /// Before the document closes: asks about unsaved changes.
-    bool mayGo();
+    bool canClose();
 
     /// The case files last opened or saved, the newest first.
     static QStringList recentPaths();
@@ -126,7 +126,7 @@ class CaseDocument : public QObject {
   private:
     void watchSources();
     void setPath(const QString& path, const QByteArray& known);
-    void tellNeed();
+    void updateNeed();
     void load(const CaseFile& file, const CaseContext& context);
     void take(const CaseFile& file, const CaseContext& context);
     bool mayBeSaved() const {

@@ -212,7 +212,7 @@ class CaseModel : public SceneModel {
             return {};
         } catch (const InputError& error) {
             QString why = explain(error);
-            sayRejected(why);
+            setRejection(why);
             return why;
         }
     }
@@ -269,7 +269,7 @@ class CaseModel : public SceneModel {
         }
         solved_ = std::move(solved);
         input_ = std::move(input);
-        sayRejected({});
+        setRejection({});
         Q_EMIT changed();
         taken();
     }

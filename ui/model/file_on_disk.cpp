@@ -79,7 +79,7 @@ FileOnDisk::State FileOnDisk::check() {
         now = found == known_            ? State::Same
               : !found.isEmpty()         ? State::Changed
               : QFileInfo::exists(path_) ? State::Same  // it cannot be read now
-                                         : State::Gone;
+                                         : State::Missing;
     }
     const bool changedAgain = now == State::Changed && found != found_;
     found_ = found;

@@ -15,7 +15,7 @@ class FileOnDisk : public QObject {
     Q_OBJECT
 
   public:
-    enum class State { Same, Changed, Gone };
+    enum class State { Same, Changed, Missing };
 
     explicit FileOnDisk(QObject* parent = nullptr);
 

@@ -10,16 +10,16 @@ namespace ravnoves {
 class NumberedStep : public QUndoCommand {
   public:
     int number() const { return number_; }
-    /// Its undo takes it out of the history.
-    void goWithUndo() { goes_ = true; }
+    /// Its undo removes it from the history.
+    void dropWithUndo() { dropsWithUndo_ = true; }
 
   protected:
     NumberedStep(const QString& text, int number) : QUndoCommand(text), number_(number) {}
-    bool goes() const { return goes_; }
+    bool dropsWithUndo() const { return dropsWithUndo_; }
 
   private:
     int number_;
-    bool goes_ = false;
+    bool dropsWithUndo_ = false;
 };
 
 /// One undoable change of a scene's input, made already: the whole input before and after. Inputs
@@ -37,7 +37,7 @@ class InputCommand : public NumberedStep {
 
     void undo() override {
         apply_(before_);
-        setObsolete(goes());
+        setObsolete(dropsWithUndo());
     }
     void redo() override {
         if (!std::exchange(isMade_, false)) {

@@ -49,7 +49,7 @@ void SceneModel::endEditing(bool isRejected) {
         }
     }
     if (!isRejected) {
-        sayRejected({});
+        setRejection({});
     }
 }
 
@@ -72,7 +72,7 @@ bool SceneModel::takeBack() {
     if (!isTyped()) {
         return false;
     }
-    const_cast<NumberedStep*>(lastStep(history_))->goWithUndo();
+    const_cast<NumberedStep*>(lastStep(history_))->dropWithUndo();
     history_.undo();
     return true;
 }
@@ -105,9 +105,9 @@ void SceneModel::redo() {
     Q_EMIT broughtIn();
 }
 
-void SceneModel::sayRejected(const QString& why) {
-    if (saidRejected_ || !why.isEmpty()) {
-        saidRejected_ = !why.isEmpty();
+void SceneModel::setRejection(const QString& why) {
+    if (hasRejection_ || !why.isEmpty()) {
+        hasRejection_ = !why.isEmpty();
         Q_EMIT rejected(why);
     }
 }
@@ -125,7 +125,7 @@ void SceneModel::noteRejected(QObject* where, bool isRejected) {
         const bool isNewest = hasRejected() && where == rejectedIn_.last();
         forgetRejectedIn(where);
         if (isNewest) {
-            sayRejected({});  // what was said of it
+            setRejection({});  // what was said of it
         }
         return;
     }

@@ -280,8 +280,8 @@ class SceneModel : public QObject {
     int stepOf(const QString& name);
     /// The input changes otherwise than by the editing: the next typing is a step of its own.
     void leaveEditing() { editing_ = false; }
-    /// Says why a change is rejected; with nothing, that it no longer matters.
-    void sayRejected(const QString& why);
+    /// Reports why a change is rejected; an empty text: it no longer matters.
+    void setRejection(const QString& why);
     // For setViewOption().
     // @throws InputError for a text that is no number
     static double readNumber(const QString& key, const QString& value);
@@ -310,7 +310,7 @@ class SceneModel : public QObject {
     QString lastName_;
     bool moved_ = false;
     bool editing_ = false;
-    bool saidRejected_ = false;
+    bool hasRejection_ = false;
     CaseContext context_;
     ReferenceCase* referenceCase_ = nullptr;  ///< from when it is asked for
     QList<QObject*> rejectedIn_;              ///< the newest last

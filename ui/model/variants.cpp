@@ -18,7 +18,7 @@ bool isTaken(const QList<Variant>& variants, const QString& name) {
 }
 
 /// Passes on why an input is not taken over; where it is, all fields show it.
-QString tellBroughtIn(SceneModel* model, const QString& why) {
+QString announceBroughtIn(SceneModel* model, const QString& why) {
     if (why.isEmpty()) {
         Q_EMIT model->broughtIn();
     }
@@ -105,13 +105,13 @@ QString SceneModel::swapVariant(int place) {
     Variants next = variants_;
     Variant& variant = next.list[place];
     const std::string input = std::exchange(variant.input, inputJson().dump());
-    return tellBroughtIn(this,
-                         changeVariants(tr("Swap with variant %1").arg(variant.name), next, input));
+    return announceBroughtIn(
+        this, changeVariants(tr("Swap with variant %1").arg(variant.name), next, input));
 }
 
 QString SceneModel::takeVariant(int place) {
     const Variant& variant = variants_.list.at(place);
-    return tellBroughtIn(
+    return announceBroughtIn(
         this, changeVariants(tr("Use variant %1").arg(variant.name), variants_, variant.input));
 }
 

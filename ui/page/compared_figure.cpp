@@ -28,7 +28,7 @@ QPen ComparedFigure::ghostPen(QColor colour, double width) {
     return QPen(colour, width, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin);
 }
 
-void ComparedFigure::sayReference(QPainter& painter, const QRectF& corner) const {
+void ComparedFigure::paintReference(QPainter& painter, const QRectF& corner) const {
     if (referenceName_.isEmpty()) {
         return;
     }

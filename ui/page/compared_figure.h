@@ -23,7 +23,7 @@ class ComparedFigure : public QWidget {
 
   protected:
     /// Its name with that pen at the top right of a rectangle; nothing without a reference.
-    void sayReference(QPainter& painter, const QRectF& corner) const;
+    void paintReference(QPainter& painter, const QRectF& corner) const;
 
   private:
     QString referenceName_;

@@ -44,7 +44,7 @@ void DiskNotice::showFor(CaseDocument* document, QWidget* page) {
         own.state() == FileOnDisk::State::Same ? document->changedSource() : nullptr;
     const FileOnDisk& file = source != nullptr ? *source : own;
     setVisible(file.state() != FileOnDisk::State::Same);
-    const bool isMissing = file.state() == FileOnDisk::State::Gone;
+    const bool isMissing = file.state() == FileOnDisk::State::Missing;
     reload_->setVisible(!isMissing);
     saveAs_->setVisible(source == nullptr);
     keep_->setToolTip(source == nullptr ? tr("Continue with this page. Saving replaces the file.")

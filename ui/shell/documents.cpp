@@ -482,7 +482,7 @@ bool Documents::event(QEvent* event) {
 // --------------------------------------------------------------------------------- closing
 
 bool Documents::close(OpenDocument& document) {
-    if (!document.document->mayGo()) {
+    if (!document.document->canClose()) {
         return false;
     }
     if (&document == current_) {
@@ -513,9 +513,9 @@ bool Documents::close(OpenDocument& document) {
 }
 
 /// Where one stays, the case that was asked about is in front.
-bool Documents::mayGo() {
+bool Documents::canClose() {
     return std::all_of(documents_.begin(), documents_.end(),
-                       [](const auto& each) { return each->document->mayGo(); });
+                       [](const auto& each) { return each->document->canClose(); });
 }
 
 // ------------------------------------------------------------------------------------- tabs

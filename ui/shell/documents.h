@@ -85,7 +85,7 @@ class Documents : public QWidget {
     bool close(OpenDocument& document);
     bool closeCurrent() { return close(current()); }
     /// Before all of them close: asks about unsaved changes.
-    bool mayGo();
+    bool canClose();
 
     /// Keeps unsaved work for the case of a crash, from now on.
     void keepIn(Recovery* recovery);

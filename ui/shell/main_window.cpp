@@ -559,7 +559,7 @@ void MainWindow::showAbout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!documents_->mayGo()) {
+    if (!documents_->canClose()) {
         event->ignore();
         return;
     }

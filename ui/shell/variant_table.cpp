@@ -60,12 +60,12 @@ void VariantTable::showVariants() {
     }
     const SceneModel& model = *page_->model();
     const VariantResults found = variantResults(model);
-    sayOrHide(verdicts_, found.verdicts.join(QLatin1Char('\n')));
+    showOrHide(verdicts_, found.verdicts.join(QLatin1Char('\n')));
     table_->setResults(found.results);
-    sayOrHide(words_,
-              model.variants().isEmpty()
-                  ? tr("No variants yet. Press Ctrl+K to keep the present input as a variant.")
-                  : found.troubles.join(QLatin1Char('\n')));
+    showOrHide(words_,
+               model.variants().isEmpty()
+                   ? tr("No variants yet. Press Ctrl+K to keep the present input as a variant.")
+                   : found.troubles.join(QLatin1Char('\n')));
 }
 
 QString VariantTable::exportTo(const QString& path) const {

@@ -13,7 +13,7 @@ namespace {
 bool byPointer = false;
 }
 
-void sayPlacesByPointer() {
+void namePlacesByPointer() {
     byPointer = true;
 }
 

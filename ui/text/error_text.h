@@ -11,7 +11,7 @@ namespace ravnoves {
 QString errorText(const std::exception& error);
 /// From now on places are named by their pointers, as by the command line: for scripts that run the
 /// program without its window.
-void sayPlacesByPointer();
+void namePlacesByPointer();
 /// The same of whatever was thrown in a thread or a slot that nothing may leave.
 QString errorText(const std::exception_ptr& thrown);
 

@@ -20,17 +20,17 @@ EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
     setMaxLength(longest);
     connect(this, &QLineEdit::inputRejected, this, [this] {
         isCut_ = true;
-        sayCut(cutText(maxLength()));
+        showCut(cutText(maxLength()));
     });
     connect(this, &QLineEdit::textEdited, this, [this] {
         if (!std::exchange(isCut_, false)) {
-            sayCut({});
+            showCut({});
         }
         beginEditing();
         if (text() == shown_) {
             bringBack();  // the value may have more digits than are shown
             setTrouble({});
-            sayHowRead({});
+            showHowRead({});
         } else {
             readText();
         }
@@ -42,7 +42,7 @@ EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
         if (trouble_.isEmpty()) {
             showValue();
         }
-        sayCut({});
+        showCut({});
         endEditing();
     });
 }
@@ -58,8 +58,8 @@ void EntryField::setModel(SceneModel* model) {
         if (isOfModel_ && !editing_) {
             isOfModel_ = false;
             isStale_ = true;
-            sayTrouble(tr("Not accepted before other values changed; press Enter to try again: %1")
-                           .arg(trouble_));
+            showTrouble(tr("Not accepted before other values changed; press Enter to try again: %1")
+                            .arg(trouble_));
         }
     });
     // Queued: what changes is a step of the history by then, and the focus where it goes.
@@ -151,10 +151,10 @@ void EntryField::setTrouble(const QString& trouble, bool isOfModel) {
     if (model_ != nullptr) {
         model_->noteRejected(this, !trouble.isEmpty());
     }
-    sayTrouble(trouble);
+    showTrouble(trouble);
 }
 
-void EntryField::sayTrouble(const QString& trouble) {
+void EntryField::showTrouble(const QString& trouble) {
     trouble_ = trouble;
     describe();
     Q_EMIT troubleChanged();
@@ -209,8 +209,8 @@ void EntryField::keyPressEvent(QKeyEvent* event) {
             bringBack();
         }
         setTrouble({});
-        sayCut({});
-        sayHowRead({});
+        showCut({});
+        showHowRead({});
         showValue();
         endEditing();
         return;

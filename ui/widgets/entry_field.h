@@ -77,7 +77,7 @@ class EntryField : public QLineEdit {
     /// @param isOfModel  other values of the model may make it valid
     void setTrouble(const QString& trouble, bool isOfModel = false);
     /// How a text was read that may mean something else; said until the value is another.
-    void sayHowRead(const QString& note) { say(howRead_, note); }
+    void showHowRead(const QString& note) { say(howRead_, note); }
     void showValue();
     /// The text is the value's, and the field has no focus.
     bool isAtRest() const { return !editing_ && trouble_.isEmpty() && text() == shown_; }
@@ -102,8 +102,8 @@ class EntryField : public QLineEdit {
     void tryAgain();
     /// The same automatically, once other values have changed and no editing is under way.
     void tryStale();
-    void sayTrouble(const QString& trouble);
-    void sayCut(const QString& note) { say(note_, note); }
+    void showTrouble(const QString& trouble);
+    void showCut(const QString& note) { say(note_, note); }
     void say(QString& which, const QString& note);
 
     QPointer<SceneModel> model_;
@@ -144,7 +144,7 @@ class ValueEntry : public EntryField {
         const bool wasNone = isNone(value_);
         if (!before) {
             value_ = value;
-            sayHowRead({});
+            showHowRead({});
         }
         if ((wasNone || isNone(value_)) && !trouble().isEmpty()) {
             return;  // the value was moved elsewhere; the text typed for it still waits
@@ -188,7 +188,7 @@ class ValueEntry : public EntryField {
     }
     void readText() override {
         const Reading reading = read(text().trimmed());
-        sayHowRead(reading.howRead);
+        showHowRead(reading.howRead);
         if (!reading.trouble.isEmpty()) {
             reject(reading.trouble);
             return;

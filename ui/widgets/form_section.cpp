@@ -299,7 +299,7 @@ QLabel* copyableLabel(const char* name, int pixelSize, QWidget* parent, bool bol
     return label;
 }
 
-void sayOrHide(QLabel* label, const QString& text) {
+void showOrHide(QLabel* label, const QString& text) {
     label->setText(unbroken(text));
     label->setVisible(!text.isEmpty());
 }

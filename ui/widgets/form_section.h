@@ -77,7 +77,7 @@ QLabel* copyableCaption(const char* name, QWidget* parent);
 /// A wrapping label whose text can be copied.
 QLabel* copyableLabel(const char* name, int pixelSize, QWidget* parent, bool bold = false);
 /// Shows a text, or hides the label of an empty one.
-void sayOrHide(QLabel* label, const QString& text);
+void showOrHide(QLabel* label, const QString& text);
 /// A section heading in the type scale.
 QLabel* headingLabel(const QString& text, QWidget* parent = nullptr);
 

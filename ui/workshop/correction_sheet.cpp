@@ -170,25 +170,25 @@ void CorrectionSheet::showWhatIf() {
                       *whatIf_.diameter, *whatIf_.depth, *whatIf_.angle)
             : std::nullopt;
     if (!left) {
-        sayOrHide(whatIfLine_, {});
+        showOrHide(whatIfLine_, {});
         return;
     }
     const std::optional<double>& deepest = model_->input().correction->drill.maximum_depth;
     const Words words;
     if (left->touches) {
-        sayOrHide(whatIfLine_, tr("Another hole is too near. Choose another angle."));
+        showOrHide(whatIfLine_, tr("Another hole is too near. Choose another angle."));
     } else if (left->is_outside) {
-        sayOrHide(whatIfLine_, tr("The hole is outside the drilling sector."));
+        showOrHide(whatIfLine_, tr("The hole is outside the drilling sector."));
     } else if (deepest && *whatIf_.depth > *deepest) {
-        sayOrHide(whatIfLine_, tr("Too deep: the maximum depth is %1.")
-                                   .arg(words.plainWithUnit(*deepest, units::mm, 2)));
+        showOrHide(whatIfLine_, tr("Too deep: the maximum depth is %1.")
+                                    .arg(words.plainWithUnit(*deepest, units::mm, 2)));
     } else {
         const QString verdict = verdictText(words, verdictWord(left->within_tolerance, {}));
         const QString said = tr("%1: residual %2 at %3.")
                                  .arg(model_->planeName(static_cast<std::size_t>(whatIf_.plane)),
                                       words.number(left->unbalance, units::gram_mm, 1),
                                       words.number(left->angle, units::degree, 1));
-        sayOrHide(whatIfLine_, verdict.isEmpty() ? said : said + QLatin1Char(' ') + verdict);
+        showOrHide(whatIfLine_, verdict.isEmpty() ? said : said + QLatin1Char(' ') + verdict);
     }
 }
 

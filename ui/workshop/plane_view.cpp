@@ -45,7 +45,7 @@ void PlaneView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     const Theme& theme = Theme::instance();
     const QRect title = paintPanel(painter, rect(), model_->planeName(plane_));
-    sayReference(painter, title);
+    paintReference(painter, title);
     const QFont small = Theme::font(Theme::smallSize);
     painter.setFont(small);
     const QFontMetrics smallMetrics(small);

@@ -164,7 +164,7 @@ QWidget* WorkshopAnswer::buildDetails() {
         force->setVisible(!model_->hasPlugs());
         fold->setArrowType(fold->isChecked() ? Qt::DownArrow : Qt::RightArrow);
         plots->setVisible(fold->isChecked());
-        sayOrHide(note, fold->isChecked() ? model_->shiftText() : QString());
+        showOrHide(note, fold->isChecked() ? model_->shiftText() : QString());
     };
     connect(fold, &QToolButton::toggled, this, show);
     connect(model_, &SceneModel::changed, holder, show);
@@ -198,7 +198,7 @@ QWidget* WorkshopAnswer::buildCorrection() {
 }
 
 void WorkshopAnswer::setRejected(const QStringList& rejected) {
-    sayOrHide(said_["rejected"], rejectedNote(Words(), rejected));
+    showOrHide(said_["rejected"], rejectedNote(Words(), rejected));
     showAnswer();
 }
 
@@ -212,7 +212,7 @@ void WorkshopAnswer::showAnswer() {
     for (const AnswerLine& line : answerLines(*model_)) {
         const bool isLeftOut = isOfMachine_ ? std::ranges::find(ofWeight, line.id) != ofWeight.end()
                                             : line.id == "correction";
-        sayOrHide(said_.at(line.id), isLeftOut ? QString() : line.texts.join(QLatin1Char('\n')));
+        showOrHide(said_.at(line.id), isLeftOut ? QString() : line.texts.join(QLatin1Char('\n')));
     }
     const bool known = model_->solution().bob_weight.has_value();
     const bool isStopped = model_->withheld().bob_weight;

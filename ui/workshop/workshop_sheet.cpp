@@ -206,7 +206,7 @@ void WorkshopSheet::numberList(
 QLabel* WorkshopSheet::line(int pixelSize, std::function<QString()> text) {
     QLabel* label = copyableLabel("", pixelSize, current());
     current()->addWide(label);
-    follow([label, text = std::move(text)] { sayOrHide(label, text()); });
+    follow([label, text = std::move(text)] { showOrHide(label, text()); });
     return label;
 }
 

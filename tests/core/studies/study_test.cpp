@@ -414,7 +414,7 @@ TEST(Study, SaysHowFarItIs) {
     });
     double last = 0.0;
     int reported = 0;
-    const auto goes_on = [&](double done) {
+    const auto keep_going = [&](double done) {
         EXPECT_GE(done, last);
         EXPECT_LE(done, 1.0);
         last = done;
@@ -422,10 +422,10 @@ TEST(Study, SaysHowFarItIs) {
         return true;
     };
     // One thread, which sleeps longer than it may be silent, whatever the machine does beside it.
-    Part part = begin_part(slow, 1, 1, 1, goes_on);
+    Part part = begin_part(slow, 1, 1, 1, keep_going);
     EXPECT_GE(reported, 2);
     EXPECT_LT(last, 0.7);
-    run_part(slow, part, 2, [&](const Part& now) { return goes_on(share_done(now)); });
+    run_part(slow, part, 2, [&](const Part& now) { return keep_going(share_done(now)); });
     EXPECT_EQ(last, 1.0);
     EXPECT_EQ(write_results(part), write_results(whole(slow)));
     EXPECT_TRUE(begin_part(slow, 1, 1, 1, [](double) { return false; }).basis.plan.empty());

@@ -91,7 +91,7 @@ TEST_F(CaseDocumentTest, UndoneToTheFileItNeedsNoSaving) {
     model.set("square", 16.0);
     model.history()->undo();
     EXPECT_FALSE(document.needsSaving());
-    EXPECT_TRUE(document.mayGo());
+    EXPECT_TRUE(document.canClose());
     EXPECT_TRUE(asked.isEmpty());
 }
 
@@ -142,10 +142,10 @@ TEST_F(CaseDocumentTest, SaysWhatCannotBeWritten) {
 TEST_F(CaseDocumentTest, AsksBeforeChangesAreLost) {
     open(written("nine.case.json", 9.0));
     model.set("square", 16.0);
-    EXPECT_FALSE(document.mayGo());
+    EXPECT_FALSE(document.canClose());
     EXPECT_EQ(asked, QStringList{QStringLiteral("save?")});
     answer = Answer::Discard;
-    EXPECT_TRUE(document.mayGo());
+    EXPECT_TRUE(document.canClose());
     EXPECT_EQ(model.root(), 4.0);
 }
 
@@ -169,7 +169,7 @@ TEST_F(CaseDocumentTest, SavesWhereThatIsTheAnswer) {
     open(written("nine.case.json", 9.0));
     model.set("square", 16.0);
     answer = Answer::Save;
-    EXPECT_TRUE(document.mayGo());
+    EXPECT_TRUE(document.canClose());
     EXPECT_FALSE(document.needsSaving());
     model.loadDefault();
     open(file("nine.case.json"));
@@ -178,10 +178,10 @@ TEST_F(CaseDocumentTest, SavesWhereThatIsTheAnswer) {
 
 TEST_F(CaseDocumentTest, TellsWhetherTheCaseHasAFile) {
     model.set("square", 9.0);
-    EXPECT_FALSE(document.mayGo());
+    EXPECT_FALSE(document.canClose());
     open(written("nine.case.json", 9.0));
     model.set("square", 16.0);
-    EXPECT_FALSE(document.mayGo());
+    EXPECT_FALSE(document.canClose());
     EXPECT_EQ(asked,
               (QStringList{QStringLiteral("save, without a file?"), QStringLiteral("save?")}));
 }

@@ -383,7 +383,7 @@ TEST_F(DiskTest, SavingOverAChangedFileAsksFirst) {
 
 TEST_F(DiskTest, ADeletedFileIsSaidAndWrittenAgain) {
     ASSERT_TRUE(QFile::remove(path));
-    EXPECT_TRUE(becomes(FileOnDisk::State::Gone));
+    EXPECT_TRUE(becomes(FileOnDisk::State::Missing));
     document.keepMine();
     EXPECT_TRUE(document.needsSaving());
     EXPECT_EQ(document.disk().state(), FileOnDisk::State::Same);
@@ -416,16 +416,16 @@ TEST_F(DiskTest, MineIsKeptAgainstWhatWasSeenOnly) {
 
 TEST_F(DiskTest, TheLastCopyDoesNotGoUnasked) {
     writeByOthers(25.0);
-    EXPECT_TRUE(document.mayGo()) << "nothing was changed here";
+    EXPECT_TRUE(document.canClose()) << "nothing was changed here";
     ASSERT_TRUE(QFile::resize(path, 20));
-    EXPECT_FALSE(document.mayGo());
+    EXPECT_FALSE(document.canClose());
     EXPECT_TRUE(document.needsSaving());
     writeByOthers(9.0);
-    EXPECT_TRUE(document.mayGo());
+    EXPECT_TRUE(document.canClose());
     ASSERT_TRUE(QFile::remove(path));
-    EXPECT_FALSE(document.mayGo());
+    EXPECT_FALSE(document.canClose());
     EXPECT_TRUE(document.save());
-    EXPECT_TRUE(document.mayGo());
+    EXPECT_TRUE(document.canClose());
 }
 
 TEST_F(DiskTest, AReadOnlyFileStaysAsItIs) {

@@ -91,7 +91,7 @@ TEST_F(JobSavingTest, TheKeySavesInTheJournalWhereThereIsNoFile) {
     EXPECT_EQ(document().path(), QString());
     // Nothing is asked when it goes: it is saved.
     EXPECT_FALSE(document().needsSaving());
-    EXPECT_TRUE(window->documents().mayGo());
+    EXPECT_TRUE(window->documents().canClose());
     // What comes then is saved in the same job.
     type("customer", u"Ivanov"_s);
     EXPECT_TRUE(document().needsSaving());

@@ -259,7 +259,7 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
     });
     model_->finishDrag();
     if (why.isEmpty()) {
-        model_->sayTrouble({});
+        model_->showTrouble({});
     } else {
         setRejected(cell.first, cell.second, text, why);
     }
@@ -276,7 +276,7 @@ SceneModel* CylinderTableModel::scene() const {
 }
 
 void CylinderTableModel::takeBackRejected(const QModelIndex& at) {
-    model_->sayTrouble({});
+    model_->showTrouble({});
     RejectingTable::takeBackRejected(at);
 }
 

@@ -74,7 +74,7 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     /// The input's editable table: its layout's, where it has one.
     std::vector<inertia_moments::Cylinder>& tableOf(Input& input) const;
     /// Something beside the input is rejected; with nothing, that is over.
-    void sayTrouble(const QString& why) { sayRejected(why); }
+    void showTrouble(const QString& why) { setRejection(why); }
     const std::vector<int>& firingOrder() const;
     /// "1-3-4-2" and the like.
     static QString orderText(const std::vector<int>& order);

@@ -70,7 +70,7 @@ bool Journal::fail(const QString& what, const QString& why) {
 }
 
 bool Journal::failBy(const QString& what, const QSqlError& fault) {
-    isBusy_ = journal_rows::saysBusy(fault);
+    isBusy_ = journal_rows::meansBusy(fault);
     return fail(what, journal_rows::faultText(fault));
 }
 

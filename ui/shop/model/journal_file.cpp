@@ -379,7 +379,7 @@ bool Journal::isDamaged() {
     }
     QSqlQuery query(database());
     if (!query.exec(QStringLiteral("PRAGMA quick_check"))) {
-        return journal_rows::saysDamaged(query.lastError());
+        return journal_rows::meansDamaged(query.lastError());
     }
     return query.next() && query.value(0).toString() != QLatin1String("ok");
 }

@@ -129,12 +129,12 @@ void bind(QSqlQuery& query, const JournalJob& job) {
     }
 }
 
-bool saysDamaged(const QSqlError& error) {
+bool meansDamaged(const QSqlError& error) {
     const int code = primaryCode(error);
     return code == sqliteCorrupt || code == sqliteNotADatabase;
 }
 
-bool saysBusy(const QSqlError& error) {
+bool meansBusy(const QSqlError& error) {
     const int code = primaryCode(error);
     return code == sqliteBusy || code == sqliteLocked;
 }

@@ -33,9 +33,9 @@ QDateTime fromStamp(const QVariant& value);
 QString bare(const QString& text);
 
 /// True where SQLite says that the file is damaged or no database.
-bool saysDamaged(const QSqlError& error);
+bool meansDamaged(const QSqlError& error);
 /// Whether another program has locked the file now.
-bool saysBusy(const QSqlError& error);
+bool meansBusy(const QSqlError& error);
 /// What SQLite says, as text for who works with the journal.
 QString faultText(const QSqlError& error);
 

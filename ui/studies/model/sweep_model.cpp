@@ -30,10 +30,10 @@ constexpr int sweepRestMs = 200;
 /// Solves the same samples of the other inputs at any value of the first one.
 class Sweeper {
   public:
-    /// @param tellsBuilt  the second watched value says whether a sample can be built
-    Sweeper(const studies::Problem& problem, bool tellsBuilt,
+    /// @param hasFeasible  the second watched value says whether a sample can be built
+    Sweeper(const studies::Problem& problem, bool hasFeasible,
             const BackgroundJob::Progress& progress)
-        : problem_(problem), tellsBuilt_(tellsBuilt), progress_(progress) {
+        : problem_(problem), hasFeasible_(hasFeasible), progress_(progress) {
         const std::size_t others = problem.study.vary.size() - 1;
         const int count = others > 0 ? SweepModel::samples : 1;
         studies::Sampler sampler(studies::Method::sobol, problem.study.seed,
@@ -64,14 +64,14 @@ class Sweeper {
         std::atomic<bool> stopped = false;
         const auto work = [&](std::size_t worker) {
             const auto response = problem_.make();
-            std::vector<double> y(tellsBuilt_ ? 2 : 1);
+            std::vector<double> y(hasFeasible_ ? 2 : 1);
             for (std::size_t i = next++; i < inputs_.size() && !stopped; i = next++) {
                 std::vector<double> x = inputs_[i];
                 for (std::size_t k = 0; k < values.size(); ++k) {
                     x[0] = values[k];
                     if (response->evaluate(x, y)) {
                         found[k][i] = y[0];
-                        built[k][i] = !tellsBuilt_ || y[1] > 0.5;
+                        built[k][i] = !hasFeasible_ || y[1] > 0.5;
                     }
                 }
                 const double part = static_cast<double>(i) / static_cast<double>(inputs_.size());
@@ -119,7 +119,7 @@ class Sweeper {
     }
 
     const studies::Problem& problem_;
-    bool tellsBuilt_;
+    bool hasFeasible_;
     const BackgroundJob::Progress& progress_;
     std::vector<std::vector<double>> inputs_;  ///< of each sample; the first is the one swept
 };
@@ -137,12 +137,12 @@ std::optional<Sweep::Place> bestOf(const std::vector<Sweep::Place>& places, doub
 }
 
 /// @return without places where it was stopped
-Sweep computed(Sweep sweep, const studies::Problem& problem, bool tellsBuilt,
+Sweep computed(Sweep sweep, const studies::Problem& problem, bool hasFeasible,
                const BackgroundJob::Progress& progress) {
     constexpr int rounds = 3;  // each a tenth as wide
     constexpr int finer = 21;
     const auto& [from, to] = std::pair(problem.study.vary[0].from, problem.study.vary[0].to);
-    Sweeper sweeper(problem, tellsBuilt, progress);
+    Sweeper sweeper(problem, hasFeasible, progress);
     double done = static_cast<double>(places) / (places + rounds * finer);
     sweep.places = sweeper.at(studies::spaced(from, to, places), {0.0, done});
     double maximum = 0.0;
@@ -290,9 +290,9 @@ void SweepModel::start() {
     giveDefaults(scene, file.input, {sweep.input});
     file.study = studies::write_study(wanted_.study);
     job_->start([this, sweep = std::move(sweep), file = std::move(file), context = scene.context(),
-                 tellsBuilt = wanted_.study.watch.size() >
-                              1](const BackgroundJob::Progress& progress) -> std::function<void()> {
-        Sweep found = computed(sweep, studies::problem_of(file, context), tellsBuilt, progress);
+                 hasFeasible = wanted_.study.watch.size() > 1](
+                    const BackgroundJob::Progress& progress) -> std::function<void()> {
+        Sweep found = computed(sweep, studies::problem_of(file, context), hasFeasible, progress);
         if (found.places.empty()) {
             return {};
         }

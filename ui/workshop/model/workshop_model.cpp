@@ -311,7 +311,7 @@ QString WorkshopModel::edit(const QString& name, const std::function<void(Job&)>
     dropEmpty(next);
     // A case that came so stays as it came, until its engine changes.
     if (QString why = engineTrouble(next); !why.isEmpty() && next.engine != input().engine) {
-        sayRejected(why);
+        setRejection(why);
         return why;
     }
     if (!isTyped()) {
