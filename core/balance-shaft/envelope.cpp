@@ -93,13 +93,14 @@ Message assumed_sizes(const Input& input) {
         add(given.shaft_swing_radius, CORE_TEXT("balance-shaft", "swing radius of the shaft"),
             view.shaft_swing_radius);
     }
-    add(given.crank_swing_radius, CORE_TEXT("balance-shaft", "of the crank"),
+    add(given.crank_swing_radius, CORE_TEXT("balance-shaft", "swing radius of the crank"),
         view.crank_swing_radius);
     add(given.rod_width, CORE_TEXT("balance-shaft", "width of the rod"), view.rod_width);
     add(input.cylinder.bore, CORE_TEXT("balance-shaft", "bore"), view.cylinder_bore);
     add(given.cylinder_wall, CORE_TEXT("balance-shaft", "wall of the cylinder"),
         view.cylinder_wall);
-    add(given.cylinder_bottom, CORE_TEXT("balance-shaft", "its lower end"), view.cylinder_bottom);
+    add(given.cylinder_bottom, CORE_TEXT("balance-shaft", "lower end of the cylinder"),
+        view.cylinder_bottom);
     return sizes.empty()
                ? sizes
                : Message(CORE_TEXT("balance-shaft", "Sizes not given are assumed: %1."), sizes);

@@ -194,7 +194,7 @@ inline constexpr Field cylinder_top{
     .size = engine_lengths,
     .label = CORE_TEXT("balance-shaft", "Cylinder &top"),
     .hint = CORE_TEXT("balance-shaft", "Top of the engine above the crank axis."),
-    .if_empty = CORE_TEXT("balance-shaft", "the piston pin at top dead centre and half the bore"),
+    .if_empty = CORE_TEXT("balance-shaft", "the piston pin at top dead centre plus half the bore"),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field cylinder_bottom{
     .key = "cylinder_bottom_mm",
@@ -394,7 +394,7 @@ inline constexpr Field csv_gauge{
     .key = "gauge",
     .label = CORE_TEXT("balance-shaft", "Gauge pressure"),
     .hint = CORE_TEXT("balance-shaft",
-                      "True for pressures above the atmosphere: 1.01325 bar is added. False for "
+                      "True for pressures above atmospheric: 1.01325 bar is added. False for "
                       "absolute pressures."),
     .if_empty = CORE_TEXT("balance-shaft", "by the heading, else absolute")};
 inline constexpr Field pressure{

@@ -129,14 +129,14 @@ std::vector<Formula> formulas(const Input& input) {
                            : "M<sub>up</sub> = −M<sub>i</sub>",
                     offset ? "" : gots_klevtsov, "",
                     CORE_TEXT("balance-shaft",
-                              "reaction to the torque Mᵢ of the engine, and of an offset cylinder "
-                              "to the angular momentum of its reciprocating masses")});
+                              "reaction to the torque Mᵢ of the engine and, for an offset "
+                              "cylinder, to the angular momentum of its reciprocating masses")});
     list.push_back({CORE_TEXT("balance-shaft", "Moment of the shaft"),
                     offset ? "M<sub>s</sub> = P<sub>1</sub> l sin(α + θ − δ)"
                            : "M<sub>s</sub> = P<sub>1</sub> l sin(α + φ)",
                     offset ? "" : gots_klevtsov, offset ? "" : "(2)–(4)",
                     CORE_TEXT("balance-shaft",
-                              "l distance and α angle of the shaft's axis from the crank axis; of "
+                              "l distance and α angle of the shaft's axis from the crank axis; for "
                               "an offset cylinder δ is the lag of the counterweights")});
     list.push_back({CORE_TEXT("balance-shaft", "Moment on the mounts"),
                     "M<sub>ups</sub> = M<sub>up</sub> + M<sub>s</sub>", gots_klevtsov, "(5)"});
@@ -205,8 +205,9 @@ std::span<const Text> left_out() {
         CORE_TEXT(
             "balance-shaft",
             "The play of the gears allows any shaft angle within it; the motion is not computed."),
-        CORE_TEXT("balance-shaft",
-                  "Of the relieved shaft: bending, stress, the load on each bearing."),
+        CORE_TEXT(
+            "balance-shaft",
+            "Bending and stress of the relieved shaft, and the load on each of its bearings."),
         CORE_TEXT("balance-shaft",
                   "Parts that overlap in the front view may be one behind another."),
     };

@@ -154,7 +154,7 @@ void check_torque(const Input& input) {
     if (!displacement_range.contains(displacement)) {
         throw InputError(
             pointer(field::bore, cylinder),
-            CORE_TEXT("balance-shaft", "must make a displacement from 1e-6 cm³ to 1e9 cm³"),
+            CORE_TEXT("balance-shaft", "must give a displacement from 1e-6 cm³ to 1e9 cm³"),
             Number{displacement / units::cm3, units::cm3, 6});
     }
     if (source.kind == TorqueSource::Kind::pressure) {

@@ -36,7 +36,7 @@ inline constexpr ResultField displacement{"displacement_cm3",
                                           CORE_TEXT("balance-shaft", "Piston area times stroke.")};
 inline constexpr ResultField clearance_volume{
     "clearance_volume_cm3", CORE_TEXT("balance-shaft", "clearance volume"), 2,
-    CORE_TEXT("balance-shaft", "Displacement over the compression ratio minus 1.")};
+    CORE_TEXT("balance-shaft", "Displacement / (compression ratio − 1).")};
 inline constexpr ResultField heat{
     "heat_J", CORE_TEXT("balance-shaft", "heat per cycle"), 1,
     CORE_TEXT("balance-shaft",
@@ -95,14 +95,12 @@ inline constexpr ResultField centre_of_mass_radius{
     CORE_TEXT("balance-shaft",
               "U over the mass of the relieved part, on the side away from the flat.")};
 inline constexpr ResultField critical_radius{
-    "critical_radius_mm", CORE_TEXT("balance-shaft", "critical bar radius"), 2,
+    "critical_radius_mm", CORE_TEXT("balance-shaft", "minimum bar radius"), 2,
     CORE_TEXT("balance-shaft",
-              "Minimum bar radius for the unbalance at this length, ∛(3 U / (2 ρ b)); not a "
-              "vibration limit.")};
+              "Minimum bar radius for the unbalance at this length, ∛(3 U / (2 ρ b)).")};
 inline constexpr ResultField critical_length{
-    "critical_length_mm", CORE_TEXT("balance-shaft", "critical length"), 2,
+    "critical_length_mm", CORE_TEXT("balance-shaft", "minimum relief length"), 2,
     CORE_TEXT("balance-shaft",
-              "Minimum length of the relief for the unbalance with this bar, 3 U / (2 ρ R³); not a "
-              "vibration limit.")};
+              "Minimum length of the relief for the unbalance with this bar, 3 U / (2 ρ R³).")};
 
 }  // namespace ravnoves::balance_shaft::result_field

@@ -145,12 +145,12 @@ inline constexpr Field to_angle{
 inline constexpr Field readings{
     .key = "readings",
     .hint = CORE_TEXT("bob-weights",
-                      "Readings of the newest run, with the bob weights on the crankpins.")};
+                      "Readings of the latest run, with the bob weights on the crankpins.")};
 inline constexpr Field earlier_runs{
     .key = "earlier_runs",
     .hint = CORE_TEXT("bob-weights",
-                      "Runs before the newest; the first is the crankshaft as received. Each has "
-                      "two readings, at the positions of the newest.")};
+                      "Runs before the latest; the first is the crankshaft as received. Each has "
+                      "two readings, at the positions of the latest.")};
 inline constexpr Field run_readings{.key = "readings",
                                     .hint = CORE_TEXT("bob-weights", "Readings of that run.")};
 inline constexpr Field reading_position{
@@ -244,7 +244,7 @@ inline constexpr Field drilled{
 inline constexpr Field drilled_after_newest{
     .key = drilled.key,
     .hint = CORE_TEXT("bob-weights",
-                      "Holes of the newest run, if a further run was begun and cleared again.")};
+                      "Holes of the latest run, if a further run was begun and cleared again.")};
 inline constexpr Field drilled_by{
     .key = "drilled_by",
     .hint = CORE_TEXT("bob-weights",

@@ -30,11 +30,11 @@ Message cause_of(Shortfall shortfall, const Correction& correction, bool beside)
         case Shortfall::nothing_fits:
             return CORE_TEXT(
                 "bob-weights",
-                "The smallest hole takes off too much: use a thinner drill or a flatter point.");
+                "The smallest hole takes off too much: use a smaller drill or a flatter point.");
         case Shortfall::rounding:
             return CORE_TEXT("bob-weights",
                              "Rounding of the depths leaves more than the limit: use a finer step "
-                             "or a thinner drill.");
+                             "or a smaller drill.");
         case Shortfall::beside_sector:
             return CORE_TEXT("bob-weights",
                              "The heavy spot is outside the drilling sector; holes at its edge "
@@ -56,7 +56,7 @@ Message cause_of(Shortfall shortfall, const Correction& correction, bool beside)
         case Shortfall::too_little_room:
             return beside ? CORE_TEXT("bob-weights",
                                       "There is too little room next to the holes of earlier runs.")
-                          : CORE_TEXT("bob-weights", "The holes have too little room.");
+                          : CORE_TEXT("bob-weights", "There is too little room for the holes.");
     }
     return {};
 }
@@ -79,18 +79,19 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
     Message remedy =
         !can_press && !can_deepen
             ? CORE_TEXT("bob-weights",
-                        "The opposite side is outside the sector too: widen the sector if there "
-                        "is metal, or as a last resort weld the same mass on opposite.")
+                        "The opposite side is outside the sector too: widen the sector if there is "
+                        "metal, or as a last resort weld an equal mass on that side.")
         : !can_press ? CORE_TEXT("bob-weights",
                                  "The opposite side is outside the sector too: drill deeper or "
-                                 "wider, or as a last resort weld the same mass on opposite.")
-        : has_slugs  ? CORE_TEXT("bob-weights", "As a last resort weld the same mass on opposite.")
+                                 "wider, or as a last resort weld an equal mass on that side.")
+        : has_slugs
+            ? CORE_TEXT("bob-weights", "As a last resort weld an equal mass on the opposite side.")
         : can_deepen ? CORE_TEXT("bob-weights",
                                  "Press in heavy metal opposite, drill deeper or wider, or as a "
-                                 "last resort weld the same mass on opposite.")
+                                 "last resort weld an equal mass on that side.")
                      : CORE_TEXT("bob-weights",
-                                 "Press in heavy metal opposite, or as a last resort weld the "
-                                 "same mass on opposite.");
+                                 "Press in heavy metal opposite, or as a last resort weld an equal "
+                                 "mass on that side.");
     if (can_press && !no_slug.empty()) {
         remedy = shop::two_sentences(no_slug, remedy);
     }

@@ -263,8 +263,8 @@ class JobVisit {
              &FirstOrder::forward);
         left({"backward_g", CORE_TEXT("bob-weights", "Force against the crank"), 1},
              &FirstOrder::backward);
-        left({"upright_g", CORE_TEXT("bob-weights", "Force upright"), 1}, &FirstOrder::upright);
-        left({"across_g", CORE_TEXT("bob-weights", "Force across"), 1}, &FirstOrder::across);
+        left({"upright_g", CORE_TEXT("bob-weights", "Vertical force"), 1}, &FirstOrder::upright);
+        left({"across_g", CORE_TEXT("bob-weights", "Horizontal force"), 1}, &FirstOrder::across);
     }
 
     ResultVisitor& visitor_;

@@ -375,9 +375,9 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule,
         rows.column[i] = takes_all ? i : named_column(columns[i], rows.view);
     }
     if (rows.column[1] == row_number) {
-        throw InputError("",
-                         CORE_TEXT("core", "must have a column of values: columns count from 1"),
-                         Number{0.0});
+        throw InputError(
+            "", CORE_TEXT("core", "must have a column of values: columns are numbered from 1"),
+            Number{0.0});
     }
     const bool counts = rows.column[0] == row_number;
     const std::size_t needed =

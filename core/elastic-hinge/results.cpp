@@ -187,7 +187,7 @@ void visit_motion(ResultVisitor& visitor, const Motion& motion) {
     visitor.number({"max_speed_rad_s", CORE_TEXT("elastic-hinge", "Maximum speed")},
                    motion.max_speed);
     visitor.number({"speed_ripple", CORE_TEXT("elastic-hinge", "Speed ripple"), 5,
-                    CORE_TEXT("elastic-hinge", "(ω_max − ω_min) / ω mean of the free motion.")},
+                    CORE_TEXT("elastic-hinge", "(ω_max − ω_min) / mean ω of the free motion.")},
                    motion.ripple);
     visitor.number({"energy_drift", CORE_TEXT("elastic-hinge", "Energy drift")},
                    motion.energy_drift);

@@ -49,17 +49,17 @@ inline constexpr Field rotating_mass{
     .key = "rotating_mass_kg",
     .range = Range::at_least(0),
     .label = CORE_TEXT("inertia-moments", "R&otating mass"),
-    .hint =
-        CORE_TEXT("inertia-moments",
-                  "Mass of one cylinder at the crank radius: its part of the throw, and the rod's "
-                  "share unless the rod is a rigid body. A pin with two rods carries it twice.")};
+    .hint = CORE_TEXT(
+        "inertia-moments",
+        "Mass of one cylinder at the crank radius: its part of the throw, and the rod's share "
+        "unless the rod is a rigid body. A crankpin with two rods carries it twice.")};
 inline constexpr Field rotating_mass_per_throw{
     .key = "rotating_mass_per_throw_kg",
     .range = Range::at_least(0),
     .label = CORE_TEXT("inertia-moments", "R&otating mass of a throw"),
     .hint = CORE_TEXT("inertia-moments",
                       "Rotating mass on one crankpin, with the shares of its rods unless the rod "
-                      "is a rigid body. All pins must carry the same number of rods.")};
+                      "is a rigid body. All crankpins must carry the same number of rods.")};
 inline constexpr Word stroke_words[] = {{"2", CORE_TEXT("inertia-moments", "two strokes, 360°")},
                                         {"4", CORE_TEXT("inertia-moments", "four strokes, 720°")}};
 inline constexpr Field strokes{
@@ -67,7 +67,7 @@ inline constexpr Field strokes{
     .label = CORE_TEXT("inertia-moments", "C&ycle"),
     .hint = CORE_TEXT("inertia-moments",
                       "The cylinders fire over 720° (four strokes) or 360° (two strokes). "
-                      "Crankpins for even firing follow."),
+                      "Crankpins for even firing are adjusted."),
     .words = stroke_words};
 inline constexpr Field reference_position{
     .key = "reference_position_mm",
@@ -87,9 +87,9 @@ inline constexpr Field firing_order{
     .key = "firing_order",
     .range = Range::between(1, max_cylinders),
     .label = CORE_TEXT("inertia-moments", "&Firing order"),
-    .hint = CORE_TEXT(
-        "inertia-moments",
-        "Numbers of the cylinders, for example 1-2-4-5-3. Crankpins for even firing follow.")};
+    .hint = CORE_TEXT("inertia-moments",
+                      "Numbers of the cylinders, for example 1-2-4-5-3. Crankpins for even firing "
+                      "are adjusted.")};
 
 // Of each entry of "cylinders".
 inline constexpr Field cylinders{
@@ -194,8 +194,8 @@ inline constexpr Field included_angle{
     .label = CORE_TEXT("inertia-moments", "Bank an&gle γ"),
     .symbol = "γ",
     .hint = CORE_TEXT("inertia-moments",
-                      "Angle between the banks, 0 to 180°. Crankpins for even firing follow; in a "
-                      "table only the bank angles are scaled.")};
+                      "Angle between the banks, 0 to 180°. Crankpins for even firing are adjusted; "
+                      "in a table only the bank angles are scaled.")};
 inline constexpr Field layout_offset{
     .key = "offset_mm",
     .label = CORE_TEXT("inertia-moments", "O&ffset e"),

@@ -99,13 +99,11 @@ std::vector<Formula> formulas(const Input& input) {
                         CORE_TEXT("inertia-moments", "on the side of the offset")});
     }
     if (input.layout && input.layout->name == "vr") {
-        list.push_back(
-            {CORE_TEXT("inertia-moments", "Shift of the second bank's crankpins"),
-             "γ + 2 φ<sub>0</sub>", chainov, "Fig. 2",
-             CORE_TEXT(
-                 "inertia-moments",
-                 "for even firing; γ angle between the banks, φ₀ top dead centre. The paper prints "
-                 "γ + φ₀, its own number is this")});
+        list.push_back({CORE_TEXT("inertia-moments", "Shift of the second bank's crankpins"),
+                        "γ + 2 φ<sub>0</sub>", chainov, "Fig. 2",
+                        CORE_TEXT("inertia-moments",
+                                  "for even firing; γ angle between the banks, φ₀ top dead centre. "
+                                  "The paper prints γ + φ₀, but its number is from this formula")});
     }
     list.push_back({CORE_TEXT("inertia-moments", "Force on the engine"),
                     "F = Σ F<sub>i</sub> "
@@ -118,10 +116,10 @@ std::vector<Formula> formulas(const Input& input) {
          chainov, "(1)–(4)",
          CORE_TEXT("inertia-moments",
                    "zᵢ place of cylinder i along the crank, z₀ reference point of moments")});
-    list.push_back({CORE_TEXT("inertia-moments", "Roll moment"),
-                    "M<sub>z</sub> = −Σ e F − Σ F ds/dφ", "", "",
-                    CORE_TEXT("inertia-moments",
-                              "of the offset axes, and the reaction to the torque on the crank")});
+    list.push_back(
+        {CORE_TEXT("inertia-moments", "Roll moment"), "M<sub>z</sub> = −Σ e F − Σ F ds/dφ", "", "",
+         CORE_TEXT("inertia-moments",
+                   "due to the offset axes and the reaction to the torque on the crank")});
     if (input.rod) {
         list.push_back(
             {CORE_TEXT("inertia-moments", "Rod as a rigid body"), "ΔJ = J − m c (L − c)", "", "",

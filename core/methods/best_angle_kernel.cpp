@@ -93,7 +93,7 @@ Kernel best_angle_kernel() {
     kernel.quantity = CORE_TEXT("methods", "the α of the minimum range of Mᵤₚₛ");
     kernel.error_measure =
         CORE_TEXT("methods", "range minus minimum range, share of the maximum torque + A");
-    kernel.evaluation = CORE_TEXT("methods", "one search over all α, the table being prepared");
+    kernel.evaluation = CORE_TEXT("methods", "one search over all α, with the table prepared");
     kernel.reference = CORE_TEXT(
         "methods", "every angle of a scan where the slope turns, halved until it is found");
     kernel.choice = {

@@ -94,8 +94,7 @@ Kernel best_position_kernel() {
         CORE_TEXT("methods", "the place of the shaft with the minimum range of M_ups");
     kernel.error_measure =
         CORE_TEXT("methods", "range minus minimum range, share of the maximum torque + A");
-    kernel.evaluation =
-        CORE_TEXT("methods", "one search over all places, the table being prepared");
+    kernel.evaluation = CORE_TEXT("methods", "one search over all places, with the table prepared");
     kernel.reference = CORE_TEXT("methods", "ellipsoids around the place, cut by slopes");
     kernel.choice = {
         "balance-shaft", "cutting-planes", "exact", 1e-9,

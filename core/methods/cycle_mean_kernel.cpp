@@ -152,7 +152,7 @@ Kernel cycle_mean_kernel() {
         node_rule({"nodes-end-twice",
                    CORE_TEXT("methods", "node mean, end counted twice"),
                    CORE_TEXT("methods",
-                             "never: 720° is 0° once more, so a pure sine gets a mean of A sin α / "
+                             "never: 720° is 0° again, so a pure sine gets a mean of A sin α / "
                              "nodes (17.2 N·m in the paper)"),
                    {},
                    true},

@@ -108,7 +108,7 @@ Kernel moment_range_kernel() {
     kernel.quantity =
         CORE_TEXT("methods", "ΔMᵤₚₛ, maximum minus minimum moment over the cycle, at one α");
     kernel.error_measure = CORE_TEXT("methods", "share of the maximum torque of the table + A");
-    kernel.evaluation = CORE_TEXT("methods", "the range at one α, the table being prepared");
+    kernel.evaluation = CORE_TEXT("methods", "the range at one α, with the table prepared");
     kernel.reference = CORE_TEXT("methods", "extrema of every half degree by Newton's method");
     kernel.choice = {
         "balance-shaft", "exact", "pieces", 1e-9,

@@ -173,7 +173,8 @@ void check_grid(const Study& study, bool method_is_given) {
         if ((varied.spread == Varied::Spread::grid) != first) {
             throw InputError(
                 vary_place(varied.pointer),
-                CORE_TEXT("studies", "must be a grid like the others, or none of them"));
+                CORE_TEXT("studies",
+                          "must be a grid like the others; otherwise none may be a grid"));
         }
     }
     if (method_is_given && (study.method == Method::grid) != first) {

@@ -74,8 +74,8 @@ constexpr std::array<EngineField, 14> fields{{
     {described("oil_coefficient", units::none, coefficient_range,
                CORE_TEXT("V8", "Oil coefficient kₘ"),
                CORE_TEXT("V8",
-                         "How many times the oil mass is in the bob weight; 1 if its centre is on "
-                         "the crankpin's axis.")),
+                         "Factor of the oil mass in the bob weight; 1 if its centre is on the "
+                         "crankpin's axis.")),
      &Engine::oil_coefficient, EngineGroup::bob_weight},
     {described("reciprocating_mass_g", units::gram, gear_mass_range,
                CORE_TEXT("V8", "Reciprocating, one cylinder mⱼ"),

@@ -63,7 +63,7 @@ void check_plug(const PlugSheet& sheet, const std::string& place) {
     }
     if (const auto geometry = sheet.geometry()) {
         if (const auto fault = geometry_fault(*geometry)) {
-            throw InputError(place, {CORE_TEXT("V8", "must be a plug that can exist: %1"), *fault});
+            throw InputError(place, {CORE_TEXT("V8", "must be a possible plug: %1"), *fault});
         }
     }
 }

@@ -823,15 +823,15 @@
     </message>
     <message>
         <source>front read of</source>
-        <translation>показание спереди чьё</translation>
+        <translation>чьё показание спереди</translation>
     </message>
     <message>
         <source>read of</source>
-        <translation>показания чьи</translation>
+        <translation>чьи показания</translation>
     </message>
     <message>
         <source>rear read of</source>
-        <translation>показание сзади чьё</translation>
+        <translation>чьё показание сзади</translation>
     </message>
     <message>
         <source>file</source>
@@ -978,7 +978,7 @@
     </message>
     <message>
         <source>Range of the crankpins: %1 now, %2 after moving %3 more sets.</source>
-        <translation>Размах шеек: сейчас %1, после перестановки ещё %3 комплектов %2.</translation>
+        <translation>Размах шеек: сейчас %1, после перестановки ещё %3 комплектов — %2.</translation>
     </message>
     <message>
         <source>Range of the crankpins: %1 as weighed, %2 after moving %3 sets.</source>
@@ -1054,7 +1054,7 @@
     </message>
     <message>
         <source>The bob weight is for the parts as weighed: weigh parts again after making them lighter.</source>
-        <translation>Балансировочный груз — для деталей, как взвешено: облегчённую деталь взвесьте снова.</translation>
+        <translation>Балансировочный груз рассчитан на взвешенные детали: облегчённую деталь взвесьте снова.</translation>
     </message>
     <message>
         <source>Part no.</source>
@@ -1179,7 +1179,7 @@
     </message>
     <message>
         <source>No plug of this crankshaft can be made light enough.</source>
-        <translation>Ни одну заглушку этого вала нельзя облегчить настолько.</translation>
+        <translation>Ни одну заглушку этого вала нельзя облегчить достаточно.</translation>
     </message>
     <message>
         <source>Bore %1 deeper with a cutter of %2, to %3 from the face.</source>
@@ -1187,7 +1187,7 @@
     </message>
     <message>
         <source>Bore with a cutter of %1 to %2 from the face.</source>
-        <translation>Расфрезеровать фрезой %1 на глубину %2 от торца.</translation>
+        <translation>Расточить фрезой %1 на глубину %2 от торца.</translation>
     </message>
     <message>
         <source>works</source>
@@ -1267,7 +1267,7 @@
         <translation>обязательно, если задан другой размер полости</translation>
     </message>
     <message>
-        <source>must be a plug that can exist: %1</source>
+        <source>must be a possible plug: %1</source>
         <translation>такой заглушки быть не может: %1</translation>
     </message>
     <message>
@@ -1428,7 +1428,7 @@
     </message>
     <message>
         <source>Head of the job card.</source>
-        <translation>Заголовок карты.</translation>
+        <translation>Шапка карты.</translation>
     </message>
     <message>
         <source>new: steel</source>
@@ -1512,7 +1512,7 @@
     </message>
     <message>
         <source>no boring is planned</source>
-        <translation>расточка не считается</translation>
+        <translation>без расточки</translation>
     </message>
     <message>
         <source>no limit</source>
@@ -1588,11 +1588,11 @@
     </message>
     <message>
         <source>Piston set in each cylinder, by the cylinder where it was weighed.</source>
-        <translation>Комплект поршня в каждом цилиндре, по цилиндру, где он взвешен.</translation>
+        <translation>Комплект поршня в каждом цилиндре: номер цилиндра, где он взвешен.</translation>
     </message>
     <message>
         <source>Rod in each cylinder, by the cylinder where it was weighed.</source>
-        <translation>Шатун в каждом цилиндре, по цилиндру, где он взвешен.</translation>
+        <translation>Шатун в каждом цилиндре: номер цилиндра, где он взвешен.</translation>
     </message>
     <message>
         <source>Bob weight of the reading</source>
@@ -1620,7 +1620,7 @@
     </message>
     <message>
         <source>leaves an excess of %1 on each crankpin</source>
-        <translation>оставляет %1 лишних на каждой шейке</translation>
+        <translation>оставляет на каждой шейке лишние %1</translation>
     </message>
     <message>
         <source>Leave the plugs unchanged: the excess of %1 per crankpin is %2.</source>
@@ -1832,7 +1832,7 @@
     </message>
     <message>
         <source>Bore to %1 from the face, %2 off each plug.</source>
-        <translation>Расфрезеруйте на %1 от торца, по %2 с каждой заглушки.</translation>
+        <translation>Расточите на %1 от торца, по %2 с каждой заглушки.</translation>
     </message>
     <message>
         <source>changes of mass (sheet 2) or masses of the parts (sheet 3)</source>
@@ -1963,8 +1963,8 @@
         <translation>&amp;Доля первой плоскости</translation>
     </message>
     <message>
-        <source>How many times the oil mass is in the bob weight; 1 if its centre is on the crankpin&apos;s axis.</source>
-        <translation>Сколько раз масса масла входит в балансировочный груз; 1, если её центр на оси шейки.</translation>
+        <source>Factor of the oil mass in the bob weight; 1 if its centre is on the crankpin&apos;s axis.</source>
+        <translation>Множитель массы масла в балансировочном грузе; 1, если её центр на оси шейки.</translation>
     </message>
 </context>
 <context>
@@ -2245,7 +2245,7 @@
         <translation>сгорание должно закончиться до нижней мёртвой точки, %1</translation>
     </message>
     <message>
-        <source>must make a displacement from 1e-6 cm³ to 1e9 cm³</source>
+        <source>must give a displacement from 1e-6 cm³ to 1e9 cm³</source>
         <translation>должно давать рабочий объём от 1e-6 см³ до 1e9 см³</translation>
     </message>
     <message>
@@ -2353,8 +2353,8 @@
         <translation>радиус вращения вала</translation>
     </message>
     <message>
-        <source>of the crank</source>
-        <translation>кривошипа</translation>
+        <source>swing radius of the crank</source>
+        <translation>радиус вращения кривошипа</translation>
     </message>
     <message>
         <source>width of the rod</source>
@@ -2378,7 +2378,7 @@
     </message>
     <message>
         <source>Reciprocating mass of the cylinder as one number.</source>
-        <translation>Поступательно движущаяся масса цилиндра одним числом.</translation>
+        <translation>Возвратно-поступательная масса цилиндра одним числом.</translation>
     </message>
     <message>
         <source>From the crank axis to the shaft, measured from the cylinder axis in the direction of rotation.</source>
@@ -2558,7 +2558,7 @@
     </message>
     <message>
         <source>Reciprocating mass</source>
-        <translation>Поступательно движущаяся масса</translation>
+        <translation>Возвратно-поступательная масса</translation>
     </message>
     <message>
         <source>piston, pin, rings and the small-end share of the rod</source>
@@ -2589,7 +2589,7 @@
         <translation>Опрокидывающий момент</translation>
     </message>
     <message>
-        <source>reaction to the torque Mᵢ of the engine, and of an offset cylinder to the angular momentum of its reciprocating masses</source>
+        <source>reaction to the torque Mᵢ of the engine and, for an offset cylinder, to the angular momentum of its reciprocating masses</source>
         <translation>реакция на крутящий момент Mᵢ двигателя, а у дезаксиального цилиндра — и на момент импульса поступательных масс</translation>
     </message>
     <message>
@@ -2597,7 +2597,7 @@
         <translation>Момент вала</translation>
     </message>
     <message>
-        <source>l distance and α angle of the shaft&apos;s axis from the crank axis; of an offset cylinder δ is the lag of the counterweights</source>
+        <source>l distance and α angle of the shaft&apos;s axis from the crank axis; for an offset cylinder δ is the lag of the counterweights</source>
         <translation>l — расстояние и α — угол оси вала от оси коленчатого вала; у дезаксиального цилиндра δ — отставание противовесов</translation>
     </message>
     <message>
@@ -2673,8 +2673,8 @@
         <translation>Верх двигателя над осью коленчатого вала.</translation>
     </message>
     <message>
-        <source>the piston pin at top dead centre and half the bore</source>
-        <translation>верхняя мёртвая точка пальца и половина диаметра</translation>
+        <source>the piston pin at top dead centre plus half the bore</source>
+        <translation>верхняя мёртвая точка пальца плюс половина диаметра</translation>
     </message>
     <message>
         <source>Lower end of the cylinder above the crank axis.</source>
@@ -2967,10 +2967,6 @@
     <message>
         <source>minimum allowed</source>
         <translation>минимально допустимый</translation>
-    </message>
-    <message>
-        <source>swing radius of the crank</source>
-        <translation>радиус вращения кривошипа</translation>
     </message>
     <message>
         <source>cylinder bore</source>
@@ -3269,7 +3265,7 @@
         <translation>Избыточное давление</translation>
     </message>
     <message>
-        <source>True for pressures above the atmosphere: 1.01325 bar is added. False for absolute pressures.</source>
+        <source>True for pressures above atmospheric: 1.01325 bar is added. False for absolute pressures.</source>
         <translation>True — давление сверх атмосферного: прибавляется 1,01325 бар. False — абсолютное давление.</translation>
     </message>
     <message>
@@ -3309,8 +3305,8 @@
         <translation>Мёртвая точка, возможно, на %1 ± %2 диаграммы, сдвиг %3: точнее линия сжатия её не показывает.</translation>
     </message>
     <message>
-        <source>its lower end</source>
-        <translation>её нижний конец</translation>
+        <source>lower end of the cylinder</source>
+        <translation>нижний конец цилиндра</translation>
     </message>
     <message>
         <source>must have one of: %1 with %2, %3, %4, %5</source>
@@ -3326,7 +3322,7 @@
     </message>
     <message>
         <source>Parts of the reciprocating mass by name, for example piston, pin, rings, rod_small_end.</source>
-        <translation>Части поступательно движущейся массы по именам, например piston, pin, rings, rod_small_end.</translation>
+        <translation>Части возвратно-поступательной массы по именам, например piston, pin, rings, rod_small_end.</translation>
     </message>
     <message>
         <source>Part of mⱼ r balanced on the crank alone, without a shaft. The force then describes an ellipse: a line at 0 and 1, a circle at ½.</source>
@@ -3578,7 +3574,7 @@
     </message>
     <message>
         <source>must be greater than %1; across 0° enter %2</source>
-        <translation>должно быть больше %1; через 0° пишите %2</translation>
+        <translation>должно быть больше %1; через 0° введите %2</translation>
     </message>
     <message>
         <source>%1 has changed since this case was made: import it again to accept the change, or restore the old file.</source>
@@ -3686,7 +3682,7 @@
     </message>
     <message>
         <source>The bar (radius %1) does not fit in the swing circle (radius %2).</source>
-        <translation>Пруток (радиус %1) не умещается в окружности вала (радиус %2).</translation>
+        <translation>Пруток (радиус %1) не помещается в окружности вала (радиус %2).</translation>
     </message>
     <message>
         <source>Not used, since bending of the relieved shaft is no longer computed: elastic modulus, bearing span, allowable stress, deflection, critical-speed ratio, bearing load.</source>
@@ -3878,11 +3874,11 @@
     </message>
     <message>
         <source>Piston area times stroke.</source>
-        <translation>Площадь поршня на ход.</translation>
+        <translation>Площадь поршня, умноженная на ход.</translation>
     </message>
     <message>
-        <source>Displacement over the compression ratio minus 1.</source>
-        <translation>Рабочий объём к степени сжатия без единицы.</translation>
+        <source>Displacement / (compression ratio − 1).</source>
+        <translation>Рабочий объём / (степень сжатия − 1).</translation>
     </message>
     <message>
         <source>heat per cycle</source>
@@ -3906,7 +3902,7 @@
     </message>
     <message>
         <source>Work of a cycle over the displacement.</source>
-        <translation>Работа цикла к рабочему объёму.</translation>
+        <translation>Работа цикла, делённая на рабочий объём.</translation>
     </message>
     <message>
         <source>indicated power</source>
@@ -3914,11 +3910,11 @@
     </message>
     <message>
         <source>Work of a cycle times cycles a second.</source>
-        <translation>Работа цикла на число циклов в секунду.</translation>
+        <translation>Работа цикла, умноженная на число циклов в секунду.</translation>
     </message>
     <message>
         <source>Work of a cycle over its crank angle.</source>
-        <translation>Работа цикла к углу поворота за цикл.</translation>
+        <translation>Работа цикла, делённая на его угол поворота.</translation>
     </message>
     <message>
         <source>Maximum pressure in the cylinder.</source>
@@ -3994,7 +3990,7 @@
     </message>
     <message>
         <source>ρ b times the area of the segment.</source>
-        <translation>ρ b на площадь сегмента.</translation>
+        <translation>ρ b, умноженное на площадь сегмента.</translation>
     </message>
     <message>
         <source>ρ b A of the remaining section.</source>
@@ -4006,27 +4002,27 @@
     </message>
     <message>
         <source>U over the mass of the relieved part, on the side away from the flat.</source>
-        <translation>U к массе участка с лыской, со стороны, обратной лыске.</translation>
+        <translation>U, делённое на массу участка с лыской; со стороны, обратной лыске.</translation>
     </message>
     <message>
-        <source>critical bar radius</source>
+        <source>minimum bar radius</source>
         <translation>мин. радиус прутка</translation>
     </message>
     <message>
-        <source>Minimum bar radius for the unbalance at this length, ∛(3 U / (2 ρ b)); not a vibration limit.</source>
-        <translation>Минимальный радиус прутка для дисбаланса при этой длине, ∛(3 U / (2 ρ b)); с колебаниями не связан.</translation>
+        <source>Minimum bar radius for the unbalance at this length, ∛(3 U / (2 ρ b)).</source>
+        <translation>Минимальный радиус прутка для дисбаланса при этой длине, ∛(3 U / (2 ρ b)).</translation>
     </message>
     <message>
-        <source>critical length</source>
+        <source>minimum relief length</source>
         <translation>мин. длина лыски</translation>
     </message>
     <message>
-        <source>Minimum length of the relief for the unbalance with this bar, 3 U / (2 ρ R³); not a vibration limit.</source>
-        <translation>Минимальная длина лыски для дисбаланса при этом прутке, 3 U / (2 ρ R³); с колебаниями не связана.</translation>
+        <source>Minimum length of the relief for the unbalance with this bar, 3 U / (2 ρ R³).</source>
+        <translation>Минимальная длина лыски для дисбаланса при этом прутке, 3 U / (2 ρ R³).</translation>
     </message>
     <message>
-        <source>Of the relieved shaft: bending, stress, the load on each bearing.</source>
-        <translation>У вала с лыской: изгиб, напряжения, нагрузка каждого подшипника.</translation>
+        <source>Bending and stress of the relieved shaft, and the load on each of its bearings.</source>
+        <translation>Изгиб и напряжения вала с лыской, нагрузка каждого его подшипника.</translation>
     </message>
     <message>
         <source>Fits: the range is %1 smaller than without shaft.</source>
@@ -4556,12 +4552,12 @@
         <translation>Сила, вращающаяся против кривошипа</translation>
     </message>
     <message>
-        <source>Force upright</source>
-        <translation>Сила вдоль оси</translation>
+        <source>Vertical force</source>
+        <translation>Вертикальная сила</translation>
     </message>
     <message>
-        <source>Force across</source>
-        <translation>Сила поперёк оси</translation>
+        <source>Horizontal force</source>
+        <translation>Горизонтальная сила</translation>
     </message>
     <message>
         <source>Bob weights of the crankpins</source>
@@ -4732,7 +4728,7 @@
         <translation>Введите показание другой плоскости.</translation>
     </message>
     <message>
-        <source>The holes have too little room.</source>
+        <source>There is too little room for the holes.</source>
         <translation>Отверстиям мало места.</translation>
     </message>
     <message>
@@ -4845,7 +4841,7 @@
     </message>
     <message>
         <source>by theory; prefer the manufacturer&apos;s figure</source>
-        <translation>по теории; предпочтите данные изготовителя</translation>
+        <translation>по теории; надёжнее данные изготовителя</translation>
     </message>
     <message>
         <source>Balance an externally balanced crankshaft with damper and flywheel in place.</source>
@@ -4872,11 +4868,11 @@
         <translation>Конец сектора, в сторону больших углов.</translation>
     </message>
     <message>
-        <source>Readings of the newest run, with the bob weights on the crankpins.</source>
+        <source>Readings of the latest run, with the bob weights on the crankpins.</source>
         <translation>Показания последнего пуска, с грузами на шейках.</translation>
     </message>
     <message>
-        <source>Runs before the newest; the first is the crankshaft as received. Each has two readings, at the positions of the newest.</source>
+        <source>Runs before the latest; the first is the crankshaft as received. Each has two readings, at the positions of the latest.</source>
         <translation>Пуски до последнего; первый — вал при поступлении. У каждого два показания, в тех же местах, что и последние.</translation>
     </message>
     <message>
@@ -4956,7 +4952,7 @@
         <translation>Отверстия и вставки, рассчитанные после этого пуска; следующие их обходят. Без списка они рассчитываются по его показаниям.</translation>
     </message>
     <message>
-        <source>Holes of the newest run, if a further run was begun and cleared again.</source>
+        <source>Holes of the latest run, if a further run was begun and cleared again.</source>
         <translation>Отверстия последнего пуска, если следующий был начат и стёрт.</translation>
     </message>
     <message>
@@ -5096,11 +5092,11 @@
         <translation>Последнее сверление подействовало не так, как планировалось: прежде чем сверлить дальше, выясните причину.</translation>
     </message>
     <message>
-        <source>The smallest hole takes off too much: use a thinner drill or a flatter point.</source>
+        <source>The smallest hole takes off too much: use a smaller drill or a flatter point.</source>
         <translation>Самое малое отверстие снимает слишком много: возьмите сверло тоньше или с более плоским концом.</translation>
     </message>
     <message>
-        <source>Rounding of the depths leaves more than the limit: use a finer step or a thinner drill.</source>
+        <source>Rounding of the depths leaves more than the limit: use a finer step or a smaller drill.</source>
         <translation>Округление глубин оставляет больше допуска: возьмите шаг мельче или сверло тоньше.</translation>
     </message>
     <message>
@@ -5128,15 +5124,15 @@
         <translation>Остаток: %1 на радиусе сверления под углом %2.</translation>
     </message>
     <message>
-        <source>The opposite side is outside the sector too: drill deeper or wider, or as a last resort weld the same mass on opposite.</source>
+        <source>The opposite side is outside the sector too: drill deeper or wider, or as a last resort weld an equal mass on that side.</source>
         <translation>Противоположная сторона тоже вне сектора: сверлите глубже или шире либо, в крайнем случае, наварите столько же напротив.</translation>
     </message>
     <message>
-        <source>As a last resort weld the same mass on opposite.</source>
+        <source>As a last resort weld an equal mass on the opposite side.</source>
         <translation>В крайнем случае наварите столько же напротив.</translation>
     </message>
     <message>
-        <source>Press in heavy metal opposite, drill deeper or wider, or as a last resort weld the same mass on opposite.</source>
+        <source>Press in heavy metal opposite, drill deeper or wider, or as a last resort weld an equal mass on that side.</source>
         <translation>Запрессуйте напротив тяжёлый сплав, сверлите глубже или шире либо, в крайнем случае, наварите столько же напротив.</translation>
     </message>
     <message>
@@ -5152,11 +5148,11 @@
         <translation>Начало сектора сверления на противовесе. Новые отверстия лежат в нём целиком.</translation>
     </message>
     <message>
-        <source>The opposite side is outside the sector too: widen the sector if there is metal, or as a last resort weld the same mass on opposite.</source>
+        <source>The opposite side is outside the sector too: widen the sector if there is metal, or as a last resort weld an equal mass on that side.</source>
         <translation>Противоположная сторона тоже вне сектора: расширьте сектор, если там есть металл, или в крайнем случае наварите ту же массу напротив.</translation>
     </message>
     <message>
-        <source>Press in heavy metal opposite, or as a last resort weld the same mass on opposite.</source>
+        <source>Press in heavy metal opposite, or as a last resort weld an equal mass on that side.</source>
         <translation>Запрессуйте тяжёлый металл напротив или в крайнем случае наварите ту же массу напротив.</translation>
     </message>
     <message>
@@ -5787,8 +5783,8 @@
         <translation>должен быть столбец с заголовком %1</translation>
     </message>
     <message>
-        <source>must have a column of values: columns count from 1</source>
-        <translation>должен быть столбец значений: столбцы считаются с 1</translation>
+        <source>must have a column of values: columns are numbered from 1</source>
+        <translation>должен быть столбец значений: столбцы нумеруются с 1</translation>
     </message>
     <message>
         <source>must not contain the character NUL</source>
@@ -5808,7 +5804,7 @@
     </message>
     <message>
         <source>must be left out if %1 is given</source>
-        <translation>не должно стоять там, где задано %1</translation>
+        <translation>не указывается, если задано %1</translation>
     </message>
     <message>
         <source>is required and missing; found: %1</source>
@@ -6131,7 +6127,7 @@
     </message>
     <message>
         <source>no spring is given for %1</source>
-        <translation>не задана пружина, %1</translation>
+        <translation>не задана пружина: %1</translation>
     </message>
     <message>
         <source>chord tolerance</source>
@@ -6207,7 +6203,7 @@
     </message>
     <message>
         <source>P₄ weight at the distance ℓ₂ beyond the crankpin: the mean of M₁₂ over a turn is zero</source>
-        <translation>P₄ — груз на расстоянии ℓ₂ за шатунной шейкой: среднее M₁₂ за оборот равно нулю</translation>
+        <translation>P₄ — вес груза на расстоянии ℓ₂ за шатунной шейкой: среднее M₁₂ за оборот равно нулю</translation>
     </message>
     <message>
         <source>Potential part of M₁₂</source>
@@ -6510,7 +6506,7 @@
         <translation>Неравномерность вращения</translation>
     </message>
     <message>
-        <source>(ω_max − ω_min) / ω mean of the free motion.</source>
+        <source>(ω_max − ω_min) / mean ω of the free motion.</source>
         <translation>(ω_max − ω_min) к средней ω свободного движения.</translation>
     </message>
     <message>
@@ -6743,7 +6739,7 @@
     </message>
     <message>
         <source>Weight on the rod for ∮ M₁₂ dφ = 0, or as entered.</source>
-        <translation>Груз на шатуне при ∮ M₁₂ dφ = 0 или заданный.</translation>
+        <translation>Вес груза на шатуне при ∮ M₁₂ dφ = 0 или заданный.</translation>
     </message>
     <message>
         <source>Crank guide with the rod hinge</source>
@@ -7202,11 +7198,11 @@
     </message>
     <message>
         <source>V6 60°, split pins</source>
-        <translation>V6 60°, смещённые шейки</translation>
+        <translation>V6 60°, разведённые шейки</translation>
     </message>
     <message>
         <source>V6 90°, split pins</source>
-        <translation>V6 90°, смещённые шейки</translation>
+        <translation>V6 90°, разведённые шейки</translation>
     </message>
     <message>
         <source>V8, cross-plane</source>
@@ -7250,7 +7246,7 @@
     </message>
     <message>
         <source>sizes, masses and speed together must keep the balancing masses in the range of numbers</source>
-        <translation>размеры, массы и частота вращения вместе должны держать уравновешивающие массы в пределах чисел</translation>
+        <translation>размеры, массы и частота вращения вместе должны давать уравновешивающие массы в пределах чисел</translation>
     </message>
     <message>
         <source>R&amp;otating mass of a throw</source>
@@ -7433,8 +7429,8 @@
         <translation>Сдвиг шеек второго ряда</translation>
     </message>
     <message>
-        <source>for even firing; γ angle between the banks, φ₀ top dead centre. The paper prints γ + φ₀, its own number is this</source>
-        <translation>для равномерного чередования вспышек; γ — угол между рядами, φ₀ — верхняя мёртвая точка. Статья печатает γ + φ₀, её же число — это</translation>
+        <source>for even firing; γ angle between the banks, φ₀ top dead centre. The paper prints γ + φ₀, but its number is from this formula</source>
+        <translation>для равномерных вспышек; γ — угол между рядами, φ₀ — верхняя мёртвая точка. В статье напечатано γ + φ₀, но её число — по этой формуле</translation>
     </message>
     <message>
         <source>Force on the engine</source>
@@ -7453,7 +7449,7 @@
         <translation>Опрокидывающий момент</translation>
     </message>
     <message>
-        <source>of the offset axes, and the reaction to the torque on the crank</source>
+        <source>due to the offset axes and the reaction to the torque on the crank</source>
         <translation>от дезаксажей и как реакция на момент на кривошипе</translation>
     </message>
     <message>
@@ -7590,7 +7586,7 @@
     </message>
     <message>
         <source>Even firing</source>
-        <translation>Равномерное чередование</translation>
+        <translation>Равномерные вспышки</translation>
     </message>
     <message>
         <source>Balance shafts</source>
@@ -7873,16 +7869,16 @@
         <translation>Масса одного цилиндра: поршень с пальцем и кольцами и доля шатуна, если шатун не задан твёрдым телом. Volkswagen VR5: 0,622 кг.</translation>
     </message>
     <message>
-        <source>Mass of one cylinder at the crank radius: its part of the throw, and the rod&apos;s share unless the rod is a rigid body. A pin with two rods carries it twice.</source>
+        <source>Mass of one cylinder at the crank radius: its part of the throw, and the rod&apos;s share unless the rod is a rigid body. A crankpin with two rods carries it twice.</source>
         <translation>Масса одного цилиндра на радиусе кривошипа: его часть колена и доля шатуна, если шатун не задан твёрдым телом. Шейка с двумя шатунами несёт её дважды.</translation>
     </message>
     <message>
-        <source>Rotating mass on one crankpin, with the shares of its rods unless the rod is a rigid body. All pins must carry the same number of rods.</source>
+        <source>Rotating mass on one crankpin, with the shares of its rods unless the rod is a rigid body. All crankpins must carry the same number of rods.</source>
         <translation>Вращающаяся масса на одной шейке, с долями её шатунов, если шатун не задан твёрдым телом. На всех шейках должно быть одинаковое число шатунов.</translation>
     </message>
     <message>
-        <source>The cylinders fire over 720° (four strokes) or 360° (two strokes). Crankpins for even firing follow.</source>
-        <translation>Цилиндры работают за 720° (четыре такта) или 360° (два такта). Шейки для равномерного чередования следуют за этим.</translation>
+        <source>The cylinders fire over 720° (four strokes) or 360° (two strokes). Crankpins for even firing are adjusted.</source>
+        <translation>Цилиндры работают за 720° (четыре такта) или 360° (два такта). Шейки для равномерных вспышек пересчитываются.</translation>
     </message>
     <message>
         <source>Axial position of the reference point of moments, positive towards cylinder 1.</source>
@@ -7893,8 +7889,8 @@
         <translation>Шаг кривых в результате; без шага кривых нет.</translation>
     </message>
     <message>
-        <source>Numbers of the cylinders, for example 1-2-4-5-3. Crankpins for even firing follow.</source>
-        <translation>Номера цилиндров, например 1-2-4-5-3. Шейки для равномерного чередования следуют за ним.</translation>
+        <source>Numbers of the cylinders, for example 1-2-4-5-3. Crankpins for even firing are adjusted.</source>
+        <translation>Номера цилиндров, например 1-2-4-5-3. Шейки для равномерных вспышек пересчитываются.</translation>
     </message>
     <message>
         <source>The rod is attached to the master rod by a knuckle pin (radials); otherwise it runs on the crankpin.</source>
@@ -7917,8 +7913,8 @@
         <translation>Прицепной шатун: часть вращающейся массы цилиндра, которая находится у пальца прицепа, а не у шейки</translation>
     </message>
     <message>
-        <source>Angle between the banks, 0 to 180°. Crankpins for even firing follow; in a table only the bank angles are scaled.</source>
-        <translation>Угол между рядами, от 0 до 180°. Шейки для равномерного чередования следуют ему; в таблице пропорционально меняются только углы рядов.</translation>
+        <source>Angle between the banks, 0 to 180°. Crankpins for even firing are adjusted; in a table only the bank angles are scaled.</source>
+        <translation>Угол между рядами, от 0 до 180°. Шейки для равномерных вспышек пересчитываются; в таблице пропорционально меняются только углы рядов.</translation>
     </message>
     <message>
         <source>Distance of the cylinder axes from the crank axis. In a table: the maximum; the others are scaled.</source>
@@ -8046,7 +8042,7 @@
     </message>
     <message>
         <source>Axial position</source>
-        <translation>Положение вдоль оси</translation>
+        <translation>Положение вдоль вала</translation>
     </message>
     <message>
         <source>Bank angle</source>
@@ -8257,7 +8253,7 @@
     </message>
     <message>
         <source>Angles of the throws from the front, positive from the second bank to the first.</source>
-        <translation>Углы колен спереди, в направлении от второго ряда к первому.</translation>
+        <translation>Углы колен при взгляде спереди, положительные от второго ряда к первому.</translation>
     </message>
     <message>
         <source>usual for the engine, cross-plane V-8: 0; 90; 270; 180</source>
@@ -8283,7 +8279,7 @@
         <translation>Наилучший угол вала</translation>
     </message>
     <message>
-        <source>one search over all α, the table being prepared</source>
+        <source>one search over all α, with the table prepared</source>
         <translation>один поиск по всем α, таблица подготовлена</translation>
     </message>
     <message>
@@ -8387,7 +8383,7 @@
         <translation>среднее по узлам, конец учтён дважды</translation>
     </message>
     <message>
-        <source>never: 720° is 0° once more, so a pure sine gets a mean of A sin α / nodes (17.2 N·m in the paper)</source>
+        <source>never: 720° is 0° again, so a pure sine gets a mean of A sin α / nodes (17.2 N·m in the paper)</source>
         <translation>нигде: 720° — это снова 0°, и чистый синус получает среднее A sin α / число узлов (17,2 Н·м в статье)</translation>
     </message>
     <message>
@@ -8571,7 +8567,7 @@
         <translation>точные экстремумы участков</translation>
     </message>
     <message>
-        <source>the range at one α, the table being prepared</source>
+        <source>the range at one α, with the table prepared</source>
         <translation>размах при одном α, таблица подготовлена</translation>
     </message>
     <message>
@@ -9123,7 +9119,7 @@
         <translation>Лучшее место вала</translation>
     </message>
     <message>
-        <source>one search over all places, the table being prepared</source>
+        <source>one search over all places, with the table prepared</source>
         <translation>один поиск по всем местам, таблица подготовлена</translation>
     </message>
     <message>
@@ -9536,7 +9532,7 @@
     </message>
     <message>
         <source>Stated by the paper; the program&apos;s input is 12.51 mm, which gives the printed K = 0.278.</source>
-        <translation>Задано в статье; исходное данное программы — 12,51 мм, при котором K равно напечатанному 0,278.</translation>
+        <translation>Задано в статье; в программе задано 12,51 мм, тогда K равно напечатанному 0,278.</translation>
     </message>
     <message>
         <source>To 1′, from the exact top dead centre. Correct is γ + 2 φ; the printed γ + φ would give 18°20′.</source>
@@ -9560,7 +9556,7 @@
     </message>
     <message>
         <source>Mᵤₚ = −Mᵢ, the program&apos;s input.</source>
-        <translation>Mᵤₚ = −Mᵢ, исходное данное программы.</translation>
+        <translation>Mᵤₚ = −Mᵢ, исходная величина программы.</translation>
     </message>
     <message>
         <source>The mean of the 49 rows counts the end of the cycle, 720° = 0°, twice; our value is the cycle integral.</source>
@@ -9624,11 +9620,11 @@
     </message>
     <message>
         <source>Stated by the paper, defined in another paper. Our value is the program&apos;s input.</source>
-        <translation>Задано в статье, определено в другой. Наше число — исходное данное программы.</translation>
+        <translation>Задано в статье, определено в другой. Наше число задано в программе.</translation>
     </message>
     <message>
         <source>m_pн with the ratio of aluminium to steel of the present plugs of the 6 and 7 l engines.</source>
-        <translation>m_pн с отношением алюминия к стали по нынешним заглушкам двигателей 6 и 7 л.</translation>
+        <translation>m_pн с отношением алюминия к стали по существующим заглушкам двигателей 6 и 7 л.</translation>
     </message>
     <message>
         <source>From k_y and k_yн as printed in Table 2; unrounded values change it by up to 0.003 g.</source>
@@ -9644,7 +9640,7 @@
     </message>
     <message>
         <source>excess compensated by the present steel plugs</source>
-        <translation>избыток, компенсируемый нынешними стальными заглушками</translation>
+        <translation>избыток, компенсируемый существующими стальными заглушками</translation>
     </message>
     <message>
         <source>corresponding lightening of a steel plug</source>
@@ -9652,7 +9648,7 @@
     </message>
     <message>
         <source>Equation (22) inverted: it was computed from this value.</source>
-        <translation>Формула (22) в обратную сторону: она вычислена из этого.</translation>
+        <translation>Обращённая формула (22): по ней вычислено из этого числа.</translation>
     </message>
     <message>
         <source>equivalent lightening of a steel plug</source>
@@ -9692,7 +9688,7 @@
     </message>
     <message>
         <source>Stated by the paper; our value is the program&apos;s input.</source>
-        <translation>Задано в статье; наше число — исходное данное программы.</translation>
+        <translation>Задано в статье; наше число задано в программе.</translation>
     </message>
     <message>
         <source>misprint</source>
@@ -9847,7 +9843,7 @@
     </message>
     <message>
         <source>Rebuild torque</source>
-        <translation>Пересобрать</translation>
+        <translation>Пересчитать</translation>
     </message>
     <message>
         <source>Tipping moment on the engine without a shaft, −Mᵢ</source>
@@ -10099,8 +10095,8 @@ but no position is feasible</source>
         <translation>Применит&amp;ь лучший допустимый α</translation>
     </message>
     <message>
-        <source>%1 are not listed above.</source>
-        <translation>Из них %1 выше не перечислены.</translation>
+        <source>Not listed above: %1.</source>
+        <translation>Выше не показано: %1.</translation>
     </message>
     <message>
         <source>Sizes for clearance</source>
@@ -10136,7 +10132,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Reciprocating mass: the sum of the parts.</source>
-        <translation>Возвратно-поступательно движущаяся масса: сумма частей.</translation>
+        <translation>Возвратно-поступательная масса: сумма частей.</translation>
     </message>
     <message>
         <source>without shaft (Mᵤₚ)</source>
@@ -10210,7 +10206,7 @@ but no position is feasible</source>
         <translation>Противовесы</translation>
     </message>
     <message>
-        <source>k order, L distance of the weights (%1), ρ their radius (%1), δ error of phase (°)</source>
+        <source>k order, L distance of the weights (%1), ρ their radius (%1), δ phase error (°)</source>
         <translation>k — порядок, L — расстояние между грузами (%1), ρ — их радиус (%1), δ — ошибка фазы (°)</translation>
     </message>
 </context>
@@ -10254,7 +10250,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Present result</source>
-        <translation>Нынешний результат</translation>
+        <translation>Текущий результат</translation>
     </message>
     <message>
         <source>Difference from the value, the larger of two</source>
@@ -10364,12 +10360,12 @@ but no position is feasible</source>
         <translation>Угол, °</translation>
     </message>
     <message>
-        <source>&amp;Add a hole that was there before…</source>
-        <translation>&amp;Добавить отверстие, которое уже было…</translation>
+        <source>&amp;Add an existing hole…</source>
+        <translation>&amp;Добавить имеющееся отверстие…</translation>
     </message>
     <message>
-        <source>Hole that was there before</source>
-        <translation>Отверстие, которое уже было</translation>
+        <source>Existing hole</source>
+        <translation>Имеющееся отверстие</translation>
     </message>
     <message>
         <source>Another hole is too near. Choose another angle.</source>
@@ -10554,7 +10550,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>The cylinders of the layout chosen. Editing one makes this a table of your own; Ctrl+V pastes from a spreadsheet.</source>
-        <translation>Цилиндры выбранной компоновки. Правка делает таблицу вашей собственной; Ctrl+V вставляет из электронной таблицы.</translation>
+        <translation>Цилиндры выбранной компоновки. После правки это ваша собственная таблица; Ctrl+V вставляет из электронной таблицы.</translation>
     </message>
     <message>
         <source>Your own table. Double-click a cell to edit; Ctrl+V pastes from a spreadsheet.</source>
@@ -10652,7 +10648,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Show the present contents of the file. Undo restores this page.</source>
-        <translation>Показать нынешнее содержимое файла. Отмена вернёт эту страницу.</translation>
+        <translation>Показать текущее содержимое файла. Отмена вернёт эту страницу.</translation>
     </message>
     <message>
         <source>Save this page in another file.</source>
@@ -10780,7 +10776,7 @@ but no position is feasible</source>
         <translation>оба шарнира</translation>
     </message>
     <message>
-        <source>(ω_max − ω_min) / ω mean of the free motion, %</source>
+        <source>(ω_max − ω_min) / mean ω of the free motion, %</source>
         <translation>(ω_max − ω_min) к средней ω свободного движения, %</translation>
     </message>
     <message>
@@ -10821,7 +10817,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>|ℓ₀/2 − ρ₀|: minimum to store the energy, and present value</source>
-        <translation>|ℓ₀/2 − ρ₀|: минимум, чтобы запасти энергию, и нынешнее значение</translation>
+        <translation>|ℓ₀/2 − ρ₀|: минимум, чтобы запасти энергию, и текущее значение</translation>
     </message>
     <message>
         <source>Maximum minus minimum length of the spring over a turn</source>
@@ -10865,14 +10861,14 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Weight on the rod for ∮ M₁₂ dφ = 0, or as entered</source>
-        <translation>Груз на шатуне при ∮ M₁₂ dφ = 0 или заданный</translation>
+        <translation>Вес груза на шатуне при ∮ M₁₂ dφ = 0 или заданный</translation>
     </message>
     <message>
-        <source>(ω_max − ω_min) / ω mean with the crank hinge, %</source>
+        <source>(ω_max − ω_min) / mean ω with the crank hinge, %</source>
         <translation>(ω_max − ω_min) к средней ω с шарниром кривошипа, %</translation>
     </message>
     <message>
-        <source>(ω_max − ω_min) / ω mean after a start away from the design speed</source>
+        <source>(ω_max − ω_min) / mean ω after a start away from the design speed</source>
         <translation>(ω_max − ω_min) к средней ω после пуска с нерасчётной скорости</translation>
     </message>
     <message>
@@ -11088,7 +11084,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>present α</source>
-        <translation>нынешний α</translation>
+        <translation>текущий α</translation>
     </message>
     <message>
         <source>width × height, cm²</source>
@@ -11212,7 +11208,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>One cycle of the crank, %1, counter-clockwise from the top: cylinders in the order of firing, the intervals between them, the present crank angle.</source>
-        <translation>Один цикл, %1 поворота вала, против часовой стрелки сверху: цилиндры в порядке работы, интервалы между ними, нынешний угол поворота.</translation>
+        <translation>Один цикл, %1 поворота вала, против часовой стрелки сверху: цилиндры в порядке работы, интервалы между ними, текущий угол поворота.</translation>
     </message>
     <message>
         <source>cylinder</source>
@@ -11285,16 +11281,16 @@ but no position is feasible</source>
         <translation>Сила первого порядка цилиндров одного груза за оборот</translation>
     </message>
     <message>
-        <source>upright, %1</source>
-        <translation>по высоте, %1</translation>
+        <source>vertical, %1</source>
+        <translation>по вертикали, %1</translation>
     </message>
     <message>
         <source>without counterweights</source>
         <translation>без противовесов</translation>
     </message>
     <message>
-        <source>across, %1</source>
-        <translation>поперёк, %1</translation>
+        <source>horizontal, %1</source>
+        <translation>по горизонтали, %1</translation>
     </message>
     <message>
         <source>with counterweights</source>
@@ -11666,7 +11662,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>%1 times slower</source>
-        <translation>замедлено в %1 раз</translation>
+        <translation>замедление × %1</translation>
     </message>
     <message>
         <source>ω = %1</source>
@@ -12289,7 +12285,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>All orders of the reciprocating parts</source>
-        <translation>Все порядки возвратно-поступательно движущихся масс</translation>
+        <translation>Все порядки возвратно-поступательных масс</translation>
     </message>
     <message>
         <source>All orders with rotating masses, and with the counterweights and shafts that are on</source>
@@ -12508,7 +12504,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Even firing</source>
-        <translation>Равномерное чередование</translation>
+        <translation>Равномерные вспышки</translation>
     </message>
     <message>
         <source>Add shaft</source>
@@ -12667,11 +12663,11 @@ but no position is feasible</source>
         <translation>Сила вверх; число — её порядок</translation>
     </message>
     <message>
-        <source>Moment in the horizontal plane, Σ Fx (z − z_ref)</source>
+        <source>Moment in the horizontal plane, Σ Fx (z − z₀)</source>
         <translation>Момент в горизонтальной плоскости, Σ Fx (z − z₀)</translation>
     </message>
     <message>
-        <source>Moment in the vertical plane, Σ Fy (z − z_ref)</source>
+        <source>Moment in the vertical plane, Σ Fy (z − z₀)</source>
         <translation>Момент в вертикальной плоскости, Σ Fy (z − z₀)</translation>
     </message>
     <message>
@@ -12696,7 +12692,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Enter a firing order for even firing.</source>
-        <translation>Введите порядок работы для равномерного чередования.</translation>
+        <translation>Введите порядок работы для равномерных вспышек.</translation>
     </message>
     <message>
         <source>Articulated rods run on their master&apos;s crankpin and cannot be separated.</source>
@@ -12906,7 +12902,7 @@ but no position is feasible</source>
 <context>
     <name>ravnoves::Journal</name>
     <message>
-        <source>The journal&apos;s folder %1 cannot be made.</source>
+        <source>The journal&apos;s folder %1 cannot be created.</source>
         <translation>Не удалось создать папку журнала %1.</translation>
     </message>
     <message>
@@ -12978,7 +12974,7 @@ but no position is feasible</source>
         <translation>файл повреждён</translation>
     </message>
     <message>
-        <source>Its last backup is of %1.</source>
+        <source>Its last backup is from %1.</source>
         <translation>Последняя резервная копия от %1.</translation>
     </message>
     <message>
@@ -13015,7 +13011,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>%1 is not a backup of a journal, or is damaged.</source>
-        <translation>%1 — не резервная копия журнала или повреждён.</translation>
+        <translation>%1 — не резервная копия журнала, или файл повреждён.</translation>
     </message>
     <message>
         <source>the disk is full</source>
@@ -13224,7 +13220,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>The readings are of this crankshaft, with the present bob weight.</source>
-        <translation>Показания сняты с этого вала, с нынешним грузом.</translation>
+        <translation>Показания сняты с этого вала, с текущим грузом.</translation>
     </message>
 </context>
 <context>
@@ -13872,7 +13868,7 @@ but no position is feasible</source>
         <translation>V-8 4,25 л: заглушки, балансировочный груз, второй пуск на станке</translation>
     </message>
     <message>
-        <source>Where does my balance shaft go?</source>
+        <source>Where do I put the balance shaft?</source>
         <translation>Где поставить балансирный вал?</translation>
     </message>
     <message>
@@ -13900,7 +13896,7 @@ but no position is feasible</source>
         <translation>Какова масса балансировочного груза и где сверлить?</translation>
     </message>
     <message>
-        <source>How is a whole job balanced?</source>
+        <source>How is a crankshaft balanced from start to finish?</source>
         <translation>Как балансируют вал от начала до конца?</translation>
     </message>
     <message>
@@ -13991,7 +13987,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>With the shaft at the present α</source>
-        <translation>С балансирным валом при нынешнем α</translation>
+        <translation>С балансирным валом при текущем α</translation>
     </message>
     <message>
         <source>Order spectrum</source>
@@ -14023,7 +14019,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Fourier amplitude with the shaft at the present α</source>
-        <translation>Амплитуда Фурье с валом при нынешнем α</translation>
+        <translation>Амплитуда Фурье с валом при текущем α</translation>
     </message>
     <message>
         <source>Phase of the moment to the left: amplitude × sin(kφ + phase)</source>
@@ -14334,7 +14330,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Sizes of the present plug</source>
-        <translation>Размеры нынешней заглушки</translation>
+        <translation>Размеры существующей заглушки</translation>
     </message>
     <message>
         <source>Options include aluminium plugs instead of steel plugs.</source>
@@ -14357,7 +14353,7 @@ but no position is feasible</source>
         <translation>Двигатель переименован: %1.</translation>
     </message>
     <message>
-        <source>All plugs count alike: enter the mean mass. Match plugs that differ by more than 0.5 g.</source>
+        <source>All plugs are treated as equal: enter the mean mass. Match plugs that differ by more than 0.5 g.</source>
         <translation>Все заглушки считаются одинаковыми: введите среднюю массу. Заглушки с разницей более 0,5 г подгоните.</translation>
     </message>
 </context>
@@ -14686,7 +14682,7 @@ but no position is feasible</source>
         <translation>Исходные данные</translation>
     </message>
     <message>
-        <source>%1: a report ends in .pdf or .html</source>
+        <source>%1: the name of a report ends in .pdf or .html</source>
         <translation>%1: имя отчёта кончается на .pdf или .html</translation>
     </message>
     <message>
@@ -14782,11 +14778,11 @@ but no position is feasible</source>
         <translation>Часть графика: он увеличен.</translation>
     </message>
     <message>
-        <source>Not in the case</source>
+        <source>Not given</source>
         <translation>Не задано</translation>
     </message>
     <message>
-        <source>Taken as</source>
+        <source>Assumed</source>
         <translation>Принято</translation>
     </message>
     <message>
@@ -14886,7 +14882,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Present value minus reference %1</source>
-        <translation>Нынешнее значение минус эталон %1</translation>
+        <translation>Текущее значение минус эталон %1</translation>
     </message>
     <message>
         <source>Below the value: difference from the reference.</source>
@@ -15202,7 +15198,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>%1 has changed since this variant was kept: its results use the present file.</source>
-        <translation>%1 изменился с тех пор, как сохранён этот вариант: его результаты — по нынешнему файлу.</translation>
+        <translation>%1 изменился с тех пор, как сохранён этот вариант: его результаты — по текущему файлу.</translation>
     </message>
     <message>
         <source>Enter a name for the variant.</source>
@@ -15590,7 +15586,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>present place</source>
-        <translation>нынешнее место</translation>
+        <translation>текущее место</translation>
     </message>
     <message>
         <source>Over l</source>
@@ -15740,7 +15736,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Shafts from the front at the present crank angle; red: cancelled part; dashed: axis and crankpin of cylinder 1. Click a shaft to switch it (arrow keys, Space).</source>
-        <translation>Валы спереди при нынешнем угле кривошипа; красное: уравновешиваемая часть; штрих: ось и шейка цилиндра 1. Щелчок включает и выключает вал (стрелки, пробел).</translation>
+        <translation>Валы спереди при текущем угле кривошипа; красное: уравновешиваемая часть; штрих: ось и шейка цилиндра 1. Щелчок включает и выключает вал (стрелки, пробел).</translation>
     </message>
     <message>
         <source>No balance shafts. Press “Add shaft” under Balancing.</source>
@@ -15872,11 +15868,11 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Rebuild the torque here, or choose a pressure trace or a computed cycle on the Torque tab.</source>
-        <translation>Пересоберите момент здесь или возьмите давление или расчётный цикл на вкладке «Момент».</translation>
+        <translation>Пересчитайте момент здесь или выберите давление или расчётный цикл на вкладке «Момент».</translation>
     </message>
     <message>
         <source>Choose a pressure trace or a computed cycle on the Torque tab.</source>
-        <translation>Возьмите давление или расчётный цикл на вкладке «Момент».</translation>
+        <translation>Выберите давление или расчётный цикл на вкладке «Момент».</translation>
     </message>
     <message>
         <source>Cancelled. Change an input to solve again.</source>
@@ -16161,8 +16157,8 @@ but no position is feasible</source>
         <translation>Доля допустимых проб.</translation>
     </message>
     <message>
-        <source>At no value are 95 % of the samples feasible.</source>
-        <translation>Ни при каком значении не допустимы 95&#xa0;% проб.</translation>
+        <source>No value makes 95 % of the samples feasible.</source>
+        <translation>Ни одно значение не даёт 95 % допустимых проб.</translation>
     </message>
     <message>
         <source>feasible, %</source>
@@ -16415,7 +16411,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Choose a result to watch.</source>
-        <translation>Выберите результат, на который влияют допуски.</translation>
+        <translation>Выберите результат для наблюдения.</translation>
     </message>
 </context>
 <context>
@@ -16473,7 +16469,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Rebuild torque</source>
-        <translation>Пересобрать</translation>
+        <translation>Пересчитать</translation>
     </message>
     <message>
         <source>Use the torque&apos;s speed</source>
@@ -16756,7 +16752,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>&amp;Swap with the present</source>
-        <translation>&amp;Обменять с нынешним</translation>
+        <translation>&amp;Обменять с текущим</translation>
     </message>
     <message>
         <source>&amp;Rename…</source>
@@ -16788,15 +16784,15 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Keeps the present input as a variant; later changes are compared with it</source>
-        <translation>Сохраняет нынешние данные как вариант; дальнейшие изменения сравниваются с ним</translation>
+        <translation>Сохраняет текущие данные как вариант; дальнейшие изменения сравниваются с ним</translation>
     </message>
     <message>
         <source>Shows the present input alone; variants are kept</source>
-        <translation>Показывает только нынешние данные; варианты сохраняются</translation>
+        <translation>Показывает только текущие данные; варианты сохраняются</translation>
     </message>
     <message>
         <source>Exchanges present input and reference</source>
-        <translation>Меняет местами нынешние данные и эталон</translation>
+        <translation>Меняет местами текущие данные и эталон</translation>
     </message>
     <message>
         <source>&amp;Use</source>
@@ -16804,7 +16800,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>The reference becomes the present input and remains the reference</source>
-        <translation>Эталон становится нынешними данными и остаётся эталоном</translation>
+        <translation>Эталон становится текущими данными и остаётся эталоном</translation>
     </message>
     <message>
         <source>Renames the reference</source>
@@ -16816,7 +16812,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Variants: keep the present input as reference (Ctrl+K); later changes are compared with it</source>
-        <translation>Варианты: сохраните нынешние данные как эталон (Ctrl+K); дальнейшие изменения сравниваются с ним</translation>
+        <translation>Варианты: сохраните текущие данные как эталон (Ctrl+K); дальнейшие изменения сравниваются с ним</translation>
     </message>
     <message>
         <source>&amp;Compare side by side…</source>
@@ -16824,7 +16820,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Shows the differences between the present input and all variants, then their results</source>
-        <translation>Показывает, чем отличаются нынешние данные и все варианты, затем их результаты</translation>
+        <translation>Показывает, чем отличаются текущие данные и все варианты, затем их результаты</translation>
     </message>
     <message>
         <source>%1 – not accepted: %2</source>
@@ -16832,7 +16828,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>Compare the present input with %1</source>
-        <translation>Сравнить нынешние данные с %1</translation>
+        <translation>Сравнить текущие данные с %1</translation>
     </message>
     <message>
         <source>Kept as variant %1; later changes are compared with it.</source>
@@ -16863,7 +16859,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>An input that differs.</source>
-        <translation>Отличающееся исходное данное.</translation>
+        <translation>Отличающаяся исходная величина.</translation>
     </message>
     <message>
         <source>★ marks the best.</source>
@@ -16871,7 +16867,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>No variants yet. Press Ctrl+K to keep the present input as a variant.</source>
-        <translation>Вариантов ещё нет. Ctrl+K сохраняет нынешние данные как вариант.</translation>
+        <translation>Вариантов ещё нет. Ctrl+K сохраняет текущие данные как вариант.</translation>
     </message>
     <message>
         <source>Layout</source>
@@ -16935,8 +16931,8 @@ but no position is feasible</source>
         <translation>среднее, г</translation>
     </message>
     <message>
-        <source>to nominal, g</source>
-        <translation>к номиналу, г</translation>
+        <source>vs. nominal, g</source>
+        <translation>от номинала, г</translation>
     </message>
     <message>
         <source>&amp;Move them here</source>
@@ -17296,7 +17292,7 @@ but no position is feasible</source>
         <translation>Введите показания обеих плоскостей.</translation>
     </message>
     <message>
-        <source>Not to be used: bob weight %1.</source>
+        <source>Do not use: bob weight %1.</source>
         <translation>Не использовать: балансировочный груз %1.</translation>
     </message>
     <message>
@@ -17328,8 +17324,8 @@ but no position is feasible</source>
         <translation>Вариант; ✓ достаточно, ✗ недостаточно, ! только по методу</translation>
     </message>
     <message>
-        <source>Mass compensated without boring, kₚ times the exchange of plugs</source>
-        <translation>Масса, компенсируемая без сверления, kₚ на разность масс заглушек</translation>
+        <source>Mass compensated without boring, kₚ times the mass difference of the plugs</source>
+        <translation>Масса, компенсируемая без расточки, kₚ на разность масс заглушек</translation>
     </message>
     <message>
         <source>Mass compensated per gram taken off each plug</source>
@@ -17495,7 +17491,7 @@ but no position is feasible</source>
         <translation>Работа %1 в журнале — для другого двигателя, чем на листе.</translation>
     </message>
     <message>
-        <source>The journal has a job of %1 and this day already, saved on %2.</source>
+        <source>The journal already has a job of %1 on this day, saved on %2.</source>
         <translation>В журнале уже есть работа %1 за этот день, записанная %2.</translation>
     </message>
     <message>
@@ -17603,7 +17599,7 @@ but no position is feasible</source>
         <translation>На листе нет ни номера двигателя или вала, ни заказчика: журнал не сможет найти работу.</translation>
     </message>
     <message>
-        <source>The job in the journal is of %1, the sheet of %2.</source>
+        <source>The job in the journal is for %1, the sheet for %2.</source>
         <translation>Работа в журнале — двигателя %1, на листе — %2.</translation>
     </message>
     <message>
@@ -17696,8 +17692,8 @@ but no position is feasible</source>
         <translation>должно быть указателем JSON, например /crank_radius_mm</translation>
     </message>
     <message>
-        <source>must be a grid like the others, or none of them</source>
-        <translation>должно быть сеткой, как и остальные, или никакое из них</translation>
+        <source>must be a grid like the others; otherwise none may be a grid</source>
+        <translation>должно быть сеткой, как и остальные; иначе сеток быть не должно</translation>
     </message>
     <message>
         <source>must make at most %1 points</source>
@@ -17801,7 +17797,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>was not written by this program</source>
-        <translation>не то, что записывает эта программа</translation>
+        <translation>записано не этой программой</translation>
     </message>
     <message>
         <source>The linear answer fails for %1: the samples deviate from it by %2 (RMS), standard deviation %3.</source>
@@ -18080,11 +18076,11 @@ but no position is feasible</source>
     </message>
     <message>
         <source>r crank radius, rₚ and rₚₙ distance of the centre of mass of the present and the new plug from the crank axis</source>
-        <translation>r — радиус кривошипа, rₚ и rₚₙ — расстояние центра масс нынешней и новой заглушки от оси вала</translation>
+        <translation>r — радиус кривошипа, rₚ и rₚₙ — расстояние центра масс существующей и новой заглушки от оси вала</translation>
     </message>
     <message>
         <source>Crankshaft made for new plugs, present plugs fitted</source>
-        <translation>Вал под новые заглушки с нынешними</translation>
+        <translation>Вал под новые заглушки с существующими</translation>
     </message>
     <message>
         <source>Residual due to the shift of the centre of mass</source>
@@ -18267,7 +18263,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>%1: cylinder %2 weighs %3, the others about %4; the deviation is %5 times their scatter. Weigh it again or match the parts.</source>
-        <translation>%1: цилиндр %2 — %3, остальные около %4; отклонение в %5 раза больше их разброса. Взвесьте снова или подберите детали.</translation>
+        <translation>%1: цилиндр %2 — %3, остальные около %4; отношение отклонения к их разбросу %5. Взвесьте снова или подберите детали.</translation>
     </message>
     <message>
         <source>%1: cylinder %2 weighs %3, the others about %4. Weigh it again.</source>
@@ -18283,7 +18279,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>The crankpins are unequal: their excess is %1 to %2, and the plugs are for the mean. Move the sets or match the parts first.</source>
-        <translation>Шатунные шейки неодинаковы: их избыток от %1 до %2, а заглушки рассчитаны на среднее. Сначала переставьте комплекты или подгоните детали.</translation>
+        <translation>Шатунные шейки неодинаковы: их избыток от %1 до %2, а заглушки рассчитаны на среднее. Сначала переставьте комплекты или подберите детали.</translation>
     </message>
     <message>
         <source>A crankshaft of %1 is too heavy for this engine. Correct its mass in kilograms, or enter the limit in g·mm.</source>
@@ -18339,7 +18335,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>is allowed only for a V of 8 cylinders at 90° with two rods on a crankpin and no split</source>
-        <translation>допускается только для V-образного двигателя с 8 цилиндрами под 90°, двумя шатунами на шейке и без смещения шеек</translation>
+        <translation>допускается только для V-образного двигателя с 8 цилиндрами под 90°, двумя шатунами на шейке и без разведения шеек</translation>
     </message>
     <message>
         <source>Plugs</source>
@@ -18431,7 +18427,7 @@ but no position is feasible</source>
     </message>
     <message>
         <source>%1: range %2 (heaviest: cylinder %3, lightest: %4). Weigh them again or match the parts.</source>
-        <translation>%1: размах %2 (самый тяжёлый: цилиндр %3, самый лёгкий: %4). Взвесьте ещё раз или подберите детали.</translation>
+        <translation>%1: размах %2 (самая тяжёлая: цилиндр %3, самая лёгкая: %4). Взвесьте ещё раз или подберите детали.</translation>
     </message>
     <message>
         <source>Reciprocating mass %1 and rotating mass %2 of a cylinder are inconsistent. Check the masses of the parts.</source>

@@ -63,7 +63,7 @@ void BalanceShaftPage::addMasses(Form* form) {
     form->follow([this, sum, note] {
         sum->setText(shownNumber(model_->input().reciprocating_mass(), units::kg, 3));
         const double other = model_->otherMasses();
-        note->setText(tr("%1 are not listed above.").arg(shownShort(other, units::kg, 6)));
+        note->setText(tr("Not listed above: %1.").arg(shownShort(other, units::kg, 6)));
         note->setVisible(other > 0.0);
     });
 }

@@ -210,7 +210,7 @@ BalancingForm::BalancingForm(InertiaMomentsModel* model) : Form(model) {
     section(tr("Balance shafts"));
     choice("/balance_shaft_basis");
     current()->addWide(captionLabel(
-        tr("k order, L distance of the weights (%1), ρ their radius (%1), δ error of phase (°)")
+        tr("k order, L distance of the weights (%1), ρ their radius (%1), δ phase error (°)")
             .arg(shownUnit(units::mm).name),
         this));
     current()->addWide(new ShaftEditor(model, this));

@@ -367,7 +367,7 @@ bool isReportName(const QString& path) {
 QString writeReport(ScenePage& page, CaseDocument& document, const QString& path,
                     const ReportChoice& choice, const Patience& patience) {
     if (!isReportName(path)) {
-        return ReportWords::tr("%1: a report ends in .pdf or .html").arg(path);
+        return ReportWords::tr("%1: the name of a report ends in .pdf or .html").arg(path);
     }
     QString source = sourceTrouble(path);
     if (!source.isEmpty()) {

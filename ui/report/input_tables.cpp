@@ -332,7 +332,7 @@ std::optional<Table> leftOut(const SceneModel& model) {
     const std::vector<std::string> replaced = model.replacedInputs();
     const std::vector<std::string> usual = model.usualObjects();
     Table table;
-    table.headings = {ReportWords::tr("Not in the case"), ReportWords::tr("Taken as")};
+    table.headings = {ReportWords::tr("Not given"), ReportWords::tr("Assumed")};
     table.numbers = {false, false};
     for (const FieldEntry& entry : model.fields()) {
         const Json::json_pointer object = Json::json_pointer(entry.pointer).parent_pointer();

@@ -18,7 +18,7 @@ namespace {
 /// The titles of resources/examples, as they are there, and what each answers.
 constexpr auto exampleTitles = std::to_array<std::pair<const char*, const char*>>({
     {QT_TRANSLATE_NOOP("ravnoves::NewCases", "TMZ-650D: balance shaft at 45°"),
-     QT_TRANSLATE_NOOP("ravnoves::NewCases", "Where does my balance shaft go?")},
+     QT_TRANSLATE_NOOP("ravnoves::NewCases", "Where do I put the balance shaft?")},
     {QT_TRANSLATE_NOOP("ravnoves::NewCases", "88 × 75 mm: a balance shaft that helps"),
      QT_TRANSLATE_NOOP("ravnoves::NewCases", "How much can a balance shaft help?")},
     {QT_TRANSLATE_NOOP("ravnoves::NewCases", "Zotov and Sviridov 2021: formulas as printed"),
@@ -39,7 +39,7 @@ constexpr auto exampleTitles = std::to_array<std::pair<const char*, const char*>
      QT_TRANSLATE_NOOP("ravnoves::NewCases", "How heavy is the bob weight, and where do I drill?")},
     {QT_TRANSLATE_NOOP("ravnoves::NewCases",
                        "V-8 4.25 l: plugs, bob weight, second run on the machine"),
-     QT_TRANSLATE_NOOP("ravnoves::NewCases", "How is a whole job balanced?")},
+     QT_TRANSLATE_NOOP("ravnoves::NewCases", "How is a crankshaft balanced from start to finish?")},
     {QT_TRANSLATE_NOOP("ravnoves::NewCases", "Volkswagen VR5 at 6200 min⁻¹"),
      QT_TRANSLATE_NOOP("ravnoves::NewCases", "How much does a VR5 shake?")},
     {QT_TRANSLATE_NOOP("ravnoves::NewCases", "Radial engine of nine cylinders"),

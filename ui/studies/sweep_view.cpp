@@ -199,7 +199,7 @@ QString SweepView::words() const {
 
 QString SweepView::bestText() const {
     const Sweep& sweep = *model_->sweep();
-    const QString few = tr("At no value are 95 % of the samples feasible.");
+    const QString few = tr("No value makes 95 % of the samples feasible.");
     if (!sweep.best) {
         return few;
     }

@@ -208,7 +208,7 @@ void CorrectionSheet::buildDrilled() {
                    : QString();
     });
     none->setTextInteractionFlags(Qt::NoTextInteraction);
-    button("add_hole", tr("&Add a hole that was there before…"),
+    button("add_hole", tr("&Add an existing hole…"),
            tr("New holes keep clear of this hole; it may be deepened."),
            [this] { addEarlierHole(); });
     connect(model_, &SceneModel::changed, this, &CorrectionSheet::growRows);
@@ -334,7 +334,7 @@ QWidget* CorrectionSheet::lastDrilled() const {
 void CorrectionSheet::addEarlierHole() {
     QDialog dialog(this);
     dialog.setObjectName(QStringLiteral("earlier_hole"));
-    dialog.setWindowTitle(tr("Hole that was there before"));
+    dialog.setWindowTitle(tr("Existing hole"));
     dialog.setMinimumWidth(Theme::withText(360));  // its title is seen whole
     auto* column = new QVBoxLayout(&dialog);
     auto* form = new FormSection({}, &dialog);
@@ -373,7 +373,7 @@ void CorrectionSheet::addEarlierHole() {
     hole.depth = *fields[1]->value() * field::drilled_depth.unit;
     hole.angle = *fields[2]->value() * field::drilled_angle.unit;
     hole.state = HoleState::measured;
-    model_->editCorrection(tr("Hole that was there before"), [&](Correction& correction) {
+    model_->editCorrection(tr("Existing hole"), [&](Correction& correction) {
         if (first_run(correction) == 0) {
             EarlierRun before;
             before.readings.clear();  // it was not read

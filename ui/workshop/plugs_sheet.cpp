@@ -48,8 +48,8 @@ PlugsSheet::PlugsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
     withPlugs(true);
     addValues(v8_plugs::EngineGroup::basic);
     line(Theme::smallSize, [this] {
-        return model_->hasPlugs() ? tr("All plugs count alike: enter the mean mass. Match plugs "
-                                       "that differ by more than 0.5 g.")
+        return model_->hasPlugs() ? tr("All plugs are treated as equal: enter the mean mass. Match "
+                                       "plugs that differ by more than 0.5 g.")
                                   : QString();
     });
     section(tr("Sizes of the present plug"));

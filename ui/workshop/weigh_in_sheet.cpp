@@ -96,7 +96,7 @@ void WeighInSheet::addWeights() {
         follow([this, title, row] { title->setVisible(row < table_.rows()); });
     }
     int row = rows_ + 1;
-    for (const QString& title : {tr("mean, g"), tr("to nominal, g"), tr("range, g")}) {
+    for (const QString& title : {tr("mean, g"), tr("vs. nominal, g"), tr("range, g")}) {
         put(row++, 0, shownTitle(title).text, Theme::smallSize);
     }
     trouble_->setObjectName(QStringLiteral("weigh_in_trouble"));

@@ -536,7 +536,7 @@ bool WorkshopPage::isJobKnown() {
     const QString here = onSheet.numbers();
     const auto same = desk()->sameJob();
     if (same) {
-        const int answer = ask(tr("The journal has a job of %1 and this day already, saved on %2.")
+        const int answer = ask(tr("The journal already has a job of %1 on this day, saved on %2.")
                                    .arg(here, timeText(same->saved)),
                                {tr("&Replace it"), tr("Save as &another")}, 1);
         if (answer != 0) {
@@ -549,7 +549,7 @@ bool WorkshopPage::isJobKnown() {
         text = there == here
                    ? tr("The job of %1 in the journal is for another engine than the sheet.")
                          .arg(there)
-                   : tr("The job in the journal is of %1, the sheet of %2.").arg(there, here);
+                   : tr("The job in the journal is for %1, the sheet for %2.").arg(there, here);
     } else if (const QString verdict = desk()->verdictToLose(); !verdict.isEmpty()) {
         const Words words;
         text = tr("The job of %1 in the journal is finished, verdict: %2. With this sheet the "

@@ -220,7 +220,8 @@ TEST(BuildableAngles, ThePapersBestAngleIsNotOneOfThem) {
     EXPECT_EQ(json.at("buildable").at("at_shaft_angle"), false);
     EXPECT_LT(json.at("clearances").at("cylinder_mm").get<double>(), 2.0);
     EXPECT_TRUE(json.at("notes").back().get<std::string>().starts_with(
-        "Sizes not given are assumed: swing radius of the shaft 39.3 mm, of the crank 57.5 mm"));
+        "Sizes not given are assumed: swing radius of the shaft 39.3 mm, swing radius of the crank "
+        "57.5 mm"));
 }
 
 TEST(BuildableAngles, TheVerdictNamesWhatTheShaftMeets) {

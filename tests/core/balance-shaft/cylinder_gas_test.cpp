@@ -387,7 +387,7 @@ TEST(ComputedTorque, BadCyclesAreRejected) {
     EXPECT_EQ(rejection(R"({"cylinder": {"bore": 1}})"),
               "/input/cylinder/bore: is not a known key; the nearest is \"bore_mm\"");
     EXPECT_EQ(rejection(R"({"cylinder": {"bore_mm": 1e-3}})"),
-              "/input/cylinder/bore_mm: must make a displacement from 1e-6 cm³ to 1e9 cm³, "
+              "/input/cylinder/bore_mm: must give a displacement from 1e-6 cm³ to 1e9 cm³, "
               "got 7.22566e-08 cm³");
     EXPECT_EQ(rejection(R"({"torque": {"csv": "x.csv"}})"),
               "/input/torque: must have one of: crank_angle_deg with torque_Nm, csv, pressure, "

@@ -279,8 +279,9 @@ TEST(TableReading, ACaseNamesColumnsUnitAndGauge) {
                   "of the value, got [1]");
     EXPECT_EQ(rejection("columns", {5, 14}),
               place + "csv: p.csv: line 2: must have at least 14 columns, got 13 columns");
-    EXPECT_EQ(rejection("columns", {"1", "0"}),
-              place + "csv: p.csv: must have a column of values: columns count from 1, got 0");
+    EXPECT_EQ(
+        rejection("columns", {"1", "0"}),
+        place + "csv: p.csv: must have a column of values: columns are numbered from 1, got 0");
     EXPECT_EQ(rejection("columns", {"0", "0"}), rejection("columns", {"1", "0"}));
     EXPECT_TRUE(rejection("columns", {"CA", 8})
                     .starts_with(place + "csv: p.csv: must have a column with the heading \"CA\", "
@@ -324,7 +325,8 @@ TEST(TableReading, TheColumnOfValuesCountsFromOne) {
         reading.columns = {angle, "0"};
         const auto proposal = propose_reading("0;1\n360;2\n720;1\n", Measured::torque, reading);
         ASSERT_EQ(proposal.doubts.size(), 1U);
-        EXPECT_NE(proposal.doubts[0].english().find("columns count from 1"), std::string::npos);
+        EXPECT_NE(proposal.doubts[0].english().find("columns are numbered from 1"),
+                  std::string::npos);
     }
 }
 

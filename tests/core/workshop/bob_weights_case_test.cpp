@@ -365,7 +365,7 @@ TEST(Correction, AdvisesHeavyMetalOnlyWhereItHasAPlace) {
         const std::string outside = "The opposite side is outside the sector too";
         EXPECT_NE(reason(2000, 131, 200).find(outside), std::string::npos);
         EXPECT_NE(reason(2000, 80, 120).find(outside), std::string::npos);
-        EXPECT_EQ(reason(20'000, 0, 80).find("The holes have too little room. "), 0u);
+        EXPECT_EQ(reason(20'000, 0, 80).find("There is too little room for the holes. "), 0u);
         EXPECT_NE(reason(20'000, 0, 80).find(outside), std::string::npos);
     }
     EXPECT_EQ(reason(2000, 131, 250).find("Slugs of 7900 kg/m³ are hardly"), 0u);

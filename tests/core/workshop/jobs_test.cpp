@@ -198,7 +198,7 @@ TEST(Job, RejectsWhatDoesNotGoTogether) {
          "/input/weigh_in/piston/nominal_g: is required and missing"},
         {"/plugs/engine/max_steel_reduction_g", 40,
          "/input/plugs/engine/max_steel_reduction_g: must be less than"},
-        {"/plugs/plug/bore_depth_mm", 14, "/input/plugs/plug: must be a plug that can exist"},
+        {"/plugs/plug/bore_depth_mm", 14, "/input/plugs/plug: must be a possible plug"},
         {"/plugs/balancing", Json::object(), "/input/plugs/balancing: is not a known key"},
         {"/plugs/weigh_in", Json::object(), "/input/plugs/weigh_in: "},
         {"/machine/planes", {"left"}, "/input/machine/planes: must be"},

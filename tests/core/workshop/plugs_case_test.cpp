@@ -451,7 +451,7 @@ TEST(BadInput, NamesTheField) {
          {{"mass_g", {1, 1, 1, 1, 1, 1, 1, 1}}},
          "/input/weigh_in/pin/nominal_g: is required"},
         {"/plug/thread", "22", "/input/plug/thread: must be a metric thread"},
-        {"/plug/bore_depth_mm", 14, "/input/plug: must be a plug that can exist"},
+        {"/plug/bore_depth_mm", 14, "/input/plug: must be a possible plug"},
         {"/balancing/service_speed_rpm", 0, "/input/balancing/service_speed_rpm"},
         {"/job/engine_number", 5, "/input/job/engine_number: must be a text"}};
     for (const auto& [pointer, value, beginning] : rows) {

@@ -1166,7 +1166,7 @@ TEST_F(JobPageTest, WhatMayBeWrongIsSaid) {
         EXPECT_EQ(label("headline"), u"STOP: no bob weight yet"_s);
         EXPECT_EQ(label("hang"), QString());
         EXPECT_TRUE(model->lineResults().rows.isEmpty());
-        EXPECT_TRUE(label("doubtful").startsWith(u"Not to be used: bob weight "_s))
+        EXPECT_TRUE(label("doubtful").startsWith(u"Do not use: bob weight "_s))
             << qPrintable(label("doubtful"));
         const QString printed = cardText();
         EXPECT_TRUE(printed.contains(each.said)) << qPrintable(printed);
@@ -1627,7 +1627,7 @@ TEST_F(JobPageTest, AJobFromAFileIsNotSavedTwiceWithoutAWord) {
     type("piston", u"600"_s);
     auto asked = answer(u"Cancel"_s);
     save();
-    EXPECT_TRUE(asked->startsWith(u"The journal has a job of E-1 and this day already, saved on"_s))
+    EXPECT_TRUE(asked->startsWith(u"The journal already has a job of E-1 on this day, saved on"_s))
         << qPrintable(*asked);
     ASSERT_EQ(jobs().size(), 1);
     EXPECT_NEAR(*jobs().at(0).bobWeight, 1505.2, 1e-9) << "nothing is lost without a word";

@@ -433,14 +433,14 @@ Results ElasticHingeModel::quantities() const {
     }
     results.rows += {
         ripple(tr("Ripple without hinge"), &HingeMotions::without,
-               tr("(ω_max − ω_min) / ω mean of the free motion, %")),
+               tr("(ω_max − ω_min) / mean ω of the free motion, %")),
         ripple(tr("Ripple with hinge"), &HingeMotions::crank,
-               tr("(ω_max − ω_min) / ω mean with the crank hinge, %")),
+               tr("(ω_max − ω_min) / mean ω with the crank hinge, %")),
         ripple(tr("Ripple from %1")
                    .arg(withItsUnit(motions_ ? motions_->offSpeed : MotionRunner::offSpeed(input()),
                                     units::rad_per_s)),
                &HingeMotions::offDesign,
-               tr("(ω_max − ω_min) / ω mean after a start away from the design speed")),
+               tr("(ω_max − ω_min) / mean ω after a start away from the design speed")),
     };
     return results;
 }

@@ -109,8 +109,8 @@ QString componentTip(const Difference& d) {
                        : InertiaMomentsModel::tr("Force upwards; the number is its order");
         case Quantity::moment:
             return isHorizontal
-                       ? InertiaMomentsModel::tr("Moment in the horizontal plane, Σ Fx (z − z_ref)")
-                       : InertiaMomentsModel::tr("Moment in the vertical plane, Σ Fy (z − z_ref)");
+                       ? InertiaMomentsModel::tr("Moment in the horizontal plane, Σ Fx (z − z₀)")
+                       : InertiaMomentsModel::tr("Moment in the vertical plane, Σ Fy (z − z₀)");
         case Quantity::roll:
             break;
     }

@@ -61,7 +61,7 @@ bool Journal::open() {
     closeDatabase();
     const QFileInfo info(path_);
     if (!QDir().mkpath(info.absolutePath())) {
-        return fail(tr("The journal's folder %1 cannot be made.").arg(info.absolutePath()), {});
+        return fail(tr("The journal's folder %1 cannot be created.").arg(info.absolutePath()), {});
     }
     isBusy_ = false;
     bool usable = openDatabase();
@@ -414,7 +414,7 @@ bool Journal::putAside(const QString& why) {
                        .arg(target);
     for (const QFileInfo& backup : backupsOf(path_).mid(0, 1)) {
         offered_ = backup.filePath();
-        openMessage_ += QLatin1Char(' ') + tr("Its last backup is of %1.")
+        openMessage_ += QLatin1Char(' ') + tr("Its last backup is from %1.")
                                                .arg(QLocale().toString(backup.lastModified().date(),
                                                                        QLocale::ShortFormat));
     }

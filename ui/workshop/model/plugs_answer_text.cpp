@@ -236,7 +236,7 @@ Results WorkshopModel::optionResults() const {
     Results results{{
         {tr("Option"), tr("Option; ✓ sufficient, ✗ not sufficient, ! only by the method")},
         {shownTitle(tr("fixed part, g")).text,
-         tr("Mass compensated without boring, kₚ times the exchange of plugs")},
+         tr("Mass compensated without boring, kₚ times the mass difference of the plugs")},
         {tr("gain"), tr("Mass compensated per gram taken off each plug")},
         {shownTitle(tr("maximum, g")).text, tr("Maximum mass that the option compensates")},
         {shownTitle(tr("take off each, g")).text,

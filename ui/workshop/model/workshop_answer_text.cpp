@@ -519,7 +519,7 @@ Results WorkshopModel::lineResults(const Words& words) const {
 QString WorkshopModel::doubtfulText() const {
     const auto& weight = solved().found.shaft.bob_weight;
     return withheld().bob_weight && weight
-               ? tr("Not to be used: bob weight %1.").arg(Words().number(*weight, units::gram, 1))
+               ? tr("Do not use: bob weight %1.").arg(Words().number(*weight, units::gram, 1))
                : QString();
 }
 

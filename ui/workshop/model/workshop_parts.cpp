@@ -24,8 +24,8 @@ Figure force(const WorkshopModel& model) {
     Figure figure;
     figure.title = ForcePlot::tr("First-order force");
     figure.equalScale = true;
-    figure.x = {.title = ForcePlot::tr("across, %1").arg(gram)};
-    figure.left = {.title = ForcePlot::tr("upright, %1").arg(gram)};
+    figure.x = {.title = ForcePlot::tr("horizontal, %1").arg(gram)};
+    figure.left = {.title = ForcePlot::tr("vertical, %1").arg(gram)};
     double reach = 0.0;
     const auto add = [&](const char* id, plot::CurveStyle style,
                          const std::optional<FirstOrder>& shown) {
