@@ -280,26 +280,22 @@ void PlotPainter::paintBandWords(QPainter& painter, const plot::Band& band,
     const QRectF room = shade.adjusted(4, 2, -4, -2);
     const QRectF used =
         painter.boundingRect(room, flags, band.text).adjusted(-besideLabel, 0, besideLabel, 0);
-    // At the top, or where fewer curves pass.
+    // At the top, or where nothing passes; the curves and values of a full one say more.
     constexpr int heights = 16;
-    std::vector<QRectF> candidates;
+    const double down = std::max(0.0, room.height() - used.height());
+    const double aside = std::max(0.0, room.width() - used.width()) / 2.0;
     for (int i = 0; i <= heights; ++i) {
-        const double free = std::max(0.0, room.height() - used.height());
-        const QRectF candidate = used.translated(0.0, free * i / heights);
-        // Across one curve, not over several.
-        if (!places.meetsLabel(candidate) &&
-            places.covered(candidate) <= LabelPlaces::coveredBy(candidate.width())) {
-            candidates.push_back(candidate);
+        for (const double across : {0.0, -aside, aside}) {
+            const QRectF box = used.translated(across, down * i / heights);
+            if (places.covered(box) == 0.0) {
+                places.addLabel(box);
+                drawVeil(painter, box);
+                painter.setPen(Theme::instance().mutedText());
+                painter.drawText(box.adjusted(1, 0, -1, 0), flags, band.text);
+                return;
+            }
         }
     }
-    if (candidates.empty()) {
-        return;  // the curves and values in it say more
-    }
-    const QRectF box = places.place(candidates);
-    // The line of the present value may pass wherever it is.
-    drawVeil(painter, box, 0.96F);
-    painter.setPen(Theme::instance().mutedText());
-    painter.drawText(box.adjusted(1, 0, -1, 0), flags, band.text);
 }
 
 void PlotPainter::paintAxis(QPainter& painter, const PlotScale& scale, Qt::Edge edge) const {

@@ -90,7 +90,8 @@ class PlotPainter {
     /// Labels of marks, lines and bands, over all else, where they cover the minimum.
     void paintLabels(QPainter& painter) const;
     LabelPlaces drawnPlaces() const;
-    void labelMark(QPainter& painter, const plot::Mark& mark, LabelPlaces& places) const;
+    /// The place of its label, and its leader drawn; nothing where it has none.
+    QRectF placeMark(QPainter& painter, const plot::Mark& mark, LabelPlaces& places) const;
     void labelLine(QPainter& painter, const plot::Line& line, LabelPlaces& places) const;
     /// -1 where a line is below the shown scale, 1 above, 0 within.
     int sideBeyond(const plot::Line& line) const;

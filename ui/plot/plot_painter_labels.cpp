@@ -130,8 +130,18 @@ void PlotPainter::paintLabels(QPainter& painter) const {
     }
     // What belongs to a point chooses first.
     LabelPlaces places = drawnPlaces();
+    std::vector<QRectF> boxes;
     for (const plot::Mark& mark : data_.marks) {
-        labelMark(painter, mark, places);
+        boxes.push_back(placeMark(painter, mark, places));  // with its leader, below all labels
+    }
+    painter.setFont(Theme::font(Theme::smallSize));
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (!boxes[i].isEmpty()) {
+            const plot::Mark& mark = data_.marks[i];
+            drawVeil(painter, boxes[i]);
+            painter.setPen(Theme::instance().readable(Theme::instance().colour(mark.role)));
+            painter.drawText(boxes[i], Qt::AlignCenter, mark.text);
+        }
     }
     for (const plot::Line& line : data_.lines) {
         labelLine(painter, line, places);
@@ -254,9 +264,10 @@ void PlotPainter::paintMarks(QPainter& painter) const {
     }
 }
 
-void PlotPainter::labelMark(QPainter& painter, const plot::Mark& mark, LabelPlaces& places) const {
+QRectF PlotPainter::placeMark(QPainter& painter, const plot::Mark& mark,
+                              LabelPlaces& places) const {
     if (mark.text.isEmpty() || !isSeen(mark)) {
-        return;
+        return {};
     }
     const QPointF at = data_.toPixel(mark.x, mark.y, mark.side);
     const QFont font = Theme::font(Theme::smallSize);
@@ -273,7 +284,9 @@ void PlotPainter::labelMark(QPainter& painter, const plot::Mark& mark, LabelPlac
               QPointF(-size.width() / 2, above), QPointF(-size.width() / 2, away),
               QPointF(slant, -slant - size.height()), QPointF(slant, slant),
               QPointF(-slant - size.width(), -slant - size.height()),
-              QPointF(-slant - size.width(), slant)}) {
+              QPointF(-slant - size.width(), slant), QPointF(2.0 * away, -slant - size.height()),
+              QPointF(2.0 * away, slant), QPointF(left - away, -slant - size.height()),
+              QPointF(left - away, slant)}) {
             candidates.emplace_back(at + corner, size);
         }
     }
@@ -288,10 +301,7 @@ void PlotPainter::labelMark(QPainter& painter, const plot::Mark& mark, LabelPlac
         painter.setPen(QPen(veil(colour, 0.6F), 1.0));
         painter.drawLine(leader.pointAt(radiusOf(mark) / leader.length()), edge);
     }
-    painter.setFont(font);
-    drawVeil(painter, box);
-    painter.setPen(Theme::instance().readable(colour));
-    painter.drawText(box, Qt::AlignCenter, mark.text);
+    return box;
 }
 
 void PlotPainter::paintReadout(QPainter& painter) const {

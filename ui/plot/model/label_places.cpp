@@ -8,8 +8,8 @@ namespace ravnoves {
 
 namespace {
 
-constexpr double cell = 4.0;  // pixels
-constexpr int maxCells = 2000;
+constexpr double cell = 2.0;  // pixels: a label beside a line is not on it
+constexpr int maxCells = 4000;
 
 int cellsOf(double pixels) {
     return std::clamp(static_cast<int>(std::ceil(pixels / cell)), 1, maxCells);
@@ -94,10 +94,6 @@ void LabelPlaces::addLabel(const QRectF& label) {
     }
 }
 
-double LabelPlaces::coveredBy(double length) {
-    return std::ceil(length / cell) + 1.0;
-}
-
 double LabelPlaces::covered(const QRectF& label) const {
     const auto index = [](double pixels, int maximum) {
         return std::clamp(static_cast<int>(std::floor(pixels / cell)), 0, maximum - 1);
@@ -117,12 +113,6 @@ double LabelPlaces::covered(const QRectF& label) const {
     const auto over = std::count_if(labels_.begin(), labels_.end(),
                                     [&](const QRectF& other) { return other.intersects(label); });
     return sum + perLabel * static_cast<double>(over);
-}
-
-bool LabelPlaces::meetsLabel(const QRectF& label) const {
-    const QRectF there = moved(label);
-    return std::any_of(labels_.begin(), labels_.end(),
-                       [&](const QRectF& other) { return other.intersects(there); });
 }
 
 QRectF LabelPlaces::moved(QRectF label) const {

@@ -21,10 +21,6 @@ class LabelPlaces {
     void addLabel(const QRectF& label);
     /// How much a label here would cover; 0 where nothing is.
     double covered(const QRectF& label) const;
-    /// The cover of a line of that many pixels.
-    static double coveredBy(double length);
-    /// True where another label is.
-    bool meetsLabel(const QRectF& label) const;
     /// Of places for one label, the most wanted first, the one that covers the minimum; moved into
     /// the area and occupied.
     QRectF place(std::span<const QRectF> places);
