@@ -87,17 +87,19 @@ drawing::Frame MechanismView::frame() const {
     if (held_) {
         return *held_;
     }
-    QRectF box;  // of envelopes, y up
+    QRectF box;  // of envelopes with the cylinder's head, y up
     for (const BalanceShaftModel* each : {static_cast<const BalanceShaftModel*>(model_), ghost()}) {
         if (each != nullptr) {
             const Envelope& envelope = each->result().envelope;
-            box |= QRectF(envelope.left, envelope.bottom, envelope.width(), envelope.height());
+            const FrontView& sizes = each->solver().front_view();
+            const double top = std::max(envelope.top, sizes.cylinder_top + sizes.cylinder_wall);
+            box |= QRectF(envelope.left, envelope.bottom, envelope.width(), top - envelope.bottom);
         }
     }
     const double margin = 14.0;
-    const double above = 24.0;  // the row of text
-    const double below = std::max(above, height() - namesOfArrows(size()).back().at.y() +
-                                             QFontMetricsF(namesFont()).height());
+    const double row = QFontMetricsF(namesFont()).height();
+    const double above = row + 10.0;  // the row of text
+    const double below = std::max(above, height() - namesOfArrows(size()).back().at.y() + row);
     drawing::Frame frame;
     frame.pixelsPerUnit = std::max(
         std::min((width() - 2 * margin) / box.width(), (height() - above - below) / box.height()),
@@ -263,10 +265,9 @@ void MechanismView::paintPicture(QPainter& painter) {
                           shownDigits(envelope.width(), units::mm, 0) + QStringLiteral(" × ") +
                               shownNumber(envelope.height(), units::mm, 0));
     if (!buildable) {
-        const double row = std::max(16.0, painter.fontMetrics().height() + 1.0);
         painter.setPen(theme.error());
-        drawing::drawWithHalo(painter, QRectF(rect()).adjusted(8, 6 + row, -8, -6),
-                              Qt::AlignTop | Qt::AlignRight, tr("does not fit"));
+        drawing::drawWithHalo(painter, QRectF(rect()).adjusted(8, 6, -8, -6),
+                              Qt::AlignTop | Qt::AlignHCenter, tr("does not fit"));
     }
     painter.setFont(namesFont());
     for (const ArrowName& name : namesOfArrows(size())) {
