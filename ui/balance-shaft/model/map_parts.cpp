@@ -115,18 +115,6 @@ Figure distances(const BalanceShaftModel& model) {
          .width = 1.2,
          .toolTip = MapWords::tr("Width × height of the box, right axis")},
         valuesOf(best, &ShaftMap::Criteria::size, units::cm2.to_si));
-    // Both axes from 0, on one line.
-    const auto fromZero = [&](const char* id) {
-        double maximum = 0.0;
-        for (const Figure::Curve& curve : figure.curves) {
-            for (std::size_t i = 0; curve.id == id && i < curve.y.size(); ++i) {
-                maximum = std::max(maximum, std::isnan(curve.y[i]) ? 0.0 : curve.y[i]);
-            }
-        }
-        return maximum > 0.0 ? std::optional(std::pair(0.0, maximum)) : std::nullopt;
-    };
-    figure.leftRange = fromZero("range");
-    figure.rightRange = fromZero("size");
     const auto addBuilt = [&](const char* id, const QString& name, Role role,
                               const std::vector<Place>& built, Measure measure) {
         add(id, {.name = name, .role = role, .width = 3.4, .inLegend = false, .gaps = true},
@@ -135,6 +123,18 @@ Figure distances(const BalanceShaftModel& model) {
     addBuilt("range-built", MapWords::tr("min. range, feasible"), Role::Range, of.rangeBuilt,
              range);
     addBuilt("RMS-built", MapWords::tr("min. RMS, feasible"), Role::Rms, of.rmsBuilt, rms);
+    // Both axes from 0, on one line.
+    const auto fromZero = [&](plot::Side side) {
+        double maximum = 0.0;
+        for (const Figure::Curve& curve : figure.curves) {
+            for (std::size_t i = 0; curve.style.side == side && i < curve.y.size(); ++i) {
+                maximum = std::max(maximum, std::isnan(curve.y[i]) ? 0.0 : curve.y[i]);
+            }
+        }
+        return maximum > 0.0 ? std::optional(std::pair(0.0, maximum)) : std::nullopt;
+    };
+    figure.leftRange = fromZero(plot::Side::Left);
+    figure.rightRange = fromZero(plot::Side::Right);
     const auto mark = [&](const Place& built, const Place& all, Measure measure, Role role) {
         if (const Place& found = built ? built : all) {
             const double l = found->position.centre_distance();
