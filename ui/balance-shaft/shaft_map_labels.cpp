@@ -1,6 +1,7 @@
 #include "balance-shaft/shaft_map_labels.h"
 
 #include <QFontMetricsF>
+#include <QLineF>
 #include <QPainter>
 #include <algorithm>
 #include <array>
@@ -18,15 +19,30 @@ namespace ravnoves {
 void ShaftMapLabels::clear(const QRectF& area) {
     area_ = area;
     labels_.clear();
+    circles_.clear();
 }
 
 void ShaftMapLabels::keepFree(const QPointF& middle, double half) {
     labels_.push_back({QRectF(middle - QPointF(half, half), 2.0 * QSizeF(half, half)), {}});
 }
 
-bool ShaftMapLabels::add(const QRectF& box, const QString& text, bool isBold) {
+void ShaftMapLabels::keepFreeCircle(const QPointF& middle, double radius) {
+    circles_.emplace_back(middle, radius);
+}
+
+bool ShaftMapLabels::add(const QRectF& box, const QString& text, bool isBold, bool overCircles) {
+    const auto isOn = [&box](const std::pair<QPointF, double>& circle) {
+        const auto& [middle, radius] = circle;
+        const QPointF closest(std::clamp(middle.x(), box.left(), box.right()),
+                              std::clamp(middle.y(), box.top(), box.bottom()));
+        const QPointF farthest(std::abs(box.center().x() - middle.x()) + box.width() / 2.0,
+                               std::abs(box.center().y() - middle.y()) + box.height() / 2.0);
+        return QLineF(middle, closest).length() < radius &&
+               radius < std::hypot(farthest.x(), farthest.y());
+    };
     const bool free = std::none_of(labels_.begin(), labels_.end(),
-                                   [&](const Label& other) { return other.box.intersects(box); });
+                                   [&](const Label& other) { return other.box.intersects(box); }) &&
+                      (overCircles || std::none_of(circles_.begin(), circles_.end(), isOn));
     if (!free || !area_.adjusted(2, 2, -2, -2).contains(box)) {
         return false;
     }
@@ -54,9 +70,12 @@ void ShaftMapLabels::addMarkers(const ShaftMapModel& map, const PlaceScale& scal
             QPointF(away, 2),
         };
         // Any that fits does.
-        static_cast<void>(std::any_of(corners.begin(), corners.end(), [&](const QPointF& corner) {
-            return add(QRectF(at + corner, size), text, true);
-        }));
+        const auto fits = [&](bool overCircles) {
+            return std::any_of(corners.begin(), corners.end(), [&](const QPointF& corner) {
+                return add(QRectF(at + corner, size), text, true, overCircles);
+            });
+        };
+        static_cast<void>(fits(false) || fits(true));
     }
 }
 
@@ -81,21 +100,25 @@ void ShaftMapLabels::addContours(const ChangeContours& field, const std::vector<
         }
         const QString text = withUnit(levelText(contours[i].level), unitText("%"));
         const QSizeF size(metrics.horizontalAdvance(text) + 6.0, metrics.height() - 1.0);
-        static_cast<void>(std::any_of(turns.begin(), turns.end(), [&](double turn) {
-            const QPointF ray(std::cos(turn * degree), std::sin(turn * degree));
-            double nearest = 0.98;  // cosine to the ray
-            std::optional<QPointF> at;
-            for (const QPointF& point : lines[i]) {
-                const QPointF to = point - centre;
-                const double along = QPointF::dotProduct(to, ray) / std::hypot(to.x(), to.y());
-                if (along > nearest) {
-                    nearest = along;
-                    at = point;
+        const bool isZero = contours[i].level == 0.0;
+        const auto fits = [&](bool overCircles) {
+            return std::any_of(turns.begin(), turns.end(), [&](double turn) {
+                const QPointF ray(std::cos(turn * degree), std::sin(turn * degree));
+                double nearest = 0.98;  // cosine to the ray
+                std::optional<QPointF> at;
+                for (const QPointF& point : lines[i]) {
+                    const QPointF to = point - centre;
+                    const double along = QPointF::dotProduct(to, ray) / std::hypot(to.x(), to.y());
+                    if (along > nearest) {
+                        nearest = along;
+                        at = point;
+                    }
                 }
-            }
-            return at && add(QRectF(*at - QPointF(size.width(), size.height()) / 2.0, size), text,
-                             contours[i].level == 0.0);
-        }));
+                return at && add(QRectF(*at - QPointF(size.width(), size.height()) / 2.0, size),
+                                 text, isZero, overCircles);
+            });
+        };
+        static_cast<void>(fits(false) || (isZero && fits(true)));
     }
 }
 

@@ -3,6 +3,7 @@
 #include <QPolygonF>
 #include <QRectF>
 #include <QString>
+#include <utility>
 #include <vector>
 
 #include "balance-shaft/model/shaft_map_model.h"
@@ -27,6 +28,8 @@ class ShaftMapLabels {
     void clear(const QRectF& area);
     /// No number in this square.
     void keepFree(const QPointF& middle, double half);
+    /// No number over this circle, but that of a marker or of no change which has no other place.
+    void keepFreeCircle(const QPointF& middle, double radius);
     /// The change at each marker of the criterion.
     void addMarkers(const ShaftMapModel& map, const PlaceScale& scale);
     /// Each line's number where the line is nearest to a ray from a centre, so that the numbers are
@@ -40,9 +43,10 @@ class ShaftMapLabels {
 
   private:
     /// @return whether there is room for it
-    bool add(const QRectF& box, const QString& text, bool isBold);
+    bool add(const QRectF& box, const QString& text, bool isBold, bool overCircles);
 
     QRectF area_;
+    std::vector<std::pair<QPointF, double>> circles_;  ///< middle and radius
     std::vector<Label> labels_;
 };
 

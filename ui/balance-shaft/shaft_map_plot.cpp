@@ -136,7 +136,11 @@ void ShaftMapPlot::labelMarkers() {
     // No number under the handle, as it is now.
     freeFor_ = map_->present();
     labels_.keepFree(pixelOf(freeFor_), shaftHandleRadius + 2.0);
-    labels_.addMarkers(*map_, PlaceScale(*this));
+    const PlaceScale scale(*this);
+    labels_.keepFreeCircle(scale.at(0.0, 0.0), freeFor_.centre_distance() * scale.perMetre());
+    labels_.keepFreeCircle(scale.at(freeFor_),
+                           model_->solver().front_view().shaft_swing_radius * scale.perMetre());
+    labels_.addMarkers(*map_, scale);
 }
 
 void ShaftMapPlot::paintOverCurves(QPainter& painter) {
