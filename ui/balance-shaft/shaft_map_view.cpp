@@ -79,7 +79,7 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     connect(map_, &ShaftMapModel::staleChanged, this, &ShaftMapView::showStale);
     connect(map_, &ShaftMapModel::moved, this, [this] {
         if (isVisible()) {
-            map_->need();  // the button goes by it, whatever tab is in front
+            map_->need();
             showPresent();
             showWords(map_->isAtBest() ? QString() : plot_->placeWords(map_->present()));
         }
@@ -216,6 +216,7 @@ QSize ShaftMapView::minimumSizeHint() const {
 
 void ShaftMapView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
+    map_->need();  // the button goes by it, whatever tab is in front
     showPresent();
 }
 
@@ -229,14 +230,21 @@ void ShaftMapView::fitWords() {
     const bool isNarrow = width() < Theme::withText(500);
     const bool isWide = width() >= Theme::withText(600);
     const bool isCompared = model_->referenceCase().model() != nullptr;
+    // What is read under the pointer is shorter than the best place.
+    const int room = width() - (wide_.value_or(false) ? side_->width() + Theme::space : 0);
+    const int needed =
+        words_->fontMetrics()
+            .boundingRect(QRect(0, 0, room, 10000), Qt::TextWordWrap, plot_->bestWords())
+            .height();
     const int rows = (isNarrow ? 5 : isWide ? 3 : 4) + (!isCompared ? 0 : isNarrow ? 3 : 2);
-    wordsRoom_->setFixedHeight(rows * words_->fontMetrics().lineSpacing() + 2);
+    wordsRoom_->setFixedHeight(std::max(rows * words_->fontMetrics().lineSpacing(), needed) + 2);
 }
 
 void ShaftMapView::showMap() {
     criterion_->setCurrentIndex(static_cast<int>(map_->criterion()));
     weight_->setVisible(map_->criterion() == ShaftMapModel::Criterion::Both);
     showStale();
+    fitWords();
     showWords();
     showPresent();
 }
