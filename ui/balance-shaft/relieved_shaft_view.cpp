@@ -125,7 +125,8 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
     // Section at the left, a gap of one diameter, the side view.
     const double wide = 4.0 * radius + 2.0 * half;
     const double row = painter.fontMetrics().height();
-    const double margin = 20.0 + row;
+    const double axes = 8.0;  // of the section, beyond it
+    const double margin = axes + 12.0 + row;
     const double scale =
         std::min((width() - 2.0 * margin) / wide, (height() - 2.0 * margin) / (2.0 * radius));
     if (scale <= 0.0) {
@@ -158,8 +159,9 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
                     static_cast<int>(16 * (180 - 2 * angle)));
     painter.drawLine(at(side, -own.length / 2.0, bar), at(side, own.length / 2.0, bar));
     painter.setPen(axis);
-    painter.drawLine(at(section, -1.15 * bar, 0.0), at(section, 1.15 * bar, 0.0));
-    painter.drawLine(at(section, 0.0, 1.15 * bar), at(section, 0.0, -1.15 * bar));
+    const double cross = bar + axes / scale;
+    painter.drawLine(at(section, -cross, 0.0), at(section, cross, 0.0));
+    painter.drawLine(at(section, 0.0, cross), at(section, 0.0, -cross));
     const double reach = own.length / 2.0 + 1.2 * stubOf(own);
     painter.drawLine(at(side, -reach, 0.0), at(side, reach, 0.0));
     // Centre of mass.
@@ -181,8 +183,8 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
     // Sizes.
     painter.setPen(theme.text());
     const auto mm = [](double metres) { return shownNumber(metres, units::mm, 1); };
-    const QPointF below(0.0, 16.0 + row / 2.0);
-    const QPointF above(0.0, -8.0 - row / 2.0);
+    const QPointF below(0.0, axes + 4.0 + row / 2.0);
+    const QPointF above = -below;
     drawing::drawCentred(painter, at(section, 0.0, -radius) + below,
                          QStringLiteral("⌀ ") + mm(own.diameter));
     drawing::drawCentred(painter, at(section, 0.0, radius) + above,
