@@ -131,7 +131,8 @@ QWidget* ShaftTabs::buildCycle() {
 QWidget* ShaftTabs::buildSize() {
     auto* holder = new QWidget(this);
     QVBoxLayout* column = columnIn(holder, Theme::space, tabMargins);
-    column->addWidget(addAnglePlot("sizes", holder), 2);
+    PartPlot* sizes = addAnglePlot("sizes", holder);
+    column->addWidget(sizes, 2);
     PartPlot* range = addPlot("range-over-size", holder);
     range->setPickable(true);
     connect(range, &PlotView::pickedAt, this, [this, range](double area, double moment) {
@@ -141,10 +142,11 @@ QWidget* ShaftTabs::buildSize() {
         model_->setShaftAngleDeg(angles[nearest % angles.size()]);
     });
     column->addWidget(range, 3);
-    column->addWidget(
-        captionLabel(SizeWords::tr("Size of the box around cylinder, crank and shaft circles, "
-                                   "gears and wall; click a chart to set α."),
-                     holder));
+    for (PartPlot* plot : {sizes, range}) {
+        plot->setToolTip(
+            SizeWords::tr("Size of the box around cylinder, crank and shaft circles, "
+                          "gears and wall; click a chart to set α."));
+    }
     return holder;
 }
 
