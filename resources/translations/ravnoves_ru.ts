@@ -9890,24 +9890,24 @@
         <translation>Доля среднего квадрата отклонения; только её может изменить вал, вращающийся со скоростью коленчатого.</translation>
     </message>
     <message>
-        <source>Speed fluctuates by ±</source>
-        <translation>Частота колеблется на ±</translation>
+        <source>speed fluctuates by ±</source>
+        <translation>частота колеблется на ±</translation>
     </message>
     <message>
         <source>± half of δ n about the mean speed</source>
         <translation>± половина δ n от средней частоты</translation>
     </message>
     <message>
-        <source>Maximum speed at crank angle</source>
-        <translation>Максимум частоты при угле</translation>
+        <source>maximum speed at crank angle</source>
+        <translation>максимум частоты при угле</translation>
     </message>
     <message>
         <source>Crank angle of the maximum excess energy</source>
         <translation>Угол максимума избыточной энергии</translation>
     </message>
     <message>
-        <source>Minimum speed at crank angle</source>
-        <translation>Минимум частоты при угле</translation>
+        <source>minimum speed at crank angle</source>
+        <translation>минимум частоты при угле</translation>
     </message>
     <message>
         <source>Crank angle of the minimum excess energy</source>

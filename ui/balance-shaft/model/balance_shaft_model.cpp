@@ -482,7 +482,7 @@ Results BalanceShaftModel::flywheel() const {
         return shownRow(name, radians, units::degree, 1, tip);
     };
     // Half of δ to each side of the mean speed.
-    ResultRow swing = shownRow(tr("Speed fluctuates by ±"),
+    ResultRow swing = shownRow(tr("speed fluctuates by ±"),
                                wheel.fluctuation.value_or(0.0) * result().angular_speed / 2.0,
                                units::rpm, 1, tr("± half of δ n about the mean speed"));
     if (!wheel.fluctuation) {
@@ -495,9 +495,9 @@ Results BalanceShaftModel::flywheel() const {
         shownRow(key::fluctuation, wheel.fluctuation),
         shownRow(key::inertia, wheel.inertia),
         swing,
-        angle(tr("Maximum speed at crank angle"), wheel.max_angle,
+        angle(tr("maximum speed at crank angle"), wheel.max_angle,
               tr("Crank angle of the maximum excess energy")),
-        angle(tr("Minimum speed at crank angle"), wheel.min_angle,
+        angle(tr("minimum speed at crank angle"), wheel.min_angle,
               tr("Crank angle of the minimum excess energy")),
     };
     return results;
