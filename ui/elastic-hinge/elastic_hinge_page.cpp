@@ -73,7 +73,7 @@ QWidget* ElasticHingePage::buildSliders() {
     };
     const auto hasSpring = [this] { return model_->input().spring.has_value(); };
     const auto hasCounterweight = [this] { return model_->input().rod_counterweight.has_value(); };
-    FieldSlider* sliders[]{
+    const QList<ValueSlider*> sliders{
         new FieldSlider(model_, "/angular_speed_rad_s", {0.0, 600.0, 1.0, 20.0, 1}, panel,
                         {.label = tr("&ω")}),
         new FieldSlider(model_, "/lambda", {0.05, 0.99, 0.01, 0.1, 3}, panel,
@@ -94,16 +94,8 @@ QWidget* ElasticHingePage::buildSliders() {
                         {.label = tr("&error")}),
     };
     sliders[2]->setLogarithmic(50, 3);  // the stiffness
-    // One width for labels and boxes, so that the sliders are in line.
-    int labels = 0;
-    int boxes = 0;
-    for (const FieldSlider* slider : sliders) {
-        labels = std::max(labels, slider->findChild<QLabel*>()->sizeHint().width());
-        boxes = std::max(boxes, slider->box()->width());
-    }
-    for (FieldSlider* slider : sliders) {
-        slider->setLabelWidth(labels);
-        slider->box()->setFixedWidth(boxes);
+    ValueSlider::align(sliders);
+    for (ValueSlider* slider : sliders) {
         column->addWidget(slider);
     }
     return panel;

@@ -20,7 +20,11 @@ namespace ravnoves {
 
 namespace {
 
-constexpr int minSlider = 116;  ///< designed pixels with which a slider can be used
+constexpr int minSlider = 110;  ///< designed pixels with which a slider can be used
+
+int wide(const QWidget* widget) {
+    return widget->minimumWidth() > 0 ? widget->minimumWidth() : widget->sizeHint().width();
+}
 
 }  // namespace
 
@@ -117,14 +121,22 @@ void ValueSlider::setModel(SceneModel* model) {
     connect(model, &SceneModel::broughtIn, this, [this] { trouble_->say({}); });
 }
 
-void ValueSlider::setLabelWidth(int width) {
-    label_->setFixedWidth(width);
+void ValueSlider::align(const QList<ValueSlider*>& sliders) {
+    const auto fix = [&](auto part) {
+        int widest = 0;
+        for (const ValueSlider* slider : sliders) {
+            widest = std::max(widest, wide(slider->*part));
+        }
+        for (const ValueSlider* slider : sliders) {
+            (slider->*part)->setFixedWidth(widest);
+        }
+    };
+    fix(&ValueSlider::label_);
+    fix(&ValueSlider::box_);
+    fix(&ValueSlider::unit_);
 }
 
 int ValueSlider::widthInOneRow() const {
-    const auto wide = [](const QWidget* widget) {
-        return widget->minimumWidth() > 0 ? widget->minimumWidth() : widget->sizeHint().width();
-    };
     return wide(label_) + Theme::withText(minSlider) + wide(box_) + wide(unit_) + 3 * Theme::space;
 }
 

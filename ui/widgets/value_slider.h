@@ -39,8 +39,8 @@ class ValueSlider : public QWidget {
     void setGiven(bool isGiven);
     /// Typing is an editing of this model, and its rejections are shown below.
     void setModel(SceneModel* model);
-    /// Gives the label this width, so that the sliders of a column are in line.
-    void setLabelWidth(int width);
+    /// Gives their labels, fields and units one width each, so that a column of them is in line.
+    static void align(const QList<ValueSlider*>& sliders);
     QSize sizeHint() const override;  ///< in one row
     QSize minimumSizeHint() const override;
 
