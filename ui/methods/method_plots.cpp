@@ -209,7 +209,7 @@ void MethodPlots::showWork(const MethodMeasurement& shown) {
     constexpr double room = 1.7;
     work_->setXAxis({tr("time: %1").arg(shownText(kernel.evaluation)), fastest / room,
                      slowest * room, false, true, timeText});
-    showErrors(work_, tr("error, %1").arg(shownText(kernel.error_measure)));
+    showErrors(work_, tr("error"));
     work_->setLines({toleranceLine(kernel)});
     std::vector<PlotView::Mark> marks;
     for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
