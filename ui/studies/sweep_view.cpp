@@ -26,8 +26,6 @@ namespace ravnoves {
 
 namespace {
 
-enum Curve { Mean, Built };
-
 std::string chosen(const QComboBox* box) {
     return box->currentData().toString().toStdString();
 }
@@ -80,11 +78,13 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
     progress->setMaximumHeight(Theme::withText(6));
     plot_ = new PlotView({}, this);
     plot_->addCurve({.name = tr("mean"), .role = Role::Value, .width = 2.0, .gaps = true});
-    plot_->addCurve({.name = tr("feasible"),
-                     .role = Role::OtherQuantity,
-                     .side = plot::Side::Right,
-                     .toolTip = tr("Share of feasible samples.")});
-    column->addWidget(plot_, 1);
+    column->addWidget(plot_, 2);
+    share_ = new PlotView({}, this);
+    share_->addCurve({.name = tr("feasible"), .role = Role::OtherQuantity, .inLegend = false});
+    share_->setToolTip(tr("Share of feasible samples."));
+    share_->hide();
+    column->addWidget(share_, 1);
+    PlotView::stack({plot_, share_});
     auto* below = new QHBoxLayout;
     words_ = captionLabel({}, this);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -175,6 +175,7 @@ void SweepView::showSweep() {
     const Sweep* sweep = model_->sweep();
     const bool isFaded = model_->isStale() && sweep != nullptr;
     plot_->setFaded(isFaded, isFaded ? tr("Computing…") : QString());
+    share_->setFaded(isFaded);
     words_->setText(words());
     const bool isTaken = sweep != nullptr && sweep->best && !model_->isStale() &&
                          !study_->inputTitle(sweep->input).text.isEmpty();
@@ -241,15 +242,16 @@ void SweepView::showCurves() {
     const bool allBuilt =
         std::all_of(built.begin(), built.end(), [](double b) { return b > 99.9; });
     plot_->setTitle(name.text);
-    plot_->setXAxis({input.text, every.front(), every.back()});
+    plot_->setXAxis({allBuilt ? input.text : QString(), every.front(), every.back()});
     plot_->setYAxis(plot::Side::Left, {name.unit});
-    plot_->setYAxis(plot::Side::Right, {tr("feasible, %")});
-    plot_->setYRange(plot::Side::Right, 0.0, 100.0);
-    plot_->setCurve(Mean, x, mean);
-    plot_->setSpread(Mean, scatters ? below : std::vector<double>(),
+    plot_->setCurve(0, x, mean);
+    plot_->setSpread(0, scatters ? below : std::vector<double>(),
                      scatters ? above : std::vector<double>());
-    plot_->setCurve(Built, allBuilt ? std::vector<double>() : every,
-                    allBuilt ? std::vector<double>() : built);
+    share_->setVisible(!allBuilt);
+    share_->setXAxis({input.text, every.front(), every.back()});
+    share_->setYAxis(plot::Side::Left, {tr("feasible, %")});
+    share_->setYRange(plot::Side::Left, 0.0, 100.0);
+    share_->setCurve(0, every, built);
     std::vector<PlotView::Band> bands;
     const double nominal = input.factor * sweep.nominal;
     if (sweep.half > 0.0) {

@@ -50,6 +50,7 @@ class SweepView : public QWidget {
     QLabel* words_;
     QPushButton* take_;
     PlotView* plot_;
+    PlotView* share_;  ///< of feasible samples, where those are not all
 };
 
 }  // namespace ravnoves

@@ -452,6 +452,7 @@ void ToleranceWindow::showAnswers() {
                          "± %2.")
                           .arg(shownShort(StudyModel::weighedGrams * units::gram, units::gram, 3),
                                shownShort(StudyModel::machinedMm * units::mm, units::mm, 3))
+                          .replace(QStringLiteral("± "), QStringLiteral("±\u00A0"))
                     : tr("Choose a result to watch."));
         use_->setText(hasNone ? tr("Use t&ypical tolerances") : tr("&Choose a result"));
     }
