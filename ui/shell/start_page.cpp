@@ -8,7 +8,6 @@
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QLocale>
 #include <QPainter>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -21,6 +20,7 @@
 #include "shell/scene_list.h"
 #include "shop/model/journal.h"
 #include "shop/model/verdict.h"
+#include "shop/model/words.h"
 #include "text/plain_title.h"
 #include "text/text_width.h"
 #include "theme/icons.h"
@@ -221,7 +221,7 @@ QString datedFolderOf(const QString& path) {
     const QFileInfo file(path);
     const QString folder = folderOf(path);
     return file.exists() ? folder + QStringLiteral(" · ") +
-                               QLocale().toString(file.lastModified().date(), QLocale::ShortFormat)
+                               Words().day(file.lastModified().date().toString(Qt::ISODate))
                          : StartPage::tr("%1 · not found").arg(folder);
 }
 

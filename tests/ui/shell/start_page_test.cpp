@@ -170,7 +170,7 @@ TEST_F(StartPageTest, ListsTheFilesOpenedLast) {
     auto* recent = page.findChild<QAbstractButton*>(u"start-recent"_s);
     ASSERT_NE(recent, nullptr);
     EXPECT_EQ(recent->text(), u"двигатель.case.json"_s);
-    const QString written = QLocale().toString(QDate::currentDate(), QLocale::ShortFormat);
+    const QString written = QDate::currentDate().toString(Qt::ISODate);
     EXPECT_TRUE(test::comes([&] {
         return recent->accessibleDescription() == folder.path() + u" · "_s + written;
     })) << recent->accessibleDescription().toStdString();

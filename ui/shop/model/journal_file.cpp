@@ -18,6 +18,7 @@
 #include "case-file/text_size.h"
 #include "shop/model/journal.h"
 #include "shop/model/journal_rows.h"
+#include "shop/model/words.h"
 #include "text/message_text.h"
 
 namespace ravnoves {
@@ -414,9 +415,9 @@ bool Journal::putAside(const QString& why) {
                        .arg(target);
     for (const QFileInfo& backup : backupsOf(path_).mid(0, 1)) {
         offered_ = backup.filePath();
-        openMessage_ += QLatin1Char(' ') + tr("Its last backup is from %1.")
-                                               .arg(QLocale().toString(backup.lastModified().date(),
-                                                                       QLocale::ShortFormat));
+        openMessage_ += QLatin1Char(' ') +
+                        tr("Its last backup is from %1.")
+                            .arg(Words().day(backup.lastModified().date().toString(Qt::ISODate)));
     }
     return true;
 }
