@@ -27,14 +27,15 @@ namespace {
 
 constexpr int besideEachOther = 560;  ///< designed pixels that two need
 
-/// As low as it can be read, so that the page needs no scroll bar for it.
+/// As low as labels have room beside its curves.
 class LowPlot : public PartPlot {
   public:
     LowPlot(SceneModel* model, std::string_view part, const QString& name, QWidget* parent)
         : PartPlot(model, part, parent) {
         setAccessibleName(name);
+        constexpr int height = 220;  // designed pixels
+        setMinimumHeight(Theme::withText(height));
     }
-    QSize sizeHint() const override { return {420, minimumSizeHint().height()}; }
 };
 
 }  // namespace
