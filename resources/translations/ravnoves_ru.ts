@@ -13548,10 +13548,6 @@ but no position is feasible</source>
         <translation>время: %1</translation>
     </message>
     <message>
-        <source>error, %1</source>
-        <translation>погрешность, %1</translation>
-    </message>
-    <message>
         <source>in use</source>
         <translation>в программе</translation>
     </message>
