@@ -28,7 +28,7 @@ class ShaftMapLabels {
     void clear(const QRectF& area);
     /// No number in this square.
     void keepFree(const QPointF& middle, double half);
-    /// No number over this circle, but that of a marker or of no change which has no other place.
+    /// No number over this circle, except one of a marker, or of no change, without another place.
     void keepFreeCircle(const QPointF& middle, double radius);
     /// The change at each marker of the criterion.
     void addMarkers(const ShaftMapModel& map, const PlaceScale& scale);
