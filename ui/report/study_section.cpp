@@ -132,9 +132,11 @@ void addSweep(Report& report, StudyModel& study, const Patience& patience) {
         }
         return;
     }
-    constexpr QSize size(660, 300);
-    view->plot()->resize(size);
-    report.items.push_back(drawingOf(std::shared_ptr<PlotView>(view, view->plot())));
+    for (PlotView* plot : view->plots()) {
+        const bool isMain = plot == view->plot();
+        plot->resize(660, isMain ? 300 : 180);
+        report.items.push_back(drawingOf(std::shared_ptr<PlotView>(view, plot)));
+    }
     const ShownTitle input = study.inputTitle(model.input());
     const auto shown = [&](double x) { return shownFormNumber(input.factor * x, QLocale(), 5); };
     const auto& places = model.sweep()->places;

@@ -107,6 +107,10 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
     showSweep();
 }
 
+QList<PlotView*> SweepView::plots() const {
+    return share_->isHidden() ? QList{plot_} : QList{plot_, share_};
+}
+
 void SweepView::fillChoices() {
     const auto fill = [](QComboBox* box, const std::vector<std::pair<QString, QString>>& entries,
                          const std::string& wanted) {

@@ -22,6 +22,8 @@ class SweepView : public QWidget {
 
     SweepModel* model() const { return model_; }
     PlotView* plot() const { return plot_; }
+    /// With that of the feasible share, where it is shown.
+    QList<PlotView*> plots() const;
     /// Its finding, in a sentence.
     QString words() const;
     /// Sweeps to this result, by its pointer.

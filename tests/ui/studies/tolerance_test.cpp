@@ -1071,6 +1071,19 @@ TEST_F(Tolerances, SayHowManySamplesAreFeasible) {
     EXPECT_TRUE(std::ranges::any_of(labels, [&](const QLabel* each) {
         return each->text().contains(answers->feasibleText());
     }));
+    // In the report too, with the sweep and its share of feasible samples.
+    scene().setSweepChoice({.input = "/shaft_angle_deg", .result = "/moment_amplitude_Nm"});
+    Report report;
+    addTolerances(report, scene(), Patience());
+    int figures = 0;
+    int warnings = 0;
+    for (const report::Item& item : report.items) {
+        figures += std::holds_alternative<report::Drawing>(item) ? 1 : 0;
+        const auto* words = std::get_if<report::Paragraph>(&item);
+        warnings += words != nullptr && words->kind == report::Paragraph::Kind::Warning ? 1 : 0;
+    }
+    EXPECT_EQ(figures, 3);
+    EXPECT_EQ(warnings, 1);
 }
 
 }  // namespace
