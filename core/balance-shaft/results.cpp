@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "balance-shaft/clearance.h"
 #include "balance-shaft/crank_balance.h"
 #include "balance-shaft/dead_centre.h"
 #include "balance-shaft/envelope_study.h"
@@ -11,6 +12,7 @@
 #include "balance-shaft/moments.h"
 #include "balance-shaft/position_study.h"
 #include "balance-shaft/result_fields.h"
+#include "balance-shaft/shaft_places.h"
 #include "balance-shaft/speed_study.h"
 #include "case-file/decimal.h"
 
@@ -113,7 +115,17 @@ void visit_best_buildable(ResultVisitor& visitor, const Result& result) {
     }
 }
 
-void visit_feasible_angles(ResultVisitor& visitor, const BuildableAngles& buildable, double alpha) {
+/// Whether the shaft fits at an angle, which may have been rounded before.
+bool fits_at(const Input& input, double alpha) {
+    const FrontView view = front_view(input);
+    const ShaftPlaces places(view, input.place_limits);
+    const double l = view.centre_distance;
+    constexpr double rounding = 1e-9;  // m
+    return places.obstacle_at_distance(l) == Obstacle::none &&
+           places.spare(l * std::sin(alpha), l * std::cos(alpha)) >= -rounding;
+}
+
+void visit_feasible_angles(ResultVisitor& visitor, const BuildableAngles& buildable, bool fits) {
     std::vector<double> ends;
     for (const AngleStretch& stretch : buildable.stretches) {
         ends.push_back(stretch.from / degree);
@@ -121,8 +133,7 @@ void visit_feasible_angles(ResultVisitor& visitor, const BuildableAngles& builda
     }
     visitor.rows({"shaft_angles_deg", CORE_TEXT("balance-shaft", "Feasible α"), 3, {}, units::none},
                  ends, 2);
-    visitor.flag({"at_shaft_angle", CORE_TEXT("balance-shaft", "Feasible at this α"), 0},
-                 buildable.contains(alpha));
+    visitor.flag({"at_shaft_angle", CORE_TEXT("balance-shaft", "Feasible at this α"), 0}, fits);
     if (!buildable.reason.empty()) {
         visitor.text(reason, buildable.reason);
     }
@@ -493,7 +504,12 @@ void RepeatedResults::visit(ResultVisitor& visitor, const Input& input) {
     visitor.object({"optimum_buildable", CORE_TEXT("balance-shaft", "Best feasible α")},
                    [&] { visit_best_buildable(visitor, whole()); });
     visitor.object({"buildable", CORE_TEXT("balance-shaft", "Feasible positions")}, [&] {
-        visit_feasible_angles(visitor, buildable_of(input), result.shaft_angle);
+        // A study asks for the present angle alone.
+        const bool wants_all = visitor.wants("shaft_angles_deg") || visitor.wants("reason");
+        visit_feasible_angles(
+            visitor,
+            wants_all ? buildable_angles(front_view(input), input.place_limits) : BuildableAngles(),
+            fits_at(input, result.shaft_angle));
     });
     visitor.object({"order_1", CORE_TEXT("balance-shaft", "First order of Mᵤₚ")}, [&] {
         visitor.number({"amplitude_Nm", CORE_TEXT("balance-shaft", "amplitude"), 2},
@@ -562,16 +578,6 @@ const Moments& RepeatedResults::moments_of(const Input& input) {
         moments_of_ = input;
     }
     return *moments_;
-}
-
-const BuildableAngles& RepeatedResults::buildable_of(const Input& input) {
-    const FrontView view = front_view(input);
-    if (view_ != view || limits_ != input.place_limits) {
-        buildable_ = buildable_angles(view, input.place_limits);
-        view_ = view;
-        limits_ = input.place_limits;
-    }
-    return buildable_;
 }
 
 namespace {

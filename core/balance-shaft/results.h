@@ -5,7 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "balance-shaft/clearance.h"
 #include "balance-shaft/input.h"
 #include "balance-shaft/moments.h"
 #include "balance-shaft/solver.h"
@@ -30,13 +29,9 @@ class RepeatedResults {
 
   private:
     const Moments& moments_of(const Input& input);
-    const BuildableAngles& buildable_of(const Input& input);
 
     std::optional<Moments> moments_;
     Input moments_of_;
-    std::optional<FrontView> view_;
-    PlaceLimits limits_;
-    BuildableAngles buildable_;
 };
 
 /// Acts of the verdict: the trace belongs a turn earlier or later; a better α is feasible; only

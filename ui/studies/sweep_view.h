@@ -22,7 +22,7 @@ class SweepView : public QWidget {
 
     SweepModel* model() const { return model_; }
     PlotView* plot() const { return plot_; }
-    /// With that of the feasible share, where it is shown.
+    /// It, and the chart of the feasible share where that is shown.
     QList<PlotView*> plots() const;
     /// Its finding, in a sentence.
     QString words() const;
