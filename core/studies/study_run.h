@@ -95,8 +95,7 @@ inline constexpr std::uint64_t tried_samples = 64;
 
 /// A part of which nothing is done yet. Its basis costs some thousand solutions at most.
 /// @param keep_going  sees now and then how much of all work is done, 0…1, and may stop it by
-/// false:
-///                 the part is worth nothing then
+///                    false: the part is worth nothing then
 Part begin_part(const Problem& problem, std::uint64_t shard = 1, std::uint64_t shards = 1,
                 int threads = 0, const std::function<bool(double done)>& keep_going = {});
 

@@ -26,7 +26,7 @@ using studies::Watched;
 namespace {
 
 constexpr int restMs = 250;
-constexpr int every = 0;  ///< core of the machine works for a study
+constexpr int everyCore = 0;  ///< number of threads of a study: as many as there are cores
 
 /// A study of the window begins small: it answers while one looks.
 Study freshStudy() {
@@ -337,12 +337,12 @@ void StudyModel::start() {
                  at = scene_->solutions()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
         const studies::Problem problem = studies::problem_of(file, context);
-        const auto part =
-            std::make_shared<studies::Part>(studies::begin_part(problem, 1, 1, every, progress));
+        const auto part = std::make_shared<studies::Part>(
+            studies::begin_part(problem, 1, 1, everyCore, progress));
         if (!progress(studies::share_done(*part))) {
             return {};
         }
-        studies::run_part(problem, *part, every, [&](const studies::Part&) {
+        studies::run_part(problem, *part, everyCore, [&](const studies::Part&) {
             return progress(studies::share_done(*part));
         });
         if (!part->finished()) {
