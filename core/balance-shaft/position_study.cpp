@@ -17,164 +17,106 @@ namespace ravnoves::balance_shaft {
 
 namespace {
 
-/// Ranges below this part of the size are rounding.
-constexpr double constant_torque = 1e-12;
-
 /// The moment's coefficients by cos φ and sin φ, N·m.
 using Moment = MomentPlane::Moment;
 
-/// Between the place of the shaft's axis in the front view and its moment M_s = a cos φ + b sin φ =
-/// P₁ l sin(α + φ + phase): a turn by the phase and P₁ as the scale. Place (x, y) in m, moment
-/// (a, b) in N·m, or of anything that is in proportion to P₁.
-class ShaftMoment {
-  public:
-    ShaftMoment() = default;
-    /// @param force  P₁, N
-    /// @param phase  Solver::shaft_phase(), rad
-    ShaftMoment(double force, double phase)
-        : force_(force), cos_(std::cos(phase)), sin_(std::sin(phase)) {}
-
-    double force() const { return force_; }
-    Eigen::Vector2d at(const Eigen::Vector2d& place) const {
-        return force_ * Eigen::Vector2d(place.x() * cos_ + place.y() * sin_,
-                                        place.y() * cos_ - place.x() * sin_);
-    }
-    /// The force must not be 0.
-    Eigen::Vector2d place(const Eigen::Vector2d& moment) const { return turned(moment) / force_; }
-    /// The gradient of a criterion by the place, from that by the moment.
-    Eigen::Vector2d by_place(const Eigen::Vector2d& by_moment) const {
-        return force_ * turned(by_moment);
-    }
-
-  private:
-    Eigen::Vector2d turned(const Eigen::Vector2d& of) const {
-        return {of.x() * cos_ - of.y() * sin_, of.x() * sin_ + of.y() * cos_};
-    }
-
-    double force_ = 0.0;
-    double cos_ = 1.0;
-    double sin_ = 0.0;
-};
-
 }  // namespace
 
-struct PositionStudy::Prepared {
-    Solver solver;
-    const MomentPlane& plane;
-    ShaftPlaces places;
-    ShaftMoment shaft;
-    double range_without;
-    double rms_without;
-    double size;  ///< largest |M_up|, N·m
-
-    explicit Prepared(const Solver& of);
-
-    Moment moment(const ShaftPosition& at) const { return shaft.at({at.x, at.y}); }
-    PositionCriteria criteria(const ShaftPosition& at) const {
-        const Moment m = moment(at);
-        return {plane.range(m), plane.rms(m), places.size(at.x, at.y)};
-    }
-    bool is_constant() const { return range_without <= constant_torque * size; }
-    /// weight × range + (1 − weight) × RMS, N·m.
-    PlaceQuestion question(double weight) const;
-    PlaceQuestion question_of_size() const;
-    BestPosition found(const PlaceFound& found) const;
-    BestPosition best(double weight) const;
-    std::optional<BestPosition> best_buildable(double weight, const BestPosition& free) const;
-    BestPosition best_at(double distance, double weight,
-                         const std::vector<AngleStretch>& within) const;
-};
-
-PositionStudy::Prepared::Prepared(const Solver& of)
-    : solver(of),
-      plane(solver.moments().plane),
-      places(of.front_view(), of.input().place_limits),
-      shaft(of.moments().forces.counterweight_force, of.moments().phase) {
-    const MomentPlane::Extrema found = plane({0.0, 0.0});
-    range_without = found.range();
-    size = std::max(std::abs(found.max.value), std::abs(found.min.value));
-    rms_without = plane.rms({0.0, 0.0});
+PositionStudy::PositionStudy(const Solver& solver)
+    : solver_(solver),
+      places_(solver.front_view(), solver.input().place_limits),
+      force_(solver.moments().forces.counterweight_force),
+      turn_(Eigen::Rotation2Dd(-solver.moments().phase)) {
+    const MomentPlane::Extrema found = plane()({0.0, 0.0});
+    range_without_ = found.range();
+    rms_without_ = plane().rms({0.0, 0.0});
+    size_ = std::max(std::abs(found.max.value), std::abs(found.min.value));
 }
 
-BestPosition PositionStudy::Prepared::best(double weight) const {
+PositionCriteria PositionStudy::at(const ShaftPosition& position) const {
+    const Moment m = moment({position.x, position.y});
+    return {plane().range(m), plane().rms(m), places_.box({position.x, position.y}).area()};
+}
+
+BestPosition PositionStudy::best_free(double weight) const {
     if (weight <= 0.0) {
-        const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * rms_without;
-        return found({shaft.place(plane.opposed()), 0.0, rounding});
+        const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * rms_without_;
+        return judged({place_of(plane().opposed()), 0.0, rounding});
     }
     if (weight >= 1.0) {
-        PlaceFound minimum = minimise_range(plane);
-        minimum.place = shaft.place(minimum.place);
-        return found(minimum);
+        PlaceFound minimum = minimise_range(plane());
+        minimum.place = place_of(minimum.place);
+        return judged(minimum);
     }
-    return found(lowest_place(question(weight)));
+    return judged(lowest_place(question_of_sum(weight)));
 }
 
-PlaceQuestion PositionStudy::Prepared::question(double weight) const {
+PlaceQuestion PositionStudy::question_of_sum(double weight) const {
     PlaceQuestion question;
     question.criterion = [this, weight](const Eigen::Vector2d& at) -> PlaceValue {
-        const Moment m = moment({at.x(), at.y()});
+        const Moment m = moment(at);
         PlaceValue answer;
         Moment gradient(0.0, 0.0);
         if (weight > 0.0) {
-            const MomentPlane::Extrema extrema = plane(m);
+            const MomentPlane::Extrema extrema = plane()(m);
             answer.value = weight * extrema.range();
             gradient = weight * extrema.slope();
         }
         if (weight < 1.0) {
-            const double here = plane.rms(m);
+            const double here = plane().rms(m);
             answer.value += (1.0 - weight) * here;
             if (here > 0.0) {
-                gradient += (1.0 - weight) / (2.0 * here) * (m - plane.opposed());
+                gradient += (1.0 - weight) / (2.0 * here) * (m - plane().opposed());
             }
         }
-        answer.gradient = shaft.by_place(gradient);
+        answer.gradient = force_ * (turn_.transpose() * gradient);
         return answer;
     };
     // Both are norms: that of the sum is at least the difference.
-    question.growth = shaft.force() * (2.0 * weight + (1.0 - weight) / std::numbers::sqrt2);
-    question.at_crank = weight * range_without + (1.0 - weight) * rms_without;
-    question.tolerance = 1e-12 * (question.at_crank + question.growth * places.extent());
+    question.growth = force_ * (2.0 * weight + (1.0 - weight) / std::numbers::sqrt2);
+    question.at_crank = weight * range_without_ + (1.0 - weight) * rms_without_;
+    question.tolerance = 1e-12 * (question.at_crank + question.growth * places_.extent());
     return question;
 }
 
-PlaceQuestion PositionStudy::Prepared::question_of_size() const {
+PlaceQuestion PositionStudy::question_of_size() const {
     PlaceQuestion question;
     question.criterion = [this](const Eigen::Vector2d& at) -> PlaceValue {
-        const BoxSize box = places.box(at);
+        const BoxSize box = places_.box(at);
         return {box.area(), box.by_area(), box.by_width.norm() * box.by_height.norm()};
     };
     // Crank and shaft side by side, l and the crank's radius wide, the crank's diameter high.
-    const double radius = places.view().crank_swing_radius;
+    const double radius = places_.view().crank_swing_radius;
     question.growth = radius;
     question.at_crank = 0.0;
-    question.tolerance = 1e-9 * places.extent() * places.extent();
+    question.tolerance = 1e-9 * places_.extent() * places_.extent();
     return question;
 }
 
-BestPosition PositionStudy::Prepared::found(const PlaceFound& found) const {
+BestPosition PositionStudy::judged(const PlaceFound& found) const {
     BestPosition best;
     best.position = {found.place.x(), found.place.y()};
-    best.criteria = criteria(best.position);
+    best.criteria = at(best.position);
     best.gap = found.gap;
     return best;
 }
 
-std::optional<BestPosition> PositionStudy::Prepared::best_buildable(
-    double weight, const BestPosition& free) const {
-    if (places.obstacle(free.position.x, free.position.y) == Obstacle::none) {
+std::optional<BestPosition> PositionStudy::best_built(double weight,
+                                                      const BestPosition& free) const {
+    if (places_.obstacle(free.position.x, free.position.y) == Obstacle::none) {
         return free;
     }
-    const std::optional<PlaceFound> place = search_places(places, question(weight));
-    return place ? std::optional(found(*place)) : std::nullopt;
+    const std::optional<PlaceFound> place = search_places(places_, question_of_sum(weight));
+    return place ? std::optional(judged(*place)) : std::nullopt;
 }
 
 /// On a circle a plane under a convex criterion is a sinusoid of α.
-BestPosition PositionStudy::Prepared::best_at(double distance, double weight,
-                                              const std::vector<AngleStretch>& within) const {
+BestPosition PositionStudy::best_at(double distance, double weight,
+                                    const std::vector<AngleStretch>& within) const {
     BestPosition best;
     double angle = 0.0;
     if (weight > 0.0) {
-        const PlaceQuestion sum = question(weight);
+        const PlaceQuestion sum = question_of_sum(weight);
         const AngleMinimum found = minimise_over_angle(
             [&](double alpha) -> Cut {
                 const ShaftPosition at = ShaftPosition::at(distance, alpha);
@@ -189,12 +131,12 @@ BestPosition PositionStudy::Prepared::best_at(double distance, double weight,
         angle = found.alpha;
         best.gap = found.gap;
     } else {
-        const bool any = shaft.force() == 0.0 || plane.opposed().norm() <= constant_torque * size;
-        const Eigen::Vector2d opposed = any ? Moment(0.0, 0.0) : shaft.place(plane.opposed());
+        const bool any = force_ == 0.0 || plane().opposed().norm() <= moment_rounding * size_;
+        const Eigen::Vector2d opposed = any ? Moment(0.0, 0.0) : place_of(plane().opposed());
         angle = nearest_angle(within, ShaftPosition{opposed.x(), opposed.y()}.shaft_angle());
     }
     best.position = ShaftPosition::at(distance, angle);
-    best.criteria = criteria(best.position);
+    best.criteria = at(best.position);
     return best;
 }
 
@@ -210,69 +152,46 @@ double ShaftPosition::shaft_angle() const {
     return wrap_turn(std::atan2(x, y));
 }
 
-PositionStudy::PositionStudy(const Solver& solver)
-    : prepared_(std::make_shared<const Prepared>(solver)) {}
-
-PositionCriteria PositionStudy::at(const ShaftPosition& position) const {
-    return prepared_->criteria(position);
-}
-
-double PositionStudy::range_without() const {
-    return prepared_->range_without;
-}
-
-double PositionStudy::rms_without() const {
-    return prepared_->rms_without;
-}
-
-Message no_moment() {
-    return CORE_TEXT("balance-shaft", "The shaft has no moment: its place has no effect.");
-}
-
 BestPositions PositionStudy::best() const {
     BestPositions answer;
-    if (prepared_->shaft.force() == 0.0) {
-        answer.reason = no_moment();
+    if (force_ == 0.0) {
+        answer.reason =
+            CORE_TEXT("balance-shaft", "The shaft has no moment: its place has no effect.");
         return answer;
     }
-    if (prepared_->is_constant()) {
+    if (is_constant()) {
         BestPosition at_crank;
-        at_crank.criteria = prepared_->criteria({});
+        at_crank.criteria = at({});
         answer.range = answer.rms = at_crank;
         answer.reason = CORE_TEXT(
             "balance-shaft",
             "The tipping moment is constant: a shaft away from the crank axis only adds to it.");
         return answer;
     }
-    answer.range = prepared_->best(1.0);
-    answer.rms = prepared_->best(0.0);
+    answer.range = best_free(1.0);
+    answer.rms = best_free(0.0);
     return answer;
-}
-
-BestPosition PositionStudy::best_at(double centre_distance, double range_weight) const {
-    return prepared_->best_at(centre_distance, range_weight, whole_turn());
 }
 
 std::optional<BestPosition> PositionStudy::best_buildable_at(double centre_distance,
                                                              double range_weight) const {
     const BuildableAngles buildable =
-        buildable_angles(prepared_->places.view().at_distance(centre_distance),
-                         prepared_->solver.input().place_limits);
-    return buildable.stretches.empty() ? std::nullopt
-                                       : std::optional(prepared_->best_at(
-                                             centre_distance, range_weight, buildable.stretches));
+        buildable_angles(places_.view().at_distance(centre_distance), solver_.input().place_limits);
+    return buildable.stretches.empty()
+               ? std::nullopt
+               : std::optional(best_at(centre_distance, range_weight, buildable.stretches));
 }
 
 std::optional<BestPosition> PositionStudy::best_sum(double range_weight) const {
-    if (prepared_->shaft.force() == 0.0 || prepared_->is_constant()) {
+    if (force_ == 0.0 || is_constant()) {
         return std::nullopt;
     }
-    return prepared_->best(range_weight);
+    return best_free(range_weight);
 }
 
 std::optional<BestPosition> PositionStudy::best_sum_buildable(double range_weight) const {
     const std::optional<BestPosition> free = best_sum(range_weight);
-    return free ? prepared_->best_buildable(range_weight, *free) : std::nullopt;
+    return free ? best_built(range_weight, *free) : std::nullopt;
 }
 
 std::optional<BestPosition> PositionStudy::smallest_buildable(double range_weight,
@@ -281,21 +200,21 @@ std::optional<BestPosition> PositionStudy::smallest_buildable(double range_weigh
     if (!best) {
         return std::nullopt;
     }
-    const PlaceCriterion sum = prepared_->question(range_weight).criterion;
+    const PlaceCriterion sum = question_of_sum(range_weight).criterion;
     const Eigen::Vector2d start(best->position.x, best->position.y);
     const PlaceLimit good_enough{sum, (1.0 + more) * sum(start).value};
     constexpr double noticed = 1e-3;
-    PlaceQuestion of_size = prepared_->question_of_size();
+    PlaceQuestion of_size = question_of_size();
     of_size.tolerance = noticed * best->criteria.size;
     of_size.limits = {good_enough};
     of_size.start = start;
-    const PlaceFound smallest = search_places(prepared_->places, of_size).value();
+    const PlaceFound smallest = search_places(places_, of_size).value();
     // Much of the plane can be as small: beside the cylinder, say.
-    PlaceQuestion other = prepared_->question(1.0 - range_weight);
+    PlaceQuestion other = question_of_sum(1.0 - range_weight);
     other.tolerance = noticed * other.at_crank;
     other.limits = {good_enough, {of_size.criterion, (1.0 + noticed) * smallest.value}};
     other.start = smallest.place;
-    BestPosition found = prepared_->found(search_places(prepared_->places, other).value());
+    BestPosition found = judged(search_places(places_, other).value());
     found.gap = found.criteria.size - (smallest.value - smallest.gap);
     return found;
 }
@@ -327,11 +246,11 @@ Message trade_off(const PositionCriteria& from, const PositionCriteria& to) {
 }
 
 Obstacle PositionStudy::obstacle(const ShaftPosition& position) const {
-    return prepared_->places.obstacle(position.x, position.y);
+    return places_.obstacle(position.x, position.y);
 }
 
 Message PositionStudy::obstacle_reason(const ShaftPosition& position) const {
-    return prepared_->places.reason(obstacle(position), position.centre_distance());
+    return places_.reason(obstacle(position), position.centre_distance());
 }
 
 BestPositions PositionStudy::best_buildable() const {
@@ -339,8 +258,8 @@ BestPositions PositionStudy::best_buildable() const {
     if (!answer.range || !answer.rms) {
         return answer;
     }
-    answer.range = prepared_->best_buildable(1.0, *answer.range);
-    answer.rms = prepared_->best_buildable(0.0, *answer.rms);
+    answer.range = best_built(1.0, *answer.range);
+    answer.rms = best_built(0.0, *answer.rms);
     if (!answer.range || !answer.rms) {
         answer = {};
         answer.reason = ShaftPlaces::reason_for_none();
@@ -353,22 +272,21 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
     if (!best.range || !best.rms) {
         return front;
     }
-    const Prepared& prepared = *prepared_;
-    const PlaceQuestion of_size = prepared.question_of_size();
-    const std::optional<PlaceFound> smallest = search_places(prepared.places, of_size);
+    const PlaceQuestion of_size = question_of_size();
+    const std::optional<PlaceFound> smallest = search_places(places_, of_size);
     if (!smallest) {
         return front;
     }
     const auto add = [&](const PlaceFound& found) {
         const ShaftPosition at{found.place.x(), found.place.y()};
-        const PositionCriteria there = prepared.criteria(at);
+        const PositionCriteria there = this->at(at);
         if (std::isfinite(there.range + there.rms + there.size)) {
             front.push_back({at, there});
         }
     };
     // Range and RMS as parts of what they are without a shaft.
-    const double by_range = 1.0 / std::max(prepared.range_without, constant_torque);
-    const double by_rms = 1.0 / std::max(prepared.rms_without, constant_torque);
+    const double by_range = 1.0 / std::max(range_without_, moment_rounding);
+    const double by_rms = 1.0 / std::max(rms_without_, moment_rounding);
     constexpr int sizes = 10;
     constexpr double same = 1e-6;
     constexpr double narrowest = 0.02;
@@ -376,7 +294,7 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
     for (int i = 0; i < weights; ++i) {
         const double part = i / (weights - 1.0);
         const double weight = part * by_range / (part * by_range + (1.0 - part) * by_rms);
-        PlaceQuestion question = prepared.question(weight);
+        PlaceQuestion question = question_of_sum(weight);
         question.tolerance *= 5e3;
         std::optional<PlaceFound> largest;
         if (i == 0 || i == weights - 1) {
@@ -384,13 +302,13 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
             const Eigen::Vector2d place(end.x, end.y);
             largest = PlaceFound{place, question.criterion(place).value};
         } else {
-            largest = search_places(prepared.places, question);
+            largest = search_places(places_, question);
         }
         if (!largest) {
             continue;
         }
         add(*largest);
-        const double size = prepared.places.size(largest->place.x(), largest->place.y());
+        const double size = places_.box(largest->place).area();
         // Between the smallest and the size there: where the criterion falls most from one size to
         // the next, another is set between them.
         struct Level {
@@ -421,7 +339,7 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
                                         : (levels[widest].size + levels[widest + 1].size) / 2.0;
             question.limits = {{of_size.criterion, level}};
             question.start = levels[widest].place;
-            const auto found = search_places(prepared.places, question);
+            const auto found = search_places(places_, question);
             if (!found) {
                 break;
             }
@@ -461,9 +379,9 @@ PositionMap PositionStudy::map(double left, double right, double bottom, double 
     const auto step = [](double from, double to, std::size_t count) {
         return count > 1 ? (to - from) / static_cast<double>(count - 1) : 0.0;
     };
-    const Moment origin = prepared_->moment({left, bottom});
-    const Moment along = prepared_->moment({step(left, right, columns), 0.0});
-    const Moment across = prepared_->moment({0.0, step(bottom, top, rows)});
+    const Moment origin = moment({left, bottom});
+    const Moment along = moment({step(left, right, columns), 0.0});
+    const Moment across = moment({0.0, step(bottom, top, rows)});
     map.range.resize(columns * rows);
     map.rms.resize(columns * rows);
     constexpr std::size_t side = 8;  // of a tile, whose places are near each other
@@ -479,11 +397,11 @@ PositionMap PositionStudy::map(double left, double right, double bottom, double 
                 shafts.push_back(origin + static_cast<double>(column + i % wide) * along +
                                  static_cast<double>(row + up) * across);
             }
-            prepared_->plane.ranges(shafts, std::span(range).first(shafts.size()));
+            plane().ranges(shafts, std::span(range).first(shafts.size()));
             for (std::size_t i = 0; i < shafts.size(); ++i) {
                 const std::size_t element = (row + i / wide) * columns + column + i % wide;
                 map.range[element] = range[i];
-                map.rms[element] = prepared_->plane.rms(shafts[i]);
+                map.rms[element] = plane().rms(shafts[i]);
             }
         }
     }

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <vector>
 
+#include "balance-shaft/angle_search.h"
+#include "balance-shaft/place_search.h"
 #include "balance-shaft/shaft_places.h"
 #include "balance-shaft/solver.h"
 
@@ -56,9 +57,6 @@ struct PositionMap {
     std::vector<double> rms;    ///< N·m
 };
 
-/// Why no place is better than another where P₁ is 0, as a sentence.
-Message no_moment();
-
 /// Sign of a change as a share; 0 where it is printed as 0.0 %.
 int sign_as_shown(double change);
 
@@ -68,7 +66,7 @@ Message trade_off(const PositionCriteria& from, const PositionCriteria& to);
 
 /// What depends on the shaft's place alone while the counterweights stay as equation (1) (or the
 /// case) has them: M_s = P₁ (x cos φ' + y sin φ'), so range and RMS are convex over the plane.
-/// Copyable and cheap to copy; const members may run in several threads.
+/// Const members may run in several threads.
 class PositionStudy {
   public:
     explicit PositionStudy(const Solver& solver);
@@ -76,8 +74,8 @@ class PositionStudy {
     PositionCriteria at(const ShaftPosition& position) const;
     /// The place where range and RMS are the engine's without a shaft (the axes meet): at the
     /// crank.
-    double range_without() const;  ///< N·m
-    double rms_without() const;    ///< N·m
+    double range_without() const { return range_without_; }  ///< N·m
+    double rms_without() const { return rms_without_; }      ///< N·m
 
     BestPositions best() const;            ///< over all places
     BestPositions best_buildable() const;  ///< over the feasible ones
@@ -90,8 +88,9 @@ class PositionStudy {
     /// size, to a thousandth; of several the one with the smallest sum of the opposite weight (RMS
     /// beside range). The gap is the size's, m².
     std::optional<BestPosition> smallest_buildable(double range_weight, double more = 0.01) const;
-    /// The same over α at a centre distance, m: over all α, and over the feasible ones.
-    BestPosition best_at(double centre_distance, double range_weight) const;
+    /// The same over α at a centre distance, m: over all α or some, and over the feasible ones.
+    BestPosition best_at(double centre_distance, double range_weight,
+                         const std::vector<AngleStretch>& within = whole_turn()) const;
     std::optional<BestPosition> best_buildable_at(double centre_distance,
                                                   double range_weight) const;
 
@@ -108,10 +107,31 @@ class PositionStudy {
     PositionMap map(double left, double right, double bottom, double top, std::size_t columns,
                     std::size_t rows) const;
 
-    struct Prepared;
-
   private:
-    std::shared_ptr<const Prepared> prepared_;
+    const MomentPlane& plane() const { return solver_.moments().plane; }
+    /// M_s = a cos φ + b sin φ = P₁ l sin(α + φ + phase) of a place: (a, b), N·m.
+    MomentPlane::Moment moment(const Eigen::Vector2d& place) const {
+        return force_ * (turn_ * place);
+    }
+    /// P₁ must not be 0.
+    Eigen::Vector2d place_of(const MomentPlane::Moment& moment) const {
+        return turn_.transpose() * moment / force_;
+    }
+    bool is_constant() const { return range_without_ <= moment_rounding * size_; }
+    /// weight × range + (1 − weight) × RMS, N·m.
+    PlaceQuestion question_of_sum(double weight) const;
+    PlaceQuestion question_of_size() const;
+    BestPosition judged(const PlaceFound& found) const;
+    BestPosition best_free(double weight) const;
+    std::optional<BestPosition> best_built(double weight, const BestPosition& free) const;
+
+    Solver solver_;
+    ShaftPlaces places_;
+    double force_;          ///< P₁, N
+    Eigen::Matrix2d turn_;  ///< by the phase of M_s
+    double range_without_;  ///< N·m
+    double rms_without_;    ///< N·m
+    double size_;           ///< largest |M_up|, N·m
 };
 
 }  // namespace ravnoves::balance_shaft
