@@ -8,25 +8,6 @@
 
 namespace ravnoves::balance_shaft {
 
-namespace {
-
-/// Samples a force over one turn: x and y half-axes of the first order, second order along y.
-ForceLocus locus(const CrankBalance& balance, double across, double along, double second,
-                 int points) {
-    ForceLocus curve;
-    points = std::max(points, 2);
-    for (int i = 0; i < points; ++i) {
-        const double angle = 360.0 * i / (points - 1);
-        const double theta = angle * degree + balance.dead_centre;
-        curve.crank_angle_deg.push_back(angle);
-        curve.x.push_back(-across * std::sin(theta - balance.lag));
-        curve.y.push_back(along * std::cos(theta - balance.lag) + second * std::cos(2.0 * theta));
-    }
-    return curve;
-}
-
-}  // namespace
-
 CrankBalance crank_balance(const Solver& solver) {
     const Input& input = solver.input();
     const double omega2 = input.angular_speed * input.angular_speed;
@@ -47,16 +28,17 @@ CrankBalance crank_balance(const Solver& solver) {
     return balance;
 }
 
-ForceLocus crank_only_locus(const CrankBalance& balance, int points) {
-    return locus(balance, balance.across, balance.along, 0.0, points);
-}
-
-ForceLocus crank_only_locus_with_second_order(const CrankBalance& balance, int points) {
-    return locus(balance, balance.across, balance.along, balance.second_order, points);
-}
-
-ForceLocus shaft_locus(const CrankBalance& balance, int points) {
-    return locus(balance, 0.0, balance.with_shaft, balance.second_order, points);
+ForceLocus force_locus(const CrankBalance& balance, double across, double along,
+                       double second_order) {
+    ForceLocus curve;
+    constexpr int points = 181;
+    for (int i = 0; i < points; ++i) {
+        const double theta = 360.0 * i / (points - 1) * degree + balance.dead_centre;
+        curve.x.push_back(-across * std::sin(theta - balance.lag));
+        curve.y.push_back(along * std::cos(theta - balance.lag) +
+                          second_order * std::cos(2.0 * theta));
+    }
+    return curve;
 }
 
 }  // namespace ravnoves::balance_shaft

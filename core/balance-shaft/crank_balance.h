@@ -32,18 +32,15 @@ struct CrankBalance {
 /// @throws nothing: the solver's input is checked
 CrankBalance crank_balance(const Solver& solver);
 
-/// A closed curve of forces on the engine, N, x across and y along the cylinder.
+/// A closed curve of forces on the engine, N, x across and y along the cylinder: every 2° of φ.
 struct ForceLocus {
-    std::vector<double> crank_angle_deg;  ///< 0…360
     std::vector<double> x;
     std::vector<double> y;
 };
 
-/// The first-order force without a shaft at share κ, every step of the crank.
-ForceLocus crank_only_locus(const CrankBalance& balance, int points = 181);
-/// First and second order without a shaft.
-ForceLocus crank_only_locus_with_second_order(const CrankBalance& balance, int points = 181);
-/// What the shaft leaves: its own mismatch in the first order and the second order.
-ForceLocus shaft_locus(const CrankBalance& balance, int points = 181);
+/// A first order of these half-axes with a second order along the cylinder, N: without a shaft
+/// those of the balance, with it 0, with_shaft and second_order.
+ForceLocus force_locus(const CrankBalance& balance, double across, double along,
+                       double second_order);
 
 }  // namespace ravnoves::balance_shaft

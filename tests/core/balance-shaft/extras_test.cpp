@@ -12,45 +12,21 @@
 namespace ravnoves::balance_shaft {
 namespace {
 
-class CrankShare : public ::testing::TestWithParam<double> {};
-
-TEST_P(CrankShare, LocusIsTheEllipseOfItsHalfAxes) {
+TEST(CrankBalance, TheForceIsTheSumOfInertiaAndCounterweight) {
     Input input = preset_tmz_650d();
-    input.crank_share = GetParam();
-    const CrankBalance balance = crank_balance(Solver(input));
-    EXPECT_NEAR(balance.first_order, 8594.79473664, 1e-6);
-    const ForceLocus locus = crank_only_locus(balance);
-    for (std::size_t i = 0; i < locus.x.size(); ++i) {
-        // Against the sum of the two forces written out.
-        const double phi = locus.crank_angle_deg[i] * degree;
-        const double p = balance.first_order;
-        EXPECT_NEAR(locus.x[i], -GetParam() * p * std::sin(phi), 1e-9 * p);
-        EXPECT_NEAR(locus.y[i], p * std::cos(phi) - GetParam() * p * std::cos(phi), 1e-9 * p);
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Shares, CrankShare, ::testing::Values(0.0, 0.25, 0.5, 0.8, 1.0));
-
-TEST(CrankBalance, CircleAtHalfAndLineAtTheEnds) {
-    Input input = preset_tmz_650d();
-    const auto at = [&](double share) {
+    for (const double share : {0.0, 0.25, 0.5, 0.8, 1.0}) {
         input.crank_share = share;
-        return crank_balance(Solver(input));
-    };
-    const ForceLocus circle = crank_only_locus(at(0.5));
-    for (std::size_t i = 0; i < circle.x.size(); ++i) {
-        EXPECT_NEAR(std::hypot(circle.x[i], circle.y[i]), 0.5 * at(0.5).first_order, 1e-6);
-    }
-    for (const double x : crank_only_locus(at(0.0)).x) {
-        EXPECT_NEAR(x, 0.0, 1e-9);
-    }
-    for (const double y : crank_only_locus(at(1.0)).y) {
-        EXPECT_NEAR(y, 0.0, 1e-9);
-    }
-    // The shaft makes the first order a point; the second order stays.
-    EXPECT_NEAR(at(0.5).with_shaft, 0.0, 1e-6);
-    for (const double x : shaft_locus(at(0.5)).x) {
-        EXPECT_NEAR(x, 0.0, 1e-9);
+        const CrankBalance balance = crank_balance(Solver(input));
+        const double p = balance.first_order;
+        EXPECT_NEAR(p, 8594.79473664, 1e-6);
+        const ForceLocus locus = force_locus(balance, balance.across, balance.along, 0.0);
+        for (std::size_t i = 0; i < locus.x.size(); ++i) {
+            const double phi = 2.0 * static_cast<double>(i) * degree;
+            EXPECT_NEAR(locus.x[i], -share * p * std::sin(phi), 1e-9 * p);
+            EXPECT_NEAR(locus.y[i], p * std::cos(phi) - share * p * std::cos(phi), 1e-9 * p);
+        }
+        // The shaft makes the first order a point; the second order stays.
+        EXPECT_NEAR(balance.with_shaft, 0.0, 1e-6);
     }
 }
 

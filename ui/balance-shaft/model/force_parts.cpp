@@ -55,20 +55,20 @@ Figure forceLocus(const BalanceShaftModel& model) {
         {.name = ForceWords::tr("without shaft, 1st + 2nd order"),
          .role = Role::AllOrders,
          .toolTip = ForceWords::tr("First and second order without a shaft")},
-        balance_shaft::crank_only_locus_with_second_order(balance));
+        force_locus(balance, balance.across, balance.along, balance.second_order));
     add("first",
         {.name = ForceWords::tr("without shaft, 1st order"),
          .role = Role::Engine,
          .width = 2.0,
          .toolTip = ForceWords::tr("First order without a shaft: an ellipse")},
-        balance_shaft::crank_only_locus(balance));
+        force_locus(balance, balance.across, balance.along, 0.0));
     add("shaft",
         {.name = ForceWords::tr("with shaft"),
          .role = Role::Sum,
          .width = 2.0,
          .toolTip = ForceWords::tr("With the shaft the first order is a point; the second order "
                                    "along the cylinder remains")},
-        balance_shaft::shaft_locus(balance));
+        force_locus(balance, 0.0, balance.with_shaft, balance.second_order));
     return figure;
 }
 
