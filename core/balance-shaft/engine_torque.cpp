@@ -58,7 +58,7 @@ void fill_cylinder(Input& input) {
 void take_torque_kind(Input& input, TorqueSource::Kind kind, double mean_torque) {
     using Kind = TorqueSource::Kind;
     // The table is that of its file, as long as nobody changes it.
-    input.torque.kind = kind == Kind::table && !input.torque.csv.empty() ? Kind::csv : kind;
+    input.torque.kind = kind == Kind::table && !input.torque.csv.name.empty() ? Kind::csv : kind;
     input.strokes = input.strokes_of_torque();
     if (!input.torque.is_computed()) {
         return;

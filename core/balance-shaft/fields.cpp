@@ -172,14 +172,15 @@ struct GaugeValue final : FieldVisitor::Custom {
     TableReading& reading;
 };
 
-/// What a case says of the file that it names.
-void visit_reading(FieldVisitor& visitor, TableReading& reading, Measured what) {
-    ColumnsValue columns(reading);
+void visit_file(FieldVisitor& visitor, DataFile& file, Measured what) {
+    visitor.text(field::csv, file.name);
+    visitor.optional_text(field::csv_sum, file.sum_then);
+    ColumnsValue columns(file.reading);
     visitor.custom(field::csv_columns, false, columns);
-    UnitValue unit(reading, what);
+    UnitValue unit(file.reading, what);
     visitor.custom(field::csv_unit, false, unit);
     if (what == Measured::pressure) {
-        GaugeValue gauge(reading);
+        GaugeValue gauge(file.reading);
         visitor.custom(field::csv_gauge, false, gauge);
     }
 }
@@ -216,15 +217,11 @@ void visit_torque(FieldVisitor& visitor, Input& input) {
             visitor.numbers(field::table_torque, source.table.torque);
         }
         if (csv) {
-            visitor.text(field::csv, source.csv);
-            visitor.optional_text(field::csv_sum, source.csv_sum.then);
-            visit_reading(visitor, source.csv_reading, Measured::torque);
+            visit_file(visitor, source.csv, Measured::torque);
         }
         if (pressure) {
             visitor.object_of(field::pressure, true, true, [&] {
-                visitor.text(field::csv, source.trace_csv);
-                visitor.optional_text(field::csv_sum, source.trace_sum.then);
-                visit_reading(visitor, source.trace_reading, Measured::pressure);
+                visit_file(visitor, source.trace_file, Measured::pressure);
                 visitor.number(field::trace_shift, source.trace_shift, 0.0);
                 visit_crankcase();
             });

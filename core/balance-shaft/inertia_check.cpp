@@ -292,7 +292,7 @@ Input with_rebuilt_torque(const Input& input, const InertiaCheck& check) {
     }
     table.torque.back() = table.torque.front();
     changed.torque.kind = TorqueSource::Kind::table;
-    changed.torque.csv.clear();
+    changed.torque.csv.name.clear();
     return changed;
 }
 

@@ -216,7 +216,7 @@ Message TorqueSource::changed_note() const {
                 "balance-shaft",
                 "%1 has changed since this case was made: import it again to accept the change, or "
                 "restore the old file."),
-            kind == Kind::csv ? csv : trace_csv};
+            kind == Kind::csv ? csv.name : trace_file.name};
 }
 
 double Input::reciprocating_mass() const {

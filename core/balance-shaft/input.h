@@ -50,15 +50,16 @@ struct FlywheelTarget {
     bool operator==(const FlywheelTarget&) const = default;
 };
 
-/// SHA-256 of a file that a case names: when the case was made, and now. Both are empty where no
-/// file was read.
-struct FileSum {
-    std::string then;  ///< as the case has it
-    std::string now;
+/// A file of measured values that a case names.
+struct DataFile {
+    std::string name;  ///< path, as in the case file
+    /// SHA-256 when the case was made, as it has it, and now; both empty where no file was read.
+    std::string sum_then;
+    std::string sum_now;
+    TableReading reading;  ///< as far as the case gives it
 
-    /// The file has changed since the case was made.
-    bool differs() const { return is_other_sum(then, now); }
-    bool operator==(const FileSum&) const = default;
+    bool has_changed() const { return is_other_sum(sum_then, sum_now); }
+    bool operator==(const DataFile&) const = default;
 };
 
 /// Where the engine torque comes from.
@@ -70,14 +71,10 @@ struct TorqueSource {
         cycle,     ///< gas torque from a computed cycle, inertia torque from the masses
     };
     Kind kind = Kind::table;
-    TorqueTable table;  ///< the rows, for table and csv
-    std::string csv;    ///< path of the table's file, as in the case file
-    FileSum csv_sum;
-    TableReading csv_reading;  ///< as far as the case gives it
-    PressureTrace trace;       ///< for pressure
-    std::string trace_csv;     ///< path of its file
-    FileSum trace_sum;
-    TableReading trace_reading;       ///< as far as the case gives it
+    TorqueTable table;                ///< the rows, for table and csv
+    DataFile csv;                     ///< of the table
+    PressureTrace trace;              ///< for pressure
+    DataFile trace_file;              ///< of the trace
     double trace_shift = 0.0;         ///< added to its crank angles, rad
     GasCycle cycle;                   ///< for cycle
     double crankcase_pressure = 1e5;  ///< p₀, Pa, absolute; for pressure and cycle
@@ -86,8 +83,8 @@ struct TorqueSource {
     bool is_computed() const { return kind == Kind::pressure || kind == Kind::cycle; }
     /// The file that is in use is not the one that the case was made with.
     bool has_changed() const {
-        return (kind == Kind::csv && csv_sum.differs()) ||
-               (kind == Kind::pressure && trace_sum.differs());
+        return (kind == Kind::csv && csv.has_changed()) ||
+               (kind == Kind::pressure && trace_file.has_changed());
     }
     /// Says so; else empty.
     Message changed_note() const;

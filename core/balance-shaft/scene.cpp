@@ -17,64 +17,53 @@ namespace ravnoves::balance_shaft {
 namespace {
 
 /// Reads and parses a file that the case names, and takes its sum; a case without one is made with
-/// the file as it is now.
-template <typename Parse>
-auto read_beside(const std::string& name, const std::string& place, const CaseContext& context,
-                 FileSum& sum, Parse parse) {
-    if (name.find('\0') != std::string::npos || name.empty()) {
-        throw InputError(place, CORE_TEXT("core", "must be a file name"), show(Json(name)));
+/// the file as it is now. The strokes say how long a cycle of a file with more than one is.
+template <typename Parsed>
+Parsed read_beside(DataFile& file, const std::string& place, const CaseContext& context,
+                   int strokes, Parsed (*parse)(std::string_view, const TableReading&)) {
+    if (file.name.find('\0') != std::string::npos || file.name.empty()) {
+        throw InputError(place, CORE_TEXT("core", "must be a file name"), show(Json(file.name)));
     }
-    if (!context.may_read(name)) {
+    if (!context.may_read(file.name)) {
         throw InputError(place,
                          CORE_TEXT("core",
                                    "must be a file in the folder of the case, unless "
                                    "--allow-files is given"),
-                         show(Json(name)));
+                         show(Json(file.name)));
     }
     try {
-        const std::string text = read_text_file(context.directory / name);
-        sum.now = sha256(text);
-        if (sum.then.empty()) {
-            sum.then = sum.now;
+        const std::string text = read_text_file(context.directory / file.name);
+        file.sum_now = sha256(text);
+        if (file.sum_then.empty()) {
+            file.sum_then = file.sum_now;
         }
-        return parse(text);
+        TableReading reading = file.reading;
+        reading.strokes = strokes;
+        return parse(text, reading);
     } catch (const InputError& error) {
-        throw InputError::in_file(place, printable(name), error);
+        throw InputError::in_file(place, printable(file.name), error);
     }
 }
 
-/// The strokes say how long a cycle of a file with more than one is.
-TableReading with_strokes(TableReading reading, int strokes) {
-    reading.strokes = strokes;
-    return reading;
-}
-
-void read_table(TorqueSource& source, const std::string& place, const CaseContext& context,
-                int strokes) {
-    source.table =
-        read_beside(source.csv, place, context, source.csv_sum, [&](const std::string& text) {
-            return parse_torque_table(text, with_strokes(source.csv_reading, strokes)).table;
-        });
-}
-
-void read_trace(TorqueSource& source, const std::string& place, const CaseContext& context,
-                int strokes) {
-    source.trace = read_beside(
-        source.trace_csv, place, context, source.trace_sum, [&](const std::string& text) {
-            return parse_pressure_trace(text, with_strokes(source.trace_reading, strokes)).trace;
-        });
+/// Reads the file of a source.
+void read_file(TorqueSource& source, TorqueSource::Kind kind, const std::string& root,
+               const CaseContext& context, int strokes) {
+    if (kind == TorqueSource::Kind::csv) {
+        source.table =
+            read_beside(source.csv, root + "/torque/csv", context, strokes, parse_torque_table)
+                .table;
+    } else if (kind == TorqueSource::Kind::pressure) {
+        source.trace = read_beside(source.trace_file, root + "/torque/pressure/csv", context,
+                                   strokes, parse_pressure_trace)
+                           .trace;
+    }
 }
 
 }  // namespace
 
 Input read_input(const Json& json, const CaseContext& context) {
     Input input = read_fields<Input>(json);
-    TorqueSource& source = input.torque;
-    if (source.kind == TorqueSource::Kind::csv) {
-        read_table(source, "/input/torque/csv", context, input.strokes);
-    } else if (source.kind == TorqueSource::Kind::pressure) {
-        read_trace(source, "/input/torque/pressure/csv", context, input.strokes);
-    }
+    read_file(input.torque, input.torque.kind, "/input", context, input.strokes);
     check_input(input);
     return input;
 }
@@ -92,12 +81,12 @@ Json write_kept(const Input& input) {
         other.torque.kind = kind;
         torque.update(write_input(other).at("torque"));
     };
-    if (source.is_computed() && !source.csv.empty()) {
+    if (source.is_computed() && !source.csv.name.empty()) {
         keep(Kind::csv);
     } else if (source.is_computed() && source.table.size() > 0) {
         keep(Kind::table);
     }
-    if (source.kind != Kind::pressure && !source.trace_csv.empty()) {
+    if (source.kind != Kind::pressure && !source.trace_file.name.empty()) {
         keep(Kind::pressure);
     }
     if (source.kind != Kind::cycle && (source.cycle.heat || source.cycle.imep)) {
@@ -156,20 +145,15 @@ void read_kept(const Json& kept, const CaseContext& context, Input& input) {
         try {
             if (other.kind == Kind::csv) {
                 source.csv = other.csv;
-                source.csv_sum = other.csv_sum;
-                source.csv_reading = other.csv_reading;
-                read_table(source, "/kept/torque/csv", context, input.strokes);
             } else if (other.kind == Kind::pressure) {
-                source.trace_csv = other.trace_csv;
-                source.trace_sum = other.trace_sum;
-                source.trace_reading = other.trace_reading;
+                source.trace_file = other.trace_file;
                 source.trace_shift = other.trace_shift;
-                read_trace(source, "/kept/torque/pressure/csv", context, input.strokes);
             } else if (other.kind == Kind::table) {
                 source.table = other.table;
             } else {
                 source.cycle = other.cycle;
             }
+            read_file(source, other.kind, "/kept", context, input.strokes);
         } catch (const InputError&) {
             // It is named still.
         }

@@ -280,7 +280,7 @@ void TorqueSourceEditor::importTrace(const QString& path) {
         return;
     }
     described_ = file.understoodText();
-    describedSum_ = model_->input().torque.trace_sum.now;
+    describedSum_ = model_->input().torque.trace_file.sum_now;
     showInput();
 }
 
@@ -293,12 +293,12 @@ void TorqueSourceEditor::showForm(int page) {
     noTrace_->say(!isWithoutTrace        ? QString()
                   : torque.is_computed() ? tr("No pressure trace yet; the computed cycle is used.")
                                          : tr("No pressure trace yet; the table is used."));
-    const QString file = QString::fromStdString(torque.trace_csv);
+    const QString file = QString::fromStdString(torque.trace_file.name);
     const QString name = QFileInfo(file).fileName();
     showOrHide(trace_, file.isEmpty() ? QString()
                        : torque.trace.pressure.empty()
                            ? tr("%1 cannot be read; import it again from its new place.").arg(file)
-                       : torque.trace_sum.now == describedSum_
+                       : torque.trace_file.sum_now == describedSum_
                            ? name + QStringLiteral(": ") + described_
                            : tr("Pressure trace: %1.").arg(name));
     trace_->setToolTip(file);

@@ -316,7 +316,6 @@ TEST(ComputedTorque, ATraceOfTheCycleGivesTheCyclesTorque) {
     const CylinderGas cycle = *cylinder_gas(input);
     Input traced = input;
     traced.torque.kind = TorqueSource::Kind::pressure;
-    traced.torque.csv = "p.csv";
     for (int i = 0; i <= 3600; ++i) {
         traced.torque.trace.crank_angle_deg.push_back(0.2 * i);
         traced.torque.trace.pressure.push_back(cycle.pressure((i % 3600) * 0.2 * degree));

@@ -38,19 +38,18 @@ TEST(KeptTorque, EverySourceComesBackWhicheverIsInUse) {
     const CaseContext context{folder.path()};
     Input input = test::diesel();
     input.torque.table = preset_tmz_650d().torque.table;
-    const auto read = [&](const char* name, FileSum& sum) {
+    const auto read = [&](const char* name, DataFile& file) {
         const std::string text = read_text_file(context.directory / name);
-        sum.then = sum.now = sha256(text);
+        file.name = name;
+        file.sum_then = file.sum_now = sha256(text);
         return text;
     };
-    input.torque.trace_csv = "trace.csv";
-    input.torque.trace = parse_pressure_trace(read("trace.csv", input.torque.trace_sum)).trace;
+    input.torque.trace = parse_pressure_trace(read("trace.csv", input.torque.trace_file)).trace;
     for (const Kind kind : {Kind::table, Kind::pressure, Kind::cycle}) {
         input.torque.kind = kind;
         EXPECT_EQ(through_case(input, context), input) << static_cast<int>(kind);
     }
-    input.torque.csv = "table.csv";
-    input.torque.table = parse_torque_table(read("table.csv", input.torque.csv_sum)).table;
+    input.torque.table = parse_torque_table(read("table.csv", input.torque.csv)).table;
     for (const Kind kind : {Kind::csv, Kind::pressure, Kind::cycle}) {
         input.torque.kind = kind;
         EXPECT_EQ(through_case(input, context), input) << static_cast<int>(kind);
@@ -73,8 +72,8 @@ TEST(KeptTorque, OfATwoStrokeItComesBackAsOne) {
                              R"({"torque": {"csv": "table.csv"}})"}) {
         Input input = test::two_stroke();
         read_kept(parse_json(kept), context, input);
-        const auto& angles = input.torque.csv.empty() ? input.torque.trace.crank_angle_deg
-                                                      : input.torque.table.crank_angle_deg;
+        const auto& angles = input.torque.csv.name.empty() ? input.torque.trace.crank_angle_deg
+                                                           : input.torque.table.crank_angle_deg;
         ASSERT_EQ(angles.size(), 37U) << kept;
         EXPECT_EQ(angles.back(), 360.0) << kept;
     }
@@ -97,12 +96,12 @@ TEST(KeptTorque, AFileThatIsNotThereStaysNamed) {
 TEST(KeptTorque, CrankcasePressureStaysWhileTheTraceIsNotThere) {
     Input input = preset_tmz_650d();
     Input named = input;
-    named.torque.trace_csv = "gone.csv";
+    named.torque.trace_file.name = "gone.csv";
     named.torque.crankcase_pressure = 1.1e5;
     const Json kept = write_kept(named);
     ASSERT_EQ(kept.at("torque").count("pressure"), 1U) << kept.dump();
     read_kept(kept, CaseContext{"/nonexistent"}, input);
-    EXPECT_EQ(input.torque.trace_csv, "gone.csv");
+    EXPECT_EQ(input.torque.trace_file.name, "gone.csv");
     EXPECT_DOUBLE_EQ(input.torque.crankcase_pressure, 1.1e5);
     EXPECT_EQ(write_kept(input), kept);
 }

@@ -113,7 +113,7 @@ TEST_F(ImportTest, AFileOfThirteenColumnsIsProposedWhole) {
     import.putTraceInto(input);
     EXPECT_EQ(input.torque.trace_shift, 0.0);
     EXPECT_FALSE(import.needsOwnFile());
-    EXPECT_EQ(input.torque.trace_reading.columns[1], "5");
+    EXPECT_EQ(input.torque.trace_file.reading.columns[1], "5");
 }
 
 TEST_F(ImportTest, ANegativePressureIsAskedAbout) {
@@ -263,7 +263,7 @@ TEST_F(ImportTest, TheWindowShowsAndChangesHowAFileIsRead) {
               QStringLiteral("trace.csv: ") + said);
     const balance_shaft::Input again = reopened();
     EXPECT_EQ(again.torque.trace, model->input().torque.trace);
-    EXPECT_EQ(again.torque.trace_reading, model->input().torque.trace_reading);
+    EXPECT_EQ(again.torque.trace_file.reading, model->input().torque.trace_file.reading);
     model->undo();
     EXPECT_EQ(model->inputJson(), before);
 }
@@ -296,7 +296,7 @@ TEST_F(ImportTest, TheCycleIsSavedWhereItIsAskedFor) {
             QTest::keyClick(decimal, Qt::Key_End);
         });
     fileChoosers() = usual;
-    EXPECT_EQ(model->input().torque.trace_csv,
+    EXPECT_EQ(model->input().torque.trace_file.name,
               folder.filePath(QStringLiteral("trace-cycle.csv")).toStdString());
     EXPECT_EQ(reopened().torque.trace, model->input().torque.trace);
 }

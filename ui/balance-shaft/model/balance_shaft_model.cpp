@@ -168,7 +168,7 @@ QString BalanceShaftModel::tabulateTorque() {
         std::transform(table.torque.begin(), table.torque.end(), inertia.begin(),
                        table.torque.begin(), std::plus<>());
         table.torque.back() = table.torque.front();  // one instant of the cycle
-        input.torque.csv.clear();
+        input.torque.csv.name.clear();
         input.torque.kind = balance_shaft::TorqueSource::Kind::table;
     });
 }
@@ -238,7 +238,7 @@ QString BalanceShaftModel::setStrokes(int strokes) {
             bringToStrokes(input.torque.table, strokes);
             if (input.strokes_of_torque() == strokes) {
                 input.torque.kind = Kind::table;
-                input.torque.csv.clear();
+                input.torque.csv.name.clear();
             }
         }
         input.strokes = strokes;

@@ -219,9 +219,7 @@ void ImportModel::putTraceInto(balance_shaft::Input& input) const {
     balance_shaft::TorqueSource& torque = input.torque;
     torque.kind = balance_shaft::TorqueSource::Kind::pressure;
     torque.trace = look_.pressure->trace;
-    torque.trace_csv = path_.toStdString();
-    torque.trace_sum = {look_.sum, look_.sum};
-    torque.trace_reading = look_.kept;
+    torque.trace_file = {path_.toStdString(), look_.sum, look_.sum, look_.kept};
     constexpr int decimals = 2;  // as it is proposed
     torque.trace_shift =
         isShifted()

@@ -179,7 +179,7 @@ void TorqueTableModel::put(Texts texts) {
 QString TorqueTableModel::take(const TorqueTable& table) {
     return model_->edit(tr("Edit torque table"), [&](balance_shaft::Input& input) {
         input.torque.kind = balance_shaft::TorqueSource::Kind::table;
-        input.torque.csv.clear();
+        input.torque.csv.name.clear();
         input.torque.table = table;
         input.strokes = input.strokes_of_torque();
     });
