@@ -107,11 +107,8 @@ Message assumed_sizes(const Input& input) {
 }
 
 Envelope envelope(const FrontView& view, double shaft_angle) {
-    return envelope(view, view.centre_distance * std::sin(shaft_angle),
-                    view.centre_distance * std::cos(shaft_angle));
-}
-
-Envelope envelope(const FrontView& view, double x, double y) {
+    const double x = view.centre_distance * std::sin(shaft_angle);
+    const double y = view.centre_distance * std::cos(shaft_angle);
     const double crank = std::max(view.crank_swing_radius, view.gear_tip_radius) + view.wall;
     const double shaft = std::max(view.shaft_swing_radius, view.gear_tip_radius) + view.wall;
     const double cylinder = view.cylinder_half_width() + view.wall;

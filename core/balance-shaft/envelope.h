@@ -60,7 +60,5 @@ Message assumed_sizes(const Input& input);
 
 /// @param shaft_angle  α, rad, any
 Envelope envelope(const FrontView& view, double shaft_angle);
-/// The shaft's axis at x, y in place of the view's distance and an angle; the gears are the view's.
-Envelope envelope(const FrontView& view, double x, double y);
 
 }  // namespace ravnoves::balance_shaft

@@ -60,13 +60,15 @@ RodSweep::Rod RodSweep::lowest_beside(Eigen::Index sample, double x, double y) c
 }
 
 RodSweep::Nearest RodSweep::nearest(double x, double y) const {
-    Column square_at;
-    const double minimum = squares(x, y, square_at);
-    return nearest(x, y, square_at, minimum);
+    return nearer_than(x, y, std::numeric_limits<double>::infinity()).value();
 }
 
-RodSweep::Nearest RodSweep::nearest(double x, double y, const Column& square_at,
-                                    double minimum) const {
+std::optional<RodSweep::Nearest> RodSweep::nearer_than(double x, double y, double needed) const {
+    Column square_at;
+    const double minimum = squares(x, y, square_at);
+    if (std::sqrt(minimum) - motion_ / 2.0 >= needed) {
+        return std::nullopt;
+    }
     // A minimum between samples is below them by no more than the rod moves.
     const double reach = std::sqrt(minimum) + motion_;
     const double candidate = reach * reach * (1.0 + 1e-12);
@@ -93,28 +95,8 @@ RodSweep::Nearest RodSweep::nearest(double x, double y, const Column& square_at,
     }
     const double along = (x - rod.x) * rod.along_x + (y - rod.y) * rod.along_y;
     const double t = std::clamp(along * per_length2_, 0.0, 1.0);
-    return {std::sqrt(best), rod.x + t * rod.along_x, rod.y + t * rod.along_y, rod};
-}
-
-std::optional<RodSweep::Nearest> RodSweep::nearer_than(double x, double y, double needed) const {
-    Column square_at;
-    const double minimum = squares(x, y, square_at);
-    if (std::sqrt(minimum) - motion_ / 2.0 >= needed) {
-        return std::nullopt;
-    }
-    const Nearest found = nearest(x, y, square_at, minimum);
+    const Nearest found{std::sqrt(best), rod.x + t * rod.along_x, rod.y + t * rod.along_y, rod};
     return found.distance < needed ? std::optional(found) : std::nullopt;
-}
-
-bool RodSweep::is_clear(double x, double y, double needed) const {
-    Column square_at;
-    const double minimum = squares(x, y, square_at);
-    const double distance = std::sqrt(minimum);
-    if (distance < needed) {
-        return false;
-    }
-    return distance - motion_ / 2.0 >= needed ||
-           nearest(x, y, square_at, minimum).distance >= needed;
 }
 
 }  // namespace ravnoves::balance_shaft

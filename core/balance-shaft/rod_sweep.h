@@ -30,7 +30,6 @@ class RodSweep {
     /// nearest(x, y) where its distance is less than `needed`, mostly for the price of a comparison
     /// where it is not.
     std::optional<Nearest> nearer_than(double x, double y, double needed) const;
-    bool is_clear(double x, double y, double needed) const;  ///< distance(x, y) ≥ needed
     /// Of the distance from one rod, m².
     double square(const Rod& rod, double x, double y) const;
 
@@ -41,7 +40,6 @@ class RodSweep {
 
     Rod rod_at(double theta) const;
     Rod lowest_beside(Eigen::Index sample, double x, double y) const;
-    Nearest nearest(double x, double y, const Column& square_at, double minimum) const;
     /// Squares of the distances of all samples; returns the smallest.
     double squares(double x, double y, Column& out) const;
 

@@ -109,7 +109,7 @@ Obstacle ShaftPlaces::obstacle(double x, double y) const {
     if (margin_within(limits_, x, y) < -rounding_) {
         return Obstacle::limits;
     }
-    return rods_.is_clear(x, y, needed_rod_ - rounding_) ? Obstacle::none : Obstacle::rod;
+    return rods_.nearer_than(x, y, needed_rod_ - rounding_) ? Obstacle::rod : Obstacle::none;
 }
 
 double ShaftPlaces::spare(double x, double y) const {
@@ -371,11 +371,6 @@ BoxSize ShaftPlaces::box(const Eigen::Vector2d& at) const {
     const Reach bottom = reach({0.0, -1.0}, -std::numeric_limits<double>::infinity());
     return {right.value + left.value, top.value + bottom.value, right.gradient + left.gradient,
             top.gradient + bottom.gradient};
-}
-
-double ShaftPlaces::size(double x, double y) const {
-    const Envelope box = envelope(view_.at_distance(std::hypot(x, y)), x, y);
-    return box.width() * box.height();
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -65,11 +65,10 @@ class ShaftPlaces {
     double spare(double x, double y) const;
     Message reason(Obstacle obstacle, double l) const;  ///< a sentence; empty: none
     static Message reason_for_none();  ///< why there is no place at all, as a sentence
-    /// Width × height of the front view's box with the shaft there, m².
-    double size(double x, double y) const;
 
     const FrontView& view() const { return view_; }
 
+    /// Of the front view's box with the shaft there.
     BoxSize box(const Eigen::Vector2d& at) const;
 
     /// The feasible part of a rectangle, bounded by lines. Obstacles are round outwards or corners
