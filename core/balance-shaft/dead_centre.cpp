@@ -344,7 +344,6 @@ std::optional<DeadCentre> find_dead_centre(const SliderCrank<double>& crank,
     constexpr double model_spread = 0.1;  // °
     centre.uncertainty = 2.0 * std::hypot(fit.spread_deg, model_spread) * degree;
     centre.loss_angle = fit.loss_deg * degree;
-    centre.line_end = (ends.back().to - fit.centre_deg) * degree;
     const double firing = strokes_of(trace.crank_angle_deg) == 4 ? turn_deg : 0.0;
     centre.shift = std::remainder(firing - fit.centre_deg, period) * degree;
     centre.angle = firing * degree - centre.shift;

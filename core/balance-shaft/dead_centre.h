@@ -16,7 +16,6 @@ struct DeadCentre {
     double shift = 0.0;        ///< to be added to them (TorqueSource::trace_shift), rad
     double uncertainty = 0.0;  ///< two standard deviations, rad
     double loss_angle = 0.0;   ///< of the peak without combustion before the dead centre, rad
-    double line_end = 0.0;     ///< end of the compression line after the dead centre, rad
     bool is_motored = false;   ///< no combustion was found
 
     bool is_certain() const { return uncertainty < 1.0 * degree; }

@@ -1,5 +1,6 @@
 #include "balance-shaft/trace_check.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -20,24 +21,11 @@ struct LineFit {
     double residual = 0.0;  ///< RMS
 };
 
-LineFit fit_line(const std::vector<double>& x, const std::vector<double>& y) {
-    const auto count = static_cast<double>(x.size());
-    double mean_x = 0.0;
-    double mean_y = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        mean_x += x[i] / count;
-        mean_y += y[i] / count;
-    }
-    double xx = 0.0;
-    double xy = 0.0;
-    double yy = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        xx += (x[i] - mean_x) * (x[i] - mean_x);
-        xy += (x[i] - mean_x) * (y[i] - mean_y);
-        yy += (y[i] - mean_y) * (y[i] - mean_y);
-    }
-    const double slope = xy / xx;
-    return {slope, mean_y - slope * mean_x, std::sqrt(std::max(yy - slope * xy, 0.0) / count)};
+LineFit fit_line(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
+    const Eigen::ArrayXd from_mean = x - x.mean();
+    const double slope = (from_mean * y).sum() / from_mean.square().sum();
+    const double level = y.mean() - slope * x.mean();
+    return {slope, level, std::sqrt((y - level - slope * x).square().mean())};
 }
 
 /// The mean pressure about an angle from top dead centre, Pa.
@@ -53,18 +41,17 @@ double mean_pressure(const CylinderGas& gas, double angle_deg) {
 }  // namespace
 
 std::optional<CompressionFit> fit_compression(const CylinderGas& gas) {
-    std::vector<double> volume;  // without V_c, displacements
-    std::vector<double> pressure;
-    std::vector<double> logarithm;
+    constexpr int rows = 51;      // every degree
+    Eigen::ArrayXd volume(rows);  // without V_c, displacements
+    Eigen::ArrayXd pressure(rows);
     const double clearance = gas.volume(gas.top_dead_centre());
-    for (int before = 80; before >= 30; --before) {
-        const double theta = gas.top_dead_centre() + two_pi - before * degree;
-        volume.push_back((gas.volume(theta) - clearance) / gas.displacement());
-        pressure.push_back(gas.pressure(theta));
-        if (!(pressure.back() > 0.0)) {
-            return std::nullopt;
-        }
-        logarithm.push_back(std::log(pressure.back()));
+    for (int i = 0; i < rows; ++i) {
+        const double theta = gas.top_dead_centre() + two_pi - (80 - i) * degree;
+        volume[i] = (gas.volume(theta) - clearance) / gas.displacement();
+        pressure[i] = gas.pressure(theta);
+    }
+    if (!(pressure > 0.0).all()) {
+        return std::nullopt;
     }
     constexpr int ratios = 200;
     constexpr double min_ratio = 4.0;
@@ -74,19 +61,13 @@ std::optional<CompressionFit> fit_compression(const CylinderGas& gas) {
     double min_residual = 0.0;
     for (int k = 0; k <= ratios; ++k) {
         const double ratio = min_ratio * std::pow(largest_ratio / min_ratio, 1.0 * k / ratios);
-        std::vector<double> x;
-        std::vector<double> power;
-        for (const double v : volume) {
-            const double whole = v + 1.0 / (ratio - 1.0);
-            x.push_back(std::log(whole));
-            power.push_back(std::pow(whole, -usual_exponent));
-        }
-        const LineFit free = fit_line(x, logarithm);
+        const Eigen::ArrayXd whole = volume + 1.0 / (ratio - 1.0);
+        const LineFit free = fit_line(whole.log(), pressure.log());
         if (k == 0 || free.residual < fit.residual) {
             fit.exponent = -free.slope;
             fit.residual = free.residual;
         }
-        const LineFit held = fit_line(power, pressure);
+        const LineFit held = fit_line(whole.pow(-usual_exponent), pressure);
         if (k == 0 || held.residual < min_residual) {
             fit.missing_pressure = -held.level;
             min_residual = held.residual;
