@@ -36,6 +36,47 @@ double size_of(const MomentMetrics& moment) {
 constexpr Text makes_no_moment =
     CORE_TEXT("balance-shaft", "The shaft has no moment: its angle has no effect.");
 
+/// Of A sin(φ + angle).
+MomentMetrics metrics_of_sine(double amplitude, double angle) {
+    MomentMetrics metrics;
+    metrics.mean = 0.0;  // of a sine over whole periods
+    metrics.max = amplitude;
+    metrics.min = -amplitude;
+    metrics.range = 2.0 * amplitude;
+    metrics.rms = amplitude / std::numbers::sqrt2;
+    metrics.max_angle = wrap_turn(pi / 2.0 - angle);
+    metrics.min_angle = wrap_turn(3.0 * pi / 2.0 - angle);
+    return metrics;
+}
+
+Optimum best_range(const Moments& moments, const MomentMetrics& tipping) {
+    if (moments.forces.moment_amplitude == 0.0) {
+        return {std::nullopt, tipping.range, makes_no_moment};
+    }
+    const AngleMinimum best = minimise_range(moments.plane, moments.forces.moment_amplitude);
+    if (best.worst - best.value > moment_rounding * best.worst) {
+        return {wrap_turn(best.alpha - moments.phase), best.value, {}};
+    }
+    return {std::nullopt, best.value,
+            CORE_TEXT("balance-shaft", "The angle of the shaft does not affect the range.")};
+}
+
+Optimum best_rms(const Moments& moments, const MomentMetrics& tipping) {
+    if (moments.forces.moment_amplitude == 0.0) {
+        return {std::nullopt, tipping.rms, makes_no_moment};
+    }
+    // The variance is smallest where the shaft's moment opposes M_up's first order.
+    const MomentPlane::Moment& opposed = moments.plane.opposed();
+    if (opposed.norm() > moment_rounding * size_of(tipping)) {
+        const double angle = wrap_turn(std::atan2(opposed.x(), opposed.y()) - moments.phase);
+        return {angle, moments.plane.rms(moments.shaft_moment(angle)), {}};
+    }
+    return {std::nullopt, moments.plane.rms(moments.shaft_moment(0.0)),
+            CORE_TEXT("balance-shaft",
+                      "The tipping moment has no first order: the angle of the shaft does not "
+                      "affect the RMS.")};
+}
+
 }  // namespace
 
 Forces::Forces(const Input& input) {
@@ -91,56 +132,6 @@ void Moments::sweep(std::span<const double> alpha, std::span<double> range,
     balance_shaft::sweep(plane, forces.moment_amplitude, turned, range, rms);
 }
 
-MomentMetrics Moments::tipping() const {
-    return metrics_of(plane, {0.0, 0.0});
-}
-
-MomentMetrics Moments::shaft(double alpha) const {
-    const double amplitude = forces.moment_amplitude;
-    const double turned = alpha + phase;
-    MomentMetrics metrics;
-    metrics.mean = 0.0;  // of a sine over whole periods
-    metrics.max = amplitude;
-    metrics.min = -amplitude;
-    metrics.range = 2.0 * amplitude;
-    metrics.rms = amplitude / std::numbers::sqrt2;
-    metrics.max_angle = wrap_turn(pi / 2.0 - turned);
-    metrics.min_angle = wrap_turn(3.0 * pi / 2.0 - turned);
-    return metrics;
-}
-
-MomentMetrics Moments::at(double alpha) const {
-    return metrics_of(plane, shaft_moment(alpha));
-}
-
-Optimum Moments::best_range(const MomentMetrics& tipping) const {
-    if (forces.moment_amplitude == 0.0) {
-        return {std::nullopt, tipping.range, makes_no_moment};
-    }
-    const AngleMinimum best = minimise_range(plane, forces.moment_amplitude);
-    if (best.worst - best.value > moment_rounding * best.worst) {
-        return {wrap_turn(best.alpha - phase), best.value, {}};
-    }
-    return {std::nullopt, best.value,
-            CORE_TEXT("balance-shaft", "The angle of the shaft does not affect the range.")};
-}
-
-Optimum Moments::best_rms(const MomentMetrics& tipping) const {
-    if (forces.moment_amplitude == 0.0) {
-        return {std::nullopt, tipping.rms, makes_no_moment};
-    }
-    // The variance is smallest where the shaft's moment opposes M_up's first order.
-    const MomentPlane::Moment& opposed = plane.opposed();
-    if (opposed.norm() > moment_rounding * size_of(tipping)) {
-        const double angle = wrap_turn(std::atan2(opposed.x(), opposed.y()) - phase);
-        return {angle, plane.rms(shaft_moment(angle)), {}};
-    }
-    return {std::nullopt, plane.rms(shaft_moment(0.0)),
-            CORE_TEXT("balance-shaft",
-                      "The tipping moment has no first order: the angle of the shaft does not "
-                      "affect the RMS.")};
-}
-
 void Moments::fill(const Input& input, bool optima, Result& result) const {
     result.angular_speed = input.angular_speed;
     result.reciprocating_mass = input.reciprocating_mass();
@@ -148,7 +139,7 @@ void Moments::fill(const Input& input, bool optima, Result& result) const {
     result.counterweight_mass = forces.counterweight_mass;
     result.counterweight_force = forces.counterweight_force;
     result.moment_amplitude = forces.moment_amplitude;
-    result.M_up = tipping();
+    result.M_up = metrics_of(plane, {0.0, 0.0});
     result.order_1_amplitude = plane.opposed().norm();
     result.order_1_phase = std::atan2(-plane.opposed().x(), -plane.opposed().y());
     const double variance = plane.variance({0.0, 0.0});
@@ -159,16 +150,16 @@ void Moments::fill(const Input& input, bool optima, Result& result) const {
     result.dead_centre = top;
     result.counterweight_lag = piston_1.lag;
     if (optima) {
-        result.best_range = best_range(result.M_up);
-        result.best_rms = best_rms(result.M_up);
+        result.best_range = best_range(*this, result.M_up);
+        result.best_rms = best_rms(*this, result.M_up);
     }
     move_shaft(wrap_turn(input.shaft_angle), result);
 }
 
 void Moments::move_shaft(double alpha, Result& result) const {
     result.shaft_angle = alpha;
-    result.M_s = shaft(alpha);
-    result.M_ups = at(alpha);
+    result.M_s = metrics_of_sine(forces.moment_amplitude, alpha + phase);
+    result.M_ups = metrics_of(plane, shaft_moment(alpha));
     if (result.order_1_share) {
         result.range_change = result.M_ups.range / result.M_up.range - 1.0;
         result.rms_change = result.M_ups.rms / result.M_up.rms - 1.0;

@@ -49,12 +49,6 @@ struct Moments {
     /// Ranges and RMS of M_ups at many angles, cheaper where neighbours in the list are near each
     /// other.
     void sweep(std::span<const double> alpha, std::span<double> range, std::span<double> rms) const;
-    MomentMetrics tipping() const;            ///< of M_up
-    MomentMetrics shaft(double alpha) const;  ///< of M_s
-    MomentMetrics at(double alpha) const;     ///< of M_ups
-    /// The best α. @param tipping  tipping()
-    Optimum best_range(const MomentMetrics& tipping) const;
-    Optimum best_rms(const MomentMetrics& tipping) const;
 
     /// What a result says of all this, at the input's α: its numbers up to the metrics and their
     /// changes. @param optima  the best α as well
