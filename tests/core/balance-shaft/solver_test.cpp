@@ -3,7 +3,6 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "balance-shaft/angle_search.h"
-#include "balance-shaft/mechanism.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/results.h"
 #include "balance-shaft/solver.h"
@@ -15,7 +14,6 @@
 namespace ravnoves::balance_shaft {
 namespace {
 
-using test::dense_extrema;
 using test::random_table;
 using test::written;
 
@@ -45,68 +43,31 @@ TEST(BalanceShaftExample, MatchesTheContract) {
     EXPECT_NEAR(solver.rms(11.76 * degree), 263.56934456000073, 1e-6 * 263.6);
 }
 
-TEST(BalanceShaftPaper, Forces) {
-    const Result result = solve(preset_tmz_650d());
-    EXPECT_NEAR(result.reciprocating_mass, 1.316, 1e-12);
-    EXPECT_NEAR(result.inertia_force_1_max, 8594.8, 0.05);
-    EXPECT_NEAR(result.counterweight_mass, 0.658, 1e-12);
-    EXPECT_NEAR(result.counterweight_force, 4297.4, 0.05);
-    EXPECT_NEAR(result.moment_amplitude, 430.39, 0.01);
-    const Json json = written(preset_tmz_650d());
-    EXPECT_EQ(json.at("shaft_bearing_load_N"), json.at("counterweight_force_N"));
-}
-
-TEST(BalanceShaftPaper, WholeOfTable3) {
-    const auto rows = test::read_csv(test::data_folder() / "table-3.csv");
-    ASSERT_EQ(rows.size(), 27U);  // header, 25 angles, means
-    const Solver solver(preset_tmz_650d());
-    for (std::size_t row = 1; row <= 25; ++row) {
-        ASSERT_EQ(rows[row].size(), 13U);
-        const double crank = std::stod(rows[row][0]);
-        for (std::size_t column = 1; column <= 12; ++column) {
-            const double shaft = std::stod(rows[0][column]);
-            EXPECT_NEAR(solver.M_s(crank * degree, shaft * degree), std::stod(rows[row][column]),
-                        0.0101)
-                << "at crank angle " << crank << ", shaft angle " << shaft;
-        }
-    }
-}
-
-TEST(BalanceShaftPaper, MeansOfItsNodes) {
-    const auto rows = test::read_csv(test::data_folder() / "table-3.csv");
+TEST(BalanceShaftPaper, PrintedMeansAreThoseOfItsNodes) {
     const Solver solver(preset_tmz_650d());
     Result result = solver.result();
-    EXPECT_NEAR(result.printed_mean_M_up, -37.9, 0.005);
-    EXPECT_NEAR(result.M_up.mean, -38.690, 0.0005);
-    for (std::size_t column = 1; column <= 11; ++column) {  // column 12's mean is M_up's
-        const double shaft = std::stod(rows[0][column]) * degree;
+    for (int alpha = 0; alpha < 360; alpha += 30) {
         double nodes = 0.0;
         for (int k = 0; k <= 24; ++k) {
-            nodes += solver.M_s(30.0 * k * degree, shaft) / 25.0;
+            nodes += solver.M_s(30.0 * k * degree, alpha * degree) / 25.0;
         }
-        solver.move_shaft(shaft, result);
+        solver.move_shaft(alpha * degree, result);
         EXPECT_NEAR(result.printed_mean_M_s, nodes, 1e-11);
-        EXPECT_NEAR(result.printed_mean_M_s, std::stod(rows[26][column]), 0.0051);
         EXPECT_NEAR(result.printed_mean_M_ups, nodes + result.printed_mean_M_up, 1e-11);
     }
 }
 
-TEST(BalanceShaftPaper, RangeAndBestAngles) {
+TEST(BalanceShaftPaper, RangeAndRms) {
     const Solver solver(preset_tmz_650d());
     const Result result = solver.result();
     EXPECT_NEAR(solver.range(240.0 * degree), 1821.0, 0.5);
-    EXPECT_NEAR(result.M_up.range, 1208.0, 1e-9);
-    EXPECT_NEAR(result.M_up.rms, 212.6, 0.05);
-    EXPECT_NEAR(*result.best_range.shaft_angle / degree, 50.6, 0.1);
-    EXPECT_NEAR(result.best_range.value, 1066.7, 0.1);
-    EXPECT_NEAR(*result.best_rms.shaft_angle / degree, 11.8, 0.05);
-    EXPECT_NEAR(result.best_rms.value, 263.6, 0.05);
-    EXPECT_NEAR(result.best_range.value / result.M_up.range - 1.0, -0.117, 5e-4);
     // The paper's claim that the RMS could fall does not hold at any angle.
     EXPECT_NE(verdict(result).text.english().find("At every feasible α, the RMS is larger"),
               std::string::npos);
     EXPECT_TRUE(std::all_of(result.sweep.rms.begin(), result.sweep.rms.end(),
                             [&](double rms) { return rms > result.M_up.rms; }));
+    const Json json = written(solver.input());
+    EXPECT_EQ(json.at("shaft_bearing_load_N"), json.at("counterweight_force_N"));
 }
 
 TEST(BalanceShaft, MeanOfTheShaftsMomentIsZeroForEveryAngle) {
@@ -137,43 +98,7 @@ class AnyCycle : public testing::TestWithParam<std::tuple<Interpolation, int, un
     }
 };
 
-TEST_P(AnyCycle, ExtremaAreThoseOfTheContinuousCycle) {
-    const Solver solver(input());
-    constexpr int samples = 8000;
-    const double h = 4.0 * pi / samples;
-    double curvature = solver.result().moment_amplitude;
-    const TorqueTable& table = solver.input().torque.table;
-    const std::vector<double>& angles = table.crank_angle_deg;
-    std::vector<double> moments(table.torque.size());
-    std::transform(table.torque.begin(), table.torque.end(), moments.begin(), std::negate<>());
-    if (solver.input().interpolation == Interpolation::periodic_cubic) {
-        const auto spline = PeriodicPiecewise::cubic(angles, moments);
-        for (const auto& piece : spline.pieces()) {
-            curvature = std::max(curvature, solver.result().moment_amplitude +
-                                                2.0 * std::abs(piece.c2) / (degree * degree));
-        }
-    }
-    const double missed = h * h / 8.0 * curvature + 1e-9;
-    Result result = solver.result();
-    for (int alpha = 0; alpha < 360; alpha += 40) {
-        solver.move_shaft(alpha * degree, result);
-        const auto reference = dense_extrema(solver, alpha * degree, samples);
-        EXPECT_GE(result.M_ups.max, reference.max - 1e-9);
-        EXPECT_LE(result.M_ups.max, reference.max + missed);
-        EXPECT_LE(result.M_ups.min, reference.min + 1e-9);
-        EXPECT_GE(result.M_ups.min, reference.min - missed);
-        // The function takes these values at the angles given.
-        for (const auto& [value, angle] : {std::pair(result.M_ups.max, result.M_ups.max_angle),
-                                           std::pair(result.M_ups.min, result.M_ups.min_angle)}) {
-            EXPECT_NEAR(solver.M_up(angle) + solver.M_s(angle, alpha * degree), value, 1e-8);
-        }
-        EXPECT_NEAR(result.M_ups.range, result.M_ups.max - result.M_ups.min, 0.0);
-        EXPECT_EQ(solver.range(alpha * degree), result.M_ups.range);
-        EXPECT_NEAR(result.M_ups.rms, solver.rms(alpha * degree), 0.0);
-    }
-}
-
-TEST_P(AnyCycle, RmsIsThatOfTheContinuousCycle) {
+TEST_P(AnyCycle, CriteriaAreThoseOfTheContinuousCycle) {
     const Solver solver(input());
     Result result = solver.result();
     for (const double alpha : {0.0, 1.0, 3.3}) {
@@ -183,6 +108,14 @@ TEST_P(AnyCycle, RmsIsThatOfTheContinuousCycle) {
             return value * value;
         });
         EXPECT_NEAR(result.M_ups.rms, std::sqrt(square), 1e-10 * std::sqrt(square));
+        EXPECT_EQ(solver.rms(alpha), result.M_ups.rms);
+        EXPECT_EQ(solver.range(alpha), result.M_ups.range);
+        EXPECT_EQ(result.M_ups.range, result.M_ups.max - result.M_ups.min);
+        // The function takes these values at the angles given.
+        for (const auto& [value, angle] : {std::pair(result.M_ups.max, result.M_ups.max_angle),
+                                           std::pair(result.M_ups.min, result.M_ups.min_angle)}) {
+            EXPECT_NEAR(solver.M_up(angle) + solver.M_s(angle, alpha), value, 1e-8);
+        }
     }
 }
 
@@ -251,6 +184,26 @@ TEST(BestRange, FindsTheOnlyMinimumOfAPureFirstOrder) {
     EXPECT_NEAR(result.order_1_amplitude, amplitude, 1e-5 * amplitude);
 }
 
+/// Every moment is that of a reference times `scale`, every angle the same.
+void expect_same(const Result& result, const Result& reference, double scale = 1.0) {
+    const double near = 1e-9 * scale;
+    EXPECT_NEAR(result.M_ups.range, reference.M_ups.range * scale, near);
+    EXPECT_NEAR(result.M_ups.rms, reference.M_ups.rms * scale, near);
+    EXPECT_NEAR(result.M_ups.mean, reference.M_ups.mean * scale, near);
+    EXPECT_NEAR(result.M_ups.max_angle, reference.M_ups.max_angle, 1e-9);
+    EXPECT_NEAR(result.order_1_amplitude, reference.order_1_amplitude * scale, near);
+    EXPECT_NEAR(result.best_range.value, reference.best_range.value * scale, near);
+    EXPECT_NEAR(*result.best_range.shaft_angle, *reference.best_range.shaft_angle, 1e-8);
+    EXPECT_NEAR(*result.best_rms.shaft_angle, *reference.best_rms.shaft_angle, 1e-9);
+    for (std::size_t i = 0; i < reference.curves.M_ups.size(); ++i) {
+        EXPECT_NEAR(result.curves.M_ups[i], reference.curves.M_ups[i] * scale, near);
+    }
+    for (std::size_t i = 0; i < reference.sweep.range.size(); ++i) {
+        EXPECT_NEAR(result.sweep.range[i], reference.sweep.range[i] * scale, near);
+        EXPECT_NEAR(result.sweep.rms[i], reference.sweep.rms[i] * scale, near);
+    }
+}
+
 TEST(BalanceShaft, AShiftOfTheTableByACycleChangesNothing) {
     const Result reference = solve(preset_tmz_650d());
     for (const double shift : {720.0, -720.0, -360.0}) {
@@ -263,16 +216,7 @@ TEST(BalanceShaft, AShiftOfTheTableByACycleChangesNothing) {
         for (double& angle : table.crank_angle_deg) {
             angle += shift;
         }
-        const Result result = solve(input);
-        EXPECT_NEAR(result.M_ups.range, reference.M_ups.range, 1e-9);
-        EXPECT_NEAR(result.M_ups.rms, reference.M_ups.rms, 1e-9);
-        EXPECT_NEAR(result.M_ups.mean, reference.M_ups.mean, 1e-9);
-        EXPECT_NEAR(result.M_ups.max_angle, reference.M_ups.max_angle, 1e-9);
-        EXPECT_NEAR(*result.best_range.shaft_angle, *reference.best_range.shaft_angle, 1e-9);
-        EXPECT_NEAR(*result.best_rms.shaft_angle, *reference.best_rms.shaft_angle, 1e-9);
-        for (std::size_t i = 0; i < reference.curves.M_ups.size(); ++i) {
-            EXPECT_NEAR(result.curves.M_ups[i], reference.curves.M_ups[i], 1e-9);
-        }
+        expect_same(solve(input), reference);
     }
 }
 
@@ -290,17 +234,7 @@ TEST(BalanceShaft, NodesAddedOnALineChangeNothing) {
     }
     fine.crank_angle_deg.push_back(720.0);
     fine.torque.push_back(0.0);
-    const Result result = solve(input);
-    EXPECT_NEAR(result.M_ups.range, reference.M_ups.range, 1e-9);
-    EXPECT_NEAR(result.M_ups.rms, reference.M_ups.rms, 1e-9);
-    EXPECT_NEAR(result.M_up.mean, reference.M_up.mean, 1e-9);
-    EXPECT_NEAR(result.order_1_amplitude, reference.order_1_amplitude, 1e-9);
-    EXPECT_NEAR(*result.best_range.shaft_angle, *reference.best_range.shaft_angle, 1e-8);
-    EXPECT_NEAR(*result.best_rms.shaft_angle, *reference.best_rms.shaft_angle, 1e-9);
-    for (std::size_t i = 0; i < reference.sweep.range.size(); ++i) {
-        EXPECT_NEAR(result.sweep.range[i], reference.sweep.range[i], 1e-9);
-        EXPECT_NEAR(result.sweep.rms[i], reference.sweep.rms[i], 1e-9);
-    }
+    expect_same(solve(input), reference);
 }
 
 TEST(BalanceShaft, MomentsScaleTogether) {
@@ -315,12 +249,7 @@ TEST(BalanceShaft, MomentsScaleTogether) {
         for (double& torque : input.torque.table.torque) {
             torque *= k;
         }
-        const Result result = solve(input);
-        EXPECT_NEAR(result.M_ups.range / k, reference.M_ups.range, 1e-9);
-        EXPECT_NEAR(result.M_ups.rms / k, reference.M_ups.rms, 1e-9);
-        EXPECT_NEAR(result.best_range.value / k, reference.best_range.value, 1e-9);
-        EXPECT_NEAR(*result.best_range.shaft_angle, *reference.best_range.shaft_angle, 1e-8);
-        EXPECT_NEAR(*result.best_rms.shaft_angle, *reference.best_rms.shaft_angle, 1e-9);
+        expect_same(solve(input), reference, k);
     }
 }
 
@@ -482,32 +411,6 @@ TEST(BalanceShaft, AsManyRowsAsATableMayHaveAreSolved) {
     input.torque.table = random_table(5, largest_torque_table);
     const Result result = solve(input);
     EXPECT_GT(result.M_ups.range, 999.0);
-}
-
-TEST(BalanceShaftMechanism, MomentOfTheDrawnForcesIsTheShaftsMoment) {
-    const Solver solver(preset_tmz_650d());
-    for (const double alpha : {0.0, 0.7, 2.0, 4.4}) {
-        for (double phi = 0.0; phi < 12.6; phi += 0.37) {
-            const MechanismPose pose = mechanism_pose(solver, phi, alpha);
-            // Clockwise moment about the crank axis: −(x F_y − y F_x).
-            const auto moment = [](const Vector2& at, const Vector2& force) {
-                return at.y * force.x - at.x * force.y;
-            };
-            EXPECT_NEAR(moment(pose.shaft_counterweight, pose.shaft_counterweight_force) +
-                            moment(pose.crank_counterweight, pose.crank_counterweight_force),
-                        pose.M_s, 1e-9);
-            // All three forces of the first order add up to nothing.
-            EXPECT_NEAR(pose.inertia_force_1.y + pose.crank_counterweight_force.y +
-                            pose.shaft_counterweight_force.y,
-                        0.0, 1e-8);
-            EXPECT_NEAR(pose.crank_counterweight_force.x + pose.shaft_counterweight_force.x, 0.0,
-                        1e-8);
-            EXPECT_NEAR(std::hypot(pose.piston_pin.x - pose.crankpin.x,
-                                   pose.piston_pin.y - pose.crankpin.y),
-                        solver.front_view().rod_length, 1e-12);
-            EXPECT_EQ(pose.M_ups, pose.M_up + pose.M_s);
-        }
-    }
 }
 
 TEST(BalanceShaftEnvelope, BoxesTheCirclesAndTheCylinder) {

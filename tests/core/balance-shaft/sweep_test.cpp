@@ -21,6 +21,8 @@ std::vector<Input> engines() {
         inputs.push_back(preset_tmz_650d());
         inputs.back().torque.table = test::random_table(static_cast<unsigned>(rows), rows);
     }
+    inputs.push_back(test::diesel());
+    inputs.back().cylinder.offset = 8e-3;
     const std::size_t count = inputs.size();
     for (std::size_t i = 0; i < count; ++i) {
         inputs.push_back(inputs[i]);

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <filesystem>
-#include <fstream>
 #include <random>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -19,10 +16,6 @@
 
 namespace ravnoves::balance_shaft::test {
 
-inline std::filesystem::path data_folder() {
-    return std::filesystem::path(RAVNOVES_EXPECTED).parent_path() / "balance-shaft";
-}
-
 using ravnoves::test::error_of;
 
 /// What is said of an input that a patch of its case changes; "no error" where it is solved.
@@ -30,25 +23,6 @@ inline std::string rejection(const Input& input, const std::string& patch) {
     Json json = write_input(input);
     json.merge_patch(parse_json(patch));
     return error_of([&] { Solver(read_input(json, {})); });
-}
-
-/// Rows of a CSV file of numbers without comments and header; the first field may be a word.
-inline std::vector<std::vector<std::string>> read_csv(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    EXPECT_TRUE(file) << path;
-    std::vector<std::vector<std::string>> rows;
-    for (std::string line; std::getline(file, line);) {
-        if (line.empty() || line.front() == '#') {
-            continue;
-        }
-        std::vector<std::string> row;
-        std::stringstream stream(line);
-        for (std::string cell; std::getline(stream, cell, ',');) {
-            row.push_back(cell);
-        }
-        rows.push_back(row);
-    }
-    return rows;
 }
 
 /// The paper's engine with a plain diesel cycle in place of its table.
@@ -96,32 +70,28 @@ inline TorqueTable random_table(unsigned seed, std::size_t rows, double size = 5
     return table;
 }
 
+/// The same engine with a table for its torque.
+inline Input with_table(Input input, TorqueTable table) {
+    input.torque = {};
+    input.torque.table = std::move(table);
+    return input;
+}
+
+/// The same with its computed torque as a table of equal steps over the cycle.
+inline Input as_table(const Input& computed, int step_deg = 1) {
+    const Solver solver(computed);
+    const int cycle = static_cast<int>(computed.cycle_deg());
+    TorqueTable table;
+    for (int angle = 0; angle <= cycle; angle += step_deg) {
+        table.crank_angle_deg.push_back(angle);
+        table.torque.push_back(-solver.M_up(angle % cycle * degree));
+    }
+    return with_table(computed, std::move(table));
+}
+
 /// The "result" object of an input.
 inline Json written(const Input& input) {
     return result_json({}, input);
-}
-
-struct Reference {
-    double max;
-    double min;
-};
-
-/// Extrema of M_up + M_s by brute force: a grid and the table's rows. The grid misses a smooth
-/// extremum by at most h²/8 (A + max|M″|).
-inline Reference dense_extrema(const Solver& solver, double alpha, int samples) {
-    Reference found{-1e300, 1e300};
-    const auto look = [&](double angle) {
-        const double value = solver.M_up(angle) + solver.M_s(angle, alpha);
-        found.max = std::max(found.max, value);
-        found.min = std::min(found.min, value);
-    };
-    for (int i = 0; i < samples; ++i) {
-        look(4.0 * pi * i / samples);
-    }
-    for (const double angle : solver.input().torque.table.crank_angle_deg) {
-        look(angle * degree);
-    }
-    return found;
 }
 
 }  // namespace ravnoves::balance_shaft::test
