@@ -122,14 +122,14 @@ struct EnvelopeSizes {
 /// Limits on the place of the shaft's axis, for example by a wall of the crankcase; empty means no
 /// limit.
 struct PlaceLimits {
-    std::optional<double> centre_distance_min;  ///< m
-    std::optional<double> centre_distance_max;  ///< m
-    std::optional<double> shaft_angle_from;     ///< rad; where only the other is given 0
-    std::optional<double> shaft_angle_to;       ///< rad; where only the other is given 2π
-    std::optional<double> left;                 ///< smallest x, m
-    std::optional<double> right;                ///< largest x, m
-    std::optional<double> bottom;               ///< smallest y, m
-    std::optional<double> top;                  ///< largest y, m
+    std::optional<double> centre_distance_min = {};  ///< m
+    std::optional<double> centre_distance_max = {};  ///< m
+    std::optional<double> shaft_angle_from = {};     ///< rad; where only the other is given 0
+    std::optional<double> shaft_angle_to = {};       ///< rad; where only the other is given 2π
+    std::optional<double> left = {};                 ///< smallest x, m
+    std::optional<double> right = {};                ///< largest x, m
+    std::optional<double> bottom = {};               ///< smallest y, m
+    std::optional<double> top = {};                  ///< largest y, m
     bool operator==(const PlaceLimits&) const = default;
 };
 

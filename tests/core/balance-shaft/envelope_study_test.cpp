@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "balance-shaft/presets.h"
 
@@ -23,21 +22,6 @@ TEST(EnvelopeStudyTest, MirrorsAboutTheCylinderAxis) {
     const auto tallest = std::max_element(study.height.begin(), study.height.end());
     EXPECT_NEAR(study.shaft_angle_deg[static_cast<std::size_t>(tallest - study.height.begin())],
                 180.0, 1e-9);
-}
-
-TEST(EnvelopeStudyTest, TheBoxHoldsItsCircles) {
-    const Solver solver(preset_tmz_650d());
-    const FrontView& view = solver.front_view();
-    for (double angle = 0.0; angle < 360.0; angle += 7.0) {
-        const Envelope box = envelope(solver.front_view(), angle * degree);
-        const double x = view.centre_distance * std::sin(angle * degree);
-        const double y = view.centre_distance * std::cos(angle * degree);
-        EXPECT_LE(box.left, x - view.shaft_swing_radius + 1e-12);
-        EXPECT_GE(box.right, x + view.shaft_swing_radius - 1e-12);
-        EXPECT_LE(box.bottom, y - view.shaft_swing_radius + 1e-12);
-        EXPECT_LE(box.bottom, -view.crank_swing_radius + 1e-12);
-        EXPECT_GE(box.top, view.cylinder_top - 1e-12);
-    }
 }
 
 TEST(EnvelopeStudyTest, EfficientAnglesAreThoseThatNothingBeats) {
