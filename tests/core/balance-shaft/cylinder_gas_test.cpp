@@ -46,44 +46,13 @@ double integral(const Input& input, const auto& f) {
     return sum;
 }
 
-/// ∮ p dV from points (V, p) alone: Romberg's extrapolation of the trapezia between the breaks.
+/// ∮ p dV from pressures and volumes alone, dV/dθ by differences.
 double area_of_indicator_diagram(const Input& input, const CylinderGas& gas) {
-    const std::vector<double> ends = breaks(input);
-    double area = 0.0;
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-        // Just inside, so that a jump at a dead centre is not halved; no area is lost there.
-        const double from = ends[i] + 1e-11;
-        const double to = ends[i + 1] - 1e-11;
-        constexpr int levels = 9;
-        std::array<double, levels> row{};
-        for (int level = 0; level < levels; ++level) {
-            const int steps = 4 << level;
-            double sum = 0.0;
-            double v0 = gas.volume(from);
-            double p0 = gas.pressure(from);
-            for (int k = 1; k <= steps; ++k) {
-                const double theta = from + (to - from) * k / steps;
-                const double v1 = gas.volume(theta);
-                const double p1 = gas.pressure(theta);
-                sum += (p0 + p1) / 2.0 * (v1 - v0);
-                v0 = v1;
-                p0 = p1;
-            }
-            double factor = 4.0;
-            double previous = row[0];
-            row[0] = sum;
-            for (int k = 1; k <= level; ++k) {
-                const double better =
-                    row[static_cast<std::size_t>(k) - 1] +
-                    (row[static_cast<std::size_t>(k) - 1] - previous) / (factor - 1.0);
-                previous = row[static_cast<std::size_t>(k)];
-                row[static_cast<std::size_t>(k)] = better;
-                factor *= 4.0;
-            }
-        }
-        area += row[levels - 1];
-    }
-    return area;
+    constexpr double h = 1e-3;
+    return integral(input, [&](double theta) {
+        const auto v = [&](double step) { return gas.volume(theta + step * h); };
+        return gas.pressure(theta) * (v(-2) - 8.0 * v(-1) + 8.0 * v(1) - v(2)) / (12.0 * h);
+    });
 }
 
 TEST(CylinderGas, IsentropicMotoredCycleDoesNoWork) {
@@ -169,19 +138,6 @@ TEST(CylinderGas, PressureObeysTheEnergyBalance) {
     EXPECT_NEAR(bottom / gas.volume(0.0), cycle.compression_ratio, 1e-12);
 }
 
-TEST(CylinderGas, AllTheHeatIsReleased) {
-    // At constant volume p rises by (n − 1) Q/V: a very short combustion at top dead centre.
-    Input input = diesel();
-    GasCycle& cycle = input.torque.cycle;
-    cycle.combustion_start = 359.5 * degree;
-    cycle.combustion_duration = 1.0 * degree;
-    const CylinderGas gas = *cylinder_gas(input);
-    const double volume = gas.volume(two_pi);
-    const double before = gas.pressure(359.49 * degree);
-    const double after = gas.pressure(360.5 * degree);
-    EXPECT_NEAR((after - before) * volume / (cycle.polytropic_expansion - 1.0), 1300.0, 1.0);
-}
-
 TEST(CylinderGas, MeanEffectivePressureAskedForIsReached) {
     Input input = diesel();
     input.torque.cycle.heat.reset();
@@ -244,29 +200,6 @@ TEST(ComputedTorque, SolverSeesGasPlusInertia) {
                 10.0);
 }
 
-/// Extrema of the true torque by golden sections about the best of a fine grid.
-std::pair<double, double> true_extrema(const auto& torque, double period) {
-    const auto highest = [&](double sign) {
-        constexpr int samples = 72'000;
-        int top = 0;
-        for (int i = 1; i < samples; ++i) {
-            if (sign * torque(period * i / samples) > sign * torque(period * top / samples)) {
-                top = i;
-            }
-        }
-        double low = period * (top - 1) / samples;
-        double high = period * (top + 1) / samples;
-        for (int k = 0; k < 60; ++k) {
-            const double a = high - 0.618 * (high - low);
-            const double b = low + 0.618 * (high - low);
-            (sign * torque(a) > sign * torque(b) ? high : low) =
-                sign * torque(a) > sign * torque(b) ? b : a;
-        }
-        return torque((low + high) / 2.0);
-    };
-    return {highest(1.0), highest(-1.0)};
-}
-
 TEST(ComputedTorque, CriteriaAreThoseOfTheTorqueItself) {
     for (const double m : {0.4, 1.0, 2.0}) {
         for (const int strokes : {4, 2}) {
@@ -283,31 +216,22 @@ TEST(ComputedTorque, CriteriaAreThoseOfTheTorqueItself) {
                                                            input.angular_speed);
             };
             const Result result = solve(input);
-            const auto [highest, lowest] = true_extrema(moment, gas.period());
+            double highest = -1e300;
+            double lowest = 1e300;
+            double square = 0.0;
+            constexpr int samples = 288'000;  // miss less than 3e-5 N·m of an extremum
+            for (int i = 0; i < samples; ++i) {
+                const double value = moment(gas.period() * (i + 0.5) / samples);
+                highest = std::max(highest, value);
+                lowest = std::min(lowest, value);
+                square += std::pow(value - result.M_up.mean, 2);
+            }
             // 0.03 N·m when straight lines joined every half degree.
             EXPECT_NEAR(result.M_up.max, highest, 1e-4) << m;
             EXPECT_NEAR(result.M_up.min, lowest, 1e-4) << m;
-            double square = 0.0;
-            constexpr int samples = 144'000;
-            for (int i = 0; i < samples; ++i) {
-                square +=
-                    std::pow(moment(gas.period() * (i + 0.5) / samples) - result.M_up.mean, 2);
-            }
             EXPECT_NEAR(result.M_up.rms, std::sqrt(square / samples), 1e-4) << m;
         }
     }
-}
-
-TEST(ComputedTorque, InertiaPartGrowsWithTheSquareOfTheSpeed) {
-    Input input = diesel();
-    const Result slow = solve(input);
-    input.angular_speed *= 2.0;
-    const Result fast = solve(input);
-    for (std::size_t i = 0; i < slow.curves.M_gas.size(); ++i) {
-        EXPECT_EQ(fast.curves.M_gas[i], slow.curves.M_gas[i]);
-        EXPECT_NEAR(fast.curves.M_inertia[i], 4.0 * slow.curves.M_inertia[i], 1e-9);
-    }
-    EXPECT_NEAR(fast.moment_amplitude, 4.0 * slow.moment_amplitude, 1e-9);
 }
 
 TEST(ComputedTorque, ATraceOfTheCycleGivesTheCyclesTorque) {

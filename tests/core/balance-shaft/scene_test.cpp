@@ -161,15 +161,6 @@ TEST(BalanceShaftInput, AMassIsAFieldByItsName) {
               (std::vector<NamedMass>{{"other", 1.2}, {"piston", 0.6}}));
 }
 
-TEST(BalanceShaftInput, UnknownKeysNameTheNearest) {
-    EXPECT_EQ(rejection(R"({"shaft_angel_deg": 45})"),
-              "/input/shaft_angel_deg: is not a known key; the nearest is \"shaft_angle_deg\"");
-    EXPECT_EQ(rejection(R"({"torque": {"torque_nm": [0]}})"),
-              "/input/torque/torque_nm: is not a known key; the nearest is \"torque_Nm\"");
-    EXPECT_EQ(rejection(R"({"envelope": {"wal_mm": 1}})"),
-              "/input/envelope/wal_mm: is not a known key; the nearest is \"wall_mm\"");
-}
-
 TEST(BalanceShaftInput, TorqueTables) {
     const std::pair<const char*, const char*> cases[] = {
         {R"({"torque": null})", "torque: is required and missing"},
@@ -179,18 +170,6 @@ TEST(BalanceShaftInput, TorqueTables) {
          "of them"},
         {R"({"torque": {"crank_angle_deg": [], "torque_Nm": []}})",
          "torque/crank_angle_deg: must have at least 3 numbers, got 0"},
-        {R"({"torque": {"crank_angle_deg": [0], "torque_Nm": [0]}})",
-         "torque/crank_angle_deg: must have at least 3 numbers, got 1"},
-        {R"({"torque": {"crank_angle_deg": [0, 100, 50, 720],
-                                     "torque_Nm": [0, 1, 2, 0]}})",
-         "torque/crank_angle_deg/2: must be greater than the angle of the row before, 100, got 50"},
-        {R"({"torque": {"crank_angle_deg": [0, 100, 100, 720],
-                                     "torque_Nm": [0, 1, 2, 0]}})",
-         "torque/crank_angle_deg/2: must not repeat the angle of the row before, 100, got 100"},
-        {R"({"torque": {"crank_angle_deg": [0, 100, 720],
-                                     "torque_Nm": [0, 1, 7]}})",
-         "torque/torque_Nm/2: must equal the first torque, 0 N·m, since the cycle repeats, got 7 "
-         "N·m"},
         {R"({"torque": {"crank_angle_deg": [0, 100, 720],
                                      "torque_Nm": [0, null, 0]}})",
          "torque/torque_Nm/1: must be a number, got null"}};

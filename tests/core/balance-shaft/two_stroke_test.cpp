@@ -13,22 +13,9 @@
 namespace ravnoves::balance_shaft {
 namespace {
 
+using test::as_table;
 using test::error_of;
 using test::two_stroke;
-
-/// The table of a computed torque over its cycle.
-Input as_table(const Input& computed) {
-    const Solver solver(computed);
-    Input input = computed;
-    input.torque = {};
-    input.cylinder.rod_length = computed.cylinder.rod_length;
-    const int rows = static_cast<int>(computed.cycle_deg());
-    for (int i = 0; i <= rows; ++i) {
-        input.torque.table.crank_angle_deg.push_back(i);
-        input.torque.table.torque.push_back(-solver.M_up((i % rows) * degree));
-    }
-    return input;
-}
 
 /// The same table twice, as of a four-stroke engine.
 Input repeated(const Input& one_turn) {
