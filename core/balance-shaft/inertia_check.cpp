@@ -157,11 +157,18 @@ Fit fit_stroke(const TorqueTable& table, double relative_offset, double begin_de
 
 }  // namespace
 
-InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
+InertiaCheck check_inertia(const Input& input) {
     InertiaCheck check;
     const double speed = input.angular_speed;
     const double mass = input.reciprocating_mass();
     check.entered = mass * input.crank_radius * input.crank_radius * speed * speed;
+    if (input.torque.is_computed()) {
+        check.text = CORE_TEXT("balance-shaft",
+                               "The torque is computed from the masses and the speed: no check is "
+                               "necessary.");
+        return check;
+    }
+    const TorqueTable& table = input.torque.table;
     const std::optional<double> lambda =
         input.cylinder.rod_length ? std::optional(input.crank_radius / *input.cylinder.rod_length)
                                   : std::nullopt;
@@ -248,27 +255,6 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
                       Number{rounded_to_digits(check.matching_speed / units::rpm, 4), units::rpm},
                       Number{rounded_to_digits(check.matching_mass, 3), units::kg});
     return check;
-}
-
-InertiaCheck check_inertia(const Input& input) {
-    if (!input.torque.is_computed()) {
-        return check_inertia(input.torque.table, input);
-    }
-    InertiaCheck check;
-    check.entered = input.reciprocating_mass() * input.crank_radius * input.crank_radius *
-                    input.angular_speed * input.angular_speed;
-    check.text =
-        CORE_TEXT("balance-shaft",
-                  "The torque is computed from the masses and the speed: no check is necessary.");
-    return check;
-}
-
-Input with_matching_speed(const Input& input, const InertiaCheck& check) {
-    Input changed = input;
-    if (check.fitted) {
-        changed.angular_speed = check.matching_speed;
-    }
-    return changed;
 }
 
 Input with_rebuilt_torque(const Input& input, const InertiaCheck& check) {

@@ -44,19 +44,12 @@ struct InertiaCheck {
     static constexpr double largest_residual = 0.04;
 };
 
-/// @param table  M_id over a cycle
-/// @param input  speed, masses, crank and rod; not its torque
-InertiaCheck check_inertia(const TorqueTable& table, const Input& input);
-
 /// The check of an input's table, or the reason for none.
 InertiaCheck check_inertia(const Input& input);
 
-/// First remedy: the same input at the speed that the torque belongs to.
-Input with_matching_speed(const Input& input, const InertiaCheck& check);
-
-/// Second remedy: the same input with the torque rebuilt, the fitted inertia torque replaced by the
-/// inertia torque of the masses and the speed entered (with r/L of the input where its rod is
-/// known, else of the fit). The torque becomes a table.
+/// A remedy beside the matching speed: the same input with the torque rebuilt, the fitted inertia
+/// torque replaced by the inertia torque of the masses and the speed entered (with r/L of the input
+/// where its rod is known, else of the fit). The torque becomes a table.
 Input with_rebuilt_torque(const Input& input, const InertiaCheck& check);
 
 }  // namespace ravnoves::balance_shaft

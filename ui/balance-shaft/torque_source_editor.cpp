@@ -145,7 +145,7 @@ QWidget* TorqueSourceEditor::buildCheck() {
     column->addWidget(remedies_);
     connect(useSpeed_, &QPushButton::clicked, this, [this] {
         model_->edit(tr("Use the torque's speed"), [this](Input& input) {
-            input = balance_shaft::with_matching_speed(input, model_->result().inertia_check);
+            input.angular_speed = model_->result().inertia_check.matching_speed;
         });
     });
     return check_;

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <numeric>
 
-#include "balance-shaft/engine_torque.h"
 #include "balance-shaft/presets.h"
 #include "case-file/json.h"
 #include "test_cases.h"
 
 namespace ravnoves::balance_shaft {
+using test::as_table;
+using test::with_table;
 using test::written;
 
 namespace {
@@ -43,8 +44,8 @@ TEST(InertiaCheck, FindsHalfTheInertiaInThePapersTable) {
 
 TEST(InertiaCheck, TheMatchingSpeedMakesTheShaftUseful) {
     const Input input = preset_tmz_650d();
-    const InertiaCheck check = solve(input).inertia_check;
-    const Input slower = with_matching_speed(input, check);
+    Input slower = input;
+    slower.angular_speed = solve(input).inertia_check.matching_speed;
     const Result matched = solve(slower);
     EXPECT_TRUE(*matched.inertia_check.consistent);
     EXPECT_NEAR(*matched.inertia_check.fitted, matched.inertia_check.entered, 1e-6);
@@ -84,41 +85,27 @@ TEST(InertiaCheck, TheRebuiltTorqueLeavesNothingToGain) {
     }
 }
 
-/// A table of a real engine: gas torque of a cycle plus inertia torque, with noise as a part of the
-/// inertia torque's amplitude.
-TorqueTable table_of(const Input& engine, double step_deg, double noise, unsigned seed) {
-    const CylinderGas gas = *cylinder_gas(engine);
-    const SliderCrank<double> crank = slider_crank(engine);
+/// The table of an engine with noise as a part of the inertia torque's amplitude.
+TorqueTable noisy_table(const Input& engine, int step_deg, double noise, unsigned seed) {
+    TorqueTable table = as_table(engine, step_deg).torque.table;
     std::mt19937 generator(seed);
-    const double mass = engine.reciprocating_mass();
     std::normal_distribution<double> normal(
-        0.0, noise * mass * std::pow(engine.crank_radius * engine.angular_speed, 2));
-    TorqueTable table;
-    for (double angle = 0.0; angle < 720.0 - 1e-9; angle += step_deg) {
-        table.crank_angle_deg.push_back(angle);
-        table.torque.push_back(
-            gas.torque(angle * degree) +
-            inertia_torque(crank.at(angle * degree), mass, engine.angular_speed) +
-            normal(generator));
+        0.0, noise * engine.reciprocating_mass() *
+                 std::pow(engine.crank_radius * engine.angular_speed, 2));
+    for (double& torque : table.torque) {
+        torque += normal(generator);
     }
-    table.crank_angle_deg.push_back(720.0);
-    table.torque.push_back(table.torque.front());
+    table.torque.back() = table.torque.front();
     return table;
 }
 
 Input engine(double mass, double rod_length) {
-    Input input = preset_tmz_650d();
+    Input input = test::diesel();
     input.reciprocating_masses = {{"", mass}};
     input.rod_mass.reset();
     input.cylinder.rod_length = rod_length;
-    input.torque = {};
-    input.torque.kind = TorqueSource::Kind::cycle;
-    input.cylinder.bore = 0.0955;
-    input.torque.cycle.compression_ratio = 18.0;
     input.torque.cycle.intake_pressure = 0.95e5;
     input.torque.cycle.heat = 1200.0;
-    input.torque.cycle.combustion_start = 352.0 * degree;
-    input.torque.cycle.combustion_duration = 60.0 * degree;
     return input;
 }
 
@@ -127,12 +114,9 @@ TEST(InertiaCheck, RecoversKnownMassesThroughNoiseAndWarnsAtAQuarterOff) {
         const double mass = 0.4 + 0.05 * seed;
         const double rod = 0.12 + 0.002 * seed;
         const Input truth = engine(mass, rod);
-        const double step = seed % 2 == 0 ? 15.0 : 5.0;
-        const TorqueTable table = table_of(truth, step, 0.02, seed);
-        Input entered = truth;
-        entered.torque = {};
-        entered.torque.table = table;
-        const InertiaCheck right = check_inertia(table, entered);
+        const TorqueTable table = noisy_table(truth, seed % 2 == 0 ? 15 : 5, 0.02, seed);
+        Input entered = with_table(truth, table);
+        const InertiaCheck right = check_inertia(entered);
         ASSERT_TRUE(right.fitted) << seed;
         EXPECT_NEAR(*right.fitted / right.entered, 1.0, 0.05) << seed;
         EXPECT_NEAR(right.fitted_lambda, truth.crank_radius / rod, 0.05) << seed;
@@ -141,7 +125,7 @@ TEST(InertiaCheck, RecoversKnownMassesThroughNoiseAndWarnsAtAQuarterOff) {
         EXPECT_FALSE(solved.notes.size() > 0 && solved.notes[0] == solved.inertia_check.text);
         for (const double factor : {0.75, 1.25}) {
             entered.reciprocating_masses[0].mass = mass * factor;
-            const InertiaCheck wrong = check_inertia(table, entered);
+            const InertiaCheck wrong = check_inertia(entered);
             EXPECT_FALSE(*wrong.consistent) << seed;
             EXPECT_NEAR(wrong.matching_mass, mass, 0.05 * mass) << seed;
         }
@@ -150,12 +134,12 @@ TEST(InertiaCheck, RecoversKnownMassesThroughNoiseAndWarnsAtAQuarterOff) {
 
 TEST(InertiaCheck, FindsTheGasExchangeWhereverTheCycleBegins) {
     const Input truth = engine(1.3, 0.15);
-    const TorqueTable table = table_of(truth, 5.0, 0.0, 1);
+    const TorqueTable table = as_table(truth, 5).torque.table;
     TorqueTable shifted = table;  // firing dead centre at 0°
     std::rotate(shifted.torque.begin(), shifted.torque.begin() + 72, shifted.torque.end() - 1);
     shifted.torque.back() = shifted.torque.front();
-    const InertiaCheck first = check_inertia(table, truth);
-    const InertiaCheck second = check_inertia(shifted, truth);
+    const InertiaCheck first = check_inertia(with_table(truth, table));
+    const InertiaCheck second = check_inertia(with_table(truth, shifted));
     EXPECT_EQ(second.stroke_begin_deg, 360.0);
     EXPECT_NEAR(*second.fitted, *first.fitted, 1e-9);
     EXPECT_NEAR(*first.fitted, first.entered, 0.01 * first.entered);
@@ -199,14 +183,16 @@ TEST(InertiaCheck, ASteadyPressureOnThePistonDoesNotMoveTheFit) {
     Input input = preset_tmz_650d();
     for (const double sign : {1.0, -1.0}) {
         input.cylinder.rod_length.reset();
-        const InertiaCheck free = check_inertia(synthetic(20.0, 0.3, sign * gas), input);
+        const InertiaCheck free =
+            check_inertia(with_table(input, synthetic(20.0, 0.3, sign * gas)));
         ASSERT_TRUE(free.fitted);
         EXPECT_NEAR(*free.fitted, 20.0, 1e-4);
         EXPECT_NEAR(free.fitted_lambda, 0.3, 1e-5);
         EXPECT_NEAR(free.gas_exchange, sign * gas, 1e-3);
         EXPECT_TRUE(free.lambda_fitted);
         input.cylinder.rod_length = 0.046 / 0.3;
-        const InertiaCheck held = check_inertia(synthetic(20.0, 0.3, sign * gas), input);
+        const InertiaCheck held =
+            check_inertia(with_table(input, synthetic(20.0, 0.3, sign * gas)));
         EXPECT_NEAR(*held.fitted, 20.0, 1e-9);
         EXPECT_NEAR(held.fitted_lambda, 0.3, 1e-12);
         EXPECT_FALSE(held.lambda_fitted);
@@ -216,30 +202,30 @@ TEST(InertiaCheck, ASteadyPressureOnThePistonDoesNotMoveTheFit) {
 TEST(InertiaCheck, SaysNothingWhereTheFitLeavesMuchOrEndsOnABound) {
     Input input = preset_tmz_650d();
     input.cylinder.rod_length.reset();
-    EXPECT_TRUE(check_inertia(synthetic(400.0, 0.3, 5.0, 0.01), input).consistent);
-    const InertiaCheck rough = check_inertia(synthetic(400.0, 0.3, 5.0, 0.2), input);
+    EXPECT_TRUE(check_inertia(with_table(input, synthetic(400.0, 0.3, 5.0, 0.01))).consistent);
+    const InertiaCheck rough = check_inertia(with_table(input, synthetic(400.0, 0.3, 5.0, 0.2)));
     EXPECT_FALSE(rough.consistent);
     EXPECT_FALSE(rough.fitted);
     EXPECT_EQ(rough.text.english().rfind("The torque during gas exchange does not resemble", 0),
               0U);
     // No slider-crank has r/L = 0.7, or none at all; the search ends at 0.6 and at 0.02.
     for (const double lambda : {0.7, 0.001}) {
-        const InertiaCheck bound = check_inertia(synthetic(400.0, lambda, 0.0), input);
+        const InertiaCheck bound = check_inertia(with_table(input, synthetic(400.0, lambda, 0.0)));
         EXPECT_FALSE(bound.consistent) << lambda;
         EXPECT_FALSE(bound.fitted) << lambda;
         EXPECT_NE(bound.text.english(), "") << lambda;
     }
-    EXPECT_NE(check_inertia(synthetic(400.0, 0.001, 0.0), input)
+    EXPECT_NE(check_inertia(with_table(input, synthetic(400.0, 0.001, 0.0)))
                   .text.english()
                   .find("at the limit of the search"),
               std::string::npos);
 }
 
 TEST(InertiaCheck, ATorqueOfAnotherRodIsReportedHoweverFarItIsOff) {
-    Input input = preset_tmz_650d();
+    Input input = with_table(preset_tmz_650d(), synthetic(200.0, 0.3, 5.0));
     for (const double rod : {0.046 / 0.5, 0.046 / 0.2, 0.046 / 0.09}) {
         input.cylinder.rod_length = rod;
-        const InertiaCheck check = check_inertia(synthetic(200.0, 0.3, 5.0), input);
+        const InertiaCheck check = check_inertia(input);
         ASSERT_TRUE(check.consistent) << rod;
         EXPECT_FALSE(*check.consistent) << rod;
         EXPECT_TRUE(check.is_of_other_rod) << rod;
@@ -249,7 +235,6 @@ TEST(InertiaCheck, ATorqueOfAnotherRodIsReportedHoweverFarItIsOff) {
             << check.text.english();
     }
     // Rebuilt, the torque is that of the rod entered.
-    input.torque.table = synthetic(200.0, 0.3, 5.0);
     input = with_rebuilt_torque(input, check_inertia(input));
     EXPECT_EQ(check_inertia(input).consistent, true);
     EXPECT_FALSE(check_inertia(input).is_of_other_rod);
@@ -265,7 +250,6 @@ TEST(InertiaCheck, SaysWhereNoFitIsPossible) {
         EXPECT_FALSE(result.inertia_check.text.empty());
         EXPECT_TRUE(written(input).at("inertia_check").at("consistent").is_null());
         EXPECT_EQ(with_rebuilt_torque(input, result.inertia_check), input);
-        EXPECT_EQ(with_matching_speed(input, result.inertia_check), input);
     }
     input.torque.table = {{0, 180, 360, 720}, {0, 10, -10, 0}};
     EXPECT_FALSE(solve(input).inertia_check.fitted);
