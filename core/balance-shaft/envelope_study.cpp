@@ -19,7 +19,6 @@ EnvelopeStudy envelope_study(const Solver& solver, std::size_t angles) {
         study.height.push_back(box.height());
         study.area.push_back(box.width() * box.height());
         study.range.push_back(solver.range(angle * degree));
-        study.rms.push_back(solver.rms(angle * degree));
         study.buildable.push_back(solver.buildable().contains(angle * degree));
     }
     // Walk from the smallest box up: an angle is efficient where its range beats all before it.

@@ -15,7 +15,6 @@ struct EnvelopeStudy {
     std::vector<double> height;  ///< m
     std::vector<double> area;    ///< m², width × height
     std::vector<double> range;   ///< ΔM_ups, N·m
-    std::vector<double> rms;     ///< N·m
     std::vector<bool> buildable;
     /// Feasible, and no other feasible one has both a smaller area and a smaller range (Pareto).
     std::vector<bool> efficient;

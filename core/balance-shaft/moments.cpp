@@ -16,6 +16,17 @@ PeriodicPiecewise engine_torque(const Input& input, const std::optional<Cylinder
                : torque_curve(input.torque.table, input.interpolation);
 }
 
+Forces forces_of(const Input& input) {
+    const double mass = input.reciprocating_mass();
+    const double speed2 = input.angular_speed * input.angular_speed;
+    Forces forces;
+    forces.inertia_force_1_max = mass * input.crank_radius * speed2;
+    forces.counterweight_mass = input.counterweight();
+    forces.counterweight_force = forces.counterweight_mass * input.counterweight_radius * speed2;
+    forces.moment_amplitude = forces.counterweight_force * input.centre_distance;
+    return forces;
+}
+
 MomentMetrics metrics_of(const MomentPlane& plane, const MomentPlane::Moment& shaft) {
     const MomentPlane::Extrema extrema = plane(shaft);
     MomentMetrics metrics;
@@ -79,22 +90,13 @@ Optimum best_rms(const Moments& moments, const MomentMetrics& tipping) {
 
 }  // namespace
 
-Forces::Forces(const Input& input) {
-    const double mass = input.reciprocating_mass();
-    const double speed2 = input.angular_speed * input.angular_speed;
-    inertia_force_1_max = mass * input.crank_radius * speed2;
-    counterweight_mass = input.counterweight();
-    counterweight_force = counterweight_mass * input.counterweight_radius * speed2;
-    moment_amplitude = counterweight_force * input.centre_distance;
-}
-
 Moments::Moments(const Input& checked)
     : strokes(checked.strokes),
       crank(slider_crank(checked)),
       top(crank.top_dead_centre()),
       piston_1(piston_first_order(crank)),
       phase(top - piston_1.lag),
-      forces(checked),
+      forces(forces_of(checked)),
       gas(cylinder_gas(checked)),
       torque(engine_torque(checked, gas)),
       moment(with_offset_term(
@@ -120,7 +122,7 @@ void Moments::follow(const Input& checked) {
     top = crank.top_dead_centre();
     piston_1 = piston_first_order(crank);
     phase = top - piston_1.lag;
-    forces = Forces(checked);
+    forces = forces_of(checked);
 }
 
 void Moments::sweep(std::span<const double> alpha, std::span<double> range,
@@ -135,10 +137,7 @@ void Moments::sweep(std::span<const double> alpha, std::span<double> range,
 void Moments::fill(const Input& input, bool optima, Result& result) const {
     result.angular_speed = input.angular_speed;
     result.reciprocating_mass = input.reciprocating_mass();
-    result.inertia_force_1_max = forces.inertia_force_1_max;
-    result.counterweight_mass = forces.counterweight_mass;
-    result.counterweight_force = forces.counterweight_force;
-    result.moment_amplitude = forces.moment_amplitude;
+    static_cast<Forces&>(result) = forces;
     result.M_up = metrics_of(plane, {0.0, 0.0});
     result.order_1_amplitude = plane.opposed().norm();
     result.order_1_phase = std::atan2(-plane.opposed().x(), -plane.opposed().y());

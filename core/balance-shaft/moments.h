@@ -12,16 +12,6 @@
 
 namespace ravnoves::balance_shaft {
 
-/// The first order's forces and the counterweights'.
-struct Forces {
-    double inertia_force_1_max;  ///< P_j1 max, N
-    double counterweight_mass;   ///< m₁, kg, (1) or as given
-    double counterweight_force;  ///< P₁, N
-    double moment_amplitude;     ///< P₁ l, N·m
-
-    explicit Forces(const Input& input);
-};
-
 /// The moments on the mounts at every α: what the solver's result begins with, without the front
 /// view, the curves and the sweep.
 struct Moments {

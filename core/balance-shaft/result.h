@@ -66,15 +66,19 @@ struct OrderLine {
 
 inline constexpr std::size_t spectrum_orders = 12;  ///< the highest order of a spectrum
 
-/// Everything that the page shows and that the command line prints.
-struct Result {
-    // What the shaft's angle does not change.
-    double angular_speed = 0.0;        ///< ω, rad/s
-    double reciprocating_mass = 0.0;   ///< m_j, kg
+/// The first order's forces and the counterweights'.
+struct Forces {
     double inertia_force_1_max = 0.0;  ///< P_j1 max = m_j r ω², N
     double counterweight_mass = 0.0;   ///< m₁, kg, (1) or as given
     double counterweight_force = 0.0;  ///< P₁ = m₁ ρ₁ ω², N
     double moment_amplitude = 0.0;     ///< P₁ l, N·m
+};
+
+/// Everything that the page shows and that the command line prints.
+struct Result : Forces {
+    // What the shaft's angle does not change.
+    double angular_speed = 0.0;       ///< ω, rad/s
+    double reciprocating_mass = 0.0;  ///< m_j, kg
     MomentMetrics M_up;
     double order_1_amplitude = 0.0;  ///< amplitude of M_up's first order, N·m
     double order_1_phase = 0.0;      ///< rad: that order is amplitude × sin(φ + phase)
