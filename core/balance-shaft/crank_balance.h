@@ -38,8 +38,8 @@ struct ForceLocus {
     std::vector<double> y;
 };
 
-/// A first order of these half-axes with a second order along the cylinder, N: without a shaft
-/// those of the balance, with it 0, with_shaft and second_order.
+/// A first order with these half-axes and a second order along the cylinder, N: without a shaft
+/// across, along and second_order of the balance; with it 0, with_shaft and second_order.
 ForceLocus force_locus(const CrankBalance& balance, double across, double along,
                        double second_order);
 
