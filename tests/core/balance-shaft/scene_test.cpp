@@ -86,23 +86,6 @@ TEST(BalanceShaftInput, ThePresetIsTheExample) {
     EXPECT_EQ(read_input(example(), {}), preset);
 }
 
-TEST(BalanceShaftInput, RoundTripKeepsTheNumbersAsTyped) {
-    Json input = example();
-    input.merge_patch(parse_json(R"({"angular_speed_rad_s": null, "speed_rpm": 3599.7,
-        "reciprocating_masses_kg": null, "reciprocating_mass_kg": 1.3161,
-        "counterweight_mass_kg": 0.6573, "crank_radius_mm": 46.013, "shaft_angle_deg": 50.7,
-        "interpolation": "periodic-cubic", "step_deg": 0.3,
-        "cylinder": {"bore_mm": 95.51, "rod_length_mm": 153.7}, "envelope": {"wall_mm": 5.3}})"));
-    const Json written = write_input(read_input(input, {}));
-    EXPECT_EQ(read_input(written, {}), read_input(input, {}));
-    for (const auto& item : input.items()) {
-        const Json& value = written.at(item.key());
-        if (value.is_number()) {
-            EXPECT_EQ(value.get<double>(), item.value().get<double>()) << item.key();
-        }
-    }
-}
-
 TEST(BalanceShaftInput, EveryFieldRejectsWhatItCannotBe) {
     const std::pair<const char*, const char*> cases[] = {
         {R"({"crank_radius_mm": -46})", "crank_radius_mm: must be greater than 0, got -46"},
@@ -136,7 +119,36 @@ TEST(BalanceShaftInput, EveryFieldRejectsWhatItCannotBe) {
         {R"({"envelope": {"wall_mm": -1}})", "envelope/wall_mm: must be at least 0, got -1"},
         {R"({"interpolation": "cubic"})",
          "interpolation: must be one of \"linear\", \"periodic-cubic\", got \"cubic\""},
-        {R"({"crank_radius_mm": "46"})", "crank_radius_mm: must be a number, got \"46\""}};
+        {R"({"crank_radius_mm": "46"})", "crank_radius_mm: must be a number, got \"46\""},
+        {R"({"torque": null})", "torque: is required and missing"},
+        {R"({"torque": 5})", "torque: must be an object, got 5"},
+        {R"({"torque": {"crank_angle_deg": null, "torque_Nm": null}})",
+         "torque: must have one of: crank_angle_deg with torque_Nm, csv, pressure, cycle, got none "
+         "of them"},
+        {R"({"torque": {"crank_angle_deg": [], "torque_Nm": []}})",
+         "torque/crank_angle_deg: must have at least 3 numbers, got 0"},
+        {R"({"torque": {"crank_angle_deg": [0, 100, 720],
+                                     "torque_Nm": [0, null, 0]}})",
+         "torque/torque_Nm/1: must be a number, got null"},
+        // Sizes that no engine has: each ended in an internal error or in no end at all.
+        {R"({"relieved_shaft": {"diameter_mm": 1e-110, "length_mm": 400}})",
+         "relieved_shaft/diameter_mm: must be from 0.001 to 100000, got 1e-110"},
+        {R"({"relieved_shaft": {"diameter_mm": 50, "length_mm": 1e-300}})",
+         "relieved_shaft/length_mm: must be from 0.001 to 100000, got 1e-300"},
+        {R"({"relieved_shaft": {"depth_mm": 1e-110, "length_mm": 400}})",
+         "relieved_shaft/depth_mm: must be from 1e-06 to 100000, got 1e-110"},
+        {R"({"crank_radius_mm": 1e-300})",
+         "crank_radius_mm: must be from 0.001 to 1000000, got 1e-300"},
+        {R"({"crank_radius_mm": 1e-150})",
+         "crank_radius_mm: must be from 0.001 to 1000000, got 1e-150"},
+        {R"({"crank_radius_mm": 1e+20})",
+         "crank_radius_mm: must be from 0.001 to 1000000, got 1e+20"},
+        {R"({"centre_distance_mm": 1e20})",
+         "centre_distance_mm: must be from 0 to 1000000, got 1e+20"},
+        {R"({"angular_speed_rad_s": 1e-300})",
+         "angular_speed_rad_s: must be from 1e-06 to 10000000, got 1e-300"},
+        {R"({"speed_band": {"from_rpm": 1e-9, "to_rpm": 3600}})",
+         "speed_band/from_rpm: must be at least 0.1, got 1e-09"}};
     for (const auto& [patch, error] : cases) {
         EXPECT_EQ(rejection(patch), std::string("/input/") + error);
     }
@@ -156,26 +168,11 @@ TEST(BalanceShaftInput, AMassIsAFieldByItsName) {
     // A sum stays as one part beside what is named.
     input.reciprocating_masses = {{"", 1.3}};
     EXPECT_TRUE(set_field(input, "/reciprocating_mass_kg", FieldValue(1.2)));
+    EXPECT_EQ(write_input(input).at("reciprocating_mass_kg"), 1.2);
+    EXPECT_EQ(read_input(write_input(input), {}), input);
     EXPECT_TRUE(set_field(input, "/reciprocating_masses_kg/piston", FieldValue(0.6)));
     EXPECT_EQ(input.reciprocating_masses,
               (std::vector<NamedMass>{{"other", 1.2}, {"piston", 0.6}}));
-}
-
-TEST(BalanceShaftInput, TorqueTables) {
-    const std::pair<const char*, const char*> cases[] = {
-        {R"({"torque": null})", "torque: is required and missing"},
-        {R"({"torque": 5})", "torque: must be an object, got 5"},
-        {R"({"torque": {"crank_angle_deg": null, "torque_Nm": null}})",
-         "torque: must have one of: crank_angle_deg with torque_Nm, csv, pressure, cycle, got none "
-         "of them"},
-        {R"({"torque": {"crank_angle_deg": [], "torque_Nm": []}})",
-         "torque/crank_angle_deg: must have at least 3 numbers, got 0"},
-        {R"({"torque": {"crank_angle_deg": [0, 100, 720],
-                                     "torque_Nm": [0, null, 0]}})",
-         "torque/torque_Nm/1: must be a number, got null"}};
-    for (const auto& [patch, error] : cases) {
-        EXPECT_EQ(rejection(patch), std::string("/input/") + error);
-    }
 }
 
 TEST(BalanceShaftInput, NotFiniteValuesOfAProgramAreRejectedToo) {
@@ -242,28 +239,6 @@ TEST(BalanceShaftInput, WhatIsTooLargeIsNamedAtItsOwnPlace) {
                   check_input(input);
               }),
               "/input/cylinder/rod_length_mm: must be from 0.001 to 1000000, got 1e+104");
-}
-
-// Each ended in an internal error or in no end at all.
-TEST(BalanceShaftInput, RejectsSizesThatNoEngineHas) {
-    const std::string shaft = "/input/relieved_shaft/";
-    EXPECT_EQ(rejection(R"({"relieved_shaft": {"diameter_mm": 1e-110, "length_mm": 400}})"),
-              shaft + "diameter_mm: must be from 0.001 to 100000, got 1e-110");
-    EXPECT_EQ(rejection(R"({"relieved_shaft": {"diameter_mm": 50, "length_mm": 1e-300}})"),
-              shaft + "length_mm: must be from 0.001 to 100000, got 1e-300");
-    EXPECT_EQ(rejection(R"({"relieved_shaft": {"depth_mm": 1e-110, "length_mm": 400}})"),
-              shaft + "depth_mm: must be from 1e-06 to 100000, got 1e-110");
-    for (const char* value : {"1e-300", "1e-150", "1e+20"}) {
-        EXPECT_EQ(
-            rejection(R"({"crank_radius_mm": )" + std::string(value) + "}"),
-            "/input/crank_radius_mm: must be from 0.001 to 1000000, got " + std::string(value));
-    }
-    EXPECT_EQ(rejection(R"({"centre_distance_mm": 1e20})"),
-              "/input/centre_distance_mm: must be from 0 to 1000000, got 1e+20");
-    EXPECT_EQ(rejection(R"({"angular_speed_rad_s": 1e-300})"),
-              "/input/angular_speed_rad_s: must be from 1e-06 to 10000000, got 1e-300");
-    EXPECT_EQ(rejection(R"({"speed_band": {"from_rpm": 1e-9, "to_rpm": 3600}})"),
-              "/input/speed_band/from_rpm: must be at least 0.1, got 1e-09");
 }
 
 class CsvBesideTheCase : public testing::Test {

@@ -30,36 +30,6 @@ Input repeated(const Input& one_turn) {
     return input;
 }
 
-TEST(TwoStroke, ATraceOfOneTurnIsOneCycle) {
-    // 5.25 bar over 360°; counted as a four-stroke cycle twice it was 10.51 bar.
-    Input input = two_stroke();
-    input.torque.cycle.heat.reset();
-    input.torque.cycle.imep = 5.25e5;
-    const CylinderGas cycle = *cylinder_gas(input);
-    EXPECT_NEAR(cycle.indicated().imep, 5.25e5, 1.0);
-    std::string csv = "angle,p bar\n";
-    for (int i = 0; i <= 720; ++i) {
-        csv += std::to_string(0.5 * i) + "," +
-               std::to_string(cycle.pressure((i % 720) * 0.5 * degree) / 1e5) + "\n";
-    }
-    const ParsedPressureTrace read = parse_pressure_trace(csv);
-    EXPECT_EQ(read.strokes, 2);
-    input.torque.kind = TorqueSource::Kind::pressure;
-    input.torque.trace = read.trace;
-    input.interpolation = Interpolation::periodic_cubic;
-    const Result result = solve(input);
-    EXPECT_NEAR(result.indicated->imep, 5.25e5, 1e-3 * 5.25e5);
-    EXPECT_NEAR(result.indicated_power, result.indicated->work * input.angular_speed / two_pi,
-                1e-9);
-    EXPECT_NEAR(-result.M_up.mean, result.indicated->work / two_pi, 1e-5);
-    EXPECT_TRUE(result.notes.empty() ||
-                result.notes.front().english().find("trace") == std::string::npos)
-        << result.notes.front().english();
-    input.strokes = 4;
-    EXPECT_EQ(error_of([&] { solve(input); }),
-              "/input/strokes: must be 2, since the pressure trace spans 360°, got 4");
-}
-
 TEST(TwoStroke, ATableMustSpanTheCycle) {
     const Input one_turn = as_table(two_stroke());
     Json json = write_input(one_turn);
