@@ -433,25 +433,6 @@ TEST(PositionStudyTest, limitsThatLeaveNothingGiveAReason) {
     }
 }
 
-TEST(PositionStudyTest, limitsAreChecked) {
-    const std::pair<std::string, std::string> cases[] = {
-        {"{}", "no error"},
-        {R"({"left_mm": 30, "right_mm": 40})", "no error"},
-        {R"({"shaft_angle_from_deg": -30})", "no error"},
-        {R"({"centre_distance_min_mm": 100, "centre_distance_max_mm": 100})",
-         "centre_distance_max_mm: must be greater than 100 mm, got 100"},
-        {R"({"shaft_angle_from_deg": 90, "shaft_angle_to_deg": 45})",
-         "shaft_angle_to_deg: must be greater than 90°; across 0° enter 405°, got 45"},
-        {R"({"left_mm": 30, "right_mm": 20})", "right_mm: must be greater than 30 mm, got 20"},
-        {R"({"bottom_mm": 30, "top_mm": -20})", "top_mm: must be greater than 30 mm, got -20"},
-        {R"({"shaft_angle_from_deg": 360})",
-         "shaft_angle_from_deg: must be less than 360°, got 360"}};
-    for (const auto& [limits, said] : cases) {
-        EXPECT_EQ(rejection(preset_tmz_650d(), R"({"place_limits": )" + limits + "}"),
-                  said == "no error" ? said : "/input/place_limits/" + said);
-    }
-}
-
 TEST(PositionStudyTest, theResultHoldsTheBestPlaces) {
     const Json json = test::written(preset_tmz_650d());
     EXPECT_NEAR(json["best_position"]["range"]["range_Nm"].get<double>(), 1063.504264, 5e-7);
