@@ -56,41 +56,12 @@ double unbalanced_mass(const MassChanges& changes, double rod_coefficient) {
            changes.repair_piston_and_rings + changes.repair_bearing;
 }
 
-Coefficients PlugSet::coefficients() const {
-    const double k_p = plug_radius / crank_radius;
+Coefficients coefficients(const Engine& engine) {
+    const double crank_radius = engine.crank_radius.value();
+    const double k_p = engine.plug_radius.value() / crank_radius;
     return {k_p, 2.0 * k_p,
-            new_design ? std::optional(2.0 * new_design->radius / crank_radius) : std::nullopt};
-}
-
-std::optional<PlugSet> plug_set(const Engine& engine) {
-    if (!missing_fields(engine, false).empty() || !engine_conflicts(engine).empty()) {
-        return std::nullopt;
-    }
-    PlugSet plugs{engine.crank_radius.value(),
-                  engine.plug_radius.value(),
-                  engine.steel_plug_mass.value(),
-                  engine.max_steel_reduction.value(),
-                  engine.rod_coefficient.value(),
-                  std::nullopt,
-                  std::nullopt};
-    if (engine.has_aluminium_plug) {
-        plugs.aluminium = PlugSet::Aluminium{engine.aluminium_plug_mass.value(),
-                                             engine.max_aluminium_reduction.value()};
-    }
-    if (engine.has_new_plug) {
-        plugs.new_design =
-            PlugSet::NewDesign{engine.new_plug_radius.value(), engine.new_steel_plug_mass.value()};
-    }
-    return plugs;
-}
-
-std::optional<GearMasses> gear_masses(const Engine& engine) {
-    if (!engine.reciprocating_mass || !engine.rotating_mass || !engine.oil_mass ||
-        !engine.oil_coefficient) {
-        return std::nullopt;
-    }
-    return GearMasses{*engine.reciprocating_mass, *engine.rotating_mass, *engine.oil_mass,
-                      *engine.oil_coefficient};
+            engine.has_new_plug ? std::optional(2.0 * engine.new_plug_radius.value() / crank_radius)
+                                : std::nullopt};
 }
 
 bool has_steel_plugs(OptionId option) {
@@ -106,33 +77,36 @@ bool needs_new_crankshaft(OptionId option) {
            option == OptionId::new_steel_to_aluminium;
 }
 
-std::optional<Option> evaluate_option(OptionId id, const PlugSet& plugs, double unbalanced_mass,
+std::optional<Option> evaluate_option(OptionId id, const Engine& engine, double unbalanced_mass,
                                       double tolerance) {
     const bool steel = has_steel_plugs(id);
     const bool new_crankshaft = needs_new_crankshaft(id);
-    if ((!steel && !plugs.aluminium) || (new_crankshaft && !plugs.new_design)) {
+    if ((!steel && !engine.has_aluminium_plug) || (new_crankshaft && !engine.has_new_plug)) {
         return std::nullopt;
     }
     Option option{};
     option.id = id;
-    option.plug_radius = plugs.plug_radius;
-    option.plug_mass_unmachined = steel ? plugs.steel_mass : plugs.aluminium->mass;
-    option.max_reduction = steel ? plugs.max_steel_reduction : plugs.aluminium->max_reduction;
+    const double crank_radius = engine.crank_radius.value();
+    const double steel_mass = engine.steel_plug_mass.value();
+    option.plug_radius = engine.plug_radius.value();
+    option.plug_mass_unmachined = steel ? steel_mass : engine.aluminium_plug_mass.value();
+    option.max_reduction =
+        (steel ? engine.max_steel_reduction : engine.max_aluminium_reduction).value();
     if (has_new_plugs(id)) {
-        option.plug_radius = plugs.new_design->radius;
-        option.plug_mass_unmachined = plugs.new_design->mass;
-        option.max_reduction *= std::min(1.0, plugs.new_design->mass / plugs.steel_mass);
+        option.plug_radius = engine.new_plug_radius.value();
+        option.plug_mass_unmachined = engine.new_steel_plug_mass.value();
+        option.max_reduction *= std::min(1.0, option.plug_mass_unmachined / steel_mass);
     }
-    const double k_y = 2.0 * option.plug_radius / plugs.crank_radius;
+    const double k_y = 2.0 * option.plug_radius / crank_radius;
     option.slope = k_y;
     if (has_new_plugs(id)) {
         option.constant = 0.0;  // the counterweights expect these plugs
     } else if (new_crankshaft) {
         // (13), (14): the counterweights expect the new plugs, today's are fitted.
-        option.constant = *plugs.coefficients().k_y_new * plugs.new_design->mass -
+        option.constant = *coefficients(engine).k_y_new * engine.new_steel_plug_mass.value() -
                           k_y * option.plug_mass_unmachined;
     } else {
-        option.constant = k_y * (plugs.steel_mass - option.plug_mass_unmachined);  // (12), or 0
+        option.constant = k_y * (steel_mass - option.plug_mass_unmachined);  // (12), or 0
     }
     option.maximum = option.constant + k_y * option.max_reduction;
     option.required_reduction = (unbalanced_mass - option.constant) / k_y;
@@ -145,16 +119,16 @@ std::optional<Option> evaluate_option(OptionId id, const PlugSet& plugs, double 
     } else {
         option.residual_mass = 0.0;
     }
-    option.residual_unbalance = option.residual_mass * plugs.crank_radius;
+    option.residual_unbalance = option.residual_mass * crank_radius;
     option.feasible = std::abs(option.residual_unbalance) <= tolerance;
     return option;
 }
 
-Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mass, double tolerance,
+Advice advise(const Engine& engine, Crankshaft crankshaft, double unbalanced_mass, double tolerance,
               const Hindrance& hindrance) {
     const bool new_crankshaft = crankshaft == Crankshaft::new_plugs;
     Advice advice{Advice::Kind::none_sufficient, std::nullopt, std::nullopt, {}};
-    if (std::abs(unbalanced_mass * plugs.crank_radius) <= tolerance) {
+    if (std::abs(unbalanced_mass * engine.crank_radius.value()) <= tolerance) {
         advice.kind = Advice::Kind::none_needed;
         return advice;
     }
@@ -162,7 +136,7 @@ Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mas
     bool any_evaluated = false;
     std::optional<Option> not_made;          // the first that would do
     for (const OptionId id : all_options) {  // in the order of cost
-        const auto option = evaluate_option(id, plugs, unbalanced_mass, tolerance);
+        const auto option = evaluate_option(id, engine, unbalanced_mass, tolerance);
         if (!option) {
             continue;
         }
@@ -318,33 +292,37 @@ std::optional<double> BobWeight::product(BobWeightLine::Part part) const {
     return found != lines.end() ? std::optional(found->product()) : std::nullopt;
 }
 
-BobWeight bob_weight(const PlugSet& plugs, const GearMasses& gear, const MassChanges& changes,
-                     double plug_mass, double plug_radius) {
+namespace {
+
+BobWeight bob_weight(const Engine& engine, const MassChanges& changes, double plug_mass,
+                     double plug_radius) {
     using Part = BobWeightLine::Part;
-    return {{{Part::reciprocating, 1.0, gear.reciprocating},
-             {Part::rotating, 2.0, gear.rotating},
-             {Part::plugs, 2.0 * plug_radius / plugs.crank_radius, plug_mass},
-             {Part::oil, gear.oil_coefficient, gear.oil},
+    return {{{Part::reciprocating, 1.0, engine.reciprocating_mass.value()},
+             {Part::rotating, 2.0, engine.rotating_mass.value()},
+             {Part::plugs, 2.0 * plug_radius / engine.crank_radius.value(), plug_mass},
+             {Part::oil, engine.oil_coefficient.value(), engine.oil_mass.value()},
              {Part::piston, 1.0, changes.piston},
-             {Part::rod_big_end, 2.0 + plugs.rod_coefficient, changes.rod_big_end},
+             {Part::rod_big_end, 2.0 + engine.rod_coefficient.value(), changes.rod_big_end},
              {Part::repair_piston_and_rings, 1.0, changes.repair_piston_and_rings},
              {Part::repair_bearing, 1.0, changes.repair_bearing}}};
 }
 
-std::optional<BobWeight> nominal_bob_weight(const PlugSet& plugs, const GearMasses& gear,
-                                            Crankshaft crankshaft) {
-    if (crankshaft == Crankshaft::new_plugs) {
-        if (!plugs.new_design) {
-            return std::nullopt;
-        }
-        return bob_weight(plugs, gear, {}, plugs.new_design->mass, plugs.new_design->radius);
+}  // namespace
+
+std::optional<BobWeight> bob_weight(const Engine& engine, const MassChanges& changes,
+                                    Crankshaft crankshaft) {
+    if (crankshaft == Crankshaft::standard) {
+        return bob_weight(engine, changes, engine.steel_plug_mass.value(),
+                          engine.plug_radius.value());
     }
-    return bob_weight(plugs, gear, {}, plugs.steel_mass, plugs.plug_radius);
+    return engine.has_new_plug
+               ? std::optional(bob_weight(engine, changes, engine.new_steel_plug_mass.value(),
+                                          engine.new_plug_radius.value()))
+               : std::nullopt;
 }
 
-BobWeight option_bob_weight(const PlugSet& plugs, const GearMasses& gear,
-                            const MassChanges& changes, const Option& option) {
-    return bob_weight(plugs, gear, changes, option.plug_mass_unmachined - option.reduction,
+BobWeight bob_weight(const Engine& engine, const MassChanges& changes, const Option& option) {
+    return bob_weight(engine, changes, option.plug_mass_unmachined - option.reduction,
                       option.plug_radius);
 }
 

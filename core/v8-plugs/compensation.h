@@ -41,41 +41,8 @@ struct Coefficients {
     double k_y;                     ///< 2 r_p / r, both plugs of a crankpin; the slope (24)
     std::optional<double> k_y_new;  ///< 2 r_pн / r, where there is a plug of the new design
 };
-
-/// Masses and radii of the plugs of one engine: the part of Engine that the method needs. Where
-/// there is no aluminium plug, or no plug of the new design, that part is empty.
-struct PlugSet {
-    struct Aluminium {
-        double mass;           ///< m_a, kg
-        double max_reduction;  ///< Δm_am, kg
-    };
-    struct NewDesign {
-        double radius;  ///< r_pн, m
-        double mass;    ///< m_pн, kg, of steel
-    };
-    double crank_radius;         ///< r, m, > 0
-    double plug_radius;          ///< r_p, m, > 0
-    double steel_mass;           ///< m_p, kg
-    double max_steel_reduction;  ///< Δm_pm, kg
-    double rod_coefficient;      ///< k_ш
-    std::optional<Aluminium> aluminium;
-    std::optional<NewDesign> new_design;
-
-    Coefficients coefficients() const;
-};
-
-/// Nominal masses of the crank gear, for the bob weight.
-struct GearMasses {
-    double reciprocating;    ///< m_j, kg, one cylinder
-    double rotating;         ///< m_R, kg, one cylinder
-    double oil;              ///< m_m, kg, one crankpin
-    double oil_coefficient;  ///< k_m
-};
-
-/// The plugs of the engine; nothing while a value that it needs is missing.
-std::optional<PlugSet> plug_set(const Engine& engine);
-/// The nominal masses of the engine; nothing while one is missing.
-std::optional<GearMasses> gear_masses(const Engine& engine);
+/// @param engine  here and below one that has_plug_data()
+Coefficients coefficients(const Engine& engine);
 
 enum class OptionId {
     steel_machined,         ///< present steel plugs machined, (18), (22)
@@ -128,7 +95,7 @@ struct Option {
 };
 
 /// The option; nothing where the engine has not the plugs it needs.
-std::optional<Option> evaluate_option(OptionId id, const PlugSet& plugs, double unbalanced_mass,
+std::optional<Option> evaluate_option(OptionId id, const Engine& engine, double unbalanced_mass,
                                       double tolerance);
 
 /// What to do, as data; describe() makes the sentence.
@@ -154,7 +121,7 @@ using Hindrance = std::function<Message(const Option&)>;
 
 /// The first option that works in the order of cost (nothing, steel plugs, aluminium plugs) among
 /// those for the crankshaft that is fitted. One whose plugs cannot be made does not.
-Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mass, double tolerance,
+Advice advise(const Engine& engine, Crankshaft crankshaft, double unbalanced_mass, double tolerance,
               const Hindrance& hindrance = {});
 
 using shop::two_sentences;
@@ -213,16 +180,12 @@ struct BobWeight {
     std::optional<double> product(BobWeightLine::Part part) const;
 };
 
-/// Bob weight of the nominal engine: no mass changes, the plugs that the crankshaft was made for.
-/// Nothing for new_plugs where the engine has none.
-std::optional<BobWeight> nominal_bob_weight(const PlugSet& plugs, const GearMasses& gear,
-                                            Crankshaft crankshaft);
-/// Bob weight with these parts and plugs of the given mass at the radius, eqs. (4), (5), (7), (8).
-BobWeight bob_weight(const PlugSet& plugs, const GearMasses& gear, const MassChanges& changes,
-                     double plug_mass, double plug_radius);
-/// Bob weight after the option: its plugs, lightened by its reduction.
-BobWeight option_bob_weight(const PlugSet& plugs, const GearMasses& gear,
-                            const MassChanges& changes, const Option& option);
+// Bob weight of an engine with its nominal masses and these parts, eqs. (4), (5), (7), (8): with
+// the plugs that the crankshaft was made for (nothing for new_plugs where the engine has none), or
+// with those of an option, lightened by its reduction.
+std::optional<BobWeight> bob_weight(const Engine& engine, const MassChanges& changes,
+                                    Crankshaft crankshaft);
+BobWeight bob_weight(const Engine& engine, const MassChanges& changes, const Option& option);
 
 /// The shift of a machined plug's centre of mass that (2) neglects: 0.8 to 1.2 mm in the paper.
 inline constexpr double smallest_shift = 0.8e-3;  ///< m

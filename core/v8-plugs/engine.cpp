@@ -120,6 +120,15 @@ std::vector<const EngineField*> missing_fields(const Engine& engine, bool with_b
     return missing;
 }
 
+bool has_plug_data(const Engine& engine) {
+    return missing_fields(engine, false).empty() && engine_conflicts(engine).empty();
+}
+
+bool has_nominal_masses(const Engine& engine) {
+    return engine.reciprocating_mass && engine.rotating_mass && engine.oil_mass &&
+           engine.oil_coefficient;
+}
+
 void set_plugs(Engine& engine, EngineGroup group, bool present) {
     (group == EngineGroup::aluminium_plug ? engine.has_aluminium_plug : engine.has_new_plug) =
         present;

@@ -61,6 +61,9 @@ bool is_inapplicable(const Engine& engine, EngineGroup group);
 void set_plugs(Engine& engine, EngineGroup group, bool present);
 /// The fields that the engine needs and does not have; bob-weight fields only when asked for.
 std::vector<const EngineField*> missing_fields(const Engine& engine, bool with_bob_weight);
+/// Whether the method has what it needs of the plugs, and the bob weight of the nominal masses.
+bool has_plug_data(const Engine& engine);
+bool has_nominal_masses(const Engine& engine);
 
 /// Less can be cut off a plug than it weighs: where this rule is broken.
 struct EngineConflict {

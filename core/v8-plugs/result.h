@@ -34,7 +34,7 @@ struct OptionBobWeight {
 struct Result {
     MassChanges changes;
     std::optional<double> unbalanced_mass;  ///< Δm_y, kg; needs k_ш and the changes
-    std::optional<PlugSet> plugs;
+    std::optional<Engine> engine;           ///< that has_plug_data(), with k_ш as it counts
     std::array<std::optional<Option>, all_options.size()> options;  ///< in the order of all_options
     std::optional<Advice> advice;
 

@@ -90,7 +90,7 @@ void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, dou
     const auto& solved = result.option(id);
     // What its plugs are worth is known whatever they have to compensate.
     const auto option =
-        solved ? solved : evaluate_option(id, *result.plugs, *result.unbalanced_mass, tolerance);
+        solved ? solved : evaluate_option(id, *result.engine, *result.unbalanced_mass, tolerance);
     const auto& weights = result.bob_weights[index(id)];
     const auto number = [&](const ResultField& field, double Option::*member) {
         visitor.number(field, option ? std::optional((*option).*member) : std::nullopt);
@@ -194,8 +194,8 @@ void visit_plug_mass(ResultVisitor& visitor, const ResultField& field,
 /// What is to be done, with the bore where there is one.
 Message advice_text(const Input& input, const Result& result) {
     const Advice& advice = *result.advice;
-    Message text =
-        describe(advice, *result.unbalanced_mass, result.plugs->crank_radius, input.tolerance);
+    Message text = describe(advice, *result.unbalanced_mass, result.engine->crank_radius.value(),
+                            input.tolerance);
     if (advice.kind == Advice::Kind::option && input.plug) {
         const auto& boring = result.boring[index(advice.option.value().id)];
         if (boring && boring->cuts) {
@@ -231,18 +231,17 @@ void visit_advice(ResultVisitor& visitor, const Input& input, const Result& resu
 
 void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result,
                  const std::optional<double>& speed) {
-    RAVNOVES_DEMAND(result.plugs && result.unbalanced_mass,
+    RAVNOVES_DEMAND(result.engine && result.unbalanced_mass,
                     "what is written is the result of a whole input");
-    const PlugSet& plugs = *result.plugs;
+    const double crank_radius = result.engine->crank_radius.value();
     const double excess = *result.unbalanced_mass;
-    const Coefficients coefficients = plugs.coefficients();
+    const Coefficients k = coefficients(*result.engine);
     visitor.number(key::unbalanced_mass, excess);
-    visitor.number(key::unbalance, excess * plugs.crank_radius);
-    visitor.number({"k_p", CORE_TEXT("v8-plugs", "Coefficient kₚ")}, coefficients.k_p);
-    visitor.number({"k_y", CORE_TEXT("v8-plugs", "Coefficient kᵤ")}, coefficients.k_y);
-    visitor.number({"k_y_new", CORE_TEXT("v8-plugs", "Coefficient kᵤₙ")}, coefficients.k_y_new);
-    visitor.number({"slope_angle_deg", CORE_TEXT("v8-plugs", "Slope angle"), 1},
-                   std::atan(coefficients.k_y));
+    visitor.number(key::unbalance, excess * crank_radius);
+    visitor.number({"k_p", CORE_TEXT("v8-plugs", "Coefficient kₚ")}, k.k_p);
+    visitor.number({"k_y", CORE_TEXT("v8-plugs", "Coefficient kᵤ")}, k.k_y);
+    visitor.number({"k_y_new", CORE_TEXT("v8-plugs", "Coefficient kᵤₙ")}, k.k_y_new);
+    visitor.number({"slope_angle_deg", CORE_TEXT("v8-plugs", "Slope angle"), 1}, std::atan(k.k_y));
     visitor.object(
         {"mass_changes_g", CORE_TEXT("v8-plugs", "Mass changes"), 3, {}, units::none}, [&] {
             for (const auto& [field, member, repair_only] : mass_change_fields()) {
@@ -255,7 +254,7 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
     visitor.object({"options", CORE_TEXT("v8-plugs", "Options")}, [&] {
         for (const OptionId id : all_options) {
             visitor.object({option_word(id).word, option_word(id).label, 0, {}, units::none}, [&] {
-                visit_option(visitor, result, id, plugs.crank_radius, input.tolerance);
+                visit_option(visitor, result, id, crank_radius, input.tolerance);
             });
         }
     });
@@ -275,7 +274,7 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
     }
     if (input.weigh_in) {
         visitor.object(shop::result_field::weigh_in,
-                       [&] { visit_weigh_in(visitor, input, result, plugs.crank_radius, speed); });
+                       [&] { visit_weigh_in(visitor, input, result, crank_radius, speed); });
     }
     if (result.steel_plug) {
         visitor.object({"plug", CORE_TEXT("v8-plugs", "Plug")}, [&] {

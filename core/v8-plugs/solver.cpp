@@ -106,25 +106,21 @@ void solve_shifts(const Input& input, Result& result) {
 }
 
 void solve_bob_weights(const Input& input, bool changes_known, Result& result) {
-    const auto gear = gear_masses(input.engine);
-    if (!gear || !result.plugs) {
+    if (!result.engine || !has_nominal_masses(input.engine)) {
         return;
     }
-    const PlugSet& plugs = *result.plugs;
-    result.nominal = nominal_bob_weight(plugs, *gear, input.crankshaft);
-    if (result.nominal && changes_known) {
-        const bool new_plugs = input.crankshaft == Crankshaft::new_plugs;
-        result.before = bob_weight(plugs, *gear, result.changes,
-                                   new_plugs ? plugs.new_design->mass : plugs.steel_mass,
-                                   new_plugs ? plugs.new_design->radius : plugs.plug_radius);
+    const Engine& engine = *result.engine;
+    result.nominal = bob_weight(engine, {}, input.crankshaft);
+    if (changes_known) {
+        result.before = bob_weight(engine, result.changes, input.crankshaft);
     }
     for (const OptionId id : all_options) {
         const auto& option = result.option(id);
-        const auto nominal = nominal_bob_weight(
-            plugs, *gear, needs_new_crankshaft(id) ? Crankshaft::new_plugs : Crankshaft::standard);
+        const auto nominal = bob_weight(
+            engine, {}, needs_new_crankshaft(id) ? Crankshaft::new_plugs : Crankshaft::standard);
         if (option && nominal) {
             result.bob_weights[index(id)] =
-                OptionBobWeight{option_bob_weight(plugs, *gear, result.changes, *option), *nominal};
+                OptionBobWeight{bob_weight(engine, result.changes, *option), *nominal};
         }
     }
 }
@@ -138,20 +134,20 @@ Result solve(const Input& input, bool changes_known, bool places_parts) {
     if (changes_known && k) {
         result.unbalanced_mass = unbalanced_mass(result.changes, *k);
     }
-    result.plugs = plug_set(input.engine);
-    if (result.plugs) {
-        result.plugs->rod_coefficient = k.value();
+    if (has_plug_data(input.engine)) {
+        result.engine = input.engine;
+        result.engine->rod_coefficient = k.value();
     }
-    if (result.plugs && result.unbalanced_mass) {
+    if (result.engine && result.unbalanced_mass) {
         for (const OptionId id : all_options) {
             result.options[index(id)] =
-                evaluate_option(id, *result.plugs, *result.unbalanced_mass, input.tolerance);
+                evaluate_option(id, *result.engine, *result.unbalanced_mass, input.tolerance);
         }
     }
     solve_plug(input, result);
-    if (result.plugs && result.unbalanced_mass) {
+    if (result.engine && result.unbalanced_mass) {
         result.advice =
-            advise(*result.plugs, input.crankshaft, *result.unbalanced_mass, input.tolerance,
+            advise(*result.engine, input.crankshaft, *result.unbalanced_mass, input.tolerance,
                    [&](const Option& option) { return hindrance(input, result, option); });
     }
     solve_bob_weights(input, changes_known, result);

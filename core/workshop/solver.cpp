@@ -13,16 +13,15 @@ namespace {
 /// What is hung on a crankpin by the plugs' method; nothing while it is not known.
 std::optional<bob_weights::KnownWeight> weight_of(const v8_plugs::Input& plugs,
                                                   const v8_plugs::Result& result) {
-    const auto gear = v8_plugs::gear_masses(plugs.engine);
     const v8_plugs::BobWeight* weight = result.hung_weight();
-    if (!gear || weight == nullptr) {
+    if (weight == nullptr) {
         return std::nullopt;
     }
     const v8_plugs::MassChanges& changes = result.changes;
     bob_weights::KnownWeight known{
         {},
-        gear->reciprocating + changes.piston + changes.repair_piston_and_rings,
-        gear->rotating + changes.rod_big_end + 0.5 * changes.repair_bearing,
+        plugs.engine.reciprocating_mass.value() + changes.piston + changes.repair_piston_and_rings,
+        plugs.engine.rotating_mass.value() + changes.rod_big_end + 0.5 * changes.repair_bearing,
         weight->sum()};
     for (const v8_plugs::BobWeightLine& line : weight->lines) {
         const auto kind = line.part < v8_plugs::BobWeightLine::Part::rotating

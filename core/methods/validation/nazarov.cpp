@@ -20,7 +20,6 @@ namespace {
 using v8_plugs::Coefficients;
 using v8_plugs::Engine;
 using v8_plugs::OptionId;
-using v8_plugs::PlugSet;
 
 constexpr int decimals = 3;  // of the paper's tables
 
@@ -49,16 +48,16 @@ constexpr Column columns[] = {
 
 /// The plugs with the coefficients rounded as Table 2 prints them: the paper computes on with
 /// those.
-PlugSet with_printed_coefficients(const Engine& engine) {
-    PlugSet plugs = v8_plugs::plug_set(engine).value();
-    const Coefficients k = plugs.coefficients();
+Engine with_printed_coefficients(const Engine& engine) {
+    Engine plugs = engine;
+    const Coefficients k = coefficients(engine);
     plugs.plug_radius = rounded_to_decimals(k.k_y, decimals) / 2.0;
-    plugs.new_design->radius = rounded_to_decimals(*k.k_y_new, decimals) / 2.0;
+    plugs.new_plug_radius = rounded_to_decimals(*k.k_y_new, decimals) / 2.0;
     plugs.crank_radius = 1.0;
     return plugs;
 }
 
-v8_plugs::Option option_of(const PlugSet& plugs, OptionId id, double excess = 0.0) {
+v8_plugs::Option option_of(const Engine& plugs, OptionId id, double excess = 0.0) {
     return v8_plugs::evaluate_option(id, plugs, excess, 0.0).value();
 }
 
@@ -76,7 +75,7 @@ Message of(Message quantity, const Column& column) {
 }
 
 void table_2(const Column& c, const Engine& engine, PaperRows& rows) {
-    const Coefficients k = v8_plugs::plug_set(engine)->coefficients();
+    const Coefficients k = coefficients(engine);
     const Text one = CORE_TEXT("methods", "r_p / r.");
     const Text both = CORE_TEXT("methods", "2 r_p / r, eq. (11).");
     rows.at(table(2));
@@ -107,7 +106,7 @@ void table_2(const Column& c, const Engine& engine, PaperRows& rows) {
 }
 
 void table_3(const Column& c, const Engine& engine, PaperRows& rows) {
-    const PlugSet plugs = with_printed_coefficients(engine);
+    const Engine plugs = with_printed_coefficients(engine);
     const auto constant = [&](OptionId id) { return option_of(plugs, id).constant / units::gram; };
     // The maxima are sums of what the same table prints.
     const auto maximum = [&](OptionId id) {
@@ -144,14 +143,14 @@ void table_3(const Column& c, const Engine& engine, PaperRows& rows) {
     rows.reproduced(of("Δm_ykm (22)", c), "g", c.steel_max, maximum(OptionId::steel_machined),
                     from_printed);
     rows.reproduced(of(CORE_TEXT("methods", "slope d(Δm_yk)/d(Δm) (24)"), c), "", c.slope,
-                    v8_plugs::plug_set(engine)->coefficients().k_y, CORE_TEXT("methods", "k_y."));
+                    coefficients(engine).k_y, CORE_TEXT("methods", "k_y."));
     rows.given(of("Δm_pm", c), "g", c.steel_reduction, *engine.max_steel_reduction / units::gram);
     rows.given(of("Δm_am", c), "g", c.aluminium_reduction,
                *engine.max_aluminium_reduction / units::gram);
 }
 
 void text(const Column& c, const Engine& engine, PaperRows& rows) {
-    const PlugSet plugs = with_printed_coefficients(engine);
+    const Engine plugs = with_printed_coefficients(engine);
     const auto reduction = [&](const char* excess) {
         return option_of(plugs, OptionId::steel_machined, read_printed(excess).value * units::gram)
                    .required_reduction /
@@ -170,7 +169,7 @@ void text(const Column& c, const Engine& engine, PaperRows& rows) {
         of(CORE_TEXT("methods", "excess that aluminium plugs compensate"), c), "g", c.aluminium_max,
         rounded_to_decimals(option_of(plugs, OptionId::steel_to_aluminium).constant / units::gram,
                             decimals) +
-            plugs.aluminium->max_reduction / units::gram *
+            *plugs.max_aluminium_reduction / units::gram *
                 option_of(plugs, OptionId::steel_to_aluminium).slope,
         CORE_TEXT("methods", "Equation (19) from the printed constant part."));
     rows.reproduced(of(CORE_TEXT("methods", "equivalent lightening of a steel plug"), c), "g",

@@ -21,18 +21,16 @@ TEST(Compensation, BobWeightAfterFullCompensationIsNominal) {
     Workshop workshop(1);
     int compensated = 0;
     for (int round = 0; round < rounds; ++round) {
-        const PlugSet plugs = workshop.plugs();
-        const GearMasses gear = workshop.gear();
+        const Engine plugs = workshop.engine();
         const MassChanges changes = workshop.changes(30);
-        const double excess = unbalanced_mass(changes, plugs.rod_coefficient);
+        const double excess = unbalanced_mass(changes, *plugs.rod_coefficient);
         for (const OptionId id : all_options) {
             const Option option = evaluate_option(id, plugs, excess, 0.0).value();
             const double nominal =
-                nominal_bob_weight(
-                    plugs, gear,
-                    needs_new_crankshaft(id) ? Crankshaft::new_plugs : Crankshaft::standard)
+                bob_weight(plugs, {},
+                           needs_new_crankshaft(id) ? Crankshaft::new_plugs : Crankshaft::standard)
                     ->sum();
-            const double after = option_bob_weight(plugs, gear, changes, option).sum();
+            const double after = bob_weight(plugs, changes, option).sum();
             // Whatever the limits leave, and only that, is what the bob weight is off by.
             EXPECT_NEAR(after - nominal, option.residual_mass, 1e-12 * nominal);
             if (option.residual_mass == 0.0) {
@@ -41,9 +39,8 @@ TEST(Compensation, BobWeightAfterFullCompensationIsNominal) {
             }
         }
         // Today's plugs unchanged: the whole excess is there.
-        const double before =
-            bob_weight(plugs, gear, changes, plugs.steel_mass, plugs.plug_radius).sum();
-        const double nominal = nominal_bob_weight(plugs, gear, Crankshaft::standard)->sum();
+        const double before = bob_weight(plugs, changes, Crankshaft::standard)->sum();
+        const double nominal = bob_weight(plugs, {}, Crankshaft::standard)->sum();
         EXPECT_NEAR(before - nominal, excess, 1e-12 * nominal);
     }
     EXPECT_GT(compensated, rounds / 2);  // the property has been seen, not skipped
@@ -54,7 +51,7 @@ TEST(Compensation, ResidualIsExactlyWhatTheLimitsLeave) {
     int short_of = 0;
     int over = 0;
     for (int round = 0; round < rounds; ++round) {
-        const PlugSet plugs = workshop.plugs();
+        const Engine plugs = workshop.engine();
         const double tolerance = workshop.between(0, 50) * gram_millimetre;
         const double excess = workshop.between(-50, 300) * gram;
         for (const OptionId id : all_options) {
@@ -69,13 +66,13 @@ TEST(Compensation, ResidualIsExactlyWhatTheLimitsLeave) {
                 ++short_of;
                 EXPECT_EQ(option.reduction, option.max_reduction);
                 EXPECT_DOUBLE_EQ(option.residual_unbalance,
-                                 (excess - option.maximum) * plugs.crank_radius);
+                                 (excess - option.maximum) * *plugs.crank_radius);
                 EXPECT_GT(option.residual_unbalance, 0.0);
             } else if (excess < option.constant) {
                 ++over;
                 EXPECT_EQ(option.reduction, 0.0);
                 EXPECT_DOUBLE_EQ(option.residual_unbalance,
-                                 (excess - option.constant) * plugs.crank_radius);
+                                 (excess - option.constant) * *plugs.crank_radius);
                 EXPECT_LT(option.residual_unbalance, 0.0);
             } else {
                 EXPECT_EQ(option.residual_unbalance, 0.0);
@@ -93,13 +90,13 @@ TEST(Compensation, AdviceIsTheCheapestThatWorksOnTheCrankshaftFitted) {
     Workshop workshop(3);
     std::array<int, 6> seen{};
     for (int round = 0; round < rounds; ++round) {
-        const PlugSet plugs = workshop.plugs();
+        const Engine plugs = workshop.engine();
         const double tolerance = 5 * gram_millimetre;
         const double excess = workshop.between(-20, 200) * (round % 5 == 0 ? 0.01 : 1.0) * gram;
         const Crankshaft crankshaft = round % 2 == 0 ? Crankshaft::standard : Crankshaft::new_plugs;
         const Advice advice = advise(plugs, crankshaft, excess, tolerance);
         ++seen[static_cast<std::size_t>(advice.kind)];
-        const bool needed = std::abs(excess * plugs.crank_radius) > tolerance;
+        const bool needed = std::abs(excess * *plugs.crank_radius) > tolerance;
         EXPECT_EQ(advice.kind == Advice::Kind::none_needed, !needed);
         std::optional<OptionId> first;
         for (const OptionId id : all_options) {
@@ -120,7 +117,8 @@ TEST(Compensation, AdviceIsTheCheapestThatWorksOnTheCrankshaftFitted) {
                                 ->feasible);
             }
         }
-        const std::string words = describe(advice, excess, plugs.crank_radius, tolerance).english();
+        const std::string words =
+            describe(advice, excess, *plugs.crank_radius, tolerance).english();
         EXPECT_TRUE(words.ends_with(".")) << words;
         EXPECT_EQ(words.find("nan"), std::string::npos) << words;
     }
@@ -132,8 +130,8 @@ TEST(Compensation, AdviceIsTheCheapestThatWorksOnTheCrankshaftFitted) {
 }
 
 TEST(Compensation, WordsOfATechnician) {
-    const PlugSet plugs = plug_set(*find_preset("4.25 l")).value();
-    const double r = plugs.crank_radius;
+    const Engine& plugs = *find_preset("4.25 l");
+    const double r = plugs.crank_radius.value();
     const double limit = 5 * gram_millimetre;
     const auto words = [&](double excess_g, Crankshaft crankshaft = Crankshaft::standard) {
         const Advice advice = advise(plugs, crankshaft, excess_g * gram, limit);
@@ -162,7 +160,7 @@ TEST(Compensation, WordsOfATechnician) {
 // The counterweights expect the new plugs: what is taken off them at their own radius is what they
 // compensate, up to the limit of today's plugs.
 TEST(Compensation, WhatCannotBeMadeIsNotAdvised) {
-    const PlugSet plugs = plug_set(*find_preset("4.25 l")).value();
+    const Engine& plugs = *find_preset("4.25 l");
     const double limit = 5 * gram_millimetre;
     const auto advised = [&](const Hindrance& hindrance) {
         return advise(plugs, Crankshaft::standard, 4.3225 * gram, limit, hindrance);
@@ -179,13 +177,13 @@ TEST(Compensation, WhatCannotBeMadeIsNotAdvised) {
     EXPECT_EQ(none.kind, Advice::Kind::cannot_be_made);
     EXPECT_EQ(none.option->id, OptionId::steel_machined);
     EXPECT_FALSE(none.with_other_crankshaft);
-    EXPECT_EQ(describe(none, 4.3225 * gram, plugs.crank_radius, limit).english(),
+    EXPECT_EQ(describe(none, 4.3225 * gram, *plugs.crank_radius, limit).english(),
               "“Machine the steel plugs” would be suitable with 1.83 g off each plug, but such a "
               "plug cannot be made. No cutter is so small.");
 }
 
 TEST(Compensation, NewPlugsAreMachinedAtTheirOwnRadius) {
-    const PlugSet plugs = plug_set(*find_preset("4.25 l")).value();
+    const Engine& plugs = *find_preset("4.25 l");
     const auto option = [&](double excess_g) {
         return evaluate_option(OptionId::new_steel_machined, plugs, excess_g * gram, 0.0).value();
     };
@@ -202,10 +200,10 @@ TEST(Compensation, NewPlugsAreMachinedAtTheirOwnRadius) {
             << excess;
     }
     // A new plug that is lighter than today's bears less.
-    PlugSet light = plugs;
-    light.new_design->mass = 0.5 * plugs.steel_mass;
+    Engine light = plugs;
+    light.new_steel_plug_mass = 0.5 * *plugs.steel_plug_mass;
     EXPECT_DOUBLE_EQ(evaluate_option(OptionId::new_steel_machined, light, gram, 0.0)->max_reduction,
-                     0.5 * plugs.max_steel_reduction);
+                     0.5 * *plugs.max_steel_reduction);
 }
 
 TEST(Compensation, ManufactureDropsRepairPartsThatAreTypedAndSaysSo) {
@@ -221,14 +219,14 @@ TEST(Compensation, ManufactureDropsRepairPartsThatAreTypedAndSaysSo) {
 }
 
 TEST(Compensation, EngineWithoutAluminiumOrNewPlugsHasFewerOptions) {
-    PlugSet plugs = plug_set(*find_preset("6 l")).value();
-    plugs.new_design.reset();
+    Engine plugs = *find_preset("6 l");
+    set_plugs(plugs, EngineGroup::new_plug, false);
     EXPECT_FALSE(evaluate_option(OptionId::new_steel_to_steel, plugs, gram, 0.0));
     EXPECT_FALSE(evaluate_option(OptionId::new_steel_to_aluminium, plugs, gram, 0.0));
     EXPECT_FALSE(evaluate_option(OptionId::new_steel_machined, plugs, gram, 0.0));
     EXPECT_TRUE(evaluate_option(OptionId::steel_to_aluminium, plugs, gram, 0.0));
     EXPECT_EQ(advise(plugs, Crankshaft::new_plugs, gram, 0.0).kind, Advice::Kind::no_new_plug_data);
-    plugs.aluminium.reset();
+    set_plugs(plugs, EngineGroup::aluminium_plug, false);
     EXPECT_FALSE(evaluate_option(OptionId::steel_to_aluminium, plugs, gram, 0.0));
     EXPECT_TRUE(evaluate_option(OptionId::steel_machined, plugs, gram, 0.0));
 }

@@ -19,11 +19,11 @@ constexpr double digit = 0.5001e-3;  // half of the last printed digit
 /// The report on the printed numbers computes with the coefficients as they are printed.
 TEST(PaperText, UnroundedCoefficientsMoveTable3ByLessThanThreeMilligrams) {
     for (const char* name : {"4.25 l", "6 l"}) {
-        const PlugSet exact = plug_set(*find_preset(name)).value();
-        const Coefficients k = exact.coefficients();
-        PlugSet rounded = exact;
+        const Engine& exact = *find_preset(name);
+        const Coefficients k = coefficients(exact);
+        Engine rounded = exact;
         rounded.plug_radius = std::round(k.k_y * 1e3) / 2e3;
-        rounded.new_design->radius = std::round(*k.k_y_new * 1e3) / 2e3;
+        rounded.new_plug_radius = std::round(*k.k_y_new * 1e3) / 2e3;
         rounded.crank_radius = 1.0;
         for (const OptionId id : all_options) {
             EXPECT_NEAR(evaluate_option(id, exact, 0.0, 0.0)->maximum / gram,
@@ -86,12 +86,12 @@ TEST(Presets, GiveNothingThatThePaperDoesNotPrint) {
         EXPECT_FALSE(engine.oil_mass) << engine.name;
         EXPECT_FALSE(engine.oil_coefficient) << engine.name;
         EXPECT_TRUE(engine.crank_radius) << engine.name;
-        EXPECT_FALSE(gear_masses(engine)) << engine.name;
+        EXPECT_FALSE(has_nominal_masses(engine)) << engine.name;
     }
     for (const char* name : {"8.32 l", "8.74 l", "10.85 l", "14.86 l"}) {
         const Engine& engine = *find_preset(name);
         EXPECT_EQ(missing_fields(engine, true).size(), engine_fields().size() - 1) << name;
-        EXPECT_FALSE(plug_set(engine)) << name;
+        EXPECT_FALSE(has_plug_data(engine)) << name;
     }
     EXPECT_EQ(find_preset("4.25"), find_preset("4.25 l"));
     EXPECT_EQ(find_preset("5 l"), nullptr);

@@ -17,7 +17,7 @@ using test::Workshop;
 
 constexpr double tolerance = 5 * gram_millimetre;
 
-Option option_of(const PlugSet& plugs, double excess, OptionId id = OptionId::steel_machined) {
+Option option_of(const Engine& plugs, double excess, OptionId id = OptionId::steel_machined) {
     return evaluate_option(id, plugs, excess, tolerance).value();
 }
 
@@ -39,12 +39,12 @@ TEST(Shift, OfABoredPlugIsThatOfTheBody) {
                           workshop.between(10, 30) * millimetre,
                           bore,
                           workshop.between(1, 5) * millimetre};
-        PlugSet plugs = workshop.plugs();
+        Engine plugs = workshop.engine();
         plugs.crank_radius = 40 * millimetre;
         plugs.plug_radius = 47.2 * millimetre;
-        plugs.steel_mass = plug.volume() * steel_density;
-        plugs.max_steel_reduction = 0.5 * plugs.steel_mass;
-        const double excess = 2.36 * workshop.between(0.01, 0.3) * plugs.steel_mass;
+        plugs.steel_plug_mass = plug.volume() * steel_density;
+        plugs.max_steel_reduction = 0.5 * *plugs.steel_plug_mass;
+        const double excess = 2.36 * workshop.between(0.01, 0.3) * *plugs.steel_plug_mass;
         const Option option = option_of(plugs, excess);
         const BoreSetup setup{plug, {bore, 0.0, 0.0}, steel_density};
         if (plan_boring(plug, setup.limits, option.reduction, steel_density).limit !=
@@ -56,10 +56,10 @@ TEST(Shift, OfABoredPlugIsThatOfTheBody) {
         const auto taken = [&](double reduction) {
             PlugGeometry after = plug;
             after.bore_depth = plan_boring(plug, setup.limits, reduction, steel_density).depth;
-            return 2.0 * (plug_moment(plug, plug, plugs.plug_radius, steel_density) -
-                          plug_moment(after, plug, plugs.plug_radius, steel_density));
+            return 2.0 * (plug_moment(plug, plug, *plugs.plug_radius, steel_density) -
+                          plug_moment(after, plug, *plugs.plug_radius, steel_density));
         };
-        const double wanted = excess * plugs.crank_radius;
+        const double wanted = excess * *plugs.crank_radius;
         EXPECT_NEAR(taken(option.reduction) - wanted, effect->maximum, 1e-9 * wanted);
         EXPECT_NEAR(effect->residual_unbalance, -effect->maximum, 1e-9 * wanted);
         EXPECT_NEAR(taken(effect->min_reduction), wanted, 1e-9 * wanted);
@@ -75,21 +75,23 @@ TEST(Shift, OfABoredPlugIsThatOfTheBody) {
 }
 
 TEST(Shift, OfTheRangeOfThePaperIsCorrectedAtBothEnds) {
-    const PlugSet plugs = plug_set(*find_preset("6 l")).value();
+    const Engine& plugs = *find_preset("6 l");
     const Option option = option_of(plugs, 3.0 * gram);
     const ShiftEffect effect = shift_effect(option, tolerance, std::nullopt).value();
     EXPECT_FALSE(effect.planned);
     EXPECT_TRUE(option.feasible);
     EXPECT_TRUE(effect.matters);  // 2 · 2.87 g · 1.2 mm = 6.9 g·mm
-    const double counted = plugs.steel_mass - option.reduction;
+    const double counted = *plugs.steel_plug_mass - option.reduction;
     EXPECT_NEAR(effect.maximum, 2 * counted * 1.2 * millimetre, 1e-15);
     EXPECT_NEAR(effect.residual_unbalance, -effect.maximum, 1e-15);
     // Plugs so corrected, with their centre where it really is, weigh on the pin what was counted.
     const auto weight = [&](double reduction, double shift) {
-        return (plugs.steel_mass - reduction) * (plugs.plug_radius - shift);
+        return (*plugs.steel_plug_mass - reduction) * (*plugs.plug_radius - shift);
     };
-    EXPECT_NEAR(weight(effect.min_reduction, 1.2 * millimetre), counted * plugs.plug_radius, 1e-15);
-    EXPECT_NEAR(weight(effect.max_reduction, 0.8 * millimetre), counted * plugs.plug_radius, 1e-15);
+    EXPECT_NEAR(weight(effect.min_reduction, 1.2 * millimetre), counted * *plugs.plug_radius,
+                1e-15);
+    EXPECT_NEAR(weight(effect.max_reduction, 0.8 * millimetre), counted * *plugs.plug_radius,
+                1e-15);
     EXPECT_EQ(describe(effect, tolerance).english(),
               "The method neglects the shift of the plug's centre of mass, 0.8 to 1.2 mm in the "
               "paper: the residual is up to 6.9 g·mm, permissible 5.0 g·mm. Enter the plug's sizes "
@@ -97,12 +99,12 @@ TEST(Shift, OfTheRangeOfThePaperIsCorrectedAtBothEnds) {
     EXPECT_EQ(describe_action(option, effect.min_reduction, effect.max_reduction).english(),
               "Take 1.10…1.12 g off each of the 8 steel plugs.");
     // Of the smaller engine it stays within the tolerance.
-    const PlugSet small = plug_set(*find_preset("4.25 l")).value();
+    const Engine& small = *find_preset("4.25 l");
     EXPECT_FALSE(shift_effect(option_of(small, 3.0 * gram), tolerance, std::nullopt)->matters);
 }
 
 TEST(Shift, PlugsThatAreNotMachinedHaveNone) {
-    const PlugSet plugs = plug_set(*find_preset("6 l")).value();
+    const Engine& plugs = *find_preset("6 l");
     const Option as_it_is = option_of(plugs, 6.869 * gram, OptionId::steel_to_aluminium);
     EXPECT_FALSE(as_it_is.machined());
     EXPECT_FALSE(shift_effect(as_it_is, tolerance, std::nullopt));

@@ -19,23 +19,22 @@ class Workshop {
         return std::uniform_real_distribution<double>(low, high)(generator_);
     }
 
-    PlugSet plugs() {
-        PlugSet plugs{};
-        plugs.crank_radius = between(25, 150) * millimetre;
-        plugs.plug_radius = plugs.crank_radius * between(0.8, 1.5);
-        plugs.steel_mass = between(1, 100) * gram;
-        plugs.max_steel_reduction = plugs.steel_mass * between(0, 0.9);
-        plugs.rod_coefficient = between(0, 2);
-        const double aluminium = plugs.steel_mass * between(0.2, 0.6);
-        plugs.aluminium = PlugSet::Aluminium{aluminium, aluminium * between(0, 0.9)};
-        plugs.new_design = PlugSet::NewDesign{plugs.plug_radius * between(0.9, 1.2),
-                                              plugs.steel_mass * between(1, 2)};
-        return plugs;
-    }
-
-    GearMasses gear() {
-        return {between(300, 5000) * gram, between(300, 5000) * gram, between(0, 100) * gram,
-                between(0, 2)};
+    Engine engine() {
+        Engine engine;
+        engine.crank_radius = between(25, 150) * millimetre;
+        engine.plug_radius = *engine.crank_radius * between(0.8, 1.5);
+        engine.steel_plug_mass = between(1, 100) * gram;
+        engine.max_steel_reduction = *engine.steel_plug_mass * between(0, 0.9);
+        engine.rod_coefficient = between(0, 2);
+        engine.aluminium_plug_mass = *engine.steel_plug_mass * between(0.2, 0.6);
+        engine.max_aluminium_reduction = *engine.aluminium_plug_mass * between(0, 0.9);
+        engine.new_plug_radius = *engine.plug_radius * between(0.9, 1.2);
+        engine.new_steel_plug_mass = *engine.steel_plug_mass * between(1, 2);
+        engine.reciprocating_mass = between(300, 5000) * gram;
+        engine.rotating_mass = between(300, 5000) * gram;
+        engine.oil_mass = between(0, 100) * gram;
+        engine.oil_coefficient = between(0, 2);
+        return engine;
     }
 
     MassChanges changes(double largest_grams) {
