@@ -86,8 +86,8 @@ void visit_fields(FieldVisitor& visitor, Plane& plane) {
 
 namespace {
 
-/// Unbalance and angle of a Reading or an EarlierReading.
-void visit_reading(FieldVisitor& visitor, auto& reading) {
+/// But for its position.
+void visit_reading(FieldVisitor& visitor, Reading& reading) {
     visitor.number(field::unbalance, reading.unbalance);
     visitor.number(field::angle, reading.angle);
     visitor.number(field::bob_weight_then, reading.bob_weight);
@@ -118,7 +118,7 @@ void visit_record(FieldVisitor& visitor, const Field& drilled, DrillingRecord& r
     }
     if (visitor.has(field::drilled_by.key, !record.drilled_by.empty())) {
         visitor.list(field::drilled_by, record.drilled_by,
-                     [&](EarlierReading& reading) { visit_reading(visitor, reading); });
+                     [&](Reading& reading) { visit_reading(visitor, reading); });
     }
     visitor.flag(field::counted_otherwise, record.counted_otherwise, false);
 }
@@ -157,7 +157,7 @@ void visit_correction(FieldVisitor& visitor, Correction& correction) {
     visit_list(visitor, field::earlier_runs, correction.earlier_runs, [&](EarlierRun& run) {
         // Holes that were there before have no readings.
         visit_list(visitor, field::run_readings, run.readings,
-                   [&](EarlierReading& reading) { visit_reading(visitor, reading); });
+                   [&](Reading& reading) { visit_reading(visitor, reading); });
         visit_record(visitor, field::drilled, run);
     });
     visitor.number(field::smallest_depth, correction.smallest_depth, Correction().smallest_depth);

@@ -180,6 +180,14 @@ void check_tolerance(const Tolerance& tolerance) {
     }
 }
 
+std::vector<Reading> at_places_of(const std::vector<Reading>& others,
+                                  std::vector<Reading> readings) {
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        readings[i].position = i < others.size() ? others[i].position : std::nullopt;
+    }
+    return readings;
+}
+
 void fit_weigh_in(Input& input) {
     if (input.weigh_in) {
         for (auto& column : input.weigh_in->columns) {

@@ -89,7 +89,8 @@ struct Plane {
 
 /// What the machine reads: the heavy spot.
 struct Reading {
-    std::optional<double> position;    ///< m; the plane's where empty
+    /// m; the plane's where empty. Runs before the newest are read where that is, and have none.
+    std::optional<double> position;
     std::optional<double> unbalance;   ///< kg·m
     std::optional<double> angle;       ///< rad
     std::optional<double> bob_weight;  ///< that hung on the crankpins then, kg
@@ -98,18 +99,8 @@ struct Reading {
     friend bool operator==(const Reading&, const Reading&) = default;
 };
 
-/// The same of a run before: read where the newest is.
-struct EarlierReading {
-    std::optional<double> unbalance;   ///< kg·m
-    std::optional<double> angle;       ///< rad
-    std::optional<double> bob_weight;  ///< kg
-    shop::ReadShaft shaft;
-
-    friend bool operator==(const EarlierReading&, const EarlierReading&) = default;
-};
-
-/// Whether anything of a reading, of this run or an earlier one, was given.
-constexpr bool has_number(const auto& reading) {
+/// Whether anything of a reading was given.
+inline bool has_number(const Reading& reading) {
     return reading.unbalance || reading.angle;
 }
 
@@ -118,11 +109,14 @@ constexpr bool has_direction(double unbalance) {
     return unbalance != 0.0;
 }
 
-/// A vector that is all read, of a Reading or an EarlierReading.
-template <typename AnyReading>
-bool is_read(const AnyReading& reading) {
+/// A vector that is all read.
+inline bool is_read(const Reading& reading) {
     return reading.unbalance && (reading.angle || !has_direction(*reading.unbalance));
 }
+
+/// The readings, taken where others were; nowhere in particular where there is none.
+std::vector<Reading> at_places_of(const std::vector<Reading>& others,
+                                  std::vector<Reading> readings);
 
 enum class PlaneName { front, rear };
 
@@ -167,7 +161,7 @@ struct DrillingRecord {
     /// Planned when the next run began; empty: unknown.
     std::optional<std::vector<DrilledHole>> drilled;
     /// The readings of that plan, where they have been corrected since.
-    std::vector<EarlierReading> drilled_by;
+    std::vector<Reading> drilled_by;
     /// The machine's degrees counted the other way then.
     bool counted_otherwise = false;
 
@@ -176,7 +170,7 @@ struct DrillingRecord {
 
 /// A run of the machine whose holes have been drilled since.
 struct EarlierRun : DrillingRecord {
-    std::vector<EarlierReading> readings = std::vector<EarlierReading>(2);
+    std::vector<Reading> readings = std::vector<Reading>(2);
 
     friend bool operator==(const EarlierRun&, const EarlierRun&) = default;
 };
@@ -231,8 +225,7 @@ inline std::size_t first_run(const std::optional<Correction>& correction) {
     return correction && !correction->earlier_runs.empty() &&
                    correction->earlier_runs.front().drilled &&
                    std::none_of(correction->earlier_runs.front().readings.begin(),
-                                correction->earlier_runs.front().readings.end(),
-                                [](const EarlierReading& reading) { return has_number(reading); })
+                                correction->earlier_runs.front().readings.end(), has_number)
                ? 1
                : 0;
 }

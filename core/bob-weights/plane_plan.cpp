@@ -412,7 +412,6 @@ PlaneResult plan_plane(Vector unbalance, const Plane& plane, const Correction& c
     PlaneResult result{};
     result.unbalance = std::abs(unbalance);
     result.angle = turn_of(std::arg(unbalance));
-    result.grams_at_radius = result.unbalance / *plane.radius;
     const PlanePlanner planner(plane, correction, permissible, before);
     Planned planned = planner.plan(unbalance);
     const Vector left = unbalance + effect_of(planned.metal);
@@ -421,7 +420,6 @@ PlaneResult plan_plane(Vector unbalance, const Plane& plane, const Correction& c
     result.slugs = std::move(planned.metal.slugs);
     result.remaining = std::abs(left);
     result.remaining_angle = turn_of(std::arg(left));
-    result.measured_within = shop::is_within(result.unbalance, permissible);
     result.within_tolerance = shop::is_within(result.remaining, permissible);
     if (result.within_tolerance != true) {
         // Across the holes no depth helps.

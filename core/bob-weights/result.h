@@ -92,13 +92,11 @@ struct RunResult {
 struct PlaneResult {
     double unbalance;                      ///< of the readings taken to the plane, kg·m
     double angle;                          ///< rad, 0…2π
-    double grams_at_radius;                ///< kg at the plane's radius
     std::vector<Hole> holes;               ///< at the heavy spot
     std::vector<Hole> slugs;               ///< opposite it
     double beyond_sector;                  ///< of their edges, edge_beyond() at its most, m
     double remaining;                      ///< kg·m
     double remaining_angle;                ///< rad
-    std::optional<bool> measured_within;   ///< as the machine reads it
     std::optional<bool> within_tolerance;  ///< after the correction
     Message reason;                        ///< why more remains than may; empty where all is well
 

@@ -165,8 +165,8 @@ std::optional<Places> places_of(const Correction& correction) {
     return are_apart ? std::optional(places) : std::nullopt;
 }
 
-/// The two vectors of a run; Reading and EarlierReading have them alike.
-std::optional<std::array<Vector, 2>> vectors_of(const auto& readings) {
+/// The two vectors of a run.
+std::optional<std::array<Vector, 2>> vectors_of(const std::vector<Reading>& readings) {
     std::array<Vector, 2> read;
     for (std::size_t i = 0; i < 2; ++i) {
         if (readings.size() != 2 || !is_read(readings[i])) {
@@ -229,7 +229,7 @@ void solve_correction(const Input& input, Result& result) {
     const auto limit = [&](std::size_t i) {
         return result.permissible ? std::optional((*result.permissible)[i]) : std::nullopt;
     };
-    const auto add_run = [&](const auto& readings) {
+    const auto add_run = [&](const std::vector<Reading>& readings) {
         RunResult run;
         const auto read = vectors_of(readings);
         const bool stand_alone = reads_in_planes(correction);

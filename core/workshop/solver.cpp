@@ -86,13 +86,8 @@ Result solve(const Input& given, bool absent_is_zero, bool places_parts) {
 Input before_run(const Input& input, std::size_t runs) {
     Input then = input;
     bob_weights::Correction& correction = *then.correction;
-    const auto read = correction.earlier_runs.at(runs - 1).readings;
-    correction.readings.resize(read.size());
-    for (std::size_t i = 0; i < read.size(); ++i) {
-        const auto& [unbalance, angle, bob_weight, shaft] = read[i];
-        correction.readings[i] = {correction.readings[i].position, unbalance, angle, bob_weight,
-                                  shaft};
-    }
+    correction.readings =
+        at_places_of(correction.readings, correction.earlier_runs.at(runs - 1).readings);
     correction.earlier_runs.resize(runs - 1);
     correction.record = {};
     return then;
@@ -149,7 +144,6 @@ Result allowed(Result result) {
             }
         }
         for (std::size_t i = 0; shaft.correction && i < 2; ++i) {
-            (*shaft.correction)[i].measured_within.reset();
             (*shaft.correction)[i].within_tolerance.reset();
         }
     }

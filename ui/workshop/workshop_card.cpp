@@ -146,7 +146,7 @@ Block runBlock(const Words& words, const WorkshopModel& model) {
         }
     }
     const std::size_t rows = first + 4;
-    const std::array<EarlierReading, 2> none{};
+    const std::array<Reading, 2> none{};
     for (const std::size_t end = std::min(std::max(rows, run + 1), first + max_runs); run < end;
          ++run) {
         add(run, none);

@@ -873,7 +873,9 @@ Results WorkshopModel::planeResults(const Words& words) const {
             });
         add(words.translate("BobWeights", "Mass at drilling radius"),
             tr("Mass at the drilling radius for this unbalance"), [&](std::size_t i) {
-                return words.cellWithUnit((*planned)[i].grams_at_radius, units::gram, 2);
+                return words.cellWithUnit(
+                    (*planned)[i].unbalance / *input().correction->planes[i].radius, units::gram,
+                    2);
             });
     }
     if (hasHoles(solution())) {
@@ -885,7 +887,7 @@ Results WorkshopModel::planeResults(const Words& words) const {
         tr("By the limit of the plane: as measured → after the correction"), [&](std::size_t i) {
             // What is planned rests on that the holes before acted as they were to.
             const QString verdict = verdictText(
-                words, planned ? readWord(*newest, (*planned)[i].measured_within,
+                words, planned ? readWord(*newest, newest->within(i),
                                           newest->other_effect[i] ? std::nullopt
                                                                   : (*planned)[i].within_tolerance,
                                           (*planned)[i].is_planned())

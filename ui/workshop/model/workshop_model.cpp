@@ -98,26 +98,17 @@ bool forgetCrank(Job& input, const Job& before) {
     return input != whole;
 }
 
-/// As those of a run before.
-std::vector<EarlierReading> earlierOf(const std::vector<Reading>& readings) {
-    std::vector<EarlierReading> list;
-    for (const Reading& it : readings) {
-        list.push_back({it.unbalance, it.angle, it.bob_weight, it.shaft});
-    }
-    return list;
-}
-
 /// Notes what the holes were planned from once the readings are others: what is put right
 /// afterwards drills nothing and fills no hole.
-void noteCorrected(DrillingRecord& record, const std::vector<EarlierReading>& before,
-                   const std::vector<EarlierReading>& now) {
+void noteCorrected(DrillingRecord& record, const std::vector<Reading>& before,
+                   const std::vector<Reading>& now) {
     if (!record.drilled) {
         return;
     }
     if (record.drilled_by.empty()) {
         record.drilled_by = before;
     }
-    const auto isSame = [](const EarlierReading& a, const EarlierReading& b) {
+    const auto isSame = [](const Reading& a, const Reading& b) {
         return a.unbalance == b.unbalance && a.angle == b.angle;
     };
     if (std::equal(now.begin(), now.end(), record.drilled_by.begin(), record.drilled_by.end(),
@@ -445,7 +436,7 @@ const RunResult* WorkshopModel::runResult(std::size_t run) const {
 
 bool WorkshopModel::isRunRead() const {
     for (std::size_t plane = 0; plane < 2; ++plane) {
-        EarlierReading read;
+        Reading read;
         read.unbalance = reading(newestRun(), plane, false);
         read.angle = reading(newestRun(), plane, true);
         if (!is_read(read)) {
@@ -466,7 +457,7 @@ std::optional<double> WorkshopModel::reading(std::size_t run, std::size_t plane,
     if (!input().correction || run > newestRun()) {
         return std::nullopt;
     }
-    const auto value = [&](const auto& readings) -> std::optional<double> {
+    const auto value = [&](const std::vector<Reading>& readings) -> std::optional<double> {
         return plane >= readings.size() ? std::nullopt
                : isAngle                ? readings[plane].angle
                                         : readings[plane].unbalance;
@@ -510,12 +501,12 @@ QString WorkshopModel::editReading(const QString& name, std::size_t shownRun, st
             if (!last.drilled) {
                 last.drilled = planned_holes(solution());
             }
-            last.readings = earlierOf(correction.readings);
+            last.readings = at_places_of({}, correction.readings);
             for (Reading& newest : correction.readings) {
                 newest = {newest.position, {}, {}, {}, {}};
             }
         }
-        const auto before = earlierOf(correction.readings);
+        const auto before = at_places_of({}, correction.readings);
         Reading& reading = correction.readings[plane];
         if (shop::is_other_bob_weight(reading.bob_weight, bobWeightNow()) ||
             shop::other_shaft(reading.shaft, input().job)) {
@@ -528,16 +519,12 @@ QString WorkshopModel::editReading(const QString& name, std::size_t shownRun, st
         if (isEmpty) {
             correction.record = {};
         } else {
-            note(correction.record, before, earlierOf(correction.readings));
+            note(correction.record, before, correction.readings);
         }
         if (isEmpty && earlier.size() > first) {
             // It may be typed again: what was drilled before it is there.
             correction.record = earlier.back();
-            for (std::size_t i = 0; i < 2; ++i) {
-                const EarlierReading& before = earlier.back().readings[i];
-                correction.readings[i] = {correction.readings[i].position, before.unbalance,
-                                          before.angle, before.bob_weight, before.shaft};
-            }
+            correction.readings = at_places_of(correction.readings, earlier.back().readings);
             earlier.pop_back();
         }
     });
@@ -568,7 +555,7 @@ void WorkshopModel::confirmReadings() {
             bobWeight = correction.earlier_runs[newest - 1].readings.front().bob_weight;
         }
         for (EarlierRun& run : correction.earlier_runs) {
-            const EarlierReading& first = run.readings.front();
+            const Reading& first = run.readings.front();
             if (first.shaft == shaft && !shop::is_other_bob_weight(first.bob_weight, bobWeight)) {
                 hold(run.readings);
             }
