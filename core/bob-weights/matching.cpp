@@ -65,7 +65,7 @@ shop::MatchingTask matching_task(const Input& input, double factor) {
                 part.kind == PartKind::reciprocating ? factor : 1.0;
         }
     }
-    return shop::matching_task(*input.weigh_in, crank_of(input), factors);
+    return {*input.weigh_in, crank_of(input), factors};
 }
 
 }  // namespace ravnoves::bob_weights

@@ -124,7 +124,7 @@ void solve_weigh_in(const Input& input, double factor, bool places_parts, Result
         input.engine.cylinders % input.engine.rods_per_pin != 0) {
         return;
     }
-    result.placing = shop::match(matching_task(input, factor), input.weigh_in->matching);
+    result.placing = shop::match(matching_task(input, factor));
     if (result.bob_weight) {
         result.crankpins = crankpins_of(input, *input.weigh_in, factor, result.lines);
         if (result.placing) {

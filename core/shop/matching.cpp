@@ -41,43 +41,43 @@ std::vector<double> differences(std::span<const Weighed> masses, std::size_t cou
 /// A number of each set of both kinds and, last, of what stays in its place.
 using Sets = std::array<std::vector<double>, 3>;
 
-/// Sums of the parts, each times its factor.
-Sets sums_of(const MatchingTask& task, const MatchingRules& rules,
-             const std::array<double, 6>& factors) {
-    const std::size_t n = task.places.size();
+/// Sums of the parts of n cylinders, each times its factor.
+Sets sums_of(const WeighIn& sheet, std::size_t n, const std::array<double, 6>& factors) {
     Sets sets;
     sets.fill(std::vector<double>(n, 0.0));
     for (const Part part : all_parts) {
-        const auto index = static_cast<std::size_t>(part);
-        const auto list = differences(task.masses[index], n);
-        const std::size_t kind = !moves_with_set(rules, part) ? 2 : is_of_piston(part) ? 0 : 1;
+        const auto list = differences(sheet[part].mass, n);
+        const std::size_t kind = !moves_with_set(sheet.matching, part) ? 2
+                                 : is_of_piston(part)                  ? 0
+                                                                       : 1;
         for (std::size_t i = 0; i < n; ++i) {
-            sets[kind][i] += factors[index] * list[i];
+            sets[kind][i] += factors[static_cast<std::size_t>(part)] * list[i];
         }
     }
     return sets;
 }
 
+using Places = std::vector<CylinderPlace>;
+
 /// Within what sets of the kind change places.
-std::vector<int> groups_of(const MatchingTask& task, SetMoves moves) {
+std::vector<int> groups_of(const Places& places, SetMoves moves) {
     std::vector<int> groups;
-    for (std::size_t i = 0; i < task.places.size(); ++i) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
         groups.push_back(moves == SetMoves::anywhere      ? 0
-                         : moves == SetMoves::within_bank ? task.places[i].bank
+                         : moves == SetMoves::within_bank ? places[i].bank
                                                           : static_cast<int>(i));
     }
     return groups;
 }
 
-SetSearch empty_search(const MatchingTask& task, const MatchingRules& rules,
-                       std::size_t dimensions) {
+SetSearch empty_search(const Places& places, const MatchingRules& rules, std::size_t dimensions) {
     SetSearch search;
-    search.places = task.places.size();
+    search.places = places.size();
     search.dimensions = dimensions;
     search.fixed.assign(dimensions, 0.0);
     for (std::size_t kind = 0; kind < 2; ++kind) {
         search.kinds[kind].adds.assign(search.places * search.places * dimensions, 0.0);
-        search.kinds[kind].group = groups_of(task, kind == 0 ? rules.pistons : rules.rods);
+        search.kinds[kind].group = groups_of(places, kind == 0 ? rules.pistons : rules.rods);
     }
     return search;
 }
@@ -88,18 +88,19 @@ double* adds_to(SetSearch& search, std::size_t kind, std::size_t set, std::size_
                      : &search.kinds[kind].adds[(set * search.places + place) * search.dimensions];
 }
 
-SetSearch search_of_spread(const MatchingTask& task, const MatchingRules& rules) {
+SetSearch search_of_spread(const MatchingTask& task) {
+    const Places places = places_of(task.crank);
     int pins = 0;
-    for (const CylinderPlace& place : task.places) {
+    for (const CylinderPlace& place : places) {
         pins = std::max(pins, place.crankpin + 1);
     }
-    SetSearch search = empty_search(task, rules, static_cast<std::size_t>(pins));
-    const Sets sums = sums_of(task, rules, task.factors);
+    SetSearch search = empty_search(places, task.sheet.matching, static_cast<std::size_t>(pins));
+    const Sets sums = sums_of(task.sheet, places.size(), task.factors);
     for (std::size_t kind = 0; kind < 3; ++kind) {
         for (std::size_t set = 0; set < search.places; ++set) {
             for (std::size_t place = 0; place < search.places; ++place) {
                 if (kind < 2 || set == place) {
-                    const auto pin = static_cast<std::size_t>(task.places[place].crankpin);
+                    const auto pin = static_cast<std::size_t>(places[place].crankpin);
                     adds_to(search, kind, set, place)[pin] += sums[kind][set];
                 }
             }
@@ -114,24 +115,25 @@ struct Reach {
     double length = 0.0;
 };
 
-Reach reach_of(const MatchingTask& task) {
+Reach reach_of(const Places& places) {
     const auto [first, last] =
-        std::minmax_element(task.places.begin(), task.places.end(),
+        std::minmax_element(places.begin(), places.end(),
                             [](const auto& a, const auto& b) { return a.position < b.position; });
     return {0.5 * (first->position + last->position), last->position - first->position};
 }
 
 /// The first-order force with the crank and against it, at the front end and the rear end.
-SetSearch search_of_shaking(const MatchingTask& task, const MatchingRules& rules) {
+SetSearch search_of_shaking(const MatchingTask& task) {
+    const Places places = places_of(task.crank);
     constexpr std::size_t dimensions = 8;
-    SetSearch search = empty_search(task, rules, dimensions);
+    SetSearch search = empty_search(places, task.sheet.matching, dimensions);
     search.size = SetSearch::Size::norm;
     // Big ends and shells rotate, the rest reciprocates.
-    const Sets rotating = sums_of(task, rules, {0, 0, 0, 0, 1, 1});
-    const Sets reciprocating = sums_of(task, rules, {1, 1, 1, 1, 0, 0});
-    const Reach reach = reach_of(task);
+    const Sets rotating = sums_of(task.sheet, places.size(), {0, 0, 0, 0, 1, 1});
+    const Sets reciprocating = sums_of(task.sheet, places.size(), {1, 1, 1, 1, 0, 0});
+    const Reach reach = reach_of(places);
     for (std::size_t place = 0; place < search.places; ++place) {
-        const CylinderPlace& at = task.places[place];
+        const CylinderPlace& at = places[place];
         const Vector with = std::polar(1.0, at.crank_angle);
         const Vector against = std::polar(1.0, 2.0 * at.axis - at.crank_angle);
         const double rear =
@@ -244,20 +246,6 @@ std::vector<int> part_numbers(const WeighIn& sheet, Part part) {
                          sheet[part].mass.size());
 }
 
-std::array<std::span<const Weighed>, 6> masses_of(const WeighIn& sheet) {
-    std::array<std::span<const Weighed>, 6> masses;
-    for (const Part part : all_parts) {
-        masses[static_cast<std::size_t>(part)] = sheet[part].mass;
-    }
-    return masses;
-}
-
-MatchingTask matching_task(const WeighIn& sheet, const Crank& crank,
-                           const std::array<double, 6>& factors) {
-    return {masses_of(sheet), factors, places_of(crank), crank.spacing.has_value(),
-            crank_fault(crank)};
-}
-
 void move_sets(WeighIn& sheet, const std::vector<int>& pistons, const std::vector<int>& rods) {
     const WeighIn before = sheet;
     for (const Part part : all_parts) {
@@ -274,25 +262,23 @@ void move_sets(WeighIn& sheet, const std::vector<int>& pistons, const std::vecto
 }
 
 void move_back(WeighIn& sheet) {
-    const auto from =
-        to_where_weighed(sheet.piston_sets, sheet.rod_sets, sheet.columns.front().mass.size());
+    const auto from = where_weighed(sheet);
     move_sets(sheet, from[0], from[1]);
 }
 
-double crankpin_spread(const MatchingTask& task, const MatchingRules& rules,
-                       const std::array<std::vector<int>, 2>& from) {
-    return size_of(search_of_spread(task, rules), from);
+double crankpin_spread(const MatchingTask& task, const std::array<std::vector<int>, 2>& from) {
+    return size_of(search_of_spread(task), from);
 }
 
-std::optional<Shaking> shaking_of(const MatchingTask& task, const MatchingRules& rules,
+std::optional<Shaking> shaking_of(const MatchingTask& task,
                                   const std::array<std::vector<int>, 2>& from) {
-    if (!task.no_shaking.empty()) {
+    if (!crank_fault(task.crank).empty()) {
         return std::nullopt;
     }
-    const SetSearch search = search_of_shaking(task, rules);
+    const SetSearch search = search_of_shaking(task);
     const auto sum = sum_of(search, from);
     const auto part = [&](std::size_t i) { return Vector(sum[2 * i], sum[2 * i + 1]); };
-    const double arm = 0.5 * reach_of(task).length;
+    const double arm = 0.5 * reach_of(places_of(task.crank)).length;
     // Two parts that turn in opposite senses meet twice a turn.
     return Shaking{
         std::abs(part(0) + part(1)) + std::abs(part(2) + part(3)),
@@ -301,12 +287,12 @@ std::optional<Shaking> shaking_of(const MatchingTask& task, const MatchingRules&
     };
 }
 
-std::array<std::vector<int>, 2> to_where_weighed(const SetNumbers& piston_sets,
-                                                 const SetNumbers& rod_sets,
-                                                 std::size_t cylinders) {
+std::array<std::vector<int>, 2> where_weighed(const WeighIn& sheet) {
+    const std::size_t cylinders = sheet.columns.front().mass.size();
     std::array<std::vector<int>, 2> from;
     for (std::size_t kind = 0; kind < 2; ++kind) {
-        const SetNumbers numbers = whole_numbers(kind == 0 ? piston_sets : rod_sets, cylinders);
+        const SetNumbers numbers =
+            whole_numbers(kind == 0 ? sheet.piston_sets : sheet.rod_sets, cylinders);
         from[kind].resize(cylinders);
         for (std::size_t i = 0; i < cylinders; ++i) {
             from[kind].at(static_cast<std::size_t>(numbers.at(i)) - 1) = static_cast<int>(i);
@@ -315,34 +301,36 @@ std::array<std::vector<int>, 2> to_where_weighed(const SetNumbers& piston_sets,
     return from;
 }
 
-std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rules) {
-    const std::size_t n = task.places.size();
-    const bool counts = std::any_of(all_parts.begin(), all_parts.end(), [&](Part part) {
-        return is_whole(task.masses[static_cast<std::size_t>(part)], n);
-    });
+std::optional<Matched> match(const MatchingTask& task) {
+    const MatchingRules& rules = task.sheet.matching;
+    const auto n = static_cast<std::size_t>(task.crank.cylinders);
+    const bool counts =
+        std::any_of(task.sheet.columns.begin(), task.sheet.columns.end(),
+                    [&](const PartColumn& column) { return is_whole(column.mass, n); });
     if (n == 0 || !counts) {
         return std::nullopt;
     }
     Matched matched;
     matched.goal = rules.goal;
-    matched.spacing_known = task.spacing_known;
+    matched.spacing_known = task.crank.spacing.has_value();
     if (rules.goal == MatchingGoal::fewest_moves && !rules.permitted_spread) {
         matched.goal = MatchingGoal::min_spread;
         matched.remark = CORE_TEXT(
             "matching",
             "The permitted range of the crankpins is missing: they are made as equal as possible.");
     }
-    if (rules.goal == MatchingGoal::min_shaking && !task.no_shaking.empty()) {
+    if (const Message fault = crank_fault(task.crank);
+        rules.goal == MatchingGoal::min_shaking && !fault.empty()) {
         matched.goal = MatchingGoal::min_spread;
         matched.remark = {
             CORE_TEXT(
                 "matching",
                 "Shaking cannot be computed (%1): the crankpins are made as equal as possible."),
-            task.no_shaking};
+            fault};
     }
-    const SetSearch by_spread = search_of_spread(task, rules);
+    const SetSearch by_spread = search_of_spread(task);
     SetSearch search =
-        matched.goal == MatchingGoal::min_shaking ? search_of_shaking(task, rules) : by_spread;
+        matched.goal == MatchingGoal::min_shaking ? search_of_shaking(task) : by_spread;
     // A scale reads to hundredths of a gram: a microgram of rounding is no violation.
     constexpr double rounding = 1e-9;
     const bool has_limit = matched.goal == MatchingGoal::fewest_moves;
@@ -361,8 +349,8 @@ std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rule
     }
     matched.spread = size_of(by_spread, found.from);
     matched.spread_before = size_of(by_spread, as_it_is);
-    matched.shaking_before = shaking_of(task, rules, as_it_is);
-    matched.shaking = shaking_of(task, rules, found.from);
+    matched.shaking_before = shaking_of(task, as_it_is);
+    matched.shaking = shaking_of(task, found.from);
     if (has_limit && matched.spread > search.enough) {
         matched.remark = {
             found.proven ? CORE_TEXT("matching",

@@ -65,18 +65,10 @@ struct Shaking {
 
 /// The matching problem.
 struct MatchingTask {
-    std::array<std::span<const Weighed>, 6> masses;  ///< in the order of all_parts
+    WeighIn sheet;  ///< with its rules
+    Crank crank;
     std::array<double, 6> factors{};  ///< how often a part counts in its crankpin; 0: it does not
-    std::vector<CylinderPlace> places;
-    bool spacing_known = false;
-    Message no_shaking;  ///< why it is not known what the engine feels; empty: it is
 };
-
-/// The masses of a sheet.
-std::array<std::span<const Weighed>, 6> masses_of(const WeighIn& sheet);
-/// The matching problem of a sheet, without columns whose factor is 0.
-MatchingTask matching_task(const WeighIn& sheet, const Crank& crank,
-                           const std::array<double, 6>& factors);
 
 /// The placing: element i is the cylinder (from 0) whose set moves to cylinder i.
 struct Matched {
@@ -93,13 +85,12 @@ struct Matched {
     bool spacing_known = false;
 };
 
-/// The best placing by the rules; see best_placing() for the proof. Empty without a column.
-std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rules);
+/// The best placing by the sheet's rules; see best_placing() for the proof. Empty without a column.
+std::optional<Matched> match(const MatchingTask& task);
 
 /// What a placing makes of the spread and of the engine, whatever its goal.
-double crankpin_spread(const MatchingTask& task, const MatchingRules& rules,
-                       const std::array<std::vector<int>, 2>& from);
-std::optional<Shaking> shaking_of(const MatchingTask& task, const MatchingRules& rules,
+double crankpin_spread(const MatchingTask& task, const std::array<std::vector<int>, 2>& from);
+std::optional<Shaking> shaking_of(const MatchingTask& task,
                                   const std::array<std::vector<int>, 2>& from);
 
 /// Whether a part changes its cylinder with its set.
@@ -112,8 +103,7 @@ std::vector<int> part_numbers(const WeighIn& sheet, Part part);
 void move_sets(WeighIn& sheet, const std::vector<int>& pistons, const std::vector<int>& rods);
 
 /// The placing, as in Matched, that returns each set to where it was weighed.
-std::array<std::vector<int>, 2> to_where_weighed(const SetNumbers& piston_sets,
-                                                 const SetNumbers& rod_sets, std::size_t cylinders);
+std::array<std::vector<int>, 2> where_weighed(const WeighIn& sheet);
 /// The sheet with all parts where they were weighed.
 void move_back(WeighIn& sheet);
 

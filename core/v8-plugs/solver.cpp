@@ -20,8 +20,7 @@ void solve_weigh_in(const Input& input, Result& result) {
     }
     const double k = *coefficient;
     if (input.weigh_in->is_counted()) {
-        result.assignment =
-            shop::match(matching_task(*input.weigh_in, k), input.weigh_in->matching);
+        result.assignment = shop::match(matching_task(*input.weigh_in, k));
     }
     if (result.assignment) {
         result.crankpin_excess = crankpin_excess(*input.weigh_in, k);

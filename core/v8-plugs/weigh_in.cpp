@@ -128,7 +128,7 @@ shop::MatchingTask matching_task(const WeighIn& sheet, double rod_coefficient) {
             factors[static_cast<std::size_t>(part)] = excess_factor(part, rod_coefficient);
         }
     }
-    return shop::matching_task(sheet, crank_of(sheet), factors);
+    return {sheet, crank_of(sheet), factors};
 }
 
 }  // namespace ravnoves::v8_plugs

@@ -18,18 +18,11 @@ namespace {
 
 constexpr double gram = 1e-3;
 using From = std::array<std::vector<int>, 2>;
-using Sheet = WeighIn;
 
-struct Case {
-    Sheet sheet;
-    Crank crank;
-    std::array<double, 6> factors{0.5, 0.5, 0.5, 0.5, 1, 1};
+struct Case : MatchingTask {
+    Case() { factors = {0.5, 0.5, 0.5, 0.5, 1, 1}; }
 
-    MatchingTask task() const {
-        return {masses_of(sheet), factors, places_of(crank), crank.spacing.has_value(),
-                crank_fault(crank)};
-    }
-    Matched matched() const { return match(task(), sheet.matching).value(); }
+    Matched matched() const { return match(*this).value(); }
 };
 
 std::vector<int> as_it_is(std::size_t n) {
@@ -109,9 +102,9 @@ struct BruteForce {
                 if (!allows(at, rules.rods, from[1])) {
                     continue;
                 }
-                const double found = crankpin_spread(at.task(), rules, from);
+                const double found = crankpin_spread(at, from);
                 spread = std::min(spread, found);
-                ends = std::min(ends, shaking_of(at.task(), rules, from)->ends);
+                ends = std::min(ends, shaking_of(at, from)->ends);
                 if (found <= rules.permitted_spread.value_or(-1.0) + 1e-9) {
                     moves = std::min(moves, moved_by(from));
                 }
@@ -185,11 +178,9 @@ TEST_F(Matching, OfEightCylindersIsProvenAndBeatsRandomOnes) {
                 std::shuffle(from[0].begin(), from[0].end(), random);
                 std::shuffle(from[1].begin(), from[1].end(), random);
                 if (goal == MatchingGoal::min_shaking) {
-                    ASSERT_LE(best.shaking->ends,
-                              shaking_of(at.task(), at.sheet.matching, from)->ends + 1e-14);
+                    ASSERT_LE(best.shaking->ends, shaking_of(at, from)->ends + 1e-14);
                 } else if (goal == MatchingGoal::min_spread) {
-                    ASSERT_LE(best.spread,
-                              crankpin_spread(at.task(), at.sheet.matching, from) + 1e-14);
+                    ASSERT_LE(best.spread, crankpin_spread(at, from) + 1e-14);
                 }
             }
         }
@@ -291,11 +282,9 @@ TEST_F(Matching, OfManyCylindersSaysWhatItDoesNotProve) {
 /// Exchanges two sets as long as that helps, from where they are and from random placings.
 double by_plain_exchanges(const Case& at, int starts, std::mt19937& random) {
     const std::size_t n = at.sheet[Part::piston].mass.size();
-    const MatchingTask task = at.task();
-    const MatchingRules& rules = at.sheet.matching;
     const auto size = [&](const From& from) {
-        return rules.goal == MatchingGoal::min_shaking ? shaking_of(task, rules, from)->ends
-                                                       : crankpin_spread(task, rules, from);
+        return at.sheet.matching.goal == MatchingGoal::min_shaking ? shaking_of(at, from)->ends
+                                                                   : crankpin_spread(at, from);
     };
     double best = std::numeric_limits<double>::infinity();
     for (int start = 0; start < starts; ++start) {
@@ -394,7 +383,7 @@ TEST_F(Matching, SaysWhatAGoalLacks) {
     for (auto& column : at.sheet.columns) {
         column.mass[2].reset();
     }
-    EXPECT_FALSE(match(at.task(), at.sheet.matching));
+    EXPECT_FALSE(match(at));
 }
 
 TEST(TakeOff, ReachesTheLightest) {

@@ -45,7 +45,7 @@ TEST(WeighInSheet, MeanOfTheCrankpinsIsTheMethodsExcess) {
         EXPECT_NEAR(std::accumulate(by_crankpin.begin(), by_crankpin.end(), 0.0) / crankpin_count,
                     excess, 1e-12);
         // Moving parts keeps the mean and makes the crankpins no less equal.
-        const shop::Matched best = shop::match(matching_task(sheet, k), sheet.matching).value();
+        const shop::Matched best = shop::match(matching_task(sheet, k)).value();
         WeighIn moved = sheet;
         move_sets(moved, best.pistons, best.rods);
         const auto after = crankpin_excess(moved, k);

@@ -7,11 +7,11 @@ namespace ravnoves::matching_text {
 
 using namespace shop;
 
-void takeAsWeighed(Shown& shown, const MatchingTask& task, const WeighIn& sheet) {
-    if (sheet.is_moved()) {
-        const auto from = to_where_weighed(sheet.piston_sets, sheet.rod_sets, task.places.size());
-        shown.spread_as_weighed = crankpin_spread(task, sheet.matching, from);
-        shown.shaking_as_weighed = shaking_of(task, sheet.matching, from);
+void takeAsWeighed(Shown& shown, const MatchingTask& task) {
+    if (task.sheet.is_moved()) {
+        const auto from = where_weighed(task.sheet);
+        shown.spread_as_weighed = crankpin_spread(task, from);
+        shown.shaking_as_weighed = shaking_of(task, from);
     }
 }
 

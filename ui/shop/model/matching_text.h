@@ -27,7 +27,7 @@ struct Shown {
 };
 
 /// Says what the parts make where they were weighed, if they are elsewhere now.
-void takeAsWeighed(Shown& shown, const shop::MatchingTask& task, const shop::WeighIn& sheet);
+void takeAsWeighed(Shown& shown, const shop::MatchingTask& task);
 
 /// Which sets to move, as text.
 QString summary(const Words& words, const Shown& shown);

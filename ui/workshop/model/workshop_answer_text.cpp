@@ -673,15 +673,13 @@ std::optional<matching_text::Shown> WorkshopModel::matchingShown() const {
                                service_speed(job), sheet.piston_sets, sheet.rod_sets};
     shown.is_origin_unknown = input().weigh_in->is_moved() && !sheet.is_moved();
     if (const v8_plugs::Input* plugs = plugsInput()) {
-        shown.crank = v8_plugs::crank_of(*plugs->weigh_in);
         shown.crank_radius = plugs->engine.crank_radius;
         matching_text::takeAsWeighed(
             shown,
-            v8_plugs::matching_task(*plugs->weigh_in, plugs->rod_coefficient().value_or(0.0)),
-            sheet);
+            v8_plugs::matching_task(*plugs->weigh_in, plugs->rod_coefficient().value_or(0.0)));
     } else {
         matching_text::takeAsWeighed(
-            shown, matching_task(job, solution().factor + job.factor.overbalance), sheet);
+            shown, matching_task(job, solution().factor + job.factor.overbalance));
     }
     return shown;
 }
