@@ -201,9 +201,7 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
     visitor.object_with_defaults(field::parts, input.parts);
     visitor.object(field::weigh_in, input.weigh_in, [&](WeighIn& sheet) {
         if (visitor.is_reading() || visitor.creates_objects()) {
-            for (auto& column : sheet.columns) {
-                column.mass.resize(static_cast<std::size_t>(input.engine.cylinders));
-            }
+            sheet.fit(static_cast<std::size_t>(input.engine.cylinders));
         }
         shop::visit_sheet(visitor, sheet, field::numbering, field::part_mass, false, true);
     });

@@ -16,10 +16,16 @@ namespace {
     throw InputError(where, CORE_TEXT("core", "is required and missing"));
 }
 
+void need(const std::string& place, const Field& field, const std::optional<double>& value) {
+    if (!value) {
+        missing(place + std::string(field.key));
+    }
+}
+
 void check_engine(const Engine& engine) {
     const std::string place = "/input/engine/";
-    if (engine.type == EngineType::v && !engine.bank_angle) {
-        missing(place + std::string(field::bank_angle.key));
+    if (engine.type == EngineType::v) {
+        need(place, field::bank_angle, engine.bank_angle);
     }
     if (engine.cylinders % engine.rods_per_pin != 0) {
         throw InputError(place + std::string(field::cylinders.key),
@@ -56,17 +62,17 @@ void check_correction(const Correction& correction) {
     for (std::size_t i = 0; i < 2; ++i) {
         const Plane& plane = correction.planes[i];
         const std::string at = place + "planes/" + std::to_string(i) + "/";
-        if (!plane.position || !plane.radius) {
-            missing(at + std::string(
-                             (plane.position ? field::plane_radius : field::plane_position).key));
-        }
-        if (plane.from_angle.has_value() != plane.to_angle.has_value()) {
-            missing(at + std::string((plane.from_angle ? field::to_angle : field::from_angle).key));
+        need(at, field::plane_position, plane.position);
+        need(at, field::plane_radius, plane.radius);
+        if (plane.from_angle || plane.to_angle) {
+            need(at, field::from_angle, plane.from_angle);
+            need(at, field::to_angle, plane.to_angle);
         }
         const Reading& reading = correction.readings[i];
+        const std::string reading_at = place + "readings/" + std::to_string(i) + "/";
+        need(reading_at, field::unbalance, reading.unbalance);
         if (!is_read(reading)) {
-            missing(place + "readings/" + std::to_string(i) + "/" +
-                    std::string((reading.unbalance ? field::angle : field::unbalance).key));
+            need(reading_at, field::angle, reading.angle);
         }
     }
     const auto apart = [&](const char* list, const Field& field, double first, double second) {
@@ -85,15 +91,11 @@ void check_correction(const Correction& correction) {
     if (correction.drill.diameters_mm.empty()) {
         missing(place + "drill/" + std::string(field::diameters.key));
     }
-    if (!correction.drill.maximum_depth) {
-        missing(place + "drill/" + std::string(field::maximum_depth.key));
-    }
+    need(place + "drill/", field::maximum_depth, correction.drill.maximum_depth);
     if (correction.slug) {
         const Slug& slug = *correction.slug;
-        if (!slug.diameter || !slug.density) {
-            missing(place + "slug/" +
-                    std::string((slug.diameter ? field::slug_density : field::slug_diameter).key));
-        }
+        need(place + "slug/", field::slug_diameter, slug.diameter);
+        need(place + "slug/", field::slug_density, slug.density);
         if (*slug.density <= correction.drill.density) {
             throw InputError(place + "slug/" + std::string(field::slug_density.key),
                              {CORE_TEXT("bob-weights", "must be greater than the crankshaft's %1"),
@@ -140,32 +142,23 @@ void check_runs(const Correction& correction) {
         }
         check_two(readings.size(), at);
         for (std::size_t i = 0; i < 2; ++i) {
-            if (!readings[i].unbalance) {
-                missing(at + "/" + std::to_string(i) + "/" + std::string(field::unbalance.key));
-            }
+            need(at + "/" + std::to_string(i) + "/", field::unbalance, readings[i].unbalance);
         }
     }
 }
 
 void check_tolerance(const Tolerance& tolerance) {
     const std::string place = "/input/tolerance/";
-    const std::pair<const Field&, const std::optional<double>&> graded[] = {
-        {field::grade, tolerance.grade},
-        {field::rotor_mass, tolerance.rotor_mass},
-        {field::service_speed, tolerance.service_speed}};
     if (tolerance.by_grade) {
-        for (const auto& [field, value] : graded) {
-            if (!value) {
-                missing(place + std::string(field.key));
-            }
-        }
-    } else if (!tolerance.plane) {
-        missing(place + std::string(field::plane_tolerance.key));
+        need(place, field::grade, tolerance.grade);
+        need(place, field::rotor_mass, tolerance.rotor_mass);
+        need(place, field::service_speed, tolerance.service_speed);
+    } else {
+        need(place, field::plane_tolerance, tolerance.plane);
     }
-    if (tolerance.front_bearing.has_value() != tolerance.rear_bearing.has_value()) {
-        missing(place +
-                std::string(
-                    (tolerance.front_bearing ? field::rear_bearing : field::front_bearing).key));
+    if (tolerance.front_bearing || tolerance.rear_bearing) {
+        need(place, field::front_bearing, tolerance.front_bearing);
+        need(place, field::rear_bearing, tolerance.rear_bearing);
     }
     if (tolerance.front_bearing && *tolerance.front_bearing == *tolerance.rear_bearing) {
         throw InputError(place + std::string(field::rear_bearing.key),
@@ -190,14 +183,7 @@ std::vector<Reading> at_places_of(const std::vector<Reading>& others,
 
 void fit_weigh_in(Input& input) {
     if (input.weigh_in) {
-        for (auto& column : input.weigh_in->columns) {
-            column.mass.resize(static_cast<std::size_t>(input.engine.cylinders));
-        }
-        for (shop::SetNumbers* sets : {&input.weigh_in->piston_sets, &input.weigh_in->rod_sets}) {
-            if (sets->size() != static_cast<std::size_t>(input.engine.cylinders)) {
-                sets->clear();
-            }
-        }
+        input.weigh_in->fit(static_cast<std::size_t>(input.engine.cylinders));
     }
 }
 
@@ -211,28 +197,29 @@ std::optional<double> service_speed(const Input& input) {
                                                         : std::nullopt;
 }
 
+std::optional<std::array<double, 2>> plane_positions(const Input& input) {
+    if (!input.correction || input.correction->planes.size() != 2 ||
+        !input.correction->planes[0].position || !input.correction->planes[1].position) {
+        return std::nullopt;
+    }
+    return {{*input.correction->planes[0].position, *input.correction->planes[1].position}};
+}
+
 BearingPlaces places_of_bearings(const Input& input) {
-    if (!input.correction || input.correction->planes.size() != 2 || !input.tolerance) {
+    const auto planes = plane_positions(input);
+    if (!planes || !input.tolerance) {
         return BearingPlaces::plausible;  // a sheet may be saved half filled
     }
-    const auto& front = input.correction->planes.at(0).position;
-    const auto& rear = input.correction->planes.at(1).position;
-    const Tolerance& tolerance = *input.tolerance;
-    if (!front || !rear) {
-        return BearingPlaces::plausible;
-    }
-    const auto& first = tolerance.front_bearing;
-    const auto& second = tolerance.rear_bearing;
-    if (first && second && (*second - *first) * (*rear - *front) < 0.0) {
+    const auto& [front, rear] = *planes;
+    const auto& first = input.tolerance->front_bearing;
+    const auto& second = input.tolerance->rear_bearing;
+    if (first && second && (*second - *first) * (rear - front) < 0.0) {
         return BearingPlaces::reversed;
     }
-    if (const auto& centre = tolerance.centre_of_mass) {
-        const auto [minimum, maximum] =
-            std::minmax({first.value_or(*front), second.value_or(*rear)});
-        return *centre < minimum || *centre > maximum ? BearingPlaces::centre_beyond
-                                                      : BearingPlaces::plausible;
-    }
-    return BearingPlaces::plausible;
+    const auto [minimum, maximum] = std::minmax({first.value_or(front), second.value_or(rear)});
+    const double centre = input.tolerance->centre_of_mass.value_or(minimum);
+    return centre < minimum || centre > maximum ? BearingPlaces::centre_beyond
+                                                : BearingPlaces::plausible;
 }
 
 namespace {
@@ -310,9 +297,8 @@ void check_weigh_in(const Input& input, bool nominal_needed) {
 
 void check_parts(const Input& input) {
     for (const PartField& each : part_fields()) {
-        const bool needed = each.member == &Parts::piston || each.member == &Parts::big_end;
-        if (needed && !mass_of(input, each)) {
-            missing("/input/parts_g/" + std::string(each.field.key));
+        if (each.is_needed()) {
+            need("/input/parts_g/", each.field, mass_of(input, each));
         }
     }
 }

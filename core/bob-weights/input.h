@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -71,6 +72,8 @@ struct PartField {
     std::optional<double> Parts::*member;
     PartKind kind;
     std::optional<shop::Part> column;
+
+    bool is_needed() const { return member == &Parts::piston || member == &Parts::big_end; }
 };
 /// In the order of a trade card: what reciprocates, what rotates, the oil.
 std::span<const PartField> part_fields();
@@ -289,6 +292,9 @@ std::vector<Message> not_counted(const Input& input);
 
 /// Of the tolerance; empty without a grade.
 std::optional<double> service_speed(const Input& input);
+
+/// Of both planes, m; nothing while one is not known.
+std::optional<std::array<double, 2>> plane_positions(const Input& input);
 
 /// Order of bearings, planes and centre of mass along the crankshaft.
 enum class BearingPlaces {

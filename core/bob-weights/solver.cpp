@@ -151,15 +151,14 @@ struct Places {
     std::array<double, 2> from;
     std::array<double, 2> to;
 };
-std::optional<Places> places_of(const Correction& correction) {
-    if (correction.planes.size() != 2 || correction.readings.size() != 2 ||
-        !correction.planes[0].position || !correction.planes[1].position) {
+std::optional<Places> places_of(const Input& input) {
+    const auto planes = plane_positions(input);
+    if (!planes || input.correction->readings.size() != 2) {
         return std::nullopt;
     }
-    Places places{};
+    Places places{*planes, *planes};
     for (std::size_t i = 0; i < 2; ++i) {
-        places.to[i] = *correction.planes[i].position;
-        places.from[i] = correction.readings[i].position.value_or(places.to[i]);
+        places.from[i] = input.correction->readings[i].position.value_or(places.to[i]);
     }
     const bool are_apart = places.from[0] != places.from[1] && places.to[0] != places.to[1];
     return are_apart ? std::optional(places) : std::nullopt;
@@ -225,14 +224,14 @@ void solve_correction(const Input& input, Result& result) {
         return;
     }
     const Correction& correction = *input.correction;
-    const auto places = places_of(correction);
+    const auto places = places_of(input);
     const auto limit = [&](std::size_t i) {
         return result.permissible ? std::optional((*result.permissible)[i]) : std::nullopt;
     };
     const auto add_run = [&](const std::vector<Reading>& readings) {
         RunResult run;
         const auto read = vectors_of(readings);
-        const bool stand_alone = reads_in_planes(correction);
+        const bool stand_alone = reads_in_planes(input);
         for (std::size_t i = 0; stand_alone && i < readings.size() && i < 2; ++i) {
             if (const auto& unbalance = readings[i].unbalance) {
                 run.alone[i] = {*unbalance, shop::is_within(*unbalance, limit(i))};
@@ -338,8 +337,8 @@ std::array<std::optional<double>, 2> RunResult::unbalances() const {
     return list;
 }
 
-bool reads_in_planes(const Correction& correction) {
-    const auto places = places_of(correction);
+bool reads_in_planes(const Input& input) {
+    const auto places = places_of(input);
     return !places || places->from == places->to;
 }
 
@@ -381,8 +380,7 @@ std::vector<const Field*> missing_for_bob_weight(const Input& input) {
         missing.push_back(&field::bank_angle);
     }
     for (const PartField& part : part_fields()) {
-        const bool needed = part.member == &Parts::piston || part.member == &Parts::big_end;
-        if (needed && !mass_of(input, part)) {
+        if (part.is_needed() && !mass_of(input, part)) {
             missing.push_back(&part.field);
         }
     }
@@ -447,16 +445,10 @@ Result solve(const Input& given, bool places_parts, const OtherWeight& other) {
     }
     look_for_kilograms(input, result);
     if (input.tolerance) {
-        std::optional<std::array<double, 2>> positions;
-        if (input.correction && input.correction->planes.size() == 2 &&
-            input.correction->planes[0].position && input.correction->planes[1].position) {
-            positions = {*input.correction->planes[0].position,
-                         *input.correction->planes[1].position};
-        }
         if (input.tolerance->by_grade) {
             result.permissible_whole = permissible_of_rotor(*input.tolerance);
         }
-        result.permissible = plane_limits(*input.tolerance, positions);
+        result.permissible = plane_limits(*input.tolerance, plane_positions(input));
     }
     solve_correction(input, result);
     leave_out_contradictory(input, result);

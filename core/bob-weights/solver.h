@@ -14,7 +14,7 @@ using OtherWeight = std::optional<const KnownWeight*>;
 Result solve(const Input& given, bool places_parts = true, const OtherWeight& other = {});
 
 /// Whether the machine reads in the planes, as far as the places of both are known.
-bool reads_in_planes(const Correction& correction);
+bool reads_in_planes(const Input& input);
 
 /// What would remain of the newest reading of a plane, were a hole drilled there; nothing while
 /// reading or rim are not known.

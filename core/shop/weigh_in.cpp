@@ -140,6 +140,17 @@ SetNumbers moved_numbers(const SetNumbers& numbers, const std::vector<int>& from
     return after == as_weighed(from.size()) ? SetNumbers() : after;
 }
 
+void WeighIn::fit(std::size_t cylinders) {
+    for (PartColumn& column : columns) {
+        column.mass.resize(cylinders);
+    }
+    for (SetNumbers* sets : {&piston_sets, &rod_sets}) {
+        if (sets->size() != cylinders) {
+            sets->clear();
+        }
+    }
+}
+
 void visit_sheet(FieldVisitor& visitor, WeighIn& sheet, const Field& numbering, const Field& mass,
                  bool nominal_needed, bool asks_radius) {
     visitor.choice(numbering, sheet.numbering, CylinderNumbering::bank_by_bank,

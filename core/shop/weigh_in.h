@@ -84,6 +84,8 @@ struct WeighIn {
     /// Whether sets are in other cylinders than those they were weighed in.
     bool is_moved() const { return !piston_sets.empty() || !rod_sets.empty(); }
 
+    /// As many rows as there are cylinders; numbers of the sets of another engine go.
+    void fit(std::size_t cylinders);
     bool is_empty() const {  ///< nothing weighed
         return std::all_of(columns.begin(), columns.end(),
                            [](const auto& column) { return column.is_empty(); });

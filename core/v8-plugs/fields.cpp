@@ -153,16 +153,6 @@ struct ThreadValue final : FieldVisitor::Custom {
 
 }  // namespace
 
-void visit_fields(FieldVisitor& visitor, MassChanges& changes) {
-    for (const MassChangeField& each : mass_change_fields()) {
-        visitor.number(each.field, changes.*each.member, 0.0, FieldVisitor::Written::always);
-    }
-}
-
-void visit_fields(FieldVisitor& visitor, WeighIn& sheet) {
-    shop::visit_sheet(visitor, sheet, field::numbering, field::part_mass, true, false);
-}
-
 void visit_fields(FieldVisitor& visitor, PlugSheet& sheet) {
     ThreadValue thread(sheet.thread);
     visitor.custom(field::thread, true, thread);
@@ -198,8 +188,12 @@ void visit_plugs(FieldVisitor& visitor, Input& input, bool weighed) {
     if (visitor.is_reading()) {
         input.changes_given = typed;
     }
-    visitor.object_of(field::mass_changes, false, typed,
-                      [&] { visit_fields(visitor, input.typed_changes); });
+    visitor.object_of(field::mass_changes, false, typed, [&] {
+        for (const MassChangeField& each : mass_change_fields()) {
+            visitor.number(each.field, input.typed_changes.*each.member, 0.0,
+                           FieldVisitor::Written::always);
+        }
+    });
     if (visitor.is_reading() || weighed) {
         visitor.choice(field::changes_source, input.changes_from_weigh_in, weighed && !typed,
                        FieldVisitor::Written::always);
@@ -209,9 +203,16 @@ void visit_plugs(FieldVisitor& visitor, Input& input, bool weighed) {
     visitor.object(field::plug, input.plug);
 }
 
+void visit_weigh_in(FieldVisitor& visitor, std::optional<WeighIn>& weigh_in) {
+    visitor.object(field::weigh_in, weigh_in, [&](WeighIn& sheet) {
+        sheet.fit(cylinder_count);
+        shop::visit_sheet(visitor, sheet, field::numbering, field::part_mass, true, false);
+    });
+}
+
 void visit_fields(FieldVisitor& visitor, Input& input) {
     visit_plugs(visitor, input, visitor.has(field::weigh_in.key, input.weigh_in.has_value()));
-    visitor.object(field::weigh_in, input.weigh_in);
+    visit_weigh_in(visitor, input.weigh_in);
 }
 
 }  // namespace ravnoves::v8_plugs

@@ -83,12 +83,11 @@ struct Input {
     friend bool operator==(const Input&, const Input&) = default;
 };
 
-void visit_fields(FieldVisitor& visitor, MassChanges& changes);
-void visit_fields(FieldVisitor& visitor, WeighIn& sheet);
 void visit_fields(FieldVisitor& visitor, PlugSheet& sheet);
 void visit_fields(FieldVisitor& visitor, Input& input);
-/// The same without the weigh-in.
-/// @param weighed  there is one
+/// Its parts: the weigh-in, and all else.
+/// @param weighed  there is a weigh-in
+void visit_weigh_in(FieldVisitor& visitor, std::optional<WeighIn>& weigh_in);
 void visit_plugs(FieldVisitor& visitor, Input& input, bool weighed);
 
 /// Σ c²/n of shop::Weighing, by the means of the columns that count.

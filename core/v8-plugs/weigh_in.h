@@ -2,7 +2,6 @@
 
 #include <array>
 #include <optional>
-#include <utility>
 
 #include "shop/matching.h"
 #include "v8-plugs/compensation.h"
@@ -12,27 +11,12 @@ namespace ravnoves::v8_plugs {
 // The weigh-in sheet: every part of every cylinder on the scale. Masses in kg.
 
 using shop::all_parts;
-using shop::ColumnStatistics;
 using shop::CylinderNumbering;
 using shop::Part;
 using shop::part_word;
-using shop::part_words;
-
 using shop::PartColumn;
-
 using shop::SetNumbers;
-
-/// Of eight cylinders.
-struct WeighIn : shop::WeighIn {
-    WeighIn() : WeighIn(shop::WeighIn()) {}
-    explicit WeighIn(shop::WeighIn sheet) : shop::WeighIn(std::move(sheet)) {
-        for (PartColumn& column : columns) {
-            column.mass.resize(cylinder_count);
-        }
-    }
-
-    friend bool operator==(const WeighIn&, const WeighIn&) = default;
-};
+using shop::WeighIn;
 
 /// The nominal masses of one cylinder that follow from its parts, kg: piston, pin, rings and small
 /// end move with the piston, big end and shells turn with the crankpin. Nothing while the nominal

@@ -213,7 +213,7 @@ Messages gear_against_parts(const DoubtCase& job) {
     if (job.plugs_input == nullptr || !job.plugs_input->weigh_in) {
         return list;
     }
-    const v8_plugs::WeighIn& sheet = *job.plugs_input->weigh_in;
+    const shop::WeighIn& sheet = *job.plugs_input->weigh_in;
     const auto check = [&](Text name, const std::optional<double>& typed,
                            const std::optional<double>& parts) {
         // Bob weights are hung to a tenth of a gram.
@@ -226,9 +226,9 @@ Messages gear_against_parts(const DoubtCase& job) {
         }
     };
     check(CORE_TEXT("bob-weights", "Reciprocating mass"),
-          job.plugs_input->engine.reciprocating_mass, nominal_reciprocating(sheet));
+          job.plugs_input->engine.reciprocating_mass, v8_plugs::nominal_reciprocating(sheet));
     check(CORE_TEXT("bob-weights", "Rotating mass"), job.plugs_input->engine.rotating_mass,
-          nominal_rotating(sheet));
+          v8_plugs::nominal_rotating(sheet));
     return list;
 }
 

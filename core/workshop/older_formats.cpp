@@ -12,7 +12,6 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "shop/results.h"
-#include "v8-plugs/fields.h"
 #include "v8-plugs/results.h"
 #include "workshop/input.h"
 #include "workshop/results.h"
@@ -77,14 +76,9 @@ void visit_fields(FieldVisitor& visitor, BobWeightsCase& input) {
 }
 
 void visit_fields(FieldVisitor& visitor, PlugsCase& input) {
-    namespace weigh_in_field = v8_plugs::field;
     v8_plugs::visit_plugs(visitor, *input.plugs,
                           visitor.has(shop::field::weigh_in.key, input.weigh_in.has_value()));
-    visitor.object(shop::field::weigh_in, input.weigh_in, [&](shop::WeighIn& sheet) {
-        sheet = v8_plugs::WeighIn(sheet);
-        shop::visit_sheet(visitor, sheet, weigh_in_field::numbering, weigh_in_field::part_mass,
-                          true, false);
-    });
+    v8_plugs::visit_weigh_in(visitor, input.weigh_in);
     visitor.object(balancing, input.tolerance, [&](bob_weights::Tolerance& tolerance) {
         Correction absent = readings_alone();
         if (!input.correction && (visitor.is_reading() || visitor.creates_objects())) {
@@ -175,9 +169,7 @@ Json write_input(const PlugsCase& input) {
 void visit_results(ResultVisitor& visitor, const BobWeightsCase& input) {
     bob_weights::Result result =
         bob_weights::solve(input, visitor.wants(shop::result_field::weigh_in.key));
-    if (visitor.wants(ravnoves::result_field::verdict.key)) {
-        visit_verdict(visitor, bob_weights::verdict(input, result));
-    }
+    visit_verdict(visitor, [&] { return bob_weights::verdict(input, result); });
     // That format begins with the rings.
     std::stable_partition(result.lines.begin(), result.lines.end(),
                           [](const auto& line) { return line.part->column == shop::Part::rings; });
@@ -187,7 +179,7 @@ void visit_results(ResultVisitor& visitor, const BobWeightsCase& input) {
 void visit_results(ResultVisitor& visitor, const PlugsCase& input) {
     const Result result =
         solve_undoubted(input, true, visitor.wants(shop::result_field::weigh_in.key));
-    if (visitor.wants(ravnoves::result_field::verdict.key)) {
+    visit_verdict(visitor, [&] {
         const v8_plugs::Input& plugs = *result.plugs_input;
         Verdict verdict = v8_plugs::verdict_of_plugs(plugs, *result.plugs);
         if (const v8_plugs::ShiftEffect* shift = result.plugs->shift_that_matters()) {
@@ -201,8 +193,8 @@ void visit_results(ResultVisitor& visitor, const PlugsCase& input) {
         } else if (newest != nullptr) {
             shop::add_machine_verdict(verdict, newest->unbalances(), result.shaft.permissible);
         }
-        visit_verdict(visitor, verdict);
-    }
+        return verdict;
+    });
     visit_plugs(visitor, input, result);
 }
 

@@ -129,9 +129,7 @@ Verdict short_verdict(const Input& input, const Result& result) {
 
 void visit_results(ResultVisitor& visitor, const Input& input, const Result& result) {
     const Withheld withheld = result.withheld();
-    if (visitor.wants(ravnoves::result_field::verdict.key)) {
-        visit_verdict(visitor, verdict(input, result));
-    }
+    visit_verdict(visitor, [&] { return verdict(input, result); });
     visitor.list({"doubts", CORE_TEXT("workshop", "Doubts")}, result.doubts.size(),
                  [&](std::size_t i) {
                      const DoubtRule& rule = *result.doubts[i].rule;

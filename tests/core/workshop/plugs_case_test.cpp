@@ -339,7 +339,7 @@ TEST(RoundTrip, HalfFilledFormsKeepWhatIsThere) {
     plugs.preset = "8.32 l";
     plugs.engine = *find_preset("8.32 l");
     plugs.engine.oil_mass = 20.5 * gram;
-    input.weigh_in = WeighIn();
+    input.weigh_in.emplace().fit(8);
     (*input.weigh_in)[Part::pin].mass[3] = 151.25 * gram;
     plugs.plug.emplace();
     plugs.plug->height = 12 * millimetre;

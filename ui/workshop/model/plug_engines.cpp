@@ -58,7 +58,7 @@ void takeSheets(workshop::Input& job, const OwnedSheets& owned) {
         return;
     }
     if (!job.weigh_in) {
-        job.weigh_in = WeighIn{};
+        job.weigh_in.emplace().fit(cylinder_count);
     }
     for (const Part part : all_parts) {
         (*job.weigh_in)[part].nominal = owned.parts[part].nominal;
