@@ -45,6 +45,30 @@ Message plane_name(const DoubtCase& job, std::size_t plane) {
     return shop::plane_title(job.input.machine.planes, plane);
 }
 
+/// What each plane has to be said of it.
+Messages of_planes(const auto& message_of) {
+    Messages list;
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (Message message = message_of(i); !message.empty()) {
+            list.push_back(std::move(message));
+        }
+    }
+    return list;
+}
+
+std::optional<double> radius_of(const DoubtCase& job, std::size_t plane) {
+    const auto& correction = job.input.correction;
+    return correction && plane < correction->planes.size() ? correction->planes[plane].radius
+                                                           : std::nullopt;
+}
+
+/// A value of the tolerance that counts for a grade alone.
+std::optional<double> graded(const DoubtCase& job,
+                             std::optional<double> bob_weights::Tolerance::*value) {
+    const auto& tolerance = job.input.tolerance;
+    return tolerance && tolerance->by_grade ? *tolerance.*value : std::nullopt;
+}
+
 bool differ(double a, double b, double times) {
     return a > 0.0 && b > 0.0 && std::abs(std::log(a / b)) > std::log(times);
 }
@@ -143,13 +167,10 @@ Messages odd_mass(const DoubtCase& job) {
 }
 
 Messages swapped_ends(const DoubtCase& job) {
-    const auto found = [](std::span<const shop::Weighed> big,
-                          std::span<const shop::Weighed> small) {
-        return shop::swapped_rod_ends(big, small);
-    };
     if (job.input.weigh_in) {
         const shop::WeighIn& sheet = *job.input.weigh_in;
-        const auto swapped = found(sheet[Part::rod_big_end].mass, sheet[Part::rod_small_end].mass);
+        const auto swapped =
+            shop::swapped_rod_ends(sheet[Part::rod_big_end].mass, sheet[Part::rod_small_end].mass);
         if (!swapped.empty()) {
             return {{CORE_TEXT("workshop",
                                "Rods of cylinders %1: the big end weighs less than the small end. "
@@ -159,7 +180,7 @@ Messages swapped_ends(const DoubtCase& job) {
     }
     const shop::Weighed big[] = {job.input.parts.big_end};
     const shop::Weighed small[] = {job.input.parts.small_end};
-    if (found(big, small).empty()) {
+    if (shop::swapped_rod_ends(big, small).empty()) {
         return {};
     }
     return {{CORE_TEXT("workshop",
@@ -481,14 +502,14 @@ Messages drilled_counting_otherwise(const DoubtCase& job) {
 }
 
 Messages drilled_otherwise(const DoubtCase& job) {
-    Messages list;
     const auto& runs = job.shaft.runs;
-    for (std::size_t i = 0; runs.size() > 1 && i < 2; ++i) {
+    return of_planes([&](std::size_t i) -> Message {
+        if (runs.size() < 2 || !runs.back().other_effect[i]) {
+            return {};
+        }
         const auto& other = runs.back().other_effect[i];
-        if (other) {
-            const auto& now = (*runs.back().planes)[i];
-            list.emplace_back(
-                other->is_in_other_plane
+        const auto& now = (*runs.back().planes)[i];
+        return {other->is_in_other_plane
                     ? CORE_TEXT("workshop",
                                 "%1: residual %2 after drilling instead of %3, as if the holes "
                                 "were in the other plane. Enter the actual plane of each hole.")
@@ -505,10 +526,8 @@ Messages drilled_otherwise(const DoubtCase& job) {
                                 "%1: residual %2 after drilling instead of %3. Check the actual "
                                 "holes: angle, depth, zero mark and direction of degrees."),
                 plane_name(job, i), at_angle(now.unbalance, now.angle),
-                at_angle(other->expected, other->expected_angle));
-        }
-    }
-    return list;
+                at_angle(other->expected, other->expected_angle)};
+    });
 }
 
 template <bool shaft>
@@ -534,7 +553,7 @@ Messages unknown_bob_weight(const DoubtCase& job) {
 /// What is read elsewhere is another unbalance in the planes, which takes its direction to know.
 Messages beside_planes(const DoubtCase& job) {
     const auto& correction = job.input.correction;
-    if (!correction || bob_weights::reads_in_planes(*correction) ||
+    if (!correction || bob_weights::reads_in_planes(job.input) ||
         std::all_of(correction->readings.begin(), correction->readings.end(),
                     [](const auto& reading) {
                         return !reading.unbalance || bob_weights::is_read(reading);
@@ -542,10 +561,6 @@ Messages beside_planes(const DoubtCase& job) {
         return {};
     }
     return {{CORE_TEXT("workshop", "The readings are not in the planes. Enter their angles.")}};
-}
-
-bool is_by_grade(const DoubtCase& job) {
-    return job.input.tolerance && job.input.tolerance->by_grade;
 }
 
 /// All that hang on the crankshaft, kg.
@@ -566,7 +581,7 @@ double heaviest_rotor(const DoubtCase& job) {
 
 Messages rotor_mass(const DoubtCase& job) {
     constexpr double heaviest = 2000.0;  // kg, of cars, trucks and locomotives
-    const auto& mass = is_by_grade(job) ? job.input.tolerance->rotor_mass : std::nullopt;
+    const auto mass = graded(job, &bob_weights::Tolerance::rotor_mass);
     if (!mass) {
         return {};
     }
@@ -590,19 +605,18 @@ Messages rotor_mass(const DoubtCase& job) {
 /// No crankshaft has its centre of mass that far off its axis.
 Messages great_reading(const DoubtCase& job) {
     constexpr double maximum = 1.0 * units::mm;
-    Messages list;
-    const auto& mass = is_by_grade(job) ? job.input.tolerance->rotor_mass : std::nullopt;
-    for (std::size_t i = 0; mass && job.shaft.newest() != nullptr && i < 2; ++i) {
-        const auto unbalance = job.shaft.newest()->unbalances()[i];
-        if (unbalance && *unbalance > maximum * *mass) {
-            list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: %2 is implausible for a crankshaft of %3. Check the "
-                                        "unit of the reading and the calibration of the machine."),
-                              plane_name(job, i), in_gram_millimetres(*unbalance),
-                              Number{*mass, units::kg, 0});
+    const auto mass = graded(job, &bob_weights::Tolerance::rotor_mass);
+    return of_planes([&](std::size_t i) -> Message {
+        const bob_weights::RunResult* newest = job.shaft.newest();
+        const auto unbalance = newest != nullptr ? newest->unbalances()[i] : std::nullopt;
+        if (!mass || !unbalance || *unbalance <= maximum * *mass) {
+            return {};
         }
-    }
-    return list;
+        return {CORE_TEXT("workshop",
+                          "%1: %2 is implausible for a crankshaft of %3. Check the "
+                          "unit of the reading and the calibration of the machine."),
+                plane_name(job, i), in_gram_millimetres(*unbalance), Number{*mass, units::kg, 0}};
+    });
 }
 
 std::optional<double> crank_radius(const DoubtCase& job) {
@@ -612,7 +626,7 @@ std::optional<double> crank_radius(const DoubtCase& job) {
 }
 
 Messages grade(const DoubtCase& job) {
-    const auto& grade = is_by_grade(job) ? job.input.tolerance->grade : std::nullopt;
+    const auto grade = graded(job, &bob_weights::Tolerance::grade);
     if (!grade || shop::is_plausible_grade(*grade, job.input.tolerance->rotor_mass)) {
         return {};
     }
@@ -630,12 +644,9 @@ std::optional<std::array<double, 2>> crank_radii(const DoubtCase& job) {
     if (const auto radius = crank_radius(job)) {
         return {{*radius, *radius}};
     }
-    if (job.input.correction && !job.input.correction->planes.empty()) {
-        if (const auto& radius = job.input.correction->planes.front().radius) {
-            return {{*radius / farthest_plane, *radius / nearest_plane}};
-        }
-    }
-    return std::nullopt;
+    const auto radius = radius_of(job, 0);
+    return radius ? std::optional(std::array{*radius / farthest_plane, *radius / nearest_plane})
+                  : std::nullopt;
 }
 
 /// At its highest speed the pistons of an engine run at 4 to 28 m/s in the mean.
@@ -649,7 +660,7 @@ bool is_implausible_speed(const DoubtCase& job, double speed) {
 }
 
 Messages service_speed(const DoubtCase& job) {
-    const auto& speed = is_by_grade(job) ? job.input.tolerance->service_speed : std::nullopt;
+    const auto speed = bob_weights::service_speed(job.input);
     if (!speed || !is_implausible_speed(job, *speed)) {
         return {};
     }
@@ -676,29 +687,17 @@ Messages bearings(const DoubtCase& job) {
 
 Messages plane_radius(const DoubtCase& job) {
     const auto crank = crank_radius(job);
-    Messages list;
-    if (!job.input.correction || !crank) {
-        return list;
-    }
-    const auto& planes = job.input.correction->planes;
-    for (std::size_t i = 0; i < planes.size() && i < 2; ++i) {
-        const auto& radius = planes[i].radius;
-        if (radius && (*radius < nearest_plane * *crank || *radius > farthest_plane * *crank)) {
-            list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: a drilling radius of %2 does not match a crank radius "
-                                        "of %3. Enter the radius, not the diameter."),
-                              plane_name(job, i), millimetres(*radius), millimetres(*crank));
+    return of_planes([&](std::size_t i) -> Message {
+        const auto radius = radius_of(job, i);
+        if (!crank || !radius ||
+            (*radius >= nearest_plane * *crank && *radius <= farthest_plane * *crank)) {
+            return {};
         }
-    }
-    return list;
-}
-
-/// The two planes where all that `has` asks for is known of both.
-const std::vector<bob_weights::Plane>* both_planes(const DoubtCase& job, auto has) {
-    const auto* planes = job.input.correction ? &job.input.correction->planes : nullptr;
-    return planes != nullptr && planes->size() == 2 && has((*planes)[0]) && has((*planes)[1])
-               ? planes
-               : nullptr;
+        return {CORE_TEXT("workshop",
+                          "%1: a drilling radius of %2 does not match a crank radius "
+                          "of %3. Enter the radius, not the diameter."),
+                plane_name(job, i), millimetres(*radius), millimetres(*crank)};
+    });
 }
 
 /// No counterweight of an engine with light parts reaches far, though a flywheel may.
@@ -708,23 +707,20 @@ Messages far_radius(const DoubtCase& job) {
     constexpr double near = 20.0 * units::mm;
     constexpr double far = 120.0 * units::mm;
     constexpr double beyond = 200.0 * units::mm;
-    Messages list;
-    if (!job.input.correction || crank_radius(job) ||
-        job.shaft.bob_weight.value_or(light) >= light) {
-        return list;
+    if (crank_radius(job) || job.shaft.bob_weight.value_or(light) >= light) {
+        return {};
     }
-    const auto& planes = job.input.correction->planes;
-    for (std::size_t i = 0; i < planes.size() && i < 2; ++i) {
-        const auto& radius = planes[i].radius;
-        if (radius && (implausible ? *radius < near || *radius > beyond
-                                   : *radius > far && *radius <= beyond)) {
-            list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: a drilling radius of %2 is unusual for such a bob "
-                                        "weight. Enter the radius, not the diameter."),
-                              plane_name(job, i), millimetres(*radius));
+    return of_planes([&](std::size_t i) -> Message {
+        const auto radius = radius_of(job, i);
+        if (!radius || !(implausible ? *radius < near || *radius > beyond
+                                     : *radius > far && *radius <= beyond)) {
+            return {};
         }
-    }
-    return list;
+        return {CORE_TEXT("workshop",
+                          "%1: a drilling radius of %2 is unusual for such a bob "
+                          "weight. Enter the radius, not the diameter."),
+                plane_name(job, i), millimetres(*radius)};
+    });
 }
 
 /// No hole goes as deep as the journals, and no slug is as thick.
@@ -735,10 +731,8 @@ Messages deep_holes(const DoubtCase& job) {
         return list;
     }
     const bob_weights::Correction& correction = *job.input.correction;
-    double radius = 0.0;
-    for (const bob_weights::Plane& plane : correction.planes) {
-        radius = std::max(radius, plane.radius.value_or(0.0));
-    }
+    const double radius =
+        std::max(radius_of(job, 0).value_or(0.0), radius_of(job, 1).value_or(0.0));
     const auto check = [&](const Field& field, const std::optional<double>& size) {
         if (size && radius > 0.0 && *size > maximum * radius) {
             list.emplace_back(CORE_TEXT("workshop",
@@ -756,25 +750,24 @@ Messages deep_holes(const DoubtCase& job) {
 
 /// Of two counterweights neither reaches twice as far as the other.
 Messages unlike_radii(const DoubtCase& job) {
-    const auto* planes = both_planes(job, [](const auto& plane) { return plane.radius; });
     constexpr double maximum = 1.8;
-    if (planes == nullptr || !differ(*(*planes)[0].radius, *(*planes)[1].radius, maximum) ||
-        !plane_radius(job).empty() || !far_radius<true>(job).empty() ||
-        !far_radius<false>(job).empty()) {
+    const double front = radius_of(job, 0).value_or(0.0);
+    const double rear = radius_of(job, 1).value_or(0.0);
+    if (!differ(front, rear, maximum) || !plane_radius(job).empty() ||
+        !far_radius<true>(job).empty() || !far_radius<false>(job).empty()) {
         return {};
     }
     return {{CORE_TEXT("workshop",
                        "Drilling radii of %1 and %2: one looks like a diameter. Check both."),
-             millimetres(*(*planes)[0].radius), millimetres(*(*planes)[1].radius)}};
+             millimetres(front), millimetres(rear)}};
 }
 
 Messages plane_order(const DoubtCase& job) {
-    const auto* planes = both_planes(job, [](const auto& plane) { return plane.position; });
-    if (planes == nullptr) {
+    const auto planes = bob_weights::plane_positions(job.input);
+    if (!planes) {
         return {};
     }
-    const double front = *(*planes)[0].position;
-    const double rear = *(*planes)[1].position;
+    const auto& [front, rear] = *planes;
     if (front >= rear) {
         return {{CORE_TEXT("workshop",
                            "%1 at %2 is not before %3 at %4. Correct the positions of the planes."),
@@ -800,19 +793,18 @@ Messages plane_order(const DoubtCase& job) {
 /// A machine may show grams at the drilling radius: such a number is far below a limit in g·mm.
 Messages reading_in_grams(const DoubtCase& job) {
     constexpr double far_below = 0.25;
-    const auto* planes = both_planes(job, [](const auto& plane) { return plane.radius; });
     const auto& limits = job.shaft.permissible;
-    if (planes == nullptr || !limits || job.shaft.runs.size() != 1 ||
-        job.input.correction->readings.size() != 2) {
+    if (!limits || job.shaft.runs.size() != 1 || job.input.correction->readings.size() != 2) {
         return {};
     }
     bool fails_as_grams = false;
     for (std::size_t i = 0; i < 2; ++i) {
         const auto& read = job.input.correction->readings[i].unbalance;
-        if (!read || *read > far_below * (*limits)[i]) {
+        const auto radius = radius_of(job, i);
+        if (!radius || !read || *read > far_below * (*limits)[i]) {
             return {};
         }
-        const double as_grams = *read / units::gram_mm * units::gram * *(*planes)[i].radius;
+        const double as_grams = *read / units::gram_mm * units::gram * *radius;
         fails_as_grams = fails_as_grams || as_grams > (*limits)[i];
     }
     if (!fails_as_grams) {
@@ -851,32 +843,30 @@ Messages drill_size(const DoubtCase& job) {
 }
 
 Messages beyond_sector(const DoubtCase& job) {
-    Messages list;
-    for (std::size_t i = 0; job.shaft.correction && i < 2; ++i) {
-        const double beyond = (*job.shaft.correction)[i].beyond_sector;
-        if (beyond > 0.0) {
-            list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: the edge of a hole is %2 beyond the drilling sector. "
-                                        "Check that there is enough metal."),
-                              plane_name(job, i), Number{beyond / units::mm, units::mm, -2});
+    const auto& planned = job.shaft.correction;
+    return of_planes([&](std::size_t i) -> Message {
+        const double beyond = planned ? (*planned)[i].beyond_sector : 0.0;
+        if (beyond <= 0.0) {
+            return {};
         }
-    }
-    return list;
+        return {CORE_TEXT("workshop",
+                          "%1: the edge of a hole is %2 beyond the drilling sector. "
+                          "Check that there is enough metal."),
+                plane_name(job, i), Number{beyond / units::mm, units::mm, -2}};
+    });
 }
 
 /// A rim that is whole is said to be so.
 Messages all_round(const DoubtCase& job) {
-    Messages list;
-    for (std::size_t i = 0; job.shaft.correction && i < 2; ++i) {
-        if (!job.input.correction->planes[i].from_angle &&
-            !(*job.shaft.correction)[i].holes.empty()) {
-            list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: enter the drilling sector, or 0 to 360° for a whole "
-                                        "rim."),
-                              plane_name(job, i));
+    const auto& planned = job.shaft.correction;
+    return of_planes([&](std::size_t i) -> Message {
+        if (!planned || job.input.correction->planes[i].from_angle || (*planned)[i].holes.empty()) {
+            return {};
         }
-    }
-    return list;
+        return {
+            CORE_TEXT("workshop", "%1: enter the drilling sector, or 0 to 360° for a whole rim."),
+            plane_name(job, i)};
+    });
 }
 
 }  // namespace
