@@ -124,8 +124,6 @@ class JobVisit {
                 visitor_.number({"slug_g", CORE_TEXT("bob-weights", "Mass of the slug"), 2},
                                 hole.slug);
             }
-        }
-        if (added) {
             const auto speed = service_speed(input_);
             visitor_.word({"direction"}, direction_words[hole.is_axial ? 0 : 1].word);
             visitor_.number({"radius_mm", CORE_TEXT("bob-weights", "Radius of the hole centre"), 1,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 namespace ravnoves::shop {
 
@@ -10,19 +11,31 @@ namespace {
 
 using Kind = ScaleLine::Kind;
 
-/// What a word of a line says of its number.
-enum class Mark { sics, stable, moving, overload, underload, net, other };
+/// What a word of a line says of its number; nothing for gross and net.
 struct MarkWord {
     std::string_view word;
-    Mark mark;
+    std::optional<Kind> kind{};
 };
-constexpr MarkWord mark_words[] = {
-    {"S", Mark::sics},     {"ST", Mark::stable},   {"HD", Mark::stable},    {"US", Mark::moving},
-    {"SD", Mark::moving},  {"OL", Mark::overload}, {"UL", Mark::underload}, {"GS", Mark::net},
-    {"NT", Mark::net},     {"G", Mark::net},       {"N", Mark::net},        {"NET", Mark::net},
-    {"GROSS", Mark::net},  {"TR", Mark::other},    {"T", Mark::other},      {"PT", Mark::other},
-    {"TARE", Mark::other}, {"QT", Mark::other},    {"ES", Mark::other},     {"ET", Mark::other},
-    {"EL", Mark::other}};
+constexpr MarkWord mark_words[] = {{"ST", Kind::stable},
+                                   {"HD", Kind::stable},
+                                   {"US", Kind::moving},
+                                   {"SD", Kind::moving},
+                                   {"OL", Kind::overload},
+                                   {"UL", Kind::underload},
+                                   {"GS"},
+                                   {"NT"},
+                                   {"G"},
+                                   {"N"},
+                                   {"NET"},
+                                   {"GROSS"},
+                                   {"TR", Kind::other},
+                                   {"T", Kind::other},
+                                   {"PT", Kind::other},
+                                   {"TARE", Kind::other},
+                                   {"QT", Kind::other},
+                                   {"ES", Kind::other},
+                                   {"ET", Kind::other},
+                                   {"EL", Kind::other}};
 
 struct UnitWord {
     std::string_view word;
@@ -67,7 +80,7 @@ class LineReader {
                 return false;
             }
             said_.form = ScaleLine::Form::marked;
-            if (ends_) {
+            if (end_) {
                 return true;
             }
             if (!line_.empty() && line_.front() == ',') {
@@ -90,11 +103,11 @@ class LineReader {
 
     Kind kind() const {
         const bool says_unit = said_.form != ScaleLine::Form::marked || has_unit_;
-        return end_ != Kind::stable ? end_
-               : moving_            ? Kind::moving
-               : says_unit          ? Kind::stable
-               : stable_            ? Kind::garbled  // half a line
-                                    : Kind::moving;             // Sartorius: the unit comes at rest
+        return end_        ? *end_
+               : moving_   ? Kind::moving
+               : says_unit ? Kind::stable
+               : stable_   ? Kind::garbled  // half a line
+                           : Kind::moving;    // Sartorius: the unit comes at rest
     }
 
     /// Skips blanks and the commas between the parts. @return true where something is left
@@ -118,30 +131,21 @@ class LineReader {
     }
 
     bool take_mark(const std::string& word) {
+        if (word == "S") {
+            return take_sics();
+        }
         const auto* const found =
             std::find_if(std::begin(mark_words), std::end(mark_words),
                          [&](const MarkWord& each) { return each.word == word; });
         if (found == std::end(mark_words)) {
             return false;
         }
-        switch (found->mark) {
-            case Mark::sics:
-                return take_sics();
-            case Mark::stable:
-                stable_ = true;
-                return true;
-            case Mark::moving:
-                moving_ = true;
-                return true;
-            case Mark::net:
-                return true;
-            case Mark::overload:
-                return finish(Kind::overload);
-            case Mark::underload:
-                return finish(Kind::underload);
-            default:
-                return finish(Kind::other);
+        stable_ = stable_ || found->kind == Kind::stable;
+        moving_ = moving_ || found->kind == Kind::moving;
+        if (found->kind && found->kind != Kind::stable && found->kind != Kind::moving) {
+            end_ = found->kind;
         }
+        return true;
     }
 
     /// What follows the S of MT-SICS.
@@ -153,20 +157,12 @@ class LineReader {
         line_.remove_prefix(1);
         const bool alone = line_.find_first_not_of(' ') == std::string_view::npos;
         if (alone) {
-            return (status == '+' && finish(Kind::overload)) ||
-                   (status == '-' && finish(Kind::underload)) ||
-                   (status == 'I' && finish(Kind::other));
+            end_ = status == '+' ? Kind::overload : status == '-' ? Kind::underload : Kind::other;
+            return status == '+' || status == '-' || status == 'I';
         }
         stable_ = status == 'S';
         moving_ = status == 'D';
         return (stable_ || moving_) && line_.front() == ' ';
-    }
-
-    /// The line says all that it has to say. @return true
-    bool finish(Kind kind) {
-        end_ = kind;
-        ends_ = true;
-        return true;
     }
 
     bool take_number() {
@@ -217,8 +213,7 @@ class LineReader {
 
     std::string_view line_;
     ScaleLine said_;
-    Kind end_ = Kind::stable;
-    bool ends_ = false;
+    std::optional<Kind> end_;  ///< the line says all that it has to say
     bool stable_ = false;
     bool moving_ = false;
     bool has_unit_ = false;

@@ -372,7 +372,7 @@ SetsFound find_placing(const SetSearch& search) {
     }
     // Nothing is better than to leave all where that is enough.
     const bool stays = rank.moved == 0 && rank.size <= search.enough + search.rounding;
-    return {best, size_of(search, best), can_try_all || stays, rank.moved};
+    return {best, can_try_all || stays, rank.moved};
 }
 
 }  // namespace

@@ -35,9 +35,8 @@ struct SetSearch {
 
 struct SetsFound {
     std::array<std::vector<int>, 2> from;  ///< by place: the set that moves there
-    double size = 0.0;
-    bool proven = false;  ///< nothing is better
-    int moved = 0;        ///< sets that change their place
+    bool proven = false;                   ///< nothing is better
+    int moved = 0;                         ///< sets that change their place
 };
 
 /// What a placing adds up to.

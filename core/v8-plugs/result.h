@@ -64,10 +64,6 @@ struct Result {
             advice && advice->option ? &bob_weights[index(advice->option->id)] : nullptr;
         return weights != nullptr && *weights ? &(*weights)->after : before ? &*before : nullptr;
     }
-    std::optional<double> hung() const {  ///< kg
-        const BobWeight* weight = hung_weight();
-        return weight != nullptr ? std::optional(weight->sum()) : std::nullopt;
-    }
     bool plug_can_exist = true;  ///< false where the sizes of the plug sheet leave no plug
     /// False where the plug of the sheet cannot exist, or its cutter cannot bore what the option
     /// takes off.

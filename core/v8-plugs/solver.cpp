@@ -76,16 +76,12 @@ void solve_plug(const Input& input, Result& result) {
 
 /// Why the plug of the sheet cannot be made as the option needs it; empty where it can.
 Message hindrance(const Input& input, const Result& result, const Option& option) {
-    const auto geometry = input.plug ? input.plug->geometry() : std::nullopt;
-    if (!geometry || has_new_plugs(option.id)) {
+    if (result.can_be_made(option.id)) {
         return {};
     }
-    if (const auto fault = geometry_fault(*geometry)) {
-        return *fault;
-    }
-    return result.can_be_made(option.id)
-               ? Message()
-               : describe(*result.boring[index(option.id)], input.plug->limits().value());
+    return result.plug_can_exist
+               ? describe(*result.boring[index(option.id)], input.plug->limits().value())
+               : geometry_fault(input.plug->geometry().value()).value();
 }
 
 void solve_shifts(const Input& input, Result& result) {

@@ -178,7 +178,7 @@ QString WorkshopModel::checkText() const {
     const v8_plugs::Engine& engine = plugsInput()->engine;
     QStringList said;
     if (solution.nominal) {
-        const double difference = solution.hung().value() - solution.nominal->sum();
+        const double difference = solution.hung_weight()->sum() - solution.nominal->sum();
         // Rounding of the sum, not a difference.
         const bool isNone = std::abs(difference) < 1e-9 * solution.nominal->sum();
         said << (isNone && !v8_text::works(solution)
