@@ -70,13 +70,13 @@ std::array<Metal, 2> recorded(const std::vector<DrilledHole>& holes, const Corre
     return drilled;
 }
 
-namespace {
-
-/// @param planes  two of Metal or PlaneResult
-std::vector<DrilledHole> record_of(const auto& planes) {
+std::optional<std::vector<DrilledHole>> planned_holes(const Result& result) {
+    if (!result.correction || !result.holds()) {
+        return std::nullopt;
+    }
     std::vector<DrilledHole> list;
     for (const PlaneName plane : {PlaneName::front, PlaneName::rear}) {
-        const auto& metal = planes[static_cast<std::size_t>(plane)];
+        const PlaneResult& metal = (*result.correction)[static_cast<std::size_t>(plane)];
         const auto add = [&](const std::vector<Hole>& holes, double sign) {
             for (const Hole& hole : holes) {
                 list.push_back({plane, hole.diameter, hole.depth, hole.from_depth, hole.angle,
@@ -89,13 +89,6 @@ std::vector<DrilledHole> record_of(const auto& planes) {
         add(metal.slugs, -1.0);
     }
     return list;
-}
-
-}  // namespace
-
-std::optional<std::vector<DrilledHole>> planned_holes(const Result& result) {
-    return result.correction && result.holds() ? std::optional(record_of(*result.correction))
-                                               : std::nullopt;
 }
 
 }  // namespace ravnoves::bob_weights

@@ -1,9 +1,5 @@
 #include "v8-plugs/engine.h"
 
-#include <algorithm>
-
-#include "numerics/demand.h"
-
 namespace ravnoves::v8_plugs {
 
 namespace {
@@ -95,14 +91,6 @@ std::span<const EngineField> engine_fields() {
     return fields;
 }
 
-const EngineField& engine_field(std::string_view key) {
-    const auto found = std::find_if(fields.begin(), fields.end(), [&](const EngineField& field) {
-        return field.field.key == key;
-    });
-    RAVNOVES_DEMAND(found != fields.end(), "the engine has a field of that key");
-    return *found;
-}
-
 bool is_inapplicable(const Engine& engine, EngineGroup group) {
     return (group == EngineGroup::aluminium_plug && !engine.has_aluminium_plug) ||
            (group == EngineGroup::new_plug && !engine.has_new_plug);
@@ -141,15 +129,16 @@ void set_plugs(Engine& engine, EngineGroup group, bool present) {
 
 std::vector<EngineConflict> engine_conflicts(const Engine& engine) {
     std::vector<EngineConflict> conflicts;
-    const auto check = [&](std::string_view key, const std::optional<double>& mass) {
-        const EngineField& reduction = engine_field(key);
-        if (!is_inapplicable(engine, reduction.group) && mass &&
-            engine.*reduction.member >= mass) {  // nothing is less than any mass
-            conflicts.push_back({&reduction, *mass});
+    for (const EngineField& field : fields) {
+        const auto mass = field.member == &Engine::max_steel_reduction ? engine.steel_plug_mass
+                          : field.member == &Engine::max_aluminium_reduction
+                              ? engine.aluminium_plug_mass
+                              : std::nullopt;
+        if (mass && !is_inapplicable(engine, field.group) &&
+            engine.*field.member >= mass) {  // nothing is less than any mass
+            conflicts.push_back({&field, *mass});
         }
-    };
-    check("max_steel_reduction_g", engine.steel_plug_mass);
-    check("max_aluminium_reduction_g", engine.aluminium_plug_mass);
+    }
     return conflicts;
 }
 

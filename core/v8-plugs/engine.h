@@ -53,7 +53,6 @@ struct EngineField {
 
 /// The values of an engine, in the order of the contract.
 std::span<const EngineField> engine_fields();
-const EngineField& engine_field(std::string_view key);
 
 /// True where the engine lacks the plug that the value belongs to, so that it is not asked for.
 bool is_inapplicable(const Engine& engine, EngineGroup group);
