@@ -95,10 +95,8 @@ class JobVisit {
             visitor_.nothing({"lines"});
             return;
         }
-        const std::vector<Line>& lines = result_.lines;
-        shop::visit_lines(visitor_, lines.size(), [&](std::size_t i) {
-            return shop::CardLine{lines[i].name().word, lines[i].factor, lines[i].mass};
-        });
+        shop::visit_lines(visitor_, result_.lines,
+                          [](const Line& line) { return line.name().word; });
     }
 
     void visit_planes() {

@@ -82,10 +82,18 @@ SetSearch empty_search(const Places& places, const MatchingRules& rules, std::si
     return search;
 }
 
-double* adds_to(SetSearch& search, std::size_t kind, std::size_t set, std::size_t place) {
-    // What stays has one set for each place.
-    return kind == 2 ? search.fixed.data()
-                     : &search.kinds[kind].adds[(set * search.places + place) * search.dimensions];
+/// Calls `add` for each set in each place, with what it adds there; of what stays there is one set
+/// for each place.
+void fill(SetSearch& search, const auto& add) {
+    for (std::size_t place = 0; place < search.places; ++place) {
+        for (std::size_t set = 0; set < search.places; ++set) {
+            for (std::size_t kind = 0; kind < 2; ++kind) {
+                add(&search.kinds[kind].adds[(set * search.places + place) * search.dimensions],
+                    kind, set, place);
+            }
+        }
+        add(search.fixed.data(), 2, place, place);
+    }
 }
 
 SetSearch search_of_spread(const MatchingTask& task) {
@@ -96,16 +104,9 @@ SetSearch search_of_spread(const MatchingTask& task) {
     }
     SetSearch search = empty_search(places, task.sheet.matching, static_cast<std::size_t>(pins));
     const Sets sums = sums_of(task.sheet, places.size(), task.factors);
-    for (std::size_t kind = 0; kind < 3; ++kind) {
-        for (std::size_t set = 0; set < search.places; ++set) {
-            for (std::size_t place = 0; place < search.places; ++place) {
-                if (kind < 2 || set == place) {
-                    const auto pin = static_cast<std::size_t>(places[place].crankpin);
-                    adds_to(search, kind, set, place)[pin] += sums[kind][set];
-                }
-            }
-        }
-    }
+    fill(search, [&](double* adds, std::size_t kind, std::size_t set, std::size_t place) {
+        adds[places[place].crankpin] += sums[kind][set];
+    });
     return search;
 }
 
@@ -132,30 +133,20 @@ SetSearch search_of_shaking(const MatchingTask& task) {
     const Sets rotating = sums_of(task.sheet, places.size(), {0, 0, 0, 0, 1, 1});
     const Sets reciprocating = sums_of(task.sheet, places.size(), {1, 1, 1, 1, 0, 0});
     const Reach reach = reach_of(places);
-    for (std::size_t place = 0; place < search.places; ++place) {
+    fill(search, [&](double* adds, std::size_t kind, std::size_t set, std::size_t place) {
         const CylinderPlace& at = places[place];
-        const Vector with = std::polar(1.0, at.crank_angle);
-        const Vector against = std::polar(1.0, 2.0 * at.axis - at.crank_angle);
         const double rear =
             reach.length > 0.0 ? 0.5 + (at.position - reach.middle) / reach.length : 0.5;
-        for (std::size_t kind = 0; kind < 3; ++kind) {
-            for (std::size_t set = 0; set < search.places; ++set) {
-                if (kind == 2 && set != place) {
-                    continue;
-                }
-                const double half = 0.5 * reciprocating[kind][set];
-                const Vector forward = (rotating[kind][set] + half) * with;
-                const Vector backward = half * against;
-                double* adds = adds_to(search, kind, set, place);
-                const Vector parts[] = {(1.0 - rear) * forward, rear * forward,
-                                        (1.0 - rear) * backward, rear * backward};
-                for (std::size_t i = 0; i < 4; ++i) {
-                    adds[2 * i] += parts[i].real();
-                    adds[2 * i + 1] += parts[i].imag();
-                }
-            }
+        const double half = 0.5 * reciprocating[kind][set];
+        const Vector forward = (rotating[kind][set] + half) * std::polar(1.0, at.crank_angle);
+        const Vector backward = half * std::polar(1.0, 2.0 * at.axis - at.crank_angle);
+        const Vector parts[] = {(1.0 - rear) * forward, rear * forward, (1.0 - rear) * backward,
+                                rear * backward};
+        for (std::size_t i = 0; i < 4; ++i) {
+            adds[2 * i] += parts[i].real();
+            adds[2 * i + 1] += parts[i].imag();
         }
-    }
+    });
     return search;
 }
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <optional>
-#include <string_view>
 
 #include "case-file/result_visitor.h"
 #include "case-file/verdict.h"
@@ -31,20 +30,14 @@ void visit_columns(ResultVisitor& visitor, const WeighIn& sheet);
 void visit_matched(ResultVisitor& visitor, const Matched& matched,
                    const std::optional<double>& crank_radius, const std::optional<double>& speed);
 
-/// A line of a bob weight's sum.
-struct CardLine {
-    std::string_view part;
-    double factor;
-    double mass;  ///< kg
-};
-template <typename LineAt>
-void visit_lines(ResultVisitor& visitor, std::size_t count, const LineAt& line_at) {
-    visitor.list({"lines", CORE_TEXT("workshop", "Lines")}, count, [&](std::size_t i) {
-        const CardLine line = line_at(i);
-        visitor.word({"part"}, line.part);
-        visitor.number({"factor", CORE_TEXT("workshop", "Factor"), 4}, line.factor);
-        visitor.number({"mass_g", CORE_TEXT("workshop", "Mass"), 2}, line.mass);
-        visitor.number({"product_g", CORE_TEXT("workshop", "Total"), 2}, line.factor * line.mass);
+/// The lines of a bob weight's sum, of either scene.
+/// @param word_of  the part of a line
+void visit_lines(ResultVisitor& visitor, const auto& lines, const auto& word_of) {
+    visitor.list({"lines", CORE_TEXT("workshop", "Lines")}, lines.size(), [&](std::size_t i) {
+        visitor.word({"part"}, word_of(lines[i]));
+        visitor.number({"factor", CORE_TEXT("workshop", "Factor"), 4}, lines[i].factor);
+        visitor.number({"mass_g", CORE_TEXT("workshop", "Mass"), 2}, lines[i].mass);
+        visitor.number({"product_g", CORE_TEXT("workshop", "Total"), 2}, lines[i].product());
     });
 }
 

@@ -19,24 +19,6 @@ double disc(double diameter) {
     return pi / 4.0 * diameter * diameter;
 }
 
-bool take(std::string_view& text, std::initializer_list<std::string_view> prefixes) {
-    for (const std::string_view prefix : prefixes) {
-        if (text.starts_with(prefix)) {
-            text.remove_prefix(prefix.size());
-            return true;
-        }
-    }
-    return false;
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) {
-        return {};
-    }
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// To hundredths, as one measures.
 Number millimetres(double length) {
     return {length / units::mm, units::mm, -2, false, true};
@@ -53,16 +35,17 @@ double Thread::root_diameter() const {
 }
 
 Thread parse_thread(std::string_view text, const std::string& where) {
-    std::string_view rest = trimmed(text);
+    std::string_view rest = text;
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
     std::optional<double> diameter;
     std::optional<double> pitch;
-    if (take(rest, {"M", "m", "М", "м"})) {
+    for (const std::string_view letter : {"M", "m", "М", "м"}) {
         for (const std::string_view sign : {"x", "X", "×", "х", "Х", "*"}) {
             const std::size_t cross = rest.find(sign);
-            if (cross != std::string_view::npos) {
-                diameter = parse_decimal(rest.substr(0, cross));
+            if (rest.starts_with(letter) && cross != std::string_view::npos && !diameter) {
+                diameter =
+                    parse_decimal(rest.substr(0, cross).substr(std::min(letter.size(), cross)));
                 pitch = parse_decimal(rest.substr(cross + sign.size()));
-                break;
             }
         }
     }

@@ -45,9 +45,8 @@ constexpr std::array<std::string_view, 3> limit_words{"none", "wall", "bottom"};
 void visit_bob_weight(ResultVisitor& visitor, const ResultField& field, const BobWeight& weight) {
     visitor.object(field, [&] {
         visitor.number({"sum_g", CORE_TEXT("v8-plugs", "Sum"), 1}, weight.sum());
-        shop::visit_lines(visitor, weight.lines.size(), [&](std::size_t i) {
-            const BobWeightLine& line = weight.lines[i];
-            return shop::CardLine{bob_weight_word(line.part).word, line.factor, line.mass};
+        shop::visit_lines(visitor, weight.lines, [](const BobWeightLine& line) {
+            return bob_weight_word(line.part).word;
         });
     });
 }

@@ -242,18 +242,16 @@ std::string place_of_job(const std::string& pointer) {
 /// The same spreads and watched values under the pointers of a job.
 Json study_of_job(const Json& study) {
     Json moved = study;
-    if (study.is_object() && study.contains("vary") && study["vary"].is_object()) {
-        moved["vary"] = Json::object();
-        for (const auto& [pointer, spread] : study["vary"].items()) {
-            moved["vary"][place_of_job(pointer)] = spread;
+    const auto move = [&](const char* key, const auto& place) {
+        if (study.is_object() && study.contains(key) && study[key].is_object()) {
+            moved[key] = Json::object();
+            for (const auto& [pointer, value] : study[key].items()) {
+                moved[key][place(pointer)] = value;
+            }
         }
-    }
-    if (study.is_object() && study.contains("watch") && study["watch"].is_object()) {
-        moved["watch"] = Json::object();
-        for (const auto& [pointer, limits] : study["watch"].items()) {
-            moved["watch"]["/plugs" + pointer] = limits;
-        }
-    }
+    };
+    move("vary", place_of_job);
+    move("watch", [](const std::string& pointer) { return "/plugs" + pointer; });
     return moved;
 }
 
