@@ -206,18 +206,6 @@ TEST(Compensation, NewPlugsAreMachinedAtTheirOwnRadius) {
                      0.5 * *plugs.max_steel_reduction);
 }
 
-TEST(Compensation, ManufactureDropsRepairPartsThatAreTypedAndSaysSo) {
-    Input input;
-    input.typed_changes = {1 * gram, 2 * gram, 3 * gram, 4 * gram};
-    EXPECT_DOUBLE_EQ(unbalanced_mass(input.changes(), 0.5), 13.0 * gram);
-    EXPECT_TRUE(not_counted(input).empty());
-    input.process = Process::manufacture;
-    EXPECT_DOUBLE_EQ(unbalanced_mass(input.changes(), 0.5), 6.0 * gram);
-    ASSERT_EQ(not_counted(input).size(), 2U);
-    EXPECT_EQ(not_counted(input)[1].english(),
-              "Repair shells of one crankpin Δmₛₕ: the typed 4.00 g is not used in manufacture.");
-}
-
 TEST(Compensation, EngineWithoutAluminiumOrNewPlugsHasFewerOptions) {
     Engine plugs = *find_preset("6 l");
     set_plugs(plugs, EngineGroup::new_plug, false);
