@@ -4,6 +4,7 @@
 #include <random>
 
 #include "bob-weights/drilling.h"
+#include "core/bob-weights/quadrature.h"
 #include "doubted_jobs.h"
 #include "numerics/constants.h"
 
@@ -14,7 +15,9 @@ using bob_weights::Cut;
 using bob_weights::DeepeningPlan;
 using bob_weights::Hole;
 using bob_weights::HoleLimits;
+using test::at;
 using test::card;
+using test::number;
 using test::solved;
 using Vector = std::complex<double>;
 
@@ -22,20 +25,9 @@ constexpr double density = 7850.0;
 
 /// ρ ∫ A(x) (R − x) dx from one depth to another, the cone of the point with it, by quadrature.
 double removed_between(const Cut& cut, double diameter, double from, double to) {
-    const double cone = 0.5 * diameter / std::tan(0.5 * cut.point_angle);
-    const auto moment = [&](double depth) {
-        constexpr int steps = 20'000;
-        const double end = depth + cone;
-        double sum = 0.0;
-        for (int i = 0; i < steps; ++i) {
-            const double x = end * (i + 0.5) / steps;
-            const double radius =
-                x < depth ? 0.5 * diameter : 0.5 * diameter * (1.0 - (x - depth) / cone);
-            sum += pi * radius * radius * (cut.radius - x);
-        }
-        return density * sum * end / steps;
-    };
-    return moment(to) - moment(from);
+    using bob_weights::test::by_quadrature;
+    return by_quadrature(cut, diameter, to).unbalance -
+           by_quadrature(cut, diameter, from).unbalance;
 }
 
 struct State {
@@ -118,7 +110,7 @@ double min_left(const State& state, std::vector<double>& depths) {
 }
 
 Json front_of(const Json& input) {
-    return solved(input).at("correction").at("planes")[0];
+    return at(solved(input), "/correction/planes/0");
 }
 
 TEST(Deepening, RemovesTheDifferenceAndNoDepthsLeaveLess) {
@@ -191,13 +183,13 @@ TEST(Plan, DeepensTheHoleThatIsThere) {
     const Json& hole = plane.at("holes")[0];
     EXPECT_EQ(hole.at("deepens"), "/correction/earlier_runs/0/drilled/0");
     EXPECT_EQ(hole.at("from_depth_mm"), 10);
-    EXPECT_GT(hole.at("depth_mm").get<double>(), 10.0);
-    EXPECT_NEAR(hole.at("removed_g_mm").get<double>(),
+    EXPECT_GT(number(hole, "/depth_mm"), 10.0);
+    EXPECT_NEAR(number(hole, "/removed_g_mm"),
                 1e6 * removed_between({0.085, density, 118 * degree}, 0.016, 0.010,
-                                      1e-3 * hole.at("depth_mm").get<double>()),
+                                      1e-3 * number(hole, "/depth_mm")),
                 1e-3);
-    EXPECT_NEAR(plane.at("remaining_g_mm").get<double>(),
-                std::abs(450.0 - hole.at("removed_g_mm").get<double>()), 1e-6);
+    EXPECT_NEAR(number(plane, "/remaining_g_mm"), std::abs(450.0 - number(hole, "/removed_g_mm")),
+                1e-6);
     // Once it is recorded as deepened it is one hole, to be deepened further.
     Json third = second_run();
     Json& runs = third["correction"]["earlier_runs"];
@@ -210,16 +202,14 @@ TEST(Plan, DeepensTheHoleThatIsThere) {
                        {"from_depth_mm", 10}}}}});
     third["tolerance"] = {{"g_mm", 50}};
     // The second reading fits the third: what the deepening took off is gone.
-    runs[1]["readings"][0]["unbalance_g_mm"] = 450.0 + hole.at("removed_g_mm").get<double>();
+    runs[1]["readings"][0]["unbalance_g_mm"] = 450.0 + number(hole, "/removed_g_mm");
     const Json again = solved(third);
     EXPECT_TRUE(again.at("doubtful").is_null()) << again.at("doubts").dump(1);
-    const Json& recorded =
-        again.at("correction").at("runs")[1].at("planes")[0].at("drilled_holes")[0];
-    EXPECT_NEAR(recorded.at("removed_g_mm").get<double>(), hole.at("removed_g_mm").get<double>(),
-                1e-6);
+    const Json& recorded = at(again, "/correction/runs/1/planes/0/drilled_holes/0");
+    EXPECT_NEAR(number(recorded, "/removed_g_mm"), number(hole, "/removed_g_mm"), 1e-6);
     EXPECT_EQ(recorded.at("from_depth_mm"), 10);
     EXPECT_TRUE(recorded.at("deepens").is_null());
-    const Json& holes = again.at("correction").at("planes")[0].at("holes");
+    const Json& holes = at(again, "/correction/planes/0/holes");
     ASSERT_EQ(holes.size(), 1U) << holes.dump(1);
     EXPECT_EQ(holes[0].at("deepens"), "/correction/earlier_runs/1/drilled/0");
     EXPECT_EQ(holes[0].at("from_depth_mm"), hole.at("depth_mm"));
@@ -248,7 +238,7 @@ TEST(Plan, KeepsToTheSmallestDepthAndAims) {
         }
         const double zero = front_of(input).at("remaining_g_mm");
         correction["aim"] = "tolerance";
-        EXPECT_LE(zero, front_of(input).at("remaining_g_mm").get<double>() + 1e-6);
+        EXPECT_LE(zero, number(front_of(input), "/remaining_g_mm") + 1e-6);
         correction.erase("aim");
     }
     // Within the limit nothing is drilled, whatever the aim.
@@ -263,7 +253,7 @@ TEST(Plan, KeepsToTheSmallestDepthAndAims) {
 
 /// Every plan that leaves more than the limit says why.
 void expect_within_or_reason(const Json& plane, double limit, const std::string& of) {
-    if (plane.at("remaining_g_mm").get<double>() > limit) {
+    if (number(plane, "/remaining_g_mm") > limit) {
         EXPECT_FALSE(plane.at("feasible").get<bool>()) << of << plane.dump(1);
         EXPECT_TRUE(plane.contains("reason")) << of << plane.dump(1);
     }
@@ -278,8 +268,8 @@ TEST(Plan, LooksFurtherWhereTheStepOfTheDepthsLeavesMoreThanTheLimit) {
     // A hole of 16 mm is nearest by its steps and leaves 31.7; one of 10 mm leaves 1.4.
     const Json plane = front_of(input);
     ASSERT_EQ(plane.at("holes").size(), 1U);
-    EXPECT_EQ(plane.at("holes")[0].at("diameter_mm"), 10);
-    EXPECT_NEAR(plane.at("remaining_g_mm").get<double>(), 1.376, 1e-3);
+    EXPECT_EQ(at(plane, "/holes/0/diameter_mm"), 10);
+    EXPECT_NEAR(number(plane, "/remaining_g_mm"), 1.376, 1e-3);
     EXPECT_TRUE(plane.at("within_tolerance").get<bool>());
     // A deepening alone leaves 49.2.
     correction["earlier_runs"] = second_run().at("correction").at("earlier_runs");
@@ -288,7 +278,7 @@ TEST(Plan, LooksFurtherWhereTheStepOfTheDepthsLeavesMoreThanTheLimit) {
     for (const char* aim : {"zero", "tolerance"}) {
         correction["aim"] = aim;
         const Json deepened = front_of(input);
-        EXPECT_LE(deepened.at("remaining_g_mm").get<double>(), 20.0) << deepened.dump(1);
+        EXPECT_LE(number(deepened, "/remaining_g_mm"), 20.0) << deepened.dump(1);
     }
     std::mt19937 generator(5);
     for (int i = 0; i < 200; ++i) {
@@ -308,21 +298,18 @@ TEST(Plan, CountsWhatWasReallyDrilled) {
     Json input = second_run();
     Json& hole = input["correction"]["earlier_runs"][0]["drilled"][0];
     const auto drilled = [&] {
-        return solved(input).at("correction").at("runs")[0].at("planes")[0].at("drilled_holes");
+        return at(solved(input), "/correction/runs/0/planes/0/drilled_holes");
     };
-    const auto number = [](const Json& holes, const char* key) {
-        return holes.at(0).at(key).get<double>();
-    };
-    const double planned = number(drilled(), "removed_g");
+    const double planned = number(drilled(), "/0/removed_g");
     EXPECT_NEAR(planned, 1e3 * Cut({0.085, density, 118 * degree}).removed(0.016, 0.010).mass,
                 1e-9);
     // As planned its mass is the one planned; measured it is that of its sizes.
     hole["removed_g"] = 12;
-    EXPECT_NEAR(number(drilled(), "removed_g"), 12, 1e-12);
+    EXPECT_NEAR(number(drilled(), "/0/removed_g"), 12, 1e-12);
     hole["state"] = "measured";
-    EXPECT_NEAR(number(drilled(), "removed_g"), planned, 1e-9);
+    EXPECT_NEAR(number(drilled(), "/0/removed_g"), planned, 1e-9);
     hole["state"] = "wrong-side";
-    EXPECT_NEAR(number(drilled(), "angle_deg"), 220, 1e-9);
+    EXPECT_NEAR(number(drilled(), "/0/angle_deg"), 220, 1e-9);
     hole["state"] = "not-drilled";
     EXPECT_TRUE(drilled().empty());
     hole.erase("removed_g");
@@ -331,8 +318,7 @@ TEST(Plan, CountsWhatWasReallyDrilled) {
     input["correction"]["earlier_runs"][0].erase("readings");
     const Json correction = solved(input).at("correction");
     EXPECT_TRUE(correction.at("runs")[0].at("within_tolerance").is_null());
-    EXPECT_EQ(correction.at("planes")[0].at("holes")[0].at("deepens"),
-              "/correction/earlier_runs/0/drilled/0");
+    EXPECT_EQ(at(correction, "/planes/0/holes/0/deepens"), "/correction/earlier_runs/0/drilled/0");
 }
 
 /// A third run, after one that was to deepen the hole of the first from 10 to 13 mm.
@@ -355,12 +341,12 @@ TEST(Plan, CountsADeepeningWhereItWasDrilled) {
     const double difference = whole - 1e6 * cut.removed(0.016, 0.010).unbalance;
     const auto expect = [&](double angle, double from_depth, double removed, std::size_t there) {
         const Json correction = solved(input).at("correction");
-        const Json& holes = correction.at("runs")[1].at("planes")[0].at("drilled_holes");
+        const Json& holes = at(correction, "/runs/1/planes/0/drilled_holes");
         ASSERT_EQ(holes.size(), 1U);
-        EXPECT_NEAR(holes[0].at("angle_deg").get<double>(), angle, 1e-9);
+        EXPECT_NEAR(number(holes, "/0/angle_deg"), angle, 1e-9);
         EXPECT_EQ(holes[0].at("from_depth_mm"), from_depth > 0.0 ? Json(from_depth) : Json());
-        EXPECT_NEAR(holes[0].at("removed_g_mm").get<double>(), removed, 1e-6);
-        EXPECT_EQ(correction.at("planes")[0].at("holes")[0].at("deepens"),
+        EXPECT_NEAR(number(holes, "/0/removed_g_mm"), removed, 1e-6);
+        EXPECT_EQ(at(correction, "/planes/0/holes/0/deepens"),
                   "/correction/earlier_runs/" + std::to_string(there) + "/drilled/0");
     };
     expect(40, 10, difference, 1);
@@ -378,10 +364,10 @@ TEST(Plan, CountsADeepeningWhereItWasDrilled) {
     expect(220, 0, whole, 0);
     // So it is in the other plane, where no hole was.
     deepening.update({{"state", "measured"}, {"plane", "rear"}});
-    const Json other = solved(input).at("correction").at("runs")[1].at("planes")[1];
+    const Json other = at(solved(input), "/correction/runs/1/planes/1");
     const Cut there{input["correction"]["planes"][1]["radius_mm"].get<double>() * 1e-3, density,
                     118 * degree};
-    EXPECT_NEAR(other.at("drilled_holes")[0].at("removed_g_mm").get<double>(),
+    EXPECT_NEAR(number(other, "/drilled_holes/0/removed_g_mm"),
                 1e6 * there.removed(0.016, 0.013).unbalance, 1e-6);
     deepening["plane"] = "front";
     // A hole that no record tells of was there all the same.
@@ -397,23 +383,23 @@ TEST(Plan, CountsTheSlugThatIsThere) {
     slug = {{"plane", "front"}, {"diameter_mm", 20}, {"depth_mm", 20},      {"angle_deg", 220},
             {"slug_g", 110},    {"removed_g", -70},  {"direction", "axial"}};
     const auto pressed = [&] {
-        return solved(input).at("correction").at("runs")[0].at("planes")[0].at("drilled_slugs");
+        return at(solved(input), "/correction/runs/0/planes/0/drilled_slugs");
     };
-    EXPECT_NEAR(pressed()[0].at("added_g").get<double>(), 70, 1e-9);
-    EXPECT_GT(pressed()[0].at("centrifugal_force_N").get<double>(), 0.0);
+    EXPECT_NEAR(number(pressed(), "/0/added_g"), 70, 1e-9);
+    EXPECT_GT(number(pressed(), "/0/centrifugal_force_N"), 0.0);
     slug["state"] = "wrong-side";
-    EXPECT_NEAR(pressed()[0].at("angle_deg").get<double>(), 40, 1e-9);
-    EXPECT_NEAR(pressed()[0].at("added_g").get<double>(), 70, 1e-9);
+    EXPECT_NEAR(number(pressed(), "/0/angle_deg"), 40, 1e-9);
+    EXPECT_NEAR(number(pressed(), "/0/added_g"), 70, 1e-9);
     slug["state"] = "measured";
     slug["depth_mm"] = 18;
-    EXPECT_NEAR(pressed()[0].at("added_g").get<double>(),
+    EXPECT_NEAR(number(pressed(), "/0/added_g"),
                 110 - 1e3 * Cut({0.085, density, 118 * degree}).removed(0.020, 0.018).mass, 1e-9);
     slug["state"] = "not-drilled";
     EXPECT_TRUE(pressed().empty());
     // A slug that was not weighed has no force that is known.
     slug["state"] = "as-planned";
     slug.erase("slug_g");
-    EXPECT_NEAR(pressed()[0].at("added_g").get<double>(), 70, 1e-9);
+    EXPECT_NEAR(number(pressed(), "/0/added_g"), 70, 1e-9);
     EXPECT_TRUE(pressed()[0].at("centrifugal_force_N").is_null());
 }
 
@@ -456,8 +442,8 @@ TEST(Plan, SaysHowFarADeepenedHoleReachesBeyondTheSector) {
     Json input = test::doubted().at("beyond-sector")();
     const Json plane = front_of(input);
     ASSERT_EQ(plane.at("holes").size(), 1U) << plane.dump(1);
-    EXPECT_EQ(plane.at("holes")[0].at("from_depth_mm"), 9);
-    EXPECT_NEAR(plane.at("edge_beyond_sector_mm").get<double>(), 8, 1e-9);
+    EXPECT_EQ(at(plane, "/holes/0/from_depth_mm"), 9);
+    EXPECT_NEAR(number(plane, "/edge_beyond_sector_mm"), 8, 1e-9);
     input["correction"]["planes"][0]["from_deg"] = 20;
     EXPECT_FALSE(front_of(input).contains("edge_beyond_sector_mm"));
 }
@@ -500,25 +486,25 @@ TEST(Plan, PressesSlugsInParallelToTheCrankshaft) {
     };
     const Json axial = slug();
     EXPECT_EQ(axial.at("direction"), "axial");
-    EXPECT_NEAR(axial.at("angle_deg").get<double>(), 220, 70);
+    EXPECT_NEAR(number(axial, "/angle_deg"), 220, 70);
     // Its middle lies the wall and half its diameter below the rim; what is under it stays empty.
     const double area = 0.25 * pi * 20 * 20;
     const double depth = axial.at("depth_mm");
     const double radius = 85.0 - 3.0 - 10.0;
     const double cone = area * 10.0 / std::tan(59 * degree) / 3.0;
-    EXPECT_NEAR(axial.at("slug_g").get<double>(), 18e-3 * area * depth, 1e-6);
-    EXPECT_NEAR(axial.at("added_g_mm").get<double>(),
+    EXPECT_NEAR(number(axial, "/slug_g"), 18e-3 * area * depth, 1e-6);
+    EXPECT_NEAR(number(axial, "/added_g_mm"),
                 radius * (18e-3 * area * depth - 7.85e-3 * (area * depth + cone)), 1e-3);
-    EXPECT_NEAR(axial.at("radius_mm").get<double>(), radius, 1e-9);
+    EXPECT_NEAR(number(axial, "/radius_mm"), radius, 1e-9);
     const double speed = 5500 * 2.0 * pi / 60.0;
-    EXPECT_NEAR(axial.at("centrifugal_force_N").get<double>(),
-                1e-6 * axial.at("slug_g").get<double>() * radius * speed * speed, 1e-6);
+    EXPECT_NEAR(number(axial, "/centrifugal_force_N"),
+                1e-6 * number(axial, "/slug_g") * radius * speed * speed, 1e-6);
     correction["slug"]["direction"] = "radial";
     const Json radial = slug();
     EXPECT_EQ(radial.at("direction"), "radial");
-    EXPECT_NEAR(radial.at("centrifugal_force_N").get<double>(),
-                1e-6 * radial.at("slug_g").get<double>() *
-                    (85.0 - 0.5 * radial.at("depth_mm").get<double>()) * speed * speed,
+    EXPECT_NEAR(number(radial, "/centrifugal_force_N"),
+                1e-6 * number(radial, "/slug_g") * (85.0 - 0.5 * number(radial, "/depth_mm")) *
+                    speed * speed,
                 1e-6);
     input["tolerance"] = {{"g_mm", 200}};
     EXPECT_TRUE(slug().at("centrifugal_force_N").is_null());

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "case-file/case_file.h"
@@ -26,6 +27,29 @@ inline Json solved_plugs_case(const Json& input) {
 }
 inline Json solved_bob_weights_case(const Json& input) {
     return result_json({}, read_bob_weights_case(input));
+}
+
+/// The value at a pointer.
+inline Json at(const Json& json, const std::string& pointer) {
+    return json.at(Json::json_pointer(pointer));
+}
+inline double number(const Json& json, const std::string& pointer) {
+    return at(json, pointer).get<double>();
+}
+
+/// Values at their pointers; null for none.
+using Changes = std::vector<std::pair<const char*, Json>>;
+
+inline Json changed(Json input, const Changes& changes) {
+    for (const auto& [pointer, value] : changes) {
+        const Json::json_pointer at(pointer);
+        if (value.is_null()) {
+            input[at.parent_pointer()].erase(at.back());
+        } else {
+            input[at] = value;
+        }
+    }
+    return input;
 }
 
 /// What a reader, or one that solves what it has read, rejects.
