@@ -22,23 +22,12 @@ inline Json weighed_card() {
     return input;
 }
 
-/// A job nobody doubts, with what makes it doubtful: values at their pointers, null for none.
+/// A job nobody doubts, with what makes it doubtful.
 struct DoubtedJob {
     Json (*base)();
-    std::vector<std::pair<const char*, Json>> changes;
+    Changes changes;
 
-    Json operator()() const {
-        Json input = base();
-        for (const auto& [pointer, value] : changes) {
-            const Json::json_pointer at(pointer);
-            if (value.is_null()) {
-                input[at.parent_pointer()].erase(at.back());
-            } else {
-                input[at] = value;
-            }
-        }
-        return input;
-    }
+    Json operator()() const { return changed(base(), changes); }
 };
 
 /// One job for each doubt.

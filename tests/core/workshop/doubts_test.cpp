@@ -12,6 +12,7 @@ namespace ravnoves::workshop {
 namespace {
 
 using test::card;
+using test::changed;
 using test::doubted;
 using test::eight;
 using test::plugs_card;
@@ -308,61 +309,56 @@ TEST(Doubts, StopWhereUnbalanceVanishesWithoutAHole) {
 
 // One wrong digit or field each, of jobs that nobody doubts.
 TEST(Doubts, StopAtSlipsOfTheKeyboard) {
-    const std::pair<const char*, Json> of_card[] = {
-        {"/parts_g/piston", 5839},
-        {"/parts_g/big_end", 4298},
-        {"/parts_g/pin", 1736},
-        {"/parts_g/rings", 695},
-        {"/parts_g/locks", 200},
-        {"/parts_g/small_end", 17},
-        {"/parts_g/shells", 437},
-        {"/parts_g/oil", 400},
-        {"/tolerance/grade_mm_s", 160},
-        {"/tolerance/grade_mm_s", 630},
-        {"/tolerance/rotor_mass_kg", 120},
-        {"/tolerance/service_speed_rpm", 55},
-        {"/tolerance/service_speed_rpm", 320},
-        {"/tolerance/service_speed_rpm", 55000},
-        {"/correction/planes/0/radius_mm", 850},
-        {"/correction/planes/0/radius_mm", 8.5},
-        {"/correction/planes/0/position_mm", 600},
-        {"/correction/readings",
-         {{{"unbalance_g_mm", 6000}, {"angle_deg", 45}, {"position_mm", 500}},
-          {{"unbalance_g_mm", 800}, {"angle_deg", 210}, {"position_mm", 100}}}},
-        {"/correction/readings",
-         {{{"unbalance_g_mm", 6000}, {"angle_deg", 45}, {"position_mm", 300}},
-          {{"unbalance_g_mm", 800}, {"angle_deg", 210}, {"position_mm", 310}}}},
-        {"/correction/drill/maximum_depth_mm", 300},
-        {"/tolerance",
-         {{"grade_mm_s", 16},
-          {"rotor_mass_kg", 30},
-          {"service_speed_rpm", 5500},
-          {"centre_of_mass_mm", 100},
-          {"front_bearing_mm", 120},
-          {"rear_bearing_mm", 420}}}};
-    const std::pair<const char*, Json> of_plugs[] = {{"/plugs/engine/reciprocating_mass_g", 10000},
-                                                     {"/plugs/engine/rotating_mass_g", 6500},
-                                                     {"/plugs/engine/oil_mass_g", 300},
-                                                     {"/plugs/engine/oil_coefficient", 10},
-                                                     {"/tolerance/service_speed_rpm", 320},
-                                                     {"/correction/planes/0/radius_mm", 156}};
-    const auto stops = [](Json input, const auto& slip) {
-        input[Json::json_pointer(slip.first)] = slip.second;
-        const Json result = solved(input);
-        const Json& doubts = result.at("doubts");
-        EXPECT_TRUE(std::any_of(doubts.begin(), doubts.end(),
-                                [](const Json& doubt) {
-                                    const Json& blocks = doubt.at("blocks");
-                                    return std::find(blocks.begin(), blocks.end(), "holes") !=
-                                           blocks.end();
-                                }))
-            << slip.first << " " << slip.second << ": " << doubts.dump();
+    struct Slip {
+        Json (*base)();
+        const char* pointer;
+        Json value;
     };
-    for (const auto& slip : of_card) {
-        stops(card(), slip);
-    }
-    for (const auto& slip : of_plugs) {
-        stops(plugs_card(), slip);
+    const Slip slips[] = {{card, "/parts_g/piston", 5839},
+                          {card, "/parts_g/big_end", 4298},
+                          {card, "/parts_g/pin", 1736},
+                          {card, "/parts_g/rings", 695},
+                          {card, "/parts_g/locks", 200},
+                          {card, "/parts_g/small_end", 17},
+                          {card, "/parts_g/shells", 437},
+                          {card, "/parts_g/oil", 400},
+                          {card, "/tolerance/grade_mm_s", 160},
+                          {card, "/tolerance/grade_mm_s", 630},
+                          {card, "/tolerance/rotor_mass_kg", 120},
+                          {card, "/tolerance/service_speed_rpm", 55},
+                          {card, "/tolerance/service_speed_rpm", 320},
+                          {card, "/tolerance/service_speed_rpm", 55000},
+                          {card, "/correction/planes/0/radius_mm", 850},
+                          {card, "/correction/planes/0/radius_mm", 8.5},
+                          {card, "/correction/planes/0/position_mm", 600},
+                          {card,
+                           "/correction/readings",
+                           {{{"unbalance_g_mm", 6000}, {"angle_deg", 45}, {"position_mm", 500}},
+                            {{"unbalance_g_mm", 800}, {"angle_deg", 210}, {"position_mm", 100}}}},
+                          {card,
+                           "/correction/readings",
+                           {{{"unbalance_g_mm", 6000}, {"angle_deg", 45}, {"position_mm", 300}},
+                            {{"unbalance_g_mm", 800}, {"angle_deg", 210}, {"position_mm", 310}}}},
+                          {card, "/correction/drill/maximum_depth_mm", 300},
+                          {card,
+                           "/tolerance",
+                           {{"grade_mm_s", 16},
+                            {"rotor_mass_kg", 30},
+                            {"service_speed_rpm", 5500},
+                            {"centre_of_mass_mm", 100},
+                            {"front_bearing_mm", 120},
+                            {"rear_bearing_mm", 420}}},
+                          {plugs_card, "/plugs/engine/reciprocating_mass_g", 10000},
+                          {plugs_card, "/plugs/engine/rotating_mass_g", 6500},
+                          {plugs_card, "/plugs/engine/oil_mass_g", 300},
+                          {plugs_card, "/plugs/engine/oil_coefficient", 10},
+                          {plugs_card, "/tolerance/service_speed_rpm", 320},
+                          {plugs_card, "/correction/planes/0/radius_mm", 156}};
+    for (const auto& [base, pointer, value] : slips) {
+        const Json doubts = solved(changed(base(), {{pointer, value}})).at("doubts");
+        EXPECT_TRUE(std::any_of(doubts.begin(), doubts.end(),
+                                [](const Json& doubt) { return has(doubt.at("blocks"), "holes"); }))
+            << pointer << " " << value << ": " << doubts.dump();
     }
     Json large = card();
     large["tolerance"]["grade_mm_s"] = 40;

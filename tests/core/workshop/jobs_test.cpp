@@ -7,9 +7,11 @@
 namespace ravnoves::workshop {
 namespace {
 
+using test::at;
 using test::card;
 using test::difference;
 using test::error_of;
+using test::number;
 using test::plugs_card;
 using test::solved;
 
@@ -49,7 +51,7 @@ TEST(Job, GivesAVerdictForReadingsWithoutAngleOrPlanes) {
     correction.erase("planes");
     correction["readings"] = parse_json(R"([{"unbalance_g_mm": 300}, {"unbalance_g_mm": 500}])");
     Json result = solved(input);
-    EXPECT_NEAR(result.at("permissible_g_mm")[0].get<double>(), 416.7, 0.1);
+    EXPECT_NEAR(number(result, "/permissible_g_mm/0"), 416.7, 0.1);
     const Json planes = result.at("correction").at("planes");
     EXPECT_TRUE(planes[0].at("within_tolerance_as_measured").get<bool>());
     EXPECT_FALSE(planes[1].at("within_tolerance_as_measured").get<bool>());
@@ -73,9 +75,7 @@ TEST(Job, JudgesReadingsBesideThePlanesWithAnglesAlone) {
     Json input = plugs_card();
     input["correction"]["readings"] =
         parse_json(R"([{"unbalance_g_mm": 300, "position_mm": -1000}, {"unbalance_g_mm": 400}])");
-    const auto front = [](const Json& result) {
-        return result.at("plugs").at("balancing").at("front");
-    };
+    const auto front = [](const Json& result) { return at(result, "/plugs/balancing/front"); };
     Json result = solved(input);
     EXPECT_TRUE(result.at("correction").at("runs")[0].at("within_tolerance").is_null());
     EXPECT_EQ(result.at("verdict").at("severity"), "error");
@@ -85,8 +85,8 @@ TEST(Job, JudgesReadingsBesideThePlanesWithAnglesAlone) {
         reading["angle_deg"] = reading.contains("position_mm") ? 0 : 180;
     }
     result = solved(input);
-    const Json& plane = result.at("correction").at("planes")[0];
-    EXPECT_NEAR(plane.at("unbalance_g_mm").get<double>(), 300.0 * 1480.0 / 420.0, 1e-6);
+    const Json& plane = at(result, "/correction/planes/0");
+    EXPECT_NEAR(number(plane, "/unbalance_g_mm"), 300.0 * 1480.0 / 420.0, 1e-6);
     EXPECT_FALSE(plane.at("within_tolerance_as_measured").get<bool>());
     EXPECT_FALSE(front(result).contains("passes"));
     // In the planes the plugs' limits judge them, too.
