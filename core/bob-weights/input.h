@@ -117,7 +117,7 @@ inline bool is_read(const Reading& reading) {
     return reading.unbalance && (reading.angle || !has_direction(*reading.unbalance));
 }
 
-/// The readings, taken where others were; nowhere in particular where there is none.
+/// The readings, with the positions of others; without one where the others have none.
 std::vector<Reading> at_places_of(const std::vector<Reading>& others,
                                   std::vector<Reading> readings);
 

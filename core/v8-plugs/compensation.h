@@ -182,7 +182,7 @@ struct BobWeight {
 
 // Bob weight of an engine with its nominal masses and these parts, eqs. (4), (5), (7), (8): with
 // the plugs that the crankshaft was made for (nothing for new_plugs where the engine has none), or
-// with those of an option, lightened by its reduction.
+// with the plugs of an option, lightened by its reduction.
 std::optional<BobWeight> bob_weight(const Engine& engine, const MassChanges& changes,
                                     Crankshaft crankshaft);
 BobWeight bob_weight(const Engine& engine, const MassChanges& changes, const Option& option);

@@ -60,7 +60,7 @@ bool is_inapplicable(const Engine& engine, EngineGroup group);
 void set_plugs(Engine& engine, EngineGroup group, bool present);
 /// The fields that the engine needs and does not have; bob-weight fields only when asked for.
 std::vector<const EngineField*> missing_fields(const Engine& engine, bool with_bob_weight);
-/// Whether the method has what it needs of the plugs, and the bob weight of the nominal masses.
+/// Whether the data of the plugs are complete, and the nominal masses for the bob weight.
 bool has_plug_data(const Engine& engine);
 bool has_nominal_masses(const Engine& engine);
 
