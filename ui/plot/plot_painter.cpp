@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "pictures/model/stroke.h"
 #include "plot/model/axis_title.h"
 #include "plot/model/label_places.h"
 #include "plot/model/ticks.h"
@@ -76,7 +75,9 @@ void PlotPainter::layout(const QSizeF& size, const Margins& minimum, bool& axesS
         data_.makeStale();
     }
     if (axesStale) {
-        layoutAxes();
+        chooseColumns(data_.x, data_.area.width());
+        data_.left.chooseStep(data_.area.height(), chartRowPerTick());
+        data_.right.chooseStep(data_.area.height(), chartRowPerTick());
     }
     data_.thinCurves();
 }
@@ -141,12 +142,6 @@ void PlotPainter::layoutArea(const QSizeF& size, const Margins& minimum) {
     }
 }
 
-void PlotPainter::layoutAxes() {
-    chooseColumns(data_.x, data_.area.width());
-    data_.left.chooseStep(data_.area.height(), chartRowPerTick());
-    data_.right.chooseStep(data_.area.height(), chartRowPerTick());
-}
-
 void PlotPainter::paintAxes(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
     const double room = size_.width() - 2.0 * Theme::margin;
@@ -167,7 +162,8 @@ void PlotPainter::paintAxes(QPainter& painter) {
         painter.restore();
     }
     for (const plot::Band& band : data_.bands) {
-        paintBand(painter, band);
+        painter.fillRect(shadeOf(band), veil(Theme::instance().colour(band.role),
+                                             static_cast<float>(band.strength)));
     }
     paintGrid(painter);
     paintAxis(painter, data_.x, Qt::BottomEdge);
@@ -210,9 +206,9 @@ void PlotPainter::paintGrid(QPainter& painter) const {
     }
     // Over a picture the grid gives way.
     painter.setPen(QPen(data_.image.isNull() ? theme.grid() : veil(theme.text(), 0.09F), 1));
-    paintGridLines(painter, grid);
+    painter.drawLines(grid);
     painter.setPen(QPen(theme.border(), 1));
-    paintGridLines(painter, strokes);
+    painter.drawLines(strokes);
 }
 
 void PlotPainter::paintGhosts(QPainter& painter) const {
@@ -257,11 +253,6 @@ QRectF PlotPainter::shadeOf(const plot::Band& band) const {
     return QRectF(edge(band.from, area.topLeft()), edge(band.to, area.bottomRight()))
         .normalized()
         .intersected(area);
-}
-
-void PlotPainter::paintBand(QPainter& painter, const plot::Band& band) const {
-    painter.fillRect(shadeOf(band),
-                     veil(Theme::instance().colour(band.role), static_cast<float>(band.strength)));
 }
 
 void PlotPainter::paintBandWords(QPainter& painter, const plot::Band& band,

@@ -7,7 +7,6 @@
 
 #include "plot/model/plot_data.h"
 
-class QImage;
 class QPainter;
 class QPen;
 class QBrush;
@@ -52,8 +51,6 @@ class PlotPainter {
     /// Title, image, bands, grid, axes, the reference's curves.
     void paintAxes(QPainter& painter);
     void paintCurves(QPainter& painter) const;
-    /// The same onto a picture of the screen, RGB32; lines by LineBrush.
-    void paintCurves(QImage& picture) const;
     /// Lines, present value, marks, readout.
     void paintOverlay(QPainter& painter) const;
 
@@ -67,10 +64,8 @@ class PlotPainter {
     double heightOfArea() const;
     /// The step of x in that many pixels.
     void chooseColumns(PlotScale& x, double pixels) const;
-    void layoutAxes();
     /// Grid, lines of the axes, and ticks of scales that are not own.
     void paintGrid(QPainter& painter) const;
-    void paintBand(QPainter& painter, const plot::Band& band) const;
     /// Where there is room for them.
     void paintBandWords(QPainter& painter, const plot::Band& band, LabelPlaces& places) const;
     QRectF shadeOf(const plot::Band& band) const;

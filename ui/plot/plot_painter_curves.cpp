@@ -1,12 +1,11 @@
 // Curves, points and bars of a plot.
 
-#include <QImage>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
 
 #include "numerics/constants.h"
-#include "pictures/model/line_brush.h"
+#include "pictures/model/stroke.h"
 #include "plot/painter_parts.h"
 #include "plot/plot_painter.h"
 #include "theme/theme.h"
@@ -56,64 +55,23 @@ void PlotPainter::paintCurves(QPainter& painter) const {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setClipRect(data_.area);
-    painter.setBrush(Qt::NoBrush);
     for (const PlotCurve& curve : data_.curves) {
-        if (curve.shown) {
-            // Round caps and joins are arcs to the stroker: three times the cost, and no pixel of
-            // a smooth curve.
+        if (curve.shown && !curve.stretches.empty()) {
             QPen pen(Theme::instance().colour(curve.style.role), strokeScale() * curve.style.width,
                      curve.pen(), Qt::FlatCap, Qt::BevelJoin);
             if (data_.liesOnAnother(curve)) {
-                QPen ground(Theme::instance().panel(), cleared * pen.widthF(), Qt::SolidLine,
-                            Qt::FlatCap, Qt::BevelJoin);
+                QPen ground(pen);
+                ground.setColor(Theme::instance().panel());
+                ground.setWidthF(cleared * pen.widthF());
                 ground.setDashPattern({dashOnAnother / cleared, dashOnAnother / cleared});
                 pen.setDashPattern({dashOnAnother, dashOnAnother});
-                painter.setPen(ground);
-                for (const QPolygonF& stretch : curve.stretches) {
-                    painter.drawPolyline(stretch);
-                }
+                ravnoves::paintLines(painter, {{ground, curve.stretches}});
             }
-            painter.setPen(pen);
-            for (const QPolygonF& stretch : curve.stretches) {
-                painter.drawPolyline(stretch);
-            }
+            ravnoves::paintLines(painter, {{pen, curve.stretches}});
         }
     }
     painter.restore();
     paintPoints(painter);
-}
-
-void PlotPainter::paintCurves(QImage& picture) const {
-    const auto any = [this](auto&& is) {
-        return std::any_of(data_.curves.begin(), data_.curves.end(), is);
-    };
-    if (any([this](const PlotCurve& curve) { return data_.showsSpread(curve); })) {
-        QPainter painter(&picture);
-        paintShades(painter);
-    }
-    const double ratio = picture.devicePixelRatio();
-    LineBrush brush(picture,
-                    QRectF(data_.area.topLeft() * ratio, data_.area.size() * ratio).toRect());
-    for (const PlotCurve& curve : data_.curves) {
-        if (curve.shown && !curve.stretches.empty()) {
-            const double width = strokeScale() * curve.style.width * ratio;
-            const QColor colour = Theme::instance().colour(curve.style.role);
-            if (data_.liesOnAnother(curve)) {
-                const QList<qreal> dashes{dashOnAnother * width, dashOnAnother * width};
-                brush.draw(curve.stretches, ratio, Theme::instance().panel(), cleared * width,
-                           dashes);
-                brush.draw(curve.stretches, ratio, colour, width, dashes);
-            } else {
-                brush.draw(curve.stretches, ratio, colour, width, curve.pen());
-            }
-        }
-    }
-    if (any([](const PlotCurve& curve) {
-            return curve.shown && (curve.style.shape != Shape::Line || shrunkTo(curve).has_value());
-        })) {
-        QPainter painter(&picture);
-        paintPoints(painter);
-    }
 }
 
 void PlotPainter::paintShades(QPainter& painter) const {

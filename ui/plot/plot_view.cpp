@@ -105,16 +105,13 @@ void PlotView::setXAxis(const Axis& axis) {
 
 void PlotView::setYAxis(Side side, const Axis& axis) {
     PlotScale& scale = data_.scale(side);
-    if (axis.logarithmic) {
-        data_.makeStale();
-    }
     scale.setSpec(axis);
     if (axis.logarithmic) {
         data_.makeStale();
-    }
-    if (axis.logarithmic && !(scale.low > 0.0)) {
-        scale.low = 0.1;
-        scale.high = 1.0;
+        if (!(scale.low > 0.0)) {
+            scale.low = 0.1;
+            scale.high = 1.0;
+        }
     }
     chartChanged();
 }
@@ -430,8 +427,8 @@ void PlotView::paintCurvesPicture() {
     fitPicture(picture_, *this);
     std::memcpy(picture_.bits(), axesPicture_.constBits(),
                 static_cast<std::size_t>(axesPicture_.sizeInBytes()));
-    painter_->paintCurves(picture_);
     QPainter painter(&picture_);
+    painter_->paintCurves(painter);
     paintOverCurves(painter);
     pictureStale_ = false;
 }

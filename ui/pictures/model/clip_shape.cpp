@@ -1,9 +1,7 @@
 #include "pictures/model/clip_shape.h"
 
-#include <QLineF>
 #include <QTransform>
 #include <algorithm>
-#include <utility>
 
 namespace ravnoves {
 
@@ -78,8 +76,7 @@ QPainterPath ClipShape::cutArea(const QPainterPath& area) const {
     return seen;
 }
 
-std::optional<std::pair<double, double>> ClipShape::crossings(const QLineF& line) const {
-    const QRectF box = bounds_.adjusted(-spare, -spare, spare, spare);
+std::optional<std::pair<double, double>> crossings(const QLineF& line, const QRectF& box) {
     double from = 0.0;
     double to = 1.0;
     const auto keep = [&](double at, double along, double low, double high) {
@@ -102,9 +99,10 @@ std::vector<ClipShape::Stretch> ClipShape::cutLine(const QPolygonF& line) const 
     std::vector<Stretch> seen;
     double before = 0.0;
     bool continues = false;
+    const QRectF box = bounds_.adjusted(-spare, -spare, spare, spare);
     for (qsizetype i = 0; i + 1 < line.size(); ++i) {
         const QLineF step(line[i], line[i + 1]);
-        const auto cuts = crossings(step);
+        const auto cuts = crossings(step, box);
         const bool reachesEnd = cuts && cuts->second == 1.0;
         if (cuts) {
             if (!continues || cuts->first > 0.0) {

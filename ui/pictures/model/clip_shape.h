@@ -1,9 +1,11 @@
 #pragma once
 
+#include <QLineF>
 #include <QPainterPath>
 #include <QPolygonF>
 #include <QRectF>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace ravnoves {
@@ -31,11 +33,12 @@ class ClipShape {
     std::vector<Stretch> cutLine(const QPolygonF& line) const;
 
   private:
-    /// Where a straight line from 0 to 1 enters and leaves the rectangle.
-    std::optional<std::pair<double, double>> crossings(const QLineF& line) const;
-
     QRectF bounds_;
 };
+
+/// Where a straight line enters and leaves a rectangle, as shares of its length; nothing where it
+/// passes by.
+std::optional<std::pair<double, double>> crossings(const QLineF& line, const QRectF& box);
 
 /// The subpaths of a path as polygons that are true to an eighth of a pixel.
 QList<QPolygonF> flattened(const QPainterPath& path);

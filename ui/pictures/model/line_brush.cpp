@@ -1,13 +1,11 @@
 #include "pictures/model/line_brush.h"
 
-#include <QPen>
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <numeric>
 
+#include "pictures/model/clip_shape.h"
 #include "pictures/model/pixel.h"
 
 namespace ravnoves {
@@ -31,29 +29,6 @@ std::uint32_t mixed(std::uint32_t colour, std::uint32_t ground, std::uint32_t sh
 /// What a colour that lets through takes of a pixel that is covered in part; both of 255.
 std::uint32_t shareOf(std::uint32_t cover, std::uint32_t alpha) {
     return alpha == 255 ? cover : (cover * alpha + 127) / 255;
-}
-
-/// The same of eight pixels, by what each is covered, which is forgotten. All channels alike, so
-/// that the compiler takes many at once.
-void mixEight(std::uint32_t colour, std::uint32_t alpha, std::uint8_t* cover,
-              std::uint32_t* pixels) {
-    std::array<std::uint8_t, 32> ground{};
-    std::array<std::uint8_t, 32> shares{};
-    std::array<std::uint8_t, 32> inks{};
-    std::memcpy(ground.data(), pixels, sizeof ground);
-    for (std::size_t i = 0; i < 8; ++i) {
-        const std::uint32_t four = shareOf(cover[i], alpha) * 0x01010101U;
-        std::memcpy(shares.data() + 4 * i, &four, sizeof four);
-        std::memcpy(inks.data() + 4 * i, &colour, sizeof colour);
-    }
-    std::memset(cover, 0, 8);
-    for (std::size_t i = 0; i < ground.size(); ++i) {
-        const auto sum =
-            static_cast<std::uint16_t>(inks[i] * shares[i] + ground[i] * (255 - shares[i]));
-        const auto carried = static_cast<std::uint16_t>(sum + (sum >> 8) + 0x80);
-        ground[i] = static_cast<std::uint8_t>(carried >> 8);
-    }
-    std::memcpy(pixels, ground.data(), sizeof ground);
 }
 
 // For each row and pixel: one instruction each, where a branch would go another way at each edge.
@@ -99,45 +74,23 @@ double pastEnd(const QPointF& end, const QPointF* next, const QPointF& along, do
     return continues && turn < 1.0 ? reach * turn : reach;
 }
 
-/// Whether 32 pixels have nothing on them.
-bool isClear(const std::uint8_t* cover) {
-    std::array<std::uint64_t, 4> parts{};
-    std::memcpy(parts.data(), cover, sizeof parts);
-    return (parts[0] | parts[1] | parts[2] | parts[3]) == 0;
-}
-
 }  // namespace
 
 LineBrush::LineBrush(QImage& picture, const QRect& clip)
     : picture_(picture),
       clip_(clip & picture.rect()),
-      cover_(static_cast<std::size_t>(std::max(0, clip_.width()) * std::max(0, clip_.height()))),
+      cover_(static_cast<std::size_t>(std::max(0, clip_.width()) * std::max(0, clip_.height())) +
+             sizeof(std::uint64_t)),
       touched_(static_cast<std::size_t>(std::max(0, clip_.height())), {clip_.width(), 0}) {}
 
-void LineBrush::draw(const std::vector<QPolygonF>& lines, double scale, const QColor& colour,
-                     double width, Qt::PenStyle style) {
-    if (style == Qt::NoPen) {
-        return;
-    }
-    QList<qreal> dashes = QPen(colour, width, style).dashPattern();
-    for (qreal& part : dashes) {
-        part *= width;
-    }
-    draw(lines, scale, colour, width, dashes);
-}
-
-void LineBrush::draw(const std::vector<QPolygonF>& lines, double scale, const QColor& colour,
-                     double width, const QList<qreal>& dashes) {
+void LineBrush::draw(const std::vector<QPolygonF>& lines, const QColor& colour, double width,
+                     const QList<qreal>& dashes) {
     if (clip_.isEmpty()) {
         return;
     }
     half_ = 0.5 * std::max(1.0, width);
-    QPolygonF line;
     for (const QPolygonF& each : lines) {
-        line.resize(each.size());
-        std::transform(each.begin(), each.end(), line.begin(), [&](const QPointF& point) {
-            return point * scale - QPointF(clip_.topLeft());
-        });
+        const QPolygonF line = each.translated(-clip_.topLeft());
         dashes.isEmpty() ? mark(line) : markDashes(line, dashes);
     }
     ink(colour);
@@ -174,7 +127,11 @@ void LineBrush::markDashes(const QPolygonF& line, const QList<qreal>& pattern) {
             }
         };
         // Of what lies beyond the clip whole periods are passed over, not counted.
-        const auto [enters, leaves] = stretchSeen(line[i - 1], way / length, length);
+        const double room = half_ + 1.0;
+        const QRectF near = QRectF(QPointF(), clip_.size()).adjusted(-room, -room, room, room);
+        const auto seen = crossings({line[i - 1], line[i]}, near).value_or(std::pair(0.0, 0.0));
+        const double enters = seen.first * length;
+        const double leaves = seen.second * length;
         go(0.0, std::fmod(enters, period), false);
         go(enters, leaves, true);
         if (leaves < length) {
@@ -184,26 +141,6 @@ void LineBrush::markDashes(const QPolygonF& line, const QList<qreal>& pattern) {
         }
     }
     mark(dash);
-}
-
-std::pair<double, double> LineBrush::stretchSeen(const QPointF& from, const QPointF& along,
-                                                 double length) const {
-    double enters = 0.0;
-    double leaves = length;
-    const auto within = [&](double at, double speed, double maximum) {
-        const double room = half_ + 1.0;
-        if (std::abs(speed) < tiny) {
-            leaves = at < -room || at > maximum + room ? 0.0 : leaves;
-            return;
-        }
-        const double one = (-room - at) / speed;
-        const double other = (maximum + room - at) / speed;
-        enters = std::max(enters, std::min(one, other));
-        leaves = std::min(leaves, std::max(one, other));
-    };
-    within(from.x(), along.x(), clip_.width());
-    within(from.y(), along.y(), clip_.height());
-    return enters < leaves ? std::pair(enters, leaves) : std::pair(0.0, 0.0);
 }
 
 void LineBrush::mark(const QPolygonF& line) {
@@ -311,7 +248,6 @@ void LineBrush::markSegment(const QPointF& from, const QPointF& to, const QPoint
 void LineBrush::ink(const QColor& colour) {
     const auto paint = static_cast<std::uint32_t>(colour.rgb());
     const auto alpha = static_cast<std::uint32_t>(colour.alpha());
-    const int lastEight = clip_.width() - 8;
     for (int row = 0; row < clip_.height(); ++row) {
         auto& touched = touched_[static_cast<std::size_t>(row)];
         if (touched.first >= touched.second) {
@@ -320,21 +256,14 @@ void LineBrush::ink(const QColor& colour) {
         std::uint8_t* cover = cover_.data() + static_cast<std::ptrdiff_t>(row) * clip_.width();
         auto* pixels =
             reinterpret_cast<std::uint32_t*>(picture_.scanLine(clip_.top() + row)) + clip_.left();
-        int column = touched.first;
-        while (column < touched.second && lastEight >= 0) {
-            column = std::min(column, lastEight);
-            const bool clear = column + 32 <= touched.second && isClear(cover + column);
-            std::uint64_t eight = 0;
-            std::memcpy(&eight, cover + column, sizeof eight);
-            if (eight != 0) {
-                column = std::min(column + std::countr_zero(eight) / 8, lastEight);
-                mixEight(paint, alpha, cover + column, pixels + column);
+        for (int eight = touched.first; eight < touched.second; eight += 8) {
+            std::uint64_t covers = 0;  // most are not on any line
+            std::memcpy(&covers, cover + eight, sizeof covers);
+            const int end = covers != 0 ? std::min(eight + 8, touched.second) : eight;
+            for (int column = eight; column < end; ++column) {
+                pixels[column] = mixed(paint, pixels[column], shareOf(cover[column], alpha));
+                cover[column] = 0;
             }
-            column += clear ? 32 : 8;
-        }
-        for (; column < touched.second; ++column) {  // of a clip that is narrower
-            pixels[column] = mixed(paint, pixels[column], shareOf(cover[column], alpha));
-            cover[column] = 0;
         }
         touched = {clip_.width(), 0};
     }

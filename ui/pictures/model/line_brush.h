@@ -15,27 +15,20 @@ namespace ravnoves {
 /// Draws lines wider than a pixel into a picture, antialiased, by the distance of each pixel from
 /// the line. Qt makes the outline of such a line and fills it: ten times the work, for the same
 /// picture but for the last shades of its edges. Ends are flat, bends round; where a line crosses
-/// itself it is no darker.
+/// itself it is no darker. All in pixels of the picture.
 class LineBrush {
   public:
     /// @param picture  RGB32 or premultiplied ARGB32, written to until the brush is destroyed
     /// @param clip  pixels of the picture that may change
     LineBrush(QImage& picture, const QRect& clip);
 
-    /// @param lines  times `scale`: in pixels of the picture
-    /// @param width  pixels of the picture, at least 1
-    /// @param style  dashes count in widths, as Qt's do
-    void draw(const std::vector<QPolygonF>& lines, double scale, const QColor& colour, double width,
-              Qt::PenStyle style = Qt::SolidLine);
-    /// @param dashes  pixels of the picture: dash, gap, …; none: a solid line
-    void draw(const std::vector<QPolygonF>& lines, double scale, const QColor& colour, double width,
-              const QList<qreal>& dashes);
+    /// @param width  at least 1
+    /// @param dashes  dash, gap, …; none: a solid line
+    void draw(const std::vector<QPolygonF>& lines, const QColor& colour, double width,
+              const QList<qreal>& dashes = {});
 
   private:
     void markDashes(const QPolygonF& line, const QList<qreal>& pattern);
-    /// The part of a straight way from a point that is within the clip: from, to; 0 to 0 if empty.
-    std::pair<double, double> stretchSeen(const QPointF& from, const QPointF& along,
-                                          double length) const;
     void mark(const QPolygonF& line);
     /// @param before, after  points that the line comes from and continues to; null at its ends
     void markSegment(const QPointF& from, const QPointF& to, const QPointF* before,
@@ -45,7 +38,7 @@ class LineBrush {
     QImage& picture_;
     QRect clip_;
     double half_ = 0.5;                ///< of the width
-    std::vector<std::uint8_t> cover_;  ///< of each pixel of the clip, 255 is all
+    std::vector<std::uint8_t> cover_;  ///< of each pixel of the clip, 255 is all; and eight more
     /// Of each row of the clip, the pixels touched: from, to beyond the last.
     std::vector<std::pair<int, int>> touched_;
 };

@@ -1,6 +1,5 @@
 #include "pictures/model/pixel.h"
 
-#include <QImage>
 #include <QPaintEngine>
 #include <QPainter>
 
@@ -13,33 +12,38 @@ bool paintsPixels(const QPainter& painter) {
            transform.m11() == transform.m22();
 }
 
-bool hasWritablePixels(const QImage& picture) {
-    return picture.format() == QImage::Format_RGB32 ||
-           picture.format() == QImage::Format_ARGB32_Premultiplied;
-}
-
-PaintedPixels pixelsOf(const QPainter& painter, const QRectF& box) {
-    QPaintDevice* const device = painter.device();
-    if (device == nullptr || device->devType() != QInternal::Image || !paintsPixels(painter) ||
-        painter.opacity() != 1.0 ||
-        painter.compositionMode() != QPainter::CompositionMode_SourceOver) {
-        return {};
-    }
-    auto* const picture = static_cast<QImage*>(device);
-    if (!hasWritablePixels(*picture)) {
-        return {};
-    }
-    QRectF seen = box & QRectF(picture->rect());
+PaintedPixels::PaintedPixels(QPainter& painter, const QRectF& box) : painter_(painter) {
+    const QPaintDevice& device = *painter.paintEngine()->paintDevice();
+    QRectF clip(0.0, 0.0, device.width(), device.height());
+    bool isSimple = true;
     if (painter.hasClipping()) {
         constexpr double small = 64.0 * 64.0;
-        if (box.width() * box.height() < small || painter.clipRegion().rectCount() != 1) {
-            return {};
-        }
-        // Qt rounds a clip to pixels, too.
-        const QRectF clip = painter.deviceTransform().mapRect(painter.clipBoundingRect());
-        seen &= QRectF(clip.toRect());
+        isSimple = box.width() * box.height() >= small && painter.clipRegion().rectCount() == 1;
+        clip &= painter.deviceTransform().mapRect(painter.clipBoundingRect());
     }
-    return {picture, seen.toAlignedRect()};
+    auto* const image = painter.device()->devType() == QInternal::Image
+                            ? static_cast<QImage*>(painter.device())
+                            : nullptr;
+    if (image != nullptr && isSimple && painter.opacity() == 1.0 &&
+        painter.compositionMode() == QPainter::CompositionMode_SourceOver &&
+        (image->format() == QImage::Format_RGB32 ||
+         image->format() == QImage::Format_ARGB32_Premultiplied)) {
+        picture_ = image;
+        clip = clip.toRect();  // as Qt does
+    }
+    seen_ = (box & clip).toAlignedRect();
+    if (picture_ == nullptr) {
+        layer_ = QImage(seen_.size(), QImage::Format_ARGB32_Premultiplied);
+        layer_.fill(Qt::transparent);
+    }
+}
+
+PaintedPixels::~PaintedPixels() {
+    if (!layer_.isNull()) {
+        const QTransform& transform = painter_.deviceTransform();
+        layer_.setDevicePixelRatio(transform.m11());
+        painter_.drawImage(transform.inverted().map(QPointF(seen_.topLeft())), layer_);
+    }
 }
 
 }  // namespace ravnoves

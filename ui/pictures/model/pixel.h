@@ -1,9 +1,9 @@
 #pragma once
 
+#include <QImage>
 #include <QRect>
 #include <QRgb>
 
-class QImage;
 class QPainter;
 
 namespace ravnoves {
@@ -11,19 +11,29 @@ namespace ravnoves {
 /// Whether a painter paints pixels, moved and scaled at most, and alike in both directions.
 bool paintsPixels(const QPainter& painter);
 
-/// Whether the pixels of a picture can be written to beside a painter: opaque or premultiplied, 4
-/// bytes each.
-bool hasWritablePixels(const QImage& picture);
+/// The pixels that a box covers under such a painter, to be written to: of the picture that it
+/// paints on, or of a clear layer, which is laid over anything else, as a widget, in the end. Of a
+/// small box where the painter is clipped a layer, too: reading the clip takes as long.
+class PaintedPixels {
+  public:
+    /// @param box  on the device
+    PaintedPixels(QPainter& painter, const QRectF& box);
+    ~PaintedPixels();
+    PaintedPixels(const PaintedPixels&) = delete;
+    PaintedPixels& operator=(const PaintedPixels&) = delete;
 
-/// The picture under a painter, where its pixels can be written directly, in 4 bytes each, and the
-/// pixels of a box that the painter may change.
-struct PaintedPixels {
-    QImage* picture = nullptr;
-    QRect seen;
+    /// RGB32 or premultiplied ARGB32.
+    QImage& picture() { return picture_ != nullptr ? *picture_ : layer_; }
+    QPoint corner() const { return picture_ != nullptr ? QPoint() : seen_.topLeft(); }
+    /// What of the box may be written to, on the device, where the picture begins at the corner.
+    const QRect& seen() const { return seen_; }
+
+  private:
+    QPainter& painter_;
+    QRect seen_;
+    QImage* picture_ = nullptr;
+    QImage layer_;
 };
-/// No picture for other devices, as a widget, and of a small box where the painter is clipped:
-/// reading the clip takes as long as a layer of that size.
-PaintedPixels pixelsOf(const QPainter& painter, const QRectF& box);
 
 /// A premultiplied colour over another.
 inline QRgb laidOver(QRgb colour, QRgb below) {

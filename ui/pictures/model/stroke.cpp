@@ -1,12 +1,10 @@
 #include "pictures/model/stroke.h"
 
-#include <QImage>
 #include <QMap>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "pictures/model/line_brush.h"
@@ -16,51 +14,15 @@ namespace ravnoves {
 
 namespace {
 
-/// A picture of part of the screen, which is laid over it.
-struct Overlay {
-    QImage picture;
-    QPoint corner;  ///< on the device
-};
-
 bool canBrush(const QPainter& painter) {
     return paintsPixels(painter) && painter.testRenderHint(QPainter::Antialiasing) &&
            painter.opacity() == 1.0;
 }
 
 bool canBrush(const QPen& pen, double scale) {
-    return pen.style() != Qt::NoPen && pen.style() != Qt::CustomDashLine &&
+    return pen.style() != Qt::NoPen && pen.dashOffset() == 0.0 &&
            pen.brush().style() == Qt::SolidPattern && pen.capStyle() != Qt::RoundCap &&
            pen.widthF() * scale >= 1.0;
-}
-
-/// What of lines on the device is seen.
-QRectF seenPart(const QPainter& painter, const std::vector<QPolygonF>& onDevice, double room) {
-    QRectF box;
-    for (const QPolygonF& line : onDevice) {
-        box |= line.boundingRect().adjusted(-room, -room, room, room);
-    }
-    return painter.hasClipping()
-               ? box & painter.deviceTransform().mapRect(painter.clipBoundingRect())
-               : box;
-}
-
-/// None where it would be too large, as what lies far outside is.
-std::optional<Overlay> overlayFor(const QRectF& box) {
-    constexpr double maximum = 4e6;  // pixels
-    if (!(box.width() * box.height() < maximum) || !(box.width() < maximum) ||
-        !(box.height() < maximum)) {
-        return std::nullopt;
-    }
-    const QRect whole = box.toAlignedRect();
-    Overlay overlay{QImage(whole.size(), QImage::Format_ARGB32_Premultiplied), whole.topLeft()};
-    overlay.picture.fill(Qt::transparent);
-    return overlay;
-}
-
-void lay(QPainter& painter, Overlay& overlay) {
-    const QTransform& transform = painter.deviceTransform();
-    overlay.picture.setDevicePixelRatio(transform.m11());
-    painter.drawImage(transform.inverted().map(QPointF(overlay.corner)), overlay.picture);
 }
 
 /// A way of this length along a line.
@@ -83,34 +45,13 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
         canBrush(painter) && std::all_of(all.begin(), all.end(), [&](const LinesOfPen& each) {
             return canBrush(each.pen, scale);
         });
-    std::vector<LinesOfPen> onDevice;
-    std::optional<Overlay> overlay;
-    PaintedPixels pixels;
-    if (canBrushAll) {
-        QRectF seen;
-        for (const LinesOfPen& each : all) {
-            LinesOfPen& mapped = onDevice.emplace_back(LinesOfPen{each.pen, {}});
-            mapped.lines.reserve(each.lines.size());
-            for (const QPolygonF& line : each.lines) {
-                if (line.size() > 1) {
-                    mapped.lines.push_back(transform.map(line));
-                }
-            }
-            seen |= seenPart(painter, mapped.lines, each.pen.widthF() * scale + 1.0);
-        }
-        pixels = pixelsOf(painter, seen);
-        if (pixels.picture == nullptr) {
-            overlay = overlayFor(seen);
-        }
-    }
-    const bool canDraw = canBrushAll && (overlay || pixels.picture != nullptr);
-    if (!canDraw && all.size() > 1) {
+    if (!canBrushAll && all.size() > 1) {
         for (const LinesOfPen& each : all) {
             paintLines(painter, {each});
         }
         return;
     }
-    if (!canDraw) {
+    if (!canBrushAll) {
         const QPen before = painter.pen();
         for (const LinesOfPen& each : all) {
             painter.setPen(each.pen);
@@ -121,14 +62,25 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
         painter.setPen(before);
         return;
     }
-    const QPoint corner = overlay ? overlay->corner : QPoint();
-    LineBrush brush(overlay ? overlay->picture : *pixels.picture,
-                    overlay ? overlay->picture.rect() : pixels.seen);
+    std::vector<LinesOfPen> onDevice;
+    QRectF seen;
+    for (const LinesOfPen& each : all) {
+        LinesOfPen& mapped = onDevice.emplace_back(LinesOfPen{each.pen, {}});
+        const double room = each.pen.widthF() * scale + 1.0;
+        for (const QPolygonF& line : each.lines) {
+            if (line.size() > 1) {
+                mapped.lines.push_back(transform.map(line));
+                seen |= mapped.lines.back().boundingRect().adjusted(-room, -room, room, room);
+            }
+        }
+    }
+    PaintedPixels pixels(painter, seen);
+    LineBrush brush(pixels.picture(), pixels.seen().translated(-pixels.corner()));
     for (LinesOfPen& each : onDevice) {
         const double width = each.pen.widthF() * scale;
         const double squareEnd = each.pen.capStyle() == Qt::SquareCap ? 0.5 * width : 0.0;
         for (QPolygonF& line : each.lines) {
-            line.translate(-corner);
+            line.translate(-pixels.corner());
             const qsizetype last = line.size() - 1;
             const QPointF atStart = along(line[0], line[1], squareEnd);
             const QPointF atEnd = along(line[last - 1], line[last], squareEnd);
@@ -143,62 +95,8 @@ void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all) {
                 each.pen.capStyle() == Qt::SquareCap ? (i % 2 == 0 ? 1.0 : -1.0) : 0.0;
             dashes[i] = std::max(0.0, dashes[i] + more) * width;
         }
-        brush.draw(each.lines, 1.0, each.pen.color(), width, dashes);
+        brush.draw(each.lines, each.pen.color(), width, dashes);
     }
-    if (overlay) {
-        lay(painter, *overlay);
-    }
-}
-
-void paintGridLines(QPainter& painter, const QList<QLineF>& lines) {
-    const QPen pen = painter.pen();
-    const QTransform& transform = painter.deviceTransform();
-    const double scale = transform.m11();
-    if (!canBrush(painter) || !canBrush(pen, scale) || pen.style() != Qt::SolidLine) {
-        painter.drawLines(lines);
-        return;
-    }
-    const double half = 0.5 * pen.widthF() * scale;
-    const double beyond = pen.capStyle() == Qt::FlatCap ? 0.0 : half;
-    const QTransform back = transform.inverted();
-    const auto fill = [&](double left, double top, double right, double bottom) {
-        const double part = std::min(1.0, right - left) * std::min(1.0, bottom - top);
-        QColor colour = pen.color();
-        colour.setAlphaF(static_cast<float>(colour.alphaF() * part));
-        if (colour.alpha() > 0) {
-            painter.fillRect(back.mapRect(QRectF(QPointF(std::floor(left), std::floor(top)),
-                                                 QPointF(std::ceil(right), std::ceil(bottom)))),
-                             colour);
-        }
-    };
-    // Pixels that are covered in part are apart: before, within and after.
-    const auto parts = [](double from, double to) {
-        std::vector<std::pair<double, double>> parts;
-        const double first = std::min(std::ceil(from), to);
-        const double last = std::max(std::floor(to), first);
-        for (const auto& part : {std::pair(from, first), {first, last}, {last, to}}) {
-            if (part.second > part.first) {
-                parts.push_back(part);
-            }
-        }
-        return parts;
-    };
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing, false);
-    for (const QLineF& line : lines) {
-        const QLineF at = transform.map(line);
-        const bool isUpright = at.x1() == at.x2();
-        const double x = isUpright ? half : beyond;
-        const double y = isUpright ? beyond : half;
-        for (const auto& [left, right] :
-             parts(std::min(at.x1(), at.x2()) - x, std::max(at.x1(), at.x2()) + x)) {
-            for (const auto& [top, bottom] :
-                 parts(std::min(at.y1(), at.y2()) - y, std::max(at.y1(), at.y2()) + y)) {
-                fill(left, top, right, bottom);
-            }
-        }
-    }
-    painter.restore();
 }
 
 QList<QLineF> hatchLines(const QPainterPath& area, double apart, double fall) {

@@ -28,9 +28,6 @@ struct LinesOfPen {
 /// screen once.
 void paintLines(QPainter& painter, const std::vector<LinesOfPen>& all);
 
-/// Lines along the axes, with the painter's pen: each pixel darkened by the share that they cover.
-void paintGridLines(QPainter& painter, const QList<QLineF>& lines);
-
 /// Lines at 45° that fill an area.
 /// @param apart  from one to the next, across the page
 /// @param fall  1: they fall to the right, −1: to the left

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "pictures/model/clip_shape.h"
+
 namespace ravnoves {
 
 namespace {
@@ -13,28 +15,6 @@ constexpr int maxCells = 4000;
 
 int cellsOf(double pixels) {
     return std::clamp(static_cast<int>(std::ceil(pixels / cell)), 1, maxCells);
-}
-
-/// The part of a line within a rectangle; false where there is none.
-bool clip(QPointF& from, QPointF& to, const QRectF& area) {
-    const QPointF along = to - from;
-    double first = 0.0;
-    double last = 1.0;
-    const auto cut = [&](double step, double room) {
-        if (step == 0.0) {
-            return room >= 0.0;
-        }
-        const double at = room / step;
-        (step < 0.0 ? first : last) = step < 0.0 ? std::max(first, at) : std::min(last, at);
-        return first <= last;
-    };
-    if (!cut(-along.x(), from.x() - area.left()) || !cut(along.x(), area.right() - from.x()) ||
-        !cut(-along.y(), from.y() - area.top()) || !cut(along.y(), area.bottom() - from.y())) {
-        return false;
-    }
-    to = from + last * along;
-    from += first * along;
-    return true;
 }
 
 }  // namespace
@@ -60,12 +40,12 @@ void LabelPlaces::addLine(const QPolygonF& line) {
 }
 
 void LabelPlaces::addLine(const QPointF& from, const QPointF& to) {
-    QPointF start = from;
-    QPointF end = to;
-    if (!clip(start, end, area_)) {
+    const auto seen = crossings({from, to}, area_);
+    if (!seen) {
         return;
     }
-    const QPointF along = end - start;
+    const QPointF start = QLineF(from, to).pointAt(seen->first);
+    const QPointF along = QLineF(from, to).pointAt(seen->second) - start;
     const int steps =
         1 + static_cast<int>(std::max(std::abs(along.x()), std::abs(along.y())) / cell);
     for (int i = 0; i <= steps; ++i) {
