@@ -87,11 +87,8 @@ class PlotPainter {
     LabelPlaces drawnPlaces() const;
     /// The place of its label, and its leader drawn; nothing where it has none.
     QRectF placeMark(QPainter& painter, const plot::Mark& mark, LabelPlaces& places) const;
+    /// At the edge where the line is beyond it, with its value and an arrow.
     void labelLine(QPainter& painter, const plot::Line& line, LabelPlaces& places) const;
-    /// -1 where a line is below the shown scale, 1 above, 0 within.
-    int sideBeyond(const plot::Line& line) const;
-    /// A line that is not seen, as an arrow at the edge with its value.
-    void labelBeyond(QPainter& painter, const plot::Line& line, LabelPlaces& places) const;
     bool isSeen(const plot::Mark& mark) const;
     static double radiusOf(const plot::Mark& mark);
     QLineF strokeOf(const plot::Line& line) const;

@@ -153,20 +153,24 @@ void PlotPainter::paintLabels(QPainter& painter) const {
 
 void PlotPainter::labelLine(QPainter& painter, const plot::Line& line, LabelPlaces& places) const {
     const QRectF& area = data_.area;
-    const QLineF stroke = strokeOf(line);
     const QFont font = Theme::font(Theme::smallSize);
     const bool flat = line.orientation == Qt::Horizontal;
-    if (line.text.isEmpty()) {
+    const PlotScale& scale = flat ? data_.scale(line.side) : data_.x;
+    const double place = scale.fraction(line.at);
+    constexpr double rounding = 1e-3;
+    const int beyond = place < -rounding ? -1 : place > 1.0 + rounding ? 1 : 0;
+    if (line.text.isEmpty() || (beyond != 0 && !line.keptAtEdge)) {
         return;
     }
-    if (sideBeyond(line) != 0) {
-        if (line.keptAtEdge) {
-            labelBeyond(painter, line, places);
-        }
-        return;
+    QPointF stroke = strokeOf(line).p1();
+    QString text = line.text;
+    if (beyond != 0) {
+        stroke = {std::clamp(stroke.x(), area.left(), area.right()),
+                  std::clamp(stroke.y(), area.top(), area.bottom())};
+        text += QLatin1Char(' ') + scale.readout(line.at, data_.locale) + QChar::Nbsp +
+                QChar(flat ? (beyond > 0 ? 0x2191 : 0x2193) : (beyond > 0 ? 0x2192 : 0x2190));
     }
-    const QString text =
-        QFontMetricsF(font).elidedText(line.text, Qt::ElideRight, area.width() - 2.0 * labelGap());
+    text = QFontMetricsF(font).elidedText(text, Qt::ElideRight, area.width() - 2.0 * labelGap());
     const QSizeF size = labelSize(font, text);
     constexpr int steps = 16;
     constexpr double away = 2.0;
@@ -176,68 +180,18 @@ void PlotPainter::labelLine(QPainter& painter, const plot::Line& line, LabelPlac
         if (flat) {
             const double x =
                 area.left() + away + part * std::max(0.0, area.width() - size.width() - 2.0 * away);
-            candidates.emplace_back(QPointF(x, stroke.y1() - away - size.height()), size);
-            candidates.emplace_back(QPointF(x, stroke.y1() + away), size);
+            candidates.emplace_back(QPointF(x, stroke.y() - away - size.height()), size);
+            candidates.emplace_back(QPointF(x, stroke.y() + away), size);
         } else {
             const double y = area.top() + away +
                              part * std::max(0.0, area.height() - size.height() - 2.0 * away);
-            candidates.emplace_back(QPointF(stroke.x1() + away, y), size);
-            candidates.emplace_back(QPointF(stroke.x1() - away - size.width(), y), size);
+            candidates.emplace_back(QPointF(stroke.x() + away, y), size);
+            candidates.emplace_back(QPointF(stroke.x() - away - size.width(), y), size);
         }
     }
     const QRectF box = places.place(candidates);
     painter.setFont(font);
     drawVeil(painter, box);
-    painter.setPen(Theme::instance().readable(Theme::instance().colour(line.role)));
-    painter.drawText(box, Qt::AlignCenter, text);
-}
-
-int PlotPainter::sideBeyond(const plot::Line& line) const {
-    const PlotScale& scale = line.orientation == Qt::Horizontal ? data_.scale(line.side) : data_.x;
-    const double at = scale.fraction(line.at);
-    constexpr double rounding = 1e-3;
-    return at < -rounding ? -1 : at > 1.0 + rounding ? 1 : 0;
-}
-
-void PlotPainter::labelBeyond(QPainter& painter, const plot::Line& line,
-                              LabelPlaces& places) const {
-    const bool flat = line.orientation == Qt::Horizontal;
-    const PlotScale& scale = flat ? data_.scale(line.side) : data_.x;
-    const QRectF& area = data_.area;
-    const QFont font = Theme::font(Theme::smallSize);
-    constexpr double arrow = 8.0;  // pixels
-    const QString text = QFontMetricsF(font).elidedText(
-        line.text + QLatin1Char(' ') + scale.readout(line.at, data_.locale), Qt::ElideRight,
-        area.width() - arrow - 2.0 * labelGap());
-    const QSizeF size = labelSize(font, text);
-    // At the edge that it lies beyond, the arrow's point on that.
-    const double sign = sideBeyond(line);
-    constexpr int steps = 6;
-    std::vector<QRectF> candidates;
-    for (int i = 0; i <= steps; ++i) {
-        const double part = static_cast<double>(i) / steps;
-        const double along = flat ? area.left() + labelGap() +
-                                        part * (area.width() - size.width() - 2.0 * labelGap())
-                                  : area.top() + labelGap() +
-                                        part * (area.height() - size.height() - 2.0 * labelGap());
-        const double away = arrow + 2.0;
-        candidates.emplace_back(
-            flat ? QPointF(along,
-                           sign > 0.0 ? area.top() + away : area.bottom() - away - size.height())
-                 : QPointF(sign > 0.0 ? area.right() - away - size.width() : area.left() + away,
-                           along),
-            size);
-    }
-    const QRectF box = places.place(candidates);
-    painter.setFont(font);
-    drawVeil(painter, box);
-    painter.setBrush(Theme::instance().colour(line.role));
-    const QPointF ahead = flat ? QPointF(0.0, -sign) : QPointF(sign, 0.0);
-    const QPointF across(ahead.y(), ahead.x());
-    const QPointF tip = flat ? QPointF(box.center().x(), sign > 0.0 ? area.top() : area.bottom())
-                             : QPointF(sign > 0.0 ? area.right() : area.left(), box.center().y());
-    painter.drawPolygon(QPolygonF{tip, tip - arrow * ahead + 0.5 * arrow * across,
-                                  tip - arrow * ahead - 0.5 * arrow * across});
     painter.setPen(Theme::instance().readable(Theme::instance().colour(line.role)));
     painter.drawText(box, Qt::AlignCenter, text);
 }
