@@ -8,11 +8,6 @@ namespace ravnoves {
 
 namespace {
 
-bool isSameAxis(const plot::Axis& a, const plot::Axis& b) {
-    return a.title == b.title && a.min == b.min && a.max == b.max && a.degrees == b.degrees &&
-           a.logarithmic == b.logarithmic && a.factor == b.factor;
-}
-
 const plot::Axis& axisOf(const Figure& figure, plot::Side side) {
     return side == plot::Side::Left ? figure.left : figure.right;
 }
@@ -67,7 +62,7 @@ PlotData dataOf(const Figure& figure) {
 }  // namespace
 
 void PlotView::showAxis(const Axis& axis) {
-    if (shownX_ && isSameAxis(*shownX_, axis)) {
+    if (shownX_ == axis) {
         return;
     }
     const bool isOther = !shownX_ || shownX_->title != axis.title;
@@ -88,7 +83,7 @@ void PlotView::showFigure(const Figure& figure) {
     for (const Side side : {Side::Left, Side::Right}) {
         std::optional<Axis>& shown = side == Side::Left ? shownLeft_ : shownRight_;
         const Axis& axis = axisOf(figure, side);
-        if (!shown || !isSameAxis(*shown, axis)) {
+        if (shown != axis) {
             shown = axis;
             setYAxis(side, axis);
         }

@@ -283,19 +283,6 @@ TEST_F(PlotDataTest, ACurveWithoutPointsIsNothingToDraw) {
     EXPECT_TRUE(curve().stretches.empty());
 }
 
-TEST_F(PlotDataTest, AClosedCurveGoesOnAcrossItsEnds) {
-    curve().style.gaps = true;
-    curve().style.closed = true;
-    set({0, 1, 2, 3, 4, 5, 0}, {0, 1, nan, 3, nan, 5, 0});
-    EXPECT_EQ(curve().x, (Values{3, 5, 0, 0, 1}));
-    EXPECT_EQ(curve().starts, (Starts{1}));
-    // Not where an end is missing, and nothing moves where there is no gap.
-    set({0, 1, 2, 3}, {nan, 1, nan, 3});
-    EXPECT_EQ(curve().x, (Values{1, 3}));
-    set({0, 1, 2, 0}, {0, 1, 1, 0});
-    EXPECT_EQ(curve().x, (Values{0, 1, 2, 0}));
-}
-
 TEST_F(PlotDataTest, ScalesFollowTheShownCurves) {
     set({0, 1}, {-40, 60});
     data.fitScales();

@@ -65,7 +65,6 @@ Figure guides(const ElasticHingeModel& model) {
     const auto add = [&](Figure::Curve curve, GuidePicture::Path path, GuidePicture::Path real) {
         reach = std::max(reach, path.reach());
         curve.style.gaps = true;
-        curve.style.closed = true;
         curve.x = std::move(path.x);
         curve.y = std::move(path.y);
         curve.trueX = std::move(real.x);

@@ -19,13 +19,9 @@ bool PlotCurve::set(std::vector<double> newX, std::vector<double> newY, const Pl
     const std::size_t count = std::min(newX.size(), newY.size());
     std::size_t finite = 0;
     std::vector<std::size_t> newStarts;
-    const auto drawable = [&](std::size_t i) {
-        return xScale.holds(newX[i]) && yScale.holds(newY[i]);
-    };
-    const bool firstThere = count > 0 && drawable(0);
     bool left = false;  // the point before this one was left out
     for (std::size_t i = 0; i < count; ++i) {
-        const bool there = drawable(i);
+        const bool there = xScale.holds(newX[i]) && yScale.holds(newY[i]);
         if (there) {
             if (left && style.gaps && finite > 0) {
                 newStarts.push_back(finite);
@@ -38,18 +34,6 @@ bool PlotCurve::set(std::vector<double> newX, std::vector<double> newY, const Pl
     }
     newX.resize(finite);
     newY.resize(finite);
-    if (style.closed && firstThere && !left && !newStarts.empty()) {
-        // Begin after the first gap, so that the last stretch continues in the first.
-        const std::size_t first = newStarts.front();
-        for (auto* values : {&newX, &newY}) {
-            std::rotate(values->begin(), values->begin() + static_cast<std::ptrdiff_t>(first),
-                        values->end());
-        }
-        newStarts.erase(newStarts.begin());
-        for (std::size_t& start : newStarts) {
-            start -= first;
-        }
-    }
     if (newX == x && newY == y && newStarts == starts) {
         return false;
     }
@@ -88,27 +72,18 @@ std::optional<std::size_t> PlotData::find(std::string_view id) const {
 }
 
 const PlotCurve* PlotData::curveOfReference(const PlotCurve& curve) const {
-    if (reference == nullptr) {
-        return nullptr;
-    }
-    const std::size_t number = curve.id.empty()
-                                   ? static_cast<std::size_t>(&curve - curves.data())
-                                   : reference->find(curve.id).value_or(reference->curves.size());
-    return number < reference->curves.size() && !reference->curves[number].x.empty()
-               ? &reference->curves[number]
-               : nullptr;
+    const auto number = reference != nullptr ? reference->find(curve.id) : std::nullopt;
+    const PlotCurve* found = number ? &reference->curves[*number] : nullptr;
+    return found != nullptr && !found->x.empty() ? found : nullptr;
 }
 
 const PlotCurve* PlotData::ghostOf(const PlotCurve& curve) const {
-    const PlotCurve* found = referenceShown && curve.shown ? curveOfReference(curve) : nullptr;
-    if (found == nullptr) {
-        return nullptr;
-    }
-    const PlotCurve& ghost = *found;
+    const PlotCurve* ghost = referenceShown && curve.shown ? curveOfReference(curve) : nullptr;
     // Another quantity has no place on this axis.
-    const plot::Side side = curve.style.side;
-    return reference->scale(ghost.style.side).spec.title == scale(side).spec.title ? &ghost
-                                                                                   : nullptr;
+    return ghost != nullptr && reference->scale(ghost->style.side).spec.title ==
+                                   scale(curve.style.side).spec.title
+               ? ghost
+               : nullptr;
 }
 
 bool PlotData::hasGhosts() const {

@@ -38,7 +38,6 @@ struct CurveStyle {
     double barWidth = 0.8;
     double barShift = 0.0;  ///< of the bar's middle, so that groups are side by side
     bool gaps = false;      ///< the line is broken where a point is not finite
-    bool closed = false;    ///< with gaps: the last point continues in the first
     /// Of a vector's path: the angle φ that its points share out evenly, from 0, degrees. The
     /// cursor then reads the nearest point with its φ.
     double turn = 0.0;
@@ -76,7 +75,7 @@ struct Line {
     Role role = Role::Neutral;
     QString text = {};
     Side side = Side::Left;
-    bool keptAtEdge = false;  ///< beyond the shown range: an arrow at the edge, with its value
+    bool keptAtEdge = false;  ///< beyond the shown range: its text at the edge, with its value
 };
 
 }  // namespace plot
@@ -151,7 +150,7 @@ struct PlotData {
     bool faded = false;
     bool spreadShown = true;
     QString fadedText = {};
-    /// The same plot of a reference; each curve is under the one of the same number.
+    /// The same plot of a reference; each curve is under the one of the same word.
     const PlotData* reference = nullptr;
     QString referenceName = {};
     bool referenceShown = true;

@@ -143,7 +143,7 @@ std::vector<double> PlotScale::ticks(double pixels, double pixelsPerTick) const 
 
 QString PlotScale::tickText(double value, const QLocale& locale) const {
     if (spec.logarithmic) {
-        return spec.label ? spec.label(number(value)) : powerText(number(value), locale);
+        return spec.label != nullptr ? spec.label(number(value)) : powerText(number(value), locale);
     }
     const TickFormat format = tickFormat(number(low), number(high), step);
     // What is far less than a step is the rounding of 0.

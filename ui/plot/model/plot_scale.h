@@ -19,10 +19,12 @@ struct Axis {
     double max = 1.0;
     bool degrees = false;  ///< ticks at 15, 30, 45, 90, …
     bool logarithmic = false;
-    /// Text of ticks and of values read out of a logarithmic axis; powers of ten where empty.
-    std::function<QString(double)> label = {};
+    /// Text of ticks and of values read out of a logarithmic axis; powers of ten where null.
+    QString (*label)(double) = nullptr;
     double factor =
         1.0;  ///< numbers shown per number of the data, where the user's unit is another
+
+    bool operator==(const Axis&) const = default;
 };
 
 }  // namespace plot
