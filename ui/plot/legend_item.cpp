@@ -1,8 +1,6 @@
 #include "plot/legend_item.h"
 
-#include <QHelpEvent>
 #include <QPainter>
-#include <QToolTip>
 #include <cmath>
 #include <utility>
 
@@ -55,6 +53,7 @@ LegendItem::LegendItem(QWidget* parent) : QAbstractButton(parent) {
     setCheckable(true);
     setFocusPolicy(Qt::TabFocus);
     setCursor(Qt::ArrowCursor);
+    setAttribute(Qt::WA_Hover);  // painted anew as the pointer comes and goes
 }
 
 void LegendItem::setName(const QString& name) {
@@ -87,18 +86,10 @@ int LegendItem::heightForWidth(int width) const {
            Theme::gap;
 }
 
-bool LegendItem::isElided() const {
-    return height() < heightForWidth(width()) ||
-           (width() < sizeHint().width() &&
-            QFontMetricsF(itemFont())
-                    .boundingRect(QRectF(0.0, 0.0, width() - 2.0 * inset - strokeLength(), 1e4),
-                                  wrapped, name_)
-                    .width() > width() - 2.0 * inset - strokeLength());
-}
-
 void LegendItem::draw(QPainter& painter, const QRectF& rect) const {
     // In the first line of several.
-    const double middle = rect.width() < sizeHint().width()
+    const bool isWrapped = rect.width() < sizeHint().width();
+    const double middle = isWrapped
                               ? rect.top() + 0.5 * (Theme::gap + QFontMetricsF(itemFont()).height())
                               : rect.center().y();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -130,24 +121,7 @@ void LegendItem::draw(QPainter& painter, const QRectF& rect) const {
     painter.setFont(font);
     painter.setPen(isChecked() ? Theme::instance().text() : Theme::instance().mutedText());
     const QRectF room = rect.adjusted(2 * inset + strokeLength(), 0, 0, 0);
-    if (isElided()) {
-        painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
-                         painter.fontMetrics().elidedText(name_, Qt::ElideMiddle,
-                                                          static_cast<int>(room.width())));
-    } else if (rect.width() < sizeHint().width()) {
-        painter.drawText(room, wrapped, name_);
-    } else {
-        painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, name_);
-    }
-}
-
-bool LegendItem::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip && isElided()) {
-        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
-                           name_ + QLatin1Char('\n') + toolTip(), this);
-        return true;
-    }
-    return QAbstractButton::event(event);
+    painter.drawText(room, isWrapped ? wrapped : Qt::AlignLeft | Qt::AlignVCenter, name_);
 }
 
 void LegendItem::paintEvent(QPaintEvent* /*event*/) {
@@ -159,13 +133,6 @@ void LegendItem::paintEvent(QPaintEvent* /*event*/) {
         painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
     }
     draw(painter, QRectF(rect()));
-}
-
-void LegendItem::enterEvent(QEnterEvent* /*event*/) {
-    update();
-}
-void LegendItem::leaveEvent(QEvent* /*event*/) {
-    update();
 }
 
 }  // namespace ravnoves

@@ -25,14 +25,9 @@ class LegendItem : public QAbstractButton {
     QSize sizeHint() const override;
     /// The name in as many lines as it takes.
     int heightForWidth(int width) const override;
-    /// True where there is too little room for the name: the tip has it then.
-    bool isElided() const;
 
   protected:
-    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
-    void enterEvent(QEnterEvent* event) override;
-    void leaveEvent(QEvent* event) override;
 
   private:
     QString name_;

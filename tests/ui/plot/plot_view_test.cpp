@@ -88,23 +88,6 @@ class PlotViewTest : public ::testing::Test {
     int curve = 0;
 };
 
-TEST_F(PlotViewTest, DrawsTheCurveWhereItBelongs) {
-    const QImage image = plot.grab().toImage();
-    const auto differs = [&](const QPointF& p) {
-        // Some pixel near p is neither background nor grid.
-        for (int dy = -2; dy <= 2; ++dy) {
-            const QColor c = image.pixelColor(p.toPoint() + QPoint(0, dy));
-            if (c.lightness() < 180) {
-                return true;
-            }
-        }
-        return false;
-    };
-    EXPECT_TRUE(differs(plot.toPixel(90, 100)));
-    EXPECT_TRUE(differs(plot.toPixel(270, -100)));
-    EXPECT_FALSE(differs(plot.toPixel(100, -50)));
-}
-
 TEST_F(PlotViewTest, WheelZoomsAboutThePointerAndDoubleClickResets) {
     const auto [low, high] = plot.data().x.interval();
     test::turnWheel(&plot, at(180, 0), 3);
@@ -214,7 +197,8 @@ TEST_F(PlotViewTest, NoNameOfALegendIsCut) {
         plot.resize(width, 400);
         plot.grab();
         for (const LegendItem* item : plot.findChildren<LegendItem*>()) {
-            EXPECT_FALSE(item->isElided()) << width << ' ' << item->name().toStdString();
+            EXPECT_GE(item->height(), item->heightForWidth(item->width()))
+                << width << ' ' << item->name().toStdString();
             EXPECT_LE(item->geometry().right(), width);
             EXPECT_LT(item->geometry().bottom(), plot.plotArea().top() + 1.0);
         }
@@ -426,21 +410,6 @@ TEST_F(PlotViewTest, NumbersAndStrokesFollowTheText) {
     EXPECT_GE(wide, gap + 6.0);
 }
 
-TEST_F(PlotViewTest, TheGridStandsWhereTheValuesAre) {
-    for (const QSize& size : {QSize(600, 400), QSize(600, 330), QSize(480, 350)}) {
-        plot.resize(size);
-        const QImage picture = plot.grab().toImage();
-        const double y = plot.toPixel(0.0, -100.0).y();
-        const double x = plot.plotArea().left() + 3.0;
-        int darkest = 255;
-        for (const double by : {-1.0, 0.0, 1.0}) {
-            darkest =
-                std::min(darkest, picture.pixelColor(QPointF(x, y + by).toPoint()).lightness());
-        }
-        EXPECT_LT(darkest, 245) << size.height();
-    }
-}
-
 TEST_F(PlotViewTest, ACurveThatIsAPointIsSeen) {
     plot.setCurve(curve, {360, 360, 360}, {0, 0, 0});
     plot.grab();
@@ -459,23 +428,6 @@ TEST_F(PlotViewTest, KeysZoomMoveAndReset) {
     QSignalSpy moved(&plot, &PlotView::cursorMoved);
     QTest::keyClick(&plot, Qt::Key_Right);
     EXPECT_EQ(moved.size(), 1);
-}
-
-TEST_F(PlotViewTest, EqualScaleKeepsCirclesRound) {
-    PlotView round(QStringLiteral("Circle"));
-    round.setXAxis({{}, -1.0, 1.0});
-    round.setEqualScale(true);
-    const int circle = round.addCurve({.name = QStringLiteral("circle")});
-    std::vector<double> x;
-    std::vector<double> y;
-    for (int i = 0; i <= 360; ++i) {
-        x.push_back(std::cos(i * pi / 180));
-        y.push_back(std::sin(i * pi / 180));
-    }
-    round.setCurve(circle, x, y);
-    test::showAt(round, {700, 300});
-    const QPointF a = round.toPixel(0, 0);
-    EXPECT_NEAR(round.toPixel(1, 0).x() - a.x(), a.y() - round.toPixel(0, 1).y(), 0.5);
 }
 
 /// A read-out with the values of a reference may be wider than its chart, or the whole plot.
