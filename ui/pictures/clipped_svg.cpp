@@ -95,78 +95,36 @@ class ClippedSvg::Engine : public QPaintEngine {
 
     void drawRects(const QRectF* rects, int count) override {
         for (int i = 0; i < count; ++i) {
-            const QRectF device = transform().mapRect(rects[i]);
-            if (isWhole(device)) {
-                painter_.drawRect(rects[i]);
-            } else if (meets(device)) {
-                QPainterPath path;
-                path.addRect(rects[i]);
-                drawCut(path);
-            }
-        }
-    }
-    void drawLines(const QLineF* lines, int count) override {
-        for (int i = 0; i < count; ++i) {
-            const QLineF& line = lines[i];
-            const QRectF device = transform().mapRect(QRectF(line.p1(), line.p2()).normalized());
-            if (isWhole(device)) {
-                painter_.drawLine(line);
-            } else if (meets(device)) {
-                strokeCut(transform().map(QPolygonF{line.p1(), line.p2()}));
-            }
+            QPainterPath path;
+            path.addRect(rects[i]);
+            draw(path, [&] { painter_.drawRect(rects[i]); });
         }
     }
     void drawEllipse(const QRectF& box) override {
-        const QRectF device = transform().mapRect(box);
-        if (isWhole(device)) {
-            painter_.drawEllipse(box);
-        } else if (meets(device)) {
-            QPainterPath path;
-            path.addEllipse(box);
-            drawCut(path);
-        }
+        QPainterPath path;
+        path.addEllipse(box);
+        draw(path, [&] { painter_.drawEllipse(box); });
     }
     void drawPath(const QPainterPath& path) override {
-        const QRectF device = transform().map(path).controlPointRect();
-        if (isWhole(device)) {
-            painter_.drawPath(path);
-        } else if (meets(device)) {
-            drawCut(path);
-        }
-    }
-    void drawPoints(const QPointF* points, int count) override {
-        for (int i = 0; i < count; ++i) {
-            const QPointF device = transform().map(points[i]);
-            if (isWhole(QRectF(device, device))) {
-                painter_.drawPoint(points[i]);
-            }
-        }
+        draw(path, [&] { painter_.drawPath(path); });
     }
     void drawPolygon(const QPointF* points, int count, PolygonDrawMode mode) override {
         const QPolygonF polygon(QList<QPointF>(points, points + count));
-        const QRectF device = transform().map(polygon).boundingRect();
-        if (isWhole(device)) {
-            switch (mode) {
-                case PolylineMode:
-                    painter_.drawPolyline(polygon);
-                    break;
-                case ConvexMode:
-                    painter_.drawConvexPolygon(polygon);
-                    break;
-                default:
-                    painter_.drawPolygon(polygon, fillRule(mode));
+        if (mode == PolylineMode) {
+            const QPolygonF line = transform().map(polygon);
+            if (isWhole(line.boundingRect())) {
+                painter_.drawPolyline(polygon);
+            } else if (meets(line.boundingRect())) {
+                strokeCut(line);
             }
-        } else if (!meets(device)) {
             return;
-        } else if (mode == PolylineMode) {
-            strokeCut(transform().map(polygon));
-        } else {
-            QPainterPath path;
-            path.addPolygon(polygon);
-            path.closeSubpath();
-            path.setFillRule(fillRule(mode));
-            drawCut(path);
         }
+        const Qt::FillRule rule = mode == WindingMode ? Qt::WindingFill : Qt::OddEvenFill;
+        QPainterPath path;
+        path.addPolygon(polygon);
+        path.closeSubpath();
+        path.setFillRule(rule);
+        draw(path, [&] { painter_.drawPolygon(polygon, rule); });
     }
     void drawPixmap(const QRectF& target, const QPixmap& pixmap, const QRectF& source) override {
         drawImage(target, pixmap.toImage(), source, Qt::AutoColor);
@@ -240,9 +198,6 @@ class ClippedSvg::Engine : public QPaintEngine {
         return pen.style() == Qt::NoPen ? 0.0 : pen.isCosmetic() ? width : width * scale();
     }
     double scale() const { return std::sqrt(std::abs(transform().determinant())); }
-    static Qt::FillRule fillRule(PolygonDrawMode mode) {
-        return mode == WindingMode ? Qt::WindingFill : Qt::OddEvenFill;
-    }
 
     void clipTo(const QRectF& box, const QPaintEngineState& state) {
         const QRectF onDevice = state.transform().mapRect(box);
@@ -259,6 +214,16 @@ class ClippedSvg::Engine : public QPaintEngine {
         }
     }
 
+    /// @param whole  draws the same where nothing of it is cut
+    template <typename Whole>
+    void draw(const QPainterPath& path, const Whole& whole) {
+        const QRectF device = transform().map(path).controlPointRect();
+        if (isWhole(device)) {
+            whole();
+        } else if (meets(device)) {
+            drawCut(path);
+        }
+    }
     void drawCut(const QPainterPath& path) {
         const QPen pen = painter_.pen();
         painter_.setPen(Qt::NoPen);
