@@ -16,25 +16,16 @@ const QString interface = QStringLiteral("org.freedesktop.portal.Settings");
 const QString appearance = QStringLiteral("org.freedesktop.appearance");
 const QString colourScheme = QStringLiteral("color-scheme");
 
-bool hasDesktop() {
-    return QGuiApplication::platformName() != QLatin1String("offscreen") &&
-           !qEnvironmentVariableIsEmpty("DBUS_SESSION_BUS_ADDRESS");
-}
-
 }  // namespace
 
 DesktopColourScheme::DesktopColourScheme(QObject* parent) : QObject(parent) {
-    if (hasDesktop()) {
-        QDBusConnection::sessionBus().connect(service, path, interface,
-                                              QStringLiteral("SettingChanged"), this,
-                                              SLOT(settingChanged(QString, QString, QDBusVariant)));
-    }
-}
-
-void DesktopColourScheme::ask() {
-    if (!hasDesktop()) {
+    if (QGuiApplication::platformName() == QLatin1String("offscreen") ||
+        qEnvironmentVariableIsEmpty("DBUS_SESSION_BUS_ADDRESS")) {
         return;
     }
+    QDBusConnection::sessionBus().connect(service, path, interface,
+                                          QStringLiteral("SettingChanged"), this,
+                                          SLOT(settingChanged(QString, QString, QDBusVariant)));
     QDBusMessage call =
         QDBusMessage::createMethodCall(service, path, interface, QStringLiteral("Read"));
     call << appearance << colourScheme;

@@ -15,9 +15,8 @@ class DesktopColourScheme : public QObject {
     Q_OBJECT
 
   public:
+    /// The answer comes later as darkChanged().
     explicit DesktopColourScheme(QObject* parent = nullptr);
-    /// Asks without waiting; the answer comes as darkChanged().
-    void ask();
 
   Q_SIGNALS:
     void darkChanged(bool dark);

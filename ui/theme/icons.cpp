@@ -3,9 +3,8 @@
 #include <QFile>
 #include <QIconEngine>
 #include <QPainter>
+#include <QPixmapCache>
 #include <QSvgRenderer>
-#include <algorithm>
-#include <vector>
 
 #include "theme/theme.h"
 
@@ -29,38 +28,25 @@ class ThemedIconEngine : public QIconEngine {
     }
 
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-        const QRgb colour = colourOf(mode, state).rgb();
-        const auto known = std::find_if(drawn_.begin(), drawn_.end(), [&](const Drawn& each) {
-            return each.colour == colour && each.picture.size() == size;
-        });
-        if (known != drawn_.end()) {
-            return known->picture;
-        }
-        if (size.isEmpty()) {
-            return {};  // a button that is not laid out yet
-        }
+        const QString key = QStringLiteral("icon %1 %2 %3 %4")
+                                .arg(qHash(svg_))
+                                .arg(colourOf(mode, state).rgb())
+                                .arg(size.width())
+                                .arg(size.height());
         QPixmap pixmap(size);
-        pixmap.fill(Qt::transparent);
-        QPainter painter(&pixmap);
-        paint(&painter, QRect(QPoint(), size), mode, state);
-        painter.end();
-        constexpr std::size_t maximum =
-            4;  // a button's states; of a theme or a scale before no more
-        if (drawn_.size() == maximum) {
-            drawn_.erase(drawn_.begin());
+        if (!size.isEmpty() && !QPixmapCache::find(key, &pixmap)) {
+            pixmap.fill(Qt::transparent);
+            QPainter painter(&pixmap);
+            paint(&painter, QRect(QPoint(), size), mode, state);
+            painter.end();
+            QPixmapCache::insert(key, pixmap);
         }
-        drawn_.push_back({colour, pixmap});
         return pixmap;
     }
 
     QIconEngine* clone() const override { return new ThemedIconEngine(*this); }
 
   private:
-    struct Drawn {
-        QRgb colour;
-        QPixmap picture;
-    };
-
     static QColor colourOf(QIcon::Mode mode, QIcon::State state) {
         const Theme& theme = Theme::instance();
         return mode == QIcon::Disabled ? theme.border()
@@ -69,7 +55,6 @@ class ThemedIconEngine : public QIconEngine {
     }
 
     QByteArray svg_;
-    std::vector<Drawn> drawn_;
 };
 
 }  // namespace

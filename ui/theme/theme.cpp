@@ -35,48 +35,19 @@ int beyondFusion(int pixels) {
 /// by their palette, and Qt 6.4 never drops the name of a picture: with the palettes that widgets
 /// make for themselves, each page would draw its own and leave the names for ever.
 QPalette lasting(const QPalette& palette) {
-    static QHash<qint64, QPalette> known;  // by the key that each widget's has
     static QList<QPalette> distinct;
-    constexpr qsizetype many = 1000;
     constexpr qsizetype themes = 64;  // with what tables and messages colour
-    auto found = known.constFind(palette.cacheKey());
-    if (found == known.constEnd()) {
-        if (known.size() >= many) {
-            known.clear();
+    auto alike = std::find(distinct.cbegin(), distinct.cend(), palette);
+    if (alike == distinct.cend()) {
+        if (distinct.size() >= themes) {
+            distinct.clear();
         }
-        auto alike = std::find(distinct.cbegin(), distinct.cend(), palette);
-        if (alike == distinct.cend()) {
-            if (distinct.size() >= themes) {
-                distinct.clear();
-            }
-            distinct << palette;
-            alike = distinct.cend() - 1;
-        }
-        found = known.insert(palette.cacheKey(), *alike);
+        distinct << palette;
+        alike = distinct.cend() - 1;
     }
-    QPalette same = *found;
+    QPalette same = *alike;
     same.setCurrentColorGroup(palette.currentColorGroup());
     return same;
-}
-
-/// The palette with another window colour; the same one for the same question.
-QPalette withWindow(const QPalette& palette, const QColor& window) {
-    static QHash<std::pair<qint64, QRgb>, QPalette> known;
-    constexpr qsizetype many = 1000;
-    const QPalette of = lasting(palette);
-    const std::pair key(of.cacheKey(), window.rgba());
-    auto found = known.constFind(key);
-    if (found == known.constEnd()) {
-        if (known.size() >= many) {
-            known.clear();
-        }
-        QPalette other = of;
-        other.setColor(QPalette::Window, window);
-        found = known.insert(key, other);
-    }
-    QPalette other = *found;
-    other.setCurrentColorGroup(palette.currentColorGroup());
-    return other;
 }
 
 template <typename Option>
@@ -92,8 +63,8 @@ Option outlined(Option option) {
     constexpr int darkening = 140;  // percent, Fusion's
     const QColor outline =
         Theme::instance().fieldBorder(option.state.testFlag(QStyle::State_Enabled));
-    option.palette = withWindow(option.palette, outline.lighter(darkening));
-    return option;
+    option.palette.setColor(QPalette::Window, outline.lighter(darkening));
+    return withLastingPalette(option);
 }
 
 /// Fusion with narrower tabs, so that seven of them fit beside each other in a small window, with
@@ -269,8 +240,7 @@ class ProgramStyle : public QProxyStyle {
             const auto kept = withLastingPalette(*button);
             QProxyStyle::drawPrimitive(element, &kept, painter, widget);
         } else if (element == PE_IndicatorArrowDown && beyondFusion(comboArrow) > 0) {
-            drawTriangle(painter, option->rect, *option, Down,
-                         option->state.testFlag(State_Enabled));
+            drawArrowDown(painter, option->rect, *option);
         } else if (element != PE_FrameFocusRect) {
             QProxyStyle::drawPrimitive(element, option, painter, widget);
         } else if (option->state.testFlag(State_KeyboardFocusChange)) {
@@ -286,8 +256,8 @@ class ProgramStyle : public QProxyStyle {
             QProxyStyle::drawComplexControl(control, &seen, painter, widget);
             // Fusion's arrow has one size: with larger text a larger one covers it.
             if (beyondFusion(comboArrow) > 0) {
-                drawTriangle(painter, subControlRect(control, box, SC_ComboBoxArrow, widget), *box,
-                             Down, box->state.testFlag(State_Enabled));
+                drawArrowDown(painter, subControlRect(control, box, SC_ComboBoxArrow, widget),
+                              *box);
             }
         } else if (const auto* slider = qstyleoption_cast<const QStyleOptionSlider*>(option);
                    slider != nullptr && control == CC_Slider) {
@@ -296,9 +266,6 @@ class ProgramStyle : public QProxyStyle {
         } else if (slider != nullptr && control == CC_ScrollBar) {
             const auto kept = withLastingPalette(*slider);
             QProxyStyle::drawComplexControl(control, &kept, painter, widget);
-            if (beyondFusion(comboArrow) > 0) {
-                drawScrollArrows(painter, *slider, widget);
-            }
         } else {
             QProxyStyle::drawComplexControl(control, option, painter, widget);
         }
@@ -311,32 +278,15 @@ class ProgramStyle : public QProxyStyle {
     /// Width of Fusion's arrow with the rim at its sides, pixels.
     static constexpr int comboArrow = 19;
 
-    void drawScrollArrows(QPainter* painter, const QStyleOptionSlider& option,
-                          const QWidget* widget) const {
-        const bool isFlat = option.orientation == Qt::Horizontal;
-        const bool isTurned = isFlat && option.direction == Qt::RightToLeft;
-        for (const auto part : {SC_ScrollBarSubLine, SC_ScrollBarAddLine}) {
-            const QRectF room = subControlRect(CC_ScrollBar, &option, part, widget);
-            const bool isBack = (part == SC_ScrollBarSubLine) != isTurned;
-            drawTriangle(painter, room, option,
-                         isFlat ? (isBack ? Left : Right) : (isBack ? Up : Down),
-                         option.state.testFlag(State_Enabled));
-        }
-    }
-
-    /// Where an arrow points: degrees from downwards, clockwise.
-    enum Direction { Down = 0, Left = 90, Up = 180, Right = 270 };
-
-    static void drawTriangle(QPainter* painter, const QRectF& room, const QStyleOption& option,
-                             Direction direction, bool isOn) {
+    static void drawArrowDown(QPainter* painter, const QRectF& room, const QStyleOption& option) {
         const double half = std::min(Theme::withText(8) / 2.0, 0.4 * room.width());
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);
         painter->setPen(Qt::NoPen);
+        const bool isOn = option.state.testFlag(State_Enabled);
         painter->setBrush(option.palette.color(isOn ? QPalette::Active : QPalette::Disabled,
                                                QPalette::ButtonText));
         painter->translate(room.center());
-        painter->rotate(direction);
         painter->drawPolygon(QPolygonF{QPointF(-half, -half / 2.0), QPointF(half, -half / 2.0),
                                        QPointF(0.0, half / 2.0)});
         painter->restore();
@@ -408,7 +358,6 @@ void Theme::watchDesktop() {
     });
     // What the platform's own palette says holds until the desktop answers.
     desktopDark_ = QApplication::palette().color(QPalette::Window).lightness() < 128;
-    scheme->ask();
 }
 
 void Theme::setTextScale(double scale) {
