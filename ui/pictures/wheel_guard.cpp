@@ -18,18 +18,8 @@ class WheelGuard : public QObject {
     using QObject::QObject;
 
     bool eventFilter(QObject* watched, QEvent* event) override {
-        switch (event->type()) {
-            case QEvent::Wheel:
-            case QEvent::Polish:
-            case QEvent::FocusIn:
-            case QEvent::MouseButtonPress:
-            case QEvent::KeyPress:
-                break;
-            default:
-                return false;
-        }
-        if (qobject_cast<QComboBox*>(watched) == nullptr &&
-            qobject_cast<QSlider*>(watched) == nullptr) {
+        const bool isList = qobject_cast<QComboBox*>(watched) != nullptr;
+        if (!isList && qobject_cast<QSlider*>(watched) == nullptr) {
             return false;
         }
         auto* widget = static_cast<QWidget*>(watched);
@@ -40,36 +30,30 @@ class WheelGuard : public QObject {
                         Qt::StrongFocus);  // the wheel does not give it the focus
                 }
                 return false;
-            case QEvent::FocusIn:
-                noteFocus(widget, static_cast<QFocusEvent*>(event)->reason());
+            case QEvent::FocusIn: {
+                const FocusWay way = focusWay(static_cast<QFocusEvent*>(event)->reason());
+                if (way != FocusWay::back) {
+                    chosen_ = way == FocusWay::went ? widget : nullptr;
+                }
                 return false;
+            }
             case QEvent::Wheel:
                 // A closed list shows one word alone: what a notch makes of it is seen too late.
-                if (widget->hasFocus() && chosen_ == widget &&
-                    qobject_cast<QComboBox*>(watched) == nullptr) {
+                if (widget->hasFocus() && chosen_ == widget && !isList) {
                     return false;
                 }
                 event->ignore();
                 return true;
-            default:
+            case QEvent::MouseButtonPress:
+            case QEvent::KeyPress:
                 chosen_ = widget;
+                return false;
+            default:
                 return false;
         }
     }
 
   private:
-    void noteFocus(QWidget* widget, Qt::FocusReason reason) {
-        switch (focusWay(reason)) {
-            case FocusWay::went:
-                chosen_ = widget;
-                break;
-            case FocusWay::back:
-                break;
-            case FocusWay::other:
-                chosen_.clear();
-        }
-    }
-
     QPointer<QWidget> chosen_;
 };
 

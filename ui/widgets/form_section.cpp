@@ -131,40 +131,18 @@ QScrollArea* scrolled(QWidget* form, QWidget* parent) {
     return new Scrolled(form, parent);
 }
 
-namespace {
-
-/// The ink of a label; it belongs to it.
-class LabelInk final : public QObject {
-  public:
-    explicit LabelInk(QLabel* label) : QObject(label), label_(label) {
-        setObjectName(name);
-        connect(&Theme::instance(), &Theme::changed, this, [this] { set(ink); });
-    }
-    void set(Ink wanted) {
-        ink = wanted;
-        const QColor colour = (Theme::instance().*ink)();
-        QPalette palette = label_->palette();
-        if (palette.color(QPalette::WindowText) != colour) {
-            palette.setColor(QPalette::WindowText, colour);
-            label_->setPalette(palette);
-        }
-    }
-    static LabelInk* of(const QLabel& label) {
-        return static_cast<LabelInk*>(label.findChild<QObject*>(name, Qt::FindDirectChildrenOnly));
-    }
-
-    Ink ink = &Theme::text;
-
-  private:
-    static inline const QString name = QStringLiteral("ink");
-    QLabel* label_;
-};
-
-}  // namespace
-
 void colourText(QLabel* label, Ink ink) {
-    LabelInk* known = LabelInk::of(*label);
-    (known != nullptr ? known : new LabelInk(label))->set(ink);
+    const QString name = QStringLiteral("ink");
+    delete label->findChild<QObject*>(name, Qt::FindDirectChildrenOnly);  // that of before
+    auto* follower = new QObject(label);
+    follower->setObjectName(name);
+    const auto show = [label, ink] {
+        QPalette palette = label->palette();
+        palette.setColor(QPalette::WindowText, (Theme::instance().*ink)());
+        label->setPalette(palette);
+    };
+    QObject::connect(&Theme::instance(), &Theme::changed, follower, show);
+    show();
 }
 
 void explain(QWidget* widget, const QString& hint) {
