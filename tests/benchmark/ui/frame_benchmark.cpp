@@ -7,9 +7,8 @@
 /// Then the wheel over the largest plot, the cursor in it and the window's size, likewise; the
 /// plain window's size too.
 ///
-/// bench-ui-frames [PAGE] [--steps N] [--size WxH] [--only GESTURE] [--alone] [--events] [--table]
-/// --only: drag, wheel, cursor or resize; --alone: without the rival, for a profile of the page;
-/// --events: likewise, and which events of which widgets it went to.
+/// bench-ui-frames [PAGE] [--steps N] [--size WxH] [--only GESTURE] [--alone] [--table]
+/// --only: drag, wheel, cursor or resize; --alone: without the rival, for a profile of the page.
 
 #include <QApplication>
 #include <QChart>
@@ -17,7 +16,6 @@
 #include <QElapsedTimer>
 #include <QGridLayout>
 #include <QLineSeries>
-#include <QMetaEnum>
 #include <QMouseEvent>
 #include <QProcess>
 #include <QScreen>
@@ -173,64 +171,11 @@ double processorMs() {
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-/// An application that knows which widget's events take how long, without those within them.
-class WatchedApplication : public QApplication {
-  public:
-    using QApplication::QApplication;
-
-    bool notify(QObject* receiver, QEvent* event) override {
-        if (!watches) {
-            return QApplication::notify(receiver, event);
-        }
-        const QString name =
-            QStringLiteral("%1 %2 %3")
-                .arg(QLatin1String(QMetaEnum::fromType<QEvent::Type>().valueToKey(event->type())),
-                     QLatin1String(receiver->metaObject()->className()),
-                     receiver->isWidgetType()
-                         ? static_cast<QWidget*>(receiver)->accessibleName().left(30)
-                         : QString());
-        const double outer = within_;
-        within_ = 0.0;
-        const double before = processorMs();
-        const bool done = QApplication::notify(receiver, event);
-        const double took = processorMs() - before;
-        Spent& spent = spent_[name];
-        spent.ms += took - within_;
-        ++spent.times;
-        within_ = outer + took;
-        return done;
-    }
-
-    void print(int steps) {
-        std::vector<std::pair<QString, Spent>> sorted(spent_.begin(), spent_.end());
-        std::sort(sorted.begin(), sorted.end(),
-                  [](const auto& a, const auto& b) { return a.second.ms > b.second.ms; });
-        for (const auto& [name, spent] : sorted) {
-            if (spent.ms > 0.01 * steps) {
-                std::printf("  %8.3f ms %6.2f times a step: %s\n", spent.ms / steps,
-                            static_cast<double>(spent.times) / steps, qPrintable(name));
-            }
-        }
-        spent_.clear();
-    }
-
-    bool watches = false;
-
-  private:
-    struct Spent {
-        double ms = 0.0;
-        int times = 0;
-    };
-    std::map<QString, Spent> spent_;
-    double within_ = 0.0;
-};
-
 struct Options {
     int steps = 500;
     QSize size{1280, 800};
-    bool events = false;  ///< says which events the time went to
-    bool table = false;   ///< says it in lines for table.py
-    QString only;         ///< gesture
+    bool table = false;  ///< says it in lines for table.py
+    QString only;        ///< gesture
 
     bool wants(const char* gesture) const {
         return only.isEmpty() || only == QLatin1String(gesture);
@@ -270,8 +215,6 @@ void time(const std::string& name, const Options& options, const std::function<v
           std::optional<Times>& rival) {
     std::vector<double> wall;
     std::vector<double> processor;
-    auto* const app = static_cast<WatchedApplication*>(QCoreApplication::instance());
-    app->watches = options.events;
     for (int i = 0; i < options.steps; ++i) {
         QElapsedTimer timer;
         timer.start();
@@ -282,9 +225,7 @@ void time(const std::string& name, const Options& options, const std::function<v
         wall.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
         processor.push_back(processorMs() - before);
     }
-    app->watches = false;
     print(name, options, std::move(wall), std::move(processor), rival);
-    app->print(options.steps);
 }
 
 /// The largest plot to be seen.
@@ -380,7 +321,7 @@ int main(int argc, char** argv) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
     const bool isRival = argc > 1 && std::string_view(argv[argc - 1]) == "--rival";
-    WatchedApplication app(argc, argv);
+    QApplication app(argc, argv);
     installLanguage(QStringLiteral("en"));
     Theme::instance().install(Theme::Mode::Light);
     std::string only;
@@ -397,8 +338,6 @@ int main(int argc, char** argv) {
             options.only = arguments[++i];
         } else if (arguments[i] == QLatin1String("--alone")) {
             alone = true;
-        } else if (arguments[i] == QLatin1String("--events")) {
-            alone = options.events = true;
         } else if (arguments[i] == QLatin1String("--table")) {
             options.table = true;
         } else if (arguments[i] != QLatin1String("--rival")) {
