@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QImage>
+#include <QSet>
 #include <QString>
 
 namespace ravnoves::test {
@@ -162,29 +163,14 @@ class Golden {
     }
     /// With a table of its colours where they are few enough.
     static QImage indexed(const QImage& picture) {
-        QList<QRgb> colours;
-        QImage result(picture.size(), QImage::Format_Indexed8);
-        const QRgb* before = nullptr;
-        qsizetype index = -1;
+        QSet<QRgb> colours;
         for (int y = 0; y < picture.height(); ++y) {
             const auto* line = reinterpret_cast<const QRgb*>(picture.constScanLine(y));
-            for (int x = 0; x < picture.width(); ++x) {
-                if (before == nullptr || *before != line[x]) {
-                    index = colours.indexOf(line[x]);
-                }
-                before = line + x;
-                if (index < 0) {
-                    index = colours.size();
-                    colours << line[x];
-                }
-                if (index > 255) {
-                    return picture;
-                }
-                result.scanLine(y)[x] = static_cast<uchar>(index);
-            }
+            colours += QSet(line, line + picture.width());
         }
-        result.setColorTable(colours);
-        return result;
+        return colours.size() > 256
+                   ? picture
+                   : picture.convertToFormat(QImage::Format_Indexed8, colours.values());
     }
     static QImage paled(QImage picture) {
         for (int y = 0; y < picture.height(); ++y) {

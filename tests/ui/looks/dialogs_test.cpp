@@ -63,16 +63,6 @@ class Dialogs : public ::testing::TestWithParam<std::tuple<std::string, Screen, 
             for (const QString& fault : Checker(dialog).faults()) {
                 ADD_FAILURE() << name << ": " << fault.toStdString();
             }
-            // RAVNOVES_PICTURES: a folder for pictures of all that was seen.
-            if (const QString folder = qEnvironmentVariable("RAVNOVES_PICTURES");
-                !folder.isEmpty()) {
-                const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-                dialog->grab().save(folder + u'/' +
-                                    QString::fromLatin1(test->name()).section(u'/', -1) +
-                                    u"-%1-%2.png"_s.arg(seen_).arg(
-                                        QString::fromLatin1(dialog->metaObject()->className())
-                                            .section(u"::"_s, -1)));
-            }
             dialog->reject();
         }
     }

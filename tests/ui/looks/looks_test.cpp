@@ -23,6 +23,7 @@
 #include "shell/scene_list.h"
 #include "text/language.h"
 #include "theme/theme.h"
+#include "widgets/page_columns.h"
 
 namespace ravnoves {
 namespace {
@@ -68,22 +69,10 @@ class Looks : public ::testing::TestWithParam<std::tuple<std::string, Look, cons
         return *window_;
     }
 
-    /// Brings the tabs that hold a widget to the front.
-    static void show(const QWidget* widget) {
-        for (QWidget* each = widget->parentWidget(); each != nullptr; each = each->parentWidget()) {
-            if (auto* tabs = qobject_cast<QTabWidget*>(each)) {
-                for (int i = 0; i < tabs->count(); ++i) {
-                    if (tabs->widget(i)->isAncestorOf(widget)) {
-                        tabs->setCurrentIndex(i);
-                    }
-                }
-            }
-        }
-    }
     static void onEveryTab(QWidget* page, const std::function<void(const QString&)>& look) {
         look(u"first"_s);
         for (QTabWidget* tabs : page->findChildren<QTabWidget*>()) {
-            show(tabs);
+            showTabOf(tabs);
             for (int i = 0; i < tabs->count(); ++i) {
                 tabs->setCurrentIndex(i);
                 for (int turn = 0; turn < 3; ++turn) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QCheckBox>
 #include <array>
 #include <cmath>
 
@@ -117,6 +119,27 @@ TEST_P(CurveColours, StandOutFromThePanel) {
     for (const RoleLook& look : roleLooks()) {
         EXPECT_GE(contrast(theme.colour(look.role), theme.panel()), graphical) << look.word;
     }
+}
+
+TEST_P(CurveColours, OutlinesAndSelectedTextAreSeen) {
+    for (const QColor& ground : {theme.panel(), theme.window()}) {
+        EXPECT_GE(contrast(theme.fieldBorder(), ground), 3.0);
+        EXPECT_GE(contrast(theme.fieldBorder(false), ground), 2.0);
+    }
+    const QPalette palette = QApplication::palette();
+    EXPECT_GE(
+        contrast(palette.color(QPalette::HighlightedText), palette.color(QPalette::Highlight)),
+        4.5);
+    // As they are drawn: the edge of the box is of that contrast.
+    QCheckBox box;
+    box.resize(20, 20);
+    const QImage drawn = box.grab().toImage();
+    double maximum = 1.0;
+    for (int x = 0; x < drawn.width(); ++x) {
+        maximum =
+            std::max(maximum, contrast(drawn.pixelColor(x, drawn.height() / 2), theme.window()));
+    }
+    EXPECT_GE(maximum, 2.7);
 }
 
 INSTANTIATE_TEST_SUITE_P(Themes, CurveColours,

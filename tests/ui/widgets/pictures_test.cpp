@@ -11,7 +11,6 @@
 
 #include "events.h"
 #include "page/mechanism_picture.h"
-#include "painted.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
 #include "widgets/form_section.h"
@@ -93,26 +92,6 @@ TEST(Drawing, WordsStandOnTheirOwnGround) {
     const QColor ground = Theme::instance().panel();
     EXPECT_GT(lines.pixelColor(26, 15).lightness(), ground.lightness() / 2);
     EXPECT_EQ(lines.pixelColor(2, 15), Qt::black);
-}
-
-class Written final : public QWidget {
-  public:
-    int flags = Qt::AlignCenter;
-
-  protected:
-    void paintEvent(QPaintEvent* /*event*/) override {
-        QPainter painter(this);
-        painter.drawText(QRectF(10.0, 10.0, 180.0, 5.0), flags, u"Force, N"_s);
-    }
-};
-
-TEST(Painted, TellsTextsThatAreCut) {
-    Written written;
-    test::showAt(written, {200, 100});
-    ASSERT_EQ(test::painted(written).texts.size(), 1U);
-    EXPECT_TRUE(test::painted(written).texts.front().isCut);
-    written.flags |= Qt::TextDontClip;
-    EXPECT_FALSE(test::painted(written).texts.front().isCut);
 }
 
 TEST(Drawing, AnArrowThatWouldLeaveThePictureGoesBackAlongItsLine) {

@@ -1,5 +1,4 @@
-// What is drawn by the style: outlines that are seen on light and dark panels, and arrows, handles
-// and marks that go with the text.
+// What is drawn by the style: arrows, handles and marks that go with the text.
 
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -9,7 +8,6 @@
 #include <QComboBox>
 #include <QIcon>
 #include <QLineEdit>
-#include <QPainter>
 #include <QPixmapCache>
 #include <QPushButton>
 #include <QScrollBar>
@@ -20,69 +18,15 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
 
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/panel.h"
 
 namespace ravnoves {
 namespace {
 
-/// Filled where it is whole pixels, it is the rounded rectangle that it was.
-TEST(Panel, LooksAlikeHoweverItIsPainted) {
-    Theme& theme = Theme::instance();
-    for (const Theme::Mode mode : {Theme::Mode::Light, Theme::Mode::Dark}) {
-        theme.install(mode);
-        for (const double ratio : {1.0, 1.5, 2.0, 3.0}) {
-            const auto painted = [&](const auto& draw) {
-                QImage image((QSizeF(60.0, 40.0) * ratio).toSize(), QImage::Format_RGB32);
-                image.setDevicePixelRatio(ratio);
-                image.fill(theme.window());
-                QPainter painter(&image);
-                painter.setRenderHint(QPainter::Antialiasing);
-                draw(painter);
-                painter.end();
-                return image;
-            };
-            const QRect panel(3, 2, 50, 33);
-            const QImage ours = painted([&](QPainter& painter) { paintPanel(painter, panel); });
-            const QImage whole = painted([&](QPainter& painter) {
-                painter.setPen(QPen(theme.border(), 1.0));
-                painter.setBrush(theme.panel());
-                painter.drawRoundedRect(QRectF(panel).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
-            });
-            int maximum = 0;
-            for (int y = 0; y < ours.height(); ++y) {
-                for (int x = 0; x < ours.width(); ++x) {
-                    maximum = std::max(
-                        maximum, std::abs(qGray(ours.pixel(x, y)) - qGray(whole.pixel(x, y))));
-                }
-            }
-            EXPECT_LE(maximum, 2) << ratio;
-            EXPECT_NE(ours, painted([](QPainter&) {}));
-        }
-    }
-    theme.install(Theme::Mode::Light);
-}
-
 using namespace Qt::StringLiterals;
-
-double luminance(const QColor& colour) {
-    const auto linear = [](double part) {
-        return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
-           0.0722 * linear(colour.blueF());
-}
-
-/// As WCAG 2.1 defines it.
-double contrast(const QColor& a, const QColor& b) {
-    const double brighter = std::max(luminance(a), luminance(b));
-    const double darker = std::min(luminance(a), luminance(b));
-    return (brighter + 0.05) / (darker + 0.05);
-}
 
 class Style : public ::testing::Test {
   protected:
@@ -91,31 +35,6 @@ class Style : public ::testing::Test {
         Theme::instance().setTextScale(1.0);
     }
 };
-
-TEST_F(Style, OutlinesAndSelectedTextAreSeen) {
-    Theme& theme = Theme::instance();
-    for (const auto mode : {Theme::Mode::Light, Theme::Mode::Dark}) {
-        theme.setMode(mode);
-        for (const QColor& ground : {theme.panel(), theme.window()}) {
-            EXPECT_GE(contrast(theme.fieldBorder(), ground), 3.0);
-            EXPECT_GE(contrast(theme.fieldBorder(false), ground), 2.0);
-        }
-        const QPalette palette = QApplication::palette();
-        EXPECT_GE(
-            contrast(palette.color(QPalette::HighlightedText), palette.color(QPalette::Highlight)),
-            4.5);
-        // As they are drawn: the edge of the box is of that contrast.
-        QCheckBox box;
-        box.resize(20, 20);
-        const QImage drawn = box.grab().toImage();
-        double maximum = 1.0;
-        for (int x = 0; x < drawn.width(); ++x) {
-            maximum = std::max(maximum,
-                               contrast(drawn.pixelColor(x, drawn.height() / 2), theme.window()));
-        }
-        EXPECT_GE(maximum, 2.7);
-    }
-}
 
 TEST_F(Style, ArrowsAndHandlesGoWithTheText) {
     QComboBox combo;
