@@ -10693,6 +10693,10 @@ but no position is feasible</source>
 <context>
     <name>ravnoves::EditableTable</name>
     <message>
+        <source>Also not accepted: %1</source>
+        <translation>Также не принято: %1</translation>
+    </message>
+    <message>
         <source>Not pasted: the block has %1 columns, but only %2 fit here.</source>
         <translation>Не вставлено: в блоке столбцов %1, а помещается %2.</translation>
     </message>
@@ -14458,13 +14462,6 @@ but no position is feasible</source>
     <message>
         <source>&amp;Continue without them</source>
         <translation>&amp;Продолжить без них</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::RejectingTable</name>
-    <message>
-        <source>Also not accepted: %1</source>
-        <translation>Также не принято: %1</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,9 @@
 #include <QAbstractTableModel>
 #include <QString>
 #include <QStringList>
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "case-file/json_fwd.h"
@@ -38,7 +41,8 @@ class SaidTroubles {
     int more_ = 0;
 };
 
-/// A table of numbers that is edited in place.
+/// A table of numbers that is edited in place. A rejected text remains in its cell, in red, until it
+/// is corrected or the case changes there; the case keeps its previous value.
 class EditableTable : public QAbstractTableModel {
     Q_OBJECT
 
@@ -60,24 +64,54 @@ class EditableTable : public QAbstractTableModel {
     /// Writes a block of cells at a cell, as a spreadsheet does.
     /// @return an empty string, or the fault
     virtual QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) = 0;
-
-    /// True where this cell has a rejected text, or the table is rejected as a whole.
-    virtual bool canTakeBackRejected(const QModelIndex& at) const {
-        return at.data(TroubleRole).toBool();
-    }
-    /// Takes that back; of a whole table the latest text.
-    virtual void takeBackRejected(const QModelIndex& /*at*/) {}
+    /// Takes back the rejected text of a cell; where the table is rejected as a whole, the latest.
+    virtual void takeBackRejected(const QModelIndex& at);
     /// The model has another state as a whole: nothing is rejected any more.
-    virtual void forgetRejected() {}
-
-    /// The model of the cells' case; null without one.
-    virtual SceneModel* scene() const { return nullptr; }
+    void forgetRejected();
+    /// The model of the cells' case.
+    virtual SceneModel* scene() const = 0;
 
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
   Q_SIGNALS:
     /// Why a change was rejected, as text; empty after one was taken.
     void troubleChanged(const QString& trouble);
+
+  protected:
+    using Cell = std::pair<std::string, int>;  ///< name of the row, and column
+    struct Rejected {
+        QString text;
+        QString why;
+        QString below;
+    };
+
+    /// What a row is called while others come and go.
+    virtual std::string rowName(int row) const = 0;
+    /// The case's value of a cell: a change of this value clears the rejected text.
+    virtual QString held(int /*row*/, int /*column*/) const { return {}; }
+    /// The rejected text of a cell, with the cell's name.
+    virtual QString rejectedText(const Cell& /*cell*/, const Rejected& rejected) const {
+        return rejected.why;
+    }
+    /// The same of the first cells, row by row, a line for each.
+    QString trouble() const;
+
+    const std::map<Cell, Rejected>& rejected() const { return rejected_; }
+    /// Those cells, row by row.
+    std::vector<Cell> rejectedCells() const;
+    /// A text that was typed into a cell. @param why  it is rejected; empty where it is taken
+    void setRejected(int row, int column, const QString& text, const QString& why);
+    /// A block of cells was taken: nothing in it is rejected any more.
+    void setTaken(int row, int column, const std::vector<QStringList>& cells);
+    /// What a rejected cell shows, and whether it is one; invalid for all else.
+    QVariant rejectedData(const QModelIndex& at, int role) const;
+    /// Shows the present case.
+    void follow();
+
+  private:
+    std::map<Cell, Rejected> rejected_;
+    int rows_ = 0;
+    int columns_ = 0;
 };
 
 }  // namespace ravnoves

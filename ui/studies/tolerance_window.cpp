@@ -134,9 +134,7 @@ void ToleranceWindow::addKeys() {
     add(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), [scene] { scene->redo(); });
     add(QKeySequence(Qt::CTRL | Qt::Key_S), [this] { Q_EMIT saveWanted(); });
     for (const TableEditor* editor : {inputs_, watched_}) {
-        connect(scene, &SceneModel::broughtIn,
-                qobject_cast<EditableTable*>(editor->view()->model()),
-                &EditableTable::forgetRejected);
+        connect(scene, &SceneModel::broughtIn, editor->table(), &EditableTable::forgetRejected);
         editor->view()->installEventFilter(this);
     }
 }
@@ -235,9 +233,6 @@ QWidget* ToleranceWindow::makeInputs() {
     watched_ = edit(new WatchTable(model_), tr("Results to watch"),
                     tr("Remove the selected results"), {WatchTable::Minimum, WatchTable::Maximum});
     column->addWidget(watched_, 2);
-    for (TableEditor* table : {inputs_, watched_}) {
-        page_->addTable(table);
-    }
     // Where it comes and goes nothing moves: a click goes where it was meant to. What is more than
     // its lines scrolls.
     rejected_ = new TroubleLine(holder);
@@ -246,19 +241,15 @@ QWidget* ToleranceWindow::makeInputs() {
     constexpr int shownLines = 4;
     lines->setFixedHeight(shownLines * QFontMetrics(rejected_->font()).lineSpacing() + 2);
     column->addWidget(lines);
-    for (const std::size_t table : {0U, 1U}) {
-        const TableEditor* editor = table == 0 ? inputs_ : watched_;
-        connect(qobject_cast<EditableTable*>(editor->view()->model()),
-                &EditableTable::troubleChanged, this, [this, table](const QString& trouble) {
-                    troubles_[table] = trouble;
-                    QStringList all(troubles_.begin(), troubles_.end());
-                    all.removeAll(QString());
-                    rejected_->say(all.join(QLatin1Char('\n')));
-                    rejected_->setToolTip(rejected_->text());
-                    if (table == 0) {
-                        showAnswers();  // they are without what is rejected
-                    }
-                });
+    for (TableEditor* editor : {inputs_, watched_}) {
+        page_->addTable(editor);
+        connect(editor->table(), &EditableTable::troubleChanged, this, [this] {
+            QStringList all{inputs_->trouble(), watched_->trouble()};
+            all.removeAll(QString());
+            rejected_->say(all.join(QLatin1Char('\n')));
+            rejected_->setToolTip(rejected_->text());
+            showAnswers();  // they are without what is rejected
+        });
     }
     return holder;
 }

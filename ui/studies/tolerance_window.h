@@ -2,7 +2,6 @@
 
 #include <QDialog>
 #include <QTimer>
-#include <array>
 #include <string>
 
 class QComboBox;
@@ -74,7 +73,6 @@ class ToleranceWindow : public QDialog {
     ResultTable* table_ = nullptr;
     QLabel* words_ = nullptr;
     TroubleLine* rejected_ = nullptr;
-    std::array<QString, 2> troubles_;  ///< of inputs and of watched results
     TornadoView* tornado_ = nullptr;
     PlotView* histogram_ = nullptr;
     SweepView* sweep_ = nullptr;

@@ -81,11 +81,7 @@ TableEditor::TableEditor(EditableTable* table, const QString& name, const QStrin
                     Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
         }
     });
-    const auto note = [this] {
-        if (SceneModel* scene = table_->scene(); scene != nullptr) {
-            scene->noteRejected(this, !trouble_.isEmpty());
-        }
-    };
+    const auto note = [this] { table_->scene()->noteRejected(this, !trouble_.isEmpty()); };
     connect(table_, &EditableTable::troubleChanged, this, [this, note](const QString& trouble) {
         trouble_ = trouble;
         note();
@@ -164,7 +160,7 @@ bool TableEditor::takeBackRejected() {
     const QModelIndex at = view_->currentIndex();
     const int row = at.row();
     const int column = at.column();
-    if (!table_->canTakeBackRejected(at)) {
+    if (!at.data(EditableTable::TroubleRole).toBool()) {
         return false;
     }
     table_->takeBackRejected(at);
@@ -177,7 +173,7 @@ bool TableEditor::takeBackRejected() {
 bool TableEditor::eventFilter(QObject* watched, QEvent* event) {
     if (watched == view_ && event->type() == QEvent::ShortcutOverride &&
         static_cast<QKeyEvent*>(event)->matches(QKeySequence::Undo) &&
-        table_->canTakeBackRejected(view_->currentIndex())) {
+        view_->currentIndex().data(EditableTable::TroubleRole).toBool()) {
         event->accept();  // then it comes as a key
         return true;
     }

@@ -87,7 +87,7 @@ QString misplaced(const TorqueTable& table, const std::pair<int, int>& place) {
 }  // namespace
 
 TorqueTableModel::TorqueTableModel(BalanceShaftModel* model, QObject* parent)
-    : RejectingTable(parent), model_(model) {
+    : EditableTable(parent), model_(model) {
     connect(model_, &SceneModel::changed, this, &TorqueTableModel::follow);
     connect(model_, &SceneModel::broughtIn, this, &TorqueTableModel::forgetRejected);
     follow();
@@ -172,7 +172,7 @@ void TorqueTableModel::put(Texts texts) {
                     : text == ownText(place) ? QString()
                                              : trouble);
     }
-    Q_EMIT troubleChanged(RejectingTable::trouble());
+    Q_EMIT troubleChanged(EditableTable::trouble());
     Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, Torque));
 }
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "balance-shaft/torque_table.h"
-#include "model/rejecting_table.h"
+#include "model/editable_table.h"
 
 namespace ravnoves {
 
@@ -16,7 +16,7 @@ class BalanceShaftModel;
 /// The torque table of a case. A text that makes it no cycle remains rejected in its cell, and is
 /// tried again with each other one. The first and the last row are one instant of the cycle: a
 /// torque typed in one is put into the other.
-class TorqueTableModel final : public RejectingTable {
+class TorqueTableModel final : public EditableTable {
     Q_OBJECT
 
   public:
@@ -24,7 +24,7 @@ class TorqueTableModel final : public RejectingTable {
 
     explicit TorqueTableModel(BalanceShaftModel* model, QObject* parent = nullptr);
 
-    using RejectingTable::trouble;
+    using EditableTable::trouble;
     void insertRowBelow(int row) override;
     void removeRowRange(int first, int count) override;
     /// Replaces the whole table by text from a spreadsheet, in the column's unit unless the text

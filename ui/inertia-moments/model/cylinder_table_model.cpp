@@ -123,7 +123,7 @@ void renumberMasters(std::vector<Cylinder>& cylinders, int from, int by) {
 }  // namespace
 
 CylinderTableModel::CylinderTableModel(InertiaMomentsModel* model, QObject* parent)
-    : RejectingTable(parent), model_(model) {
+    : EditableTable(parent), model_(model) {
     connect(model_, &SceneModel::changed, this, [this] {
         strokes_.clear();
         follow();
@@ -277,7 +277,7 @@ SceneModel* CylinderTableModel::scene() const {
 
 void CylinderTableModel::takeBackRejected(const QModelIndex& at) {
     model_->showTrouble({});
-    RejectingTable::takeBackRejected(at);
+    EditableTable::takeBackRejected(at);
 }
 
 QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/rejecting_table.h"
+#include "model/editable_table.h"
 
 namespace ravnoves {
 
@@ -15,7 +15,7 @@ class InertiaMomentsModel;
 /// it into a table of its own. A knuckle radius makes a rod articulated, an empty one puts it back
 /// on the crankpin; what else is empty follows from the other values and is shown in italics. So
 /// are, where rods are articulated, top dead centres and strokes.
-class CylinderTableModel final : public RejectingTable {
+class CylinderTableModel final : public EditableTable {
     Q_OBJECT
 
   public:

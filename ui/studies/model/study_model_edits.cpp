@@ -5,7 +5,7 @@
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "model/rejecting_table.h"
+#include "model/editable_table.h"
 #include "model/scene_model.h"
 #include "studies/model/result_words.h"
 #include "studies/model/study_model.h"
@@ -86,7 +86,7 @@ QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>
             troubles.add(texts.size() > 1 ? inputName(pointer) + QStringLiteral(": ") + why : why);
         }
     }
-    QString all = troubles.text(RejectingTable::tr("Also not accepted: %1"));
+    QString all = troubles.text(EditableTable::tr("Also not accepted: %1"));
     if (all.isEmpty()) {
         change(tr("Tolerance"), next);
     }

@@ -10,7 +10,7 @@
 namespace ravnoves {
 
 StudyTable::StudyTable(StudyModel* model, QStringList headings, QObject* parent)
-    : RejectingTable(parent), model_(model), headings_(std::move(headings)) {
+    : EditableTable(parent), model_(model), headings_(std::move(headings)) {
     connect(model_, &StudyModel::changed, this, &StudyTable::follow);
 }
 
@@ -238,7 +238,7 @@ QString WatchTable::write(int row, int column, const std::vector<QStringList>& c
         limits.push_back(limit);
         ++row;
     }
-    QString all = troubles.text(RejectingTable::tr("Also not accepted: %1"));
+    QString all = troubles.text(EditableTable::tr("Also not accepted: %1"));
     return all.isEmpty() ? model_->setLimits(limits) : all;
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "model/rejecting_table.h"
+#include "model/editable_table.h"
 #include "studies/model/study_model.h"
 
 namespace ravnoves {
 
 /// Rows of a study: names, and cells that are typed. An entry or a paste is one step, all or
 /// nothing.
-class StudyTable : public RejectingTable {
+class StudyTable : public EditableTable {
     Q_OBJECT
 
   public:
