@@ -12,8 +12,6 @@ namespace ravnoves {
 
 namespace {
 
-constexpr int settleTime = 150;  // ms
-
 /// Empty where nothing is there, or it cannot be read or held; a pipe, which is never opened, or a
 /// folder is like no file's content.
 QByteArray digestNow(const QString& path) {
@@ -29,15 +27,6 @@ QByteArray digestNow(const QString& path) {
 
 }  // namespace
 
-FileOnDisk::FileOnDisk(QObject* parent) : QObject(parent) {
-    settle_.setSingleShot(true);
-    settle_.setInterval(settleTime);
-    connect(&settle_, &QTimer::timeout, this, &FileOnDisk::check);
-    const auto look = [this] { settle_.start(); };
-    connect(&watcher_, &QFileSystemWatcher::fileChanged, this, look);
-    connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, look);
-}
-
 QByteArray FileOnDisk::digestOf(std::string_view content) {
     QCryptographicHash hash(QCryptographicHash::Sha256);
     hash.addData(QByteArray::fromRawData(content.data(), static_cast<qsizetype>(content.size())));
@@ -49,32 +38,15 @@ void FileOnDisk::setPath(const QString& path) {
 }
 
 void FileOnDisk::setPath(const QString& path, const QByteArray& known) {
-    if (path != path_) {
-        const QStringList watched = watcher_.files() + watcher_.directories();
-        if (!watched.isEmpty()) {
-            watcher_.removePaths(watched);
-        }
-        path_ = path;
-    }
+    path_ = path;
     known_ = known;
     check();
-}
-
-void FileOnDisk::watch() {
-    // A file that is replaced is watched no longer; its folder tells of the new one.
-    for (const QString& each : {path_, QFileInfo(path_).absolutePath()}) {
-        if (!watcher_.files().contains(each) && !watcher_.directories().contains(each) &&
-            QFileInfo::exists(each)) {
-            watcher_.addPath(each);
-        }
-    }
 }
 
 FileOnDisk::State FileOnDisk::check() {
     State now = State::Same;
     QByteArray found;
     if (!path_.isEmpty()) {
-        watch();
         found = digestNow(path_);
         now = found == known_            ? State::Same
               : !found.isEmpty()         ? State::Changed

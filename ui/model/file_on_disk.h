@@ -1,23 +1,21 @@
 #pragma once
 
 #include <QByteArray>
-#include <QFileSystemWatcher>
 #include <QObject>
 #include <QString>
-#include <QTimer>
 #include <string_view>
 
 namespace ravnoves {
 
-/// Whether a file is unchanged since it was read or written here. It is checked when the system
-/// reports a change, and on demand; the content decides.
+/// Whether a file is unchanged since it was read or written here. It is checked on demand: when the
+/// window comes to the front, and before it is written or closed; the content decides.
 class FileOnDisk : public QObject {
     Q_OBJECT
 
   public:
     enum class State { Same, Changed, Missing };
 
-    explicit FileOnDisk(QObject* parent = nullptr);
+    using QObject::QObject;
 
     /// The file was read or written now. Empty: no file.
     void setPath(const QString& path);
@@ -39,14 +37,10 @@ class FileOnDisk : public QObject {
     void stateChanged();
 
   private:
-    void watch();
-
     QString path_;
     QByteArray known_;
     QByteArray found_;  ///< by the last look; empty where nothing can be read
     State state_ = State::Same;
-    QFileSystemWatcher watcher_;
-    QTimer settle_;  ///< others write in several steps
 };
 
 }  // namespace ravnoves

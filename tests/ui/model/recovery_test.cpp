@@ -297,10 +297,6 @@ class DiskTest : public ::testing::Test {
         other.set("square", square);
         EXPECT_EQ(CaseDocument(&other, {}).saveTo(path), QString());
     }
-    bool becomes(FileOnDisk::State state) {
-        return test::comes([&] { return document.disk().state() == state; });
-    }
-
     QTemporaryDir folder;
     QString path = folder.filePath(QStringLiteral("a.case.json"));
     test::RootModel model;
@@ -325,13 +321,13 @@ TEST_F(DiskTest, ItsOwnSavingIsNoChange) {
     QSignalSpy said(&document.disk(), &FileOnDisk::stateChanged);
     model.set("square", 16.0);
     EXPECT_TRUE(document.save());
-    QTest::qWait(400);
+    document.disk().check();
     EXPECT_EQ(said.size(), 0);
 }
 
 TEST_F(DiskTest, AChangeByOthersIsSeenAndReloadedAsOneStep) {
     writeByOthers(25.0);
-    EXPECT_TRUE(becomes(FileOnDisk::State::Changed));
+    EXPECT_EQ(document.disk().check(), FileOnDisk::State::Changed);
     EXPECT_EQ(model.root(), 3.0);
     EXPECT_EQ(document.reload(), QString());
     EXPECT_EQ(document.disk().state(), FileOnDisk::State::Same);
@@ -342,14 +338,14 @@ TEST_F(DiskTest, AChangeByOthersIsSeenAndReloadedAsOneStep) {
     EXPECT_TRUE(document.needsSaving());
     // A second time, after the file was replaced once.
     writeByOthers(36.0);
-    EXPECT_TRUE(becomes(FileOnDisk::State::Changed));
+    EXPECT_EQ(document.disk().check(), FileOnDisk::State::Changed);
 }
 
 TEST_F(DiskTest, TheSameContentAgainIsNoChange) {
     writeByOthers(25.0);
-    EXPECT_TRUE(becomes(FileOnDisk::State::Changed));
+    EXPECT_EQ(document.disk().check(), FileOnDisk::State::Changed);
     writeByOthers(9.0);
-    EXPECT_TRUE(becomes(FileOnDisk::State::Same));
+    EXPECT_EQ(document.disk().check(), FileOnDisk::State::Same);
 }
 
 TEST_F(DiskTest, MineIsKeptAndNeedsSaving) {
@@ -383,7 +379,7 @@ TEST_F(DiskTest, SavingOverAChangedFileAsksFirst) {
 
 TEST_F(DiskTest, ADeletedFileIsSaidAndWrittenAgain) {
     ASSERT_TRUE(QFile::remove(path));
-    EXPECT_TRUE(becomes(FileOnDisk::State::Missing));
+    EXPECT_EQ(document.disk().check(), FileOnDisk::State::Missing);
     document.keepMine();
     EXPECT_TRUE(document.needsSaving());
     EXPECT_EQ(document.disk().state(), FileOnDisk::State::Same);

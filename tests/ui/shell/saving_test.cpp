@@ -80,6 +80,11 @@ class SavingTest : public ::testing::Test {
         EXPECT_FALSE(field->trouble().isEmpty()) << name;
         window.currentPage()->setFocus();
     }
+    /// The window comes to the front, and looks at its files.
+    void lookAgain() {
+        QEvent activated(QEvent::WindowActivate);
+        QApplication::sendEvent(&window.documents(), &activated);
+    }
     void saveAs() { press(Qt::Key_S, Qt::ShiftModifier); }
     /// The example with its torque in a file beside it.
     QString caseWithTable(const char* folderName) {
@@ -482,7 +487,8 @@ TEST_F(SavingTest, ATableThatOthersChangeIsSaidAndReadAgain) {
     const std::size_t second = text.find(',', text.find('\n')) + 1;
     text.replace(second, text.find('\n', second) - second, "100");
     write_text_file(fsPath(table), text);
-    ASSERT_TRUE(test::comes(isSaid));
+    lookAgain();
+    ASSERT_TRUE(isSaid());
     EXPECT_TRUE(notice->findChild<QLabel*>()->text().contains(QStringLiteral("момент.csv")));
     EXPECT_EQ(model().resultJson(), before);
     QTest::mouseClick(test::named<QPushButton>(*notice, "disk_reload"), Qt::LeftButton);
@@ -492,13 +498,14 @@ TEST_F(SavingTest, ATableThatOthersChangeIsSaidAndReadAgain) {
     EXPECT_EQ(model().resultJson(), before);
     // What cannot be read is said, and all stays.
     write_text_file(fsPath(table), "nothing");
-    ASSERT_TRUE(test::comes(isSaid));
+    lookAgain();
+    ASSERT_TRUE(isSaid());
     answer("OK");
     QTest::mouseClick(test::named<QPushButton>(*notice, "disk_reload"), Qt::LeftButton);
     EXPECT_EQ(model().resultJson(), before);
     ASSERT_TRUE(QFile::remove(table));
-    ASSERT_TRUE(test::comes(
-        [&] { return !test::named<QPushButton>(*notice, "disk_reload")->isVisible(); }));
+    lookAgain();
+    ASSERT_FALSE(test::named<QPushButton>(*notice, "disk_reload")->isVisible());
     QTest::mouseClick(test::named<QPushButton>(*notice, "disk_keep"), Qt::LeftButton);
     EXPECT_FALSE(isSaid());
 }
