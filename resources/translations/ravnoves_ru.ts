@@ -14418,14 +14418,6 @@ but no position is feasible</source>
         <translation>Спросить при следующем запуске</translation>
     </message>
     <message>
-        <source>Older cases, not listed: %1</source>
-        <translation>Более старые, не в списке: %1</translation>
-    </message>
-    <message>
-        <source>Restore these to see the next hundred.</source>
-        <translation>Восстановите эти, чтобы увидеть следующие сто.</translation>
-    </message>
-    <message>
         <source>The copy of an unsaved case is damaged; it is now %1.</source>
         <translation>Копия несохранённой задачи повреждена; теперь это файл %1.</translation>
     </message>

@@ -232,8 +232,7 @@ Recovery::Found Recovery::leftBehind() {
     int files = 0;
     for (const QFileInfo& left : leftFiles()) {
         if (files >= maximum || read >= maxRead) {
-            ++found.older;
-            continue;
+            break;
         }
         if (!isLeft(left.fileName(), locks)) {
             continue;  // that program runs
@@ -254,22 +253,12 @@ Recovery::Found Recovery::leftBehind() {
             found.newer << file;
         } catch (const std::bad_alloc&) {
             QFile::rename(file, left.filePath());  // whole, for a machine that has the memory
-            ++found.older;
         } catch (const std::exception&) {
             const QString aside = file + damagedEnding;
             found.damaged << (QFile::rename(file, aside) ? aside : file);
         }
     }
     return found;
-}
-
-void Recovery::discardOlder() {
-    Locks locks;
-    for (const QFileInfo& left : leftFiles()) {
-        if (!left.fileName().startsWith(session_) && isLeft(left.fileName(), locks)) {
-            QFile::remove(left.filePath());
-        }
-    }
 }
 
 }  // namespace ravnoves

@@ -63,17 +63,15 @@ class Recovery : public QObject {
 
     struct Found {
         QList<RecoveredCase> cases;  ///< the newest first, `most` or fewer
-        int older = 0;               ///< files that are not read: there are too many
         QStringList damaged;         ///< unreadable files, where they are now
         QStringList newer;           ///< files of a newer program, left to it
     };
     static constexpr int maximum = 100;
-    /// Files of programs that have ended. No other program is offered them while this one runs.
+    /// Files of programs that have ended. No other program is offered them while this one runs. Of
+    /// more than `maximum` the older ones stay for a next time.
     Found leftBehind();
     /// It was restored and is kept again, or was discarded.
     void discard(const RecoveredCase& recovered) { QFile::remove(recovered.file); }
-    /// Discards the older ones.
-    void discardOlder();
 
   Q_SIGNALS:
     /// A case cannot be kept, and why; said once.

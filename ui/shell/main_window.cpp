@@ -295,11 +295,6 @@ void MainWindow::offerRecovered() {
     });
     connect(dialog, &RecoveryDialog::discarded, this,
             [this](const RecoveredCase& recovered) { recovery_->discard(recovered); });
-    connect(dialog, &RecoveryDialog::olderThrownAway, recovery_, &Recovery::discardOlder);
-    connect(dialog, &RecoveryDialog::olderWanted, this, [this, dialog] {
-        dialog->close();
-        offerRecovered();
-    });
     dialog->open();
 }
 

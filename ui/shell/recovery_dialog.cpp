@@ -59,12 +59,6 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
             row->setToolTip(0, name);
             row->setToolTip(1, path);
         }
-        if (found.older > 0) {
-            auto* row =
-                new QTreeWidgetItem(list_, {tr("Older cases, not listed: %1").arg(found.older)});
-            row->setCheckState(0, Qt::Unchecked);
-            row->setToolTip(0, tr("Restore these to see the next hundred."));
-        }
         list_->header()->setStretchLastSection(false);
         list_->header()->setSectionResizeMode(0, QHeaderView::Fixed);
         list_->header()->setSectionResizeMode(1, QHeaderView::Stretch);
@@ -94,7 +88,7 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
     };
     if (!cases_.isEmpty()) {
         add("recovery_restore", tr("&Restore"), [this] {
-            QList<RecoveredCase> ticked = takeTicked(&RecoveryDialog::olderWanted);
+            QList<RecoveredCase> ticked = takeTicked();
             // Tabs stand as they stood.
             std::stable_sort(
                 ticked.begin(), ticked.end(),
@@ -107,7 +101,7 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
             if (!mayDiscard()) {
                 return;
             }
-            for (const RecoveredCase& each : takeTicked(&RecoveryDialog::olderThrownAway)) {
+            for (const RecoveredCase& each : takeTicked()) {
                 Q_EMIT discarded(each);
             }
         })->setAutoDefault(false);
@@ -152,18 +146,12 @@ bool RecoveryDialog::mayDiscard() {
                QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
 }
 
-QList<RecoveredCase> RecoveryDialog::takeTicked(void (RecoveryDialog::*older)()) {
+QList<RecoveredCase> RecoveryDialog::takeTicked() {
     QList<RecoveredCase> ticked;
     for (int row = list_->topLevelItemCount(); row-- > 0;) {
         if (list_->topLevelItem(row)->checkState(0) == Qt::Checked) {
             delete list_->takeTopLevelItem(row);
-            if (row < cases_.size()) {
-                ticked.prepend(cases_.takeAt(row));
-            } else {
-                // Once the cases themselves are done with.
-                QMetaObject::invokeMethod(
-                    this, [this, older] { (this->*older)(); }, Qt::QueuedConnection);
-            }
+            ticked.prepend(cases_.takeAt(row));
         }
     }
     if (list_->topLevelItemCount() == 0) {

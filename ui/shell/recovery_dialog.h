@@ -18,9 +18,6 @@ class RecoveryDialog : public QDialog {
   Q_SIGNALS:
     void restored(const RecoveredCase& recovered);
     void discarded(const RecoveredCase& recovered);
-    /// Those that are too many to be listed are to be offered next.
-    void olderWanted();
-    void olderThrownAway();
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -28,9 +25,8 @@ class RecoveryDialog : public QDialog {
   private:
     /// Asks, once for all.
     bool mayDiscard();
-    /// Removes the ticked entries from the list: the cases, and the line of the older ones, which
-    /// `older` follows. Closes when the list is empty.
-    QList<RecoveredCase> takeTicked(void (RecoveryDialog::*older)());
+    /// Removes the ticked cases from the list. Closes when it is empty.
+    QList<RecoveredCase> takeTicked();
 
     QList<RecoveredCase> cases_;
     QTreeWidget* list_ = nullptr;

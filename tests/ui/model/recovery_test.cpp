@@ -142,15 +142,13 @@ TEST_F(RecoveryTest, OfTwoThousandTheNewestHundredAreOffered) {
     const Recovery::Found found = next.leftBehind();
     EXPECT_LT(time.seconds(), 2.0);
     EXPECT_EQ(found.cases.size(), Recovery::maximum);
-    EXPECT_EQ(found.older, 2000 - Recovery::maximum);
     EXPECT_EQ(kept().size(), 2000) << "nothing goes unasked";
     for (const RecoveredCase& each : found.cases) {
         EXPECT_EQ(each.place, 17);
         next.discard(each);
     }
     EXPECT_EQ(next.leftBehind().cases.size(), Recovery::maximum) << "the next hundred";
-    next.discardOlder();
-    EXPECT_EQ(kept().size(), Recovery::maximum);
+    EXPECT_EQ(kept().size(), 2000 - Recovery::maximum);
     EXPECT_TRUE(QDir(keptIn()).entryList({QStringLiteral("*.lock")}).size() <= 1);
 }
 
@@ -185,12 +183,7 @@ TEST_F(RecoveryTest, WhatWasChangedSinceTheCrashIsSaid) {
 }
 
 TEST_F(RecoveryTest, ACaseOfANewerProgramIsLeftToIt) {
-    {
-        Recovery crashed(keptIn());
-        watch(crashed);
-        model.set("square", 9.0);
-        ASSERT_TRUE(test::comes([&] { return kept().size() == 1; }));
-    }
+    Recovery::leave(model.caseFile(), {}, keptIn());
     const QString path = QDir(keptIn()).filePath(kept().constFirst());
     Json json = parse_json(read_text_file(path.toStdString()));
     json["case"]["version"] = 99;
@@ -203,12 +196,7 @@ TEST_F(RecoveryTest, ACaseOfANewerProgramIsLeftToIt) {
 }
 
 TEST_F(RecoveryTest, ADamagedFileIsKeptAside) {
-    {
-        Recovery crashed(keptIn());
-        watch(crashed);
-        model.set("square", 9.0);
-        ASSERT_TRUE(test::comes([&] { return kept().size() == 1; }));
-    }
+    Recovery::leave(model.caseFile(), {}, keptIn());
     QFile damaged(QDir(keptIn()).filePath(kept().constFirst()));
     ASSERT_TRUE(damaged.open(QIODevice::ReadWrite));
     ASSERT_TRUE(damaged.resize(damaged.size() / 2));
