@@ -4,6 +4,7 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <algorithm>
 #include <cstdio>
 #include <initializer_list>
@@ -26,30 +27,6 @@ namespace {
 
 using namespace Qt::StringLiterals;
 
-/// Whether one of the options was given, before Qt may parse them: as "--name" or "--name=value".
-bool given(int argc, char** argv, std::initializer_list<QByteArrayView> options) {
-    return std::any_of(argv + 1, argv + argc, [&](const char* word) {
-        const QByteArrayView argument(word);
-        const qsizetype equals = argument.indexOf('=');
-        const QByteArrayView name = equals < 0 ? argument : argument.first(equals);
-        return std::find(options.begin(), options.end(), name) != options.end();
-    });
-}
-
-/// The value of an option before Qt may parse it: "--name value" or "--name=value".
-QByteArray valueOf(int argc, char** argv, const QByteArray& name) {
-    for (int i = 1; i < argc; ++i) {
-        const QByteArray argument(argv[i]);
-        if (argument == name && i + 1 < argc) {
-            return argv[i + 1];
-        }
-        if (argument.startsWith(name + '=')) {
-            return argument.mid(name.size() + 1);
-        }
-    }
-    return {};
-}
-
 /// As the other program says it: with the minus that a terminal's user types.
 int fail(QString text) {
     std::fprintf(stderr, "%s\n", qPrintable(text.replace(QChar(0x2212), QLatin1Char('-'))));
@@ -66,36 +43,6 @@ int say(const QString& text) {
 
 int main(int argc, char** argv) {
     ravnoves::prepare_process();
-    const bool screenshot = given(argc, argv, {"--screenshot"});
-    const bool report = given(argc, argv, {"--report"});
-    const bool isSilent = screenshot || report;
-    if (isSilent) {
-        ravnoves::namePlacesByPointer();
-        // The same pixels everywhere: no scaling.
-        qunsetenv("QT_FONT_DPI");
-        // Before Qt starts: what an option says, or none.
-        const QByteArray scale = valueOf(argc, argv, "--scale");
-        // What else is given is rejected below.
-        scale == "2" ? qputenv("QT_SCALE_FACTOR", scale) : qunsetenv("QT_SCALE_FACTOR");
-    }
-    if (report && !given(argc, argv, {"-platform"})) {
-        qputenv("QT_QPA_PLATFORM", "offscreen");  // no window flashes up
-    }
-    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") && qEnvironmentVariableIsEmpty("DISPLAY") &&
-        qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && !given(argc, argv, {"-platform"})) {
-        if (!screenshot && !given(argc, argv, {"-h", "--help", "--help-all", "-v", "--version"})) {
-            return fail(
-                u"There is no display. --screenshot FILE.png renders a page without one, "
-                "--report FILE.pdf writes a report; ravnoves-cli solves case files."_s);
-        }
-        qputenv("QT_QPA_PLATFORM", "offscreen");
-    }
-    QApplication app(argc, argv);
-    QApplication::setApplicationName(u"Ravnoves"_s);
-    QApplication::setOrganizationName(u"Ravnoves"_s);
-    QApplication::setApplicationVersion(QStringLiteral(RAVNOVES_VERSION));
-    QGuiApplication::setDesktopFileName(u"org.ravnoves.ravnoves"_s);  // packaging/desktop
-
     QCommandLineParser parser;
     parser.setApplicationDescription(u"The engine-balancing workbench."_s);
     const QCommandLineOption helpOption = parser.addHelpOption();
@@ -124,6 +71,42 @@ int main(int argc, char** argv) {
                                         u"percent"_s);
     parser.addOptions({sceneOption, caseOption, setOption, screenshotOption, reportOption,
                        sizeOption, themeOption, languageOption, textOption, scaleOption});
+    // Before Qt starts: what some options say. What is wrong with any is said below.
+    QStringList words;
+    for (int i = 0; i < argc; ++i) {
+        words << QString::fromLocal8Bit(argv[i]);
+    }
+    parser.parse(words);
+    const bool screenshot = parser.isSet(screenshotOption);
+    const bool report = parser.isSet(reportOption);
+    const bool isSilent = screenshot || report;
+    if (isSilent) {
+        ravnoves::namePlacesByPointer();
+        // The same pixels everywhere: no scaling.
+        qunsetenv("QT_FONT_DPI");
+        parser.value(scaleOption) == u"2" ? qputenv("QT_SCALE_FACTOR", "2")
+                                          : qunsetenv("QT_SCALE_FACTOR");
+    }
+    const bool hasPlatform = words.contains(u"-platform"_s);
+    if (report && !hasPlatform) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");  // no window flashes up
+    }
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") && qEnvironmentVariableIsEmpty("DISPLAY") &&
+        qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && !hasPlatform) {
+        if (!screenshot && !parser.isSet(helpOption) && !parser.isSet(versionOption) &&
+            !parser.isSet(u"help-all"_s)) {
+            return fail(
+                u"There is no display. --screenshot FILE.png renders a page without one, "
+                "--report FILE.pdf writes a report; ravnoves-cli solves case files."_s);
+        }
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    }
+    QApplication app(argc, argv);
+    QApplication::setApplicationName(u"Ravnoves"_s);
+    QApplication::setOrganizationName(u"Ravnoves"_s);
+    QApplication::setApplicationVersion(QStringLiteral(RAVNOVES_VERSION));
+    QGuiApplication::setDesktopFileName(u"org.ravnoves.ravnoves"_s);  // packaging/desktop
+
     if (!parser.parse(QApplication::arguments())) {
         return fail(parser.errorText());
     }
@@ -226,7 +209,7 @@ int main(int argc, char** argv) {
     } else if (scene.isEmpty() && paths.isEmpty() && !window.documents().hasCurrent()) {
         window.showScene(ravnoves::sceneList().front().name);
     }
-    QStringList rejected;
+    QStringList left;  ///< to the window, once it is there
     const bool isMeantAtOnce = isSilent || parser.isSet(setOption) || !scene.isEmpty();
     for (qsizetype i = 0; i < paths.size(); ++i) {
         const QString trouble = window.openCase(paths[i]);
@@ -235,11 +218,11 @@ int main(int argc, char** argv) {
             if (isSilent || parser.isSet(setOption)) {
                 return status;
             }
-            rejected << paths[i];  // the window says it, too: nobody may be at the terminal
+            left << paths[i];  // the window says it, too: nobody may be at the terminal
             continue;
         }
         if (!isMeantAtOnce) {
-            window.documents().openLater(paths.mid(i + 1));
+            left << paths.mid(i + 1);
             break;
         }
         if (!scene.isEmpty() && scene != start && window.currentScene() != scene) {
@@ -247,7 +230,7 @@ int main(int argc, char** argv) {
                 u"--scene %1 does not match the case (%2)"_s.arg(scene, window.currentScene()));
         }
     }
-    if (!rejected.isEmpty() && !window.documents().hasCurrent()) {
+    if (!left.isEmpty() && !window.documents().hasCurrent()) {
         window.showStart();
     }
     if (report && paths.size() != 1) {
@@ -282,10 +265,10 @@ int main(int argc, char** argv) {
         const QString trouble = window.writeReport(reportPath);
         return trouble.isEmpty() ? 0 : fail(trouble);
     }
-    // A folder full of what crashes have left keeps nobody from starting.
-    QObject::connect(&window, &ravnoves::MainWindow::painted, &window, [&window, rejected] {
+    // After the first picture: a folder full of what crashes have left keeps nobody from starting.
+    QTimer::singleShot(100, &window, [&window, left] {
         window.offerRecovered();
-        window.openOrSayWhy(rejected);
+        window.openOrSayWhy(left);
     });
     return QApplication::exec();
 }

@@ -211,8 +211,8 @@ void CaseDocument::open(const CaseFile& file, const QString& path, const QByteAr
     setPath(path, known);
 }
 
-void CaseDocument::begin(const CaseFile& file, const CaseContext& context) {
-    take(model_->asNew(file), context);
+void CaseDocument::begin(const CaseFile& file) {
+    take(model_->asNew(file), {});
 }
 
 void CaseDocument::take(const CaseFile& file, const CaseContext& context) {

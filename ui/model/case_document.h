@@ -77,7 +77,7 @@ class CaseDocument : public QObject {
     /// @param known  the digest of read(); empty: of the path's present contents
     /// @throws InputError
     void open(const CaseFile& file, const QString& path, const QByteArray& known = {});
-    void begin(const CaseFile& file, const CaseContext& context);
+    void begin(const CaseFile& file);
     /// Where the case names the file that open() could not read; null where something else is
     /// wrong, with the name itself, too.
     static Json* fileNamedAt(CaseFile& file, const InputError& error);

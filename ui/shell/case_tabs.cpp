@@ -2,7 +2,6 @@
 
 #include <QKeySequence>
 #include <QMouseEvent>
-#include <QSignalBlocker>
 #include <QToolButton>
 #include <algorithm>
 
@@ -10,16 +9,6 @@
 #include "theme/theme.h"
 
 namespace ravnoves {
-
-namespace {
-
-const CaseTab* withId(const std::vector<CaseTab>& cases, int id) {
-    const auto found = std::find_if(cases.begin(), cases.end(),
-                                    [&](const CaseTab& each) { return each.id == id; });
-    return found == cases.end() ? nullptr : &*found;
-}
-
-}  // namespace
 
 CaseTabs::CaseTabs(QWidget* parent) : QTabBar(parent) {
     setObjectName(QStringLiteral("documents"));
@@ -44,64 +33,38 @@ QSize CaseTabs::minimumTabSizeHint(int index) const {
     return {std::min(whole.width(), Theme::withText(150)), whole.height()};
 }
 
-void CaseTabs::arrange(const std::vector<CaseTab>& cases, int front) {
-    const QSignalBlocker blocker(this);
-    for (int tab = count(); tab-- > 0;) {
-        if (withId(cases, idOf(tab)) == nullptr) {
-            tabButton(tab, QTabBar::RightSide)->deleteLater();  // the bar only hides it
-            removeTab(tab);
+int CaseTabs::tabOf(int id, const QString& icon) {
+    for (int tab = 0; tab < count(); ++tab) {
+        if (idOf(tab) == id) {
+            return tab;
         }
     }
-    for (const CaseTab& each : cases) {
-        int tab = 0;
-        while (tab < count() && idOf(tab) != each.id) {
-            ++tab;
-        }
-        if (tab == count()) {
-            addCase(each);
-        }
-        if (each.id == front) {
-            setCurrentIndex(tab);
-        }
-    }
-    name(cases);
-    setVisible(hasSeveral());
-}
-
-void CaseTabs::addCase(const CaseTab& added) {
-    const int tab = addTab(themedIcon(added.icon), {});
-    setTabData(tab, added.id);
+    const int tab = addTab(themedIcon(icon), {});
+    setTabData(tab, id);
     auto* button = new QToolButton(this);
     button->setIcon(themedIcon(QStringLiteral("close")));
     button->setIconSize(QSize(12, 12));
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::NoFocus);  // Ctrl+W does it
-    connect(button, &QToolButton::clicked, this, [this, id = added.id] { Q_EMIT closeAsked(id); });
+    connect(button, &QToolButton::clicked, this, [this, id] { Q_EMIT closeAsked(id); });
     setTabButton(tab, QTabBar::RightSide, button);
+    return tab;
 }
 
-void CaseTabs::name(const std::vector<CaseTab>& cases) {
-    QStringList titles;
-    for (int tab = 0; tab < count(); ++tab) {
-        QWidget* button = tabButton(tab, QTabBar::RightSide);
-        button->setToolTip(
-            tr("Close (%1)")
-                .arg(QKeySequence(Qt::CTRL | Qt::Key_W).toString(QKeySequence::NativeText)));
-        button->setAccessibleName(tr("Close"));
-        const CaseTab* of = withId(cases, idOf(tab));
-        if (of == nullptr) {
-            continue;
-        }
-        // Two of one name differ by their number.
-        QString title = of->name;
-        for (int number = 2; titles.contains(title); ++number) {
-            title = of->name + QStringLiteral(" (%1)").arg(number);
-        }
-        titles << title;
-        setTabText(tab, QString(title).replace(QLatin1Char('&'), QStringLiteral("&&")) +
-                            (of->needsSaving ? QStringLiteral(" *") : QString()));
-        setTabToolTip(tab, of->toolTip);
-    }
+void CaseTabs::removeCase(int tab) {
+    tabButton(tab, QTabBar::RightSide)->deleteLater();  // the bar only hides it
+    removeTab(tab);
+}
+
+void CaseTabs::name(int tab, const QString& title, bool needsSaving, const QString& toolTip) {
+    QWidget* button = tabButton(tab, QTabBar::RightSide);
+    button->setToolTip(
+        tr("Close (%1)")
+            .arg(QKeySequence(Qt::CTRL | Qt::Key_W).toString(QKeySequence::NativeText)));
+    button->setAccessibleName(tr("Close"));
+    setTabText(tab, QString(title).replace(QLatin1Char('&'), QStringLiteral("&&")) +
+                        (needsSaving ? QStringLiteral(" *") : QString()));
+    setTabToolTip(tab, toolTip);
 }
 
 void CaseTabs::mouseReleaseEvent(QMouseEvent* event) {

@@ -1,21 +1,11 @@
 #pragma once
 
 #include <QTabBar>
-#include <vector>
 
 namespace ravnoves {
 
-/// What a tab says of the case that it represents.
-struct CaseTab {
-    int id = 0;
-    QString icon;
-    QString name;  ///< others may have the same
-    bool needsSaving = false;
-    QString toolTip;
-};
-
-/// The bar of the open cases. The program decides which have a tab, the user in which order. With
-/// one tab there is no bar. It scrolls before its titles are too short to be distinguished.
+/// The bar of the open cases, by their numbers. The program decides which have a tab, the user in
+/// which order. It scrolls before its titles are too short to be distinguished.
 class CaseTabs : public QTabBar {
     Q_OBJECT
 
@@ -24,12 +14,12 @@ class CaseTabs : public QTabBar {
 
     /// In another language, or with another size of the text.
     void renew();
-    /// Has tabs of these cases alone; new ones come last.
-    void arrange(const std::vector<CaseTab>& cases, int front);
-    /// Says again what the tabs that are there are called.
-    void name(const std::vector<CaseTab>& cases);
     /// The case of a tab; 0 without one.
     int idOf(int tab) const { return tabData(tab).toInt(); }
+    /// The tab of a case, a new one at the end where it has none yet.
+    int tabOf(int id, const QString& icon);
+    void removeCase(int tab);
+    void name(int tab, const QString& title, bool needsSaving, const QString& toolTip);
     bool hasSeveral() const { return count() > 1; }
 
   Q_SIGNALS:
@@ -39,9 +29,6 @@ class CaseTabs : public QTabBar {
   protected:
     QSize minimumTabSizeHint(int index) const override;
     void mouseReleaseEvent(QMouseEvent* event) override;
-
-  private:
-    void addCase(const CaseTab& added);
 };
 
 }  // namespace ravnoves

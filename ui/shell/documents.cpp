@@ -40,9 +40,6 @@ Documents::Documents(QWidget* parent) : QWidget(parent), scenes_(sceneList()) {
     connect(tabs_, &CaseTabs::closeAsked, this, [this](int id) {
         if (OpenDocument* document = withId(id)) {
             close(*document);
-        } else if (std::erase_if(later_, [id](const Later& each) { return each.id == id; }) > 0) {
-            arrangeTabs();
-            Q_EMIT changed();
         }
     });
 }
@@ -102,10 +99,6 @@ OpenDocument* Documents::withId(int id) const {
     return nullptr;
 }
 
-OpenDocument* Documents::ofTab(int tab) const {
-    return withId(tabs_->idOf(tab));
-}
-
 bool Documents::isUntouched(const OpenDocument& document) {
     const SceneModel& model = *document.document->model();
     return !model.hasCaseFile() ||
@@ -124,10 +117,10 @@ OpenDocument* Documents::untouchedOf(std::size_t scene) const {
 
 // ------------------------------------------------------------------------ coming and going
 
-OpenDocument& Documents::add(std::size_t scene, int id) {
+OpenDocument& Documents::add(std::size_t scene) {
     documents_.push_back(std::make_unique<OpenDocument>());
     OpenDocument& added = *documents_.back();
-    added.id = id != 0 ? id : ++ids_;
+    added.id = ++ids_;
     added.scene = scene;
     putPage(added, scenes_[scene].make(stack_));
     SceneModel* model = added.page->model();
@@ -144,7 +137,7 @@ OpenDocument& Documents::add(std::size_t scene, int id) {
         }
     });
     connect(added.document, &CaseDocument::nameChanged, this, [this, &added] {
-        tabs_->name(caseTabs());
+        nameTabs();
         if (&added == current_) {
             Q_EMIT titleChanged();
         }
@@ -250,11 +243,6 @@ bool Documents::showScene(const QString& scene) {
     return index.has_value();
 }
 
-ScenePage* Documents::page(const QString& scene) {
-    const auto index = indexOf(scene);
-    return index ? firstOf(*index).page : nullptr;
-}
-
 void Documents::bringToFront(OpenDocument& document) {
     if (current_ == &document) {
         arrangeTabs();
@@ -287,47 +275,8 @@ void Documents::step(int by) {
 }
 
 void Documents::showTab(int tab) {
-    if (OpenDocument* document = ofTab(tab)) {
+    if (OpenDocument* document = withId(tabs_->idOf(tab))) {
         bringToFront(*document);
-        return;
-    }
-    const auto later = std::find_if(later_.begin(), later_.end(),
-                                    [&](const Later& each) { return each.id == tabs_->idOf(tab); });
-    if (later == later_.end()) {
-        return;
-    }
-    const QString trouble = open(QString(later->path), true);
-    if (current_ == nullptr || current_->id != tabs_->idOf(tabs_->currentIndex())) {
-        arrangeTabs();
-        Q_EMIT changed();
-    }
-    if (!trouble.isEmpty()) {
-        QMessageBox::warning(window(), tr("Open case"), trouble);
-    }
-}
-
-void Documents::openLater(const QStringList& paths) {
-    constexpr std::size_t maximum = 200;  // a bar of more takes long, and nobody finds one there
-    int left = 0;
-    for (const QString& path : paths) {
-        if (later_.size() >= maximum) {
-            ++left;
-            continue;
-        }
-        const bool isAsked = std::any_of(later_.begin(), later_.end(), [&](const Later& each) {
-            return isSame(each.path, path);
-        });
-        if (!isAsked && withFile(path) == nullptr) {
-            later_.push_back({++ids_, QFileInfo(path).absoluteFilePath()});
-        }
-    }
-    arrangeTabs();
-    Q_EMIT changed();
-    if (left > 0) {
-        // Not before what opened the first file says.
-        QMetaObject::invokeMethod(
-            this, [this, left] { Q_EMIT status(tr("Too many files; not opened: %1").arg(left)); },
-            Qt::QueuedConnection);
     }
 }
 
@@ -335,7 +284,7 @@ bool Documents::hasSeveralTabs() const {
     return tabs_->hasSeveral();
 }
 
-void Documents::put(const CaseFile& file, OpenDocument* there, int id,
+void Documents::put(const CaseFile& file, OpenDocument* there,
                     const std::function<void(CaseDocument&)>& load) {
     const auto scene = indexOf(QString::fromStdString(file.scene));
     if (!scene) {
@@ -345,7 +294,7 @@ void Documents::put(const CaseFile& file, OpenDocument* there, int id,
             file.scene);
     }
     OpenDocument* reused = there != nullptr ? there : untouchedOf(*scene);
-    OpenDocument& target = reused != nullptr ? *reused : add(*scene, id);
+    OpenDocument& target = reused != nullptr ? *reused : add(*scene);
     try {
         load(*target.document);
     } catch (const InputError&) {
@@ -355,7 +304,6 @@ void Documents::put(const CaseFile& file, OpenDocument* there, int id,
         throw;
     }
     if (reused != nullptr) {
-        target.id = id != 0 ? id : target.id;
         target.page->resetZoom();
     }
     bringToFront(target);
@@ -366,12 +314,6 @@ QString Documents::open(const QString& path, bool locates) {
         bringToFront(*there);
         return {};
     }
-    int id = 0;  // of the tab that waits for it
-    std::erase_if(later_, [&](const Later& each) {
-        const bool isIt = isSame(each.path, path);
-        id = isIt ? each.id : id;
-        return isIt;
-    });
     CaseFile file;
     QByteArray known;
     MissingFile missing(this, tr("Open case"), QFileInfo(path).absolutePath());
@@ -380,7 +322,7 @@ QString Documents::open(const QString& path, bool locates) {
             if (!isMoved) {
                 file = CaseDocument::read(path, &known);
             }
-            put(file, nullptr, id, [&](CaseDocument& document) {
+            put(file, nullptr, [&](CaseDocument& document) {
                 document.open(file, path, known);
                 // Where a file is now, and what an older version has become, is to be saved.
                 if (isMoved || !file.changes.empty()) {
@@ -397,16 +339,15 @@ QString Documents::open(const QString& path, bool locates) {
             QString trouble = path + QStringLiteral(": ") + errorText(error);
             const auto isMoving = locates ? missing.locate(file, error, trouble) : std::nullopt;
             if (!isMoving.value_or(false)) {
-                arrangeTabs();
                 return isMoving ? QString() : trouble;
             }
         }
     }
 }
 
-QString Documents::begin(const CaseFile& file, const CaseContext& context, bool isFirst) {
+QString Documents::begin(const CaseFile& file, bool isFirst) {
     try {
-        put(file, nullptr, 0, [&](CaseDocument& document) { document.begin(file, context); });
+        put(file, nullptr, [&](CaseDocument& document) { document.begin(file); });
         if (isFirst) {
             current_->beginning = current_->page->model()->inputJson().dump();
             current_->hasTab = false;
@@ -446,7 +387,7 @@ bool Documents::restore(const RecoveredCase& recovered) {
         recovered.path.isEmpty() ? QString() : QFileInfo(recovered.path).absolutePath());
     for (bool isThere = false; !isThere;) {
         try {
-            put(file, there, 0, [&](CaseDocument& document) { document.restore(file, recovered); });
+            put(file, there, [&](CaseDocument& document) { document.restore(file, recovered); });
             isThere = true;
         } catch (const InputError& error) {
             const QString trouble = (recovered.path.isEmpty() ? recovered.file : recovered.path) +
@@ -503,9 +444,6 @@ bool Documents::close(OpenDocument& document) {
     remove(document);
     arrangeTabs();
     Q_EMIT changed();
-    while (current_ == nullptr && !later_.empty()) {
-        showTab(std::max(tabs_->currentIndex(), 0));
-    }
     if (current_ == nullptr) {
         Q_EMIT lastClosed();
     }
@@ -540,40 +478,56 @@ QString bareName(const QString& path) {
 
 }  // namespace
 
-std::vector<CaseTab> Documents::caseTabs() const {
-    std::vector<CaseTab> tabs;
-    for (const auto& each : documents_) {
-        if (!each->hasTab && each.get() != current_) {
+void Documents::nameTabs() {
+    QStringList titles;
+    for (int tab = 0; tab < tabs_->count(); ++tab) {
+        const OpenDocument* document = withId(tabs_->idOf(tab));
+        if (document == nullptr) {
             continue;
         }
-        const SceneInfo& scene = scenes_[each->scene];
-        const QString path = each->document->path();
-        tabs.push_back(
-            {.id = each->id,
-             .icon = QStringLiteral("scene-") + scene.name,
-             .name = path.isEmpty() ? nameOf(*each) : bareName(path),
-             .needsSaving = each->document->needsSaving(),
-             .toolTip = scene.title +
-                        (path.isEmpty() ? QString() : QStringLiteral("\n") + plainTitle(path))});
+        const QString path = document->document->path();
+        const QString name = path.isEmpty() ? nameOf(*document) : bareName(path);
+        // Two of one name differ by their number.
+        QString title = name;
+        for (int number = 2; titles.contains(title); ++number) {
+            title = name + QStringLiteral(" (%1)").arg(number);
+        }
+        titles << title;
+        tabs_->name(tab, title, document->document->needsSaving(),
+                    scenes_[document->scene].title +
+                        (path.isEmpty() ? QString() : QLatin1Char('\n') + plainTitle(path)));
     }
-    for (const Later& each : later_) {
-        tabs.push_back({.id = each.id,
-                        .icon = QStringLiteral("open"),
-                        .name = bareName(each.path),
-                        .toolTip = plainTitle(each.path)});
-    }
-    return tabs;
 }
 
 void Documents::arrangeTabs() {
     for (const auto& each : documents_) {
         each->hasTab = each->hasTab || !isUntouched(*each);
     }
-    tabs_->arrange(caseTabs(), current_ != nullptr ? current_->id : 0);
+    const auto hasTab = [this](const OpenDocument* document) {
+        return document != nullptr && (document->hasTab || document == current_);
+    };
+    {
+        const QSignalBlocker quiet(tabs_);
+        for (int tab = tabs_->count(); tab-- > 0;) {
+            if (!hasTab(withId(tabs_->idOf(tab)))) {
+                tabs_->removeCase(tab);
+            }
+        }
+        for (const auto& each : documents_) {
+            const int tab =
+                hasTab(each.get())
+                    ? tabs_->tabOf(each->id, QStringLiteral("scene-") + scenes_[each->scene].name)
+                    : -1;
+            if (each.get() == current_) {
+                tabs_->setCurrentIndex(tab);
+            }
+        }
+    }
+    nameTabs();
+    tabs_->setVisible(tabs_->hasSeveral());
     // Who has stood in the bar beside others does not vanish from it.
     if (current_ != nullptr) {
-        const auto opened = tabs_->count() - static_cast<int>(later_.size());
-        current_->hasTab = current_->hasTab || opened > 1;
+        current_->hasTab = current_->hasTab || tabs_->hasSeveral();
     }
 }
 

@@ -17,7 +17,6 @@ class CaseTabs;
 class DiskNotice;
 class Recovery;
 class ScenePage;
-struct CaseTab;
 struct RecoveredCase;
 
 /// A case that is open, or a page without cases.
@@ -61,8 +60,6 @@ class Documents : public QWidget {
     /// Brings the document of a scene to the front that was there last, or makes its first.
     /// @return false for a word that is no scene
     bool showScene(const QString& scene);
-    /// The page of that document, which stays where it is; null for a word that is no scene.
-    ScenePage* page(const QString& scene);
     void bringToFront(OpenDocument& document);
     /// The next tab, or with −1 the one before; round about.
     void step(int by);
@@ -72,12 +69,10 @@ class Documents : public QWidget {
     /// @param locates  prompts for files that the case names and that cannot be read
     /// @return an empty string, or the fault with the file's name; all is unchanged then
     QString open(const QString& path, bool locates = false);
-    /// Each gets a tab, and is opened when that is shown; at most 200 wait.
-    void openLater(const QStringList& paths);
     /// Begins a case without a file from another, as from an example, and brings it to the front.
     /// Returns as open().
     /// @param isFirst  of the page: while it is untouched, another replaces it
-    QString begin(const CaseFile& file, const CaseContext& context, bool isFirst = false);
+    QString begin(const CaseFile& file, bool isFirst = false);
 
     /// Closes the document, or the one in front: the previous one comes to the front, and without
     /// one lastClosed() follows. Asks about unsaved changes.
@@ -122,10 +117,8 @@ class Documents : public QWidget {
     std::optional<std::size_t> indexOf(const QString& scene) const;
     OpenDocument* lastOf(std::size_t scene) const;
     OpenDocument* withId(int id) const;
-    OpenDocument* ofTab(int tab) const;
     OpenDocument& firstOf(std::size_t scene);
-    /// @param id  of its tab; 0: a new one
-    OpenDocument& add(std::size_t scene, int id = 0);
+    OpenDocument& add(std::size_t scene);
     void putPage(OpenDocument& document, ScenePage* page);
     void remove(OpenDocument& document);
     static bool isUntouched(const OpenDocument& document);
@@ -133,24 +126,16 @@ class Documents : public QWidget {
     void showTab(int tab);
     /// Brings a case into a document of its own, or into one that is there; one that is rejected
     /// leaves none behind.
-    /// @param id  of the tab that waits for it; 0: none does
-    void put(const CaseFile& file, OpenDocument* there, int id,
+    void put(const CaseFile& file, OpenDocument* there,
              const std::function<void(CaseDocument&)>& load);
     void keep(OpenDocument& document);
     void makeNotices();
     void showNotices();
-    std::vector<CaseTab> caseTabs() const;
+    void nameTabs();
     void arrangeTabs();
-
-    /// A file whose tab was not in front yet.
-    struct Later {
-        int id;
-        QString path;
-    };
 
     std::vector<SceneInfo> scenes_;
     std::vector<std::unique_ptr<OpenDocument>> documents_;
-    std::vector<Later> later_;
     OpenDocument* current_ = nullptr;
     int ids_ = 0;
     int shows_ = 0;

@@ -221,10 +221,6 @@ ScenePage* MainWindow::currentPage() const {
     return documents_->current().page;
 }
 
-ScenePage* MainWindow::page(const QString& name) {
-    return documents_->page(name);
-}
-
 QString MainWindow::openCase(const QString& path) {
     QString trouble = documents_->open(path);
     if (trouble.isEmpty()) {
@@ -247,16 +243,11 @@ bool MainWindow::newCase(const QString& scene, bool isFirst) {
     const auto first = std::ranges::find_if(cases, [&](const NewCase& each) {
         return each.scene == scene && each.kind == NewCase::Kind::Empty;
     });
-    if (first == cases.end() || !documents_->begin(first->make(), {}, isFirst).isEmpty()) {
-        return false;
-    }
-    leaveStart();
-    currentPage()->resetZoom();
-    return true;
+    return first != cases.end() && newCase(first->make(), isFirst).isEmpty();
 }
 
-QString MainWindow::newCase(const CaseFile& file, const CaseContext& context) {
-    QString trouble = documents_->begin(file, context);
+QString MainWindow::newCase(const CaseFile& file, bool isFirst) {
+    QString trouble = documents_->begin(file, isFirst);
     if (trouble.isEmpty()) {
         leaveStart();
         currentPage()->resetZoom();
@@ -269,10 +260,6 @@ void MainWindow::beginOrSayWhy(const CaseFile& file) {
     if (!trouble.isEmpty()) {
         QMessageBox::warning(this, tr("New case"), trouble);
     }
-}
-
-QString MainWindow::saveCase(const QString& path) {
-    return documents_->current().document->saveTo(path);
 }
 
 void MainWindow::beginSession() {
@@ -420,6 +407,9 @@ void MainWindow::updateTitle() {
     const auto literally = [](QString text) {  // "[*]" is where Qt marks what is not saved
         return text.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
     };
+    if (paths.size() > maximum) {
+        troubles << Documents::tr("Too many files; not opened: %1").arg(paths.size() - maximum);
+    }
     setWindowTitle((name.isEmpty()
                         ? scene + QStringLiteral("[*]")
                         : literally(name) + QStringLiteral("[*] – ") +
@@ -429,21 +419,15 @@ void MainWindow::updateTitle() {
     setWindowModified(document.needsSaving());
 }
 
-void MainWindow::openOrSayWhy(QStringList paths) {
-    const bool locates = paths.size() == 1;
+void MainWindow::openOrSayWhy(const QStringList& paths) {
+    constexpr qsizetype maximum = 20;  // each has a page
     QStringList troubles;
-    for (bool isOpen = false; !isOpen && !paths.isEmpty();) {
-        const QString trouble = documents_->open(paths.takeFirst(), locates);
-        isOpen = trouble.isEmpty();
-        troubles << trouble;
+    for (const QString& path : paths.mid(0, maximum)) {
+        troubles << documents_->open(path, paths.size() == 1);
     }
-    documents_->openLater(paths);
     troubles.removeAll(QString());
     if (!troubles.isEmpty()) {
-        constexpr qsizetype maximum = 10;
-        QMessageBox::warning(this, tr("Open case"),
-                             troubles.mid(0, maximum).join(QLatin1Char('\n')) +
-                                 (troubles.size() > maximum ? QStringLiteral("\n…") : QString()));
+        QMessageBox::warning(this, tr("Open case"), troubles.join(QLatin1Char('\n')));
     }
 }
 

@@ -40,8 +40,6 @@ class MainWindow : public QMainWindow {
     /// Brings the start page to the front, until something is opened or begun.
     void showStart();
     bool isAtStart() const;
-    /// The page of that document, made now if needed; null for a word that is no scene.
-    ScenePage* page(const QString& name);
     ScenePage* currentPage() const;
     Documents& documents() { return *documents_; }
 
@@ -49,8 +47,8 @@ class MainWindow : public QMainWindow {
     /// @return an empty string, or the fault with the file's name; all is unchanged then
     QString openCase(const QString& path);
     /// The same for a user at the window: shows faults, and for one file prompts for missing files
-    /// that the case names. Of several the first is opened, the others when they are shown.
-    void openOrSayWhy(QStringList paths);
+    /// that the case names. At most 20 files at once.
+    void openOrSayWhy(const QStringList& paths);
     /// Shows the open case of a scene, or begins its first.
     void goToScene(const QString& scene);
     /// Begins the first case of a scene, one that works.
@@ -58,11 +56,8 @@ class MainWindow : public QMainWindow {
     /// @return false without one
     bool newCase(const QString& scene, bool isFirst = false);
     /// The same from a case that remains without a file, as an example.
-    /// @param context  the folder of the files that it names
     /// @return an empty string, or the fault
-    QString newCase(const CaseFile& file, const CaseContext& context = {});
-    /// Writes the current page's case. The same return.
-    QString saveCase(const QString& path);
+    QString newCase(const CaseFile& file, bool isFirst = false);
     /// Writes a report of the current page's case, PDF or HTML by the suffix. The same return.
     QString writeReport(const QString& path, const Patience& patience = Patience());
 

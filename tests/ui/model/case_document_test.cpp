@@ -157,7 +157,7 @@ TEST_F(CaseDocumentTest, UndoNeverCrossesOpenOrBegin) {
     EXPECT_EQ(model.root(), 3.0);
     EXPECT_EQ(model.history()->count(), 0);
     model.set("square", 16.0);
-    document.begin(CaseDocument::read(nine), {});
+    document.begin(CaseDocument::read(nine));
     model.undo();
     EXPECT_EQ(model.root(), 3.0);
     EXPECT_TRUE(document.path().isEmpty());
@@ -232,7 +232,7 @@ TEST_F(CaseDocumentTest, KeepsNotesVariantsAndStudyOfTheFile) {
     EXPECT_EQ(read.variants, written.variants);
     EXPECT_EQ(read.study, written.study);
     EXPECT_TRUE(read.kept.is_null());
-    document.begin({"balance-shaft", "t", {{"crank_radius_mm", 9.0}}}, {});
+    document.begin({"balance-shaft", "t", {{"crank_radius_mm", 9.0}}});
     EXPECT_EQ(document.saveTo(file("b.case.json")), QString());
     EXPECT_TRUE(CaseDocument::read(file("b.case.json")).variants.empty());
 }

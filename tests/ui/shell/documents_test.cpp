@@ -119,22 +119,6 @@ TEST_F(DocumentsTest, ACaseThatIsOpenedReplacesNothing) {
     EXPECT_EQ(model().inputJson().at("shaft_angle_deg"), 77);
 }
 
-TEST_F(DocumentsTest, UndoNeverCrossesOpen) {
-    set(u"shaft_angle_deg=77"_s);
-    open(u"tmz-650d"_s);
-    const Json opened = model().inputJson();
-    EXPECT_FALSE(action(u"Undo"_s)->isEnabled());
-    press(Qt::Key_Z);
-    EXPECT_EQ(model().inputJson(), opened);
-    EXPECT_FALSE(window.isWindowModified());
-    press(Qt::Key_Backtab, Qt::ControlModifier | Qt::ShiftModifier);
-    EXPECT_TRUE(action(u"Undo"_s)->isEnabled());
-    press(Qt::Key_Z);
-    EXPECT_NE(model().inputJson().at("shaft_angle_deg"), 77);
-    press(Qt::Key_Tab);
-    EXPECT_EQ(model().inputJson(), opened);
-}
-
 TEST_F(DocumentsTest, AFileThatIsOpenComesToTheFront) {
     const QString link = folder.filePath(u"link.case.json"_s);
     ASSERT_TRUE(QFile::link(example(u"tmz-650d"_s), link));
@@ -326,39 +310,6 @@ TEST_F(DocumentsTest, TheEngineOfAnotherOpenCaseIsTakenAsOneStep) {
     EXPECT_EQ(model().inputJson(), before);
 }
 
-TEST_F(DocumentsTest, FilesAreOpenedWhenTheirTabsAreShown) {
-    const QString broken = folder.filePath(u"broken.case.json"_s);
-    QFile::copy(example(u"honda"_s), broken);
-    ASSERT_TRUE(QFile::resize(broken, 20));
-    window.documents().openLater({example(u"zotov-energy"_s), example(u"tmz-650d"_s), broken,
-                                  example(u"honda"_s), example(u"tmz-650d"_s)});
-    EXPECT_EQ(tabs(), (QStringList{u"TMZ-650D"_s, u"zotov-energy"_s, u"tmz-650d"_s, u"broken"_s,
-                                   u"honda"_s}));
-    EXPECT_EQ(window.documents().all().size(), 1U) << "none of them is read";
-    open(u"tmz-650d"_s);
-    EXPECT_EQ(window.documents().all().size(), 1U) << "instead of the untouched one";
-    EXPECT_EQ(bar().currentIndex(), 1) << "in its place";
-    answer(QMessageBox::Ok);
-    press(Qt::Key_Tab);
-    ASSERT_EQ(asked.size(), 1);
-    EXPECT_TRUE(asked[0].contains(broken)) << asked[0].toStdString();
-    EXPECT_TRUE(window.windowTitle().contains(u"tmz-650d"_s));
-    EXPECT_EQ(bar().count(), 3);
-    press(Qt::Key_Tab);
-    EXPECT_TRUE(window.windowTitle().contains(u"honda"_s));
-    EXPECT_EQ(bar().currentIndex(), 2);
-    // One that was never shown is closed without being read, and is the next after the last.
-    press(Qt::Key_W);
-    press(Qt::Key_W);
-    window.documents().openLater({example(u"honda"_s)});
-    QTest::mouseClick(bar().tabButton(bar().count() - 1, QTabBar::RightSide), Qt::LeftButton);
-    EXPECT_EQ(tabs(), QStringList{u"zotov-energy"_s});
-    EXPECT_TRUE(window.windowTitle().contains(u"zotov-energy"_s));
-    EXPECT_EQ(window.documents().all().size(), 1U);
-    press(Qt::Key_W);
-    EXPECT_TRUE(window.isAtStart());
-}
-
 TEST_F(DocumentsTest, ClosingAsksForItsOwnChangesAlone) {
     open(u"tmz-650d"_s);
     set(u"shaft_angle_deg=77"_s);
@@ -402,15 +353,9 @@ TEST_F(DocumentsTest, OfManyFilesThatCannotBeOpenedOneMessageSaysSo) {
     answer(QMessageBox::Ok);
     window.openOrSayWhy(paths);
     ASSERT_EQ(asked.size(), 1);
-    EXPECT_TRUE(asked[0].contains(u"none9.case.json"_s));
-    EXPECT_FALSE(asked[0].contains(u"none10.case.json"_s));
-    // Behind one that opens they wait, and so do no more than anybody looks through.
-    paths.prepend(example(u"honda"_s));
-    window.openOrSayWhy(paths);
-    EXPECT_EQ(bar().count(), 201);
-    EXPECT_TRUE(test::comes([&] {
-        return window.statusBar()->currentMessage() == u"Too many files; not opened: 100"_s;
-    })) << qPrintable(window.statusBar()->currentMessage());
+    EXPECT_TRUE(asked[0].contains(u"none19.case.json"_s));
+    EXPECT_FALSE(asked[0].contains(u"none20.case.json"_s));
+    EXPECT_TRUE(asked[0].endsWith(u"Too many files; not opened: 280"_s)) << qPrintable(asked[0]);
 }
 
 TEST_F(DocumentsTest, TabsAreMovedByTheMouse) {
@@ -457,18 +402,6 @@ TEST_F(DocumentsTest, MethodsFollowTheCaseShownLastAndStayOnePage) {
     press(Qt::Key_1);
     press(Qt::Key_5);
     EXPECT_EQ(window.currentPage(), page);
-}
-
-TEST_F(DocumentsTest, SeveralJobsOfTheWorkshopAreOpen) {
-    press(Qt::Key_3);
-    const QString first = u"job/engine_number=A-1"_s;
-    set(first);
-    press(Qt::Key_N);
-    set(u"job/engine_number=B-2"_s);
-    EXPECT_EQ(model().inputJson().at("job").at("engine_number"), "B-2");
-    EXPECT_EQ(tabs(), (QStringList{u"A-1 *"_s, u"B-2 *"_s}));
-    press(Qt::Key_Tab);
-    EXPECT_EQ(model().inputJson().at("job").at("engine_number"), "A-1");
 }
 
 TEST_F(DocumentsTest, AJobBegunFromAnExampleIsKnownByItsNumber) {

@@ -222,7 +222,7 @@ TEST_F(Faults, AFolderThatVanishedIsSaidAndAnotherTaken) {
     const QString trouble = saveSaid();
     EXPECT_TRUE(window->isWindowModified());
     EXPECT_FALSE(trouble.isEmpty());
-    EXPECT_EQ(window->saveCase(other), QString());
+    EXPECT_EQ(window->documents().current().document->saveTo(other), QString());
     EXPECT_EQ(CaseDocument::read(other).input.value("shaft_angle_deg", 0.0), 77);
     EXPECT_FALSE(window->isWindowModified());
 }

@@ -141,7 +141,7 @@ TEST_F(SavingTest, TitleAndNotesAreFieldsThatAreSavedAndUndone) {
     EXPECT_EQ(model().title(), QStringLiteral("My engine"));
     EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("My engine")));
     EXPECT_TRUE(window.isWindowModified());
-    ASSERT_EQ(window.saveCase(file("мой.case.json")), QString());
+    ASSERT_EQ(window.documents().current().document->saveTo(file("мой.case.json")), QString());
     EXPECT_TRUE(window.windowTitle().startsWith(QStringLiteral("мой.case.json[*] – My engine – ")));
     const Json written = read(file("мой.case.json"));
     EXPECT_EQ(written.at("title"), "My engine");
@@ -218,7 +218,7 @@ TEST_F(SavingTest, RejectedCellsAreSaidAndTakenBackLikeEntries) {
     press(Qt::Key_S);
     ASSERT_EQ(asked.size(), 1);
     EXPECT_TRUE(asked[0].contains(QStringLiteral("abc"))) << asked[0].toStdString();
-    EXPECT_EQ(window.saveCase(file("t.case.json")), QString());
+    EXPECT_EQ(window.documents().current().document->saveTo(file("t.case.json")), QString());
     QApplication::processEvents();
     press(Qt::Key_Z);
     EXPECT_EQ(cell.data(Qt::EditRole).toString(), before);
@@ -437,12 +437,12 @@ TEST_F(SavingTest, ACaseWithATableOfItsOwnSurvivesAnotherFolder) {
     ASSERT_EQ(window.openCase(caseWithTable("папка")), QString());
     const Json result = model().resultJson();
     const QString copy = file("other.case.json");
-    ASSERT_EQ(window.saveCase(copy), QString());
+    ASSERT_EQ(window.documents().current().document->saveTo(copy), QString());
     EXPECT_EQ(read(copy).at("input").at("torque").at("csv"), "папка/момент.csv");
     // Saved again in a third place, then opened there.
     ASSERT_TRUE(QDir(folder.path()).mkpath(QStringLiteral("x/y")));
     const QString deep = file("x/y/deep.case.json");
-    ASSERT_EQ(window.saveCase(deep), QString());
+    ASSERT_EQ(window.documents().current().document->saveTo(deep), QString());
     EXPECT_EQ(read(deep).at("input").at("torque").at("csv"), "../../папка/момент.csv");
     MainWindow other;
     ASSERT_EQ(other.openCase(deep), QString());
@@ -471,7 +471,7 @@ TEST_F(SavingTest, AMissingTableIsLookedForWithTheUser) {
     EXPECT_EQ(folders.constLast(), QFileInfo(path).absolutePath()) << "where the case is";
     EXPECT_EQ(model().title(), QStringLiteral("Mine"));
     EXPECT_TRUE(window.isWindowModified());
-    ASSERT_EQ(window.saveCase(path), QString());
+    ASSERT_EQ(window.documents().current().document->saveTo(path), QString());
     EXPECT_FALSE(window.isWindowModified());
     MainWindow other;
     EXPECT_EQ(other.openCase(path), QString());
@@ -547,7 +547,7 @@ TEST_F(SavingTest, SourcesOfTorqueOutOfUseStayInTheFile) {
                             {"combustion_duration_deg", 60}}}}}};
     write_text_file(fsPath(path), document.dump());
     ASSERT_EQ(window.openCase(path), QString());
-    ASSERT_EQ(window.saveCase(path), QString());
+    ASSERT_EQ(window.documents().current().document->saveTo(path), QString());
     EXPECT_EQ(read(path).at("kept").at("torque").at("cycle").at("compression_ratio"), 17);
 }
 

@@ -10,6 +10,7 @@
 #include <QSettings>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include <map>
 
 #include "balance-shaft/shaft_map_view.h"
 #include "balance-shaft/speed_view.h"
@@ -168,20 +169,21 @@ TEST_F(Settings, TheLanguageInUseIsShown) {
 }
 
 TEST_F(Settings, EveryPageIsTheSameAfterTheLanguageWasChangedThereAndBack) {
+    std::map<QString, Json> before;
     for (const SceneInfo& info : sceneList()) {
         window.showScene(info.name);
         QApplication::processEvents();
+        before[info.name] = window.currentPage()->model()->inputJson();
     }
     for (const QString& code : {u"ru"_s, u"en"_s, u"ru"_s, u"en"_s}) {
         Preferences::instance().setLanguage(code);
         QApplication::processEvents();
     }
-    for (const SceneInfo& info : sceneList()) {
-        const Json before = window.page(info.name)->model()->inputJson();
-        window.showScene(info.name);
+    for (const auto& [scene, input] : before) {
+        window.showScene(scene);
         QApplication::processEvents();
-        EXPECT_EQ(window.currentPage()->model()->inputJson(), before);
-        EXPECT_FALSE(window.currentPage()->model()->hasChanges()) << info.name.toStdString();
+        EXPECT_EQ(window.currentPage()->model()->inputJson(), input);
+        EXPECT_FALSE(window.currentPage()->model()->hasChanges()) << scene.toStdString();
         EXPECT_FALSE(window.grab().isNull());
     }
 }

@@ -13,6 +13,7 @@
 #include "events.h"
 #include "files.h"
 #include "page/scene_page.h"
+#include "scene_tests.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shell/start_page.h"
@@ -39,7 +40,7 @@ class StartJobsTest : public ::testing::Test {
 
     /// As the page Workshop keeps them.
     void keep(const QString& number, const QDate& day, bool isFinished, const QString& verdict) {
-        CaseFile file = window->page(u"workshop"_s)->model()->caseFile();
+        CaseFile file = test::makePage("workshop")->model()->caseFile();
         file.input["job"]["engine_number"] = number.toStdString();
         JournalJob job;
         job.scene = u"workshop"_s;

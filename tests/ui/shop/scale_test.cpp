@@ -86,7 +86,7 @@ class ScaleTest : public ::testing::Test {
         test::showAt(*window, {1280, 800});
         window->activateWindow();
         button = test::named<ScaleButton>(*window, "scale_button");
-        page = static_cast<WorkshopPage*>(window->page(u"workshop"_s));
+        page = static_cast<WorkshopPage*>(window->currentPage());
         QObject::connect(button->reader(), &ScaleReader::lineRead, [this] { ++lines; });
         sheets = test::named<QTabWidget>(*page, "sheets");
         sheets->setCurrentIndex(2);

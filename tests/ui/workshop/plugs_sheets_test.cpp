@@ -193,7 +193,7 @@ TEST_F(PlugsSheetsTest, APresetBeginsAJobOfToday) {
     model->editPlugs({}, [](auto& input) { input.tolerance = 7.0 * units::gram_mm; });
     model->keepTolerance();  // the shop's
     CaseDocument document(model, {});
-    document.begin({"workshop", "V-8 of 6 litres", plugs}, {});
+    document.begin({"workshop", "V-8 of 6 litres", plugs});
     EXPECT_DOUBLE_EQ(model->input().plugs->tolerance, 7.0 * units::gram_mm);
     EXPECT_EQ(QString::fromStdString(model->input().job.date),
               QDate::currentDate().toString(Qt::ISODate));
@@ -201,11 +201,11 @@ TEST_F(PlugsSheetsTest, APresetBeginsAJobOfToday) {
     // A job that has its day keeps it, a case its limit, and what is opened is as it was.
     Json dated = model->inputJson();
     dated["job"]["date"] = "2020-02-02";
-    document.begin({"workshop", "V-8 of 6 litres", dated}, {});
+    document.begin({"workshop", "V-8 of 6 litres", dated});
     EXPECT_EQ(model->input().job.date, "2020-02-02");
     dated["job"]["date"] = "";
     dated["plugs"]["tolerance_g_mm"] = 3;
-    document.begin({"workshop", "V-8 of 6 litres", dated}, {});
+    document.begin({"workshop", "V-8 of 6 litres", dated});
     EXPECT_DOUBLE_EQ(model->input().plugs->tolerance, 3.0 * units::gram_mm);
     document.open({"workshop", "V-8 of 6 litres", plugs}, folder.filePath(u"a.case.json"_s));
     EXPECT_EQ(model->input().job.date, "");

@@ -54,8 +54,6 @@ int main(int argc, char** argv) {
         std::printf("%s %d\n", what, number);
         std::fflush(stdout);
     };
-    window.page(u"workshop"_s);
-    window.page(u"elastic-hinge"_s);
     for (int i = std::atoi(argv[2]);; ++i) {
         said("next", i);
         window.showScene(u"elastic-hinge"_s);
