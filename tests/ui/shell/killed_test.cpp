@@ -85,6 +85,10 @@ TEST_F(KilledWindow, LosesNothingThatItSaved) {
             ASSERT_TRUE(window.waitForReadyRead(60'000)) << output.toStdString();
             output += window.readAllStandardOutput();
         }
+        {
+            Recovery other(QDir(data).filePath(u"recovery"_s));
+            EXPECT_TRUE(other.leftBehind().cases.isEmpty()) << "that window runs";
+        }
         // Every other time long enough for a copy of what is not saved.
         QTest::qSleep(static_cast<int>(random.bounded(round % 2 == 0 ? 700U : 60U)));
         ASSERT_EQ(::kill(static_cast<pid_t>(window.processId()), SIGKILL), 0);
