@@ -13358,10 +13358,6 @@ but no position is feasible</source>
         <translation>Начало</translation>
     </message>
     <message>
-        <source>E&amp;xamples</source>
-        <translation>При&amp;меры</translation>
-    </message>
-    <message>
         <source>Repor&amp;t…</source>
         <translation>От&amp;чёт…</translation>
     </message>
@@ -16008,10 +16004,6 @@ but no position is feasible</source>
     <message>
         <source>Ravnoves computes the inertia forces of an engine and shows what a balance shaft, a bob weight or a drilled hole changes: for engine designers, balancing shops and students.</source>
         <translation>Ravnoves вычисляет силы инерции двигателя и показывает, что меняют балансирный вал, балансировочный груз или высверленное отверстие: для конструкторов двигателей, балансировочных мастерских и студентов.</translation>
-    </message>
-    <message>
-        <source>%1 · not found</source>
-        <translation>%1 · не найден</translation>
     </message>
 </context>
 <context>

@@ -5,7 +5,6 @@
 #include <QPointer>
 #include <QScrollArea>
 #include <QStackedWidget>
-#include <QTabWidget>
 #include <QTimer>
 #include <algorithm>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "page/scene_page.h"
 #include "theme/theme.h"
 #include "widgets/entry_field.h"
+#include "widgets/page_columns.h"
 
 namespace ravnoves {
 
@@ -60,16 +60,8 @@ void scrollTo(QWidget* field) {
     }
 }
 
-void show(QWidget* field, const QWidget* page) {
-    for (QWidget* each = field; each != page; each = each->parentWidget()) {
-        QWidget* stack = each->parentWidget();
-        auto* tabs = qobject_cast<QStackedWidget*>(stack) != nullptr
-                         ? qobject_cast<QTabWidget*>(stack->parentWidget())
-                         : nullptr;
-        if (tabs != nullptr) {
-            tabs->setCurrentWidget(each);
-        }
-    }
+void show(QWidget* field) {
+    showTabOf(field);
     scrollTo(field);
     // What was hidden is laid out later.
     QTimer::singleShot(0, field, [field] { scrollTo(field); });
@@ -98,7 +90,7 @@ void showWhatChanges(ScenePage& page, const std::function<void(SceneModel&)>& st
     QWidget* field = (seen != before.end() ? *seen : before.front()).field;
     const QWidget* at = page.window()->focusWidget();
     const bool wasHidden = !field->isVisible();
-    show(field, &page);
+    show(field);
     if (wasHidden || (at != nullptr && page.isAncestorOf(at) && isField(at))) {
         field->setFocus(Qt::OtherFocusReason);
     }

@@ -19,15 +19,18 @@ DiskNotice::DiskNotice(QWidget* parent) : Panel(parent), text_(new QLabel(this))
     row->addWidget(text_, 1);
     reload_ = addButton("disk_reload", tr("Reload"),
                         tr("Show the present contents of the file. Undo restores this page."),
-                        &DiskNotice::reload);
-    keep_ = addButton("disk_keep", tr("Keep mine"), {}, &DiskNotice::keep);
+                        [this] { reload(); });
+    keep_ = addButton("disk_keep", tr("Keep mine"), {}, [this] {
+        document_->disk().state() != FileOnDisk::State::Same ? document_->keepMine()
+                                                             : document_->keepSources();
+    });
     saveAs_ = addButton("disk_save_as", tr("Save as…"), tr("Save this page in another file."),
-                        &DiskNotice::saveAs);
+                        [this] { document_->saveAs(); });
     hide();
 }
 
 QPushButton* DiskNotice::addButton(const char* name, const QString& text, const QString& tip,
-                                   void (DiskNotice::*pressed)()) {
+                                   const std::function<void()>& pressed) {
     auto* button = new QPushButton(text, this);
     button->setObjectName(QLatin1String(name));
     button->setToolTip(tip);
@@ -72,18 +75,6 @@ void DiskNotice::reload() {
     if (!trouble.isEmpty()) {
         QMessageBox::warning(window(), tr("Open case"), trouble);
     }
-}
-
-void DiskNotice::keep() {
-    if (document_->disk().state() != FileOnDisk::State::Same) {
-        document_->keepMine();
-    } else {
-        document_->keepSources();
-    }
-}
-
-void DiskNotice::saveAs() {
-    document_->saveAs();
 }
 
 }  // namespace ravnoves

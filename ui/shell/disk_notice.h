@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "widgets/panel.h"
 
 class QLabel;
@@ -22,10 +24,8 @@ class DiskNotice : public Panel {
 
   private:
     QPushButton* addButton(const char* name, const QString& text, const QString& tip,
-                           void (DiskNotice::*pressed)());
+                           const std::function<void()>& pressed);
     void reload();
-    void keep();
-    void saveAs();
 
     CaseDocument* document_ = nullptr;
     QLabel* text_;

@@ -6,7 +6,6 @@
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QLabel>
-#include <QLayout>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -18,10 +17,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
-#include <QToolButton>
-#include <QWindow>
 #include <algorithm>
-#include <utility>
 
 #include "model/recovery.h"
 #include "page/rejected_entries.h"
@@ -357,7 +353,6 @@ void MainWindow::updateHistoryActions() {
 }
 
 void MainWindow::updateSceneActions() {
-    foldToolBar();
     variants_->setPage(isAtStart() ? nullptr : currentPage());
     for (QAction* action : sceneActions_) {
         toolBar_->removeAction(action);
@@ -381,17 +376,6 @@ void MainWindow::updateSceneActions() {
     sceneMenu_->menuAction()->setVisible(!actions.isEmpty());
 }
 
-void MainWindow::foldToolBar() {
-    const auto* more = toolBar_->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
-    if (more == nullptr || !more->isChecked()) {
-        return;
-    }
-    // Qt folds it when the pointer leaves it, and keeps the mark where the size is as it was.
-    QEvent leave(QEvent::Leave);
-    QApplication::sendEvent(toolBar_, &leave);
-    toolBar_->layout()->invalidate();
-}
-
 void MainWindow::updateTitle() {
     if (isAtStart()) {
         setWindowTitle(QStringLiteral("Ravnoves"));
@@ -407,9 +391,6 @@ void MainWindow::updateTitle() {
     const auto literally = [](QString text) {  // "[*]" is where Qt marks what is not saved
         return text.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
     };
-    if (paths.size() > maximum) {
-        troubles << Documents::tr("Too many files; not opened: %1").arg(paths.size() - maximum);
-    }
     setWindowTitle((name.isEmpty()
                         ? scene + QStringLiteral("[*]")
                         : literally(name) + QStringLiteral("[*] – ") +
@@ -426,6 +407,9 @@ void MainWindow::openOrSayWhy(const QStringList& paths) {
         troubles << documents_->open(path, paths.size() == 1);
     }
     troubles.removeAll(QString());
+    if (paths.size() > maximum) {
+        troubles << Documents::tr("Too many files; not opened: %1").arg(paths.size() - maximum);
+    }
     if (!troubles.isEmpty()) {
         QMessageBox::warning(this, tr("Open case"), troubles.join(QLatin1Char('\n')));
     }
@@ -549,23 +533,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->accept();
 }
 
-void MainWindow::showEvent(QShowEvent* event) {
-    QMainWindow::showEvent(event);
-    windowHandle()->installEventFilter(this);
-}
-
-bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == windowHandle() && event->type() == QEvent::Expose &&
-        windowHandle()->isExposed()) {
-        watched->removeEventFilter(this);
-        if (!std::exchange(isPainted_, true)) {
-            // The event paints it.
-            QMetaObject::invokeMethod(this, &MainWindow::painted, Qt::QueuedConnection);
-        }
-    }
-    return QMainWindow::eventFilter(watched, event);
-}
-
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     if (event->mimeData()->hasUrls()) {
         event->acceptProposedAction();
@@ -578,13 +545,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
         paths << url.toLocalFile();
     }
     openOrSayWhy(paths);
-}
-
-void MainWindow::resizeEvent(QResizeEvent* event) {
-    QMainWindow::resizeEvent(event);
-    if (event->size().width() != event->oldSize().width()) {
-        foldToolBar();
-    }
 }
 
 }  // namespace ravnoves

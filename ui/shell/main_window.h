@@ -66,18 +66,11 @@ class MainWindow : public QMainWindow {
     /// Offers what a crash has left, where there is any.
     void offerRecovered();
 
-  Q_SIGNALS:
-    /// The first picture of the window is there.
-    void painted();
-
   protected:
-    void showEvent(QShowEvent* event) override;
     bool event(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void buildNavigation();
@@ -89,7 +82,6 @@ class MainWindow : public QMainWindow {
     void leaveStart();
     void beginOrSayWhy(const CaseFile& file);
     void fillNewMenu();
-    void fillExamples();
     void openWithDialog();
     void exportPicture();
     void exportReport();
@@ -100,8 +92,6 @@ class MainWindow : public QMainWindow {
     void takeEngine(int id);
     void updateTitle();
     void updateSceneActions();
-    /// Brings a toolbar that shows all its rows back to one.
-    void foldToolBar();
     /// In the status bar, while it has no other message.
     void showHint(const QString& text);
     /// Reports an action, before all else in the status bar; no tip under the pointer replaces it
@@ -128,7 +118,6 @@ class MainWindow : public QMainWindow {
     QActionGroup* sceneGroup_ = nullptr;
     QMenu* recentMenu_ = nullptr;
     QMenu* engineMenu_ = nullptr;
-    QMenu* examplesMenu_ = nullptr;
     QMenu* newMenu_ = nullptr;  ///< of the New button, too
     QMenu* sceneMenu_ = nullptr;
     QToolBar* toolBar_ = nullptr;
@@ -138,7 +127,6 @@ class MainWindow : public QMainWindow {
     QDeadlineTimer said_;  ///< until when the report is shown
     QAction* nextTab_ = nullptr;
     QAction* previousTab_ = nullptr;
-    bool isPainted_ = false;
     QList<QAction*> caseActions_;   ///< need a page with a case file; data: their tip
     QList<QAction*> pageActions_;   ///< need a page in front
     QList<QAction*> sceneActions_;  ///< in the toolbar for the present page

@@ -144,13 +144,6 @@ void MainWindow::buildNavigation() {
     };
     // Once the buttons are laid out.
     connect(bar, &QScrollBar::rangeChanged, area, showChecked, Qt::QueuedConnection);
-    connect(qApp, &QApplication::focusChanged, area,
-            [area, navigation](const QWidget* was, QWidget* now) {
-                // Not where a window gets the focus that comes first.
-                if (was != nullptr && now != nullptr && navigation->isAncestorOf(now)) {
-                    area->ensureWidgetVisible(now, 0, Theme::gap);
-                }
-            });
     row->addWidget(area);
     auto* line = new QFrame(centre);
     line->setFrameShape(QFrame::VLine);
@@ -192,8 +185,6 @@ void MainWindow::buildMenus() {
                         [this] { openWithDialog(); });
     recentMenu_ = file->addMenu(tr("Open &recent"));
     connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentFiles);
-    examplesMenu_ = file->addMenu(tr("E&xamples"));
-    connect(examplesMenu_, &QMenu::aboutToShow, this, &MainWindow::fillExamples);
     save_ = add(file, QStringLiteral("save"), tr("&Save case"), QKeySequence::Save,
                 [this] { documents_->current().document->save(); });
     QAction* saveAsAction =
@@ -316,14 +307,6 @@ void MainWindow::fillNewMenu() {
             newMenu_->addAction(themedIcon(QStringLiteral("scene-") + each.scene), listed(each),
                                 this, [this, each] { beginOrSayWhy(each.make()); });
         }
-    }
-}
-
-void MainWindow::fillExamples() {
-    examplesMenu_->clear();
-    for (const NewCase& each : newExamples()) {
-        examplesMenu_->addAction(themedIcon(QStringLiteral("scene-") + each.scene), each.title,
-                                 this, [this, each] { beginOrSayWhy(each.make()); });
     }
 }
 

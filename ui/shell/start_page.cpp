@@ -12,7 +12,6 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <utility>
 
@@ -111,10 +110,6 @@ class SceneCard : public StartButton {
         painter.setPen(theme.mutedText());
         painter.drawText(texts.summary.translated(0, top), wrap, summary_);
     }
-    void changeEvent(QEvent* event) override {
-        known_.clear();
-        StartButton::changeEvent(event);
-    }
 
   private:
     static constexpr int wrap = Qt::TextWordWrap | Qt::AlignLeft | Qt::AlignTop;
@@ -132,15 +127,11 @@ class SceneCard : public StartButton {
         QRect title;
         QRect summary;
     };
-    /// A layout asks for the same few widths again and again; to break lines takes long.
     Texts textsAt(int width) const {
-        const auto [at, isNew] = known_.try_emplace(width);
-        if (isNew) {
-            at->second = {wrapped(QFontMetrics(titleFont()), text(), width),
-                          wrapped(fontMetrics(), summary_, width)};
-        }
-        return at->second;
+        return {wrapped(QFontMetrics(titleFont()), text(), width),
+                wrapped(fontMetrics(), summary_, width)};
     }
+
     static QRect wrapped(const QFontMetrics& metrics, const QString& text, int width) {
         return metrics.boundingRect(QRect(Theme::margin, 0, width - 2 * Theme::margin, 10'000),
                                     wrap, text);
@@ -148,7 +139,6 @@ class SceneCard : public StartButton {
 
     QString summary_;
     QString scene_;
-    mutable std::map<int, Texts> known_;  ///< by width
 };
 
 /// A line that leads to a case: an icon, a text and a pale detail, shortened where they do not fit.
@@ -214,15 +204,6 @@ QString folderOf(const QString& path) {
     return folder == home || folder.startsWith(home + QLatin1Char('/'))
                ? QLatin1Char('~') + folder.mid(home.size())
                : folder;
-}
-
-/// With the day on which the file was written; needs the disk.
-QString datedFolderOf(const QString& path) {
-    const QFileInfo file(path);
-    const QString folder = folderOf(path);
-    return file.exists() ? folder + QStringLiteral(" · ") +
-                               Words().day(file.lastModified().date().toString(Qt::ISODate))
-                         : StartPage::tr("%1 · not found").arg(folder);
 }
 
 /// When, whose, which engine, what the machine said.
@@ -339,14 +320,12 @@ void StartPage::showRecent() {
         const std::unique_ptr<QLayoutItem> item(recent_->takeAt(fixed));
         delete item->widget();
     }
-    dates_.clear();
     QWidget* before = recent_->itemAt(fixed - 1)->widget();
     for (const QString& path : CaseDocument::recentPaths()) {
         auto* made = new StartLine(QStringLiteral("save"), QFileInfo(path).fileName(), recentBox_);
         made->setObjectName(QStringLiteral("start-recent"));
         made->setDetail(folderOf(path));
         made->setToolTip(path);
-        dates_.emplace_back([made, path] { made->setDetail(datedFolderOf(path)); });
         connect(made, &QAbstractButton::clicked, this,
                 [this, path] { Q_EMIT openRequested(path); });
         recent_->addWidget(made);
@@ -354,12 +333,6 @@ void StartPage::showRecent() {
         before = made;
     }
     recent_->addStretch();
-}
-
-void StartPage::showDates() {
-    for (const auto& show : dates_) {
-        show();
-    }
 }
 
 void StartPage::showJobs() {
@@ -438,7 +411,6 @@ void StartPage::showEvent(QShowEvent* event) {
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {
     // After the first picture: a slow disk must not delay it.
     if (event->type() == QEvent::Paint && !std::exchange(isLooked_, true)) {
-        QMetaObject::invokeMethod(this, &StartPage::showDates, Qt::QueuedConnection);
         QMetaObject::invokeMethod(this, &StartPage::showJobs, Qt::QueuedConnection);
     }
     return QWidget::eventFilter(watched, event);

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <QWidget>
-#include <functional>
-#include <vector>
 
 #include "shell/new_cases.h"
 
@@ -21,8 +19,6 @@ class StartPage : public QWidget {
 
     /// The files opened last, again.
     void showRecent();
-    /// When these files were written; needs the disk.
-    void showDates();
     /// The newest jobs of the journal, again; nothing of a journal that cannot be opened.
     void showJobs();
 
@@ -50,11 +46,10 @@ class StartPage : public QWidget {
     QGridLayout* cards_;
     QWidget* jobsBox_;
     QVBoxLayout* jobs_;
-    bool isLooked_ = false;  ///< into journal and files, since the page is shown
+    bool isLooked_ = false;  ///< into the journal, since the page is shown
     QGridLayout* lists_;
     QWidget* recentBox_;
     QVBoxLayout* recent_;
-    std::vector<std::function<void()>> dates_;  ///< show the date of each recent file
     QWidget* examplesBox_;
     int columns_ = 0;
     bool areListsBeside_ = false;

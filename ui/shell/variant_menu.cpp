@@ -19,10 +19,13 @@ VariantMenu::VariantMenu(QWidget* parent)
     setIcon(themedIcon(QStringLiteral("variants")));
     keep_ = add("keep", tr("&Keep as reference"), QKeySequence(Qt::CTRL | Qt::Key_K),
                 tr("Keeps the present input as a variant; later changes are compared with it"),
-                &VariantMenu::keep);
+                [this] { keep(); });
     addSeparator();
     none_ = add("none", tr("&No reference"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
-                tr("Shows the present input alone; variants are kept"), &VariantMenu::none);
+                tr("Shows the present input alone; variants are kept"), [this] {
+                    model_->chooseReference(-1);
+                    none_->setChecked(true);
+                });
     none_->setCheckable(true);
     QAction* const end = addSeparator();
     end->setObjectName(QStringLiteral("end-of-list"));
@@ -30,16 +33,21 @@ VariantMenu::VariantMenu(QWidget* parent)
         add("table", tr("&Compare side by side…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D),
             tr("Shows the differences between the present input and all variants, then their "
                "results"),
-            &VariantMenu::showTable);
+            [this] {
+                auto* dialog = new VariantTable(page_, parentWidget());
+                dialog->setAttribute(Qt::WA_DeleteOnClose);
+                dialog->show();
+            });
     onReference_ = {
         add("swap", tr("&Swap with the present"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_X),
-            tr("Exchanges present input and reference"), &VariantMenu::swap),
+            tr("Exchanges present input and reference"),
+            [this] { say(model_->swapVariant(model_->reference())); }),
         add("take", tr("&Use"), {},
             tr("The reference becomes the present input and remains the reference"),
-            &VariantMenu::take),
-        add("rename", tr("&Rename…"), {}, tr("Renames the reference"), &VariantMenu::rename),
+            [this] { say(model_->takeVariant(model_->reference())); }),
+        add("rename", tr("&Rename…"), {}, tr("Renames the reference"), [this] { rename(); }),
         add("delete", tr("&Delete"), {}, tr("Removes the reference from the case"),
-            &VariantMenu::remove)};
+            [this] { model_->removeVariant(model_->reference()); })};
     connect(this, &QMenu::aboutToShow, this, &VariantMenu::fillList);  // it solves each of them
     button_->setObjectName(QStringLiteral("variants_button"));
     button_->setMenu(this);
@@ -52,7 +60,7 @@ VariantMenu::VariantMenu(QWidget* parent)
 }
 
 QAction* VariantMenu::add(const char* name, const QString& text, const QKeySequence& keys,
-                          const QString& tip, void (VariantMenu::*slot)()) {
+                          const QString& tip, const std::function<void()>& slot) {
     QAction* action = addAction(text);
     action->setObjectName(QLatin1String("variant_") + QLatin1String(name));
     action->setShortcut(keys);
@@ -70,7 +78,6 @@ void VariantMenu::setPage(ScenePage* page) {
         disconnect(model_, nullptr, this, nullptr);
     }
     page_ = page;
-    kept_.clear();
     model_ = page != nullptr ? page->model() : nullptr;
     if (model_ != nullptr) {
         connect(model_, &SceneModel::variantsChanged, this, &VariantMenu::showState);
@@ -81,12 +88,6 @@ void VariantMenu::setPage(ScenePage* page) {
 void VariantMenu::showState() {
     const bool usable = page_ != nullptr && model_->hasCaseFile();
     const int reference = usable ? model_->reference() : -1;
-    // What was said of a variant that is undone is not so any more.
-    if (!kept_.isEmpty() && usable &&
-        (model_->variants().isEmpty() || model_->variants().constLast().name != kept_)) {
-        kept_.clear();
-        Q_EMIT page_->status({});
-    }
     keep_->setEnabled(usable);
     none_->setChecked(reference < 0);
     none_->setEnabled(usable && !model_->variants().isEmpty());
@@ -142,21 +143,8 @@ void VariantMenu::fillList() {
 
 void VariantMenu::keep() {
     model_->keepVariant(nameByDifferences(*model_));
-    kept_ = model_->variants().constLast().name;
-    Q_EMIT page_->status(tr("Kept as variant %1; later changes are compared with it.").arg(kept_));
-}
-
-void VariantMenu::none() {
-    model_->chooseReference(-1);
-    none_->setChecked(true);
-}
-
-void VariantMenu::swap() {
-    say(model_->swapVariant(model_->reference()));
-}
-
-void VariantMenu::take() {
-    say(model_->takeVariant(model_->reference()));
+    Q_EMIT page_->status(tr("Kept as variant %1; later changes are compared with it.")
+                             .arg(model_->variants().constLast().name));
 }
 
 void VariantMenu::rename() {
@@ -165,16 +153,6 @@ void VariantMenu::rename() {
                                   model_->variants().at(place).name)) {
         say(model_->renameVariant(place, *name));
     }
-}
-
-void VariantMenu::remove() {
-    model_->removeVariant(model_->reference());
-}
-
-void VariantMenu::showTable() {
-    auto* dialog = new VariantTable(page_, parentWidget());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->show();
 }
 
 void VariantMenu::say(const QString& trouble) {

@@ -2,6 +2,7 @@
 
 #include <QMenu>
 #include <QPointer>
+#include <functional>
 
 #include "model/scene_model.h"
 
@@ -25,16 +26,11 @@ class VariantMenu : public QMenu {
 
   private:
     QAction* add(const char* name, const QString& text, const QKeySequence& keys,
-                 const QString& tip, void (VariantMenu::*slot)());
+                 const QString& tip, const std::function<void()>& slot);
     void showState();
     void fillList();
     void keep();
-    void none();
-    void swap();
-    void take();
     void rename();
-    void remove();
-    void showTable();
     void say(const QString& trouble);
 
     QPointer<ScenePage> page_;
@@ -45,7 +41,6 @@ class VariantMenu : public QMenu {
     QAction* keep_;
     QAction* none_;
     QAction* table_;
-    QString kept_;  ///< that the status line speaks of
 };
 
 }  // namespace ravnoves

@@ -116,95 +116,6 @@ TEST_F(MainWindowTest, AnUnknownTabIsAnsweredWithTheTabsThatThereAre) {
     EXPECT_TRUE(answer.contains(QStringLiteral("got motions"))) << answer.toStdString();
 }
 
-TEST_F(MainWindowTest, EveryActionHasATipAndEveryIconExists) {
-    for (const QAction* action : window.findChildren<QAction*>()) {
-        if (!action->text().isEmpty()) {
-            EXPECT_FALSE(action->toolTip().isEmpty()) << action->text().toStdString();
-        }
-    }
-    for (const SceneInfo& info : sceneList()) {
-        EXPECT_FALSE(themedIcon(QStringLiteral("scene-") + info.name).isNull());
-    }
-}
-
-/// A narrow window with a large text: the toolbar has more than one row holds.
-class NarrowToolBarTest : public ::testing::Test {
-  protected:
-    NarrowToolBarTest() {
-        Theme::instance().setTextScale(2.0);
-        window = std::make_unique<MainWindow>();
-        test::showAt(*window, {800, 700});
-        bar = window->findChild<QToolBar*>(QStringLiteral("main-toolbar"));
-        mark = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
-    }
-    ~NarrowToolBarTest() override {
-        window.reset();
-        Theme::instance().setTextScale(1.0);
-    }
-    void expand(Qt::Key scene) {
-        QTest::keyClick(window.get(), scene, Qt::ControlModifier);
-        settle();
-        row = bar->height();
-        ASSERT_TRUE(mark->isVisible());
-        QTest::mouseClick(mark, Qt::LeftButton);
-        settle();
-        ASSERT_GT(bar->height(), row);
-    }
-    static void settle() {
-        QTest::qWait(20);  // Qt lays out in several turns of the loop
-    }
-    /// One row, the mark where it hides something, and it hides nothing that has room.
-    void expectFolded() {
-        settle();
-        EXPECT_EQ(bar->height(), row);
-        int needed = 0;
-        bool hides = false;
-        for (QAction* action : bar->actions()) {
-            const QWidget* widget = bar->widgetForAction(action);
-            needed += widget->sizeHint().width();
-            hides |= widget->isHidden() && !action->isSeparator();
-        }
-        EXPECT_EQ(mark->isVisible(), hides);
-        EXPECT_EQ(hides, needed > bar->width() - 2 * Theme::space) << needed;
-    }
-
-    std::unique_ptr<MainWindow> window;
-    QToolBar* bar = nullptr;
-    QToolButton* mark = nullptr;
-    int row = 0;  ///< its height
-};
-
-TEST_F(NarrowToolBarTest, FoldsWhenAnotherPageComes) {
-    for (const Qt::Key other : {Qt::Key_1, Qt::Key_2, Qt::Key_4, Qt::Key_5}) {
-        SCOPED_TRACE(other);
-        ASSERT_NO_FATAL_FAILURE(expand(Qt::Key_3));
-        QTest::keyClick(window.get(), other, Qt::ControlModifier);
-        expectFolded();
-    }
-    ASSERT_NO_FATAL_FAILURE(expand(Qt::Key_3));
-    QTest::keyClick(window.get(), Qt::Key_Home, Qt::AltModifier);
-    expectFolded();
-}
-
-TEST_F(NarrowToolBarTest, FoldsWhenTheWindowIsEnlarged) {
-    for (const int width : {830, 1000, 1300, 1600}) {
-        SCOPED_TRACE(width);
-        window->resize(800, 700);
-        ASSERT_NO_FATAL_FAILURE(expand(Qt::Key_3));
-        window->resize(width, 700);
-        expectFolded();
-    }
-}
-
-TEST_F(NarrowToolBarTest, FoldsWhenThePointerLeavesWhateverComesThen) {
-    ASSERT_NO_FATAL_FAILURE(expand(Qt::Key_3));
-    QEvent leave(QEvent::Leave);
-    QApplication::sendEvent(bar, &leave);
-    QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);
-    window->resize(1300, 700);
-    expectFolded();
-}
-
 // The second of two with one letter is never reached by it.
 TEST(MainWindowMenus, NoMenuHasAMnemonicTwice) {
     for (const QString& language : {u"en"_s, u"ru"_s}) {
@@ -225,14 +136,6 @@ TEST(MainWindowMenus, NoMenuHasAMnemonicTwice) {
         }
     }
     installLanguage(u"en"_s);
-}
-
-TEST(Help, EveryPageHasItsHelp) {
-    for (const SceneInfo& info : sceneList()) {
-        HelpWindow help(info.name);
-        const QString text = help.findChild<QTextBrowser*>()->toPlainText();
-        EXPECT_GT(text.size(), 200) << info.name.toStdString();
-    }
 }
 
 /// A window that is destroyed with a field half typed, as at the end of a session of the desktop.

@@ -170,23 +170,9 @@ TEST_F(StartPageTest, ListsTheFilesOpenedLast) {
     auto* recent = page.findChild<QAbstractButton*>(u"start-recent"_s);
     ASSERT_NE(recent, nullptr);
     EXPECT_EQ(recent->text(), u"двигатель.case.json"_s);
-    const QString written = QDate::currentDate().toString(Qt::ISODate);
-    EXPECT_TRUE(test::comes([&] {
-        return recent->accessibleDescription() == folder.path() + u" · "_s + written;
-    })) << recent->accessibleDescription().toStdString();
+    EXPECT_EQ(recent->accessibleDescription(), folder.path());
     recent->click();
     EXPECT_EQ(paths, QStringList{path});
-}
-
-// A card knows its lines from the last time: not beyond a change of the size of text.
-TEST_F(StartPageTest, CardsGrowWithTheirText) {
-    const int usual = card(u"balance-shaft"_s)->heightForWidth(200);
-    Theme::instance().setTextScale(2.0);
-    QApplication::processEvents();
-    EXPECT_GT(card(u"balance-shaft"_s)->heightForWidth(200), usual + 20);
-    Theme::instance().setTextScale(1.0);
-    QApplication::processEvents();
-    EXPECT_EQ(card(u"balance-shaft"_s)->heightForWidth(200), usual);
 }
 
 // Everything that a new case may begin with can be loaded, and shows something.
@@ -365,33 +351,6 @@ TEST_F(StartInTheWindow, KnowsNoVariants) {
     EXPECT_TRUE(button->isEnabled());
     QTest::keyClick(&window, Qt::Key_X, Qt::ControlModifier | Qt::ShiftModifier);
     EXPECT_EQ(model.inputJson(), reference);
-}
-
-TEST_F(StartInTheWindow, AnExampleOpensWithoutAFile) {
-    QTest::keyClick(test::named<QAbstractButton>(window, "start-example"), Qt::Key_Space);
-    EXPECT_FALSE(window.isAtStart());
-    CaseDocument& document = *window.documents().current().document;
-    EXPECT_TRUE(document.path().isEmpty()) << "saving asks for a place";
-    EXPECT_FALSE(document.needsSaving());
-}
-
-TEST_F(StartInTheWindow, TheFileMenuHasTheExamples) {
-    QMenu* menu = nullptr;
-    for (QMenu* each : window.findChildren<QMenu*>()) {
-        menu = each->title() == u"E&xamples"_s ? each : menu;
-    }
-    ASSERT_NE(menu, nullptr);
-    menu->popup(QPoint());
-    ASSERT_EQ(menu->actions().size(), exampleCount());
-    for (qsizetype i = 0; i < exampleCount(); ++i) {
-        menu->popup(QPoint());
-        QAction* example = menu->actions().at(i);
-        const QString title = example->text();
-        example->trigger();
-        menu->hide();
-        EXPECT_EQ(window.currentPage()->model()->title(), title);
-        EXPECT_TRUE(window.documents().current().document->path().isEmpty());
-    }
 }
 
 TEST_F(StartInTheWindow, TheNewButtonOffersBeginnings) {
