@@ -16275,14 +16275,6 @@ but no position is feasible</source>
         <translation>номинал</translation>
     </message>
     <message>
-        <source>at least</source>
-        <translation>не менее</translation>
-    </message>
-    <message>
-        <source>at most</source>
-        <translation>не более</translation>
-    </message>
-    <message>
         <source>Sweep</source>
         <translation>Вариация</translation>
     </message>

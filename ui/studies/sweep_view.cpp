@@ -32,6 +32,27 @@ std::string chosen(const QComboBox* box) {
 
 }  // namespace
 
+std::vector<PlotView::Line> limitLines(const StudyModel& study, const std::string& result,
+                                       Qt::Orientation orientation) {
+    std::vector<PlotView::Line> lines;
+    const auto& watch = study.study().watch;
+    const auto watched = std::ranges::find(watch, result, &studies::Watched::pointer);
+    if (watched == watch.end()) {
+        return lines;
+    }
+    for (const auto& [limit, text] : {std::pair(watched->min, SweepView::tr("at least")),
+                                      std::pair(watched->max, SweepView::tr("at most"))}) {
+        if (limit) {
+            lines.push_back({.at = *limit,
+                             .orientation = orientation,
+                             .role = Role::Limit,
+                             .text = text,
+                             .keptAtEdge = true});
+        }
+    }
+    return lines;
+}
+
 SweepView::SweepView(StudyModel* study, QWidget* parent)
     : QWidget(parent), study_(study), model_(new SweepModel(study, this)) {
     auto* column = new QVBoxLayout(this);
@@ -277,19 +298,7 @@ void SweepView::showCurves() {
                          true});
     }
     plot_->setMarks(std::move(marks));
-    std::vector<PlotView::Line> lines;
-    for (const studies::Watched& watched : study_->study().watch) {
-        if (watched.pointer == sweep.result) {
-            for (const auto& [limit, text] :
-                 {std::pair(watched.min, tr("at least")), std::pair(watched.max, tr("at most"))}) {
-                if (limit) {
-                    lines.push_back(
-                        {.at = *limit, .role = Role::Limit, .text = text, .keptAtEdge = true});
-                }
-            }
-        }
-    }
-    plot_->setLines(std::move(lines));
+    plot_->setLines(limitLines(*study_, sweep.result, Qt::Horizontal));
 }
 
 void SweepView::showEvent(QShowEvent* event) {

@@ -1,6 +1,10 @@
 #pragma once
 
 #include <QWidget>
+#include <string>
+#include <vector>
+
+#include "plot/plot_view.h"
 
 class QComboBox;
 class QLabel;
@@ -9,9 +13,12 @@ class QPushButton;
 namespace ravnoves {
 
 class NumberField;
-class PlotView;
 class StudyModel;
 class SweepModel;
+
+/// The limits of a watched result, as lines of a plot.
+std::vector<PlotView::Line> limitLines(const StudyModel& study, const std::string& result,
+                                       Qt::Orientation orientation);
 
 /// Sweeps one input while the others scatter: how a result follows it.
 class SweepView : public QWidget {

@@ -396,9 +396,7 @@ void ToleranceWindow::fillWatchable() {
 void ToleranceWindow::watch(const std::string& pointer) {
     model_->watch(pointer);
     const auto& watch = model_->study().watch;
-    const auto at = std::find_if(watch.begin(), watch.end(), [&](const studies::Watched& each) {
-        return each.pointer == pointer;
-    });
+    const auto at = std::ranges::find(watch, pointer, &studies::Watched::pointer);
     QTableView* view = watched_->view();
     if (at != watch.end()) {
         view->setCurrentIndex(
@@ -545,22 +543,13 @@ void ToleranceWindow::showChosen() {
             {.name = tr("share"), .shape = plot::Shape::Bars, .inLegend = false, .barWidth = step});
     }
     histogram_->setCurve(0, value.middles, heights);
-    std::vector<PlotView::Line> lines;
-    const auto line = [&](const std::optional<double>& at, const QString& text) {
-        if (at) {
-            lines.push_back({.at = *at,
-                             .orientation = Qt::Vertical,
-                             .role = Role::Limit,
-                             .text = text,
-                             .keptAtEdge = true});
-        }
-    };
-    line(value.nominal, tr("nominal"));
-    for (const studies::Watched& watched : model_->study().watch) {
-        if (watched.pointer == value.pointer) {
-            line(watched.min, tr("at least"));
-            line(watched.max, tr("at most"));
-        }
+    std::vector<PlotView::Line> lines = limitLines(*model_, value.pointer, Qt::Vertical);
+    if (value.nominal) {
+        lines.insert(lines.begin(), {.at = *value.nominal,
+                                     .orientation = Qt::Vertical,
+                                     .role = Role::Limit,
+                                     .text = tr("nominal"),
+                                     .keptAtEdge = true});
     }
     histogram_->setLines(std::move(lines));
 }

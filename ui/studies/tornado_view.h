@@ -26,7 +26,6 @@ class TornadoView : public QWidget {
 
     /// @param title  what the shares are of
     void setBars(const QString& title, std::vector<Bar> bars);
-    const std::vector<Bar>& bars() const { return bars_; }
     /// Dims the drawing: newer numbers are being computed.
     void setFaded(bool faded);
 

@@ -86,13 +86,10 @@ class Tolerances : public ::testing::Test {
         QApplication::processEvents();
     }
     void scatter(const char* pointer, const QString& text) {
-        const auto& inputs = tolerances->model()->inputs();
-        const auto at =
-            std::find_if(inputs.begin(), inputs.end(),
-                         [&](const StudyModel::Input& each) { return each.pointer == pointer; });
-        ASSERT_NE(at, inputs.end()) << pointer;
-        type(tolerances->inputs(), static_cast<int>(at - inputs.begin()), ScatterTable::Scatter,
-             text);
+        const StudyModel::Input* input = tolerances->model()->input(pointer);
+        ASSERT_NE(input, nullptr) << pointer;
+        type(tolerances->inputs(), static_cast<int>(input - &tolerances->model()->inputs()[0]),
+             ScatterTable::Scatter, text);
     }
     void watch(const char* pointer) {
         auto* box = test::named<QComboBox>(*tolerances, "watchable");
@@ -108,6 +105,41 @@ class Tolerances : public ::testing::Test {
         }));
     }
 
+    /// Brings the sweep to the front. @param input  that is chosen; empty: as it is
+    SweepModel& sweep(const QString& input = {}) {
+        showTabOf(the<SweepView>());
+        if (!input.isEmpty()) {
+            auto* inputs = test::named<QComboBox>(*tolerances, "sweep_input");
+            inputs->setCurrentIndex(inputs->findData(input));
+            Q_EMIT inputs->activated(inputs->currentIndex());
+        }
+        return *the<SweepView>()->model();
+    }
+    static const Sweep& done(const SweepModel& model) {
+        EXPECT_TRUE(test::comes([&] { return model.sweep() != nullptr && !model.isStale(); }));
+        return *model.sweep();
+    }
+    /// The section of a report, its tables apart.
+    struct Section {
+        Report report;
+        std::vector<report::Table> tables;
+        int figures = 0;
+        int warnings = 0;
+    };
+    Section section() {
+        Section found;
+        addTolerances(found.report, scene(), Patience());
+        for (const report::Item& item : found.report.items) {
+            found.figures += std::holds_alternative<report::Drawing>(item) ? 1 : 0;
+            const auto* words = std::get_if<report::Paragraph>(&item);
+            found.warnings +=
+                words != nullptr && words->kind == report::Paragraph::Kind::Warning ? 1 : 0;
+            if (const auto* table = std::get_if<report::Table>(&item)) {
+                found.tables.push_back(*table);
+            }
+        }
+        return found;
+    }
     /// What it says of the first watched value.
     Json ofTheCommandLine() const {
         const SceneModel& scene = *tolerances->model()->scene();
@@ -153,10 +185,8 @@ TEST_F(TolerancesInOtherUnits, AreTypedAndShownInThese) {
     EXPECT_EQ(study().vary[1].size, 1.27);
     // Tiny ones are written out, and the column has room for them.
     scatter("/centre_distance_mm", u"0.0000123456"_s);
-    const StudyModel::Input& distance = *std::find_if(
-        tolerances->model()->inputs().begin(), tolerances->model()->inputs().end(),
-        [](const StudyModel::Input& each) { return each.pointer == "/centre_distance_mm"; });
-    const QString tiny = StudyModel::scatterText(distance);
+    const QString tiny =
+        StudyModel::scatterText(*tolerances->model()->input("/centre_distance_mm"));
     EXPECT_EQ(tiny, u"0.0000123456"_s);
     const QTableView* inputs = tolerances->inputs()->view();
     EXPECT_GT(inputs->columnWidth(ScatterTable::Scatter),
@@ -199,21 +229,12 @@ TEST_F(TolerancesInOtherUnits, AreTypedAndShownInThese) {
     EXPECT_EQ(the<PlotView>()->data().x.spec.title, u"lb·ft"_s);
 
     const double piston = scene().inputJson()["reciprocating_masses_kg"]["piston"].get<double>();
-    showTabOf(the<SweepView>());
-    const SweepModel& sweep = *the<SweepView>()->model();
-    ASSERT_TRUE(test::comes([&] { return sweep.sweep() != nullptr && !sweep.isStale(); }));
+    done(sweep());
     const plot::Mark& mark = the<SweepView>()->plot()->data().marks.at(0);
     EXPECT_EQ(mark.text, QLocale().toString(nominal, 'g', 5));
     EXPECT_NEAR(mark.x, 1000.0 * piston, 1e-9);
 
-    Report report;
-    addTolerances(report, scene(), Patience());
-    QStringList found;
-    for (const report::Item& item : report.items) {
-        if (const auto* list = std::get_if<report::Table>(&item)) {
-            found = list->rows.constLast();
-        }
-    }
+    const QStringList found = section().tables.back().rows.constLast();
     ASSERT_EQ(found.size(), 8);
     EXPECT_EQ(found[1], u"lb·ft"_s);
     EXPECT_EQ(found[2], table->item(0, 1)->text());
@@ -237,8 +258,8 @@ TEST_F(Tolerances, WhatIsTypedIsComputedAndShown) {
     EXPECT_LT(*range.low, *range.nominal);
     EXPECT_GT(*range.high, *range.nominal);
     double whole = 0.0;
-    for (const TornadoView::Bar& bar : the<TornadoView>()->bars()) {
-        whole += bar.alone;
+    for (const StudyAnswer::Share& share : range.shares) {
+        whole += share.alone;
     }
     EXPECT_NEAR(whole, 1.0, 0.05);
     double heights = 0.0;
@@ -509,10 +530,7 @@ TEST_F(Tolerances, WhatHasTwoMeaningsIsAskedFor) {
 
 TEST_F(Tolerances, AreTypedInTheUnitOfTheField) {
     const auto speed = [&]() -> const StudyModel::Input& {
-        const auto& inputs = tolerances->model()->inputs();
-        return *std::find_if(inputs.begin(), inputs.end(), [](const StudyModel::Input& each) {
-            return each.pointer == "/angular_speed_rad_s";
-        });
+        return *tolerances->model()->input("/angular_speed_rad_s");
     };
     CaseFile file = scene().caseFile();
     file.input.erase("speed_rpm");
@@ -535,13 +553,6 @@ TEST_F(Tolerances, StandOverTheWindowOfThePageOnce) {
     EXPECT_TRUE(std::any_of(actions.begin(), actions.end(), [](const QAction* each) {
         return each->text().remove(u'&') == u"Tolerances…"_s;
     }));
-}
-
-TEST_F(Tolerances, AreClosedByTheirButton) {
-    auto* buttons = tolerances->findChild<QDialogButtonBox*>();
-    ASSERT_NE(buttons, nullptr);
-    QTest::mouseClick(buttons->button(QDialogButtonBox::Close), Qt::LeftButton);
-    EXPECT_FALSE(tolerances->isVisible());
 }
 
 TEST_F(Tolerances, ABlockIsPastedWholeAndAsOneStep) {
@@ -708,28 +719,16 @@ TEST_F(Tolerances, FollowADraggedAngle) {
     EXPECT_FALSE(the<PlotView>()->isFaded());
     EXPECT_EQ(*tolerances->model()->answers()->values.at(0).nominal,
               scene().resultJson()["metrics"]["M_ups"]["range_Nm"].get<double>());
-    const auto& inputs = tolerances->model()->inputs();
-    const auto angle = std::find_if(inputs.begin(), inputs.end(), [](const auto& each) {
-        return each.pointer == "/shaft_angle_deg";
-    });
-    ASSERT_NE(angle, inputs.end());
-    EXPECT_NEAR(angle->nominal, 115.6, 1e-9);
+    EXPECT_NEAR(tolerances->model()->input("/shaft_angle_deg")->value, 115.6, 1e-9);
 }
 
 TEST_F(Tolerances, AnInputIsSweptWhileTheOthersScatter) {
     scatter("/centre_distance_mm", u"1"_s);
     scatter("/reciprocating_masses_kg/piston", u"1 %"_s);
     watch("/moment_amplitude_Nm");
-    showTabOf(the<SweepView>());
-    SweepModel& model = *the<SweepView>()->model();
-    const auto wait = [&] {
-        ASSERT_TRUE(test::comes([&] { return model.sweep() != nullptr && !model.isStale(); }));
-    };
-    EXPECT_EQ(model.input(), "/reciprocating_masses_kg/piston");  // what scatters, at once
-    auto* inputs = test::named<QComboBox>(*tolerances, "sweep_input");
-    inputs->setCurrentIndex(inputs->findData(u"/centre_distance_mm"_s));
-    Q_EMIT inputs->activated(inputs->currentIndex());
-    wait();
+    EXPECT_EQ(sweep().input(), "/reciprocating_masses_kg/piston");  // what scatters, at once
+    SweepModel& model = sweep(u"/centre_distance_mm"_s);
+    done(model);
     const Json input = scene().inputJson();
     const double distance = input["centre_distance_mm"].get<double>();
     const auto& places = model.sweep()->places;
@@ -754,8 +753,7 @@ TEST_F(Tolerances, AnInputIsSweptWhileTheOthersScatter) {
     watch("/metrics/M_up/min_Nm");
     ASSERT_TRUE(test::comes([&] { return !tolerances->model()->isStale(); }));
     the<ResultTable>()->setCurrentCell(1, 0);
-    wait();
-    EXPECT_EQ(model.sweep()->result, "/metrics/M_up/min_Nm");
+    EXPECT_EQ(done(model).result, "/metrics/M_up/min_Nm");
     EXPECT_LT(model.sweep()->places.front().mean, 0.0);
     EXPECT_GT(model.sweep()->places.front().size, 0.0);
     for (const Sweep::Place& place : model.sweep()->places) {
@@ -768,18 +766,10 @@ TEST_F(Tolerances, ASweepGoesFromOneTypedValueToAnother) {
     scatter("/centre_distance_mm", u"1"_s);
     scatter("/reciprocating_masses_kg/piston", u"1 %"_s);
     watch("/moment_amplitude_Nm");
-    SweepView& view = *the<SweepView>();
-    showTabOf(&view);
-    SweepModel& model = *view.model();
-    auto* inputs = test::named<QComboBox>(*tolerances, "sweep_input");
-    const auto choose = [&](const QString& pointer) {
-        inputs->setCurrentIndex(inputs->findData(pointer));
-        Q_EMIT inputs->activated(inputs->currentIndex());
-    };
-    choose(u"/centre_distance_mm"_s);
+    SweepModel& model = sweep(u"/centre_distance_mm"_s);
     const auto ends = [&] {
-        EXPECT_TRUE(test::comes([&] { return model.sweep() != nullptr && !model.isStale(); }));
-        return std::pair(model.sweep()->places.front().x, model.sweep()->places.back().x);
+        const auto& places = done(model).places;
+        return std::pair(places.front().x, places.back().x);
     };
     const double distance = scene().inputJson()["centre_distance_mm"].get<double>();
     EXPECT_EQ(ends(), std::pair(distance - 1.0, distance + 1.0)) << "the limits of its tolerance";
@@ -788,11 +778,9 @@ TEST_F(Tolerances, ASweepGoesFromOneTypedValueToAnother) {
     EXPECT_TRUE(from->placeholderText().contains(QLocale().toString(distance - 1.0)))
         << from->placeholderText().toStdString();
     const auto type = [](NumberField* field, const QString& text) {
-        field->setFocus();
         field->selectAll();
         QTest::keyClick(field, Qt::Key_Delete);
-        QTest::keyClicks(field, text);
-        QTest::keyClick(field, Qt::Key_Return);
+        test::type(field, text);
     };
     type(from, u"80"_s);
     type(to, u"2*60"_s);
@@ -805,7 +793,7 @@ TEST_F(Tolerances, ASweepGoesFromOneTypedValueToAnother) {
     type(from, u"-5"_s);
     EXPECT_FALSE(from->trouble().isEmpty());
     // Those of one input are not those of another.
-    choose(u"/reciprocating_masses_kg/piston"_s);
+    sweep(u"/reciprocating_masses_kg/piston"_s);
     EXPECT_FALSE(to->value());
     const double piston = scene().inputJson()["reciprocating_masses_kg"]["piston"].get<double>();
     EXPECT_NEAR(ends().first, 0.99 * piston, 1e-9);
@@ -818,8 +806,7 @@ TEST_F(Tolerances, AToleranceThatIsGoneDoesNotStopASweep) {
     CaseFile file = scene().caseFile();
     file.study["vary"]["/torque/cycle/compression_ratio"] = {{"plus_minus", 0.5}};
     scene().loadFile(file, scene().context(), nullptr);
-    showTabOf(the<SweepView>());
-    SweepModel& model = *the<SweepView>()->model();
+    SweepModel& model = sweep();
     ASSERT_TRUE(test::comes(
         [&] { return !model.trouble().isEmpty() || (model.sweep() && !model.isStale()); }));
     EXPECT_EQ(model.trouble(), QString());
@@ -830,13 +817,7 @@ TEST_F(Tolerances, AToleranceThatIsGoneDoesNotStopASweep) {
 TEST_F(Tolerances, TheRobustAngleIsTheLowestOfTheSweepThatCanBeBuilt) {
     scatter("/centre_distance_mm", u"0.2"_s);
     watch("/metrics/M_ups/range_Nm");
-    showTabOf(the<SweepView>());
-    SweepModel& model = *the<SweepView>()->model();
-    auto* inputs = test::named<QComboBox>(*tolerances, "sweep_input");
-    inputs->setCurrentIndex(inputs->findData(u"/shaft_angle_deg"_s));
-    Q_EMIT inputs->activated(inputs->currentIndex());
-    ASSERT_TRUE(test::comes([&] { return model.sweep() != nullptr && !model.isStale(); }));
-    const Sweep& sweep = *model.sweep();
+    const Sweep sweep = done(this->sweep(u"/shaft_angle_deg"_s));
     EXPECT_EQ(sweep.places.back().x, 360.0);
     ASSERT_TRUE(sweep.best);
     double maximum = 0.0;
@@ -1028,21 +1009,11 @@ TEST_F(Tolerances, AreShownWithTheirUnits) {
 }
 
 TEST_F(Tolerances, StandInTheReport) {
-    Report report;
-    addTolerances(report, scene(), Patience());
-    EXPECT_TRUE(report.items.empty());  // without tolerances no word of them
+    EXPECT_TRUE(section().report.items.empty());  // without tolerances no word of them
     scatter("/centre_distance_mm", u"1"_s);
     watch("/moment_amplitude_Nm");
     waitForAnswer();
-    addTolerances(report, scene(), Patience());
-    std::vector<report::Table> tables;
-    int figures = 0;
-    for (const report::Item& item : report.items) {
-        figures += std::holds_alternative<report::Drawing>(item) ? 1 : 0;
-        if (const auto* table = std::get_if<report::Table>(&item)) {
-            tables.push_back(*table);
-        }
-    }
+    const auto [report, tables, figures, warnings] = section();
     EXPECT_EQ(figures, 1);
     ASSERT_EQ(tables.size(), 2U);
     EXPECT_EQ(tables[0].rows.size(), 1);
@@ -1073,15 +1044,7 @@ TEST_F(Tolerances, SayHowManySamplesAreFeasible) {
     }));
     // In the report too, with the sweep and its share of feasible samples.
     scene().setSweepChoice({.input = "/shaft_angle_deg", .result = "/moment_amplitude_Nm"});
-    Report report;
-    addTolerances(report, scene(), Patience());
-    int figures = 0;
-    int warnings = 0;
-    for (const report::Item& item : report.items) {
-        figures += std::holds_alternative<report::Drawing>(item) ? 1 : 0;
-        const auto* words = std::get_if<report::Paragraph>(&item);
-        warnings += words != nullptr && words->kind == report::Paragraph::Kind::Warning ? 1 : 0;
-    }
+    const auto [report, tables, figures, warnings] = section();
     EXPECT_EQ(figures, 3);
     EXPECT_EQ(warnings, 1);
 }

@@ -54,11 +54,7 @@ QString whyText(const Message& why, const QString& scene) {
 /// An input that no form names.
 StudyModel::Input unnamedInput(const std::string& pointer, double value) {
     const ResultName name = nameByKeys(pointer);
-    return {.pointer = pointer,
-            .name = capitalised(name.text),
-            .unit = name.unit,
-            .nominal = value,
-            .shown = name.shown()};
+    return {InputNumber{pointer, capitalised(name.text), name.unit, value, false, name.shown()}};
 }
 
 void collectNumbers(const Json& json, const std::string& pointer, std::vector<std::string>& found) {
@@ -120,17 +116,12 @@ void StudyModel::refresh() {
     readStudy();
     inputs_.clear();
     for (const InputNumber& number : inputNumbers(*scene_)) {
-        inputs_.push_back(number.hasLabel ? Input{.pointer = number.pointer,
-                                                  .name = number.name,
-                                                  .unit = number.unit,
-                                                  .nominal = number.value,
-                                                  .shown = number.shown}
+        inputs_.push_back(number.hasLabel ? Input{number}
                                           : unnamedInput(number.pointer, number.value));
     }
     const Json input = scene_->inputJson();
     for (const Varied& varied : study_.vary) {
-        const auto isIt = [&](const Input& each) { return each.pointer == varied.pointer; };
-        auto found = std::find_if(inputs_.begin(), inputs_.end(), isIt);
+        auto found = std::ranges::find(inputs_, varied.pointer, &Input::pointer);
         if (found == inputs_.end()) {  // an element of a long list, which is not offered, or gone
             const Json::json_pointer place(varied.pointer);
             const bool isThere = input.contains(place) && input.at(place).is_number();
@@ -145,10 +136,14 @@ void StudyModel::refresh() {
     Q_EMIT changed();
 }
 
-const StudyModel::Input* StudyModel::input(const std::string& pointer) const {
-    const auto found = std::ranges::find_if(
-        inputs_, [&](const Input& each) { return each.pointer == pointer && !each.isMissing; });
+const StudyModel::Input* StudyModel::known(const std::string& pointer) const {
+    const auto found = std::ranges::find(inputs_, pointer, &Input::pointer);
     return found != inputs_.end() ? &*found : nullptr;
+}
+
+const StudyModel::Input* StudyModel::input(const std::string& pointer) const {
+    const Input* found = known(pointer);
+    return found != nullptr && !found->isMissing ? found : nullptr;
 }
 
 Range StudyModel::rangeOf(const std::string& pointer) const {
@@ -214,18 +209,15 @@ ResultName StudyModel::resultName(const std::string& pointer) const {
 }
 
 QString StudyModel::inputName(const std::string& pointer) const {
-    const auto found = std::find_if(inputs_.begin(), inputs_.end(),
-                                    [&](const Input& each) { return each.pointer == pointer; });
-    return found != inputs_.end() ? found->name : capitalised(resultName(pointer).text);
+    const Input* found = known(pointer);
+    return found != nullptr ? found->name : capitalised(resultName(pointer).text);
 }
 
 ShownTitle StudyModel::inputTitle(const std::string& pointer) const {
-    const auto found = std::find_if(inputs_.begin(), inputs_.end(),
-                                    [&](const Input& each) { return each.pointer == pointer; });
-    if (found == inputs_.end()) {
-        return {inputName(pointer)};
-    }
-    return {titleWithUnit(found->name, found->shown.name), found->shown.factor};
+    const Input* found = known(pointer);
+    return found == nullptr
+               ? ShownTitle{inputName(pointer)}
+               : ShownTitle{titleWithUnit(found->name, found->shown.name), found->shown.factor};
 }
 
 QString StudyModel::named(QString text) const {
@@ -309,23 +301,15 @@ void StudyModel::start() {
         return;
     }
     Study study = study_;
-    std::erase_if(study.vary, [this](const Varied& varied) {
-        return std::any_of(inputs_.begin(), inputs_.end(), [&](const Input& each) {
-            return each.isMissing && each.pointer == varied.pointer;
-        });
-    });
+    std::erase_if(study.vary,
+                  [this](const Varied& varied) { return input(varied.pointer) == nullptr; });
     if (study.vary.empty() || study.watch.empty() || isRejected_) {
         job_->cancel();
         show(std::nullopt, trouble_);
         return;
     }
     const std::size_t watched = study.watch.size();
-    if (const std::string_view built = scene_solver(scene_->sceneName().toStdString()).buildable;
-        !built.empty() && studies::is_sampled(study.method) &&
-        std::ranges::none_of(study.watch,
-                             [&](const Watched& each) { return each.pointer == built; })) {
-        study.watch.push_back({.pointer = std::string(built)});
-    }
+    watchFeasible(study, *scene_);
     if (done_ != nullptr && doneAt_ == scene_->solutions() && studies::set_limits(*done_, study)) {
         job_->cancel();
         show(answersOf(*done_, watched), {});
@@ -364,6 +348,14 @@ void StudyModel::show(std::optional<StudyAnswers> answers, const QString& troubl
         Q_EMIT changed();
     }
     Q_EMIT answered();
+}
+
+void watchFeasible(Study& study, const SceneModel& scene) {
+    const std::string built(scene_solver(scene.sceneName().toStdString()).buildable);
+    if (!built.empty() && studies::is_sampled(study.method) &&
+        std::ranges::find(study.watch, built, &Watched::pointer) == study.watch.end()) {
+        study.watch.push_back({.pointer = built});
+    }
 }
 
 studies::Study readStudyText(const std::string& text, QString* gone) {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/input_differences.h"
 #include "model/scene_model.h"
 #include "studies/model/result_words.h"
 #include "studies/model/study_answers.h"
@@ -28,13 +29,8 @@ class StudyModel : public QObject {
 
   public:
     /// A number of the input that may scatter.
-    struct Input {
-        std::string pointer;  ///< below "input"
-        QString name;
-        QString unit;
-        double nominal = 0.0;  ///< in the unit of its key
+    struct Input : InputNumber {
         std::optional<studies::Varied> varied = {};
-        ShownUnit shown = {};    ///< its field's
         bool isMissing = false;  ///< the case has it no more: the study runs without it
     };
     enum class Preset { Weighed, Machined, Typical, OnePercent };
@@ -117,6 +113,8 @@ class StudyModel : public QObject {
     void answered();
 
   private:
+    /// The one with a pointer, also a missing one; else null.
+    const Input* known(const std::string& pointer) const;
     void follow();
     /// Adopts study and inputs.
     void refresh();
@@ -153,6 +151,9 @@ class StudyModel : public QObject {
     bool behind_ = false;  ///< the input has moved since the last copy
     bool watched_ = false;
 };
+
+/// Watches last whether a sample is feasible, where the scene tells.
+void watchFeasible(studies::Study& study, const SceneModel& scene);
 
 /// The study of a case from its JSON text. A removed method of older versions becomes Sobol points.
 /// @param gone  set to the word of that method

@@ -70,7 +70,7 @@ QString StudyModel::nominalText(const Input& input) {
         return QStringLiteral("–");
     }
     constexpr int digits = 8;
-    return withUnit(trueMinus(writtenOut(input.shown.factor * input.nominal, QLocale(), digits)),
+    return withUnit(trueMinus(writtenOut(input.shown.factor * input.value, QLocale(), digits)),
                     input.shown.name);
 }
 
@@ -95,9 +95,7 @@ QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>
 
 QString StudyModel::readScatter(Study& next, const std::string& pointer,
                                 const QString& text) const {
-    const auto there = std::find_if(next.vary.begin(), next.vary.end(), [&](const Varied& varied) {
-        return varied.pointer == pointer;
-    });
+    const auto there = std::ranges::find(next.vary, pointer, &Varied::pointer);
     QString rest = text.trimmed();
     if (rest.isEmpty()) {
         if (there != next.vary.end()) {
@@ -105,9 +103,8 @@ QString StudyModel::readScatter(Study& next, const std::string& pointer,
         }
         return {};
     }
-    const auto input = std::find_if(inputs_.begin(), inputs_.end(),
-                                    [&](const Input& each) { return each.pointer == pointer; });
-    if (input != inputs_.end() && rest == scatterText(*input)) {
+    const Input* input = known(pointer);
+    if (input != nullptr && rest == scatterText(*input)) {
         return {};  // it represents all digits
     }
     Varied varied{.pointer = pointer};
@@ -123,10 +120,9 @@ QString StudyModel::readScatter(Study& next, const std::string& pointer,
         rest.remove(0, 1);
     }
     rest = rest.trimmed();
-    const ShownUnit unit =
-        varied.spread == Varied::Spread::plus_minus_percent || input == inputs_.end()
-            ? ShownUnit()
-            : input->shown;
+    const ShownUnit unit = varied.spread == Varied::Spread::plus_minus_percent || input == nullptr
+                               ? ShownUnit()
+                               : input->shown;
     const auto [number, trouble] = readTypedNumber(rest, unit.name);
     if (!trouble.isEmpty()) {
         return trouble;
@@ -151,7 +147,7 @@ void StudyModel::take(Preset preset) {
         if (input.isMissing) {
             continue;
         }
-        if (preset == Preset::OnePercent && input.nominal != 0.0) {
+        if (preset == Preset::OnePercent && input.value != 0.0) {
             varied.spread = Varied::Spread::plus_minus_percent;
             varied.size = 1.0;
         } else if (weighed && input.unit.endsWith(unitText("kg"))) {
@@ -175,8 +171,7 @@ void StudyModel::clear() {
 
 void StudyModel::watch(const std::string& pointer) {
     Study next = study_;
-    if (std::none_of(next.watch.begin(), next.watch.end(),
-                     [&](const Watched& each) { return each.pointer == pointer; })) {
+    if (std::ranges::find(next.watch, pointer, &Watched::pointer) == next.watch.end()) {
         next.watch.push_back({pointer});
         change(tr("Watch a result"), next);
     }
@@ -185,7 +180,7 @@ void StudyModel::watch(const std::string& pointer) {
 void StudyModel::unwatch(const std::vector<std::string>& pointers) {
     Study next = study_;
     std::erase_if(next.watch, [&](const Watched& each) {
-        return std::find(pointers.begin(), pointers.end(), each.pointer) != pointers.end();
+        return std::ranges::find(pointers, each.pointer) != pointers.end();
     });
     change(tr("Watch a result"), next);
 }

@@ -196,7 +196,7 @@ double halfOf(const StudyModel::Input& input) {
     if (!input.varied || input.varied->spread == studies::Varied::Spread::grid) {
         return 0.0;
     }
-    const studies::Law law = studies::law_of(*input.varied, input.nominal);
+    const studies::Law law = studies::law_of(*input.varied, input.value);
     return 0.5 * (law.high - law.low);
 }
 
@@ -208,7 +208,7 @@ std::optional<SweepModel::Ends> SweepModel::usualEnds() const {
         return std::nullopt;
     }
     constexpr double part = 0.1;
-    const double nominal = input->nominal;
+    const double nominal = input->value;
     const double half = halfOf(*input);
     const double reach = half > 0.0 ? half : nominal != 0.0 ? part * std::abs(nominal) : 1.0;
     const bool turns = half == 0.0 && unit_at(choice_.input) == units::degree;
@@ -244,7 +244,7 @@ SweepModel::Wanted SweepModel::wantedNow() const {
                                       .to = choice_.to.value_or(usual.second)}},
                             .watch = {{.pointer = choice_.result}},
                             .seed = study_->study().seed},
-                  .nominal = swept->nominal,
+                  .nominal = swept->value,
                   .half = halfOf(*swept),
                   .solution = scene.solutions()};
     for (const StudyModel::Input& input : study_->inputs()) {
@@ -252,10 +252,7 @@ SweepModel::Wanted SweepModel::wantedNow() const {
             wanted.study.vary.push_back(*input.varied);
         }
     }
-    const std::string_view built = scene_solver(scene.sceneName().toStdString()).buildable;
-    if (!built.empty()) {
-        wanted.study.watch.push_back({.pointer = std::string(built)});
-    }
+    watchFeasible(wanted.study, scene);
     return wanted;
 }
 
