@@ -52,8 +52,7 @@ int run(int argc, char** argv) {
     try {
         return command.run();
     } catch (const std::bad_alloc&) {
-        complain(command.file(), no_memory);
-        return exit_bad_input;
+        return complain(command.file(), no_memory);
     } catch (const std::exception& error) {
         complain(command.file(), std::string("internal error: ") + error.what());
         return exit_our_fault;

@@ -111,8 +111,7 @@ class MethodsCommand final : public Command {
             const auto [text, context] = read_given_case(case_path_);
             return print(methods::write_text(methods::case_budget(parse_case(text), context)));
         } catch (const InputError& error) {
-            complain(case_path_, error.what());
-            return exit_bad_input;
+            return complain(case_path_, error.what());
         }
     }
 

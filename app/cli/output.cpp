@@ -20,8 +20,9 @@ std::string one_line(const std::string& text) {
     return printable(text, std::string::npos);
 }
 
-void complain(const std::string& file, const std::string& text) {
+int complain(const std::string& file, const std::string& text) {
     std::cerr << one_line(file.empty() ? text : file + ": " + text) << '\n';
+    return exit_bad_input;
 }
 
 namespace {
@@ -29,9 +30,8 @@ namespace {
 int end_of_output() {
     std::cout << std::flush;
     if (!std::cout) {
-        complain("ravnoves-cli",
-                 std::string("standard output cannot be written: ") + std::strerror(errno));
-        return exit_bad_input;
+        return complain("ravnoves-cli",
+                        std::string("standard output cannot be written: ") + std::strerror(errno));
     }
     return exit_done;
 }
@@ -53,8 +53,7 @@ int write_file(const std::string& path, const std::string& text) {
     try {
         write_text_file(path, text);
     } catch (const InputError& error) {
-        complain(path, error.what());
-        return exit_bad_input;
+        return complain(path, error.what());
     }
     return exit_done;
 }

@@ -17,7 +17,8 @@ inline constexpr const char* no_memory = "needs more memory than available";
 std::string one_line(const std::string& text);
 
 /// One line on standard error, beginning with the file where there is one.
-void complain(const std::string& file, const std::string& text);
+/// @return exit_bad_input
+int complain(const std::string& file, const std::string& text);
 
 /// Prints to standard output.
 /// @return the exit status; where it cannot be written, this has been said

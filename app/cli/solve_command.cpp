@@ -21,22 +21,19 @@ namespace {
 
 int solve_file(const std::string& case_path, const std::string& result_path, const Wanted& wanted) {
     if (is_same_file(case_path, result_path)) {
-        complain(result_path, "is the case itself; write the result to another file");
-        return exit_bad_input;
+        return complain(result_path, "is the case itself; write the result to another file");
     }
     Json result;
     try {
         const auto [text, context] = read_given_case(case_path);
         const CaseFile file = parse_case(text);
         if (is_named_by(file, context, result_path)) {
-            complain(result_path,
-                     "is a file that the case reads; write the result to another file");
-            return exit_bad_input;
+            return complain(result_path,
+                            "is a file that the case reads; write the result to another file");
         }
         result = solve_case(file, context, wanted);
     } catch (const InputError& error) {
-        complain(case_path, error.what());
-        return exit_bad_input;
+        return complain(case_path, error.what());
     }
     return result_path.empty()
                ? print_json(result)
@@ -125,8 +122,7 @@ class SolveCommand final : public Command {
         try {
             wanted = Wanted(only_);
         } catch (const InputError& error) {
-            complain("--only", error.what());
-            return exit_bad_input;
+            return complain("--only", error.what());
         }
         if (batch_) {
             CaseContext context;
@@ -134,8 +130,7 @@ class SolveCommand final : public Command {
             try {
                 return solve_batch(context, wanted);
             } catch (const InputError& error) {
-                complain("ravnoves-cli", std::string("standard input ") + error.what());
-                return exit_bad_input;
+                return complain("ravnoves-cli", std::string("standard input ") + error.what());
             }
         }
         return solve_file(case_path_, result_path_, wanted);

@@ -266,8 +266,7 @@ class StudyCommand final : public Command {
 
     int run_case() {
         if (is_same_file(case_path_, output_path_)) {
-            complain(output_path_, "is the case itself; write the study to another file");
-            return exit_bad_input;
+            return complain(output_path_, "is the case itself; write the study to another file");
         }
         if (!output_path_.empty() && !can_write_file(output_path_)) {
             return exit_bad_input;
@@ -276,17 +275,15 @@ class StudyCommand final : public Command {
             const auto [text, context] = read_given_case(case_path_);
             const CaseFile file = parse_case(text);
             if (is_named_by(file, context, output_path_)) {
-                complain(output_path_,
-                         "is a file that the case reads; write the study to another file");
-                return exit_bad_input;
+                return complain(output_path_,
+                                "is a file that the case reads; write the study to another file");
             }
             return run_problem(studies::problem_of(file, context, text));
         } catch (const ProgressError& error) {
-            complain("", error.what());
+            return complain("", error.what());
         } catch (const InputError& error) {
-            complain(case_path_, error.what());
+            return complain(case_path_, error.what());
         }
-        return exit_bad_input;
     }
 
     /// Whether the output is there and holds the finished study of another case.
@@ -307,10 +304,10 @@ class StudyCommand final : public Command {
             !output_path_.empty() && (!std::filesystem::exists(output_path_, ignored) ||
                                       std::filesystem::is_regular_file(output_path_, ignored));
         if (keeps && would_destroy(problem)) {
-            complain(output_path_,
-                     "has the study of another case, or of this one before it changed; move it "
-                     "or choose another file");
-            return exit_bad_input;
+            return complain(
+                output_path_,
+                "has the study of another case, or of this one before it changed; move it "
+                "or choose another file");
         }
         auto progress = keeps ? std::make_unique<const Progress>(output_path_) : nullptr;
         auto left = keeps ? progress->left_of(problem, shard.number, shard.of) : std::nullopt;
@@ -352,8 +349,8 @@ class StudyCommand final : public Command {
             for (const std::string& each : parts_) {
                 path = each;
                 if (is_same_file(each, output_path_)) {
-                    complain(output_path_, "is one of the parts; write the study to another file");
-                    return exit_bad_input;
+                    return complain(output_path_,
+                                    "is one of the parts; write the study to another file");
                 }
                 merger.add(studies::read_part(parse_json(read_text_file(each))), each);
             }
@@ -362,8 +359,7 @@ class StudyCommand final : public Command {
         } catch (const InputError& error) {
             // The merger names the part itself.
             const bool named = error.where() == path;
-            complain(path.empty() ? "--merge" : named ? "" : path, error.what());
-            return exit_bad_input;
+            return complain(path.empty() ? "--merge" : named ? "" : path, error.what());
         }
     }
 

@@ -124,16 +124,5 @@ TEST_F(CommandLine, MethodsOfACaseSaysWhatContributesToItsResults) {
                     "other.json: /input/crank_radius_mm: must be");
 }
 
-TEST_F(CommandLine, HelpOfMethodsNamesTheKernels) {
-    const Outcome help = run("methods --help");
-    EXPECT_EQ(help.status, 0);
-    for (const methods::Kernel& kernel : methods::kernels()) {
-        EXPECT_TRUE(says(help.out, kernel.id)) << help.out;
-    }
-    EXPECT_TRUE(says(run("validate --help").out, "not derivable"));
-    const Outcome all = run("--help");
-    EXPECT_TRUE(says(all.out, "methods") && says(all.out, "validate")) << all.out;
-}
-
 }  // namespace
 }  // namespace ravnoves
