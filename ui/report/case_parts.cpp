@@ -26,47 +26,24 @@ namespace {
 
 constexpr qint64 jobPatienceMs = 60'000;
 
-/// The groups of a report: one for what is beside the tabs, one for each tab that has parts.
-class Groups {
-  public:
-    explicit Groups(const ScenePage& page) : page_(page) { groups_.emplace_back(); }
-
-    PageGroup& at(const QString& tab) {
-        if (tab.isEmpty()) {
-            return groups_.front().second;
-        }
-        for (auto& [name, group] : groups_) {
-            if (name == tab) {
-                return group;
+QString titleOfTab(const ScenePage& page, const QString& tab) {
+    for (const QTabWidget* tabs : page.findChildren<QTabWidget*>()) {
+        for (int i = 0; i < tabs->count(); ++i) {
+            if (tabs->widget(i)->objectName() == tab) {
+                return tabs->tabText(i).remove(QLatin1Char('&'));
             }
         }
-        auto& [name, group] = groups_.emplace_back(tab, PageGroup());
-        group.title = titleOf(tab);
-        return group;
     }
-    std::vector<PageGroup> take() {
-        std::vector<PageGroup> all;
-        for (auto& [name, group] : groups_) {
-            all.push_back(std::move(group));
-        }
-        return all;
-    }
+    return tab;
+}
 
-  private:
-    QString titleOf(const QString& tab) const {
-        for (const QTabWidget* tabs : page_.findChildren<QTabWidget*>()) {
-            for (int i = 0; i < tabs->count(); ++i) {
-                if (tabs->widget(i)->objectName() == tab) {
-                    return tabs->tabText(i).remove(QLatin1Char('&'));
-                }
-            }
-        }
-        return tab;
-    }
-
-    const ScenePage& page_;
-    std::vector<std::pair<QString, PageGroup>> groups_;
-};
+/// The group of a tab, a new one where there is none.
+PageGroup& groupOf(const ScenePage& page, const QString& tab, std::vector<PageGroup>& groups) {
+    const auto found = std::ranges::find(groups, tab, &PageGroup::tab);
+    return found != groups.end()
+               ? *found
+               : groups.emplace_back(PageGroup{.tab = tab, .title = titleOfTab(page, tab)});
+}
 
 /// Name of the tab of parts that a widget of the page is on; empty beside them.
 QString tabOf(const QWidget* widget, std::span<const PagePart> parts) {
@@ -160,7 +137,7 @@ Drawing sideBySide(const Drawing& left, const Drawing& right) {
 }
 
 /// The pictures: that of the mechanism is part of the answer, else the first two beside the tabs.
-void addPictures(ScenePage& page, Groups& groups, PageGroup& answer) {
+void addPictures(ScenePage& page, std::vector<PageGroup>& groups, PageGroup& answer) {
     constexpr QSize half(330, 230);  // of the paper's width
     std::vector<QWidget*> others;
     for (QWidget* picture : page.findChildren<QWidget*>()) {
@@ -170,7 +147,7 @@ void addPictures(ScenePage& page, Groups& groups, PageGroup& answer) {
         }
         const QString tab = tabOf(picture, page.model()->parts());
         if (!tab.isEmpty()) {
-            groups.at(tab).figures.push_back(drawingOf(picture));
+            groupOf(page, tab, groups).figures.push_back(drawingOf(picture));
         } else if (qobject_cast<MechanismPicture*>(picture) != nullptr) {
             answer.figures.push_back(drawingOf(picture));
         } else {
@@ -184,7 +161,7 @@ void addPictures(ScenePage& page, Groups& groups, PageGroup& answer) {
         rest += 2;
     }
     for (; rest != others.end(); ++rest) {
-        groups.at({}).figures.push_back(drawingOf(*rest));
+        groups.front().figures.push_back(drawingOf(*rest));
     }
 }
 
@@ -230,11 +207,12 @@ CaseParts caseParts(ScenePage& page, const Patience& patience) {
         waitFor(page, patience, jobPatienceMs);
     }
     PageGroup answer;
-    Groups groups(page);
+    std::vector<PageGroup> groups(1);  // what is beside the tabs
     QSet<QString> said;
     for (const PagePart& part : model.parts()) {
-        PageGroup& group = groups.at(
-            QString::fromLatin1(part.tab.data(), static_cast<qsizetype>(part.tab.size())));
+        PageGroup& group = groupOf(
+            page, QString::fromLatin1(part.tab.data(), static_cast<qsizetype>(part.tab.size())),
+            groups);
         PageGroup& words = part.tab.empty() ? answer : group;
         const PartSpread* spread = bands != nullptr ? bands->spreadOf(part.id) : nullptr;
         const Content content = model.part(part.id);
@@ -253,7 +231,7 @@ CaseParts caseParts(ScenePage& page, const Patience& patience) {
         patience.wait();
     }
     addPictures(page, groups, answer);
-    return {std::move(answer), groups.take()};
+    return {std::move(answer), std::move(groups)};
 }
 
 }  // namespace ravnoves

@@ -13,10 +13,11 @@ class ScenePage;
 
 /// What a page shows on one tab, or beside the tabs.
 struct PageGroup {
-    QString title;  ///< plain; of the tab, empty beside them
-    std::vector<report::Item> words;
-    std::vector<report::Item> tables;
-    std::vector<report::Item> figures;
+    QString tab = {};    ///< its name; empty beside them
+    QString title = {};  ///< plain
+    std::vector<report::Item> words = {};
+    std::vector<report::Item> tables = {};
+    std::vector<report::Item> figures = {};
 
     bool isEmpty() const { return words.empty() && tables.empty() && figures.empty(); }
 };

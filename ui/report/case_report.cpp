@@ -82,7 +82,7 @@ std::pair<QString, QString> fingerprint(CaseDocument& document) {
 }
 
 void addCase(Report& report, const SceneModel& model, CaseDocument& document) {
-    report.items.push_back(Heading{ReportWords::tr("Case")});
+    report.head(ReportWords::tr("Case"));
     Table table;
     const auto row = [&](const QString& name, const QString& value) {
         table.rows << QStringList{name.toHtmlEscaped(), value.toHtmlEscaped()};
@@ -97,21 +97,21 @@ void addCase(Report& report, const SceneModel& model, CaseDocument& document) {
     row(ReportWords::tr("Date"), report.date);
     report.items.push_back(std::move(table));
     if (!model.notes().isEmpty()) {
-        report.items.push_back(Heading{ReportWords::tr("Notes")});
+        report.head(ReportWords::tr("Notes"));
         for (const QString& line : model.notes().split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
-            report.items.push_back(Paragraph{line.toHtmlEscaped()});
+            report.say(line);
         }
     }
 }
 
 void addResults(Report& report, std::vector<PageGroup> groups) {
-    report.items.push_back(Heading{ReportWords::tr("Plots and tables")});
+    report.head(ReportWords::tr("Plots and tables"));
     for (PageGroup& group : groups) {
         if (group.isEmpty()) {
             continue;
         }
         if (!group.title.isEmpty()) {
-            report.items.push_back(Heading{group.title, 2});
+            report.head(group.title, 2);
         }
         for (auto* part : {&group.words, &group.tables, &group.figures}) {
             std::move(part->begin(), part->end(), std::back_inserter(report.items));
@@ -127,7 +127,7 @@ void addTheory(Report& report, const SceneModel& model) {
     if (scene == scenes.end()) {
         return;
     }
-    report.items.push_back(Heading{ReportWords::tr("Formulas")});
+    report.head(ReportWords::tr("Formulas"));
     Table table;
     table.headings = {ReportWords::tr("Quantity"), ReportWords::tr("Formula"),
                       ReportWords::tr("Source")};
@@ -156,12 +156,11 @@ void addTheory(Report& report, const SceneModel& model) {
     }
     report.items.push_back(std::move(table));
     for (const std::string_view key : cited) {
-        report.items.push_back(
-            Paragraph{messageText(citation(source(key))).toHtmlEscaped(), Paragraph::Kind::Muted});
+        report.say(messageText(citation(source(key))), Paragraph::Kind::Muted);
     }
-    report.items.push_back(Heading{ReportWords::tr("What the model leaves out")});
+    report.head(ReportWords::tr("What the model leaves out"));
     for (const Text& text : scene->left_out()) {
-        report.items.push_back(Paragraph{QStringLiteral("– ") + shownText(text).toHtmlEscaped()});
+        report.say(QStringLiteral("– ") + shownText(text));
     }
 }
 
@@ -180,12 +179,10 @@ void addValidation(Report& report, const QString& scene, const Patience& patienc
         return;
     }
     model.setPaper(static_cast<std::size_t>(paper - papers.begin()));
-    report.items.push_back(Heading{ReportWords::tr("Validation of the methods")});
-    report.items.push_back(
-        Paragraph{ReportWords::tr("Printed numbers of the paper, recomputed for this report: %1. "
-                                  "The module Methods shows each.")
-                      .arg(model.countsText())
-                      .toHtmlEscaped()});
+    report.head(ReportWords::tr("Validation of the methods"));
+    report.say(ReportWords::tr("Printed numbers of the paper, recomputed for this report: %1. "
+                               "The module Methods shows each.")
+                   .arg(model.countsText()));
     // What each place of the paper became; the page Methods has every number.
     const Results results = model.results();
     Table table;
@@ -250,7 +247,7 @@ void addVariants(Report& report, const SceneModel& model) {
     if (model.variants().isEmpty()) {
         return;
     }
-    report.items.push_back(Heading{ReportWords::tr("Variants")});
+    report.head(ReportWords::tr("Variants"));
     const auto [verdicts, results, troubles] = variantResults(model);
     QStringList others;  // that of the present case is the first of all
     for (const QString& verdict : verdicts.mid(1)) {
@@ -258,8 +255,7 @@ void addVariants(Report& report, const SceneModel& model) {
     }
     report.items.push_back(Paragraph{others.join(QStringLiteral("<br/>")), Paragraph::Kind::Muted});
     for (const QString& trouble : troubles) {
-        report.items.push_back(
-            Paragraph{shortened(trouble).toHtmlEscaped(), Paragraph::Kind::Warning});
+        report.say(shortened(trouble), Paragraph::Kind::Warning);
     }
     Table table;
     for (const ResultColumn& column : results.columns) {
@@ -290,19 +286,18 @@ void addVariants(Report& report, const SceneModel& model) {
             QLatin1Char(' ') + ReportWords::tr("In the plots the curves of %1 are dimmed and wide.")
                                    .arg(shortened(model.variants().at(model.reference()).name));
     }
-    report.items.push_back(Paragraph{how.toHtmlEscaped(), Paragraph::Kind::Muted});
+    report.say(how, Paragraph::Kind::Muted);
 }
 
 /// The answer: what holds, the picture, the leading results.
 void addAnswer(Report& report, const SceneModel& model, PageGroup& answer) {
     if (const std::optional<Verdict> verdict = model.verdictShown()) {
-        report.items.push_back(Paragraph{
-            (severityName(verdict->severity) + QStringLiteral(": ") + messageText(verdict->text))
-                .toHtmlEscaped(),
-            kindOf(verdict->severity)});
+        report.say(
+            severityName(verdict->severity) + QStringLiteral(": ") + messageText(verdict->text),
+            kindOf(verdict->severity));
     }
     if (const QString design = designText(model); !design.isEmpty()) {
-        report.items.push_back(Paragraph{design.toHtmlEscaped()});
+        report.say(design);
     }
     for (auto* part : {&answer.words, &answer.figures, &answer.tables}) {
         std::move(part->begin(), part->end(), std::back_inserter(report.items));
@@ -330,7 +325,7 @@ Report makeReport(ScenePage& page, CaseDocument& document, const ReportChoice& c
     }
     addTolerances(report, model, patience);
     if (choice.inputs) {
-        report.items.push_back(Heading{ReportWords::tr("Inputs")});
+        report.head(ReportWords::tr("Inputs"));
         for (Table& table : inputTables(model)) {
             report.items.push_back(std::move(table));
         }

@@ -57,6 +57,15 @@ struct Report {
     QString language;  ///< code
     QPageSize::PageSizeId paper = QPageSize::A4;
     std::vector<report::Item> items;
+
+    /// @param title  plain
+    void head(const QString& title, int level = 1) {
+        items.push_back(report::Heading{title, level});
+    }
+    /// @param text  plain
+    void say(const QString& text, report::Paragraph::Kind kind = report::Paragraph::Kind::Text) {
+        items.push_back(report::Paragraph{text.toHtmlEscaped(), kind});
+    }
 };
 
 /// Words of reports.

@@ -81,9 +81,8 @@ Table foundValues(const StudyAnswers& answers, const StudyModel& model) {
     table.numbers = {false, false, true, true, true, true, true, true};
     table.isSmall = true;
     for (const StudyAnswer& value : answers.values) {
-        const auto watched = std::find_if(
-            study.watch.begin(), study.watch.end(),
-            [&](const studies::Watched& each) { return each.pointer == value.pointer; });
+        const auto watched =
+            std::ranges::find(study.watch, value.pointer, &studies::Watched::pointer);
         const ResultName name = model.resultName(value.pointer);
         const ShownUnit unit = name.shown();
         const auto shown = [&](const std::optional<double>& each) {
@@ -127,8 +126,7 @@ void addSweep(Report& report, StudyModel& study, const Patience& patience) {
     model.setWatched(false);
     if (model.sweep() == nullptr || model.isStale()) {
         if (!model.trouble().isEmpty()) {
-            report.items.push_back(
-                Paragraph{model.trouble().toHtmlEscaped(), Paragraph::Kind::Warning});
+            report.say(model.trouble(), Paragraph::Kind::Warning);
         }
         return;
     }
@@ -140,10 +138,9 @@ void addSweep(Report& report, StudyModel& study, const Patience& patience) {
     const ShownTitle input = study.inputTitle(model.input());
     const auto shown = [&](double x) { return shownFormNumber(input.factor * x, QLocale(), 5); };
     const auto& places = model.sweep()->places;
-    report.items.push_back(Paragraph{
+    report.say(
         ReportWords::tr("Sweep, %1 from %2 to %3. %4")
-            .arg(input.text, shown(places.front().x), shown(places.back().x), view->words())
-            .toHtmlEscaped()});
+            .arg(input.text, shown(places.front().x), shown(places.back().x), view->words()));
 }
 
 }  // namespace
@@ -156,20 +153,17 @@ void addTolerances(Report& report, SceneModel& model, const Patience& patience) 
     if (study.trouble().isEmpty() && study.study().vary.empty()) {
         return;
     }
-    report.items.push_back(Heading{ReportWords::tr("Tolerances")});
+    report.head(ReportWords::tr("Tolerances"));
     if (!study.trouble().isEmpty()) {
-        report.items.push_back(
-            Paragraph{study.trouble().toHtmlEscaped(), Paragraph::Kind::Warning});
+        report.say(study.trouble(), Paragraph::Kind::Warning);
         return;
     }
     report.items.push_back(givenTolerances(study));
     if (ToleranceSwitch::instance().isOn()) {
-        report.items.push_back(
-            Paragraph{ReportWords::tr(
-                          "Bands about curves and ± beside numbers are the range from 5 % to 95 % "
-                          "of 128 samples.")
-                          .toHtmlEscaped(),
-                      Paragraph::Kind::Muted});
+        report.say(ReportWords::tr(
+                       "Bands about curves and ± beside numbers are the range from 5 % to 95 % "
+                       "of 128 samples."),
+                   Paragraph::Kind::Muted);
     }
     if (study.study().watch.empty()) {
         return;
@@ -178,33 +172,28 @@ void addTolerances(Report& report, SceneModel& model, const Patience& patience) 
     waitFor(study, patience);
     const StudyAnswers* answers = study.answers();
     if (answers == nullptr) {
-        report.items.push_back(
-            Paragraph{(study.trouble().isEmpty() ? ReportWords::tr("No results.") : study.trouble())
-                          .toHtmlEscaped(),
-                      Paragraph::Kind::Warning});
+        report.say(study.trouble().isEmpty() ? ReportWords::tr("No results.") : study.trouble(),
+                   Paragraph::Kind::Warning);
         return;
     }
-    report.items.push_back(Paragraph{methodText(study.study()).toHtmlEscaped()});
+    report.say(methodText(study.study()));
     report.items.push_back(foundValues(*answers, study));
     if (studies::is_sampled(study.study().method)) {
-        report.items.push_back(Paragraph{ReportWords::tr("Samples solved: %1")
-                                             .arg(QLocale().toString(qulonglong(answers->solved)))
-                                             .toHtmlEscaped(),
-                                         Paragraph::Kind::Muted});
+        report.say(ReportWords::tr("Samples solved: %1")
+                       .arg(QLocale().toString(qulonglong(answers->solved))),
+                   Paragraph::Kind::Muted);
     }
     if (const QString feasible = answers->feasibleText(); !feasible.isEmpty()) {
-        report.items.push_back(Paragraph{feasible.toHtmlEscaped(), answers->isRarelyFeasible()
-                                                                       ? Paragraph::Kind::Warning
-                                                                       : Paragraph::Kind::Muted});
+        report.say(feasible,
+                   answers->isRarelyFeasible() ? Paragraph::Kind::Warning : Paragraph::Kind::Muted);
     }
     for (const auto& [reason, count] : study.rejected()) {
-        report.items.push_back(Paragraph{ReportWords::tr("Rejected: %1 × %2")
-                                             .arg(QLocale().toString(qulonglong(count)), reason)
-                                             .toHtmlEscaped(),
-                                         Paragraph::Kind::Muted});
+        report.say(
+            ReportWords::tr("Rejected: %1 × %2").arg(QLocale().toString(qulonglong(count)), reason),
+            Paragraph::Kind::Muted);
     }
     for (const QString& note : study.notes()) {
-        report.items.push_back(Paragraph{note.toHtmlEscaped(), Paragraph::Kind::Warning});
+        report.say(note, Paragraph::Kind::Warning);
     }
     constexpr std::size_t maximum = 4;
     for (std::size_t i = 0; i < std::min(maximum, answers->values.size()); ++i) {
