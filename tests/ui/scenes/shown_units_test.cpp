@@ -72,18 +72,10 @@ class PageInOtherUnits : public ::testing::TestWithParam<std::string> {
                                                            : Preferences::Units::RadPerSecond);
     }
 
-    static void settle(QWidget& page) {
-        const auto isBusy = [&] {
-            const auto jobs = page.findChildren<BackgroundJob*>();
-            return std::any_of(jobs.begin(), jobs.end(),
-                               [](const BackgroundJob* job) { return job->isRunning(); });
-        };
+    void look(ScenePage& page, Said& said) {
         QApplication::processEvents();
-        EXPECT_TRUE(test::comes([&] { return !isBusy(); }));
+        EXPECT_TRUE(test::comes([&] { return !page.isBusy(); }));
         QApplication::processEvents();
-    }
-    void look(QWidget& page, Said& said) {
-        settle(page);
         const QString file = folder_.filePath(u"page.svg"_s);
         ASSERT_EQ(writePicture(file, page.size(), {},
                                [&](QPainter& painter, double) { drawPage(painter, &page); }),

@@ -332,6 +332,12 @@ TEST_P(EveryPagesVariants, StandSideBySideWithThePresent) {
     EXPECT_EQ(read_text_file(fsPath(path)), CsvFormat::file(table.asCsv()));
 }
 
+/// Whether a label of a window begins like this.
+bool says(const QWidget& window, const QString& words) {
+    return std::ranges::any_of(window.findChildren<QLabel*>(),
+                               [&](const QLabel* each) { return each->text().startsWith(words); });
+}
+
 /// The row of a table whose name begins like this; −1: none.
 int rowNamed(const ResultTable& table, const QString& name) {
     for (int row = 0; row < table.rowCount(); ++row) {
@@ -400,10 +406,7 @@ TEST(VariantsSideBySide, ShowThePresentWithoutItsFile) {
     const int row = rowNamed(table, u"range · Mᵤₚₛ, N·m"_s);
     ASSERT_GE(row, 0);
     EXPECT_NE(table.item(row, 1)->text(), u"–"_s);
-    const auto labels = dialog.findChildren<QLabel*>();
-    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* each) {
-        return each->text().startsWith(u"Present: "_s);
-    }));
+    EXPECT_TRUE(says(dialog, u"Present: "_s));
 }
 
 TEST(VariantsSideBySide, GiveTheirMomentsAUnit) {
@@ -439,10 +442,7 @@ TEST(AVariantOfAFile, SaysEverywhereThatTheFileHasChanged) {
     ASSERT_FALSE(said.isEmpty());
     EXPECT_TRUE(said.last().at(0).toString().contains(wanted));
     const VariantTable dialog(page.get(), nullptr);
-    const auto labels = dialog.findChildren<QLabel*>();
-    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* each) {
-        return each->text().startsWith(u"C: "_s + wanted);
-    }));
+    EXPECT_TRUE(says(dialog, u"C: "_s + wanted));
 }
 
 TEST(VariantsSideBySide, ScrollWhereTheyAreMany) {
