@@ -61,17 +61,19 @@ std::optional<std::size_t> Documents::indexOf(const QString& scene) const {
                : std::optional(static_cast<std::size_t>(found - scenes_.begin()));
 }
 
-OpenDocument* Documents::lastOf(std::size_t scene) const {
+namespace {
+
+/// The document that was in front last, of those that fit; null without one.
+template <typename Fits>
+OpenDocument* lastWhere(const std::vector<std::unique_ptr<OpenDocument>>& documents, Fits fits) {
     OpenDocument* last = nullptr;
-    for (const auto& each : documents_) {
-        if (each->scene == scene && (last == nullptr || each->shown > last->shown)) {
+    for (const auto& each : documents) {
+        if (fits(*each) && (last == nullptr || each->shown > last->shown)) {
             last = each.get();
         }
     }
     return last;
 }
-
-namespace {
 
 /// By whatever name, and also where nothing is there.
 bool isSame(const QString& known, const QString& path) {
@@ -81,22 +83,17 @@ bool isSame(const QString& known, const QString& path) {
 
 }  // namespace
 
+OpenDocument* Documents::lastOf(std::size_t scene) const {
+    return lastWhere(documents_, [scene](const OpenDocument& each) { return each.scene == scene; });
+}
+
 OpenDocument* Documents::withFile(const QString& path) const {
-    for (const auto& each : documents_) {
-        if (isSame(each->document->path(), path)) {
-            return each.get();
-        }
-    }
-    return nullptr;
+    return lastWhere(documents_,
+                     [&](const OpenDocument& each) { return isSame(each.document->path(), path); });
 }
 
 OpenDocument* Documents::withId(int id) const {
-    for (const auto& each : documents_) {
-        if (each->id == id) {
-            return each.get();
-        }
-    }
-    return nullptr;
+    return lastWhere(documents_, [id](const OpenDocument& each) { return each.id == id; });
 }
 
 bool Documents::isUntouched(const OpenDocument& document) {
@@ -107,12 +104,9 @@ bool Documents::isUntouched(const OpenDocument& document) {
 }
 
 OpenDocument* Documents::untouchedOf(std::size_t scene) const {
-    for (const auto& each : documents_) {
-        if (each->scene == scene && isUntouched(*each)) {
-            return each.get();
-        }
-    }
-    return nullptr;
+    return lastWhere(documents_, [scene](const OpenDocument& each) {
+        return each.scene == scene && isUntouched(each);
+    });
 }
 
 // ------------------------------------------------------------------------ coming and going
@@ -427,13 +421,9 @@ bool Documents::close(OpenDocument& document) {
         return false;
     }
     if (&document == current_) {
-        OpenDocument* next = nullptr;
-        for (const auto& each : documents_) {
-            if (each.get() != current_ && each->hasTab &&
-                (next == nullptr || each->shown > next->shown)) {
-                next = each.get();
-            }
-        }
+        OpenDocument* next = lastWhere(documents_, [this](const OpenDocument& each) {
+            return &each != current_ && each.hasTab;
+        });
         if (next != nullptr) {
             bringToFront(*next);
         } else {
