@@ -98,9 +98,11 @@ TEST_F(InheritedState, ClosedDescriptorsGoToNoFile) {
         EXPECT_NE(outcome.err.find("standard output cannot be written"), std::string::npos)
             << command << outcome.err;
     }
-    for (const char* command : {"solve -", "study -"}) {
-        expect_rejected(run(std::string(command) + " <&-"), "-: cannot be read");
-        expect_rejected(run(std::string(command) + " < ."), "-: cannot be read");
+    for (const auto& [command, start] :
+         {std::pair{"solve -", "-: cannot be read"}, std::pair{"study -", "-: cannot be read"},
+          std::pair{"solve --batch", "ravnoves-cli: standard input cannot be read: "}}) {
+        expect_rejected(run(std::string(command) + " <&-"), start);
+        expect_rejected(run(std::string(command) + " < ."), start);
     }
 }
 
