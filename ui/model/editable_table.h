@@ -41,8 +41,8 @@ class SaidTroubles {
     int more_ = 0;
 };
 
-/// A table of numbers that is edited in place. A rejected text remains in its cell, in red, until it
-/// is corrected or the case changes there; the case keeps its previous value.
+/// A table of numbers that is edited in place. A rejected text remains in its cell, in red, until
+/// it is corrected or the case changes there; the case keeps its previous value.
 class EditableTable : public QAbstractTableModel {
     Q_OBJECT
 
