@@ -44,39 +44,9 @@ std::shared_ptr<const AngleGrid> angle_grid(int samples) {
 std::vector<AngleState> turn_states(const Mechanism<double>& mechanism, double static_moment,
                                     Kinematics kinematics, const AngleGrid& grid,
                                     bool with_moments) {
-    const bool exact = mechanism.lambda < 1.0;
-    const std::size_t n = grid.size();
-    std::vector<AngleState> states(n);
-    for (std::size_t i = 0; 2 * i < n; ++i) {
-        const double s = grid.sin_phi[i];
-        const double c = grid.cos_phi[i];
-        AngleState& state = states[i];
-        if (exact) {
-            state.exact = rod_angle_exact(mechanism.lambda, s, c);
-            state.inertia = reduced_inertia(mechanism, s, c, state.exact);
-        }
-        if (with_moments) {
-            const RodAngle<double> rod = kinematics == Kinematics::exact
-                                             ? state.exact
-                                             : rod_angle_series(mechanism.lambda, s, c);
-            state.moment = rod_hinge_moment(mechanism, static_moment, s, c, rod);
-            state.cos_psi = rod.cos_psi;
-        }
-        const std::size_t mirror = n - 1 - i;
-        if (mirror == i) {
-            continue;
-        }
-        AngleState& other = states[mirror];
-        other = state;
-        other.exact.sin_psi = -state.exact.sin_psi;
-        other.exact.dcos = -state.exact.dcos;
-        other.exact.d3cos = -state.exact.d3cos;
-        other.exact.d2psi = -state.exact.d2psi;
-        other.inertia.slope = -state.inertia.slope;
-        other.moment.inertia = -state.moment.inertia;
-        other.moment.true_inertia = -state.moment.true_inertia;
-        other.moment.dweight = -state.moment.dweight;
-    }
+    std::vector<AngleState> states(grid.size());
+    visit_turn(mechanism, static_moment, kinematics, grid, with_moments,
+               [&](std::size_t i, const AngleState& state) { states[i] = state; });
     return states;
 }
 

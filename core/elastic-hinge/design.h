@@ -32,8 +32,46 @@ struct AngleState {
     double cos_psi;                  ///< of the chosen kinematics
 };
 
-/// The states over one turn. Only half of them are computed: φ and −φ mirror each other.
+/// The states over one turn, each with its index in the grid: visit(i, state). Only half of them
+/// are computed: φ and −φ mirror each other.
 /// @param with_moments  else nothing of the chosen kinematics
+template <typename Visit>
+void visit_turn(const Mechanism<double>& mechanism, double static_moment, Kinematics kinematics,
+                const AngleGrid& grid, bool with_moments, const Visit& visit) {
+    const bool exact = mechanism.lambda < 1.0;
+    const std::size_t n = grid.size();
+    for (std::size_t i = 0; 2 * i < n; ++i) {
+        const double s = grid.sin_phi[i];
+        const double c = grid.cos_phi[i];
+        AngleState state{};
+        if (exact) {
+            state.exact = rod_angle_exact(mechanism.lambda, s, c);
+            state.inertia = reduced_inertia(mechanism, s, c, state.exact);
+        }
+        if (with_moments) {
+            const RodAngle<double> rod = kinematics == Kinematics::exact
+                                             ? state.exact
+                                             : rod_angle_series(mechanism.lambda, s, c);
+            state.moment = rod_hinge_moment(mechanism, static_moment, s, c, rod);
+            state.cos_psi = rod.cos_psi;
+        }
+        visit(i, state);
+        const std::size_t mirror = n - 1 - i;
+        if (mirror == i) {
+            continue;
+        }
+        state.exact.sin_psi = -state.exact.sin_psi;
+        state.exact.dcos = -state.exact.dcos;
+        state.exact.d3cos = -state.exact.d3cos;
+        state.exact.d2psi = -state.exact.d2psi;
+        state.inertia.slope = -state.inertia.slope;
+        state.moment.inertia = -state.moment.inertia;
+        state.moment.true_inertia = -state.moment.true_inertia;
+        state.moment.dweight = -state.moment.dweight;
+        visit(mirror, state);
+    }
+}
+
 std::vector<AngleState> turn_states(const Mechanism<double>& mechanism, double static_moment,
                                     Kinematics kinematics, const AngleGrid& grid,
                                     bool with_moments = true);

@@ -39,15 +39,6 @@ double pressure_cosine(const GuidePoint& point) {
     return point.radius / std::sqrt(point.radius * point.radius + point.slope * point.slope);
 }
 
-/// Radius of the profile that a roller touches whose centre runs through the point.
-double profile_radius(const GuidePoint& point, Branch branch, double roller) {
-    // The profile lies outside a compressed spring's rollers and inside a stretched one's.
-    const double side = branch == Branch::compressed ? 1.0 : -1.0;
-    return roller > 0.0 ? std::sqrt(point.radius * point.radius + roller * roller +
-                                    2.0 * side * roller * point.radius * pressure_cosine(point))
-                        : point.radius;
-}
-
 /// What a branch of a guide comes to over the turn.
 class BranchScan {
   public:
@@ -58,56 +49,53 @@ class BranchScan {
           side_(branch == Branch::compressed ? 1.0 : -1.0) {}
 
     void take(const GuidePoint& point, double phi) {
-        if (!std::isfinite(pressure_cosine(point)) || !std::isfinite(point.slope)) {
+        const auto values = measure(point);
+        if (!std::isfinite(values[steepest]) || !std::isfinite(point.slope)) {
             return;
         }
-        for (int each = 0; each < measures; ++each) {
-            at(each).take(measure(each, point), phi);
+        for (std::size_t each = 0; each < measures; ++each) {
+            maxima_[each].take(values[each], phi);
         }
     }
 
     /// @param minimum, maximum  radius of the path, m
     /// @param step  of the grid, rad
     BranchSummary finish(double minimum, double maximum, double step) {
-        for (int each = 0; each < measures; ++each) {
-            at(each).sharpen([&](double phi) { return measure(each, shape_.at(branch_, phi)); },
-                             step);
+        for (std::size_t each = 0; each < measures; ++each) {
+            maxima_[each].sharpen(
+                [&](double phi) { return measure(shape_.at(branch_, phi))[each]; }, step);
         }
         BranchSummary summary;
         summary.exists = true;
         summary.min_radius = minimum;
         summary.max_radius = maximum;
-        summary.profile_min_radius = roller_ > 0.0 ? -at(lowest).value : minimum;
-        summary.profile_max_radius = roller_ > 0.0 ? at(highest).value : maximum;
-        const double max_bent = at(bent).value;
+        summary.profile_min_radius = roller_ > 0.0 ? -maxima_[lowest].value : minimum;
+        summary.profile_max_radius = roller_ > 0.0 ? maxima_[highest].value : maximum;
+        const double max_bent = maxima_[bent].value;
         summary.smallest_curvature_radius = max_bent > 0.0 ? 1.0 / max_bent : maximum;
-        if (const double sharpest = at(against_roller).value;
+        if (const double sharpest = maxima_[against_roller].value;
             sharpest > 0.0 && std::isfinite(1.0 / sharpest)) {
             summary.largest_roller_radius = 1.0 / sharpest;
             summary.undercut = roller_ > *summary.largest_roller_radius;
         }
-        summary.max_pressure_angle = std::acos(std::min(-at(steepest).value, 1.0));
+        summary.max_pressure_angle = std::acos(std::min(-maxima_[steepest].value, 1.0));
         return summary;
     }
 
   private:
     enum Measure { steepest, bent, against_roller, lowest, highest, measures };
 
-    double measure(int which, const GuidePoint& point) const {
-        switch (which) {
-            case steepest:
-                return -pressure_cosine(point);
-            case bent:
-                return std::abs(point.curvature());
-            case against_roller:
-                return -side_ * point.curvature();
-            case lowest:
-                return -profile_radius(point, branch_, roller_);
-            default:
-                return profile_radius(point, branch_, roller_);
-        }
+    /// What the maximum over the turn is sought of.
+    std::array<double, measures> measure(const GuidePoint& point) const {
+        const double cosine = pressure_cosine(point);
+        const double bend = point.curvature();
+        // The profile lies outside a compressed spring's rollers and inside a stretched one's.
+        const double profile = roller_ > 0.0
+                                   ? std::sqrt(point.radius * point.radius + roller_ * roller_ +
+                                               2.0 * side_ * roller_ * point.radius * cosine)
+                                   : point.radius;
+        return {-cosine, std::abs(bend), -side_ * bend, -profile, profile};
     }
-    Maximum& at(int which) { return maxima_.at(static_cast<std::size_t>(which)); }
 
     const GuideShape& shape_;
     Branch branch_;

@@ -63,35 +63,53 @@ void resize(MechanismCurves& curves, std::size_t n, bool exact) {
     curves.crank_moment_with_rod_hinge.resize(exact ? n : 0);
 }
 
-/// All the curves of one mechanism at one speed.
+/// The curves of one mechanism at one speed, filled angle by angle.
+class CurveWriter {
+  public:
+    CurveWriter(MechanismCurves& curves, const Mechanism<double>& mechanism, const AngleGrid& grid,
+                double omega, double mean)
+        : curves_(curves),
+          grid_(grid),
+          exact_(mechanism.lambda < 1.0),
+          square_(omega * omega),
+          mean_(mean),
+          lever_(mechanism.lambda / mechanism.crank_radius),
+          weight_(exact_ ? potential_amplitude(mechanism) : 0.0) {
+        resize(curves, grid.size(), exact_);
+    }
+
+    void put(std::size_t i, const AngleState& state) {
+        const double moment = state.moment.weight + square_ * state.moment.inertia;
+        const double arm = lever_ / state.cos_psi;
+        curves_.rod_hinge_moment[i] = moment;
+        curves_.rod_hinge_moment_potential[i] = moment - mean_;
+        curves_.side_force_without_hinge[i] =
+            -(state.moment.weight + square_ * state.moment.true_inertia) * arm;
+        curves_.side_force_with_hinge[i] = -mean_ * arm;
+        if (exact_) {
+            const double crank = 0.5 * square_ * state.inertia.slope + weight_ * grid_.cos_phi[i];
+            curves_.reduced_inertia[i] = state.inertia.value;
+            curves_.crank_moment[i] = crank;
+            curves_.crank_moment_with_rod_hinge[i] =
+                crank + (moment - mean_) * (1.0 + state.exact.dpsi);
+        }
+    }
+
+  private:
+    MechanismCurves& curves_;
+    const AngleGrid& grid_;
+    bool exact_;
+    double square_;
+    double mean_;
+    double lever_;  ///< 1/ℓ
+    double weight_;
+};
+
 void fill(MechanismCurves& curves, const Mechanism<double>& mechanism,
           const std::vector<AngleState>& states, const AngleGrid& grid, double omega, double mean) {
-    const std::size_t n = states.size();
-    const bool exact = mechanism.lambda < 1.0;
-    resize(curves, n, exact);
-    const double square = omega * omega;
-    const double lever = mechanism.lambda / mechanism.crank_radius;  // 1/ℓ
-    for (std::size_t i = 0; i < n; ++i) {
-        const AngleState& state = states[i];
-        const double moment = state.moment.weight + square * state.moment.inertia;
-        const double arm = lever / state.cos_psi;
-        curves.rod_hinge_moment[i] = moment;
-        curves.rod_hinge_moment_potential[i] = moment - mean;
-        curves.side_force_without_hinge[i] =
-            -(state.moment.weight + square * state.moment.true_inertia) * arm;
-        curves.side_force_with_hinge[i] = -mean * arm;
-    }
-    if (!exact) {
-        return;
-    }
-    const double weight = potential_amplitude(mechanism);
-    for (std::size_t i = 0; i < n; ++i) {
-        const AngleState& state = states[i];
-        const double crank = 0.5 * square * state.inertia.slope + weight * grid.cos_phi[i];
-        curves.reduced_inertia[i] = state.inertia.value;
-        curves.crank_moment[i] = crank;
-        curves.crank_moment_with_rod_hinge[i] =
-            crank + curves.rod_hinge_moment_potential[i] * (1.0 + state.exact.dpsi);
+    CurveWriter writer(curves, mechanism, grid, omega, mean);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        writer.put(i, states[i]);
     }
 }
 
@@ -103,8 +121,9 @@ MechanismCurves curves_at_lambda(Input input, double lambda, const AngleGrid& gr
     const double static_moment = solved ? 0.0 : mechanism.static_moment();
     const double mean = rod_hinge_integral(mechanism, static_moment, input.kinematics) / two_pi;
     MechanismCurves curves;
-    fill(curves, mechanism, turn_states(mechanism, static_moment, input.kinematics, grid), grid,
-         input.angular_speed, mean);
+    CurveWriter writer(curves, mechanism, grid, input.angular_speed, mean);
+    visit_turn(mechanism, static_moment, input.kinematics, grid, true,
+               [&](std::size_t i, const AngleState& state) { writer.put(i, state); });
     return curves;
 }
 

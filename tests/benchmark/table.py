@@ -52,7 +52,7 @@ PAIRS = [
     ("piston at 721 angles, exact (rival: the loop closed by Newton's method)",
      "bench-core-inertia-moments",
      lambda took: took["PistonOfSliderCrank"], lambda took: took["PistonByNewtonClosure"]),
-    ("moment and side force of the hinges at one more λ, 721 angles (rival: seven curves, Eigen)",
+    ("all curves of the hinges at one more λ, 721 angles (rival: seven curves, Eigen)",
      "bench-core-elastic-hinge",
      lambda took: (took["curves_at_lambdas/9"] - took["curves_at_lambdas/1"]) / 8,
      lambda took: took["curves_in_plain_eigen"]),
