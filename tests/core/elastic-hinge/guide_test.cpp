@@ -269,19 +269,6 @@ TEST(ElasticHingeGuide, LargestRollerIsTheOneAtWhichTheProfileStartsToRunBackwar
     EXPECT_FALSE(solve(input).crank_guide.compressed.undercut);
 }
 
-TEST(ElasticHingeGuide, LargestRollerDoesNotDependOnTheSamples) {
-    Input input = preset_zotov();
-    input.spring = Spring{23e3, 0.06, 0.012};
-    SolveOptions coarse;
-    coarse.samples = 97;
-    const Guide rough = solve(input, coarse).crank_guide;
-    const Guide fine = solve(input).crank_guide;
-    for (const auto branch : {&Guide::compressed, &Guide::stretched}) {
-        const double limit = (fine.*branch).largest_roller_radius.value();
-        EXPECT_NEAR((rough.*branch).largest_roller_radius.value(), limit, 1e-9 * limit);
-    }
-}
-
 // What a designer reads must not depend on where samples fall.
 TEST(ElasticHingeGuide, NoNumberDependsOnTheSamples) {
     for (const double lambda : {0.3, 0.7, 0.93}) {
@@ -308,7 +295,8 @@ TEST(ElasticHingeGuide, NoNumberDependsOnTheSamples) {
                 list.insert(list.end(),
                             {summary.min_radius, summary.max_radius, summary.profile_min_radius,
                              summary.profile_max_radius, summary.max_pressure_angle,
-                             summary.smallest_curvature_radius});
+                             summary.smallest_curvature_radius,
+                             summary.largest_roller_radius.value_or(1.0)});
             }
             return list;
         };

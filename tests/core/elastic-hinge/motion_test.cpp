@@ -56,14 +56,30 @@ TEST(ElasticHingeMotion, PublishedDoubleBarCase) {
     EXPECT_NEAR(second_speed, 39.952478, 5e-7);
 }
 
+/// By the crank's hinge on either branch of its guide, and by both hinges.
 TEST(ElasticHingeMotion, EnergySignKeepsTheSpeedOverAHundredTurns) {
-    Input input = preset_zotov();
-    input.motion = MotionWish{100.0, {}, 0.0, 0.0, false};
-    const Motion motion = run(input, HingeSet::crank);
-    EXPECT_EQ(motion.end, MotionEnd::completed);
-    EXPECT_NEAR(motion.crank_angle.back(), 100 * two_pi, 1e-9);
-    EXPECT_LT(deviation(motion, 100.0), 1e-8);
-    EXPECT_LT(motion.energy_drift, 1e-8);
+    const struct {
+        HingeSet hinges;
+        double radius_at_zero;
+        bool counterweight;
+    } rows[] = {{HingeSet::crank, 0.09, false},
+                {HingeSet::crank, 0.11, false},
+                {HingeSet::crank_and_rod, 0.09, false},
+                {HingeSet::crank_and_rod, 0.09, true}};
+    for (const auto& row : rows) {
+        Input input = preset_zotov();
+        input.spring->guide_radius_at_zero = row.radius_at_zero;
+        if (row.counterweight) {
+            input.rod_counterweight =
+                RodCounterweight{0.1, std::nullopt, CounterweightInertia::newton_euler};
+        }
+        input.motion = MotionWish{100.0, {}, 0.0, 0.0, false};
+        const Motion motion = run(input, row.hinges);
+        EXPECT_EQ(motion.end, MotionEnd::completed);
+        EXPECT_NEAR(motion.crank_angle.back(), 100 * two_pi, 1e-9);
+        EXPECT_LT(deviation(motion, 100.0), 1e-8);
+        EXPECT_LT(motion.energy_drift, 1e-8);
+    }
 }
 
 TEST(ElasticHingeMotion, PrintedSignReversesTheCrank) {
@@ -76,23 +92,6 @@ TEST(ElasticHingeMotion, PrintedSignReversesTheCrank) {
     EXPECT_NEAR(motion.speed.back(), 0.0, 1e-6);
     EXPECT_FALSE(motion.reason.empty());
     EXPECT_LT(motion.energy_drift, 1e-9);
-}
-
-TEST(ElasticHingeMotion, WithoutHingeTheSpeedFollowsTheEnergyIntegral) {
-    const Input input = preset_zotov();
-    const Result result = solve(input);
-    const Motion motion = simulate(input, result, HingeSet::none);
-    EXPECT_NEAR(motion.min_speed, 49.0, 0.5);
-    const auto& m = result.design->mechanism();
-    const double I0 = reduced_inertia_at_zero(m);
-    for (std::size_t i = 0; i < motion.time.size(); i += 11) {
-        const double phi = motion.crank_angle[i];
-        const double s = std::sin(phi);
-        const double c = std::cos(phi);
-        const double I = reduced_inertia(m, s, c, rod_angle_exact(m.lambda, s, c)).value;
-        const double square = (I0 * 100.0 * 100.0 - 2 * potential_amplitude(m) * s) / I;
-        EXPECT_NEAR(motion.speed[i], std::sqrt(square), 1e-8 * 100.0);
-    }
 }
 
 TEST(ElasticHingeMotion, FreeFallFromRestFollowsTheEnergyIntegral) {
@@ -112,20 +111,6 @@ TEST(ElasticHingeMotion, FreeFallFromRestFollowsTheEnergyIntegral) {
         const double square = 2 * potential_amplitude(m) * (std::sin(80.0 * degree) - s) / I;
         EXPECT_NEAR(motion.speed[i] * motion.speed[i], square, 1e-6);
     }
-}
-
-TEST(ElasticHingeMotion, ExtremeSpeedsAreThoseOfTheMotionNotOfItsSamples) {
-    const Result result = solve(preset_zotov());
-    MotionSetup setup;
-    setup.start_speed = 100.0;
-    setup.turns = 2.0;
-    setup.samples_per_turn = 4;
-    const Motion coarse = simulate(result.design, result.crank_guide, setup);
-    setup.samples_per_turn = 20000;
-    const Motion fine = simulate(result.design, result.crank_guide, setup);
-    EXPECT_NEAR(coarse.max_speed, *std::max_element(fine.speed.begin(), fine.speed.end()), 1e-5);
-    EXPECT_NEAR(coarse.max_speed, fine.max_speed, 1e-8);
-    EXPECT_NEAR(coarse.min_speed, fine.min_speed, 1e-8);
 }
 
 // Without hinge the speed follows from the energy alone: its extremes over the turn, closed form.
@@ -174,27 +159,6 @@ TEST(ElasticHingeMotion, HingeIsExactAtItsDesignSpeedOnly) {
     EXPECT_GT(off.ripple, 0.05);
     EXPECT_LT(off.ripple, run(input, HingeSet::none).ripple);
     EXPECT_LT(off.energy_drift, 1e-9);
-}
-
-TEST(ElasticHingeMotion, BothHingesKeepTheSpeedToo) {
-    for (const bool counterweight : {false, true}) {
-        Input input = preset_zotov();
-        if (counterweight) {
-            input.rod_counterweight =
-                RodCounterweight{0.1, std::nullopt, CounterweightInertia::newton_euler};
-        }
-        input.motion = MotionWish{20.0, {}, 0.0, 0.0, false};
-        const Motion motion = run(input, HingeSet::crank_and_rod);
-        EXPECT_EQ(motion.end, MotionEnd::completed);
-        EXPECT_LT(deviation(motion, 100.0), 1e-8);
-        EXPECT_LT(motion.energy_drift, 1e-8);
-    }
-}
-
-TEST(ElasticHingeMotion, StretchedBranchKeepsTheSpeedToo) {
-    Input input = preset_zotov();
-    input.spring->guide_radius_at_zero = 0.11;
-    EXPECT_LT(run(input, HingeSet::crank).ripple, 1e-9);
 }
 
 TEST(ElasticHingeMotion, ProfileErrorShowsAsRipple) {
