@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFontDatabase>
-#include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -36,9 +35,8 @@ ScaleDialog::ScaleDialog(ScaleReader* reader, QWidget* parent) : QDialog(parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
     column->setSpacing(Theme::space);
-    auto* rows = new QFormLayout;
-    rows->setSpacing(Theme::space);
-    column->addLayout(rows);
+    auto* rows = new FormSection({}, this);
+    column->addWidget(rows);
     buildRows(rows);
     state_ = new QLabel(this);
     state_->setObjectName(QStringLiteral("scale_state"));
@@ -78,37 +76,29 @@ ScaleDialog::ScaleDialog(ScaleReader* reader, QWidget* parent) : QDialog(parent)
     showConnection();
 }
 
-void ScaleDialog::addRow(QFormLayout* rows, const QString& label, QWidget* field, const char* name,
-                         const QString& hint) {
-    field->setObjectName(QLatin1String(name));
-    field->setToolTip(hint);
-    QString spoken = label;
-    field->setAccessibleName(spoken.remove(QLatin1Char('&')));
-    field->setAccessibleDescription(hint);
-    rows->addRow(label, field);
-}
-
-QComboBox* ScaleDialog::addChoice(QFormLayout* rows, const char* name, const QString& label,
+QComboBox* ScaleDialog::addChoice(FormSection* rows, const char* name, const QString& label,
                                   const QString& hint, const QStringList& choices, int present) {
     auto* box = new QComboBox(this);
+    box->setObjectName(QLatin1String(name));
     box->addItems(choices);
     box->setCurrentIndex(present);
-    addRow(rows, label, box, name, hint);
+    rows->addWidget(label, box, {}, hint);
     connect(box, &QComboBox::activated, this, &ScaleDialog::apply);
     return box;
 }
 
-void ScaleDialog::buildRows(QFormLayout* rows) {
+void ScaleDialog::buildRows(FormSection* rows) {
     const ScaleSettings& present = reader_->settings();
     port_ = new QComboBox(this);
+    port_->setObjectName(QStringLiteral("scale_port"));
     port_->setEditable(true);
     limitLength(port_->lineEdit(), 1000);
     port_->setInsertPolicy(QComboBox::NoInsert);
     port_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     port_->setMinimumContentsLength(30);
     fillPorts();
-    addRow(rows, tr("&Port"), port_, "scale_port",
-           tr("Port of the scale; you can type a path such as /dev/ttyUSB0."));
+    rows->addWidget(tr("&Port"), port_, {},
+                    tr("Port of the scale; you can type a path such as /dev/ttyUSB0."));
     connect(port_, &QComboBox::activated, this, &ScaleDialog::apply);
     connect(port_->lineEdit(), &QLineEdit::editingFinished, this, &ScaleDialog::apply);
 
@@ -139,6 +129,7 @@ void ScaleDialog::buildRows(QFormLayout* rows) {
                         present.taking);
 
     resolution_ = new NumberField(resolutionField, this);
+    resolution_->setObjectName(QStringLiteral("scale_resolution"));
     resolution_->setOptional(true);
     if (present.resolution > 0.0) {
         resolution_->setValue(from_si(resolutionField, present.resolution));
@@ -146,13 +137,9 @@ void ScaleDialog::buildRows(QFormLayout* rows) {
     const QString hint =
         tr("Smallest step of the display; the uncertainty of masses follows. Also for a keyboard "
            "scale or manual reading.");
-    addRow(rows, tr("&Last digit d, %1").arg(resolution_->unit()), resolution_, "scale_resolution",
-           hint);
+    rows->addWidget(tr("&Last digit d, %1").arg(resolution_->unit()), resolution_, {}, hint);
     resolution_->setHint(hint);
     connect(resolution_, &NumberField::valueEdited, this, &ScaleDialog::apply);
-    auto* trouble = new TroubleLine(this);
-    trouble->watch(resolution_, false);
-    rows->addRow(trouble);
 }
 
 void ScaleDialog::fillPorts() {

@@ -3,7 +3,6 @@
 #include <QDialog>
 
 class QComboBox;
-class QFormLayout;
 class QLabel;
 class QPlainTextEdit;
 
@@ -12,6 +11,7 @@ namespace ravnoves {
 namespace shop {
 struct ScaleLine;
 }
+class FormSection;
 class NumberField;
 class ScaleReader;
 struct ScaleSettings;
@@ -25,10 +25,8 @@ class ScaleDialog : public QDialog {
     ScaleDialog(ScaleReader* reader, QWidget* parent);
 
   private:
-    void buildRows(QFormLayout* rows);
-    void addRow(QFormLayout* rows, const QString& label, QWidget* field, const char* name,
-                const QString& hint);
-    QComboBox* addChoice(QFormLayout* rows, const char* name, const QString& label,
+    void buildRows(FormSection* rows);
+    QComboBox* addChoice(FormSection* rows, const char* name, const QString& label,
                          const QString& hint, const QStringList& choices, int present);
     void fillPorts();
     ScaleSettings chosen() const;

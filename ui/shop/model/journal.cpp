@@ -74,14 +74,6 @@ bool Journal::failBy(const QString& what, const QSqlError& fault) {
     return fail(what, journal_rows::faultText(fault));
 }
 
-bool Journal::run(QSqlQuery& query, const QString& what) {
-    if (query.exec()) {
-        error_.clear();
-        return true;
-    }
-    return failBy(what, query.lastError());
-}
-
 bool Journal::runText(const QString& sql, const QString& what) {
     QSqlQuery query(database());
     return query.exec(sql) || failBy(what, query.lastError());
@@ -107,30 +99,27 @@ Journal::Saved Journal::saveOnce(JournalJob& job) {
     job.saved = QDateTime::currentDateTimeUtc();
     bool asCopy = false;
     if (job.id != 0) {
-        QSqlQuery query(database());
-        query.prepare(QStringLiteral("UPDATE job SET revision = revision + 1, (%1) = (%2)"
-                                     " WHERE id = ? AND revision = ?")
-                          .arg(journal_rows::written, journal_rows::places));
-        journal_rows::bind(query, job);
-        query.addBindValue(job.id);
-        query.addBindValue(job.revision);
-        if (!run(query, cannot)) {
+        const auto changed =
+            ask(QStringLiteral("UPDATE job SET revision = revision + 1, (%1) = (%2)"
+                               " WHERE id = ? AND revision = ?")
+                    .arg(journal_rows::written, journal_rows::places),
+                journal_rows::valuesOf(job) << job.id << job.revision, cannot);
+        if (!changed) {
             return Saved::No;
         }
-        if (query.numRowsAffected() == 1) {
+        if (changed->numRowsAffected() == 1) {
             ++job.revision;
             return Saved::Yes;
         }
         asCopy = true;  // changed or removed elsewhere: neither version is lost
     }
-    QSqlQuery query(database());
-    query.prepare(QStringLiteral("INSERT INTO job (revision, %1) VALUES (1, %2)")
-                      .arg(journal_rows::written, journal_rows::places));
-    journal_rows::bind(query, job);
-    if (!run(query, cannot)) {
+    const auto added = ask(QStringLiteral("INSERT INTO job (revision, %1) VALUES (1, %2)")
+                               .arg(journal_rows::written, journal_rows::places),
+                           journal_rows::valuesOf(job), cannot);
+    if (!added) {
         return Saved::No;
     }
-    job.id = query.lastInsertId().toLongLong();
+    job.id = added->lastInsertId().toLongLong();
     job.revision = 1;
     return asCopy ? Saved::AsCopy : Saved::Yes;
 }
@@ -146,7 +135,12 @@ std::optional<QSqlQuery> Journal::ask(const QString& sql, const QVariantList& va
     for (const QVariant& value : values) {
         query.addBindValue(value);
     }
-    return run(query, cannot) ? std::optional(std::move(query)) : std::nullopt;
+    if (!query.exec()) {
+        failBy(cannot, query.lastError());
+        return std::nullopt;
+    }
+    error_.clear();
+    return query;
 }
 
 std::optional<JournalJob> Journal::job(qint64 id) {

@@ -174,7 +174,6 @@ class Journal : public QObject {
     /// Runs a statement with values for its ?; nothing where it fails, see lastError().
     std::optional<QSqlQuery> ask(const QString& sql, const QVariantList& values,
                                  const QString& cannot);
-    bool run(QSqlQuery& query, const QString& what);
     bool runText(const QString& sql, const QString& what);
     bool fail(const QString& what, const QString& why);
     /// The same for a fault of the database.

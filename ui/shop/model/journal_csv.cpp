@@ -52,24 +52,12 @@ class CsvWriter {
 
 QString Journal::csvText(const QList<JournalJob>& jobs, const QLocale& locale) {
     const CsvWriter csv(locale);
-    static const QStringList columns{QStringLiteral("id"),
-                                     QStringLiteral("engine_number"),
-                                     QStringLiteral("date"),
-                                     QStringLiteral("customer"),
-                                     QStringLiteral("technician"),
-                                     QStringLiteral("engine"),
-                                     QStringLiteral("process"),
-                                     QStringLiteral("unbalanced_mass_g"),
-                                     QStringLiteral("recommended"),
-                                     QStringLiteral("reduction_g_per_plug"),
-                                     QStringLiteral("bob_weight_g"),
-                                     QStringLiteral("crankshaft_number"),
-                                     QStringLiteral("verdict"),
-                                     QStringLiteral("front_reading_g_mm"),
-                                     QStringLiteral("rear_reading_g_mm"),
-                                     QStringLiteral("scene"),
-                                     QStringLiteral("finished"),
-                                     QStringLiteral("saved_utc")};
+    static const QStringList columns =
+        QStringLiteral(
+            "id engine_number date customer technician engine process unbalanced_mass_g "
+            "recommended reduction_g_per_plug bob_weight_g crankshaft_number verdict "
+            "front_reading_g_mm rear_reading_g_mm scene finished saved_utc")
+            .split(QLatin1Char(' '));
     QString text = csv.line(columns);
     for (const JournalJob& job : jobs) {
         text += csv.line(

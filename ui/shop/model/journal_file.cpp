@@ -231,15 +231,23 @@ bool Journal::look() {
     return isJournal;
 }
 
-/// By SQLite's own check.
+namespace {
+
+/// The answer of SQLite's own check; nothing where the query cannot be run.
+std::optional<QString> checkBy(QSqlQuery& query) {
+    return query.exec(QStringLiteral("PRAGMA quick_check")) && query.next()
+               ? std::optional(query.value(0).toString())
+               : std::nullopt;
+}
+const QString whole = QStringLiteral("ok");
+
+}  // namespace
+
 bool Journal::isWhole() {
     const QString cannot = tr("The journal %1 cannot be read.").arg(path_);
     QSqlQuery query(database());
-    if (!query.exec(QStringLiteral("PRAGMA quick_check")) || !query.next()) {
-        return failBy(cannot, query.lastError());
-    }
-    const QString found = query.value(0).toString();
-    return found == QLatin1String("ok") || fail(cannot, found);
+    const auto found = checkBy(query);
+    return found ? found == whole || fail(cannot, *found) : failBy(cannot, query.lastError());
 }
 
 bool Journal::prepareSchema() {
@@ -346,26 +354,18 @@ bool Journal::fromVersionOne() {
         return false;
     }
     const QString cannot = tr("The journal %1 cannot be read.").arg(path_);
-    QSqlQuery rows(database());
-    rows.setForwardOnly(true);
-    if (!rows.exec(QStringLiteral("SELECT %1 FROM job").arg(journal_rows::columnsOfVersionOne))) {
-        return failBy(cannot, rows.lastError());
-    }
+    auto rows = ask(QStringLiteral("SELECT %1 FROM job").arg(journal_rows::columnsOfVersionOne), {},
+                    cannot);
     QList<JournalJob> jobs;
-    while (rows.next()) {
-        jobs << journal_rows::read(rows);
+    while (rows && rows->next()) {
+        jobs << journal_rows::read(*rows);
     }
-    for (const JournalJob& job : jobs) {
-        QSqlQuery query(database());
-        query.prepare(QStringLiteral("UPDATE job SET (%1) = (%2) WHERE id = ?")
-                          .arg(journal_rows::written, journal_rows::places));
-        journal_rows::bind(query, job);
-        query.addBindValue(job.id);
-        if (!run(query, cannot)) {
-            return false;
-        }
-    }
-    return true;
+    return rows && std::all_of(jobs.cbegin(), jobs.cend(), [&](const JournalJob& job) {
+               return ask(QStringLiteral("UPDATE job SET (%1) = (%2) WHERE id = ?")
+                              .arg(journal_rows::written, journal_rows::places),
+                          journal_rows::valuesOf(job) << job.id, cannot)
+                   .has_value();
+           });
 }
 
 bool Journal::runAll(const QStringList& statements) {
@@ -379,10 +379,8 @@ bool Journal::isDamaged() {
         return false;  // not there, or not allowed: nothing to set aside
     }
     QSqlQuery query(database());
-    if (!query.exec(QStringLiteral("PRAGMA quick_check"))) {
-        return journal_rows::meansDamaged(query.lastError());
-    }
-    return query.next() && query.value(0).toString() != QLatin1String("ok");
+    const auto found = checkBy(query);
+    return found ? found != whole : journal_rows::meansDamaged(query.lastError());
 }
 
 bool Journal::putAside(const QString& why) {
@@ -453,8 +451,7 @@ std::optional<Contents> contentsOf(const QSqlDatabase& database,
     query.exec(QStringLiteral("PRAGMA trusted_schema = OFF"));
     const auto head = headOf(query);
     if (!head || !head->isOurs || head->version < 1 || head->version > schemaVersion ||
-        !query.exec(QStringLiteral("PRAGMA quick_check")) || !query.next() ||
-        query.value(0).toString() != QLatin1String("ok")) {
+        checkBy(query) != whole) {
         return std::nullopt;
     }
     Contents found;

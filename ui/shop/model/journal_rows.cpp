@@ -115,18 +115,15 @@ JournalJob read(const QSqlQuery& query) {
     return job;
 }
 
-void bind(QSqlQuery& query, const JournalJob& job) {
-    for (const QVariant& value :
-         {QVariant(bare(job.engineNumber)), QVariant(bare(job.customer)),
-          QVariant(bare(job.technician)), QVariant(bare(job.engine)),
-          QVariant(bare(job.date.toString(Qt::ISODate))), QVariant(bare(job.process)),
-          orNull(job.unbalancedMass), QVariant(bare(job.recommended)), orNull(job.reduction),
-          orNull(job.bobWeight), stamp(job.saved), QVariant(bare(QString::fromUtf8(job.form))),
-          QVariant(bare(job.scene)), QVariant(bare(job.crankshaftNumber)), orNull(job.frontReading),
-          orNull(job.rearReading), QVariant(bare(job.verdict)), QVariant(job.isFinished ? 1 : 0),
-          QVariant(searchText(job))}) {
-        query.addBindValue(value);
-    }
+QVariantList valuesOf(const JournalJob& job) {
+    return QVariantList() << bare(job.engineNumber) << bare(job.customer) << bare(job.technician)
+                          << bare(job.engine) << bare(job.date.toString(Qt::ISODate))
+                          << bare(job.process) << orNull(job.unbalancedMass)
+                          << bare(job.recommended) << orNull(job.reduction) << orNull(job.bobWeight)
+                          << stamp(job.saved) << bare(QString::fromUtf8(job.form))
+                          << bare(job.scene) << bare(job.crankshaftNumber)
+                          << orNull(job.frontReading) << orNull(job.rearReading)
+                          << bare(job.verdict) << (job.isFinished ? 1 : 0) << searchText(job);
 }
 
 bool meansDamaged(const QSqlError& error) {

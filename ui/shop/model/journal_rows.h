@@ -16,11 +16,11 @@ extern const QString columnsOfVersionOne;
 
 /// The job in the query's present row. What a row of version 1 has not is taken from its form.
 JournalJob read(const QSqlQuery& query);
-/// The columns that bind() fills, in their order, and a place for each.
+/// The columns of valuesOf(), in their order, and a place for each.
 extern const QString written;
 extern const QString places;
-/// Binds all but id and revision to the next places.
-void bind(QSqlQuery& query, const JournalJob& job);
+/// All but id and revision.
+QVariantList valuesOf(const JournalJob& job);
 
 /// Lower case in every alphabet, so that a search finds "змз" in "ЗМЗ": SQLite folds ASCII only.
 QString folded(const QString& text);

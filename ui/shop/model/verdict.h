@@ -25,17 +25,13 @@ extern const QString passesWithWarnings;
 inline bool isWithheld(const QString& verdict) {
     return verdict == otherBobWeight || verdict == otherCrankshaft || verdict == stopped;
 }
-/// Which of them a run or the sheet has (its `read_on` and `read_with`); empty while valid.
-template <typename Read>
-QString otherWord(const Read& read) {
-    return read.read_on ? otherCrankshaft : read.read_with ? otherBobWeight : QString();
-}
-/// The word of a run or the sheet: its state, else its verdict.
+/// The word of a run or the sheet: its state (`read_on` and `read_with`), else its verdict.
 template <typename Read>
 QString readWord(const Read& read, const std::optional<bool>& measured,
                  const std::optional<bool>& corrected = {}, bool isPlanned = true) {
-    const QString other = otherWord(read);
-    return other.isEmpty() ? verdictWord(measured, corrected, isPlanned) : other;
+    return read.read_on     ? otherCrankshaft
+           : read.read_with ? otherBobWeight
+                            : verdictWord(measured, corrected, isPlanned);
 }
 /// What a verdict says of the crankshaft.
 enum class VerdictKind {
