@@ -70,20 +70,16 @@ void CardPage::box(double x, double y, double w, double h, const QColor& fill, c
     painter_.setBrush(Qt::NoBrush);
 }
 
-double CardPage::fittingType(const QString& text, double points, double w, bool bold) const {
-    double size = points;
-    while (size > smallestType && textWidth(text, size, bold) > w) {
-        size = std::max(smallestType, size - 0.25);
-    }
-    return size;
-}
-
 void CardPage::text(double x, double y, double w, const QString& text, double points,
                     Qt::Alignment align, bool bold, const QColor& colour) {
     if (measuring_) {
         return;
     }
-    const QFont face = font(fittingType(text, points, w, bold), bold);
+    double size = points;
+    while (size > smallestType && textWidth(text, size, bold) > w) {
+        size = std::max(smallestType, size - 0.25);
+    }
+    const QFont face = font(size, bold);
     painter_.setFont(face);
     painter_.setPen(colour);
     const QString shown = QFontMetricsF(face).elidedText(text, Qt::ElideRight, w * unit_ + 0.5);
@@ -200,33 +196,29 @@ double CardTable::tableWidth() const {
     return sum;
 }
 
-void CardTable::take(const Results& results, Bold bold) {
-    for (const ResultColumn& column : results.columns) {
-        head_ << column.heading;
-    }
-    for (const ResultRow& row : results.rows) {
-        const bool isLast = bold == Bold::Last && &row == &results.rows.constLast();
-        rows_.push_back({row.texts(), isLast || bold == Bold::All, isLast});
-    }
-}
-
-double CardTable::draw(CardPage& page, double x, double y) const {
-    if (rows_.empty()) {
+double CardTable::draw(CardPage& page, const Results& results, double x, double y) const {
+    if (results.rows.isEmpty()) {
         return 0.0;
     }
     double at = y;
     const double width = tableWidth();
-    if (!head_.isEmpty()) {
-        drawCells(page, x, at, {head_}, true);
-        at += heightOf(page, head_, false);
+    QStringList head;
+    for (const ResultColumn& column : results.columns) {
+        head << column.heading;
+    }
+    if (!head.isEmpty()) {
+        drawCells(page, x, at, head, false, true);
+        at += heightOf(page, head, false);
         page.line(x, at, x + width, at, 0.2, CardPage::ink);
     }
-    for (const Row& row : rows_) {
-        const double height = heightOf(page, row.cells, row.bold);
-        if (row.shaded) {
+    for (const ResultRow& row : results.rows) {
+        const bool isLast = bold_ == Bold::Last && &row == &results.rows.constLast();
+        const bool bold = isLast || bold_ == Bold::All;
+        const double height = heightOf(page, row.texts(), bold);
+        if (isLast) {
             page.box(x, at, width, height, CardPage::shade, QColor());
         }
-        drawCells(page, x, at, row, false);
+        drawCells(page, x, at, row.texts(), bold, false);
         at += height;
         page.line(x, at, x + width, at, 0.1, CardPage::hair);
     }
@@ -246,11 +238,10 @@ double CardTable::heightOf(const CardPage& page, const QStringList& texts, bool 
     return height;
 }
 
-void CardTable::drawCells(CardPage& page, double x, double y, const Row& row, bool caption) const {
+void CardTable::drawCells(CardPage& page, double x, double y, const QStringList& texts, bool bold,
+                          bool caption) const {
     const double above = (rowHeight_ - page.lineHeight(points_)) / 2.0;
     const QColor& colour = caption ? CardPage::grey : CardPage::ink;
-    const QStringList& texts = row.cells;
-    const bool bold = row.bold;
     for (std::size_t i = 0; i < columns_.size() && i < static_cast<std::size_t>(texts.size());
          ++i) {
         const QString& text = texts.at(static_cast<qsizetype>(i));

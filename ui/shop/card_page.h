@@ -50,8 +50,6 @@ class CardPage {
     void text(double x, double y, double w, const QString& text, double points = 8.5,
               Qt::Alignment align = Qt::AlignLeft, bool bold = false, const QColor& colour = ink);
     static constexpr double smallestType = 6.0;  ///< points; less is not read in a workshop
-    /// The type in which text() sets it, points.
-    double fittingType(const QString& text, double points, double w, bool bold = false) const;
     /// Height of wrapped text with all its lines, mm.
     double heightOf(const QString& text, double points, double w, bool bold = false) const;
     /// Wrapped text with all its lines.
@@ -114,24 +112,18 @@ class CardTable {
     };
     enum class Bold { None, Last, All };
 
-    CardTable(std::vector<Column> columns, double points, double rowHeight)
-        : columns_(std::move(columns)), points_(points), rowHeight_(rowHeight) {}
-
     /// @param bold  the last row is shaded, too
-    void take(const Results& results, Bold bold);
+    CardTable(std::vector<Column> columns, double points, double rowHeight, Bold bold)
+        : columns_(std::move(columns)), points_(points), rowHeight_(rowHeight), bold_(bold) {}
 
     /// @return the height, mm; nothing is drawn without rows
-    double draw(CardPage& page, double x, double y) const;
+    double draw(CardPage& page, const Results& results, double x, double y) const;
     double tableWidth() const;  ///< mm
 
   private:
-    struct Row {
-        QStringList cells;
-        bool bold = false;
-        bool shaded = false;
-    };
     double heightOf(const CardPage& page, const QStringList& texts, bool bold) const;
-    void drawCells(CardPage& page, double x, double y, const Row& row, bool caption) const;
+    void drawCells(CardPage& page, double x, double y, const QStringList& texts, bool bold,
+                   bool caption) const;
 
     static constexpr double inset = 0.6;  ///< of a text in its cell, mm
     /// Type of wrapped text, points: text too wide for a line even in this type.
@@ -140,8 +132,7 @@ class CardTable {
     std::vector<Column> columns_;
     double points_;
     double rowHeight_;
-    QStringList head_;
-    std::vector<Row> rows_;
+    Bold bold_;
 };
 
 }  // namespace ravnoves

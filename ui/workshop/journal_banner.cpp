@@ -7,27 +7,22 @@
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
 #include "workshop/model/job_desk.h"
+#include "workshop/workshop_sheet.h"
 
 namespace ravnoves {
 
 JournalBanner::JournalBanner(JobDesk* desk, QWidget* parent) : Panel(parent), desk_(desk) {
-    constexpr int buttonHeight = 34;  // designed pixels
     QHBoxLayout* row = rowIn(this, -1, barMargins);
     text_ = copyableLabel("banner", Theme::baseSize, this, true);
     row->addWidget(text_, 1);
-    const auto button = [&](const QString& name, const QString& text) {
-        auto* made = new QPushButton(text, this);
-        made->setObjectName(name);
-        made->setMinimumHeight(Theme::withText(buttonHeight));
-        row->addWidget(made);
-        return made;
-    };
-    restore_ = button(QStringLiteral("backup_restore"), tr("Restore the backup"));
-    close_ = button(QStringLiteral("banner_close"), tr("Understood"));
+    restore_ = largeButton("backup_restore", tr("Restore the backup"), this);
+    row->addWidget(restore_);
+    QPushButton* close = largeButton("banner_close", tr("Understood"), this);
+    row->addWidget(close);
     hide();
     connect(restore_, &QPushButton::clicked, this,
             [this] { Q_EMIT restoreWanted(desk_->offeredBackup()); });
-    connect(close_, &QPushButton::clicked, this, [this] {
+    connect(close, &QPushButton::clicked, this, [this] {
         said_.clear();
         hide();
     });

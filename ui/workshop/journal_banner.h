@@ -30,7 +30,6 @@ class JournalBanner : public Panel {
     QString said_;
     QLabel* text_;
     QPushButton* restore_;
-    QPushButton* close_;
 };
 
 }  // namespace ravnoves

@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QCheckBox>
-#include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -24,6 +23,7 @@
 #include "widgets/page_columns.h"
 #include "widgets/text_length.h"
 #include "workshop/model/listed_job.h"
+#include "workshop/workshop_sheet.h"
 
 namespace ravnoves {
 
@@ -100,16 +100,18 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
     limitLength(text_, 200);
     add(tr("&Search"), text_, 1);
     row = partOf(fields, 0);
-    from_ = new CheckedField(dayTrouble, this);
-    from_->setObjectName(QStringLiteral("journal_from"));
-    from_->setPlaceholderText(tr("any day"));
-    from_->setMaximumWidth(Theme::withText(110));
-    add(tr("&from"), from_, 0);
-    to_ = new CheckedField(dayTrouble, this);
-    to_->setObjectName(QStringLiteral("journal_to"));
-    to_->setPlaceholderText(tr("any day"));
-    to_->setMaximumWidth(Theme::withText(110));
-    add(tr("&to"), to_, 0);
+    const auto addDay = [&](const QString& name, const QString& label) {
+        auto* day = new CheckedField(dayTrouble, this);
+        day->setObjectName(name);
+        day->setPlaceholderText(tr("any day"));
+        day->setMaximumWidth(Theme::withText(110));
+        add(label, day, 0);
+        connect(day, &CheckedField::valueEdited, this, &JournalDialog::search);
+        connect(day, &CheckedField::troubleChanged, this, &JournalDialog::search);
+        return day;
+    };
+    from_ = addDay(QStringLiteral("journal_from"), tr("&from"));
+    to_ = addDay(QStringLiteral("journal_to"), tr("&to"));
     unfinished_ = new QCheckBox(tr("&unfinished only"), this);
     unfinished_->setObjectName(QStringLiteral("journal_unfinished"));
     row->addWidget(unfinished_);
@@ -144,35 +146,28 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
     column->addWidget(message_);
     FoldingRow* allButtons = folding();
     QHBoxLayout* buttons = partOf(allButtons, 1);
-    const auto button = [&](const QString& name, const QString& text) {
-        auto* made = new QPushButton(text, this);
-        made->setObjectName(name);
-        made->setMinimumHeight(Theme::withText(buttonHeight));
+    const auto button = [&](const char* name, const QString& text) {
+        QPushButton* made = largeButton(name, text, this, buttonHeight);
         made->setAutoDefault(false);
         buttons->addWidget(made);
         return made;
     };
-    open_ = button(QStringLiteral("journal_open"), tr("&Open"));
-    copy_ = button(QStringLiteral("journal_copy"), tr("&Copy as new job"));
-    remove_ = button(QStringLiteral("journal_remove"), tr("&Remove…"));
+    open_ = button("journal_open", tr("&Open"));
+    copy_ = button("journal_copy", tr("&Copy as new job"));
+    remove_ = button("journal_remove", tr("&Remove…"));
     buttons->addStretch();
     buttons = partOf(allButtons, 0);
-    export_ = button(QStringLiteral("journal_export"), tr("&Export list as CSV…"));
-    auto* close = button(QStringLiteral("journal_close"), tr("C&lose"));
+    export_ = button("journal_export", tr("&Export list as CSV…"));
+    auto* close = button("journal_close", tr("C&lose"));
     column->addWidget(allButtons);
 
     connect(text_, &QLineEdit::textChanged, this, &JournalDialog::search);
     connect(unfinished_, &QCheckBox::toggled, this, &JournalDialog::search);
-    connect(from_, &CheckedField::valueEdited, this, &JournalDialog::search);
-    connect(to_, &CheckedField::valueEdited, this, &JournalDialog::search);
-    for (CheckedField* day : {from_, to_}) {
-        connect(day, &CheckedField::troubleChanged, this, &JournalDialog::search);
-    }
-    connect(text_, &QLineEdit::returnPressed, this, [this] { choose(Choice::Open); });
+    connect(text_, &QLineEdit::returnPressed, this, [this] { choose(false); });
     text_->installEventFilter(this);
-    connect(table_, &QTableWidget::activated, this, [this] { choose(Choice::Open); });
-    connect(open_, &QPushButton::clicked, this, [this] { choose(Choice::Open); });
-    connect(copy_, &QPushButton::clicked, this, [this] { choose(Choice::Copy); });
+    connect(table_, &QTableWidget::activated, this, [this] { choose(false); });
+    connect(open_, &QPushButton::clicked, this, [this] { choose(false); });
+    connect(copy_, &QPushButton::clicked, this, [this] { choose(true); });
     connect(remove_, &QPushButton::clicked, this, &JournalDialog::removeSelected);
     connect(export_, &QPushButton::clicked, this, &JournalDialog::exportWithDialog);
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
@@ -301,10 +296,10 @@ qint64 JournalDialog::selectedId() const {
     return row >= 0 && row < jobs_.size() ? jobs_.at(row).id : 0;
 }
 
-void JournalDialog::choose(Choice choice) {
+void JournalDialog::choose(bool isCopy) {
     chosen_ = selectedId();
+    isCopy_ = isCopy;
     if (chosen_ != 0) {
-        choice_ = choice;
         accept();
     }
 }

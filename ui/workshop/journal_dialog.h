@@ -22,13 +22,11 @@ class JournalDialog : public QDialog {
     Q_OBJECT
 
   public:
-    enum class Choice { None, Open, Copy };
-
     explicit JournalDialog(Journal* journal, QWidget* parent = nullptr);
 
-    /// What the user wants with chosenId(); None where the dialog was only closed.
-    Choice choice() const { return choice_; }
+    /// The job that the user wants, to be copied or opened.
     qint64 chosenId() const { return chosen_; }
+    bool isCopy() const { return isCopy_; }
     /// As if it were typed.
     void searchFor(const QString& text);
     /// Writes the jobs listed to a CSV file. @return an empty string, or what went wrong
@@ -45,7 +43,7 @@ class JournalDialog : public QDialog {
     void search();
     void showDayTrouble(const JournalQuery& wanted);
     JournalQuery query() const;
-    void choose(Choice choice);
+    void choose(bool isCopy);
     void removeSelected();
     void exportWithDialog();
     qint64 selectedId() const;
@@ -55,8 +53,8 @@ class JournalDialog : public QDialog {
     Journal* journal_;
     QList<JournalJob> jobs_;
     bool truncated_ = false;  // more match than the list shows
-    Choice choice_ = Choice::None;
     qint64 chosen_ = 0;
+    bool isCopy_ = false;
     QLineEdit* text_;
     CheckedField* from_;
     CheckedField* to_;

@@ -3,8 +3,6 @@
 #include "page/compared_figure.h"
 #include "theme/theme.h"
 
-class QPainter;
-
 namespace ravnoves {
 
 class WorkshopModel;

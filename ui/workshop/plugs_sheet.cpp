@@ -131,19 +131,15 @@ void PlugsSheet::addValues(v8_plugs::EngineGroup group) {
 void PlugsSheet::addOwnEngineButtons() {
     auto* buttons = new QWidget(this);
     QHBoxLayout* row = rowIn(buttons, -1);
-    const auto button = [&](const QString& name, const QString& label) {
-        auto* made = new QPushButton(label, this);
-        made->setObjectName(name);
-        made->setMinimumHeight(Theme::withText(fieldHeight));
+    const auto button = [&](const char* name, const QString& label, void (PlugsSheet::*act)()) {
+        QPushButton* made = largeButton(name, label, this);
         row->addWidget(made);
+        connect(made, &QPushButton::clicked, this, act);
         return made;
     };
-    connect(button(QStringLiteral("save_engine"), tr("&Keep as own engine…")),
-            &QPushButton::clicked, this, &PlugsSheet::saveEngine);
-    rename_ = button(QStringLiteral("rename_engine"), tr("Rena&me…"));
-    connect(rename_, &QPushButton::clicked, this, &PlugsSheet::renameEngine);
-    remove_ = button(QStringLiteral("remove_engine"), tr("Remo&ve…"));
-    connect(remove_, &QPushButton::clicked, this, &PlugsSheet::removeEngine);
+    button("save_engine", tr("&Keep as own engine…"), &PlugsSheet::saveEngine);
+    rename_ = button("rename_engine", tr("Rena&me…"), &PlugsSheet::renameEngine);
+    remove_ = button("remove_engine", tr("Remo&ve…"), &PlugsSheet::removeEngine);
     const auto show = [this] {
         const bool own = model_->ownEngine(model_->engineIndex()) != nullptr;
         rename_->setEnabled(own);

@@ -154,12 +154,9 @@ void WeighInSheet::addColumn(int column) {
 
 NumberField* WeighInSheet::addCell(int row, int column) {
     const Field& description = WeighInTable::fieldOf(row);
-    auto* field = ordered(new NumberField(description, this));
-    field->setObjectName(WeighInTable::keyOf(row, column));
-    field->setAccessibleName(WeighInTable::nameOf(row, column));
+    NumberField* field = ordered(
+        cell(description, WeighInTable::keyOf(row, column), WeighInTable::nameOf(row, column)));
     field->setHint(WeighInTable::hintOf(row, column));
-    field->setOptional(true);
-    field->setSaysHowRead(true);
     if (row < WeighInTable::firstCylinder) {
         setTypedAlone(field);
     }
@@ -171,7 +168,6 @@ NumberField* WeighInSheet::addCell(int row, int column) {
     bind(
         field, description, [this, row, column] { return table_.mass(row, column); },
         [this, row, column](std::optional<double> mass) { table_.setMass(row, column, mass); });
-    makeCell(field);
     trouble_->watch(field);
     cells_.push_back(field);
     follow([this, field, row] { field->setVisible(row < table_.rows()); });
@@ -284,17 +280,13 @@ void WeighInSheet::addFindings() {
     summary->setObjectName(QStringLiteral("weigh_in_summary"));
     summary->setWordWrap(true);
     summary->setFont(Theme::font(Theme::baseSize, true));
-    auto* button = new QPushButton(tr("&Move them here"), this);
-    button->setObjectName(QStringLiteral("move_parts"));
+    QPushButton* button = largeButton("move_parts", tr("&Move them here"), this, cellHeight);
     button->setToolTip(tr("Moves the masses on this sheet with the parts."));
-    button->setMinimumHeight(Theme::withText(cellHeight));
     auto* found = new QHBoxLayout;
     found->addWidget(summary, 1);
     found->addWidget(button, 0, Qt::AlignTop);
-    auto* back = new QPushButton(tr("As &weighed"), this);
-    back->setObjectName(QStringLiteral("move_back"));
+    QPushButton* back = largeButton("move_back", tr("As &weighed"), this, cellHeight);
     back->setToolTip(tr("Returns the masses to the cylinders where they were weighed."));
-    back->setMinimumHeight(Theme::withText(cellHeight));
     // The button goes with what it does: under the focus it would hand it on to what follows, and
     // the sheet would scroll there.
     const auto handOn = [this](QPushButton* pressed, QPushButton* other,

@@ -27,17 +27,6 @@ namespace {
 
 constexpr int besideEachOther = 560;  ///< designed pixels that two need
 
-/// As low as labels have room beside its curves.
-class LowPlot : public PartPlot {
-  public:
-    LowPlot(SceneModel* model, std::string_view part, const QString& name, QWidget* parent)
-        : PartPlot(model, part, parent) {
-        setAccessibleName(name);
-        constexpr int height = 220;  // designed pixels
-        setMinimumHeight(Theme::withText(height));
-    }
-};
-
 }  // namespace
 
 WorkshopAnswer::WorkshopAnswer(WorkshopModel* model, QWidget* parent)
@@ -140,19 +129,20 @@ QWidget* WorkshopAnswer::buildDetails() {
     fold->setToolTip(tr("Charts that explain the bob weight or the plugs."));
     column->addWidget(fold);
     auto* plots = new FoldingRow(besideEachOther, holder);
-    const QList<QWidget*> ofPlugs{
-        new LowPlot(model_, "compensation",
-                    CompensationPlot::tr("Excess compensated over the lightening of one plug"),
-                    plots),
-        new LowPlot(model_, "shift",
-                    ShiftPlot::tr("Coefficient Δk over the shift Δr for five crank radii"), plots)};
-    auto* force = new LowPlot(
-        model_, "force",
-        ForcePlot::tr("First-order force of the cylinders on a bob weight, over a turn"), plots);
-    for (QWidget* plot : ofPlugs) {
+    const auto add = [&](std::string_view part, const QString& name) {
+        auto* plot = new PartPlot(model_, part, plots);
+        plot->setAccessibleName(name);
+        constexpr int height = 220;  // designed pixels: labels have room beside the curves
+        plot->setMinimumHeight(Theme::withText(height));
         plots->add(plot);
-    }
-    plots->add(force);
+        return plot;
+    };
+    const QList<QWidget*> ofPlugs{
+        add("compensation",
+            CompensationPlot::tr("Excess compensated over the lightening of one plug")),
+        add("shift", ShiftPlot::tr("Coefficient Δk over the shift Δr for five crank radii"))};
+    auto* force = add(
+        "force", ForcePlot::tr("First-order force of the cylinders on a bob weight, over a turn"));
     plots->hide();
     column->addWidget(plots);
     QLabel* note = copyableCaption("shift_note", holder);

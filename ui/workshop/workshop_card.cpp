@@ -41,7 +41,7 @@ struct Block {
     QString heading;
     std::vector<CardTable::Column> columns;
     Results table;  ///< without headings where all are empty
-    bool lastIsBold = false;
+    CardTable::Bold bold = CardTable::Bold::None;
     std::vector<Note> notes{};
 
     void say(const QString& text, const QColor& colour = CardPage::ink) {
@@ -54,11 +54,10 @@ struct Block {
 /// @return where it ends, mm
 double drawBlock(CardPage& page, const Block& block, double y, double rowHeight) {
     const double points = std::clamp((rowHeight - 0.2) / page.lineHeight(1.0), 6.0, 8.5);
-    CardTable table(block.columns, points, rowHeight);
-    table.take(block.table, block.lastIsBold ? CardTable::Bold::Last : CardTable::Bold::None);
+    const CardTable table(block.columns, points, rowHeight, block.bold);
     page.heading(cardLeft, y, table.tableWidth(), block.heading);
     y += headingHeight;
-    y += table.draw(page, cardLeft, y);
+    y += table.draw(page, block.table, cardLeft, y);
     for (const Note& note : block.notes) {
         y += aboveNote;
         y += page.paragraph(cardLeft, y, cardWidth, note.text, notePoints, note.isWarning(),
@@ -274,8 +273,6 @@ std::vector<Block> plugBlocks(const Words& words, const WorkshopModel& model) {
         if (!option) {
             continue;
         }
-        const bool isFitted = v8_plugs::needs_new_crankshaft(id) ==
-                              (input.crankshaft == v8_plugs::Crankshaft::new_plugs);
         const bool works = option->feasible && result.can_be_made(id);
         const QString verdict = works ? words.translate("JobCard", "works")
                                       : words.translate("JobCard", "does not work");
@@ -283,7 +280,7 @@ std::vector<Block> plugBlocks(const Words& words, const WorkshopModel& model) {
             v8_text::optionName(words, id), words.cell(option->required_reduction, units::gram, 3),
             words.cell(option->max_reduction, units::gram, 3),
             words.cell(option->residual_unbalance, units::gram_mm, 1),
-            isFitted
+            model.isFitted(id)
                 ? verdict
                 : words.translate("JobCard", "other crankshaft") + QStringLiteral(": ") + verdict};
     }
@@ -486,9 +483,9 @@ double WorkshopCard::clocks(CardPage& page, double y) const {
                        .lineWidth = 0.3 * page.unit()});
         }
         at += clock + 1.0;
-        CardTable holes({{38, Qt::AlignLeft}, {20}, {15}, {15}}, 9.0, 5.2);
-        holes.take(model_.holeResults(words_, plane), CardTable::Bold::All);
-        at += holes.draw(page, x, at);
+        const CardTable holes({{38, Qt::AlignLeft}, {20}, {15}, {15}}, 9.0, 5.2,
+                              CardTable::Bold::All);
+        at += holes.draw(page, model_.holeResults(words_, plane), x, at);
         end = std::max(end, at);
     }
     // By another convention a hole is drilled on the wrong side.
@@ -558,7 +555,7 @@ void WorkshopCard::draw(CardPage& page) const {
             columns = {{58, Qt::AlignLeft}, {18}, {20}, {20}};
         }
         parts.push_back({words_.translate("BobWeights", "Bob weight, line by line"),
-                         std::move(columns), model_.lineResults(words_), true});
+                         std::move(columns), model_.lineResults(words_), CardTable::Bold::Last});
     }
     if (model_.plugs() != nullptr) {
         for (Block& block : plugBlocks(words_, model_)) {

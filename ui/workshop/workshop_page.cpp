@@ -11,7 +11,6 @@
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QSettings>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTimer>
@@ -542,7 +541,7 @@ bool WorkshopPage::isJobKnown() {
         if (answer != 0) {
             return answer == 1;
         }
-        desk()->replaceInJournal(*same);
+        desk()->setJob(same->id, same->revision);
     }
     QString text;
     if (const QString there = same ? QString() : desk()->otherEngine(); !there.isEmpty()) {
@@ -560,7 +559,7 @@ bool WorkshopPage::isJobKnown() {
     }
     const int answer = ask(text, {tr("Save as a &new job"), tr("&Change that job")}, 0);
     if (answer == 0 || (same && answer < 0)) {
-        desk()->forgetJob();
+        desk()->setJob();
     }
     return answer >= 0;
 }
@@ -593,7 +592,7 @@ void WorkshopPage::showJournal(const QString& search) {
     dialog.searchFor(search);
     connect(&dialog, &JournalDialog::removed, desk(), &JobDesk::missJob);
     if (dialog.exec() == QDialog::Accepted) {
-        bringJob(dialog.chosenId(), dialog.choice() == JournalDialog::Choice::Copy);
+        bringJob(dialog.chosenId(), dialog.isCopy());
     }
 }
 
@@ -612,7 +611,7 @@ void WorkshopPage::bringJob(qint64 id, bool isCopy) {
     if ((!isCopy && showOther(isOpenThere)) || !mayReplaceJob()) {
         return;
     }
-    const QString trouble = isCopy ? desk()->copyJob(id) : desk()->openJob(id);
+    const QString trouble = desk()->openJob(id, isCopy);
     Q_EMIT status({});  // what was said of the sheet before
     if (!trouble.isEmpty()) {
         QMessageBox::warning(this, tr("Journal"), trouble);

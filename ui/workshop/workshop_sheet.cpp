@@ -228,10 +228,8 @@ void WorkshopSheet::withPlugs(bool there) {
 
 QPushButton* WorkshopSheet::button(const char* name, const QString& label, const QString& tip,
                                    std::function<void()> press) {
-    auto* made = new QPushButton(label, current());
-    made->setObjectName(QLatin1String(name));
+    QPushButton* made = largeButton(name, label, current());
     made->setToolTip(tip);
-    made->setMinimumHeight(Theme::withText(fieldHeight));
     current()->addWide(made);
     connect(made, &QPushButton::clicked, this, std::move(press));
     return made;
@@ -290,6 +288,13 @@ void WorkshopSheet::finish() {
     for (QLabel* label : without) {
         label->setText(withMnemonic(label->text(), used));
     }
+}
+
+QPushButton* largeButton(const char* name, const QString& text, QWidget* parent, int height) {
+    auto* made = new QPushButton(text, parent);
+    made->setObjectName(QLatin1String(name));
+    made->setMinimumHeight(Theme::withText(height));
+    return made;
 }
 
 }  // namespace ravnoves

@@ -115,4 +115,8 @@ class WorkshopSheet : public Form {
     QList<QList<QList<QWidget*>>> grids_;
 };
 
+/// A button as high as the fields of a sheet.
+QPushButton* largeButton(const char* name, const QString& text, QWidget* parent,
+                         int height = WorkshopSheet::fieldHeight);
+
 }  // namespace ravnoves

@@ -19,6 +19,7 @@
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "events.h"
+#include "files.h"
 #include "painted.h"
 #include "scenes/scenes.h"
 #include "theme/theme.h"
@@ -166,6 +167,12 @@ class JobPageTest : public ::testing::Test {
         QTest::keyClick(&page, key, modifiers);
     }
     void save() { press(Qt::Key_F2); }
+    /// Saves and answers the question. @return what was asked
+    QString saveAnd(const QString& button) {
+        const auto asked = answer(button);
+        save();
+        return *asked;
+    }
     void act(const QString& name) {
         for (QAction* action : page.sceneActions()) {
             if (action != nullptr && action->objectName() == name) {
@@ -196,9 +203,13 @@ class JobPageTest : public ::testing::Test {
         return asked;
     }
 
-    static void answer(QMessageBox::StandardButton button) {
-        whenModal<QMessageBox>(
-            [button](QMessageBox* box) { QTest::mouseClick(box->button(button), Qt::LeftButton); });
+    static std::shared_ptr<QString> answer(QMessageBox::StandardButton button) {
+        auto asked = std::make_shared<QString>();
+        whenModal<QMessageBox>([=](QMessageBox* box) {
+            *asked = box->text();
+            QTest::mouseClick(box->button(button), Qt::LeftButton);
+        });
+        return asked;
     }
 
     int rowsOf(const char* accessibleName) {
@@ -240,7 +251,19 @@ class JobPageTest : public ::testing::Test {
     test::Painted onCard;  ///< by card()
 };
 
-/// The same with a job of plugs.
+/// The same with the masses of the shop's card.
+class CardJobTest : public JobPageTest {
+  protected:
+    CardJobTest() { typeShopCard(); }
+};
+
+/// And with the machine's readings, in planes at 60 and 480 mm.
+class ReadJobTest : public CardJobTest {
+  protected:
+    ReadJobTest() { typeReadings(); }
+};
+
+/// A job of plugs.
 class PlugsPageTest : public JobPageTest {
   protected:
     PlugsPageTest() {

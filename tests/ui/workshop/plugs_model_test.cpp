@@ -48,15 +48,6 @@ TEST_F(PlugsModelTest, ResultIsTheCommandLines) {
               u"Replace all 8 plugs by aluminium plugs, lightened by 0.56\u00A0g each."_s);
 }
 
-TEST_F(PlugsModelTest, NumbersAreOfTheLanguageChosenLater) {
-    PlugsModel model;
-    model.loadInput(plugsJob("v8-6-manufacture.case.json"), {});
-    const QLocale before;
-    QLocale::setDefault(QLocale(QLocale::Russian));
-    EXPECT_TRUE(model.adviceText().contains(u"0,56"_s)) << model.adviceText().toStdString();
-    QLocale::setDefault(before);
-}
-
 TEST_F(PlugsModelTest, OptionsWithConstantSlopeReachNeedAndWhatIsLeft) {
     PlugsModel model;
     model.loadInput(repairJob(), {});
@@ -283,25 +274,6 @@ TEST_F(PlugsModelTest, ShiftOfThePlannedBoreIsSaid) {
     EXPECT_EQ(model.plugs()->shift_that_matters(), nullptr);
 }
 
-TEST_F(PlugsModelTest, SpreadAbovePermittedIsWarnedOf) {
-    PlugsModel model;
-    model.editWeights(u"weigh"_s, [](shop::WeighIn& sheet) {
-        PartColumn& pistons = sheet[Part::piston];
-        pistons.nominal = 600 * gram;
-        pistons.permitted_spread = 2 * gram;
-        for (std::size_t i = 0; i < 8; ++i) {
-            pistons.mass[i] = (600.0 + static_cast<double>(i)) * gram;
-        }
-    });
-    EXPECT_TRUE(model.columnNote(Part::piston).tooWide);
-    EXPECT_TRUE(model.plugs()->advice);
-    EXPECT_TRUE(says(model, u"Piston: range 7.00"_s));
-    EXPECT_NEAR(model.plugs()->changes.repair_piston_and_rings, 3.5 * gram, 1e-12);
-    EXPECT_EQ(model.assignmentResults().rows.size(), 2);
-    EXPECT_TRUE(model.assignmentText().contains(u"after moving"_s));
-    EXPECT_EQ(model.crankpinResults().rows.at(1).constLast(), u"0.00"_s);
-}
-
 TEST_F(PlugsModelTest, JobsAreSavedOpenedChangedAndCopied) {
     PlugsModel model(path());
     ASSERT_TRUE(model.desk()->openJournal()) << qPrintable(model.desk()->journalTrouble());
@@ -347,7 +319,7 @@ TEST_F(PlugsModelTest, JobsAreSavedOpenedChangedAndCopied) {
     EXPECT_EQ(model.variants().size(), 1);
     EXPECT_EQ(model.notes(), u"Ждать поршней"_s);
 
-    EXPECT_EQ(model.desk()->copyJob(id), QString());
+    EXPECT_EQ(model.desk()->openJob(id, true), QString());
     EXPECT_TRUE(model.variants().isEmpty());
     EXPECT_TRUE(model.notes().isEmpty());
     EXPECT_EQ(model.desk()->jobId(), 0);
@@ -443,10 +415,7 @@ TEST_F(PlugsModelTest, OwnEnginesAreKept) {
 }
 
 TEST_F(PlugsModelTest, DamagedJournalIsSaidOnThePage) {
-    QFile file(path());
-    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write("not a journal, but something that the user may want to keep");
-    file.close();
+    test::writeFile(path(), "not a journal, but something that the user may want to keep");
     PlugsModel model(path());
     EXPECT_TRUE(model.desk()->openJournal());
     EXPECT_TRUE(model.desk()->journalTrouble().contains(u"damaged"_s));

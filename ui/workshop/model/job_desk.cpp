@@ -93,7 +93,7 @@ void JobDesk::moveDrafts() {
     }
 }
 
-void JobDesk::putJobId(qint64 id, int revision) {
+void JobDesk::setJob(qint64 id, int revision) {
     jobId_ = id;
     jobRevision_ = revision;
 }
@@ -102,14 +102,10 @@ bool JobDesk::isNameless() const {
     return jobId_ == 0 && !isNamed(model_->journalEntry()) && model_->hasNumbers();
 }
 
-void JobDesk::forgetJob() {
-    putJobId(0, 0);
-}
-
 void JobDesk::missJob(qint64 removed) {
     for (JobDesk* desk : QList(desks())) {
         if (desk->journalPath_ == journalPath_ && desk->jobId_ == removed) {
-            desk->putJobId(0, 0);
+            desk->setJob();
             desk->isJournaled_ = false;
             if (!CaseDocument::hasFile(*desk->model_)) {
                 desk->model_->history()->resetClean();
@@ -121,19 +117,15 @@ void JobDesk::missJob(qint64 removed) {
 
 void JobDesk::replaceJob(qint64 id, int revision, const std::function<void()>& take) {
     const auto before = std::pair(jobId_, jobRevision_);
-    putJobId(id, revision);
+    setJob(id, revision);
     try {
         take();
     } catch (...) {
-        putJobId(before.first, before.second);
+        setJob(before.first, before.second);
         throw;
     }
     // What was rejected was typed for another job, and one value may be that of both.
     Q_EMIT model_->broughtIn();
-}
-
-void JobDesk::beginJob(const std::function<void()>& take) {
-    replaceJob(0, 0, take);
     Q_EMIT model_->restarted();
 }
 
@@ -243,7 +235,7 @@ std::optional<JournalJob> JobDesk::sameJob() {
                              are(there.crankshaftNumber, here.crankshaftNumber)) &&
                             isSameEngine(there, here);
         if (isSame && isSameForm(there.form)) {
-            replaceInJournal(there);
+            setJob(there.id, there.revision);
             return std::nullopt;
         }
         if (isSame) {
@@ -294,7 +286,7 @@ void JobDesk::takeSaved(const JournalJob& job) {
     if (!job.technician.isEmpty()) {
         QSettings().setValue(technicianKey, job.technician);
     }
-    putJobId(job.id, job.revision);
+    setJob(job.id, job.revision);
     isJournaled_ = true;
     if (CaseDocument::hasFile(*model_) && model_->hasChanges()) {
         Q_EMIT model_->historyChanged();  // its place is kept for a crash
@@ -320,23 +312,7 @@ QString JobDesk::savedText(Journal::Saved saved, const JournalJob& job) const {
     return said.join(QLatin1Char(' '));
 }
 
-QString JobDesk::takeForm(const QByteArray& form, qint64 id, int revision, bool isCopy) {
-    try {
-        const CaseFile file = parse_shown_case(form.toStdString());
-        if (file.scene != model_->sceneName().toStdString()) {
-            throw InputError("/scene",
-                             {CORE_TEXT("core", "must be one of %1"),
-                              quoted_list({model_->sceneName().toStdString()})},
-                             file.scene);
-        }
-        replaceJob(isCopy ? 0 : id, isCopy ? 0 : revision, [&] { model_->takeJob(file, isCopy); });
-        return {};
-    } catch (const InputError& error) {
-        return tr("The job's sheet cannot be read: %1").arg(errorText(error));
-    }
-}
-
-QString JobDesk::takeJob(qint64 id, bool isCopy) {
+QString JobDesk::openJob(qint64 id, bool isCopy) {
     if (!openJournal()) {
         return journalTrouble_;
     }
@@ -344,11 +320,20 @@ QString JobDesk::takeJob(qint64 id, bool isCopy) {
     if (!job) {
         return journal_->lastError();
     }
-    QString trouble = takeForm(job->form, job->id, job->revision, isCopy);
-    if (trouble.isEmpty()) {
-        Q_EMIT model_->restarted();
+    try {
+        const CaseFile file = parse_shown_case(job->form.toStdString());
+        if (file.scene != model_->sceneName().toStdString()) {
+            throw InputError("/scene",
+                             {CORE_TEXT("core", "must be one of %1"),
+                              quoted_list({model_->sceneName().toStdString()})},
+                             file.scene);
+        }
+        replaceJob(isCopy ? 0 : id, isCopy ? 0 : job->revision,
+                   [&] { model_->takeJob(file, isCopy); });
+        return {};
+    } catch (const InputError& error) {
+        return tr("The job's sheet cannot be read: %1").arg(errorText(error));
     }
-    return trouble;
 }
 
 JournalJob JobDesk::entryOf(const shop::JobHeader& head) {

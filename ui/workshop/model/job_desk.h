@@ -37,12 +37,10 @@ class JobDesk : public QObject {
     /// Id of the job on the sheet; 0 where it is not in the journal.
     qint64 jobId() const { return jobId_; }
     int jobRevision() const { return jobRevision_; }
-    /// Another case comes in that is no job of the journal.
-    void forgetJob();
-    /// `take` brings another job onto the sheet.
+    /// Saving takes the place of that job of the journal; 0: of none.
+    void setJob(qint64 id = 0, int revision = 0);
+    /// `take` brings another job onto the sheet; a new one (0) is of no file.
     void replaceJob(qint64 id, int revision, const std::function<void()>& take);
-    /// The same with a new job, which is of no file.
-    void beginJob(const std::function<void()>& take);
     /// The engine of the job in the journal that saving would overwrite, where the sheet has
     /// another engine's or crankshaft's number or another kind of engine; empty else.
     QString otherEngine();
@@ -53,8 +51,6 @@ class JobDesk : public QObject {
     /// A job was removed from the journal: whose sheet it is on, there or elsewhere in the program,
     /// is not in it any more and says so.
     void missJob(qint64 removed);
-    /// Saving takes the place of that one.
-    void replaceInJournal(const JournalJob& job) { putJobId(job.id, job.revision); }
     /// The verdict of the finished job in the journal that saving would put a withheld one in the
     /// place of; empty where it would not.
     QString verdictToLose();
@@ -75,9 +71,8 @@ class JobDesk : public QObject {
     /// What came with it is looked at.
     void takeRestored();
     /// Opens a job. @return an empty string, or what went wrong
-    QString openJob(qint64 id) { return takeJob(id, false); }
-    /// Its parts for another engine of the kind, as a new job.
-    QString copyJob(qint64 id) { return takeJob(id, true); }
+    /// @param isCopy  its parts for another engine of the kind, as a new job
+    QString openJob(qint64 id, bool isCopy = false);
 
     /// What the case of a job is known by: both numbers and the customer, where it has them. Empty
     /// for other cases.
@@ -102,13 +97,10 @@ class JobDesk : public QObject {
     /// A name alone makes no other engine.
     bool isSameEngine(const JournalJob& there, const JournalJob& here) const;
     void moveDrafts();
-    void putJobId(qint64 id, int revision);
     void takeSaved(const JournalJob& job);
     QString savedText(Journal::Saved saved, const JournalJob& job) const;
     QByteArray formText() const;
     bool isSameForm(const QByteArray& form) const;
-    QString takeJob(qint64 id, bool isCopy);
-    QString takeForm(const QByteArray& form, qint64 id, int revision, bool isCopy);
 
     WorkshopModel* model_;
     QString cardLanguage_;

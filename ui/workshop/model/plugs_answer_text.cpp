@@ -25,28 +25,6 @@ bool methodAlone(const v8_plugs::Result& solution, OptionId option) {
     return effect && effect->matters;
 }
 
-QStringList engineTroubles(const Words& words, const v8_plugs::Engine& engine) {
-    QStringList list;
-    for (const EngineConflict& conflict : engine_conflicts(engine)) {
-        list << words.translate("V8", "%1: must be less than the plug's mass, %2.")
-                    .arg(words.name(conflict.reduction->field),
-                         grams(words, conflict.plug_mass, 3));
-    }
-    return list;
-}
-
-QStringList plugSheetTroubles(const Words& words, const PlugSheet& plug) {
-    QStringList list;
-    const auto geometry = plug.geometry();
-    if (const auto fault = geometry ? geometry_fault(*geometry) : std::nullopt) {
-        list << words.message(*fault);
-    }
-    if (plug.bore_diameter.has_value() != plug.bore_depth.has_value()) {
-        list << words.translate("V8", "Enter both diameter and depth of the bore.");
-    }
-    return list;
-}
-
 }  // namespace
 
 QStringList WorkshopModel::missingForPlugs(const Words& words, bool withBobWeight) const {
@@ -65,9 +43,19 @@ QStringList WorkshopModel::plugTroubles(const Words& words) const {
     if (plugs() == nullptr) {
         return {};
     }
-    QStringList list = engineTroubles(words, plugsInput()->engine);
-    if (plugsInput()->plug) {
-        list << plugSheetTroubles(words, *plugsInput()->plug);
+    QStringList list;
+    for (const EngineConflict& conflict : engine_conflicts(plugsInput()->engine)) {
+        list << words.translate("V8", "%1: must be less than the plug's mass, %2.")
+                    .arg(words.name(conflict.reduction->field),
+                         grams(words, conflict.plug_mass, 3));
+    }
+    const PlugSheet plug = plugsInput()->plug.value_or(PlugSheet{});
+    const auto geometry = plug.geometry();
+    if (const auto fault = geometry ? geometry_fault(*geometry) : std::nullopt) {
+        list << words.message(*fault);
+    }
+    if (plug.bore_diameter.has_value() != plug.bore_depth.has_value()) {
+        list << words.translate("V8", "Enter both diameter and depth of the bore.");
     }
     return list;
 }

@@ -98,6 +98,57 @@ bool forgetCrank(Job& input, const Job& before) {
     return input != whole;
 }
 
+bool hasReading(const Correction& correction) {
+    return std::ranges::any_of(correction.readings,
+                               [](const Reading& reading) { return has_number(reading); });
+}
+
+/// What has nothing in it is not there.
+void dropEmpty(Job& input) {
+    const auto drop = [](auto& object) {
+        if (object && *object == typename std::decay_t<decltype(object)>::value_type{}) {
+            object.reset();
+        }
+    };
+    drop(input.tolerance);
+    if (!input.correction) {
+        return;
+    }
+    drop(input.correction->slug);
+    const auto isBlank = [](const Plane& plane) { return plane == Plane{}; };
+    if (std::ranges::all_of(input.correction->planes, isBlank)) {
+        Correction whole = *input.correction;
+        whole.planes.resize(2);
+        whole.readings.resize(2);
+        input.correction->planes.clear();  // readings alone have a verdict
+        if (whole == Correction{}) {
+            input.correction.reset();
+        }
+    }
+}
+
+/// The card has become another crankshaft's: the readings are marked with their own.
+/// @param before  the editing
+void noteShaft(Job& input, const Job& before) {
+    if (!input.correction || !before.correction) {
+        return;
+    }
+    const auto note = [&](auto& readings, const auto& old) {
+        for (std::size_t i = 0; i < std::min(readings.size(), old.size()); ++i) {
+            if (readings[i].unbalance) {
+                readings[i].shaft = old[i].shaft;
+                readings[i].shaft.note(before.job, input.job);
+            }
+        }
+    };
+    Correction& now = *input.correction;
+    const Correction& then = *before.correction;
+    note(now.readings, then.readings);
+    for (std::size_t i = 0; i < std::min(now.earlier_runs.size(), then.earlier_runs.size()); ++i) {
+        note(now.earlier_runs[i].readings, then.earlier_runs[i].readings);
+    }
+}
+
 /// Notes what the holes were planned from once the readings are others: what is put right
 /// afterwards drills nothing and fills no hole.
 void noteCorrected(DrillingRecord& record, const std::vector<Reading>& before,
@@ -209,10 +260,7 @@ void WorkshopModel::takePlace(const Json& place) {
                    ? place.at(key).get<qint64>()
                    : 0;
     };
-    JournalJob job;
-    job.id = number("id");
-    job.revision = static_cast<int>(number("revision"));
-    desk_.replaceInJournal(job);
+    desk_.setJob(number("id"), static_cast<int>(number("revision")));
 }
 
 /// A sheet without a job, such as a preset's, becomes one as any new job is: of today.
@@ -238,7 +286,7 @@ QString WorkshopModel::jobName() const {
 }
 
 void WorkshopModel::aboutToLoad() {
-    desk_.forgetJob();
+    desk_.setJob();
     otherForm_.reset();
     carried_.reset();
     isLoading_ = true;
@@ -266,34 +314,15 @@ QString WorkshopModel::engineTrouble(const Job& next) {
                : QString();
 }
 
-void WorkshopModel::dropEmpty(Job& input) {
-    const auto drop = [](auto& object) {
-        if (object && *object == typename std::decay_t<decltype(object)>::value_type{}) {
-            object.reset();
-        }
-    };
-    drop(input.tolerance);
-    if (!input.correction) {
-        return;
-    }
-    drop(input.correction->slug);
-    const auto isBlank = [](const Plane& plane) { return plane == Plane{}; };
-    if (std::ranges::all_of(input.correction->planes, isBlank)) {
-        Correction whole = *input.correction;
-        whole.planes.resize(2);
-        whole.readings.resize(2);
-        input.correction->planes.clear();  // readings alone have a verdict
-        if (whole == Correction{}) {
-            input.correction.reset();
-        }
-    }
-}
-
 QString WorkshopModel::edit(const QString& name, const std::function<void(Job&)>& mutate,
                             const QString& title) {
     Job next = input();
-    if (bobWeightAsLoaded_) {
-        noteBobWeight(next, *bobWeightAsLoaded_);
+    if (bobWeightAsLoaded_ && next.correction) {
+        for (Reading& reading : next.correction->readings) {
+            if (reading.unbalance && !reading.bob_weight) {
+                reading.bob_weight = bobWeightAsLoaded_;
+            }
+        }
     }
     mutate(next);
     const bool isOtherCrank = carried_ && isSameCrank(input().engine, carried_->engine) &&
@@ -320,36 +349,6 @@ QString WorkshopModel::edit(const QString& name, const std::function<void(Job&)>
         Q_EMIT crankForgotten();
     }
     return why;
-}
-
-void WorkshopModel::noteBobWeight(Job& input, double bobWeight) {
-    if (input.correction) {
-        for (Reading& reading : input.correction->readings) {
-            if (reading.unbalance && !reading.bob_weight) {
-                reading.bob_weight = bobWeight;
-            }
-        }
-    }
-}
-
-void WorkshopModel::noteShaft(Job& input, const Job& before) {
-    if (!input.correction || !before.correction) {
-        return;
-    }
-    const auto note = [&](auto& readings, const auto& old) {
-        for (std::size_t i = 0; i < std::min(readings.size(), old.size()); ++i) {
-            if (readings[i].unbalance) {
-                readings[i].shaft = old[i].shaft;
-                readings[i].shaft.note(before.job, input.job);
-            }
-        }
-    };
-    Correction& now = *input.correction;
-    const Correction& then = *before.correction;
-    note(now.readings, then.readings);
-    for (std::size_t i = 0; i < std::min(now.earlier_runs.size(), then.earlier_runs.size()); ++i) {
-        note(now.earlier_runs[i].readings, then.earlier_runs[i].readings);
-    }
 }
 
 QString WorkshopModel::editField(const std::string& pointer, const FieldValue& value,
@@ -513,9 +512,7 @@ QString WorkshopModel::editReading(const QString& name, std::size_t shownRun, st
             (isAngle ? reading.unbalance : reading.angle).reset();  // read again with it
         }
         set(reading);
-        const bool isEmpty =
-            std::none_of(correction.readings.begin(), correction.readings.end(),
-                         [](const Reading& reading) { return has_number(reading); });
+        const bool isEmpty = !hasReading(correction);
         if (isEmpty) {
             correction.record = {};
         } else {
@@ -621,7 +618,7 @@ void WorkshopModel::newJob() {
     next.job.technician = input().job.technician;
     otherForm_.reset();
     carried_ = next;
-    desk_.beginJob([&] {
+    desk_.replaceJob(0, 0, [&] {
         setTitle({});
         // Undo must not bring another job's values under this job's number.
         restart(next);
@@ -670,10 +667,7 @@ bool WorkshopModel::hasNumbers() const {
         return (input().parts.*part.member).has_value();
     });
     const bool isWeighed = input().weigh_in && !input().weigh_in->is_empty();
-    const bool isRead =
-        input().correction &&
-        std::any_of(input().correction->readings.begin(), input().correction->readings.end(),
-                    [](const Reading& reading) { return has_number(reading); });
+    const bool isRead = input().correction && hasReading(*input().correction);
     return isTyped || isWeighed || isRead || (hasPlugs() && input().plugs->has_typed_changes());
 }
 

@@ -215,9 +215,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// Values typed or weighed, but not used (yet).
     QStringList notCounted(const Words& words = {}) const;
     /// Faults and notes beside the verdict, a sentence each.
-    QStringList troubles() const { return troubles(Words(), false); }
     /// @param withDoubts  and what the verdict says of doubts
-    QStringList troubles(const Words& words, bool withDoubts) const;
+    QStringList troubles(const Words& words = {}, bool withDoubts = false) const;
 
     /// Whether the crankpins differ, so that the bob weight is only their mean.
     bool isMean() const;
@@ -267,6 +266,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// range and by the planned bore.
     QString shiftText(const Words& words = {}) const;
     QString checkText() const;  ///< after equals nominal
+    /// Whether an option is for the crankshaft that there is.
+    bool isFitted(v8_plugs::OptionId id) const;
     QString toleranceText() const;
     QString plugWeightText() const;
     Results optionResults() const;
@@ -312,8 +313,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     std::size_t firstRun() const;
     /// That hangs on the crankpins, doubted or not.
     std::optional<double> bobWeightNow() const { return solved().found.shaft.bob_weight; }
-    /// What has nothing in it is not there.
-    static void dropEmpty(Input& input);
     /// Why there are not such an engine and such plugs; empty where there may be.
     static QString engineTrouble(const Input& next);
     static QString provisional(const Words& words, const QString& answer);
@@ -334,19 +333,12 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     QString boringText(const Words& words, v8_plugs::OptionId option) const;
     QString shiftText(const Words& words, const v8_plugs::Option& option) const;
     QString optionTip(const v8_plugs::Option& option) const;
-    /// It is for the crankshaft that there is.
-    bool isFitted(v8_plugs::OptionId id) const;
     /// What the paper prints, or the user keeps, of the present engine; nothing where neither does.
     std::optional<v8_plugs::Engine> keptEngine() const;
     QString engineNameTrouble(const QString& name) const;
     /// @return an empty string, or what went wrong
     QString changeEngines(const std::function<bool(Journal&)>& change);
 
-    /// Readings that do not say with which bob weight they were taken get this one.
-    static void noteBobWeight(Input& input, double bobWeight);
-    /// The card has become another crankshaft's: the readings are marked with their own.
-    /// @param before  the editing
-    static void noteShaft(Input& input, const Input& before);
     /// What the job of another engine of the kind keeps: nothing that was weighed or read.
     Input nextOf(const Input& before) const;
 

@@ -147,36 +147,31 @@ class Sketch {
         painter_.fillPath(head, painter_.pen().color());
     }
 
-    /// A dimension of a width at height `at`, extension lines from `from`.
-    void across(double x1, double x2, double from, double at, const QString& text,
-                const QColor& colour) {
+    /// A dimension of a width (of a height) between two edges, extension lines from `from`, its
+    /// line at `at`: below or above (left or right of) the section, text beside it.
+    void dimension(Qt::Orientation way, std::pair<double, double> edges, double from, double at,
+                   const QString& text, const QColor& colour) {
+        const bool isWidth = way == Qt::Horizontal;
+        const auto point = [&](double along, double across) {
+            return isWidth ? QPointF(along, across) : QPointF(across, along);
+        };
         painter_.setPen(pen(colour, style_.lineWidth * 0.5));
-        const double beyond = at < from ? -0.25 * em_ : 0.25 * em_;
-        painter_.drawLine(QPointF(x1, from), QPointF(x1, at + beyond));
-        painter_.drawLine(QPointF(x2, from), QPointF(x2, at + beyond));
-        painter_.drawLine(QPointF(x1, at), QPointF(x2, at));
-        if (x2 - x1 > 1.2 * em_) {
-            arrow(QPointF(x1, at), QPointF(-1, 0));
-            arrow(QPointF(x2, at), QPointF(1, 0));
+        const bool isBefore = at < from;
+        const double beyond = isBefore ? -0.25 * em_ : 0.25 * em_;
+        const auto [first, last] = edges;
+        for (const double edge : {first, last}) {
+            painter_.drawLine(point(edge, from), point(edge, at + beyond));
         }
-        label(QPointF((x1 + x2) / 2.0, at < from ? at - 0.62 * em_ : at + 0.72 * em_), text,
-              Qt::AlignHCenter, colour == style_.thin ? style_.text : colour);
-    }
-
-    /// A dimension of a height at `at` (left or right of the section), text beside it.
-    void along(double y1, double y2, double from, double at, const QString& text,
-               const QColor& colour) {
-        painter_.setPen(pen(colour, style_.lineWidth * 0.5));
-        const double beyond = at < from ? -0.25 * em_ : 0.25 * em_;
-        painter_.drawLine(QPointF(from, y1), QPointF(at + beyond, y1));
-        painter_.drawLine(QPointF(from, y2), QPointF(at + beyond, y2));
-        painter_.drawLine(QPointF(at, y1), QPointF(at, y2));
-        if (y2 - y1 > 1.2 * em_) {
-            arrow(QPointF(at, y1), QPointF(0, -1));
-            arrow(QPointF(at, y2), QPointF(0, 1));
+        painter_.drawLine(point(first, at), point(last, at));
+        if (last - first > 1.2 * em_) {
+            arrow(point(first, at), point(-1, 0));
+            arrow(point(last, at), point(1, 0));
         }
-        label(QPointF(at + 1.6 * beyond, (y1 + y2) / 2.0), text,
-              at < from ? Qt::AlignRight : Qt::AlignLeft,
+        const double aside = !isWidth ? 1.6 * beyond : isBefore ? -0.62 * em_ : 0.72 * em_;
+        label(point((first + last) / 2.0, at + aside), text,
+              isWidth    ? Qt::AlignHCenter
+              : isBefore ? Qt::AlignRight
+                         : Qt::AlignLeft,
               colour == style_.thin ? style_.text : colour);
     }
 
@@ -195,10 +190,10 @@ class Sketch {
 
     void dimensions(const PlugDrawing& drawing, const Labels& labels) {
         const v8_plugs::PlugGeometry& plug = drawing.plug;
-        across(section_.left(), section_.right(), section_.bottom(), section_.bottom() + 0.9 * em_,
-               labels.thread, style_.thin);
-        along(section_.top(), section_.bottom(), section_.left(), section_.left() - 0.9 * em_,
-              labels.height, style_.thin);
+        dimension(Qt::Horizontal, {section_.left(), section_.right()}, section_.bottom(),
+                  section_.bottom() + 0.9 * em_, labels.thread, style_.thin);
+        dimension(Qt::Vertical, {section_.top(), section_.bottom()}, section_.left(),
+                  section_.left() - 0.9 * em_, labels.height, style_.thin);
         double beside = section_.right() + firstLine * em_;
         double deepest = 0.0;
         const bool hasBore = plug.bore_diameter > 0.0 && plug.bore_depth > 0.0;
@@ -208,23 +203,23 @@ class Sketch {
         const bool isCutInside =
             hasBore && cutsAnotherWidth(drawing) && *drawing.cutterDiameter < plug.bore_diameter;
         if (hasBore) {
-            across(x(-plug.bore_diameter / 2.0), x(plug.bore_diameter / 2.0), y(0),
-                   isCutInside ? far : near, labels.boreDiameter, style_.thin);
+            dimension(Qt::Horizontal, {x(-plug.bore_diameter / 2.0), x(plug.bore_diameter / 2.0)},
+                      y(0), isCutInside ? far : near, labels.boreDiameter, style_.thin);
             deepest = plug.bore_depth;
-            along(y(0), y(plug.bore_depth), x(plug.bore_diameter / 2.0), beside, labels.boreDepth,
-                  style_.thin);
+            dimension(Qt::Vertical, {y(0), y(plug.bore_depth)}, x(plug.bore_diameter / 2.0), beside,
+                      labels.boreDepth, style_.thin);
         }
         if (cuts(drawing)) {
             const double half = *drawing.cutterDiameter / 2.0;
             if (cutsAnotherWidth(drawing)) {
-                across(x(-half), x(half), y(0), hasBore && !isCutInside ? far : near,
-                       labels.cutDiameter, style_.cut);
+                dimension(Qt::Horizontal, {x(-half), x(half)}, y(0),
+                          hasBore && !isCutInside ? far : near, labels.cutDiameter, style_.cut);
             }
             const double depth = std::min(drawing.cutDepth, plug.height);
             if (deepest > 0.0) {
                 beside += nextLine(labels.boreDepth);
             }
-            along(y(0), y(depth), x(half), beside, labels.cutDepth, style_.cut);
+            dimension(Qt::Vertical, {y(0), y(depth)}, x(half), beside, labels.cutDepth, style_.cut);
             deepest = std::max(deepest, depth);
         }
         if (deepest > 0.0 && deepest < plug.height && !labels.bottom.isEmpty()) {
@@ -237,7 +232,7 @@ class Sketch {
     void bottomThatStays(double top, double at, const QString& text) {
         const double end = section_.bottom();
         if (end - top > 1.2 * em_) {
-            along(top, end, section_.right(), at, text, style_.thin);
+            dimension(Qt::Vertical, {top, end}, section_.right(), at, text, style_.thin);
             return;
         }
         painter_.setPen(pen(style_.thin, style_.lineWidth * 0.5));
