@@ -289,33 +289,33 @@ void MachineSheet::buildTolerance() {
                            correction->planes[0].radius == correction->planes[1].radius;
         return isOne ? correction->planes[0].radius : std::nullopt;
     });
-    grades_ = ordered(new QComboBox(current()));
-    grades_->setObjectName(QStringLiteral("grade_list"));
-    grades_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    QComboBox* grades = ordered(new QComboBox(current()));
+    grades->setObjectName(QStringLiteral("grade_list"));
+    grades->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     for (const shop::BalanceGrade& grade : shop::balance_grades()) {
-        grades_->addItem(QStringLiteral("G %1: %2")
-                             .arg(formNumber(grade.mm_per_s, QLocale()), shownText(grade.use)),
-                         grade.mm_per_s);
-        grades_->setItemData(grades_->count() - 1, shownText(grade.use), Qt::ToolTipRole);
+        grades->addItem(QStringLiteral("G %1: %2")
+                            .arg(formNumber(grade.mm_per_s, QLocale()), shownText(grade.use)),
+                        grade.mm_per_s);
+        grades->setItemData(grades->count() - 1, shownText(grade.use), Qt::ToolTipRole);
     }
-    grades_->setPlaceholderText(tr("own grade"));
-    enlarge(grades_);
+    grades->setPlaceholderText(tr("own grade"));
+    enlarge(grades);
     bind(
-        grades_,
-        [this] {
+        grades,
+        [this, grades] {
             const auto& tolerance = model_->input().tolerance;
             return tolerance && tolerance->by_grade && tolerance->grade
-                       ? grades_->findData(from_si(field::grade, *tolerance->grade))
+                       ? grades->findData(from_si(field::grade, *tolerance->grade))
                        : -1;
         },
-        [this](int place) {
+        [this, grades](int place) {
             model_->editTolerance(fieldName(field::grade), [&](Tolerance& it) {
                 it.by_grade = true;
-                it.grade = grades_->itemData(place).toDouble() * field::grade.unit;
+                it.grade = grades->itemData(place).toDouble() * field::grade.unit;
             });
         });
-    wide(grades_, 250);  // beside it stand the widest labels
-    current()->addWidget(tr("&For"), grades_, {},
+    wide(grades, 250);  // beside it stand the widest labels
+    current()->addWidget(tr("&For"), grades, {},
                          tr("Balance quality grades of ISO 21940-11 and their uses."));
     number("/tolerance/grade_mm_s");
     doubt(number("/tolerance/rotor_mass_kg"), "rotor-mass");
@@ -329,9 +329,9 @@ void MachineSheet::buildTolerance() {
     doubtPlace("/tolerance/rear_bearing_mm", BearingPlaces::reversed);
     number("/tolerance/front_share");
     // The list cuts it, and a line of its own would move the fields below it.
-    follow([this, hint = grades_->toolTip()] {
-        const QString use = grades_->currentData(Qt::ToolTipRole).toString();
-        grades_->setToolTip(use.isEmpty() ? hint : use);
+    follow([grades, hint = grades->toolTip()] {
+        const QString use = grades->currentData(Qt::ToolTipRole).toString();
+        grades->setToolTip(use.isEmpty() ? hint : use);
     });
 }
 

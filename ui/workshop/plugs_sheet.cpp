@@ -138,12 +138,12 @@ void PlugsSheet::addOwnEngineButtons() {
         return made;
     };
     button("save_engine", tr("&Keep as own engine…"), &PlugsSheet::saveEngine);
-    rename_ = button("rename_engine", tr("Rena&me…"), &PlugsSheet::renameEngine);
-    remove_ = button("remove_engine", tr("Remo&ve…"), &PlugsSheet::removeEngine);
-    const auto show = [this] {
+    QPushButton* rename = button("rename_engine", tr("Rena&me…"), &PlugsSheet::renameEngine);
+    QPushButton* remove = button("remove_engine", tr("Remo&ve…"), &PlugsSheet::removeEngine);
+    const auto show = [this, rename, remove] {
         const bool own = model_->ownEngine(model_->engineIndex()) != nullptr;
-        rename_->setEnabled(own);
-        remove_->setEnabled(own);
+        rename->setEnabled(own);
+        remove->setEnabled(own);
     };
     follow(show);
     connect(model_, &WorkshopModel::enginesChanged, this, show);

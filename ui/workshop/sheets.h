@@ -97,9 +97,6 @@ class PlugsSheet : public WorkshopSheet {
     void saveEngine();
     void renameEngine();
     void removeEngine();
-
-    QPushButton* rename_ = nullptr;
-    QPushButton* remove_ = nullptr;
 };
 
 /// Sheet 5: the machine's set-up, its readings in their planes, and the limits.
@@ -123,7 +120,6 @@ class MachineSheet : public WorkshopSheet {
 
     QList<NumberField*> readings_;  ///< run by run
     QPushButton* hold_ = nullptr;
-    QComboBox* grades_ = nullptr;
 };
 
 /// The machine that new jobs begin with, in the settings of the program.

@@ -12,8 +12,6 @@
 namespace ravnoves {
 
 using journal_rows::bare;
-using journal_rows::fromStamp;
-using journal_rows::stamp;
 
 namespace {
 
@@ -188,14 +186,13 @@ bool Journal::discardDraft(const QString& session) {
 QList<JournalDraft> Journal::orphanedDrafts() {
     QList<JournalDraft> drafts;
     auto found =
-        ask(QStringLiteral("SELECT session, scene, job_id, job_revision, engine_number, saved, form"
+        ask(QStringLiteral("SELECT session, scene, job_id, job_revision, engine_number, form"
                            " FROM draft ORDER BY saved DESC LIMIT 100"),
             {}, tr("The drafts could not be read."));
     while (found && found->next()) {
-        JournalDraft draft{found->value(0).toString(),         found->value(1).toString(),
-                           found->value(2).toLongLong(),       found->value(3).toInt(),
-                           found->value(4).toString(),         fromStamp(found->value(5)),
-                           found->value(6).toString().toUtf8()};
+        JournalDraft draft{found->value(0).toString(),   found->value(1).toString(),
+                           found->value(2).toLongLong(), found->value(3).toInt(),
+                           found->value(4).toString(),   found->value(5).toString().toUtf8()};
         // The lock of a program that runs cannot be taken; that of a crashed one can.
         QLockFile lock(path_ + QLatin1Char('.') + draft.session + QStringLiteral(".running"));
         lock.setStaleLockTime(0);

@@ -56,7 +56,6 @@ struct JournalDraft {
     qint64 jobId = 0;  ///< the job it changes; 0 for a new one
     int jobRevision = 0;
     QString engineNumber;
-    QDateTime saved;  ///< UTC
     QByteArray form;
 };
 

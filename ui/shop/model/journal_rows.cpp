@@ -61,10 +61,6 @@ QString folded(const QString& text) {
 QVariant stamp(const QDateTime& time) {
     return time.toMSecsSinceEpoch();
 }
-QDateTime fromStamp(const QVariant& value) {
-    return QDateTime::fromMSecsSinceEpoch(value.toLongLong(), Qt::UTC);
-}
-
 QString bare(const QString& text) {
     return text.isNull() ? QLatin1String("") : text;
 }
@@ -100,7 +96,7 @@ JournalJob read(const QSqlQuery& query) {
     job.recommended = query.value(9).toString();
     job.reduction = orNothing(query.value(10));
     job.bobWeight = orNothing(query.value(11));
-    job.saved = fromStamp(query.value(12));
+    job.saved = QDateTime::fromMSecsSinceEpoch(query.value(12).toLongLong(), Qt::UTC);
     job.form = query.value(13).toString().toUtf8();
     if (query.record().count() <= 14) {
         completeFromForm(job);

@@ -27,7 +27,6 @@ QString folded(const QString& text);
 
 /// Milliseconds since 1970 sort as numbers and read the same in every locale.
 QVariant stamp(const QDateTime& time);
-QDateTime fromStamp(const QVariant& value);
 
 /// The empty text, not NULL, for a QString that was never set.
 QString bare(const QString& text);

@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <array>
+#include <iterator>
 
 namespace ravnoves {
 
@@ -20,45 +20,36 @@ QString verdictWord(const std::optional<bool>& measured, const std::optional<boo
                         : QStringLiteral("fails-without-hole");
 }
 
-const QString otherBobWeight = QStringLiteral("other-bob-weight");
-const QString otherCrankshaft = QStringLiteral("other-crankshaft");
-const QString stopped = QStringLiteral("stopped");
-const QString passesWithWarnings = QStringLiteral("passes-with-warnings");
-
 namespace {
 
 struct KnownVerdict {
-    QString word;
+    const char* word;
     VerdictKind kind;
     const char* text;
 };
 
 /// All of them, with what page, card and journal say.
-const std::array<KnownVerdict, 9>& knownVerdicts() {
-    using Kind = VerdictKind;
-    static const std::array<KnownVerdict, 9> all{{
-        {QStringLiteral("passes"), Kind::Pass, QT_TRANSLATE_NOOP("Workshop", "PASS")},
-        {passesWithWarnings, Kind::Pass,
-         QT_TRANSLATE_NOOP("Workshop", "PASS, but see the warnings")},
-        {QStringLiteral("fails"), Kind::Fail, QT_TRANSLATE_NOOP("Workshop", "FAIL")},
-        {QStringLiteral("fails-then-passes"), Kind::Open,
-         QT_TRANSLATE_NOOP("Workshop", "FAIL → drill, then PASS")},
-        {QStringLiteral("fails-then-fails"), Kind::Fail,
-         QT_TRANSLATE_NOOP("Workshop", "FAIL → drill, still FAIL")},
-        {QStringLiteral("fails-without-hole"), Kind::Fail,
-         QT_TRANSLATE_NOOP("Workshop", "FAIL: no hole is possible")},
-        {otherBobWeight, Kind::Open, QT_TRANSLATE_NOOP("Workshop", "another bob weight")},
-        {otherCrankshaft, Kind::Open, QT_TRANSLATE_NOOP("Workshop", "another crankshaft")},
-        {stopped, Kind::Fail, QT_TRANSLATE_NOOP("Workshop", "STOP")},
-    }};
-    return all;
-}
+constexpr KnownVerdict knownVerdicts[] = {
+    {"passes", VerdictKind::Pass, QT_TRANSLATE_NOOP("Workshop", "PASS")},
+    {"passes-with-warnings", VerdictKind::Pass,
+     QT_TRANSLATE_NOOP("Workshop", "PASS, but see the warnings")},
+    {"fails", VerdictKind::Fail, QT_TRANSLATE_NOOP("Workshop", "FAIL")},
+    {"fails-then-passes", VerdictKind::Open,
+     QT_TRANSLATE_NOOP("Workshop", "FAIL → drill, then PASS")},
+    {"fails-then-fails", VerdictKind::Fail,
+     QT_TRANSLATE_NOOP("Workshop", "FAIL → drill, still FAIL")},
+    {"fails-without-hole", VerdictKind::Fail,
+     QT_TRANSLATE_NOOP("Workshop", "FAIL: no hole is possible")},
+    {"other-bob-weight", VerdictKind::Open, QT_TRANSLATE_NOOP("Workshop", "another bob weight")},
+    {"other-crankshaft", VerdictKind::Open, QT_TRANSLATE_NOOP("Workshop", "another crankshaft")},
+    {"stopped", VerdictKind::Fail, QT_TRANSLATE_NOOP("Workshop", "STOP")},
+};
 
 const KnownVerdict* knownVerdict(const QString& verdict) {
-    const auto& all = knownVerdicts();
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const KnownVerdict& each) { return each.word == verdict; });
-    return found == all.end() ? nullptr : found;
+    const auto* found = std::ranges::find_if(knownVerdicts, [&](const KnownVerdict& each) {
+        return verdict == QLatin1String(each.word);
+    });
+    return found == std::end(knownVerdicts) ? nullptr : found;
 }
 
 }  // namespace

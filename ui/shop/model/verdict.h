@@ -15,12 +15,12 @@ QString verdictWord(const std::optional<bool>& measured, const std::optional<boo
 
 /// The verdicts of readings that were taken with another bob weight, or of another crankshaft:
 /// none.
-extern const QString otherBobWeight;
-extern const QString otherCrankshaft;
+inline const QString otherBobWeight = QStringLiteral("other-bob-weight");
+inline const QString otherCrankshaft = QStringLiteral("other-crankshaft");
 /// The verdict where a doubt blocks any.
-extern const QString stopped;
+inline const QString stopped = QStringLiteral("stopped");
 /// Passes as measured, beside a warning.
-extern const QString passesWithWarnings;
+inline const QString passesWithWarnings = QStringLiteral("passes-with-warnings");
 /// No verdict on the crankshaft.
 inline bool isWithheld(const QString& verdict) {
     return verdict == otherBobWeight || verdict == otherCrankshaft || verdict == stopped;

@@ -11,19 +11,13 @@
 
 namespace ravnoves {
 
-Words::Words() = default;
-
 Words::Words(const QString& code) : own_(true), locale_(code) {
     locale_.setNumberOptions(QLocale::OmitGroupSeparator);
-    auto translator = std::make_unique<QTranslator>();
+    auto translator = std::make_shared<QTranslator>();
     if (translator->load(QStringLiteral(":/i18n/ravnoves_%1.qm").arg(code))) {
         translator_ = std::move(translator);
     }
 }
-
-Words::~Words() = default;
-Words::Words(Words&&) noexcept = default;
-Words& Words::operator=(Words&&) noexcept = default;
 
 QString Words::translate(const char* context, const char* text, const char* comment) const {
     if (!own_) {

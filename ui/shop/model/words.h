@@ -16,14 +16,9 @@ namespace ravnoves {
 class Words {
   public:
     /// The language of the program.
-    Words();
+    Words() = default;
     /// A language of its own, "en" or one that has a translation (:/i18n/ravnoves_CODE.qm).
     explicit Words(const QString& code);
-    ~Words();
-    Words(Words&&) noexcept;
-    Words& operator=(Words&&) noexcept;
-    Words(const Words&) = delete;
-    Words& operator=(const Words&) = delete;
 
     /// The text in the language; named as lupdate knows it.
     QString translate(const char* context, const char* text, const char* comment = nullptr) const;
@@ -60,7 +55,7 @@ class Words {
 
   private:
     bool own_ = false;  // a language of its own, not the program's
-    std::unique_ptr<QTranslator> translator_;
+    std::shared_ptr<const QTranslator> translator_;
     QLocale locale_;
 };
 

@@ -100,14 +100,6 @@ bool isSameName(const QString& a, const QString& b) {
 
 const QString toleranceKey = QStringLiteral("workshop/tolerance_g_mm");
 
-/// The engine's values as they are written, without the name and the preset.
-Json valuesOf(const v8_plugs::Input& input) {
-    v8_plugs::Input alone;
-    alone.engine = input.engine;
-    alone.engine.name.clear();
-    return write_fields(alone).at("engine");
-}
-
 }  // namespace
 
 double plug_engines::shopsTolerance() {
@@ -139,7 +131,9 @@ bool plug_engines::isSame(const v8_plugs::Input& input, const v8_plugs::Input& n
 }
 
 bool plug_engines::haveSameValues(const v8_plugs::Input& a, const v8_plugs::Input& b) {
-    return valuesOf(a) == valuesOf(b);
+    v8_plugs::Engine renamed = a.engine;
+    renamed.name = b.engine.name;
+    return renamed == b.engine;
 }
 
 v8_plugs::Input plug_engines::nextOf(const v8_plugs::Input& before) {
