@@ -60,6 +60,19 @@ class JournalTest : public ::testing::Test {
     QTemporaryDir folder_;
 };
 
+/// With an open journal.
+class OpenJournal : public JournalTest {
+  protected:
+    OpenJournal() { EXPECT_TRUE(journal.open()) << qPrintable(journal.lastError()); }
+    JournalJob save(const QString& number) {
+        JournalJob job = exampleJob(number);
+        EXPECT_EQ(journal.save(job), Journal::Saved::Yes);
+        return job;
+    }
+
+    Journal journal{path()};
+};
+
 TEST_F(JournalTest, KeepsEveryValueOfAJob) {
     JournalJob job = exampleJob(u"53-11-0042"_s);
     {
@@ -80,9 +93,7 @@ TEST_F(JournalTest, KeepsEveryValueOfAJob) {
     EXPECT_FALSE(journal.job(empty.id)->date.isValid());
 }
 
-TEST_F(JournalTest, SearchesByNumberCustomerAndDate) {
-    Journal journal(path());
-    ASSERT_TRUE(journal.open());
+TEST_F(OpenJournal, SearchesByNumberCustomerAndDate) {
     const auto add = [&](const QString& number, const QString& customer, const QDate& date) {
         JournalJob job = exampleJob(number);
         job.customer = customer;
@@ -113,31 +124,26 @@ TEST_F(JournalTest, SearchesByNumberCustomerAndDate) {
     EXPECT_EQ(numbers({}).size(), 4);
 }
 
-TEST_F(JournalTest, ChangesAJobAndNeverOverwritesAnother) {
-    Journal first(path());
+TEST_F(OpenJournal, ChangesAJobAndNeverOverwritesAnother) {
     Journal second(path());
-    ASSERT_TRUE(first.open());
     ASSERT_TRUE(second.open());
-    JournalJob mine = exampleJob(u"A"_s);
-    ASSERT_EQ(first.save(mine), Journal::Saved::Yes);
+    JournalJob mine = save(u"A"_s);
     JournalJob theirs = second.job(mine.id).value();
     theirs.customer = u"theirs"_s;
     ASSERT_EQ(second.save(theirs), Journal::Saved::Yes);
     mine.customer = u"mine"_s;
     const qint64 old = mine.id;
-    EXPECT_EQ(first.save(mine), Journal::Saved::AsCopy);
+    EXPECT_EQ(journal.save(mine), Journal::Saved::AsCopy);
     EXPECT_NE(mine.id, old);
-    EXPECT_EQ(first.job(old)->customer, u"theirs"_s);
+    EXPECT_EQ(journal.job(old)->customer, u"theirs"_s);
     EXPECT_EQ(second.job(mine.id)->customer, u"mine"_s);
     // Removed elsewhere: saved again rather than lost.
     ASSERT_TRUE(second.remove(mine.id));
-    EXPECT_EQ(first.save(mine), Journal::Saved::AsCopy);
-    EXPECT_EQ(first.search({}).size(), 2);
+    EXPECT_EQ(journal.save(mine), Journal::Saved::AsCopy);
+    EXPECT_EQ(journal.search({}).size(), 2);
 }
 
-TEST_F(JournalTest, KeepsTheUsersEngines) {
-    Journal journal(path());
-    ASSERT_TRUE(journal.open());
+TEST_F(OpenJournal, KeepsTheUsersEngines) {
     ASSERT_TRUE(journal.saveEngine({u"ГАЗ-53"_s, R"({"crank_radius_mm":40})"}));
     ASSERT_TRUE(journal.saveEngine({u"ГАЗ-53"_s, R"({"crank_radius_mm":40.5})"}));
     ASSERT_TRUE(journal.saveEngine({u"A"_s, "{}"}));
@@ -153,11 +159,8 @@ TEST_F(JournalTest, KeepsTheUsersEngines) {
     EXPECT_EQ(journal.engines().at(1).values, QByteArray(R"({"crank_radius_mm":40.5})"));
 }
 
-TEST_F(JournalTest, ExportsCsvThatASpreadsheetReads) {
-    Journal journal(path());
-    ASSERT_TRUE(journal.open());
-    JournalJob job = exampleJob(u"1,5\n2"_s);
-    ASSERT_EQ(journal.save(job), Journal::Saved::Yes);
+TEST_F(OpenJournal, ExportsCsvThatASpreadsheetReads) {
+    save(u"1,5\n2"_s);
     const QString file = path(u"out.csv"_s);
     test::writeFile(file, "old");
     ASSERT_TRUE(journal.exportCsv(file, journal.search({})));
@@ -204,10 +207,8 @@ TEST_F(JournalTest, CsvFollowsTheLanguageAndHoldsNoFormulas) {
     EXPECT_TRUE(Journal::csvText({job}, QLocale::c()).contains(u",repair,-0.500,"_s));
 }
 
-TEST_F(JournalTest, WritesAreOnDiskWhenTheCallReturns) {
+TEST_F(OpenJournal, WritesAreOnDiskWhenTheCallReturns) {
     // A killed program cannot show this; a power cut would.
-    Journal journal(path());
-    ASSERT_TRUE(journal.open());
     QSqlQuery query(QSqlDatabase::database(QSqlDatabase::connectionNames().constFirst()));
     ASSERT_TRUE(query.exec(u"PRAGMA journal_mode"_s) && query.next());
     EXPECT_EQ(query.value(0).toString(), u"wal"_s);
@@ -274,9 +275,7 @@ void meddle(const QString& file, const QStringList& statements) {
     QSqlDatabase::removeDatabase(u"other"_s);
 }
 
-TEST_F(JournalTest, OfManyDraftsTheNewestHundredAreLookedAt) {
-    Journal journal(path());
-    ASSERT_TRUE(journal.open());
+TEST_F(OpenJournal, OfManyDraftsTheNewestHundredAreLookedAt) {
     meddle(path(), {u"WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n LIMIT 2000)"
                     " INSERT INTO draft SELECT i, 0, 0, '', i, '{}', 'workshop' FROM n"_s});
     const auto drafts = journal.orphanedDrafts();
@@ -363,9 +362,7 @@ TEST_F(JournalTest, APipeIsRejected) {
     EXPECT_FALSE(own.restore(u"/proc/kmsg"_s));
 }
 
-TEST_F(JournalTest, AJobThatTheFileDoesNotKeepIsNotSaved) {
-    Journal journal(path());
-    ASSERT_TRUE(journal.open());
+TEST_F(OpenJournal, AJobThatTheFileDoesNotKeepIsNotSaved) {
     meddle(path(), {u"CREATE TRIGGER lose AFTER INSERT ON job BEGIN DELETE FROM job; END"_s});
     JournalJob job = exampleJob(u"lost"_s);
     EXPECT_EQ(journal.save(job), Journal::Saved::No);
@@ -462,19 +459,15 @@ TEST_P(DamagedJournal, IsSetAsideWithAMessageAndNeverOverwritten) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, DamagedJournal, ::testing::Values(0, 1, 2, 3));
 
-TEST_F(JournalTest, DamageWhileOpenIsNoticedAndTheJobIsSaved) {
-    Journal journal(path());
+TEST_F(OpenJournal, DamageWhileOpenIsNoticedAndTheJobIsSaved) {
     Journal other(path());
-    ASSERT_TRUE(journal.open());
     ASSERT_TRUE(other.open());
-    JournalJob job = exampleJob(u"before"_s);
-    ASSERT_EQ(journal.save(job), Journal::Saved::Yes);
+    save(u"before"_s);
     // The other program finds it damaged and sets it aside; here it is played by a rename.
     QFile::rename(path(), path(u"moved.sqlite"_s));
     QFile::remove(path() + u"-wal"_s);
     QFile::remove(path() + u"-shm"_s);
-    job = exampleJob(u"after"_s);
-    EXPECT_EQ(journal.save(job), Journal::Saved::Yes);
+    save(u"after"_s);
     Journal fresh(path());
     ASSERT_TRUE(fresh.open());
     ASSERT_EQ(fresh.search({}).size(), 1);

@@ -109,30 +109,13 @@ TEST_F(PlugsPageTest, ShopStandsOnTheCard) {
     const auto* banner = find<QLabel>("banner");
     EXPECT_FALSE(banner->isVisible());
     QFile::remove(Shop::kept().logo);
+    model->desk()->setCardLanguage(u"ru"_s);
     ASSERT_EQ(page.writeCard(file), QString());
+    EXPECT_TRUE(textOfPdf(file).contains(u"Номер двигателя"_s));
     EXPECT_TRUE(banner->isVisible());
     EXPECT_TRUE(banner->text().contains(Shop::kept().logo)) << qPrintable(banner->text());
     fileChoosers() = before;
     QSettings().remove(u"workshop"_s);
-}
-
-TEST_F(PlugsPageTest, CardIsPrintedAsThePdfIs) {
-    type("engine_number", u"card"_s);
-    type("rod_big_end", u"1"_s);
-    const QString exported = QDir(folder.path()).filePath(u"exported.pdf"_s);
-    ASSERT_EQ(page.writeCard(exported), QString());
-    // A printer that prints into a file.
-    const QString printed = QDir(folder.path()).filePath(u"printed.pdf"_s);
-    QPrinter printer(QPrinter::HighResolution);
-    printer.setOutputFormat(QPrinter::PdfFormat);
-    printer.setOutputFileName(printed);
-    WorkshopCard::setPage(printer);
-    ASSERT_TRUE(WorkshopCard(*model, model->desk()->cardWords()).print(printer));
-    EXPECT_TRUE(textOfPdf(exported).contains(u"card"_s));
-    EXPECT_EQ(textOfPdf(exported), textOfPdf(printed));
-    model->desk()->setCardLanguage(u"ru"_s);
-    ASSERT_EQ(page.writeCard(exported), QString());
-    EXPECT_TRUE(textOfPdf(exported).contains(u"Номер двигателя"_s));
 }
 
 TEST_F(PlugsPageTest, TheCardWithholdsWhatThePageWithholds) {

@@ -104,24 +104,5 @@ TEST_F(PlugsPageTest, EngineBringsItsPlugAndItsOwnSheets) {
     EXPECT_FALSE(field("unbalance_1")->value());
 }
 
-TEST_F(PlugsPageTest, EngineChoiceAndFlags) {
-    type("rod_big_end", u"0"_s);
-    auto* engine = find<QComboBox>("engine");
-    engine->setFocus();
-    QTest::keyClick(engine, Qt::Key_Down);
-    EXPECT_EQ(model->input().plugs->preset, "6 l");
-    EXPECT_EQ(field("crank_radius_mm")->value(), 47.5);
-    auto* flag = find<QCheckBox>("has_new_plug");
-    show(PlugsTab);
-    QTest::mouseClick(flag, Qt::LeftButton, {}, QPoint(10, flag->height() / 2));
-    EXPECT_FALSE(model->input().plugs->engine.has_new_plug);
-    EXPECT_FALSE(field("new_plug_radius_mm")->isEnabled());
-    EXPECT_FALSE(find<QComboBox>("crankshaft")->isEnabled());
-    EXPECT_TRUE(model->plugs()->advice);
-    EXPECT_FALSE(model->plugs()->option(OptionId::new_steel_to_steel));
-    QTest::mouseClick(flag, Qt::LeftButton, {}, QPoint(10, flag->height() / 2));
-    EXPECT_EQ(field("new_plug_radius_mm")->value(), 63.2);
-}
-
 }  // namespace
 }  // namespace ravnoves

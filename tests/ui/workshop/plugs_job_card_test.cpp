@@ -259,29 +259,6 @@ TEST_F(JobCardTest, NoTextIsDroppedHoweverMuchThereIsToSay) {
     }
 }
 
-TEST_F(JobCardTest, SaysWhatMustNotBeOverlooked) {
-    const struct {
-        const char* plug;
-        QString said;
-        bool isDoubt;
-    } plugs[] = {
-        {R"({"thread": "M22x1.5", "height_mm": 14})",
-         u"but a solid plug of these dimensions weighs"_s, true},
-        {R"({"thread": "M22x1.5", "height_mm": 14, "bore_diameter_mm": 14, "bore_depth_mm": 14.5})",
-         u"no bottom remains"_s, false}};
-    for (const auto& plug : plugs) {
-        Json input = shopsJob();
-        weigh(input, 600, 1.11);
-        input["job"]["notes"] = std::string(400, 'n');
-        input["plugs"]["plug"] = parse_json(plug.plug);
-        const QString text = cardText(input, u"en"_s);
-        EXPECT_TRUE(text.contains(plug.said)) << qPrintable(text);
-        if (!plug.isDoubt) {
-            EXPECT_TRUE(text.contains(u"such a plug cannot be made"_s)) << qPrintable(text);
-        }
-    }
-}
-
 TEST_F(JobCardTest, IsInTheUnitsChosen) {
     Json input = shopsJob();
     bore(input);

@@ -52,12 +52,9 @@ TEST_F(PlugsPageTest, JournalListsWhatTheMachineSaidAndFindsTheCrankshaft) {
     fill({{"engine_number", "53-11"},
           {"crankshaft_number", "KV-77"},
           {"rod_big_end", "1"},
-          {"reciprocating_mass_g", "1000"},
-          {"rotating_mass_g", "650"},
-          {"oil_mass_g", "20"},
-          {"oil_coefficient", "1"},
           {"unbalance_1", "3.14159"},
           {"unbalance_2", "6"}});
+    typeGear();
     limitTo(5.0);
     save();
     QStringList cells;
@@ -159,33 +156,23 @@ TEST_F(PlugsPageTest, JournalIsBackedUpAndRestoredByTheMenu) {
     const auto before = fileChoosers();
     fileChoosers().save = [&](auto...) { return backup; };
     fileChoosers().open = [&](auto...) { return backup; };
-    QString said;
     const auto command = [&](const QString& name) {
-        whenModal<QMessageBox>([&said](QMessageBox* box) {
-            said = box->text();
-            QTest::keyClick(box, Qt::Key_Return);
-        });
+        const auto said = answer(u"OK"_s);
         act(name);
+        return *said;
     };
     type("engine_number", u"first"_s);
     save();
-    command(u"back_up"_s);
-    EXPECT_TRUE(said.contains(backup)) << qPrintable(said);
+    EXPECT_TRUE(command(u"back_up"_s).contains(backup));
     ASSERT_TRUE(model->desk()->journal()->remove(model->desk()->jobId()));
     press(Qt::Key_F4);
     type("engine_number", u"second"_s);
     save();
-    command(u"restore"_s);
-    EXPECT_EQ(said, u"Jobs restored: 1; already in the journal: 0."_s);
+    EXPECT_EQ(command(u"restore"_s), u"Jobs restored: 1; already in the journal: 0."_s);
     EXPECT_EQ(jobs().size(), 2);
-    command(u"restore"_s);
-    EXPECT_EQ(said, u"Jobs restored: 0; already in the journal: 1."_s);
-    QFile torn(backup);
-    ASSERT_TRUE(torn.open(QIODevice::WriteOnly));
-    torn.write("a letter");
-    torn.close();
-    command(u"restore"_s);
-    EXPECT_TRUE(said.contains(u"not a backup"_s)) << qPrintable(said);
+    EXPECT_EQ(command(u"restore"_s), u"Jobs restored: 0; already in the journal: 1."_s);
+    test::writeFile(backup, "a letter");
+    EXPECT_TRUE(command(u"restore"_s).contains(u"not a backup"_s));
     EXPECT_EQ(jobs().size(), 2);
     fileChoosers() = before;
 }
@@ -199,13 +186,9 @@ TEST_F(PlugsPageTest, AJobThatAnotherProgramKeepsFromTheJournalIsSaid) {
         ASSERT_TRUE(other.open());
         QSqlQuery query(other);
         ASSERT_TRUE(query.exec(u"BEGIN IMMEDIATE"_s));
-        QString said;
-        whenModal<QMessageBox>([&said](QMessageBox* box) {
-            said = box->text();
-            QTest::keyClick(box, Qt::Key_Return);
-        });
+        const auto said = answer(u"OK"_s);
         save();
-        EXPECT_TRUE(said.contains(u"another program is writing"_s)) << qPrintable(said);
+        EXPECT_TRUE(said->contains(u"another program is writing"_s)) << qPrintable(*said);
         EXPECT_EQ(model->desk()->jobId(), 0);
         EXPECT_FALSE(model->desk()->isJournaled());
         ASSERT_TRUE(query.exec(u"ROLLBACK"_s));
@@ -271,9 +254,7 @@ TEST_F(PlugsPageTest, LongJournalSaysThatTheListIsCutAndExportsAll) {
     EXPECT_TRUE(said);
     const QString file = QDir(folder.path()).filePath(u"list.csv"_s);
     EXPECT_EQ(dialog.exportTo(file), QString());
-    QFile list(file);
-    ASSERT_TRUE(list.open(QIODevice::ReadOnly));
-    EXPECT_EQ(list.readAll().count('\n'), 1006);  // and the headings
+    EXPECT_EQ(test::contentOf(file).count('\n'), 1006);  // and the headings
 }
 
 TEST_F(PlugsPageTest, TheResultIsReadWholeWhereTheListHasRoom) {
@@ -328,9 +309,7 @@ TEST_F(PlugsPageTest, JournalDialogExportsWhatItLists) {
     dialog.findChild<QLineEdit*>(u"journal_search"_s)->setText(u"b-"_s);
     const QString file = QDir(folder.path()).filePath(u"list.csv"_s);
     EXPECT_EQ(dialog.exportTo(file), QString());
-    QFile csv(file);
-    ASSERT_TRUE(csv.open(QIODevice::ReadOnly));
-    const QByteArray text = csv.readAll();
+    const QByteArray text = test::contentOf(file);
     EXPECT_TRUE(text.contains("B-2"));
     EXPECT_FALSE(text.contains("A-1"));
     EXPECT_FALSE(dialog.exportTo(QDir(folder.path()).filePath(u"no/list.csv"_s)).isEmpty());

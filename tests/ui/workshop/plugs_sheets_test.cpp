@@ -165,12 +165,19 @@ TEST_F(PlugsSheetsTest, TheLimitOfThePlugsIsThePapersTheJobsOrTheShops) {
 }
 
 TEST_F(PlugsSheetsTest, PlugsThatComeBackHaveTheirValues) {
-    auto* there = find<QCheckBox>("has_aluminium_plug");
+    QCheckBox* there = find<QCheckBox>("has_new_plug");
     const auto toggle = [&] {
         there->setFocus();
         QTest::keyClick(there, Qt::Key_Space);
     };
     show(PlugsTab);
+    toggle();
+    EXPECT_FALSE(find<QComboBox>("crankshaft")->isEnabled());
+    EXPECT_FALSE(field("new_plug_radius_mm")->isEnabled());
+    EXPECT_FALSE(model->plugs()->option(OptionId::new_steel_to_steel));
+    toggle();
+    EXPECT_EQ(model->input().plugs->engine, engine_presets().front());
+    there = find<QCheckBox>("has_aluminium_plug");
     toggle();
     EXPECT_FALSE(model->input().plugs->engine.has_aluminium_plug);
     EXPECT_EQ(model->input().plugs->engine.aluminium_plug_mass, std::nullopt);
@@ -267,20 +274,6 @@ TEST_F(PlugsSheetsTest, EmptiedFieldTakesTheNextDigitsAlone) {
         QTest::keyClick(target, Qt::Key_Return);
         EXPECT_NEAR(target->value().value(), each.usual, 1e-12) << each.name;
         EXPECT_FALSE(target->text().isEmpty()) << each.name;
-    }
-}
-
-TEST_F(PlugsSheetsTest, SheetsNeedNoScrollingSideways) {
-    for (int sheet = 0; sheet < sheets->count(); ++sheet) {
-        sheets->setCurrentIndex(sheet);
-        QApplication::processEvents();
-        auto* scroll = qobject_cast<QScrollArea*>(sheets->widget(sheet));
-        ASSERT_NE(scroll, nullptr);
-        EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width()) << sheet;
-        for (QWidget* each : fieldsOf(sheet)) {
-            const int end = each->mapTo(scroll->widget(), QPoint(each->width(), 0)).x();
-            EXPECT_LE(end, scroll->viewport()->width()) << qPrintable(each->objectName());
-        }
     }
 }
 

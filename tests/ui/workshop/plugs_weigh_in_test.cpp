@@ -16,21 +16,12 @@ using namespace v8_plugs;
 
 using units::gram;
 
-TEST_F(PlugsPageTest, EnterPassesOverWhatIsTypedOnce) {
-    type("mass_piston_8", u"562"_s);
-    EXPECT_EQ(page.focusWidget(), field("mass_pin_1"));
-    type("nominal_pin", u"150"_s);
-    EXPECT_EQ(page.focusWidget(), field("spread_pin"));
-}
-
 TEST_F(PlugsPageTest, AReportSaysWhichTypedChangesDoNotCount) {
     type("rod_big_end", u"0.5"_s);
     type("repair_piston_and_rings", u"2"_s);
     EXPECT_EQ(model->replacedInputs(), std::vector<std::string>());
     type("nominal_piston", u"600"_s);
-    for (int cylinder = 1; cylinder <= 8; ++cylinder) {
-        type(("mass_piston_" + std::to_string(cylinder)).c_str(), u"601"_s);
-    }
+    weigh("piston", std::vector<double>(8, 601.0));
     QStringList rows;
     for (const report::Table& table : inputTables(*model)) {
         for (const QStringList& row : table.rows) {
@@ -107,58 +98,6 @@ TEST_F(PlugsPageTest, WeighInSheetByKeyboard) {
     QTest::keyClick(use, Qt::Key_Space);
     EXPECT_FALSE(label("troubles").contains(u"need a nominal mass"_s));
     EXPECT_NEAR(model->plugs()->changes.repair_piston_and_rings, 3.5 * gram, 1e-12);
-}
-
-TEST_F(PlugsPageTest, MovedPartsKeepTheirNumbersOnSheetAndCard) {
-    type("nominal_piston", u"600"_s);
-    weigh("piston", {602, 604, 606, 600, 602, 604, 606, 600});
-    ASSERT_TRUE(model->plugs()->assignment);
-    const Results table = model->assignmentResults();
-    const QString said = table.rows.at(0).texts().join(u'\n');
-    EXPECT_NE(said, u"Piston set from\n·\n·\n·\n·\n·\n·\n·\n·"_s);
-    EXPECT_TRUE(card().contains(said)) << qPrintable(card());
-    auto* move = find<QPushButton>("move_parts");
-    show(WeighInTab);
-    move->setFocus();
-    QTest::keyClick(move, Qt::Key_Space);
-    // The weights have moved; the numbers say where the parts came from, on sheet and card.
-    EXPECT_EQ(model->solution().placing->moved, 0);
-    EXPECT_EQ(model->assignmentResults().rows, table.rows);
-    EXPECT_TRUE(card().contains(said)) << qPrintable(card());
-    EXPECT_TRUE(label("weigh_in_summary").contains(u"Assemble by set numbers"_s));
-    auto* back = find<QPushButton>("move_back");
-    ASSERT_TRUE(back->isVisible());
-    back->setFocus();
-    QTest::keyClick(back, Qt::Key_Space);
-    EXPECT_NEAR(*(*model->input().weigh_in)[Part::piston].mass[2], 606 * gram, 1e-12);
-    EXPECT_FALSE(model->input().weigh_in->is_moved());
-}
-
-TEST_F(PlugsPageTest, FittedPistonsStayAndWhatTheEngineFeelsIsMadeSmall) {
-    fill({{"nominal_piston", "600"}, {"spread_piston", "2"}, {"nominal_rod_big_end", "500"}});
-    weigh("piston", {601, 604, 602, 602, 604, 601, 600, 601});
-    weigh("rod_big_end", {501, 504, 504, 501, 500, 501, 504, 504});
-    EXPECT_EQ(model->takeOffResults().rows.at(0).at(1), u"1.00"_s) << "601 g, the lightest 600";
-    for (const char* name : {"moves_pistons", "goal"}) {
-        find<QComboBox>(name)->setFocus(Qt::TabFocusReason);
-        QTest::keyClick(find<QComboBox>(name), Qt::Key_End);
-    }
-    const shop::Matched placing = model->plugs()->assignment.value();
-    EXPECT_EQ(placing.pistons, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
-    EXPECT_EQ(placing.goal, shop::MatchingGoal::min_shaking);
-    EXPECT_LT(placing.shaking->ends, placing.shaking_before->ends);
-    EXPECT_TRUE(label("weigh_in_summary").contains(u"enter the cylinder spacing"_s))
-        << qPrintable(label("weigh_in_summary"));
-    type("cylinder_spacing_mm", u"110"_s);
-    EXPECT_EQ(model->effectResults().rows.size(), 4);
-    EXPECT_EQ(model->history()->undoText(), u"Cylinder spacing"_s);
-    EXPECT_EQ(model->inputJson().at("weigh_in").at("matching"),
-              (Json{{"goal", "least-shaking"}, {"pistons", "stay"}, {"cylinder_spacing_mm", 110}}));
-    const QString printed = card();
-    EXPECT_TRUE(printed.contains(u"take off"_s)) << qPrintable(printed);
-    EXPECT_TRUE(printed.contains(u"Effect of the matching"_s));
-    model->newJob();
-    EXPECT_EQ(model->input().weigh_in->matching.pistons, shop::SetMoves::stays);
 }
 
 TEST_F(PlugsPageTest, NominalMassesAreCheckedAgainstThePartsOrFilledFromThem) {

@@ -62,9 +62,16 @@ class DoubtedJobTest : public PlugsPageTest {
         EXPECT_EQ(doubtful.contains(weight), rule.blocks.bob_weight);
         const QString card = this->card().simplified().remove(doubtful.simplified());
         EXPECT_TRUE(card.contains(u"STOP"_s));
+        for (const workshop::Doubt& doubt : model->doubts()) {
+            if (doubt.rule->blocks.any()) {
+                EXPECT_TRUE(card.contains(Words().message(doubt.text).simplified()));
+            }
+        }
         EXPECT_FALSE(card.contains(pass)) << qPrintable(card);
         EXPECT_FALSE(card.contains(model->holeResults().columns[3].heading)) << qPrintable(card);
         if (rule.blocks.bob_weight) {
+            EXPECT_EQ(label("headline"), u"STOP: no bob weight yet"_s);
+            EXPECT_EQ(label("hang"), QString());
             EXPECT_EQ((said() + bold()).filter(weight), QStringList());
             EXPECT_TRUE(model->lineResults().rows.isEmpty());
             EXPECT_FALSE(card.contains(weight)) << qPrintable(card);
