@@ -351,7 +351,6 @@ TEST_F(ScaleTest, AKeyboardScaleIsUnderstood) {
     type("mass_piston_7", u"568.5 ct"_s);
     EXPECT_EQ(field("mass_piston_7")->trouble(), u"“568.5 ct” is not a number."_s);
     QTest::keyClick(field("mass_piston_7"), Qt::Key_Escape);
-
 }
 
 /// One scale after another at the same port, and what is made of their lines.
