@@ -1,7 +1,6 @@
 // What page, card and journal say of the crankshaft: what is missing, sentences and tables. Each
 // text is made once, in the language of its Words.
 
-#include <QRegularExpression>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -105,54 +104,26 @@ QString WorkshopModel::runName(const Words& words, std::size_t run) {
 
 namespace {
 
-/// The field of an error's place; nothing where that is none.
-std::optional<Field> fieldAt(const InputError& error) {
-    constexpr std::string_view root = "/input";
-    // All elements of a list are described by its first.
-    static const QRegularExpression element(QStringLiteral("/\\d+(?=/)"));
-    const QString pointer = QString::fromStdString(error.where().substr(root.size()))
-                                .replace(element, QStringLiteral("/0"));
-    const auto found = describe_fields<workshop::Input>(pointer.toStdString());
-    return found.empty() ? std::nullopt : std::optional(found.front().field);
-}
+/// Where the form has the values of a group; %1 is the plane.
+constexpr std::pair<const char*, const char*> groups[] = {
+    {"/correction/planes/0/", QT_TRANSLATE_NOOP("BobWeights", "Sheet 5, %1")},
+    {"/tolerance/", QT_TRANSLATE_NOOP("BobWeights", "Sheet 5, permissible residual")},
+    {"/correction/slug/", QT_TRANSLATE_NOOP("BobWeights", "Sheet 6, heavy metal")},
+    {"/correction/drill/", QT_TRANSLATE_NOOP("BobWeights", "Sheet 6, drills")}};
 
-QString ruleText(const Words& words, const QString& name, const InputError& error) {
-    const QString rule = words.message(
-        error.found_message().empty() ? error.allowed_message()
-                                      : Message(CORE_TEXT("core", "%1, got %2"),
-                                                error.allowed_message(), error.found_message()));
-    return name.isEmpty() ? rule : name + QStringLiteral(": ") + rule;
-}
-
-/// Its name without the place.
-QString ruleText(const Words& words, const InputError& error) {
-    const auto field = fieldAt(error);
-    return ruleText(words, field ? words.name(*field) : QString(), error);
-}
-
-/// Where something is missing, and what is to be typed there.
-QString missingText(const Words& words, const workshop::Machine& machine, const InputError& error) {
-    const QString pointer = QString::fromStdString(error.where());
-    const auto is = [&](const char* list) { return pointer.contains(QLatin1String(list)); };
-    const QString sheet = is("/planes/0/") ? words.translate("BobWeights", "Sheet 5, %1")
-                                                 .arg(WorkshopModel::planeName(words, machine, 0))
-                          : is("/planes/1/") ? words.translate("BobWeights", "Sheet 5, %1")
-                                                   .arg(WorkshopModel::planeName(words, machine, 1))
-                          : is("/tolerance/")
-                              ? words.translate("BobWeights", "Sheet 5, permissible residual")
-                          : is("/slug/") ? words.translate("BobWeights", "Sheet 6, heavy metal")
-                                         : words.translate("BobWeights", "Sheet 6, drills");
-    const auto missing = fieldAt(error);
-    if (!missing) {
-        return {};
+/// Where a value is: as if of the first elements of the lists around it, and of which it is.
+std::pair<std::string, std::vector<std::size_t>> placeOf(const InputError& error) {
+    std::pair<std::string, std::vector<std::size_t>> place;
+    const QString where = QString::fromStdString(error.where());
+    for (const QString& key : where.split(QLatin1Char('/')).sliced(2)) {  // below "input"
+        bool isElement = false;
+        const auto element = key.toULongLong(&isElement);
+        place.first += '/' + (isElement ? "0" : key.toStdString());
+        if (isElement) {
+            place.second.push_back(element);
+        }
     }
-    const QString name = words.name(*missing);
-    return missing->key == field::diameters.key
-               ? words.translate("BobWeights", "%1: enter %2 in %3, separated by semicolons: %4")
-                     .arg(sheet, name, words.unit(units::mm),
-                          numberListText({8, 10, 12.5}, *missing))
-               : words.translate("BobWeights", "%1: enter %2. %3")
-                     .arg(sheet, name, words.text(missing->hint));
+    return place;
 }
 
 /// "Sheet 5, Run 1, Front plane: enter Heavy spot."
@@ -163,40 +134,45 @@ QString valueMissing(const Words& words, const workshop::Input& input, std::size
              WorkshopModel::planeName(words, input.machine, plane), words.name(field));
 }
 
-/// What an error says of the sheets of the machine and of the weights, with its place on the form:
-/// "Sheet 4, Front plane: enter Radius. …"; empty of other places.
-QString sheetError(const Words& words, const workshop::Input& input, const InputError& error) {
-    const QStringList place =
-        QString::fromStdString(error.where()).split(QLatin1Char('/'), Qt::SkipEmptyParts);
-    const bool isOfCorrection = place.value(1) == QLatin1String("correction");
-    const bool isEarlier = place.value(2) == QLatin1String("earlier_runs");
-    if (error.found().empty() && (isEarlier || place.value(2) == QLatin1String("readings"))) {
-        // What is missing of a run.
-        const QString& key = place.last();
-        const Field& field =
-            key == QLatin1String(field::angle.key.data()) ? field::angle : field::unbalance;
-        const auto newest = input.correction ? input.correction->earlier_runs.size() : 0;
-        const auto run = isEarlier ? place.value(3).toULongLong() : newest;
-        const auto plane = place.value(place.size() - 2).toULongLong();
-        return valueMissing(words, input, run, plane, field);
-    }
-    if (error.found().empty() && (isOfCorrection || place.value(1) == QLatin1String("tolerance"))) {
-        return missingText(words, input.machine, error);
-    }
-    if (isOfCorrection && place.size() == 3 && place.value(2) == QLatin1String("planes")) {
+/// What an error says, with its place on the form.
+QString ruleText(const Words& words, const workshop::Input& input, const InputError& error) {
+    const auto [pointer, elements] = placeOf(error);
+    if (pointer == "/correction/planes") {
         return words.translate("BobWeights", "Sheet 5: enter position and radius of both planes.");
     }
-    if (isOfCorrection && place.value(2) == QLatin1String("planes") && place.size() == 5) {
-        // The form has a column for each plane, no rows.
-        const QString plane =
-            WorkshopModel::planeName(words, input.machine, place[3].toULongLong());
-        const auto field = fieldAt(error);
-        return field
-                   ? ruleText(words, plane + QStringLiteral(", ") + inSentence(words.name(*field)),
-                              error)
-                   : QString();
+    const auto described = describe_fields<workshop::Input>(pointer);
+    const Field field = described.empty() ? Field() : described.front().field;
+    QString name = words.name(field);
+    const bool isMissing = error.found().empty();
+    if (isMissing && pointer.find("/readings/0/") != std::string::npos) {
+        const std::size_t run =
+            elements.size() > 1 ? elements.front() : input.correction->earlier_runs.size();
+        return valueMissing(words, input, run, elements.back(), field);
     }
-    return {};
+    const auto group = std::ranges::find_if(
+        groups, [&](const auto& each) { return pointer.starts_with(each.first); });
+    if (isMissing && group != std::end(groups)) {
+        QString sheet = words.translate("BobWeights", group->second);
+        for (const std::size_t plane : elements) {
+            sheet = sheet.arg(WorkshopModel::planeName(words, input.machine, plane));
+        }
+        return field.key == field::diameters.key
+                   ? words
+                         .translate("BobWeights", "%1: enter %2 in %3, separated by semicolons: %4")
+                         .arg(sheet, name, words.unit(units::mm),
+                              numberListText({8, 10, 12.5}, field))
+                   : words.translate("BobWeights", "%1: enter %2. %3")
+                         .arg(sheet, name, words.text(field.hint));
+    }
+    if (group == std::begin(groups)) {  // the form has a column for each plane, no rows
+        name = WorkshopModel::planeName(words, input.machine, elements.front()) +
+               QStringLiteral(", ") + inSentence(name);
+    }
+    const QString rule =
+        words.message(isMissing ? error.allowed_message()
+                                : Message(CORE_TEXT("core", "%1, got %2"), error.allowed_message(),
+                                          error.found_message()));
+    return name.isEmpty() ? rule : name + QStringLiteral(": ") + rule;
 }
 
 /// The angles that a correction still needs, each with its place; nothing where none is begun, or
@@ -220,28 +196,17 @@ QStringList missingAngles(const Words& words, const workshop::Input& input,
 }
 
 /// The rule that the input breaks first, with its place on the form; empty where it breaks none.
-QString brokenRule(const Words& words, const workshop::Input& input) {
+/// @param check  throws of the first
+template <typename Checked>
+QString brokenRule(const Words& words, const workshop::Input& input,
+                   void (*check)(const Checked& input)) {
     try {
-        workshop::check_input(input);
+        check(input);
     } catch (const InputError& error) {
-        if (error.where().starts_with("/input/weigh_in/") && error.found().empty()) {
-            return {};  // of a column that is half weighed it is said how far it is
-        }
-        const QString said = sheetError(words, input, error);
-        return said.isEmpty() ? ruleText(words, error) : said;
-    }
-    return {};
-}
-
-/// Why engine and factor give no answer; empty where they do, or where something is missing.
-QString contradiction(const Words& words, const bob_weights::Input& input) {
-    if (!missing_for_bob_weight(input).empty()) {
-        return {};
-    }
-    try {
-        check_bob_weight(input);
-    } catch (const InputError& error) {
-        return ruleText(words, error);
+        // Of a column that is half weighed it is said how far it is.
+        const bool isHalfWeighed =
+            error.where().starts_with("/input/weigh_in/") && error.found().empty();
+        return isHalfWeighed ? QString() : ruleText(words, input, error);
     }
     return {};
 }
@@ -338,11 +303,13 @@ QString WorkshopModel::headline(const Words& words) const {
     QStringList missing;
     if (hasPlugs()) {
         missing = missingForPlugs(words, true);
-    } else if (QString why = contradiction(words, input()); !why.isEmpty()) {
-        return why;
     } else {
         for (const Field* field : missing_for_bob_weight(input())) {
             missing << inSentence(words.name(*field));
+        }
+        if (QString why = brokenRule(words, input(), check_bob_weight);
+            missing.isEmpty() && !why.isEmpty()) {
+            return why;
         }
     }
     return words.translate("BobWeights", "Missing for the bob weight: %1")
@@ -536,7 +503,8 @@ QStringList WorkshopModel::notCounted(const Words& words) const {
 QStringList WorkshopModel::troubles(const Words& words, bool withDoubts) const {
     const bob_weights::Result& result = solution();
     // Where there is no bob weight that is said by itself.
-    QStringList list{result.bob_weight ? brokenRule(words, input()) : QString()};
+    QStringList list{result.bob_weight ? brokenRule(words, input(), workshop::check_input)
+                                       : QString()};
     // The first of those that block is in the verdict.
     bool isSaid = withDoubts;
     for (const workshop::Doubt& doubt : doubts()) {
