@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 
 #include "case-file/verdict.h"
 #include "model/scene_model.h"
+#include "widgets/verdict_line.h"
 
 namespace ravnoves {
 
@@ -16,6 +18,22 @@ inline Verdict withRejected(Verdict verdict, const SceneModel& model) {
             CORE_TEXT("core", "Results use the previous value of the red field."), verdict.text);
     }
     return verdict;
+}
+
+/// Keeps a line at the verdict of a model.
+/// @param act  what its button says
+inline void showVerdict(
+    VerdictLine* line, SceneModel* model,
+    const std::function<QString(const Verdict&)>& act = [](const Verdict&) { return QString(); }) {
+    const auto show = [=] {
+        const Verdict verdict = withRejected(model->verdictShown().value(), *model);
+        line->show(verdict, act(verdict));
+    };
+    for (const auto signal :
+         {&SceneModel::changed, &SceneModel::shownChanged, &SceneModel::rejectedInChanged}) {
+        QObject::connect(model, signal, line, show);
+    }
+    show();
 }
 
 }  // namespace ravnoves

@@ -119,6 +119,17 @@ QString askSavePath(QWidget* parent, const QString& title, const QString& sugges
     }
 }
 
+QString saveFile(QWidget* parent, const QString& title, const QString& suggestion,
+                 const QList<FileFormat>& formats,
+                 const std::function<QString(const QString& path)>& write) {
+    const QString path = askSavePath(parent, title, suggestion, formats);
+    const QString trouble = path.isEmpty() ? QString() : write(path);
+    if (!trouble.isEmpty()) {
+        QMessageBox::warning(parent, title, trouble);
+    }
+    return trouble.isEmpty() ? path : QString();
+}
+
 QString askOpenPath(QWidget* parent, const QString& title, const QString& folder,
                     const QString& filters) {
     return fileChoosers().open(parent, plainTitle(title),

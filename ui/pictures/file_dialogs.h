@@ -39,6 +39,12 @@ QString completedPath(const QString& typed, const QList<FileFormat>& formats, qs
 /// @return an empty text where the user gives up
 QString askSavePath(QWidget* parent, const QString& title, const QString& suggestion,
                     const QList<FileFormat>& formats);
+/// Asks where to save, and writes there.
+/// @param write  returns an empty text, or what went wrong, which is said
+/// @return the path of what was written; empty where nothing was
+QString saveFile(QWidget* parent, const QString& title, const QString& suggestion,
+                 const QList<FileFormat>& formats,
+                 const std::function<QString(const QString& path)>& write);
 /// Prompts for a file to read.
 QString askOpenPath(QWidget* parent, const QString& title, const QString& folder,
                     const QString& filters);

@@ -5,7 +5,6 @@
 #include <QFileInfo>
 #include <QImage>
 #include <QMainWindow>
-#include <QMessageBox>
 #include <QPageSize>
 #include <QPaintEngine>
 #include <QPainter>
@@ -103,13 +102,8 @@ QString writePicture(const QString& path, const QSize& size, const QString& titl
 void savePictureWithDialog(QWidget* parent, const QString& title, const QString& name,
                            const QList<FileFormat>& others,
                            const std::function<QString(const QString&)>& write) {
-    const QString path = askSavePath(parent, title, name, pictureFormats() + others);
+    const QString path = saveFile(parent, title, name, pictureFormats() + others, write);
     if (path.isEmpty()) {
-        return;
-    }
-    const QString trouble = write(path);
-    if (!trouble.isEmpty()) {
-        QMessageBox::warning(parent, title, trouble);
         return;
     }
     for (QWidget* each = parent; each != nullptr; each = each->parentWidget()) {
