@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "case-file/decimal.h"
 #include "methods/model/method_words.h"
 #include "pictures/picture_file.h"
+#include "plot/model/figure.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
@@ -23,23 +23,21 @@ using methods::Kernel;
 using methods::MethodInfo;
 using methods::Result;
 using methods::StabilityCurve;
-using methods::StabilityMap;
 using methods::SweepInfo;
 using methods::WorkPoint;
 
 namespace {
 
-constexpr double shadeAlpha = 0.10;
 constexpr int pairWidth = 640;     ///< designed pixels of two charts side by side
 constexpr int foldedHeight = 310;  ///< designed pixels of one above the other, with its legend
 
-PlotView::Axis sweepAxis(const SweepInfo& sweep) {
-    PlotView::Axis axis;
-    axis.title = sweepTitle(sweep);
-    axis.min = sweep.from;
-    axis.max = sweep.to;
-    axis.degrees = sweep.unit == units::degree && sweep.spacing == methods::Spacing::linear;
-    axis.logarithmic = sweep.logarithmic();
+plot::Axis sweepAxis(const SweepInfo& sweep) {
+    plot::Axis axis{
+        .title = sweepTitle(sweep),
+        .min = sweep.from,
+        .max = sweep.to,
+        .degrees = sweep.unit == units::degree && sweep.spacing == methods::Spacing::linear,
+        .logarithmic = sweep.logarithmic()};
     if (axis.logarithmic && sweep.from >= 1e-3 && sweep.to < 1e4) {
         axis.label = [](double value) { return shownFormNumber(value, QLocale(), 3); };
     }
@@ -62,6 +60,178 @@ std::pair<double, double> around(const SweepInfo& sweep, const std::vector<doubl
             span.last + 1 == values.size() ? values.back() : middle(span.last, span.last + 1)};
 }
 
+/// Whole decades with all errors; before any are measured the frame of what is to come.
+std::pair<double, double> decadesOf(const MethodMeasurement* shown) {
+    if (shown == nullptr) {
+        return {minimum, 1.0};
+    }
+    double low = shown->kernel().choice.tolerance;
+    double high = low;
+    const auto take = [&](const Result& result) {
+        if (!result.rejected()) {
+            low = std::min(low, drawn(result));
+            high = std::max(high, drawn(result));
+        }
+    };
+    for (const WorkPoint& point : shown->work.points) {
+        take(point.result);
+    }
+    for (const StabilityCurve& curve : shown->map->curves) {
+        std::for_each(curve.results.begin(), curve.results.end(), take);
+    }
+    return {std::pow(10.0, std::floor(std::log10(low))),
+            std::pow(10.0, std::ceil(std::log10(high)))};
+}
+
+/// What both charts have: the axis of the errors, and the tolerance.
+Figure overErrors(const MethodMeasurement* shown, const Kernel& kernel) {
+    const auto [from, to] = decadesOf(shown);
+    Figure figure;
+    figure.left = {.title = MethodPlots::tr("error"), .min = from, .max = to, .logarithmic = true};
+    figure.leftRange = std::pair(from / 1.6, to * 1.6);
+    figure.lines = {
+        {.at = kernel.choice.tolerance,
+         .role = Role::Present,
+         .text = MethodPlots::tr("tolerance, %1").arg(errorNumber(kernel.choice.tolerance))}};
+    if (shown != nullptr) {  // a curve in here fails
+        figure.bands = {{.from = kernel.choice.tolerance,
+                         .to = to * 2.0,
+                         .role = Role::Forbidden,
+                         .strength = 0.05,
+                         .orientation = Qt::Vertical}};
+    }
+    return figure;
+}
+
+Figure::Curve& addMethod(Figure& figure, const Kernel& kernel, std::size_t method,
+                         plot::Shape shape) {
+    const MethodInfo& info = kernel.methods[method];
+    return figure.add(kernel.id + '/' + info.id,
+                      {.name = shownText(info.title),
+                       .role = series(static_cast<int>(method)),
+                       .width = method == kernel.chosen_method() ? 2.2 : 1.4,
+                       .shape = shape,
+                       .toolTip = shownText(info.limits),
+                       .gaps = true},
+                      {}, {});
+}
+
+QString pointText(const Kernel& kernel, const WorkPoint& point) {
+    const MethodInfo& method = kernel.methods[point.method];
+    return QStringList{shownText(method.title) + QStringLiteral(", ") +
+                           methodText(method.settings[point.setting].label),
+                       MethodPlots::tr("%1, half of the runs from %2 to %3")
+                           .arg(timeText(point.timing.median), timeText(point.timing.low),
+                                timeText(point.timing.high)),
+                       MethodPlots::tr("error %1").arg(resultText(point.result)),
+                       point.result.error <= kernel.choice.tolerance
+                           ? MethodPlots::tr("within the tolerance")
+                           : MethodPlots::tr("beyond the tolerance")}
+        .join(QLatin1Char('\n'));
+}
+
+Figure workFigure(const MethodMeasurement* shown, const Kernel& kernel) {
+    Figure figure = overErrors(shown, kernel);
+    figure.x = {.title = MethodPlots::tr("time of one evaluation"),
+                .min = 1.0,
+                .max = 1e6,
+                .logarithmic = true,
+                .label = timeText};
+    if (shown == nullptr) {
+        figure.title = MethodPlots::tr("Time and error");
+        return figure;
+    }
+    figure.title = MethodPlots::tr("%1: time and error").arg(shownText(kernel.title));
+    const auto [fastest, slowest] = std::ranges::minmax(
+        shown->work.points, {}, [](const WorkPoint& point) { return point.timing.median; });
+    constexpr double room = 1.7;
+    figure.x.title = MethodPlots::tr("time: %1").arg(shownText(kernel.evaluation));
+    figure.x.min = fastest.timing.median / room;
+    figure.x.max = slowest.timing.median * room;
+    figure.marks.emplace();
+    for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
+        Figure::Curve& curve = addMethod(figure, kernel, method, plot::Shape::LineAndPoints);
+        QStringList texts;
+        for (const WorkPoint& point : shown->work.points) {
+            if (point.method != method || point.result.rejected()) {
+                continue;
+            }
+            curve.x.push_back(point.timing.median);
+            curve.y.push_back(drawn(point.result));
+            texts << pointText(kernel, point);
+            if (method == kernel.chosen_method() && point.setting == kernel.chosen_setting()) {
+                figure.marks->push_back({.x = curve.x.back(),
+                                         .y = curve.y.back(),
+                                         .text = MethodPlots::tr("in use"),
+                                         .role = curve.style.role,
+                                         .ring = true});
+            }
+        }
+        curve.text = [texts](std::size_t point) {
+            return texts.value(static_cast<qsizetype>(point));
+        };
+    }
+    return figure;
+}
+
+/// Shades where values are no input of the scene, and where a method fails.
+void addFailing(Figure& figure, const MethodMeasurement& shown, std::size_t method) {
+    const SweepInfo& sweep = shown.sweep();
+    const std::vector<double>& values = shown.map->values;
+    const QString noInput = MethodPlots::tr("not an input");
+    if (sweep.scene_from > values.front()) {
+        figure.bands.push_back(
+            {.from = values.front(), .to = sweep.scene_from, .strength = 0.16, .text = noInput});
+    }
+    if (sweep.scene_to < values.back()) {
+        figure.bands.push_back(
+            {.from = sweep.scene_to, .to = values.back(), .strength = 0.16, .text = noInput});
+    }
+    for (const StabilityCurve& curve : shown.map->curves) {
+        if (curve.method != method) {
+            continue;
+        }
+        for (const auto& span : curve.failing(shown.kernel().choice.tolerance)) {
+            const auto [from, to] = around(sweep, values, span);
+            for (plot::Band& other : figure.bands) {
+                if (other.orientation == Qt::Horizontal && other.to > from && other.from < to) {
+                    other.text.clear();  // one text over the other cannot be read
+                }
+            }
+            figure.bands.push_back(
+                {.from = from,
+                 .to = to,
+                 .role = series(static_cast<int>(method)),
+                 .strength = 0.18,
+                 .text = MethodPlots::tr("%1 fails")
+                             .arg(shownText(shown.kernel().methods[method].title))});
+        }
+    }
+}
+
+/// @param method  whose failing regions are shaded
+Figure stabilityFigure(const MethodMeasurement* shown, const Kernel& kernel, const SweepInfo& sweep,
+                       std::size_t method) {
+    Figure figure = overErrors(shown, kernel);
+    figure.x = sweepAxis(sweep);
+    if (shown == nullptr) {
+        figure.title = MethodPlots::tr("Error along the hard parameter");
+        return figure;
+    }
+    figure.title = MethodPlots::tr("%1: stability").arg(shownText(kernel.title));
+    figure.left.title.clear();
+    for (const StabilityCurve& curve : shown->map->curves) {
+        Figure::Curve& errors = addMethod(figure, kernel, curve.method, plot::Shape::Line);
+        errors.x = shown->map->values;
+        for (const Result& result : curve.results) {
+            errors.y.push_back(result.rejected() ? std::numeric_limits<double>::quiet_NaN()
+                                                 : drawn(result));
+        }
+    }
+    addFailing(figure, *shown, method);
+    return figure;
+}
+
 }  // namespace
 
 MethodPlots::MethodPlots(MethodsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
@@ -79,13 +249,12 @@ MethodPlots::MethodPlots(MethodsModel* model, QWidget* parent) : QWidget(parent)
             model_->setValue(rounded_to_digits(x, 3));
         }
     });
-    connect(model, &SceneModel::changed, this, &MethodPlots::showMeasurement);
-    connect(model, &MethodsModel::sweepChanged, this, &MethodPlots::showValue);
-    connect(model, &MethodsModel::valueChanged, this, &MethodPlots::showValue);
-    connect(model, &MethodsModel::shownMethodChanged, this, &MethodPlots::showFailing);
-    connect(model, &MethodsModel::measurementChanged, this, &MethodPlots::showStale);
-    connect(&Theme::instance(), &Theme::changed, this, &MethodPlots::showFailing);
-    showMeasurement();
+    connect(model, &SceneModel::changed, this, &MethodPlots::follow);
+    connect(model, &MethodsModel::sweepChanged, this, &MethodPlots::follow);
+    connect(model, &MethodsModel::valueChanged, this, &MethodPlots::follow);
+    connect(model, &MethodsModel::shownMethodChanged, this, &MethodPlots::follow);
+    connect(model, &MethodsModel::measurementChanged, this, &MethodPlots::follow);
+    follow();
 }
 
 void MethodPlots::resizeEvent(QResizeEvent* event) {
@@ -100,247 +269,29 @@ void MethodPlots::resizeEvent(QResizeEvent* event) {
     }
 }
 
-std::pair<double, double> MethodPlots::decadesOf(const MethodMeasurement& shown) {
-    double minimum = shown.kernel().choice.tolerance;
-    double maximum = minimum;
-    const auto take = [&](const Result& result) {
-        if (!result.rejected()) {
-            minimum = std::min(minimum, drawn(result));
-            maximum = std::max(maximum, drawn(result));
-        }
-    };
-    for (const WorkPoint& point : shown.work.points) {
-        take(point.result);
-    }
-    for (const StabilityCurve& curve : shown.map->curves) {
-        std::for_each(curve.results.begin(), curve.results.end(), take);
-    }
-    return {std::pow(10.0, std::floor(std::log10(minimum))),
-            std::pow(10.0, std::ceil(std::log10(maximum)))};
-}
-
-void MethodPlots::setUpCurves(const Kernel& kernel) {
-    if (curvesOf_ == &kernel) {
-        return;
-    }
-    curvesOf_ = &kernel;
-    for (PlotView* plot : {work_, stability_}) {
-        while (static_cast<std::size_t>(plot->curveCount()) < kernel.methods.size()) {
-            plot->addCurve({});
-        }
-        for (int curve = 0; curve < plot->curveCount(); ++curve) {
-            const auto method = static_cast<std::size_t>(curve);
-            plot->setCurve(curve, {}, {});
-            plot->setPointText(curve, {});
-            plot->setCurveShown(curve, true);
-            PlotView::CurveStyle style;
-            if (method < kernel.methods.size()) {
-                const MethodInfo& info = kernel.methods[method];
-                style.name = shownText(info.title);
-                style.toolTip = shownText(info.limits);
-            }
-            style.role = series(curve);
-            style.width = method == kernel.chosen_method() ? 2.2 : 1.4;
-            style.gaps = true;
-            style.shape = plot == work_ ? PlotView::Shape::LineAndPoints : PlotView::Shape::Line;
-            plot->setCurveStyle(curve, style);
-        }
-    }
-}
-
-PlotView::Line MethodPlots::toleranceLine(const Kernel& kernel) const {
-    PlotView::Line tolerance;
-    tolerance.at = kernel.choice.tolerance;
-    tolerance.role = Role::Present;
-    tolerance.text = tr("tolerance, %1").arg(errorNumber(kernel.choice.tolerance));
-    return tolerance;
-}
-
-void MethodPlots::showErrors(PlotView* plot, const QString& title) const {
-    const auto [from, to] = errors_;
-    plot->setYAxis(PlotView::Side::Left, {title, from, to, false, true});
-    plot->setYRange(PlotView::Side::Left, from / 1.6, to * 1.6);
-}
-
-void MethodPlots::showMeasurement() {
+void MethodPlots::follow() {
     const MethodMeasurement* shown = model_->shown();
-    if (shown != nullptr) {
-        errors_ = decadesOf(*shown);
-        setUpCurves(shown->kernel());
-        showWork(*shown);
-        showStability(*shown);
-        showFailing();
-    } else {
-        // Nothing yet: the frame of what is to come.
-        errors_ = {minimum, 1.0};
-        setUpCurves(model_->kernel());
-        work_->setXAxis({tr("time of one evaluation"), 1.0, 1e6, false, true, timeText});
-        showErrors(work_, tr("error"));
-        work_->setLines({toleranceLine(model_->kernel())});
-        stability_->setXAxis(sweepAxis(model_->sweep()));
-        showErrors(stability_, tr("error"));
-    }
-    showValue();
-}
-
-QString MethodPlots::pointText(const MethodMeasurement& shown, const WorkPoint& point) const {
-    const Kernel& kernel = shown.kernel();
-    const MethodInfo& method = kernel.methods[point.method];
-    QStringList lines{shownText(method.title) + QStringLiteral(", ") +
-                          methodText(method.settings[point.setting].label),
-                      tr("%1, half of the runs from %2 to %3")
-                          .arg(timeText(point.timing.median), timeText(point.timing.low),
-                               timeText(point.timing.high))};
-    lines << tr("error %1").arg(resultText(point.result));
-    lines << (point.result.error <= kernel.choice.tolerance ? tr("within the tolerance")
-                                                            : tr("beyond the tolerance"));
-    return lines.join(QLatin1Char('\n'));
-}
-
-void MethodPlots::showWork(const MethodMeasurement& shown) {
-    const Kernel& kernel = shown.kernel();
-    work_->setTitle(tr("%1: time and error").arg(shownText(kernel.title)));
-    double fastest = std::numeric_limits<double>::infinity();
-    double slowest = 0.0;
-    for (const WorkPoint& point : shown.work.points) {
-        fastest = std::min(fastest, point.timing.median);
-        slowest = std::max(slowest, point.timing.median);
-    }
-    constexpr double room = 1.7;
-    work_->setXAxis({tr("time: %1").arg(shownText(kernel.evaluation)), fastest / room,
-                     slowest * room, false, true, timeText});
-    showErrors(work_, tr("error"));
-    work_->setLines({toleranceLine(kernel)});
-    std::vector<PlotView::Mark> marks;
-    for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
-        std::vector<double> x, y;
-        QStringList texts;
-        for (const WorkPoint& point : shown.work.points) {
-            if (point.method != method || point.result.rejected()) {
-                continue;
-            }
-            x.push_back(point.timing.median);
-            y.push_back(drawn(point.result));
-            texts << pointText(shown, point);
-            if (method == kernel.chosen_method() && point.setting == kernel.chosen_setting()) {
-                PlotView::Mark ring;
-                ring.x = x.back();
-                ring.y = y.back();
-                ring.role = series(static_cast<int>(method));
-                ring.text = tr("in use");
-                ring.ring = true;
-                marks.push_back(ring);
-            }
-        }
-        work_->setCurve(static_cast<int>(method), std::move(x), std::move(y));
-        work_->setPointText(static_cast<int>(method),
-                            [texts = std::move(texts)](std::size_t point) {
-                                return texts.value(static_cast<qsizetype>(point));
-                            });
-    }
-    work_->setMarks(std::move(marks));
-}
-
-void MethodPlots::showStability(const MethodMeasurement& shown) {
-    const StabilityMap& map = *shown.map;
-    const Kernel& kernel = shown.kernel();
-    stability_->setTitle(tr("%1: stability").arg(shownText(kernel.title)));
-    stability_->setXAxis(sweepAxis(shown.sweep()));
-    showErrors(stability_, {});
-    for (const StabilityCurve& curve : map.curves) {
-        std::vector<double> errors;
-        for (const Result& result : curve.results) {
-            errors.push_back(result.rejected() ? std::numeric_limits<double>::quiet_NaN()
-                                               : drawn(result));
-        }
-        stability_->setCurve(static_cast<int>(curve.method), map.values, std::move(errors));
-    }
-}
-
-void MethodPlots::showFailing() {
-    const MethodMeasurement* shown = model_->shown();
-    if (shown == nullptr) {
-        return;
-    }
-    const SweepInfo& sweep = shown->sweep();
-    const double tolerance = shown->kernel().choice.tolerance;
-    std::vector<PlotView::Band> bands;
-    PlotView::Band beyond;  // a curve in here fails
-    beyond.from = tolerance;
-    beyond.to = errors_.second * 2.0;
-    beyond.role = Role::Forbidden;
-    beyond.strength = 0.5 * shadeAlpha;
-    beyond.orientation = Qt::Vertical;
-    bands.push_back(beyond);
-    work_->setBands(bands);
-    const double first = shown->map->values.front();
-    const double last = shown->map->values.back();
-    const auto outside = [&](double from, double to) {
-        PlotView::Band band;
-        band.from = from;
-        band.to = to;
-        band.strength = 1.6 * shadeAlpha;
-        band.text = tr("not an input");
-        bands.push_back(band);
-    };
-    if (sweep.scene_from > first) {
-        outside(first, sweep.scene_from);
-    }
-    if (sweep.scene_to < last) {
-        outside(sweep.scene_to, last);
-    }
-    const bool sameKernel = &shown->kernel() == &model_->kernel();
-    const std::size_t method = sameKernel ? model_->shownMethod() : shown->kernel().chosen_method();
-    for (const StabilityCurve& curve : shown->map->curves) {
-        if (curve.method != method) {
-            continue;
-        }
-        for (const auto& span : curve.failing(tolerance)) {
-            PlotView::Band band;
-            std::tie(band.from, band.to) = around(sweep, shown->map->values, span);
-            band.role = series(static_cast<int>(method));
-            band.strength = 1.8 * shadeAlpha;
-            band.text = tr("%1 fails").arg(shownText(shown->kernel().methods[method].title));
-            for (PlotView::Band& other : bands) {
-                const bool apart = other.to <= band.from || other.from >= band.to;
-                if (other.orientation == Qt::Horizontal && !apart) {
-                    other.text.clear();  // one text over the other cannot be read
-                }
-            }
-            bands.push_back(band);
-        }
-    }
-    stability_->setBands(std::move(bands));
-}
-
-void MethodPlots::showValue() {
-    const MethodMeasurement* shown = model_->shown();
+    const Kernel& kernel = shown != nullptr ? shown->kernel() : model_->kernel();
     const SweepInfo& sweep = shown != nullptr ? shown->sweep() : model_->sweep();
-    std::vector lines{toleranceLine(shown != nullptr ? shown->kernel() : model_->kernel())};
+    work_->showFigure(workFigure(shown, kernel));
+    Figure figure = stabilityFigure(
+        shown, kernel, sweep,
+        &kernel == &model_->kernel() ? model_->shownMethod() : kernel.chosen_method());
     // The chart may still be that of the parameter looked at before.
-    const bool same = &sweep == &model_->sweep();
-    stability_->setPresentX(same ? std::optional(model_->value()) : std::nullopt);
-    if (same) {
-        PlotView::Line line;
-        line.at = sweep.present;
-        line.orientation = Qt::Vertical;
-        line.role = Role::Limit;
-        line.text = tr("preset");
-        lines.push_back(line);
+    const bool isSame = &sweep == &model_->sweep();
+    if (isSame) {
+        figure.lines.push_back({.at = sweep.present,
+                                .orientation = Qt::Vertical,
+                                .role = Role::Limit,
+                                .text = tr("preset")});
     }
-    stability_->setLines(std::move(lines));
-    showStale();
-}
-
-void MethodPlots::showStale() {
-    const MethodMeasurement* shown = model_->shown();
-    const bool running = model_->measurements()->isRunning();
-    const QString text = running ? tr("measuring…") : QString();
-    const bool stale = model_->isStale() || shown == nullptr;
-    work_->setFaded(stale, text);
+    stability_->showFigure(figure);
+    stability_->setPresentX(isSame ? std::optional(model_->value()) : std::nullopt);
+    const QString text = model_->measurements()->isRunning() ? tr("measuring…") : QString();
+    work_->setFaded(shown == nullptr || model_->isStale(), text);
     // Errors along the parameter do not depend on its value, so a drag leaves them as they are.
-    const bool other = shown == nullptr || &shown->sweep() != &model_->sweep();
-    stability_->setFaded(other, other ? text : QString());
+    const bool isOther = shown == nullptr || !isSame;
+    stability_->setFaded(isOther, isOther ? text : QString());
 }
 
 QString MethodPlots::exportPicture(const QString& path) {

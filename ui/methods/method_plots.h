@@ -32,24 +32,11 @@ class MethodPlots : public QWidget {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
-    static std::pair<double, double> decadesOf(const MethodMeasurement& shown);
-    void setUpCurves(const methods::Kernel& kernel);
-    void showMeasurement();
-    void showWork(const MethodMeasurement& shown);
-    void showStability(const MethodMeasurement& shown);
-    void showValue();
-    void showFailing();
-    void showStale();
-    /// The tolerance, and the same axis of errors for both.
-    PlotView::Line toleranceLine(const methods::Kernel& kernel) const;
-    void showErrors(PlotView* plot, const QString& title) const;
-    QString pointText(const MethodMeasurement& shown, const methods::WorkPoint& point) const;
+    void follow();
 
     MethodsModel* model_;
     PlotView* work_;
     PlotView* stability_;
-    const methods::Kernel* curvesOf_ = nullptr;  ///< the kernel whose curves are there
-    std::pair<double, double> errors_;  ///< whole decades with all errors, at first a frame
     bool isFolded_ = false;
 };
 

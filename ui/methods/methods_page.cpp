@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTabWidget>
@@ -144,9 +143,8 @@ QList<QAction*> MethodsPage::sceneActions() {
 
 QWidget* MethodsPage::buildChoice() {
     auto* panel = new Panel(this);
-    auto* column = new QVBoxLayout(panel);
-    column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::margin);
-    column->setSpacing(Theme::gap);
+    QVBoxLayout* column =
+        columnIn(panel, Theme::gap, {Theme::margin, Theme::space, Theme::margin, Theme::margin});
     kernels_ = new QComboBox(panel);
     kernels_->setObjectName(QStringLiteral("kernel"));
     kernels_->setAccessibleName(tr("Quantity"));
@@ -199,8 +197,7 @@ QWidget* MethodsPage::buildMeasuring() {
 
 QWidget* MethodsPage::buildWords() {
     auto* panel = new Panel(this);
-    auto* column = new QVBoxLayout(panel);
-    column->setContentsMargins(1, 1, 1, 1);
+    QVBoxLayout* column = columnIn(panel, -1, {1, 1, 1, 1});
     words_ = new QLabel;
     words_->setObjectName(QStringLiteral("words"));
     words_->setWordWrap(true);
@@ -267,9 +264,7 @@ QWidget* MethodsPage::buildResults() {
     plots_ = new MethodPlots(model_, charts);
     column->addWidget(plots_, 3);
     auto* panel = new Panel(charts);
-    auto* inside = new QVBoxLayout(panel);
-    inside->setContentsMargins(1, 1, 1, Theme::gap);
-    inside->setSpacing(Theme::gap);
+    QVBoxLayout* inside = columnIn(panel, Theme::gap, {1, 1, 1, Theme::gap});
     table_ = new ResultTable(tr("Methods as measured"), panel);
     table_->setObjectName(QStringLiteral("methods_table"));
     // Further rows never cost a chart; where the page scrolls, the table does not.
@@ -520,16 +515,11 @@ void MethodsPage::exportWithDialog() {
         charts ? QStringLiteral("methods-") + QString::fromStdString(model_->kernel().id)
                : tabs_->currentWidget()->objectName();
     const QString path =
-        askSavePath(this, tr("Export"), name + QStringLiteral(".csv"),
-                    charts ? QList{csvFormat()} + pictureFormats() : QList{csvFormat()});
-    if (path.isEmpty()) {
-        return;
-    }
-    const QString trouble = exportTo(path);
-    if (trouble.isEmpty()) {
+        saveFile(this, tr("Export"), name + QStringLiteral(".csv"),
+                 charts ? QList{csvFormat()} + pictureFormats() : QList{csvFormat()},
+                 std::bind_front(&MethodsPage::exportTo, this));
+    if (!path.isEmpty()) {
         Q_EMIT status(tr("Exported %1").arg(path));
-    } else {
-        QMessageBox::warning(this, tr("Export"), trouble);
     }
 }
 

@@ -55,8 +55,7 @@ ValidationView::ValidationView(QWidget* parent)
 
 QWidget* ValidationView::buildTable() {
     auto* panel = new Panel(this);
-    auto* inside = new QVBoxLayout(panel);
-    inside->setContentsMargins(1, 1, 1, Theme::gap);
+    QVBoxLayout* inside = columnIn(panel, -1, {1, 1, 1, Theme::gap});
     table_ = new ResultTable(tr("Printed numbers and our values"), panel);
     table_->setObjectName(QStringLiteral("validation_table"));
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);

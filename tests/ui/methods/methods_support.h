@@ -15,12 +15,4 @@ inline void waitUntilMeasured(MethodsModel& model) {
     ASSERT_TRUE(comes([&] { return model.shown() != nullptr && !model.isStale(); }));
 }
 
-/// Measures without the page being in front.
-inline void measureNow(MethodsModel& model) {
-    QSignalSpy measured(model.measurements(), &MethodMeasurements::measured);
-    model.measurements()->start(model.kernel(), model.sweepIndex(), model.value(),
-                                MeasurementEffort::quick);
-    ASSERT_TRUE(measured.wait(patience));
-}
-
 }  // namespace ravnoves::test

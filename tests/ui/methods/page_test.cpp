@@ -157,6 +157,9 @@ TEST_F(MethodsPageTest, WhatIsRejectedIsInTheTableAlone) {
         EXPECT_FALSE(csv.contains(CsvFormat().number(point.timing.median)));
         EXPECT_EQ(page.table()->item(row++, 3)->text(), QStringLiteral("rejected"));
     }
+    for (const auto& each : model->shown()->report.rows) {
+        EXPECT_FALSE(each.holds);
+    }
 }
 
 TEST_F(MethodsPageTest, KernelAndParameterAreChosenByKeys) {
