@@ -96,10 +96,6 @@ Figure indicator(const BalanceShaftModel& model) {
     return figure;
 }
 
-Results cycle(const BalanceShaftModel& model) {
-    return model.cycle();
-}
-
 Figure orders(const BalanceShaftModel& model) {
     const balance_shaft::Result& result = model.result();
     Figure figure;
@@ -178,22 +174,19 @@ Figure energy(const BalanceShaftModel& model) {
     return figure;
 }
 
-Results flywheel(const BalanceShaftModel& model) {
-    return model.flywheel();
-}
-
 constexpr std::array cycleMakers{
     PartMaker<BalanceShaftModel>{{.id = "torque", .tab = "cycle"}, made<torque>},
     PartMaker<BalanceShaftModel>{{.id = "pressure", .tab = "cycle"}, made<pressure>},
     PartMaker<BalanceShaftModel>{{.id = "indicator", .tab = "cycle"}, made<indicator>},
-    PartMaker<BalanceShaftModel>{{.id = "cycle", .tab = "cycle"}, made<cycle>},
+    PartMaker<BalanceShaftModel>{{.id = "cycle", .tab = "cycle"}, made<&BalanceShaftModel::cycle>},
 };
 
 constexpr std::array orderMakers{
     PartMaker<BalanceShaftModel>{{.id = "orders", .tab = "orders"}, made<orders>},
     PartMaker<BalanceShaftModel>{{.id = "order-table", .tab = "orders"}, made<orderTable>},
     PartMaker<BalanceShaftModel>{{.id = "energy", .tab = "flywheel"}, made<energy>},
-    PartMaker<BalanceShaftModel>{{.id = "flywheel", .tab = "flywheel"}, made<flywheel>},
+    PartMaker<BalanceShaftModel>{{.id = "flywheel", .tab = "flywheel"},
+                                 made<&BalanceShaftModel::flywheel>},
 };
 
 }  // namespace

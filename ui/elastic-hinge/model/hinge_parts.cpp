@@ -73,15 +73,13 @@ Figure guides(const ElasticHingeModel& model) {
     };
     for (const Branch branch : branches) {
         GuidePicture::Path circle = drawn.circle(branch);
-        figure.curves.push_back(
-            {.id = "circle-" + branchId(branch),
-             .style = {.name = branch == Branch::compressed ? HingePlots::tr("ρ₀")
-                                                            : HingePlots::tr("ℓ₀ − ρ₀"),
-                       .role = Role::Limit,
-                       .width = 1.0,
-                       .inLegend = false},
-             .x = std::move(circle.x),
-             .y = std::move(circle.y)});
+        figure.add("circle-" + branchId(branch),
+                   {.name = branch == Branch::compressed ? HingePlots::tr("ρ₀")
+                                                         : HingePlots::tr("ℓ₀ − ρ₀"),
+                    .role = Role::Limit,
+                    .width = 1.0,
+                    .inLegend = false},
+                   std::move(circle.x), std::move(circle.y));
     }
     const double roller = model.input().roller_radius;
     if (GuidePicture::Path profile = drawn.profile(roller); !profile.x.empty()) {
@@ -121,14 +119,12 @@ Figure relief(const ElasticHingeModel& model) {
         overTurn(HingePlots::tr("ρ over the turn, from its value at 0°"),
                  isNarrow ? HingePlots::tr("ρ − ρ(0), µm") : HingePlots::tr("ρ − ρ(0), mm"));
     for (std::size_t i = 0; i < branches.size(); ++i) {
-        figure.curves.push_back(
-            {.id = branchId(branches[i]),
-             .style = {.name = branchName(branches[i]),
-                       .role = branchRoles[i],
-                       .width = i == 0 ? 1.8 : 1.4,
-                       .gaps = true},
-             .x = phi,
-             .y = picture.rise(branches[i], isNarrow ? units::micrometre : units::mm)});
+        figure.add(branchId(branches[i]),
+                   {.name = branchName(branches[i]),
+                    .role = branchRoles[i],
+                    .width = i == 0 ? 1.8 : 1.4,
+                    .gaps = true},
+                   phi, picture.rise(branches[i], isNarrow ? units::micrometre : units::mm));
     }
     for (const auto& [from, to] : picture.gaps(phi)) {
         figure.bands.push_back({from, to, Role::Forbidden, 0.12, HingePlots::tr("no guide")});
@@ -142,20 +138,17 @@ using Values = std::vector<double> MechanismCurves::*;
 /// so that it is seen where it is one of the family.
 void addFamily(Figure& figure, const Result& result, const std::vector<FamilyMember>& members,
                Values values, const char* word, const std::function<QString(double)>& name) {
-    figure.curves.push_back({.id = "case",
-                             .style = {.name = HingePlots::tr("this case"),
-                                       .role = Role::Case,
-                                       .width = 3.6,
-                                       .toolTip = HingePlots::tr("At the λ and ω of the case")},
-                             .x = result.crank_angle_deg,
-                             .y = result.curves.*values});
+    figure.add("case",
+               {.name = HingePlots::tr("this case"),
+                .role = Role::Case,
+                .width = 3.6,
+                .toolTip = HingePlots::tr("At the λ and ω of the case")},
+               result.crank_angle_deg, result.curves.*values);
     int number = 0;
     for (const FamilyMember& member : members) {
-        figure.curves.push_back(
-            {.id = word + std::to_string(number),
-             .style = {.name = name(member.parameter), .role = series(number), .width = 1.4},
-             .x = result.crank_angle_deg,
-             .y = member.curves.*values});
+        figure.add(word + std::to_string(number),
+                   {.name = name(member.parameter), .role = series(number), .width = 1.4},
+                   result.crank_angle_deg, member.curves.*values);
         ++number;
     }
 }
@@ -169,30 +162,25 @@ Figure rodMoment(const ElasticHingeModel& model) {
     const Result& result = model.result();
     const std::vector<double>& phi = result.crank_angle_deg;
     Figure figure = overTurn(HingePlots::tr("M₁₂ and its potential part"), HingePlots::tr("N·m"));
-    figure.curves = {
-        {.id = "moment",
-         .style = {.name = HingePlots::tr("moment on rod (M₁₂)"),
-                   .role = Role::Hinge,
-                   .width = 2.4,
-                   .toolTip = HingePlots::tr("Moment on the rod that makes the side force zero, "
-                                             "(4), with a counterweight (9)")},
-         .x = phi,
-         .y = result.curves.rod_hinge_moment},
-        {.id = "potential",
-         .style = {.name = HingePlots::tr("potential part"),
-                   .role = Role::Part,
-                   .toolTip = HingePlots::tr("M₁₂ minus its mean, (5)")},
-         .x = phi,
-         .y = result.curves.rod_hinge_moment_potential},
-        {.id = "other",
-         .style = {.name = model.input().kinematics == Kinematics::series
-                               ? HingePlots::tr("exact")
-                               : HingePlots::tr("series"),
-                   .role = Role::Comparison,
-                   .width = 1.4,
-                   .toolTip = HingePlots::tr("M₁₂ by the other kinematics, for comparison")},
-         .x = phi,
-         .y = result.other_rod_hinge_moment}};
+    figure.add("moment",
+               {.name = HingePlots::tr("moment on rod (M₁₂)"),
+                .role = Role::Hinge,
+                .width = 2.4,
+                .toolTip = HingePlots::tr("Moment on the rod that makes the side force zero, (4), "
+                                          "with a counterweight (9)")},
+               phi, result.curves.rod_hinge_moment);
+    figure.add("potential",
+               {.name = HingePlots::tr("potential part"),
+                .role = Role::Part,
+                .toolTip = HingePlots::tr("M₁₂ minus its mean, (5)")},
+               phi, result.curves.rod_hinge_moment_potential);
+    figure.add("other",
+               {.name = model.input().kinematics == Kinematics::series ? HingePlots::tr("exact")
+                                                                       : HingePlots::tr("series"),
+                .role = Role::Comparison,
+                .width = 1.4,
+                .toolTip = HingePlots::tr("M₁₂ by the other kinematics, for comparison")},
+               phi, result.other_rod_hinge_moment);
     return figure;
 }
 
@@ -223,15 +211,13 @@ Figure sideForceSpeeds(const ElasticHingeModel& model) {
     for (double& force : tenfold) {
         force *= 10.0;
     }
-    figure.curves.push_back(
-        {.id = "with-hinge",
-         .style = {.name = HingePlots::tr("10 × with hinge"),
-                   .role = Role::OtherQuantity,
-                   .width = 2.8,
-                   .toolTip = HingePlots::tr("Ten times the side force with the rod's hinge: the "
-                                             "same at every ω")},
-         .x = result.crank_angle_deg,
-         .y = std::move(tenfold)});
+    figure.add("with-hinge",
+               {.name = HingePlots::tr("10 × with hinge"),
+                .role = Role::OtherQuantity,
+                .width = 2.8,
+                .toolTip = HingePlots::tr("Ten times the side force with the rod's hinge: the same "
+                                          "at every ω")},
+               result.crank_angle_deg, std::move(tenfold));
     addSpeeds(figure, result, &MechanismCurves::side_force_without_hinge);
     return figure;
 }
@@ -240,23 +226,20 @@ Figure crankMoment(const ElasticHingeModel& model) {
     const Result& result = model.result();
     Figure figure =
         overTurn(HingePlots::tr("Moment that keeps the crank's speed"), HingePlots::tr("N·m"));
-    figure.curves = {
-        {.id = "without",
-         .style = {.name = HingePlots::tr("without hinge (M)"),
-                   .role = Role::Engine,
-                   .width = 1.8,
-                   .toolTip = HingePlots::tr("Without the rod's hinge, d(T + V)/dφ")},
-         .x = result.crank_angle_deg,
-         .y = result.curves.crank_moment},
-        {.id = "with",
-         .style = {.name = result.has_counterweight ? HingePlots::tr("with hinge (M₁*)")
-                                                    : HingePlots::tr("with hinge (M₁)"),
-                   .role = Role::Sum,
-                   .width = 1.8,
-                   .toolTip = HingePlots::tr("With the rod's hinge, M + M₁₂ (1 + ψ′), (8); with a "
-                                             "counterweight M₁*, (11)")},
-         .x = result.crank_angle_deg,
-         .y = result.curves.crank_moment_with_rod_hinge}};
+    figure.add("without",
+               {.name = HingePlots::tr("without hinge (M)"),
+                .role = Role::Engine,
+                .width = 1.8,
+                .toolTip = HingePlots::tr("Without the rod's hinge, d(T + V)/dφ")},
+               result.crank_angle_deg, result.curves.crank_moment);
+    figure.add("with",
+               {.name = result.has_counterweight ? HingePlots::tr("with hinge (M₁*)")
+                                                 : HingePlots::tr("with hinge (M₁)"),
+                .role = Role::Sum,
+                .width = 1.8,
+                .toolTip = HingePlots::tr("With the rod's hinge, M + M₁₂ (1 + ψ′), (8); with a "
+                                          "counterweight M₁*, (11)")},
+               result.crank_angle_deg, result.curves.crank_moment_with_rod_hinge);
     return figure;
 }
 
@@ -278,9 +261,7 @@ Figure crankSpeed(const ElasticHingeModel& model) {
     const HingeMotions* motions = model.motions();
     const auto add = [&](const char* id, const std::optional<Motion> HingeMotions::*which,
                          plot::CurveStyle style) {
-        Figure::Curve& curve = figure.curves.emplace_back();
-        curve.id = id;
-        curve.style = std::move(style);
+        Figure::Curve& curve = figure.add(id, std::move(style), {}, {});
         if (motions == nullptr || !(motions->*which)) {
             return;
         }

@@ -111,15 +111,12 @@ struct Course {
 /// @param tips  of the upright and the level component of each
 void addCourse(Figure& figure, bool force, Course course, const std::array<QString, 6>& tips) {
     const auto add = [&](const char* id, const QString& name, Role role, double width,
-                         const QString& tip, std::vector<double>& values) {
+                         const QString& tip, const std::vector<double>& values) {
         if (isSomething(values)) {
             figure.leftRange.reset();
         }
-        figure.curves.push_back(
-            {.id = id,
-             .style = {.name = name, .role = role, .width = width, .toolTip = tip},
-             .x = values.empty() ? values : course.angle,
-             .y = std::move(values)});
+        figure.add(id, {.name = name, .role = role, .width = width, .toolTip = tip},
+                   values.empty() ? values : course.angle, values);
     };
     figure.leftRange = std::pair(-1.0, 1.0);  // a flat chart, not rounding
     const auto named = [&](const QString& moment, const QString& ofForce) {
@@ -142,7 +139,8 @@ void addCourse(Figure& figure, bool force, Course course, const std::array<QStri
 }
 
 /// The moments (or forces) of one order, as the paper's Fig. 6 shows them.
-Figure ofOrder(const InertiaMomentsModel& model, int order) {
+template <int order>
+Figure ofOrder(const InertiaMomentsModel& model) {
     const bool force = model.showsForces();
     const Result& result = model.result();
     Figure figure = overCycle(
@@ -183,14 +181,6 @@ Figure ofOrder(const InertiaMomentsModel& model, int order) {
     return figure;
 }
 
-Figure firstOrder(const InertiaMomentsModel& model) {
-    return ofOrder(model, 1);
-}
-
-Figure secondOrder(const InertiaMomentsModel& model) {
-    return ofOrder(model, 2);
-}
-
 /// Moments about the crank are moments too: a four in line has no others.
 void addRoll(Figure& figure, const Result& result) {
     double nothing = 0.0;
@@ -201,9 +191,7 @@ void addRoll(Figure& figure, const Result& result) {
     const std::vector<double>& left = result.remaining_curves.roll;
     const auto isAbove = [nothing](double value) { return std::abs(value) > nothing; };
     const auto add = [&](const char* id, plot::CurveStyle style, const std::vector<double>& turn) {
-        Figure::Curve& curve = figure.curves.emplace_back();
-        curve.id = id;
-        curve.style = std::move(style);
+        Figure::Curve& curve = figure.add(id, std::move(style), {}, {});
         if (turn.empty()) {
             return;
         }
@@ -235,7 +223,9 @@ void addRoll(Figure& figure, const Result& result) {
 }
 
 /// Forces or moments of all orders.
-Figure ofAllOrders(const Result& result, bool force) {
+template <bool force>
+Figure ofAllOrders(const InertiaMomentsModel& model) {
+    const Result& result = model.result();
     const double nothing = rounding(result, force);
     const auto trace = [&](const WrenchCurves& curves) {
         const Trace turn = turnOf(curves, force, nothing);
@@ -261,14 +251,6 @@ Figure ofAllOrders(const Result& result, bool force) {
     return figure;
 }
 
-Figure forcesOverAngle(const InertiaMomentsModel& model) {
-    return ofAllOrders(model.result(), true);
-}
-
-Figure momentsOverAngle(const InertiaMomentsModel& model) {
-    return ofAllOrders(model.result(), false);
-}
-
 /// The ellipse that a rotating pair runs round.
 Trace ellipse(const RotatingPair& pair) {
     constexpr int points = 96;
@@ -282,7 +264,9 @@ Trace ellipse(const RotatingPair& pair) {
 }
 
 /// The ends of the vectors of force (N) or moment (N·m) over a cycle.
-Figure hodograph(const Result& result, bool force) {
+template <bool force>
+Figure hodograph(const InertiaMomentsModel& model) {
+    const Result& result = model.result();
     Figure figure;
     figure.title = force ? EnginePlots::tr("Forces") : EnginePlots::tr("Moments");
     figure.equalScale = true;
@@ -296,10 +280,7 @@ Figure hodograph(const Result& result, bool force) {
     const auto add = [&](const char* id, plot::CurveStyle style, Trace trace) {
         include(x, trace.x);
         include(y, trace.y);
-        figure.curves.push_back({.id = id,
-                                 .style = std::move(style),
-                                 .x = std::move(trace.x),
-                                 .y = std::move(trace.y)});
+        figure.add(id, std::move(style), std::move(trace.x), std::move(trace.y));
     };
     const auto ofOrder = [&](int order) {
         const EngineOrder& of = result.unbalanced.order(order);
@@ -350,14 +331,6 @@ Figure hodograph(const Result& result, bool force) {
     return figure;
 }
 
-Figure hodographOfForces(const InertiaMomentsModel& model) {
-    return hodograph(model.result(), true);
-}
-
-Figure hodographOfMoments(const InertiaMomentsModel& model) {
-    return hodograph(model.result(), false);
-}
-
 enum class Kind { Force, Moment, Roll };
 
 /// The largest value of an order over the turn, and what of it is rounding.
@@ -370,7 +343,9 @@ std::pair<double, double> sizeOf(const EngineOrder& order, Kind kind) {
 }
 
 /// The largest values of the orders as bars: exact, two-term and what balancing leaves.
-Figure byOrder(const Result& result, Kind kind) {
+template <Kind kind>
+Figure byOrder(const InertiaMomentsModel& model) {
+    const Result& result = model.result();
     Figure figure;
     figure.title = kind == Kind::Force    ? EnginePlots::tr("Forces by order")
                    : kind == Kind::Moment ? EnginePlots::tr("Moments by order")
@@ -402,27 +377,12 @@ Figure byOrder(const Result& result, Kind kind) {
     return figure;
 }
 
-Figure forcesByOrder(const InertiaMomentsModel& model) {
-    return byOrder(model.result(), Kind::Force);
-}
-
-Figure momentsByOrder(const InertiaMomentsModel& model) {
-    return byOrder(model.result(), Kind::Moment);
-}
-
-Figure rollByOrder(const InertiaMomentsModel& model) {
-    return byOrder(model.result(), Kind::Roll);
-}
-
 /// The roll moment and its two parts, N·m.
 Figure roll(const InertiaMomentsModel& model) {
     const WrenchCurves& curves = model.result().curves;
     Figure figure = overCycle(EnginePlots::tr("Roll moment on the engine"), EnginePlots::tr("N·m"));
     const auto add = [&](const char* id, plot::CurveStyle style, const std::vector<double>& turn) {
-        figure.curves.push_back({.id = id,
-                                 .style = std::move(style),
-                                 .x = anglesOfTwoTurns(2 * turn.size() - 1),
-                                 .y = twice(turn)});
+        figure.add(id, std::move(style), anglesOfTwoTurns(2 * turn.size() - 1), twice(turn));
     };
     add("sum",
         {.name = EnginePlots::tr("roll (Mz)"),
@@ -445,33 +405,32 @@ Figure roll(const InertiaMomentsModel& model) {
 }
 
 Notes deadCentre(const InertiaMomentsModel& model) {
-    Notes notes;
     const double angle = model.result().engine.top_dead_centre(0) / degree;
-    notes.say(Severity::note, QCoreApplication::translate("ravnoves::EngineForm", "φ at TDC") +
-                                  QStringLiteral(": %1°").arg(fixedNumber(angle, 3, QLocale())));
-    return notes;
+    return Notes::of(Severity::note,
+                     QCoreApplication::translate("ravnoves::EngineForm", "φ at TDC") +
+                         QStringLiteral(": %1°").arg(fixedNumber(angle, 3, QLocale())));
 }
 
 using Model = InertiaMomentsModel;
 using Maker = PartMaker<Model>;
 constexpr std::array makers{
     Maker{{.id = "dead-centre"}, made<deadCentre>},
-    Maker{{.id = "order-1", .tab = "first-orders"}, made<firstOrder>},
-    Maker{{.id = "order-2", .tab = "first-orders"}, made<secondOrder>},
+    Maker{{.id = "order-1", .tab = "first-orders"}, made<ofOrder<1>>},
+    Maker{{.id = "order-2", .tab = "first-orders"}, made<ofOrder<2>>},
     Maker{{.id = "left", .isAnswer = true}, made<&Model::remainingResults>},
     Maker{{.id = "orders", .tab = "table-orders", .isAnswer = true}, made<&Model::orderResults>},
     Maker{{.id = "rotating", .tab = "table-rotating", .isAnswer = true},
           made<&Model::rotatingResults>},
     Maker{{.id = "shafts", .tab = "table-shafts", .isAnswer = true}, made<&Model::shaftResults>},
     Maker{{.id = "weights", .tab = "table-weights", .isAnswer = true}, made<&Model::weightResults>},
-    Maker{{.id = "hodograph-forces", .tab = "hodographs"}, made<hodographOfForces>},
-    Maker{{.id = "hodograph-moments", .tab = "hodographs"}, made<hodographOfMoments>},
-    Maker{{.id = "forces-by-order", .tab = "orders"}, made<forcesByOrder>},
-    Maker{{.id = "moments-by-order", .tab = "orders"}, made<momentsByOrder>},
+    Maker{{.id = "hodograph-forces", .tab = "hodographs"}, made<hodograph<true>>},
+    Maker{{.id = "hodograph-moments", .tab = "hodographs"}, made<hodograph<false>>},
+    Maker{{.id = "forces-by-order", .tab = "orders"}, made<byOrder<Kind::Force>>},
+    Maker{{.id = "moments-by-order", .tab = "orders"}, made<byOrder<Kind::Moment>>},
     Maker{{.id = "roll", .tab = "roll"}, made<roll>},
-    Maker{{.id = "roll-by-order", .tab = "roll"}, made<rollByOrder>},
-    Maker{{.id = "forces-over-angle", .tab = "over-angle"}, made<forcesOverAngle>},
-    Maker{{.id = "moments-over-angle", .tab = "over-angle"}, made<momentsOverAngle>},
+    Maker{{.id = "roll-by-order", .tab = "roll"}, made<byOrder<Kind::Roll>>},
+    Maker{{.id = "forces-over-angle", .tab = "over-angle"}, made<ofAllOrders<true>>},
+    Maker{{.id = "moments-over-angle", .tab = "over-angle"}, made<ofAllOrders<false>>},
 };
 
 }  // namespace
