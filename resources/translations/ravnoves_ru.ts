@@ -12159,49 +12159,6 @@ but no position is feasible</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::InertiaMomentsAnswer</name>
-    <message>
-        <source>Crank angle of the picture, from cylinder 1&apos;s axis</source>
-        <translation>Угол кривошипа на рисунке, от оси цилиндра 1</translation>
-    </message>
-    <message>
-        <source>Orders</source>
-        <translation>Порядки</translation>
-    </message>
-    <message>
-        <source>Amplitudes and phases by order and plane</source>
-        <translation>Амплитуды и фазы по порядкам и плоскостям</translation>
-    </message>
-    <message>
-        <source>±kω</source>
-        <translation>±kω</translation>
-    </message>
-    <message>
-        <source>Forward and backward rotating parts by order</source>
-        <translation>Прямые и обратные вращающиеся части по порядкам</translation>
-    </message>
-    <message>
-        <source>Shafts</source>
-        <translation>Валы</translation>
-    </message>
-    <message>
-        <source>Balance shafts</source>
-        <translation>Балансирные валы</translation>
-    </message>
-    <message>
-        <source>Weights</source>
-        <translation>Грузы</translation>
-    </message>
-    <message>
-        <source>Residual</source>
-        <translation>Остаток</translation>
-    </message>
-    <message>
-        <source>Residual by order</source>
-        <translation>Остаток по порядкам</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::InertiaMomentsCharts</name>
     <message>
         <source>Shafts</source>
@@ -12816,6 +12773,46 @@ but no position is feasible</source>
     <message>
         <source>Cylinders</source>
         <translation>Цилиндры</translation>
+    </message>
+    <message>
+        <source>Crank angle of the picture, from cylinder 1&apos;s axis</source>
+        <translation>Угол кривошипа на рисунке, от оси цилиндра 1</translation>
+    </message>
+    <message>
+        <source>Orders</source>
+        <translation>Порядки</translation>
+    </message>
+    <message>
+        <source>Amplitudes and phases by order and plane</source>
+        <translation>Амплитуды и фазы по порядкам и плоскостям</translation>
+    </message>
+    <message>
+        <source>±kω</source>
+        <translation>±kω</translation>
+    </message>
+    <message>
+        <source>Forward and backward rotating parts by order</source>
+        <translation>Прямые и обратные вращающиеся части по порядкам</translation>
+    </message>
+    <message>
+        <source>Shafts</source>
+        <translation>Валы</translation>
+    </message>
+    <message>
+        <source>Balance shafts</source>
+        <translation>Балансирные валы</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Грузы</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Остаток</translation>
+    </message>
+    <message>
+        <source>Residual by order</source>
+        <translation>Остаток по порядкам</translation>
     </message>
     <message>
         <source>Balancing</source>
@@ -15698,22 +15695,6 @@ but no position is feasible</source>
     <message>
         <source>m %1</source>
         <translation>m %1</translation>
-    </message>
-    <message>
-        <source>mρ, g·mm</source>
-        <translation>mρ, г·мм</translation>
-    </message>
-    <message>
-        <source>shaft</source>
-        <translation>вал</translation>
-    </message>
-    <message>
-        <source>phase, °</source>
-        <translation>фаза, °</translation>
-    </message>
-    <message>
-        <source>switched on</source>
-        <translation>включён</translation>
     </message>
     <message>
         <source>Shafts from the front at the present crank angle; red: cancelled part; dashed: axis and crankpin of cylinder 1. Click a shaft to switch it (arrow keys, Space).</source>

@@ -12,26 +12,19 @@
 
 namespace ravnoves {
 
-CylinderTableModel* CylinderEditor::newTable(InertiaMomentsModel* model) {
-    return new CylinderTableModel(model);
-}
-
-CylinderEditor::CylinderEditor(InertiaMomentsModel* model, CylinderTableModel* table,
-                               QWidget* parent)
-    : TableEditor(table, tr("Cylinders"), tr("Add a cylinder below"),
+CylinderEditor::CylinderEditor(InertiaMomentsModel* model, QWidget* parent)
+    : TableEditor(new CylinderTableModel(model), tr("Cylinders"), tr("Add a cylinder below"),
                   tr("Remove the selected cylinders"), parent),
       model_(model),
-      table_(table) {
+      table_(static_cast<CylinderTableModel*>(table())) {
     table_->setParent(this);
     evenFiring_ = new QPushButton(tr("E&ven firing"), this);
     evenFiring_->setObjectName(QStringLiteral("even_firing"));
     evenFiring_->setToolTip(
         tr("Sets the crankpins for even firing in the firing order. The second bank is shifted by "
            "γ + 2 φ_TDC (the paper prints γ + φ_TDC)."));
-    connect(evenFiring_, &QPushButton::clicked, this, [this] {
-        table_->say(model_->setEvenFiring());
-        model_->finishDrag();
-    });
+    connect(evenFiring_, &QPushButton::clicked, this,
+            [this] { table_->say(model_->setEvenFiring()); });
     tools()->addWidget(evenFiring_);
     articulated_ = new QCheckBox(tr("A&rticulated rods"), this);
     articulated_->setObjectName(QStringLiteral("articulated"));

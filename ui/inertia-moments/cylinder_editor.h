@@ -16,12 +16,9 @@ class CylinderEditor : public TableEditor {
     Q_OBJECT
 
   public:
-    explicit CylinderEditor(InertiaMomentsModel* model, QWidget* parent = nullptr)
-        : CylinderEditor(model, newTable(model), parent) {}
+    explicit CylinderEditor(InertiaMomentsModel* model, QWidget* parent = nullptr);
 
   private:
-    CylinderEditor(InertiaMomentsModel* model, CylinderTableModel* table, QWidget* parent);
-    static CylinderTableModel* newTable(InertiaMomentsModel* model);
     void showState();
 
     InertiaMomentsModel* model_;

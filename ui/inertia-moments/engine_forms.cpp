@@ -194,7 +194,6 @@ void EngineForm::addRod() {
                     input.rod = inertia_moments::usual_rod(input);
                 }
             });
-            model_->finishDrag();
         });
     FormSection* rod = section({});
     for (const char* pointer :
@@ -233,7 +232,6 @@ BalancingForm::BalancingForm(InertiaMomentsModel* model) : Form(model) {
                 }
                 input.end_webs->enabled = on;
             });
-            model->finishDrag();
         });
     FormSection* webs = section({});
     for (const char* pointer :
@@ -251,19 +249,14 @@ BalancingForm::BalancingForm(InertiaMomentsModel* model) : Form(model) {
 EngineSliders::EngineSliders(InertiaMomentsModel* model, QWidget* parent) : Panel(parent) {
     using Model = InertiaMomentsModel;
     const auto of = [model](auto member) { return std::bind_front(member, model); };
-    const auto bankEnds = [model] {
-        return model->input().layout ? std::pair(0.0, 180.0) : std::pair(0.1, 360.0);
-    };
-    auto* bank = new FieldSlider(model, "/layout/bank_angle_deg", {0.0, 180.0, 0.1, 5.0, 1}, this,
-                                 {.ends = bankEnds,
-                                  .isMovable = of(&Model::canChangeBankAngle),
-                                  .read = of(&Model::bankAngleDeg),
-                                  .write = of(&Model::setBankAngleDeg)});
-    auto* offset = new FieldSlider(model, "/layout/offset_mm", {-50.0, 50.0, 0.01, 1.0, 2}, this,
-                                   {.ends = of(&Model::offsetLimitsMm),
-                                    .isMovable = of(&Model::canChangeOffset),
-                                    .read = of(&Model::offsetMm),
-                                    .write = of(&Model::setOffsetMm)});
+    auto* bank = new FieldSlider(
+        model, "/layout/bank_angle_deg", {0.0, 180.0, 0.1, 5.0, 1}, this,
+        {.isMovable = of(&Model::canChangeBankAngle), .read = of(&Model::bankAngleDeg)});
+    auto* offset =
+        new FieldSlider(model, "/layout/offset_mm", {-50.0, 50.0, 0.01, 1.0, 2}, this,
+                        {.ends = of(&Model::offsetLimitsMm),
+                         .isMovable = [model] { return model->input().layout.has_value(); },
+                         .read = of(&Model::offsetMm)});
     auto* speed = new FieldSlider(model, "/speed_rpm", {100.0, 10000.0, 10.0, 500.0, 0}, this);
     auto* reference =
         new FieldSlider(model, "/reference_position_mm", {-500.0, 500.0, 0.1, 10.0, 1}, this,

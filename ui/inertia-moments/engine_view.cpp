@@ -126,12 +126,8 @@ EngineView::EngineView(InertiaMomentsModel* model, QWidget* parent)
     followReference(model_);
 }
 
-const InertiaMomentsModel* EngineView::ghost() const {
-    return referenceOf(model_);
-}
-
 void EngineView::paintGhost(QPainter& painter, const drawing::Frame& frame) const {
-    const Engine& engine = ghost()->result().engine;
+    const Engine& engine = referenceOf(model_)->result().engine;
     const double radius = engine.crank_radius;
     const double half = 0.95 * pistonHalf * radius;
     painter.setPen(ghostPen());
@@ -151,7 +147,7 @@ void EngineView::paintGhost(QPainter& painter, const drawing::Frame& frame) cons
 }
 
 std::pair<QRectF, QRectF> EngineView::areas() const {
-    const QRectF bounds = frontBounds(*model_, ghost());
+    const QRectF bounds = frontBounds(*model_, referenceOf(model_));
     const QRectF whole = QRectF(rect()).adjusted(10, 24, -10, -8);
     const auto scale = [&](const QRectF& area) {
         return std::min(area.width() / bounds.width(), area.height() / bounds.height());
@@ -236,7 +232,7 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
     const std::vector<CylinderPose> poses = inertia_moments::engine_pose(engine, phi);
     const std::vector<int> banks = banksOf(engine.cylinders);
 
-    const QRectF bounds = frontBounds(*model_, ghost());
+    const QRectF bounds = frontBounds(*model_, referenceOf(model_));
     const double half = pistonHalf * radius;
     const double crown = crownHeight * radius;
     drawing::Frame frame;
@@ -245,7 +241,7 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
         area.center() - QPointF(bounds.center().x(), -bounds.center().y()) * frame.pixelsPerUnit;
     crankPixel_ = frame.at({0.0, 0.0});
 
-    if (ghost() != nullptr) {
+    if (referenceOf(model_) != nullptr) {
         paintGhost(painter, frame);
     }
     // Axes of the banks, past the crank's centre by their offsets.
@@ -349,7 +345,7 @@ double EngineView::Side::height(double angle) const {
 }
 
 void EngineView::paintSideGhost(QPainter& painter, const Side& at) const {
-    const InertiaMomentsModel& model = *ghost();
+    const InertiaMomentsModel& model = *referenceOf(model_);
     const Engine& engine = model.result().engine;
     const double radius = engine.crank_radius;
     const double half = pinShare * radius;
@@ -381,11 +377,11 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
 
     auto [low, high] = sideBounds(*model_);
     double tall = radius;
-    if (ghost() != nullptr) {
-        const auto [first, last] = sideBounds(*ghost());
+    if (referenceOf(model_) != nullptr) {
+        const auto [first, last] = sideBounds(*referenceOf(model_));
         low = std::min(low, first);
         high = std::max(high, last);
-        tall = std::max(tall, ghost()->result().engine.crank_radius);
+        tall = std::max(tall, referenceOf(model_)->result().engine.crank_radius);
     }
     painter.setFont(Theme::font(Theme::smallSize));
     const double row = painter.fontMetrics().height();  // the numbers are below
@@ -396,7 +392,7 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
                   0.5 * (low + high),
                   scale,
                   phi + engine.cylinders.front().bank_angle};
-    if (ghost() != nullptr) {
+    if (referenceOf(model_) != nullptr) {
         paintSideGhost(painter, at);
     }
     painter.setPen(QPen(theme.border(), 1.0));

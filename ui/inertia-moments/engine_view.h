@@ -47,7 +47,6 @@ class EngineView : public MechanismPicture {
         double height(double angle) const;
     };
 
-    const InertiaMomentsModel* ghost() const;
     /// Axes of the cylinders, pistons, rods and throws of the reference.
     void paintGhost(QPainter& painter, const drawing::Frame& frame) const;
     void paintFront(QPainter& painter, const QRectF& area);

@@ -1,15 +1,11 @@
 #pragma once
 
-#include "inertia-moments/inertia_moments_answer.h"
 #include "inertia-moments/model/inertia_moments_model.h"
-#include "page/mechanism_picture.h"
 #include "page/scene_page.h"
 
 class QTabWidget;
 
 namespace ravnoves {
-
-class VerdictLine;
 
 /// The inertia-moments page: layout library and table, sliders, plots over φ and by order, picture,
 /// shafts, counterweights, answer.
@@ -21,17 +17,16 @@ class InertiaMomentsPage : public ScenePage {
 
     SceneModel* model() override { return model_; }
     InertiaMomentsModel* viewModel() { return model_; }
-    QList<QAction*> sceneActions() override {
-        return {answer_->picturePanel()->action(), shaftsAction_};
-    }
+    QList<QAction*> sceneActions() override { return {playAction_, shaftsAction_}; }
 
   private:
     QTabWidget* makeInputs();
+    /// The picture of the engine and the tables of the answer.
+    QWidget* buildAnswer();
     void addShaftsAction();
 
     InertiaMomentsModel* model_;
-    InertiaMomentsAnswer* answer_;
-    VerdictLine* verdict_;
+    QAction* playAction_ = nullptr;
     QAction* shaftsAction_ = nullptr;
 };
 

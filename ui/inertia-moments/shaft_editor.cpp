@@ -29,9 +29,7 @@ class ShaftRow : public QWidget {
   public:
     ShaftRow(InertiaMomentsModel* model, int index, Form* form, QWidget* parent)
         : QWidget(parent), form_(form), index_(index) {
-        auto* column = new QVBoxLayout(this);
-        column->setContentsMargins(0, Theme::gap, 0, Theme::gap);
-        column->setSpacing(Theme::gap);
+        QVBoxLayout* column = columnIn(this, Theme::gap, {0, Theme::gap, 0, Theme::gap});
         auto* first = addLine(column);
         enabled_ = new QCheckBox(this);
         name(enabled_, field::shaft_enabled, "shaft_enabled_%1");

@@ -9,7 +9,6 @@
 
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "pictures/figure.h"
-#include "text/csv_format.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
@@ -32,7 +31,7 @@ QString short4(double si, const Unit& unit) {
 ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Balance shafts: arrangement and phases"));
-    makeFigure(this, [this](const CsvFormat& format) { return table(format); });
+    makeFigure(this);
     setToolTip(
         tr("Shafts from the front at the present crank angle; red: cancelled part; dashed: axis "
            "and crankpin of cylinder 1. Click a shaft to switch it (arrow keys, Space)."));
@@ -40,24 +39,6 @@ ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent) : QWidget(pare
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
     connect(model_->crank(), &CrankAngle::changed, this, qOverload<>(&QWidget::update));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
-}
-
-QString ShaftView::table(const CsvFormat& format) const {
-    if (model_->result().shafts.empty()) {
-        return {};
-    }
-    const ShownTitle unbalance = shownTitle(tr("mρ, g·mm"));
-    QString text = format.line({tr("shaft"), unbalance.text, tr("phase, °"), tr("switched on")});
-    for (const ShaftDesign& design : model_->result().shafts) {
-        text += format.line(
-            {model_->shaftTitle(design.shaft),
-             design.phase
-                 ? format.number(unbalance.factor * design.unbalance / units::gram_mm.to_si)
-                 : QString(),
-             design.phase ? format.number(*design.phase / units::degree.to_si) : QString(),
-             QString::number(design.shaft.enabled ? 1 : 0)});
-    }
-    return text;
 }
 
 int ShaftView::columns() const {

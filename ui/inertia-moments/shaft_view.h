@@ -6,7 +6,6 @@
 
 namespace ravnoves {
 
-struct CsvFormat;
 class InertiaMomentsModel;
 
 /// Arrangement and phases of the balance shafts (the paper's Figs. 7 and 8), each at the present
@@ -31,8 +30,6 @@ class ShaftView : public QWidget {
 
   private:
     int columns() const;
-    /// Unbalance, mass, phase and what remains of each shaft.
-    QString table(const CsvFormat& format) const;
     void paintShaft(QPainter& painter, int index, const QRectF& area) const;
 
     InertiaMomentsModel* model_;

@@ -145,7 +145,9 @@ std::map<std::string, std::function<Drag()>> drags() {
          [] {
              auto* page = new InertiaMomentsPage;
              return Drag{page, [page](int step, int steps) {
-                             page->viewModel()->setBankAngleDeg(5.0 + 85.0 * step / steps);
+                             page->viewModel()->dragField("/layout/bank_angle_deg",
+                                                          5.0 + 85.0 * step / steps,
+                                                          QStringLiteral("γ"));
                          }};
          }},
         {"methods",

@@ -87,16 +87,6 @@ TEST(InertiaMomentsModel, EveryLayoutOfTheListCanBeChosenAndUndone) {
         EXPECT_EQ(model.layoutName(), name) << name.toStdString();
         EXPECT_FALSE(model.layoutTitle(name).isEmpty());
         EXPECT_GE(model.orderResults().rows.size(), 60);
-        for (const auto& rows :
-             {model.orderResults().rows, model.rotatingResults().rows, model.shaftResults().rows,
-              model.weightResults().rows, model.remainingResults().rows}) {
-            for (const ResultRow& row : rows) {
-                for (const QString& cell : row) {
-                    EXPECT_FALSE(cell.contains(QStringLiteral("nan"))) << name.toStdString();
-                    EXPECT_FALSE(cell.contains(QStringLiteral("inf"))) << name.toStdString();
-                }
-            }
-        }
     }
     for (int i = 0; i < steps; ++i) {
         model.history()->undo();
@@ -107,8 +97,8 @@ TEST(InertiaMomentsModel, EveryLayoutOfTheListCanBeChosenAndUndone) {
 TEST(InertiaMomentsModel, SlidersChangeTheInputInTheirUnits) {
     InertiaMomentsModel model;
     QSignalSpy changed(&model, &SceneModel::changed);
-    model.setBankAngleDeg(20.5);
-    model.setOffsetMm(8.0);
+    model.editField("/layout/bank_angle_deg", 20.5, {});
+    model.editField("/layout/offset_mm", 8.0, {});
     model.editField("/speed_rpm", 3000.0, {});
     model.editField("/reference_position_mm", 12.3, {});
     EXPECT_EQ(changed.size(), 4);
@@ -126,36 +116,20 @@ TEST(InertiaMomentsModel, SlidersChangeTheInputInTheirUnits) {
     EXPECT_NEAR(largest(model.result().exact.order(1).moment) / slow, 4.0, 1e-12);
 }
 
-TEST(InertiaMomentsModel, AStepOfASliderIsNamedAsItsField) {
-    InertiaMomentsModel model;
-    const auto step = [&model](const auto& move) {
-        move();
-        model.finishDrag();
-        return model.history()->undoText();
-    };
-    const auto typed = [&](const std::string& pointer) {
-        return fieldName(model.fields(pointer).front().field);
-    };
-    EXPECT_EQ(step([&] { model.setBankAngleDeg(20.5); }), typed("/layout/bank_angle_deg"));
-    EXPECT_EQ(step([&] { model.setOffsetMm(8.0); }), typed("/layout/offset_mm"));
-}
-
-TEST(InertiaMomentsModel, ATableScalesItsBanksAndOffsets) {
+TEST(InertiaMomentsModel, ATableIsTheSameEngine) {
     InertiaMomentsModel model;
     const auto before = model.result().engine.cylinders;
     const double moment = largest(model.result().exact.order(1).moment);
     model.makeTable();
     EXPECT_EQ(model.layoutName(), QStringLiteral("table"));
     EXPECT_NEAR(largest(model.result().exact.order(1).moment), moment, 1e-9 * moment);
-    model.setBankAngleDeg(30.0);
-    model.setOffsetMm(6.255);
-    for (std::size_t i = 0; i < before.size(); ++i) {
-        const auto& now = model.result().engine.cylinders[i];
-        EXPECT_NEAR(now.bank_angle, 2.0 * before[i].bank_angle, 1e-12);
-        EXPECT_NEAR(now.offset, 0.5 * before[i].offset, 1e-15);
-        EXPECT_NEAR(now.crankpin_angle, before[i].crankpin_angle, 1e-11);
-    }
+    EXPECT_FALSE(model.canChangeBankAngle());
     // Even firing can be asked for again.
+    model.edit(QStringLiteral("banks"), [](Input& input) {
+        for (auto& cylinder : input.cylinders) {
+            cylinder.bank_angle *= 2.0;
+        }
+    });
     EXPECT_EQ(model.setEvenFiring(), QString());
     EXPECT_NE(model.result().engine.cylinders[1].crankpin_angle, before[1].crankpin_angle);
     ASSERT_EQ(model.result().firing.size(), 5U);
@@ -176,8 +150,8 @@ TEST(InertiaMomentsModel, LockingIsRejectedWithTheAngleAndTheOldInputHolds) {
     EXPECT_EQ(model.history()->count(), 0);
     // The offset's slider ends before it.
     const auto [minimum, maximum] = model.offsetLimitsMm();
-    model.setOffsetMm(maximum);
-    model.setOffsetMm(minimum);
+    model.editField("/layout/offset_mm", maximum, {});
+    model.editField("/layout/offset_mm", minimum, {});
     ASSERT_EQ(rejected.size(), 2);
     EXPECT_EQ(rejected.last().at(0).toString(), QString());  // nothing is wrong any more
     EXPECT_NEAR(model.offsetMm(), minimum, 1e-9);
@@ -377,7 +351,7 @@ TEST(EnginePlots, OverTheAngleAreTheSumOfAllForces) {
     EXPECT_EQ(reachOf(curveOf(forces, "horizontal").y), 0.0);
 }
 
-TEST(InertiaMomentsModel, RoundingIsZeroInEveryTable) {
+TEST(InertiaMomentsModel, EveryTableHasNumbersAndRoundingIsZero) {
     InertiaMomentsModel model;
     for (const QString& layout : InertiaMomentsModel::layoutNames()) {
         model.chooseLayout(layout);
@@ -393,7 +367,8 @@ TEST(InertiaMomentsModel, RoundingIsZeroInEveryTable) {
                                      model.remainingResults().rows}) {
                 for (const ResultRow& row : rows) {
                     // The high orders of a small engine are some 1e-6 N·m, and no rounding.
-                    static const QRegularExpression rounding(QStringLiteral("E-(0[89]|[1-9])"));
+                    static const QRegularExpression rounding(
+                        QStringLiteral("E-(0[89]|[1-9])|nan|inf"));
                     EXPECT_FALSE(row.texts().join(QLatin1Char(';')).contains(rounding))
                         << layout.toStdString() << ": "
                         << row.texts().join(QLatin1Char(';')).toStdString();

@@ -257,7 +257,6 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
     const QString why = model_->edit(tr("Cylinder %1").arg(index.row() + 1), [&](Input& input) {
         setCell(model_->tableOf(input).at(row), cell.first, cell.second, text);
     });
-    model_->finishDrag();
     if (why.isEmpty()) {
         model_->showTrouble({});
     } else {
@@ -331,7 +330,6 @@ void CylinderTableModel::insertRowBelow(int row) {
         cylinders.insert(cylinders.begin() + at + 1, copy);
         input.firing_order.clear();  // it no longer names every cylinder
     });
-    model_->finishDrag();
     say(why);
 }
 
@@ -356,7 +354,6 @@ void CylinderTableModel::removeRowRange(int first, int count) {
         renumberMasters(cylinders, first + count + 1, -count);
         input.firing_order.clear();
     });
-    model_->finishDrag();
     say(why);
 }
 
@@ -379,7 +376,6 @@ QString CylinderTableModel::pasteBlock(int row, int column, const std::vector<QS
             input.firing_order.clear();
         }
     });
-    model_->finishDrag();
     if (why.isEmpty()) {
         setTaken(row, column, cells);
     }

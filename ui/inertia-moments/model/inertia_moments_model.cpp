@@ -231,7 +231,7 @@ bool InertiaMomentsModel::hasArticulatedRods() const {
 }
 
 QString InertiaMomentsModel::setArticulatedRods(bool on) {
-    QString trouble = edit(tr("Articulated rods"), [&](Input& input) {
+    return edit(tr("Articulated rods"), [&](Input& input) {
         std::vector<Cylinder>& cylinders = tableOf(input);
         if (on) {
             inertia_moments::hang_on_masters(cylinders, input.crank_radius);
@@ -241,8 +241,6 @@ QString InertiaMomentsModel::setArticulatedRods(bool on) {
             }
         }
     });
-    finishDrag();
-    return trouble;
 }
 
 const std::vector<int>& InertiaMomentsModel::firingOrder() const {
@@ -288,7 +286,7 @@ bool InertiaMomentsModel::hasSharedPins() const {
 
 QString InertiaMomentsModel::setRotatingMassOfThrow(bool ofThrow) {
     const auto rods = inertia_moments::rods_per_throw(result().engine.throws);
-    QString trouble = edit(fieldName(field::rotating_mass), [&](Input& input) {
+    return edit(fieldName(field::rotating_mass), [&](Input& input) {
         if (input.rotating_mass_of_throw != ofThrow) {
             const auto count = static_cast<double>(rods.value_or(1));
             const double mass = ofThrow ? input.rotating_mass * count : input.rotating_mass / count;
@@ -296,8 +294,6 @@ QString InertiaMomentsModel::setRotatingMassOfThrow(bool ofThrow) {
             input.rotating_mass_of_throw = ofThrow;
         }
     });
-    finishDrag();
-    return trouble;
 }
 
 QString InertiaMomentsModel::throwMassText() const {
@@ -322,31 +318,8 @@ double InertiaMomentsModel::bankAngleDeg() const {
 }
 
 bool InertiaMomentsModel::canChangeBankAngle() const {
-    if (input().layout) {
-        return inertia_moments::arrangement_of(*input().layout) !=
-               inertia_moments::Arrangement::in_line;
-    }
-    return bankAngleDeg() > 1e-9 && radialCount(layoutName()) == 0;
-}
-
-void InertiaMomentsModel::setBankAngleDeg(double angle) {
-    if (!std::isfinite(angle) || !canChangeBankAngle()) {
-        return;
-    }
-    drag(fieldName(field::included_angle), [&](Input& input) {
-        if (input.layout) {
-            input.layout->bank_angle = std::clamp(angle, 0.0, 180.0) * degree;
-            return;
-        }
-        // Not quite to 0: from there the banks could not be distinguished any more.
-        const double wanted = std::clamp(angle, 0.1, 360.0) * degree;
-        const auto [low, high] = extent(input.cylinders, &Cylinder::bank_angle);
-        const double middle = 0.5 * (low + high);
-        for (Cylinder& cylinder : input.cylinders) {
-            cylinder.bank_angle = middle + (cylinder.bank_angle - middle) * wanted / (high - low);
-        }
-        input.cylinders = inertia_moments::rounded(std::move(input.cylinders));
-    });
+    return input().layout && inertia_moments::arrangement_of(*input().layout) !=
+                                 inertia_moments::Arrangement::in_line;
 }
 
 double InertiaMomentsModel::offsetMm() const {
@@ -360,34 +333,12 @@ double InertiaMomentsModel::offsetMm() const {
     return from_si(field::offset, largest);
 }
 
-bool InertiaMomentsModel::canChangeOffset() const {
-    return input().layout || offsetMm() > 0.0;
-}
-
 std::pair<double, double> InertiaMomentsModel::offsetLimitsMm() const {
     const double reach = (input().rod_length() - input().crank_radius) / units::mm;
     const double radius = input().crank_radius / units::mm;
     const double maximum = std::floor(std::min(0.98 * reach, radius) * 10.0) / 10.0;
     const double high = std::max(maximum, std::abs(offsetMm()));
-    // A table's offsets keep their signs; at 0 they would lose them.
-    return {input().layout ? -high : std::min(0.1, high), high};
-}
-
-void InertiaMomentsModel::setOffsetMm(double offset) {
-    if (!std::isfinite(offset) || !canChangeOffset()) {
-        return;
-    }
-    drag(fieldName(field::layout_offset), [&](Input& input) {
-        if (input.layout) {
-            input.layout->offset = offset * units::mm;
-            return;
-        }
-        const double factor = std::max(offset, 0.1) / offsetMm();
-        for (Cylinder& cylinder : input.cylinders) {
-            cylinder.offset *= factor;
-        }
-        input.cylinders = inertia_moments::rounded(std::move(input.cylinders));
-    });
+    return {-high, high};
 }
 
 std::pair<double, double> InertiaMomentsModel::referenceLimitsMm() const {
@@ -422,7 +373,6 @@ void InertiaMomentsModel::addShaft() {
         shaft.enabled = true;
         input.shafts.push_back(shaft);
     });
-    finishDrag();
 }
 
 void InertiaMomentsModel::removeShaft(int index) {
@@ -431,13 +381,11 @@ void InertiaMomentsModel::removeShaft(int index) {
             input.shafts.erase(input.shafts.begin() + index);
         }
     });
-    finishDrag();
 }
 
 void InertiaMomentsModel::setShaftEnabled(int index, bool enabled) {
     edit(enabled ? tr("Shaft on") : tr("Shaft off"),
          [=](Input& input) { input.shafts.at(static_cast<std::size_t>(index)).enabled = enabled; });
-    finishDrag();
 }
 
 QString InertiaMomentsModel::shaftTitle(const Shaft& shaft) const {

@@ -97,14 +97,9 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
 
     // --------------------------------------------------- the sliders, in their units
 
-    double bankAngleDeg() const;  ///< between the outermost banks
-    /// False where all cylinders of a table are in one direction.
-    bool canChangeBankAngle() const;
-    /// Of a table: its bank angles are scaled about their middle.
-    void setBankAngleDeg(double angle);
-    double offsetMm() const;  ///< of a table: the largest
-    bool canChangeOffset() const;
-    void setOffsetMm(double offset);
+    double bankAngleDeg() const;      ///< between the outermost banks
+    bool canChangeBankAngle() const;  ///< in a layout of banks; a table is edited cell by cell
+    double offsetMm() const;          ///< of a table: the largest
     /// Offsets at which the mechanism does not lock, rounded inwards to 0.1 mm.
     std::pair<double, double> offsetLimitsMm() const;
     std::pair<double, double> referenceLimitsMm() const;
