@@ -10876,10 +10876,6 @@ but no position is feasible</source>
         <translation>(ω_max − ω_min) к средней ω после пуска с нерасчётной скорости</translation>
     </message>
     <message>
-        <source>Spring added, with %1.</source>
-        <translation>Добавлена пружина: %1.</translation>
-    </message>
-    <message>
         <source>The present design meets the requirements: relief %1, maximum force %2, moment error %3.</source>
         <translation>Текущая конструкция отвечает требованиям: перепад %1, максимальная сила %2, погрешность момента %3.</translation>
     </message>

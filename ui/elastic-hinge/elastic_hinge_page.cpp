@@ -23,7 +23,6 @@
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
-#include "widgets/verdict_line.h"
 
 namespace ravnoves {
 
@@ -33,10 +32,13 @@ using elastic_hinge::Spring;
 ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(adopt<ElasticHingeModel>(kept)) {
     QWidget* inputs = buildInputs();
-    verdict_ = new VerdictLine(this);
-    connect(verdict_, &VerdictLine::acted, model_, &ElasticHingeModel::takeMinimumPreload);
+    auto* verdict = new VerdictLine(this);
+    connect(verdict, &VerdictLine::acted, model_, &ElasticHingeModel::takeMinimumPreload);
+    showVerdict(verdict, model_, [](const Verdict& of) {
+        return of.act.empty() ? QString() : tr("Use this pre&load");
+    });
     QVBoxLayout* column = columnIn(this);
-    column->addWidget(verdict_);
+    column->addWidget(verdict);
     column->addWidget(new PageColumns({.inputs = inputs,
                                        .tabs = forms_,
                                        .plots = new HingeTabs(model_, this),
@@ -44,12 +46,8 @@ ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
                                       this),
                       1);
 
-    connect(model_, &SceneModel::changed, this, &ElasticHingePage::showAnswer);
     connect(model_, &ElasticHingeModel::viewChanged, this, &ElasticHingePage::showAnimated);
     connect(model_, &ElasticHingeModel::rejected, this, &ScenePage::status);
-    connect(model_, &ElasticHingeModel::springBegun, this, &ScenePage::status);
-    connect(model_, &SceneModel::rejectedInChanged, this, &ElasticHingePage::showAnswer);
-    showAnswer();
     showAnimated();
 }
 
@@ -156,11 +154,6 @@ QWidget* ElasticHingePage::buildAnswer() {
     answerColumn->addWidget(quantities);
     column->addWidget(answer);
     return holder;
-}
-
-void ElasticHingePage::showAnswer() {
-    const Verdict verdict = withRejected(model_->verdict(), *model_);
-    verdict_->show(verdict, verdict.act.empty() ? QString() : tr("Use this pre&load"));
 }
 
 void ElasticHingePage::showAnimated() {

@@ -8,8 +8,6 @@ class QTabWidget;
 
 namespace ravnoves {
 
-class VerdictLine;
-
 /// The elastic-hinge page: sliders, inputs, search and export, plots, picture, answer.
 class ElasticHingePage : public ScenePage {
     Q_OBJECT
@@ -25,13 +23,11 @@ class ElasticHingePage : public ScenePage {
     QWidget* buildInputs();
     QWidget* buildSliders();
     QWidget* buildAnswer();
-    void showAnswer();
     void showAnimated();
 
     ElasticHingeModel* model_;
     QTabWidget* forms_ = nullptr;
     QComboBox* animated_ = nullptr;
-    VerdictLine* verdict_ = nullptr;
     QAction* playAction_ = nullptr;
 };
 

@@ -1,6 +1,5 @@
 #include "elastic-hinge/guide_export_form.h"
 
-#include <QMessageBox>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <utility>
@@ -24,14 +23,29 @@ GuideExportForm::GuideExportForm(ElasticHingeModel* model, QWidget* parent)
     ElasticHingeModel::GuideExport& chosen = model->guideExport();
     column()->setSpacing(Theme::space);
     section(tr("Guide for the machine shop"));
-    hinge_ = addChoice("export_hinge", tr("&Hinge"),
-                       {tr("crank, for M"), tr("crank, for M₁"), tr("rod, for M₁₂")},
-                       tr("Hinge whose guide is written"));
-    branch_ = addChoice("export_branch", tr("S&pring"), {tr("compressed"), tr("stretched")},
-                        tr("Spring compressed or stretched"));
-    turns_ = addChoice("export_turns", tr("&What turns"), {tr("guide turns"), tr("spring turns")},
-                       tr("In the paper the guide turns with the crank and the spring is fixed: "
-                          "the drawing is the mirror image of the plot"));
+    choice(
+        QStringLiteral("export_hinge"), tr("&Hinge"),
+        {tr("crank, for M"), tr("crank, for M₁"), tr("rod, for M₁₂")},
+        tr("Hinge whose guide is written"), [&chosen] { return static_cast<int>(chosen.hinge); },
+        [this, &chosen](int index) {
+            chosen.hinge = static_cast<Hinge>(index);
+            chosen.branch.reset();
+            showAll();
+        });
+    choice(
+        QStringLiteral("export_branch"), tr("S&pring"), {tr("compressed"), tr("stretched")},
+        tr("Spring compressed or stretched"),
+        [this] { return model_->exportedBranch() == Branch::compressed ? 0 : 1; },
+        [this, &chosen](int index) {
+            chosen.branch = index == 0 ? Branch::compressed : Branch::stretched;
+            showGuide();
+        });
+    choice(
+        QStringLiteral("export_turns"), tr("&What turns"), {tr("guide turns"), tr("spring turns")},
+        tr("In the paper the guide turns with the crank and the spring is fixed: "
+           "the drawing is the mirror image of the plot"),
+        [&chosen] { return chosen.drawing.guide_turns ? 0 : 1; },
+        [&chosen](int index) { chosen.drawing.guide_turns = index == 0; });
     number(
         field::chord_tolerance, [&chosen] { return chosen.drawing.chord_tolerance; },
         [&chosen](std::optional<double> value) { chosen.drawing.chord_tolerance = *value; });
@@ -59,36 +73,13 @@ GuideExportForm::GuideExportForm(ElasticHingeModel* model, QWidget* parent)
     column()->addWidget(note_);
     column()->addStretch();
 
-    hinge_->setCurrentIndex(static_cast<int>(chosen.hinge));
-    turns_->setCurrentIndex(chosen.drawing.guide_turns ? 0 : 1);
-    connect(hinge_, &QComboBox::activated, this, [this, &chosen](int index) {
-        chosen.hinge = static_cast<Hinge>(index);
-        chosen.branch.reset();
-        showGuide();
-    });
-    connect(branch_, &QComboBox::activated, this, [this, &chosen](int index) {
-        chosen.branch = index == 0 ? Branch::compressed : Branch::stretched;
-        showGuide();
-    });
-    connect(turns_, &QComboBox::activated, this,
-            [&chosen](int index) { chosen.drawing.guide_turns = index == 0; });
     follow([this] { showGuide(); });
 }
 
-QComboBox* GuideExportForm::addChoice(const char* name, const QString& label,
-                                      const QStringList& words, const QString& hint) {
-    auto* box = new QComboBox(this);
-    box->setObjectName(QLatin1String(name));
-    box->addItems(words);
-    current()->addWidget(label, box, {}, hint);
-    return box;
-}
-
 void GuideExportForm::showGuide() {
-    const ElasticHingeModel::GuideExport& chosen = model_->guideExport();
-    const Guide& guide = model_->guideOf(chosen.hinge);
-    branch_->setCurrentIndex(chosen.branch.value_or(guide.branch) == Branch::compressed ? 0 : 1);
-    const BranchSummary& branch = branch_->currentIndex() == 0 ? guide.compressed : guide.stretched;
+    const Guide& guide = model_->guideOf(model_->guideExport().hinge);
+    const BranchSummary& branch =
+        model_->exportedBranch() == Branch::compressed ? guide.compressed : guide.stretched;
     const bool possible = branch.exists && !branch.undercut;
     dxf_->setEnabled(possible);
     csv_->setEnabled(possible);
@@ -103,13 +94,6 @@ void GuideExportForm::showGuide() {
     }
 }
 
-QString GuideExportForm::exportTo(const QString& path) {
-    const ElasticHingeModel::GuideExport& chosen = model_->guideExport();
-    elastic_hinge::GuideDrawing drawing = chosen.drawing;
-    drawing.branch = chosen.branch.value_or(model_->guideOf(chosen.hinge).branch);
-    return model_->exportGuide(path, chosen.hinge, drawing, chosen.stepDeg);
-}
-
 void GuideExportForm::ask(const QString& suffix) {
     if (!continueWithoutRejected(this, tr("Export guide"))) {
         return;
@@ -119,15 +103,10 @@ void GuideExportForm::ask(const QString& suffix) {
         std::swap(formats.front(), formats.back());
     }
     const QString path =
-        askSavePath(this, tr("Export guide"), QStringLiteral("guide.") + suffix, formats);
-    if (path.isEmpty()) {
-        return;
-    }
-    const QString trouble = exportTo(path);
-    if (trouble.isEmpty()) {
+        saveFile(this, tr("Export guide"), QStringLiteral("guide.") + suffix, formats,
+                 std::bind_front(&ElasticHingeModel::exportGuide, model_));
+    if (!path.isEmpty()) {
         Q_EMIT status(tr("%1 written").arg(path));
-    } else {
-        QMessageBox::warning(this, tr("Export guide"), trouble);
     }
 }
 

@@ -57,6 +57,40 @@ double shownRoller(double radius, double startRadius) {
     return std::max(radius, 0.045 * startRadius);
 }
 
+/// The guide under one end of the spring, or the other end with `second`; its relief enlarged by
+/// `factor`. Empty without one.
+std::vector<QPolygonF> track(const ElasticHingeModel& model, const drawing::Frame& map, double phi,
+                             double factor, bool second) {
+    const Guide& guide = model.result().crank_guide;
+    std::vector<QPolygonF> stretches;
+    if (!guide.shape) {
+        return stretches;
+    }
+    const double start = guide.shape->spring().start_radius(guide.branch);
+    const double roller = shownRoller(model.input().roller_radius, start);
+    const double side = guide.branch == Branch::compressed ? 1.0 : -1.0;
+    const auto& radii =
+        guide.branch == Branch::compressed ? guide.radius_compressed : guide.radius_stretched;
+    std::vector<QPointF> stretch;
+    const auto add = [&] {
+        if (!stretch.empty()) {
+            stretches.push_back(thinPolyline(stretch));
+            stretch.clear();
+        }
+    };
+    for (std::size_t i = 0; i < radii.size(); i += 2) {
+        const double radius = start + factor * (radii[i] - start) + side * roller;
+        if (!std::isfinite(radius)) {
+            add();
+            continue;
+        }
+        const double angle = springAngle - guide.polar_angle[i] + phi + (second ? pi : 0.0);
+        stretch.push_back(map.at(radius * std::cos(angle), radius * std::sin(angle)));
+    }
+    add();
+    return stretches;
+}
+
 }  // namespace
 
 HingeMechanismView::HingeMechanismView(ElasticHingeModel* model, QWidget* parent)
@@ -99,7 +133,8 @@ drawing::Frame HingeMechanismView::frame() const {
     double left = 0.0;
     double right = 0.0;
     double tall = 0.0;
-    for (const ElasticHingeModel* each : {static_cast<const ElasticHingeModel*>(model_), ghost()}) {
+    for (const ElasticHingeModel* each :
+         {static_cast<const ElasticHingeModel*>(model_), referenceOf(model_)}) {
         if (each == nullptr) {
             continue;
         }
@@ -135,51 +170,14 @@ double HingeMechanismView::reliefFactor() const {
     return model_->shownHinge() == elastic_hinge::Hinge::crank ? model_->exaggeration() : 1.0;
 }
 
-const ElasticHingeModel* HingeMechanismView::ghost() const {
-    return referenceOf(model_);
-}
-
-std::vector<QPolygonF> HingeMechanismView::track(const ElasticHingeModel& model,
-                                                 const drawing::Frame& map, double phi,
-                                                 double factor, bool second) {
-    const Guide& guide = model.result().crank_guide;
-    std::vector<QPolygonF> stretches;
-    if (!guide.shape) {
-        return stretches;
-    }
-    const double start = guide.shape->spring().start_radius(guide.branch);
-    const double roller = shownRoller(model.input().roller_radius, start);
-    const double side = guide.branch == Branch::compressed ? 1.0 : -1.0;
-    const auto& radii =
-        guide.branch == Branch::compressed ? guide.radius_compressed : guide.radius_stretched;
-    std::vector<QPointF> stretch;
-    const auto add = [&] {
-        if (!stretch.empty()) {
-            stretches.push_back(thinPolyline(stretch));
-            stretch.clear();
-        }
-    };
-    for (std::size_t i = 0; i < radii.size(); i += 2) {
-        const double radius = start + factor * (radii[i] - start) + side * roller;
-        if (!std::isfinite(radius)) {
-            add();
-            continue;
-        }
-        const double angle = springAngle - guide.polar_angle[i] + phi + (second ? pi : 0.0);
-        stretch.push_back(map.at(radius * std::cos(angle), radius * std::sin(angle)));
-    }
-    add();
-    return stretches;
-}
-
 void HingeMechanismView::paintGhost(QPainter& painter, const drawing::Frame& map,
                                     double phi) const {
-    const auto& result = ghost()->result();
+    const auto& result = referenceOf(model_)->result();
     const MechanismPose pose = elastic_hinge::mechanism_pose(result, phi);
     const double r = result.design->mechanism().crank_radius;
     painter.setPen(ghostPen());
     painter.setBrush(Qt::NoBrush);
-    for (const QPolygonF& stretch : track(*ghost(), map, phi, reliefFactor(), false)) {
+    for (const QPolygonF& stretch : track(*referenceOf(model_), map, phi, reliefFactor(), false)) {
         painter.drawPolyline(stretch);
     }
     painter.drawPolyline(QPolygonF{map.at(0, 0), map.at(pose.crankpin), map.at(pose.slider)});
@@ -211,7 +209,7 @@ void HingeMechanismView::paintPicture(QPainter& painter) {
     const QPointF pin = map.at(pose.crankpin);
     const QPointF slider = map.at(pose.slider);
 
-    if (ghost() != nullptr) {
+    if (referenceOf(model_) != nullptr) {
         paintGhost(painter, map, phi);
     }
     // Slider line with its ways.

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <QPolygonF>
-#include <vector>
-
 #include "page/mechanism_picture.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
@@ -22,8 +19,6 @@ class HingeMechanismView : public MechanismPicture {
 
     /// Leaves the motion and turns the crank.
     void turnTo(double degrees) override;
-    /// Seconds of the motion to one second on the screen.
-    double slowness() const;
 
     QSize sizeHint() const override { return {300, 210}; }
     QSize minimumSizeHint() const override { return {Theme::withText(180), Theme::withText(130)}; }
@@ -40,14 +35,10 @@ class HingeMechanismView : public MechanismPicture {
     /// The mapping of metres to pixels; it rests while the mechanism moves.
     drawing::Frame frame() const;
     double reliefFactor() const;
-    /// The guide under one end of the spring, or the other end with `second`; its relief enlarged
-    /// by `factor`. Empty without one.
-    static std::vector<QPolygonF> track(const ElasticHingeModel& model, const drawing::Frame& map,
-                                        double phi, double factor, bool second);
+    /// Seconds of the motion to one second on the screen.
+    double slowness() const;
     /// Guide, crank, rod, slider and counterweight of the reference.
     void paintGhost(QPainter& painter, const drawing::Frame& map, double phi) const;
-    /// Null: none.
-    const ElasticHingeModel* ghost() const;
 
     ElasticHingeModel* model_;
 };

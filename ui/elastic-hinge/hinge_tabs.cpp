@@ -45,9 +45,7 @@ HingeTabs::HingeTabs(ElasticHingeModel* model, QWidget* parent)
 
 QVBoxLayout* HingeTabs::addTab(const char* name, const QString& title) {
     auto* tab = new QWidget(this);
-    auto* column = new QVBoxLayout(tab);
-    column->setContentsMargins(0, Theme::gap, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(tab, Theme::space, {0, Theme::gap, 0, 0});
     addScrolledTab(this, tab, QString::fromLatin1(name), title);
     return column;
 }

@@ -250,16 +250,18 @@ TEST(ElasticHingeModel, WritesGuidesAndSaysWhyNot) {
     ElasticHingeModel model;
     const QString dxf = folder.filePath(QStringLiteral("guide.dxf"));
     const QString csv = folder.filePath(QStringLiteral("guide.csv"));
-    EXPECT_EQ(model.exportGuide(dxf, Hinge::crank, {}, 0.5), QString());
-    EXPECT_EQ(model.exportGuide(csv, Hinge::rod, {}, 10.0), QString());
+    EXPECT_EQ(model.exportGuide(dxf), QString());
+    model.guideExport() = {.hinge = Hinge::rod, .stepDeg = 10.0};
+    EXPECT_EQ(model.exportGuide(csv), QString());
+    model.guideExport() = {};
     EXPECT_NE(read_text_file(dxf.toStdString()).find("ROLLER_PATH"), std::string::npos);
     const std::string table = read_text_file(csv.toStdString());
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 37);
-    EXPECT_TRUE(model.exportGuide(QStringLiteral("/nowhere/guide.dxf"), Hinge::crank, {}, 1.0)
+    EXPECT_TRUE(model.exportGuide(QStringLiteral("/nowhere/guide.dxf"))
                     .contains(QStringLiteral("/nowhere/guide.dxf")));
     model.edit(QStringLiteral("rho"),
                [](auto& input) { input.spring->guide_radius_at_zero = 0.0999; });
-    const QString why = model.exportGuide(dxf, Hinge::crank, {}, 1.0);
+    const QString why = model.exportGuide(dxf);
     EXPECT_TRUE(why.contains(QStringLiteral("preload"))) << why.toStdString();
 }
 

@@ -2,6 +2,7 @@
 
 #include <QLocale>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "case-file/decimal.h"
@@ -162,25 +163,13 @@ void ElasticHingeModel::setAnimated(Animated animated) {
 }
 
 const Motion* ElasticHingeModel::animatedMotion() const {
+    constexpr std::array all{&HingeMotions::without, &HingeMotions::crank, &HingeMotions::both,
+                             &HingeMotions::offDesign};  // in the order of Animated
     if (!motions_) {
         return nullptr;
     }
-    const std::optional<Motion>* motion = nullptr;
-    switch (animated_) {
-        case Animated::WithoutHinge:
-            motion = &motions_->without;
-            break;
-        case Animated::CrankHinge:
-            motion = &motions_->crank;
-            break;
-        case Animated::BothHinges:
-            motion = &motions_->both;
-            break;
-        case Animated::OffDesign:
-            motion = &motions_->offDesign;
-            break;
-    }
-    return motion != nullptr && *motion ? &**motion : nullptr;
+    const std::optional<Motion>& motion = (*motions_).*all.at(static_cast<std::size_t>(animated_));
+    return motion ? &*motion : nullptr;
 }
 
 double ElasticHingeModel::shownSpeed() const {
@@ -231,25 +220,6 @@ void ElasticHingeModel::setExaggeration(std::optional<double> factor) {
 }
 
 // --------------------------------------------------------------------------------------- search
-
-QString ElasticHingeModel::beginningSpring(const std::string& pointer,
-                                           const std::function<QString()>& set) {
-    const bool had = input().spring.has_value();
-    const QString why = set();
-    if (!had && input().spring) {
-        QStringList others;
-        for (const auto& [field, si] :
-             {std::pair(field::stiffness, input().spring->stiffness),
-              std::pair(field::free_length, input().spring->free_length),
-              std::pair(field::guide_radius, input().spring->guide_radius_at_zero)}) {
-            if (!pointer.ends_with(field.key)) {
-                others << fieldName(field) + QLatin1Char(' ') + shownShort(si, field.unit, 6);
-            }
-        }
-        Q_EMIT springBegun(tr("Spring added, with %1.").arg(others.join(QStringLiteral(", "))));
-    }
-    return why;
-}
 
 void ElasticHingeModel::setGravity(double gravity) {
     edit(fieldName(field::gravity), [&](Input& input) {
@@ -324,9 +294,7 @@ void ElasticHingeModel::takeProposal() {
         return;
     }
     const Spring spring = proposal().spring;
-    finishDrag();
     edit(tr("Use the guide found"), [&](Input& input) { input.spring = spring; });
-    finishDrag();
 }
 
 void ElasticHingeModel::takeMinimumPreload() {
@@ -337,14 +305,12 @@ void ElasticHingeModel::takeMinimumPreload() {
     const double preload = guide.minimum_preload + std::max(0.01 * guide.minimum_preload,
                                                             elastic_hinge::min_preload_margin);
     const double side = guide.branch == Branch::compressed ? -1.0 : 1.0;
-    finishDrag();
     edit(tr("Minimum preload of the guide"), [&](Input& input) {
         // Rounded away from ℓ₀/2 to what a drawing would say.
         const double radius = 0.5 * input.spring->free_length + side * preload;
         input.spring->guide_radius_at_zero =
             side * std::ceil(side * radius / units::mm * 1e3 - 1e-9) / 1e3 * units::mm;
     });
-    finishDrag();
 }
 
 // --------------------------------------------------------------------------------------- answer
@@ -475,14 +441,15 @@ QString ElasticHingeModel::motionsText() const {
     return lines.join(QLatin1Char('\n'));
 }
 
-QString ElasticHingeModel::exportGuide(const QString& path, Hinge hinge,
-                                       elastic_hinge::GuideDrawing drawing, double stepDeg) const {
-    const Guide& guide = guideOf(hinge);
+QString ElasticHingeModel::exportGuide(const QString& path) const {
+    const Guide& guide = guideOf(guideExport_.hinge);
+    elastic_hinge::GuideDrawing drawing = guideExport_.drawing;
+    drawing.branch = exportedBranch();
     drawing.roller_radius = input().roller_radius;
     drawing.title = title().toStdString();
     return writeFile(path, [&] {
         const bool table = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
-        return table ? elastic_hinge::guide_csv(guide, drawing, stepDeg)
+        return table ? elastic_hinge::guide_csv(guide, drawing, guideExport_.stepDeg)
                      : elastic_hinge::guide_dxf(guide, drawing);
     });
 }

@@ -2,7 +2,6 @@
 
 #include <QStringList>
 #include <QVector>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -117,33 +116,23 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
         double stepDeg = 0.5;
     };
     GuideExport& guideExport() { return guideExport_; }
+    elastic_hinge::Branch exportedBranch() const {
+        return guideExport_.branch.value_or(guideOf(guideExport_.hinge).branch);
+    }
 
     // What the page's tables show: text in the user's locale, the first column the row's name.
     Results quantities() const;
     /// How the motions went, one line each.
     QString motionsText() const;
 
-    /// Writes a guide as DXF or CSV, by the file's ending.
+    /// Writes that guide as DXF or CSV, by the file's ending.
     /// @return an empty string, or the fault
-    QString exportGuide(const QString& path, elastic_hinge::Hinge hinge,
-                        elastic_hinge::GuideDrawing drawing, double stepDeg) const;
-
-    QString editField(const std::string& pointer, const FieldValue& value,
-                      const QString& name) override {
-        return beginningSpring(pointer, [&] { return CaseModel::editField(pointer, value, name); });
-    }
-    QString dragField(const std::string& pointer, const FieldValue& value,
-                      const QString& name) override {
-        return beginningSpring(pointer, [&] { return CaseModel::dragField(pointer, value, name); });
-    }
+    QString exportGuide(const QString& path) const;
 
   Q_SIGNALS:
     void motionsChanged();
-    /// A size of the crank's spring was set where there was none: says the others, which came too.
-    void springBegun(const QString& others);
 
   private:
-    QString beginningSpring(const std::string& pointer, const std::function<QString()>& set);
     void taken() override {
         if (runsJobs_) {
             runner_.start(input(), solved().result);
