@@ -12771,6 +12771,10 @@ but no position is feasible</source>
         <translation>Цилиндры</translation>
     </message>
     <message>
+        <source>Balancing</source>
+        <translation>Баланс</translation>
+    </message>
+    <message>
         <source>Crank angle of the picture, from cylinder 1&apos;s axis</source>
         <translation>Угол кривошипа на рисунке, от оси цилиндра 1</translation>
     </message>
@@ -12809,10 +12813,6 @@ but no position is feasible</source>
     <message>
         <source>Residual by order</source>
         <translation>Остаток по порядкам</translation>
-    </message>
-    <message>
-        <source>Balancing</source>
-        <translation>Баланс</translation>
     </message>
 </context>
 <context>
@@ -14461,7 +14461,7 @@ but no position is feasible</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::RelievedShaftModel</name>
+    <name>ravnoves::RelievedShaftView</name>
     <message>
         <source>Size to find</source>
         <translation>Искомый размер</translation>
@@ -14470,9 +14470,6 @@ but no position is feasible</source>
         <source>Feasible.</source>
         <translation>Осуществимо.</translation>
     </message>
-</context>
-<context>
-    <name>ravnoves::RelievedShaftView</name>
     <message>
         <source>Shaft with a relieved middle</source>
         <translation>Вал с лыской в средней части</translation>
@@ -15373,10 +15370,6 @@ but no position is feasible</source>
         <translation>габарит %1</translation>
     </message>
     <message>
-        <source>Best place of %1: %2 at %3</source>
-        <translation>Лучшее место у %1: %2 при %3</translation>
-    </message>
-    <message>
         <source>From here: %1.</source>
         <translation>Отсюда: %1.</translation>
     </message>
@@ -15405,10 +15398,6 @@ but no position is feasible</source>
         <translation>%1 при&#xa0;%2 не помещается.</translation>
     </message>
     <message>
-        <source>Compared with %1 here: range %2; RMS %3; box %4</source>
-        <translation>Относительно %1 здесь: размах %2; СКЗ %3; габарит %4</translation>
-    </message>
-    <message>
         <source>feasible</source>
         <translation>допустимо</translation>
     </message>
@@ -15435,10 +15424,6 @@ but no position is feasible</source>
     <message>
         <source>Best place, the smallest box with the %1 within 1 % of its minimum: %2 at %3, box %4.</source>
         <translation>Лучшее место, наименьший габарит (%1 в пределах 1&#xa0;% от минимума): %2 при %3, габарит %4.</translation>
-    </message>
-    <message>
-        <source>; present best place: %1.</source>
-        <translation>; лучшее место сейчас: %1.</translation>
     </message>
 </context>
 <context>

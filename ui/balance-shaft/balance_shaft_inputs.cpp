@@ -26,7 +26,7 @@ void BalanceShaftPage::addEngine(Form* form) {
     form->follow([this, angularSpeed] {
         angularSpeed->setText(shownNumber(model_->input().angular_speed, units::rad_per_s, 2));
     });
-    form->choice("/strokes", [this](int strokes) { return model_->setStrokes(strokes); });
+    form->choice("/strokes");
     form->number("/crank_radius_mm");
     form->number(
         field::stroke, [this] { return std::optional(2.0 * model_->input().crank_radius); },

@@ -23,7 +23,6 @@
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
-#include "widgets/verdict_line.h"
 
 namespace ravnoves {
 
@@ -32,10 +31,16 @@ using Criterion = BalanceShaftModel::Criterion;
 BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(adopt<BalanceShaftModel>(kept)) {
     QTabWidget* inputs = buildInputs();
-    verdict_ = new VerdictLine(this);
-    connect(verdict_, &VerdictLine::acted, this, &BalanceShaftPage::doVerdictAct);
+    auto* verdict = new VerdictLine(this);
+    connect(verdict, &VerdictLine::acted, this, &BalanceShaftPage::doVerdictAct);
+    showVerdict(verdict, model_, [](const Verdict& of) {
+        return of.act == balance_shaft::move_trace_act   ? tr("Shift the trace by &360°")
+               : of.act == balance_shaft::best_range_act ? tr("&Use the best feasible α")
+               : of.act == balance_shaft::best_place_act ? tr("Best place on the &map")
+                                                         : QString();
+    });
     QVBoxLayout* column = columnIn(this);
-    column->addWidget(verdict_);
+    column->addWidget(verdict);
     column->addWidget(
         new PageColumns(
             {.inputs = inputs, .tabs = inputs, .plots = buildPlots(), .results = buildAnswer()},
@@ -43,13 +48,8 @@ BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
         1);
 
     connect(model_, &SceneModel::changed, this, &BalanceShaftPage::showBest);
-    for (const auto signal :
-         {&SceneModel::changed, &SceneModel::shownChanged, &SceneModel::rejectedInChanged}) {
-        connect(model_, signal, this, &BalanceShaftPage::showVerdict);
-    }
     connect(model_, &BalanceShaftModel::rejected, this, &ScenePage::status);
     showBest();
-    showVerdict();
 }
 
 QWidget* BalanceShaftPage::buildPlots() {
@@ -135,15 +135,6 @@ void BalanceShaftPage::showBest() {
         best.button->setEnabled(isThere);
         best.action->setEnabled(isThere);
     }
-}
-
-void BalanceShaftPage::showVerdict() {
-    const Verdict verdict = withRejected(model_->verdict(), *model_);
-    verdict_->show(verdict,
-                   verdict.act == balance_shaft::move_trace_act   ? tr("Shift the trace by &360°")
-                   : verdict.act == balance_shaft::best_range_act ? tr("&Use the best feasible α")
-                   : verdict.act == balance_shaft::best_place_act ? tr("Best place on the &map")
-                                                                  : QString());
 }
 
 void BalanceShaftPage::doVerdictAct() {

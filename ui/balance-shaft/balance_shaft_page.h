@@ -14,7 +14,6 @@ namespace ravnoves {
 
 class BalanceShaftModel;
 class Form;
-class VerdictLine;
 
 /// The balance-shaft page: inputs, α slider, tabs, picture, results.
 class BalanceShaftPage : public ScenePage {
@@ -37,7 +36,6 @@ class BalanceShaftPage : public ScenePage {
     /// A size in mm that the front view assumes where it is not given.
     void addAssumed(Form* form, const char* place, double balance_shaft::FrontView::*size);
     void showBest();
-    void showVerdict();
     void doVerdictAct();
 
     BalanceShaftModel* model_;
@@ -48,7 +46,6 @@ class BalanceShaftPage : public ScenePage {
         QAction* action;
     };
     std::array<Best, 2> best_{};
-    VerdictLine* verdict_ = nullptr;
     QAction* playAction_ = nullptr;
 };
 

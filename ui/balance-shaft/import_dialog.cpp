@@ -8,7 +8,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -293,14 +292,10 @@ void ImportDialog::accept() {
     if (model_->needsOwnFile()) {
         const QFileInfo file(model_->path());
         const QString path =
-            askSavePath(this, tr("Save the cycle"),
-                        file.dir().filePath(file.completeBaseName() + QStringLiteral("-cycle.csv")),
-                        {csvFormat()});
-        const QString why = path.isEmpty() ? QString() : model_->writeOwnFile(path);
-        if (!why.isEmpty()) {
-            QMessageBox::warning(this, tr("Save the cycle"), why);
-        }
-        if (path.isEmpty() || !why.isEmpty()) {
+            saveFile(this, tr("Save the cycle"),
+                     file.dir().filePath(file.completeBaseName() + QStringLiteral("-cycle.csv")),
+                     {csvFormat()}, std::bind_front(&ImportModel::writeOwnFile, model_));
+        if (path.isEmpty()) {
             return;
         }
     }

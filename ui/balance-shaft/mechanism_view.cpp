@@ -79,16 +79,13 @@ MechanismView::MechanismView(BalanceShaftModel* model, QWidget* parent)
     followReference(model_);
 }
 
-const BalanceShaftModel* MechanismView::ghost() const {
-    return referenceOf(model_);
-}
-
 drawing::Frame MechanismView::frame() const {
     if (held_) {
         return *held_;
     }
     QRectF box;  // of envelopes with the cylinder's head, y up
-    for (const BalanceShaftModel* each : {static_cast<const BalanceShaftModel*>(model_), ghost()}) {
+    for (const BalanceShaftModel* each :
+         {static_cast<const BalanceShaftModel*>(model_), referenceOf(model_)}) {
         if (each != nullptr) {
             const Envelope& envelope = each->result().envelope;
             const FrontView& sizes = each->solver().front_view();
@@ -111,7 +108,7 @@ drawing::Frame MechanismView::frame() const {
 }
 
 void MechanismView::paintGhost(QPainter& painter, const drawing::Frame& map) const {
-    const BalanceShaftModel& model = *ghost();
+    const BalanceShaftModel& model = *referenceOf(model_);
     const FrontView& sizes = model.solver().front_view();
     const Envelope& envelope = model.result().envelope;
     const double alpha = model.input().shaft_angle;
@@ -149,7 +146,7 @@ void MechanismView::paintPicture(QPainter& painter) {
     const QColor line = theme.text();
     const QColor metal = drawing::metal();
 
-    if (ghost() != nullptr) {
+    if (referenceOf(model_) != nullptr) {
         paintGhost(painter, map);
     }
     // Envelope and axes.

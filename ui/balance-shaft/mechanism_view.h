@@ -35,8 +35,6 @@ class MechanismView : public MechanismPicture {
     drawing::Frame frame() const;
     /// The mechanism of the reference: envelope, cylinder, swing circles and place of its shaft.
     void paintGhost(QPainter& painter, const drawing::Frame& map) const;
-    /// Null without one.
-    const BalanceShaftModel* ghost() const;
 
     BalanceShaftModel* model_;
     std::optional<drawing::Frame> held_;  ///< while the shaft is dragged

@@ -2,21 +2,23 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QMessageBox>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include "balance-shaft/fields.h"
-#include "balance-shaft/model/relieved_shaft_model.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "model/reference_case.h"
 #include "page/part_views.h"
 #include "page/rejected_entries.h"
 #include "pictures/file_dialogs.h"
+#include "text/message_text.h"
 #include "text/shown_units.h"
+#include "text/write_file.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
 #include "widgets/form.h"
@@ -26,11 +28,23 @@
 
 namespace ravnoves {
 
+using balance_shaft::Input;
 using balance_shaft::RelievedShaft;
 using balance_shaft::RelievedShaftSizes;
 namespace field = balance_shaft::field;
 
 namespace {
+
+/// A size that is given or found, in the order of what can be found.
+struct ReliefSize {
+    const Field& field;
+    std::optional<double> RelievedShaftSizes::*given;
+    double RelievedShaft::*found;
+};
+constexpr std::array reliefSizes{
+    ReliefSize{field::relief_depth, &RelievedShaftSizes::depth, &RelievedShaft::depth},
+    ReliefSize{field::relief_length, &RelievedShaftSizes::length, &RelievedShaft::length},
+    ReliefSize{field::bar_diameter, &RelievedShaftSizes::diameter, &RelievedShaft::diameter}};
 
 /// Of the whole bar drawn on each side of the relief.
 double stubOf(const RelievedShaft& shaft) {
@@ -89,7 +103,7 @@ RelievedShaftDrawing::RelievedShaftDrawing(BalanceShaftModel* model, QWidget* pa
 }
 
 void RelievedShaftDrawing::follow() {
-    const RelievedShaft shaft = model_->relievedShaft();
+    const RelievedShaft& shaft = model_->result().relieved_shaft;
     const auto mm = [](double metres) { return shownNumber(metres, units::mm, 1); };
     setAccessibleDescription(shaft.half_width > 0.0
                                  ? tr("Bar of %1, its middle cut %2 deep over %3.")
@@ -104,7 +118,7 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
     const Theme& theme = Theme::instance();
     painter.fillRect(rect(), theme.panel());
     painter.setFont(Theme::font(Theme::smallSize));
-    const RelievedShaft own = model_->relievedShaft();
+    const RelievedShaft own = model_->result().relieved_shaft;
     if (!(own.half_width > 0.0)) {
         painter.setPen(theme.mutedText());
         painter.drawText(rect(), Qt::AlignCenter, tr("No shaft of these sizes"));
@@ -112,8 +126,8 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
     }
     std::vector<RelievedShaft> shown{own};
     if (const BalanceShaftModel* other = referenceOf(model_)) {
-        if (const RelievedShaft shaft = other->relievedShaft(); shaft.half_width > 0.0) {
-            shown.push_back(shaft);
+        if (other->result().relieved_shaft.half_width > 0.0) {
+            shown.push_back(other->result().relieved_shaft);
         }
     }
     double radius = 0.0;  // the larger
@@ -194,12 +208,12 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
 }
 
 RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
-    : QWidget(parent), model_(new RelievedShaftModel(model, this)) {
+    : QWidget(parent), model_(model) {
     QVBoxLayout* column = columnIn(this, Theme::space, tabMargins);
     constexpr int pairWidth = 540;
     auto* upper = new FoldingRow(pairWidth, this);
     column->addWidget(upper, 1);
-    upper->add(buildForm(model), 4);
+    upper->add(buildForm(), 4);
 
     auto* answerPanel = new Panel(this);
     QVBoxLayout* answerColumn = columnIn(answerPanel, -1, tableMargins);
@@ -218,34 +232,12 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     showFeasible();
 }
 
-QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
+QWidget* RelievedShaftView::buildForm() {
     auto* panel = new Panel(this);
-    auto* column = new QVBoxLayout(panel);
-    column->setContentsMargins(0, 0, 0, Theme::space);
-    auto* form = new Form(model, panel);
+    QVBoxLayout* column = columnIn(panel, -1, {0, 0, 0, Theme::space});
+    auto* form = new Form(model_, panel);
     form->section(tr("Shaft with a relieved middle"));
-    form->choice(
-            {}, tr("&Find"),
-            {tr("depth h"), tr("length b"), tr("diameter D"), tr("none, check only")},
-            tr("Enter two sizes; the third follows from the unbalance m₁ ρ₁."),
-            [this] { return static_cast<int>(model_->sized()); },
-            [this](int index) { model_->choose(static_cast<RelievedShaftModel::Sized>(index)); })
-        ->setAccessibleName(tr("Computed size"));
-    const auto addSize = [&](const Field& field, RelievedShaftModel::Size size) {
-        NumberField* number = form->number(
-            field, [this, size] { return model_->sizeOf(size); },
-            [this, &field, size](std::optional<double> value) {
-                model_->setSize(field, size, *value);
-            });
-        form->follow([this, number, size] { number->setEnabled(model_->isGiven(size)); });
-        number->setDigits(6);  // a size that was found has more than fit
-    };
-    addSize(field::bar_diameter, &RelievedShaftSizes::diameter);
-    addSize(field::relief_depth, &RelievedShaftSizes::depth);
-    addSize(field::relief_length, &RelievedShaftSizes::length);
-    form->number(
-        field::density, [this] { return model_->sizes().density; },
-        [this](std::optional<double> value) { model_->setDensity(*value); });
+    addSizes(form);
     form->column()->addStretch();
     column->addWidget(form, 1);
     export_ = new QPushButton(tr("E&xport drawing (DXF)…"), panel);
@@ -258,8 +250,66 @@ QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
     return panel;
 }
 
+void RelievedShaftView::addSizes(Form* form) {
+    const auto given = [this] { return balance_shaft::relieved_shaft_sizes(model_->input()); };
+    const auto set = [this](const QString& step, const auto& change) {
+        model_->edit(step, [&](Input& input) {
+            input.relieved_shaft = balance_shaft::relieved_shaft_sizes(input);
+            change(*input.relieved_shaft);
+        });
+    };
+    const auto find = [this, set](int sought) {
+        set(tr("Size to find"), [this, sought](RelievedShaftSizes& next) {
+            RelievedShaft found = model_->result().relieved_shaft;
+            found.depth = found.depth > 0.0 ? found.depth : found.diameter / 4.0;
+            for (int i = 0; const ReliefSize& size : reliefSizes) {
+                auto& kept = next.*size.given;
+                kept = i++ == sought                      ? std::nullopt
+                       : !kept && found.*size.found > 0.0 ? std::optional(found.*size.found)
+                                                          : kept;
+            }
+        });
+    };
+    form->choice(
+            {}, tr("&Find"),
+            {tr("depth h"), tr("length b"), tr("diameter D"), tr("none, check only")},
+            tr("Enter two sizes; the third follows from the unbalance m₁ ρ₁."),
+            [given] {
+                return static_cast<int>(std::ranges::find_if(reliefSizes,
+                                                             [&](const ReliefSize& size) {
+                                                                 return !(given().*size.given);
+                                                             }) -
+                                        reliefSizes.begin());
+            },
+            find)
+        ->setAccessibleName(tr("Computed size"));
+    for (const std::size_t i : {2U, 0U, 1U}) {
+        const ReliefSize& size = reliefSizes[i];
+        NumberField* number = form->number(
+            size.field,
+            [this, given, &size] {
+                const double metres =
+                    (given().*size.given).value_or(model_->result().relieved_shaft.*size.found);
+                return metres > 0.0 ? std::optional(metres) : std::nullopt;
+            },
+            [set, &size](std::optional<double> value) {
+                set(fieldName(size.field),
+                    [&](RelievedShaftSizes& next) { next.*size.given = value; });
+            });
+        form->follow(
+            [given, number, &size] { number->setEnabled((given().*size.given).has_value()); });
+        number->setDigits(6);  // a size that was found has more than fit
+    }
+    form->number(
+        field::density, [given] { return given().density; },
+        [set](std::optional<double> value) {
+            set(fieldName(field::density),
+                [&](RelievedShaftSizes& next) { next.density = *value; });
+        });
+}
+
 void RelievedShaftView::showFeasible() {
-    const bool isFeasible = model_->shaft().feasible;
+    const bool isFeasible = model_->result().relieved_shaft.feasible;
     colourText(verdict_, isFeasible ? &Theme::text : &Theme::warning);
     export_->setEnabled(isFeasible);
 }
@@ -268,15 +318,12 @@ void RelievedShaftView::chooseFile() {
     if (!continueWithoutRejected(this, tr("Export drawing"))) {
         return;
     }
-    const QString path =
-        askSavePath(this, tr("Export drawing"), QStringLiteral("balance-shaft.dxf"), {dxfFormat()});
-    if (path.isEmpty()) {
-        return;
-    }
-    const QString trouble = model_->exportDxf(path);
-    if (!trouble.isEmpty()) {
-        QMessageBox::warning(this, tr("Export drawing"), trouble);
-    }
+    saveFile(this, tr("Export drawing"), QStringLiteral("balance-shaft.dxf"), {dxfFormat()},
+             [this](const QString& path) {
+                 return writeFile(path, [this] {
+                     return balance_shaft::relieved_shaft_dxf(model_->result().relieved_shaft, {});
+                 });
+             });
 }
 
 }  // namespace ravnoves

@@ -10,7 +10,7 @@ class QPushButton;
 namespace ravnoves {
 
 class BalanceShaftModel;
-class RelievedShaftModel;
+class Form;
 
 /// Section and side view of a shaft with a relieved middle, to scale, with its main sizes; dashed,
 /// the reference's.
@@ -31,7 +31,8 @@ class RelievedShaftDrawing : public ComparedFigure {
     BalanceShaftModel* model_;
 };
 
-/// The form, the answer and the drawing of RelievedShaftModel.
+/// The balance shaft as a round bar with a segment milled away (the paper's Fig. 5) for the
+/// unbalance m₁ ρ₁ of the page: its sizes, of which one is found, the answer and the drawing.
 class RelievedShaftView : public QWidget {
     Q_OBJECT
 
@@ -39,11 +40,12 @@ class RelievedShaftView : public QWidget {
     explicit RelievedShaftView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
   private:
-    QWidget* buildForm(BalanceShaftModel* model);
+    QWidget* buildForm();
+    void addSizes(Form* form);
     void showFeasible();
     void chooseFile();
 
-    RelievedShaftModel* model_;
+    BalanceShaftModel* model_;
     QLabel* verdict_;
     QPushButton* export_;
 };

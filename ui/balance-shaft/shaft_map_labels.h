@@ -18,12 +18,6 @@ class PlaceScale;
 /// each other nor the places kept free, in order of precedence.
 class ShaftMapLabels {
   public:
-    struct Label {
-        QRectF box;
-        QString text;  ///< empty: kept free
-        bool isBold = false;
-    };
-
     /// Begins again in a rectangle of pixels.
     void clear(const QRectF& area);
     /// No number in this square.
@@ -39,9 +33,13 @@ class ShaftMapLabels {
                      const QPointF& centre);
     void paint(QPainter& painter) const;
 
-    const std::vector<Label>& all() const { return labels_; }
-
   private:
+    struct Label {
+        QRectF box;
+        QString text;  ///< empty: kept free
+        bool isBold = false;
+    };
+
     /// @return whether there is room for it
     bool add(const QRectF& box, const QString& text, bool isBold, bool overCircles);
 

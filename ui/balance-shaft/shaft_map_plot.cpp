@@ -75,24 +75,6 @@ const ShaftMapModel* ShaftMapPlot::referenceMap() const {
     return other != nullptr && data().referenceShown ? other->shaftMap() : nullptr;
 }
 
-QString ShaftMapPlot::placeWords(const ShaftMapModel::Position& position, int decimals) const {
-    const ShaftMapModel* other = referenceMap();
-    const QString against = other != nullptr ? shaft_map_text::placeAgainst(
-                                                   *map_, *other, data().referenceName, position)
-                                             : QString();
-    return shaft_map_text::place(*map_, position, decimals) +
-           (against.isEmpty() ? QString() : QLatin1Char('\n') + against);
-}
-
-QString ShaftMapPlot::bestWords() const {
-    const ShaftMapModel* other = referenceMap();
-    const QString against = other != nullptr
-                                ? shaft_map_text::bestAgainst(*map_, *other, data().referenceName)
-                                : QString();
-    return shaft_map_text::best(*map_) +
-           (against.isEmpty() ? QString() : QLatin1Char('\n') + against);
-}
-
 double ShaftMapPlot::keyHeight() const {
     return map_->field().levels.empty() ? 0.0 : changeKeyHeight();
 }

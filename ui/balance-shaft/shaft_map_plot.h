@@ -31,13 +31,8 @@ class ShaftMapPlot : public PartPlot {
     ShaftMapModel::Position placeAt(const QPointF& pixel) const;
     /// The field under the picture.
     QString csv(const CsvFormat& format) const override;
-    const std::vector<ShaftMapLabels::Label>& labels() const { return labels_.all(); }
     /// The map of the reference; null without one, or switched off.
     const ShaftMapModel* referenceMap() const;
-    /// shaft_map_text::place(), and below it the comparison with the reference.
-    QString placeWords(const ShaftMapModel::Position& position, int decimals = 2) const;
-    /// The best place, and below it the reference's.
-    QString bestWords() const;
 
   Q_SIGNALS:
     /// The place under the pointer, as text; empty where it left.

@@ -71,9 +71,10 @@ void ShaftMapPlot::mouseMoveEvent(QMouseEvent* event) {
     setCursor(isHandle(event->position()) ? Qt::OpenHandCursor : Qt::ArrowCursor);
     const bool inside = plotArea().contains(event->position());
     const ShaftMapModel::Marker* marker = inside ? markerAt(event->position()) : nullptr;
-    Q_EMIT hovered(!inside             ? QString()
-                   : marker != nullptr ? placeWords(marker->position)
-                                       : placeWords(placeAt(event->position()), 1));
+    Q_EMIT hovered(!inside ? QString()
+                   : marker != nullptr
+                       ? shaft_map_text::place(*map_, marker->position)
+                       : shaft_map_text::place(*map_, placeAt(event->position()), 1));
 }
 
 void ShaftMapPlot::mouseReleaseEvent(QMouseEvent* event) {
@@ -111,13 +112,13 @@ void ShaftMapPlot::keyPressEvent(QKeyEvent* event) {
     const auto move = [&](double x, double y) {
         const auto present = map_->present();
         map_->moveTo({present.x + x * step, present.y + y * step}, ShaftMapModel::Keyed);
-        Q_EMIT hovered(placeWords(map_->present()));
+        Q_EMIT hovered(shaft_map_text::place(*map_, map_->present()));
     };
     const auto choose = [&](std::size_t by) {
         const std::size_t count = map_->markers().size();
         if (count > 0) {
             chosen_ = chosen_ ? (*chosen_ + by) % count : (by == 1 ? 0 : count - 1);
-            Q_EMIT hovered(placeWords(map_->markers()[*chosen_].position));
+            Q_EMIT hovered(shaft_map_text::place(*map_, map_->markers()[*chosen_].position));
             update();
         }
     };
@@ -150,7 +151,7 @@ void ShaftMapPlot::keyPressEvent(QKeyEvent* event) {
             if (dragging_) {
                 model_->takeBack();
                 endDrag();
-                Q_EMIT hovered(placeWords(map_->present()));
+                Q_EMIT hovered(shaft_map_text::place(*map_, map_->present()));
                 return;
             }
             if (chosen_) {

@@ -15,12 +15,12 @@
 #include "balance-shaft/model/shaft_map_text.h"
 #include "balance-shaft/shaft_map_plot.h"
 #include "balance-shaft/shaft_tabs.h"
-#include "model/reference_case.h"
 #include "numerics/units.h"
 #include "text/message_text.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
 #include "widgets/form.h"
+#include "widgets/layouts.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
@@ -36,9 +36,7 @@ constexpr int sideWidth = 340;
 
 ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model), map_(model->shaftMap()) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, Theme::space, 0, 0);
-    column->setSpacing(Theme::space);
+    QVBoxLayout* column = columnIn(this, Theme::space, tabMargins);
     bar_ = buildBar();
     column->addWidget(bar_);
 
@@ -48,9 +46,7 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     tabs_->setDocumentMode(true);
     auto* front = new QWidget(tabs_);
     front->setObjectName(QStringLiteral("front"));
-    auto* frontColumn = new QVBoxLayout(front);
-    frontColumn->setContentsMargins(0, 0, 0, 0);
-    frontColumn->setSpacing(Theme::gap);
+    QVBoxLayout* frontColumn = columnIn(front, Theme::gap);
     plot_ = new ShaftMapPlot(model_, front);
     frontColumn->addWidget(plot_, 1);
     words_ = copyableCaption("shaft_map_words", front);
@@ -71,17 +67,13 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     buildCharts();
 
     connect(plot_, &ShaftMapPlot::hovered, this, &ShaftMapView::showWords);
-    connect(plot_, &PlotView::referenceChanged, this, [this] {
-        fitWords();
-        showWords();
-    });
     connect(map_, &ShaftMapModel::mapChanged, this, &ShaftMapView::showMap);
     connect(map_, &ShaftMapModel::staleChanged, this, &ShaftMapView::showStale);
     connect(map_, &ShaftMapModel::moved, this, [this] {
         if (isVisible()) {
             map_->need();
             showPresent();
-            showWords(map_->isAtBest() ? QString() : plot_->placeWords(map_->present()));
+            showWords(map_->isAtBest() ? QString() : shaft_map_text::place(*map_, map_->present()));
         }
     });
     arrange();
@@ -90,9 +82,7 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
 
 QWidget* ShaftMapView::buildBar() {
     auto* bar = new Panel(this);
-    auto* column = new QVBoxLayout(bar);
-    column->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
-    column->setSpacing(Theme::gap);
+    QVBoxLayout* column = columnIn(bar, Theme::gap, barMargins);
     distance_ = new FieldSlider(
         model_, "/centre_distance_mm", {0.0, 200.0, 0.1, 10.0, 2}, bar,
         {.label = tr("Distance &l"),
@@ -229,14 +219,13 @@ void ShaftMapView::resizeEvent(QResizeEvent* event) {
 void ShaftMapView::fitWords() {
     const bool isNarrow = width() < Theme::withText(500);
     const bool isWide = width() >= Theme::withText(600);
-    const bool isCompared = model_->referenceCase().model() != nullptr;
     // What is read under the pointer is shorter than the best place.
     const int room = width() - (wide_.value_or(false) ? side_->width() + Theme::space : 0);
     const int needed =
         words_->fontMetrics()
-            .boundingRect(QRect(0, 0, room, 10000), Qt::TextWordWrap, plot_->bestWords())
+            .boundingRect(QRect(0, 0, room, 10000), Qt::TextWordWrap, shaft_map_text::best(*map_))
             .height();
-    const int rows = (isNarrow ? 5 : isWide ? 3 : 4) + (!isCompared ? 0 : isNarrow ? 3 : 2);
+    const int rows = isNarrow ? 5 : isWide ? 3 : 4;
     wordsRoom_->setFixedHeight(std::max(rows * words_->fontMetrics().lineSpacing(), needed) + 2);
 }
 
@@ -262,7 +251,7 @@ void ShaftMapView::showStale() {
 }
 
 void ShaftMapView::showWords(const QString& hovered) {
-    const QString text = hovered.isEmpty() ? plot_->bestWords() : hovered;
+    const QString text = hovered.isEmpty() ? shaft_map_text::best(*map_) : hovered;
     words_->setText(text);
     words_->setToolTip(text);
 }
@@ -276,7 +265,7 @@ void ShaftMapView::showPresent() {
     best_->setEnabled(best != nullptr && best->isBuildable && !map_->isAtBest());
     best_->setToolTip(why);
     best_->setAccessibleDescription(why);
-    plot_->setAccessibleDescription(plot_->placeWords(map_->present()));
+    plot_->setAccessibleDescription(shaft_map_text::place(*map_, map_->present()));
 }
 
 /// Goes to the place whose point lies nearest on the screen.

@@ -26,10 +26,6 @@ class ShaftMapView : public QWidget {
   public:
     explicit ShaftMapView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
-    ShaftMapPlot* plot() const { return plot_; }
-    QComboBox* criterionChoice() const { return criterion_; }
-    QLabel* words() const { return words_; }
-
     /// The minimum of the map alone: the charts move to tabs where there is no room.
     QSize minimumSizeHint() const override;
 

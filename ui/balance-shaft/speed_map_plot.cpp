@@ -94,15 +94,9 @@ void SpeedMapPlot::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->position();
     const QString words = plotArea().contains(at) ? wordsAt(xAt(at.x()), yAt(at.y())) : QString();
     QToolTip::showText(event->globalPosition().toPoint(), words, this);
-    Q_EMIT hovered(words);
     if (event->buttons() != Qt::NoButton) {
         PlotView::mouseMoveEvent(event);
     }
-}
-
-void SpeedMapPlot::stopReading() {
-    Q_EMIT hovered({});
-    PlotView::stopReading();
 }
 
 QString SpeedMapPlot::csv(const CsvFormat& format) const {
@@ -110,8 +104,7 @@ QString SpeedMapPlot::csv(const CsvFormat& format) const {
         return {};
     }
     const ShownTitle speed = shownTitle(tr("n, min⁻¹"));
-    QString text = format.field(speed.text) + format.separator + format.field(tr("α, °")) +
-                   format.separator + format.field(title()) + QLatin1Char('\n');
+    QString text = format.line({speed.text, tr("α, °"), title()});
     const QRectF& where = map()->where;
     const std::size_t columns = map()->columns;
     const std::size_t rows = map()->changes.size() / columns;
@@ -119,10 +112,10 @@ QString SpeedMapPlot::csv(const CsvFormat& format) const {
         return format.number(from + span * static_cast<double>(i) / static_cast<double>(count - 1));
     };
     for (std::size_t i = 0; i < map()->changes.size(); ++i) {
-        text +=
-            number(speed.factor * where.top(), speed.factor * where.height(), i / columns, rows) +
-            format.separator + number(where.left(), where.width(), i % columns, columns) +
-            format.separator + format.number(100.0 * map()->changes[i]) + QLatin1Char('\n');
+        text += format.line(
+            {number(speed.factor * where.top(), speed.factor * where.height(), i / columns, rows),
+             number(where.left(), where.width(), i % columns, columns),
+             format.number(100.0 * map()->changes[i])});
     }
     return text;
 }

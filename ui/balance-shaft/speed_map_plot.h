@@ -17,9 +17,6 @@ class SpeedMapPlot : public PartPlot {
     /// The field under the picture.
     QString csv(const CsvFormat& format) const override;
 
-  Q_SIGNALS:
-    void hovered(const QString& text);
-
   protected:
     void paintGround(QPainter& painter) override;
     void paintOverCurves(QPainter& painter) override;
@@ -27,7 +24,6 @@ class SpeedMapPlot : public PartPlot {
     double keyHeight() const override;
     bool event(QEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
-    void stopReading() override;
 
   private:
     void showMap();

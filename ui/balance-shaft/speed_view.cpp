@@ -1,6 +1,5 @@
 #include "balance-shaft/speed_view.h"
 
-#include <QComboBox>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -74,9 +73,8 @@ QWidget* SpeedView::buildWords() {
 
 QWidget* SpeedView::buildSliders() {
     auto* sliders = new QWidget(this);
-    auto* column = new QVBoxLayout(sliders);
-    column->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, 0);
-    column->setSpacing(Theme::gap);
+    QVBoxLayout* column =
+        columnIn(sliders, Theme::gap, {Theme::margin, Theme::margin, Theme::margin, 0});
     column->addWidget(new FieldSlider(
         model_, "/speed_rpm", {300.0, 9000.0, 10.0, 100.0, 0}, sliders,
         {.label = tr("Speed &n"),
@@ -101,9 +99,7 @@ QWidget* SpeedView::buildSliders() {
 /// between them.
 QWidget* SpeedView::buildProgress() {
     auto* running = new QWidget(this);
-    auto* row = new QHBoxLayout(running);
-    row->setContentsMargins(Theme::margin, 0, Theme::margin, Theme::gap);
-    row->setSpacing(Theme::space);
+    QHBoxLayout* row = rowIn(running, Theme::space, {Theme::margin, 0, Theme::margin, Theme::gap});
     auto* progress = new JobProgress(study_->job(), tr("Progress"), running);
     row->addWidget(progress, 1);
     QPushButton* cancel = progress->cancelButton(tr("Cancel"), {});
@@ -122,7 +118,7 @@ Form* SpeedView::buildForm() {
             [this, end = end](std::optional<double> value) { study_->setBand(end, *value); });
         number->setDigits(6);
     }
-    criterion_ = form->choice(
+    form->choice(
         {}, tr("&Map of"), {tr("range"), tr("RMS")},
         tr("Criterion of the map and of the best compromise α"),
         [this] { return static_cast<int>(model_->speedCriterion()); },

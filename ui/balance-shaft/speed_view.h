@@ -2,7 +2,6 @@
 
 #include <QWidget>
 
-class QComboBox;
 class QPushButton;
 
 namespace ravnoves {
@@ -20,8 +19,6 @@ class SpeedView : public QWidget {
   public:
     explicit SpeedView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
-    QComboBox* criterionChoice() const { return criterion_; }
-
   private:
     QWidget* buildSliders();
     QWidget* buildProgress();
@@ -32,7 +29,6 @@ class SpeedView : public QWidget {
     BalanceShaftModel* model_;
     SpeedStudyModel* study_;
     FieldSlider* load_;
-    QComboBox* criterion_;
     QPushButton* rebuild_;
     QPushButton* applyBestCompromise_;
     QWidget* charts_;

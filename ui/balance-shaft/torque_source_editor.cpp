@@ -97,9 +97,8 @@ TorqueSourceEditor::TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent
 
 QWidget* TorqueSourceEditor::buildNoTable() {
     noTable_ = new QWidget(this);
-    auto* column = new QVBoxLayout(noTable_);
-    column->setContentsMargins(Theme::margin, 0, Theme::margin, Theme::gap);
-    column->setSpacing(Theme::gap);
+    QVBoxLayout* column =
+        columnIn(noTable_, Theme::gap, {Theme::margin, 0, Theme::margin, Theme::gap});
     column->addWidget(captionLabel(tr("No table yet, so the computed torque is used: paste a "
                                       "table, import a CSV file, or use this torque as table."),
                                    noTable_));
@@ -129,9 +128,8 @@ QWidget* TorqueSourceEditor::buildNoTable() {
 
 QWidget* TorqueSourceEditor::buildCheck() {
     check_ = new QWidget(this);
-    auto* column = new QVBoxLayout(check_);
-    column->setContentsMargins(Theme::margin, 0, Theme::margin, Theme::gap);
-    column->setSpacing(Theme::gap);
+    QVBoxLayout* column =
+        columnIn(check_, Theme::gap, {Theme::margin, 0, Theme::margin, Theme::gap});
     checkText_ = copyableCaption("", check_);
     column->addWidget(checkText_);
     remedies_ = new QWidget(check_);

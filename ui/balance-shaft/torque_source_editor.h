@@ -28,7 +28,6 @@ class TorqueSourceEditor : public QWidget {
   public:
     explicit TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent = nullptr);
 
-    QComboBox* choice() const { return choice_; }
     /// Opens the import window for a file with a pressure trace.
     void importTrace(const QString& path);
     /// Puts the inertia torque of masses and speed in the place of the table's.

@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QLabel>
-#include <QMessageBox>
 #include <QTableView>
 #include <QToolButton>
 
@@ -53,16 +52,12 @@ void TorqueTableEditor::importWithDialog() {
 }
 
 void TorqueTableEditor::exportWithDialog() {
-    const QString path =
-        askSavePath(this, tr("Export torque table"), QStringLiteral("torque.csv"), {csvFormat()});
-    if (path.isEmpty()) {
-        return;
-    }
-    const QString trouble = writeFile(
-        path, [this] { return balance_shaft::write_torque_table(model_->input().torque.table); });
-    if (!trouble.isEmpty()) {
-        QMessageBox::warning(this, tr("Export torque table"), trouble);
-    }
+    saveFile(this, tr("Export torque table"), QStringLiteral("torque.csv"), {csvFormat()},
+             [this](const QString& path) {
+                 return writeFile(path, [this] {
+                     return balance_shaft::write_torque_table(model_->input().torque.table);
+                 });
+             });
 }
 
 void TorqueTableEditor::importFile(const QString& path) {

@@ -18,9 +18,9 @@
 #include "balance-shaft/torque_table_editor.h"
 #include "case-file/decimal.h"
 #include "case-file/text_file.h"
-#include "events.h"
 #include "import_file.h"
 #include "model/background_job.h"
+#include "page_fixture.h"
 #include "pictures/file_dialogs.h"
 
 namespace ravnoves {
@@ -55,16 +55,19 @@ std::string indicatorFile(const balance_shaft::test::SyntheticEngine& engine) {
     return text;
 }
 
-class ImportTest : public ::testing::Test {
+class ImportTest : public test::PageTest<BalanceShaftPage> {
   protected:
-    ImportTest() { test::showAt(page, {1187, 712}); }
     QString file(const std::string& text, const char* name = "trace.csv") const {
         const QString path = folder.filePath(QLatin1String(name));
         write_text_file(path.toStdString(), text);
         return path;
     }
-    static bool isRead(const ImportModel& import) {
-        return test::comes([&] { return !import.job()->isRunning(); });
+    bool isRead() const {
+        return test::comes([this] { return !import.job()->isRunning(); });
+    }
+    bool read(const QString& path) {
+        import.open(path);
+        return isRead();
     }
     /// The case as it is, saved beside the file and opened again.
     balance_shaft::Input reopened() const {
@@ -79,14 +82,12 @@ class ImportTest : public ::testing::Test {
     const QTemporaryDir folder;
     const balance_shaft::test::SyntheticEngine engine =
         balance_shaft::test::synthetic_engines().front();
-    BalanceShaftPage page;
-    BalanceShaftModel* model = page.viewModel();
+    ImportModel import{Measured::pressure, engine.crank};
+    TorqueSourceEditor* source = page.findChild<TorqueSourceEditor*>();
 };
 
 TEST_F(ImportTest, AFileOfThirteenColumnsIsProposedWhole) {
-    ImportModel import(Measured::pressure, engine.crank);
-    import.open(file(indicatorFile(engine)));
-    ASSERT_TRUE(isRead(import));
+    ASSERT_TRUE(read(file(indicatorFile(engine))));
     ASSERT_TRUE(import.isReady()) << qPrintable(import.troubleText());
     EXPECT_EQ(import.column(0), 1);
     EXPECT_EQ(import.column(1), 4);
@@ -117,9 +118,7 @@ TEST_F(ImportTest, AFileOfThirteenColumnsIsProposedWhole) {
 }
 
 TEST_F(ImportTest, ANegativePressureIsAskedAbout) {
-    ImportModel import(Measured::pressure, engine.crank);
-    import.open(file("deg;p\n0;-0.113\n90;0.02\n180;0.1\n360;40\n540;3\n720;-0.113\n"));
-    ASSERT_TRUE(isRead(import));
+    ASSERT_TRUE(read(file("deg;p\n0;-0.113\n90;0.02\n180;0.1\n360;40\n540;3\n720;-0.113\n")));
     EXPECT_TRUE(import.doubtsText().contains(QStringLiteral("gauge pressure?")))
         << qPrintable(import.doubtsText());
     EXPECT_TRUE(import.isReady());
@@ -127,7 +126,7 @@ TEST_F(ImportTest, ANegativePressureIsAskedAbout) {
     decided.gauge = false;
     import.decide(decided);
     EXPECT_FALSE(import.isReady());
-    ASSERT_TRUE(isRead(import));
+    ASSERT_TRUE(isRead());
     EXPECT_FALSE(import.isReady());
     EXPECT_TRUE(import.troubleText().contains(QStringLiteral("line 2, column 2")))
         << qPrintable(import.troubleText());
@@ -141,14 +140,12 @@ TEST_F(ImportTest, CyclesAreAveragedByTheLengthThatIsChosen) {
                     std::to_string(i == 18 ? 40 + 10 * (turn % 2) : 1 + i % 2) + "\n";
         }
     }
-    ImportModel import(Measured::pressure, engine.crank);
-    import.open(file(text));
-    ASSERT_TRUE(isRead(import));
+    ASSERT_TRUE(read(file(text)));
     for (const int strokes : {4, 2}) {
         TableReading decided;
         decided.strokes = strokes;
         import.decide(decided);
-        ASSERT_TRUE(isRead(import));
+        ASSERT_TRUE(isRead());
         EXPECT_TRUE(import.understoodText().contains(
             strokes == 4 ? QStringLiteral("mean of 2 cycles") : QStringLiteral("mean of 4 cycles")))
             << qPrintable(import.understoodText());
@@ -162,16 +159,14 @@ TEST_F(ImportTest, CyclesAreAveragedByTheLengthThatIsChosen) {
 }
 
 TEST_F(ImportTest, SettingsThatACaseCannotHoldMakeAFileOfTheCycle) {
-    ImportModel import(Measured::pressure, engine.crank);
-    import.open(file("deg;bar\n0;1,013\n180;1\n360;40,125\n540;3,250\n720;1,013\n"));
-    ASSERT_TRUE(isRead(import));
+    ASSERT_TRUE(read(file("deg;bar\n0;1,013\n180;1\n360;40,125\n540;3,250\n720;1,013\n")));
     EXPECT_FALSE(import.isReady());  // thousands or decimals?
     EXPECT_FALSE(import.decimalComma());
     EXPECT_EQ(import.lines().size(), 6U);
     TableReading decided;
     decided.layout.decimal_comma = true;
     import.decide(decided);
-    ASSERT_TRUE(isRead(import));
+    ASSERT_TRUE(isRead());
     ASSERT_TRUE(import.isReady()) << qPrintable(import.troubleText());
     EXPECT_TRUE(import.needsOwnFile());
     EXPECT_TRUE(import.doubtsText().contains(QStringLiteral("separate CSV file")));
@@ -185,9 +180,7 @@ TEST_F(ImportTest, SettingsThatACaseCannotHoldMakeAFileOfTheCycle) {
 }
 
 TEST_F(ImportTest, WhatRemainsToTheDeadCentreIsANote) {
-    ImportModel import(Measured::pressure, engine.crank);
-    import.open(file(indicatorFile(engine)));
-    ASSERT_TRUE(isRead(import));
+    ASSERT_TRUE(read(file(indicatorFile(engine))));
     const auto noteAt = [&](double shift) {
         model->edit(QStringLiteral("Shift"), [&](balance_shaft::Input& input) {
             import.putTraceInto(input);
@@ -205,7 +198,6 @@ TEST_F(ImportTest, WhatRemainsToTheDeadCentreIsANote) {
 }
 
 TEST_F(ImportTest, WhatIsCancelledChangesNothing) {
-    ImportModel import(Measured::pressure, engine.crank);
     const QString path = file(indicatorFile(engine));
     import.open(path);
     import.job()->cancel();
@@ -213,14 +205,13 @@ TEST_F(ImportTest, WhatIsCancelledChangesNothing) {
     EXPECT_TRUE(import.lines().empty());
     EXPECT_FALSE(import.isReady());
     import.open(path);
-    ASSERT_TRUE(isRead(import));
+    ASSERT_TRUE(isRead());
     EXPECT_TRUE(import.isReady());
     import.open(folder.filePath(QStringLiteral("none.csv")));
 }
 
 TEST_F(ImportTest, TheWindowShowsAndChangesHowAFileIsRead) {
     const QString path = file(indicatorFile(engine));
-    TorqueSourceEditor* source = page.findChild<TorqueSourceEditor*>();
     const Json before = model->inputJson();
     const QString said = test::importBy(
         page, [&] { source->importTrace(path); },
@@ -273,11 +264,10 @@ TEST_F(ImportTest, EscapeAndAFileThatIsNotThereChangeNothing) {
     const QString path = file(indicatorFile(engine));
     test::whenModal<ImportDialog>(
         &page, [](ImportDialog* dialog) { QTest::keyClick(dialog, Qt::Key_Escape); });
-    page.findChild<TorqueSourceEditor*>()->importTrace(path);  // perhaps while it is being read
+    source->importTrace(path);  // perhaps while it is being read
     EXPECT_EQ(model->inputJson(), before);
-    const QString said = test::importBy(page, [&] {
-        page.findChild<TorqueSourceEditor*>()->importTrace(folder.filePath(QStringLiteral("none")));
-    });
+    const QString said =
+        test::importBy(page, [&] { source->importTrace(folder.filePath(QStringLiteral("none"))); });
     EXPECT_FALSE(said.isEmpty());
     EXPECT_EQ(model->inputJson(), before);
 }
@@ -288,7 +278,7 @@ TEST_F(ImportTest, TheCycleIsSavedWhereItIsAskedFor) {
     fileChoosers().save = [](QWidget*, const QString&, const QString& suggestion, const QString&,
                              QString*) { return suggestion; };
     test::importBy(
-        page, [&] { page.findChild<TorqueSourceEditor*>()->importTrace(path); },
+        page, [&] { source->importTrace(path); },
         [](ImportDialog& dialog) {
             auto* decimal = test::named<QComboBox>(dialog, "import_decimal");
             EXPECT_EQ(decimal->currentIndex(), -1);

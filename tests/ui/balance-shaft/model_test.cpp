@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "balance-shaft/fields.h"
-#include "balance-shaft/model/relieved_shaft_model.h"
 #include "balance-shaft/model/speed_study_model.h"
 #include "case-file/json.h"
 #include "events.h"
@@ -108,18 +106,6 @@ TEST(BalanceShaftModel, ADragIsOneStepOfTheHistory) {
     EXPECT_NEAR(model.shaftAngleDeg(), 149.0, 1e-9);
 }
 
-TEST(BalanceShaftModel, TablesHoldNoEmptyCells) {
-    BalanceShaftModel model;
-    for (const auto& rows : {model.criteria().rows, model.quantities().rows}) {
-        for (const ResultRow& row : rows) {
-            for (const QString& cell : row) {
-                EXPECT_FALSE(cell.isEmpty());
-                EXPECT_FALSE(cell.contains(QStringLiteral("nan"))) << cell.toStdString();
-            }
-        }
-    }
-}
-
 TEST(BalanceShaftModel, AChangeSaysWhetherItIsBetter) {
     BalanceShaftModel model;
     model.setShaftAngleDeg(50.65);
@@ -134,66 +120,6 @@ TEST(BalanceShaftModel, AChangeSaysWhetherItIsBetter) {
     ASSERT_LT(result.M_up.min, result.M_ups.min);
     EXPECT_TRUE(rows[4].last().text.endsWith(QStringLiteral("better")));
     EXPECT_FALSE(rows[2].last().text.contains(QStringLiteral("better")));
-}
-
-QString verdictOf(const BalanceShaftModel& model) {
-    return std::get<Notes>(model.part("relief-verdict")).lines.front().second;
-}
-
-TEST(RelievedShaftModel, FindsOneSizeOfThree) {
-    using Sized = RelievedShaftModel::Sized;
-    using Sizes = balance_shaft::RelievedShaftSizes;
-    BalanceShaftModel model;
-    RelievedShaftModel relief(&model);
-    EXPECT_EQ(relief.sized(), Sized::Depth);
-    EXPECT_FALSE(relief.isGiven(&Sizes::depth));
-    EXPECT_TRUE(relief.isGiven(&Sizes::length));
-    const ResultRows rows = std::get<Results>(model.part("relief")).rows;
-    EXPECT_EQ(rows.size(), 8);
-    for (const ResultRow& row : rows) {
-        EXPECT_FALSE(row.tip.isEmpty()) << row.front().text.toStdString();
-    }
-    // A bar that is surely thick enough.
-    relief.setSize(balance_shaft::field::bar_diameter, &Sizes::diameter, 80.0 * units::mm);
-    EXPECT_NEAR(model.solver().front_view().shaft_swing_radius, 40.0 * units::mm, 1e-12);
-    ASSERT_TRUE(relief.shaft().feasible) << verdictOf(model).toStdString();
-    EXPECT_NEAR(relief.shaft().unbalance, relief.shaft().required, 1e-9 * relief.shaft().required);
-    EXPECT_EQ(relief.sizeOf(&Sizes::diameter), 80.0 * units::mm);
-    EXPECT_NE(relief.exportDxf(QStringLiteral("/dev/null/shaft.dxf")), QString());
-}
-
-TEST(RelievedShaftModel, TheFirstOneIsTheHalfDiscOfTheMap) {
-    BalanceShaftModel model;
-    const RelievedShaftModel relief(&model);
-    ASSERT_TRUE(relief.shaft().feasible) << verdictOf(model).toStdString();
-    EXPECT_FALSE(model.input().relieved_shaft);
-    const auto swing = [&] { return model.solver().front_view().shaft_swing_radius; };
-    EXPECT_NEAR(relief.shaft().diameter / 2.0, swing(), 1e-12);
-    // A swing radius that is typed is the bar's, which is longer then.
-    const double length = relief.shaft().length;
-    model.editField("/envelope/shaft_swing_radius_mm", 20.0, QStringLiteral("R"));
-    ASSERT_TRUE(relief.shaft().feasible) << verdictOf(model).toStdString();
-    EXPECT_NEAR(relief.shaft().diameter / 2.0, 20.0 * units::mm, 1e-12);
-    EXPECT_GT(relief.shaft().length, length);
-    EXPECT_NE(relief.exportDxf(QStringLiteral("/dev/null/shaft.dxf")), QString());
-}
-
-TEST(RelievedShaftModel, WhatWasFoundBecomesWhatIsGiven) {
-    using Sized = RelievedShaftModel::Sized;
-    using Sizes = balance_shaft::RelievedShaftSizes;
-    BalanceShaftModel model;
-    RelievedShaftModel relief(&model);
-    relief.setSize(balance_shaft::field::relief_length, &Sizes::length, 400.0 * units::mm);
-    const double depth = *relief.sizeOf(&Sizes::depth);
-    const int steps = model.history()->count();
-    relief.choose(Sized::Length);
-    EXPECT_EQ(relief.sized(), Sized::Length);
-    EXPECT_NEAR(*relief.sizeOf(&Sizes::depth), depth, 1e-12);
-    EXPECT_NEAR(*relief.sizeOf(&Sizes::length), 0.4, 1e-6);
-    relief.choose(Sized::None);
-    EXPECT_EQ(relief.sized(), Sized::None);
-    EXPECT_TRUE(relief.isGiven(&Sizes::length));
-    EXPECT_EQ(model.history()->count(), steps + 2);
 }
 
 TEST(SpeedStudyModel, AnswersForTheInputThatIsThere) {

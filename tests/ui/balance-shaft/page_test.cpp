@@ -6,7 +6,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFile>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -15,6 +14,7 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <cmath>
+#include <set>
 
 #include "balance-shaft/mechanism_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
@@ -22,13 +22,9 @@
 #include "balance-shaft/torque_table_editor.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
-#include "events.h"
 #include "import_file.h"
-#include "page/part_views.h"
-#include "theme/theme.h"
+#include "page_fixture.h"
 #include "widgets/apart.h"
-#include "widgets/number_field.h"
-#include "widgets/value_slider.h"
 #include "widgets/verdict_line.h"
 
 namespace ravnoves {
@@ -36,37 +32,32 @@ namespace {
 
 using By = BalanceShaftModel::Criterion;
 
-using test::type;
-
-class BalanceShaftPageTest : public ::testing::Test {
+class BalanceShaftPageTest : public test::PageTest<BalanceShaftPage> {
   protected:
-    BalanceShaftPageTest() {
-        test::showAt(page, {1187, 712});
-        page.activateWindow();
-        model = page.viewModel();
-    }
+    TorqueTableEditor* editor = page.findChild<TorqueTableEditor*>();
+    TorqueTableModel* table = static_cast<TorqueTableModel*>(editor->table());
 
-    NumberField* field(const char* name) { return test::named<NumberField>(page, name); }
-    TorqueTableModel* torqueTable() {
-        return static_cast<TorqueTableModel*>(page.findChild<TorqueTableEditor*>()->table());
+    /// What is typed into a cell of the torque table.
+    void put(int row, int column, const char* text) {
+        table->setData(table->index(row, column), QString::fromLatin1(text), Qt::EditRole);
     }
-
-    BalanceShaftPage page;
-    BalanceShaftModel* model = nullptr;
+    QString cell(int row, int column = TorqueTableModel::Torque) const {
+        return table->index(row, column).data().toString();
+    }
+    bool isMarked(int row, int column) const {
+        return table->index(row, column).data(EditableTable::TroubleRole).toBool();
+    }
 };
 
 TEST_F(BalanceShaftPageTest, SliderDragMovesEverythingLive) {
-    QSlider* slider = test::named<QSlider>(page, "shaft_angle_deg_slider");
-    const auto columnsOf = [&] { return page.resultsAsText(); };
-    const QString before = columnsOf();
+    QSlider* slider = find<QSlider>("shaft_angle_deg_slider");
+    const QString before = page.resultsAsText();
     const int y = slider->height() / 2;
     // Take the handle where it stands and pull it to the right.
-    QStyleOptionSlider option;
-    option.initFrom(slider);
     const int x = static_cast<int>(slider->width() * slider->value() / 3600.0);
     test::drag(slider, {x, y}, {x + 120, y});
     EXPECT_GT(model->shaftAngleDeg(), 60.0);
-    EXPECT_NE(columnsOf(), before);
+    EXPECT_NE(page.resultsAsText(), before);
     EXPECT_NEAR(*field("shaft_angle_deg")->value(), model->shaftAngleDeg(), 0.051);
     // The plot shows the new M_s.
     EXPECT_NEAR(*partPlot(page, "moments")->valueAt(1, 0.0),
@@ -104,13 +95,13 @@ TEST_F(BalanceShaftPageTest, TextsThatCameWhileItWasHiddenAreWhole) {
 TEST_F(BalanceShaftPageTest, ARejectedTextIsTriedAgainWhenItsCauseIsGone) {
     NumberField* from = field("shaft_angle_from_deg");
     NumberField* to = field("shaft_angle_to_deg");
-    type(from, QStringLiteral("200"));
-    type(to, QStringLiteral("100"));
+    type("shaft_angle_from_deg", QStringLiteral("200"));
+    type("shaft_angle_to_deg", QStringLiteral("100"));
     const QString why = to->trouble();
     EXPECT_TRUE(why.contains(QStringLiteral("greater than"))) << why.toStdString();
     QTest::keyClick(to, Qt::Key_Return);
     EXPECT_EQ(to->trouble(), why);
-    type(field("centre_distance_mm"), QStringLiteral("101"));  // no cause of it
+    type("centre_distance_mm", QStringLiteral("101"));  // no cause of it
     QApplication::processEvents();
     EXPECT_EQ(to->trouble(), why);
     const int steps = model->history()->count();
@@ -133,20 +124,20 @@ TEST_F(BalanceShaftPageTest, ARejectedTextIsTriedAgainWhenItsCauseIsGone) {
 
 TEST_F(BalanceShaftPageTest, WhatEscapeGaveUpIsForgotten) {
     QSignalSpy said(&page, &ScenePage::status);
-    type(field("shaft_angle_from_deg"), QStringLiteral("200"));
+    type("shaft_angle_from_deg", QStringLiteral("200"));
     NumberField* to = field("shaft_angle_to_deg");
-    type(to, QStringLiteral("100"));
+    type("shaft_angle_to_deg", QStringLiteral("100"));
     ASSERT_FALSE(said.last().at(0).toString().isEmpty());
     QTest::keyClick(to, Qt::Key_Escape);
     EXPECT_TRUE(said.last().at(0).toString().isEmpty());
-    type(field("shaft_angle_from_deg"), QStringLiteral("50"));
+    type("shaft_angle_from_deg", QStringLiteral("50"));
     QApplication::processEvents();
     EXPECT_NE(to->value(), 100.0);  // nor is it tried again
     EXPECT_TRUE(to->trouble().isEmpty());
 }
 
 TEST_F(BalanceShaftPageTest, WhatLooksLikeASlipStandsInAmberAboveTheResults) {
-    const auto* doubts = test::named<QLabel>(page, "verdict");
+    const auto* doubts = find<QLabel>("verdict");
     EXPECT_FALSE(doubts->text().contains(QStringLiteral("implausible together")));
     model->setByKey(QStringLiteral("reciprocating_masses_kg/piston"), QStringLiteral("500"));
     EXPECT_TRUE(doubts->text().contains(QStringLiteral("Mass 500\u00A0kg")))
@@ -166,16 +157,15 @@ TEST_F(BalanceShaftPageTest, ATraceATurnOffIsMovedByAButton) {
                    QByteArray::number(1.0 + 60.0 * std::exp(-from * from)) + '\n');
     }
     file.close();
-    auto* move = test::named<QPushButton>(page, "verdict_act");
+    auto* move = find<QPushButton>("verdict_act");
     EXPECT_NE(model->verdict().act, balance_shaft::move_trace_act);
     test::importBy(
         page, [&] { page.findChild<TorqueSourceEditor*>()->importTrace(file.fileName()); },
         test::keepAngles);
-    EXPECT_TRUE(
-        test::named<QLabel>(page, "verdict")->text().contains(QStringLiteral("by one turn")));
+    EXPECT_TRUE(find<QLabel>("verdict")->text().contains(QStringLiteral("by one turn")));
     EXPECT_FALSE(move->isHidden());
-    EXPECT_FALSE(test::named<QPushButton>(page, "move_trace_here")->isHidden());
-    EXPECT_FALSE(test::named<QLabel>(page, "trace_doubts")->text().isEmpty());
+    EXPECT_FALSE(find<QPushButton>("move_trace_here")->isHidden());
+    EXPECT_FALSE(find<QLabel>("trace_doubts")->text().isEmpty());
     move->click();
     EXPECT_NE(model->verdict().act, balance_shaft::move_trace_act);
     EXPECT_NEAR(model->result().indicated->peak_pressure_angle / degree, 365.0, 0.5);
@@ -186,28 +176,24 @@ TEST_F(BalanceShaftPageTest, ATraceATurnOffIsMovedByAButton) {
 
 TEST_F(BalanceShaftPageTest, ClickInThePlotsSetsTheShaft) {
     for (PlotView* plot : {partPlot(page, "range"), partPlot(page, "means")}) {
-        QTest::mouseClick(plot, Qt::LeftButton, {},
-                          plot->toPixel(200.0, 0.0).toPoint().x() > 0
-                              ? QPoint(plot->toPixel(200.0, 0).toPoint().x(),
-                                       plot->plotArea().center().toPoint().y())
-                              : QPoint());
+        QTest::mouseClick(
+            plot, Qt::LeftButton, {},
+            QPoint(plot->toPixel(200.0, 0).toPoint().x(), plot->plotArea().center().toPoint().y()));
         EXPECT_NEAR(model->shaftAngleDeg(), 200.0, 2.0);
         model->setShaftAngleDeg(45.0);
     }
 }
 
 TEST_F(BalanceShaftPageTest, BestButtonsGoThere) {
-    QTest::mouseClick(page.findChild<QPushButton*>(QStringLiteral("go_best_range")),
-                      Qt::LeftButton);
+    press("go_best_range");
     EXPECT_EQ(model->shaftAngleDeg(), *model->result().best_range_buildable.shaft_angle / degree);
-    QTest::mouseClick(page.findChild<QPushButton*>(QStringLiteral("go_best_rms")), Qt::LeftButton);
+    press("go_best_rms");
     EXPECT_EQ(model->shaftAngleDeg(), *model->result().best_rms_buildable.shaft_angle / degree);
     // A shaft in front of the cylinder, out of its way, may stand at the best angles of all.
-    type(field("cylinder_bottom_mm"), QStringLiteral("200"));
-    type(field("rod_width_mm"), QStringLiteral("0,1"));
-    type(field("shaft_swing_radius_mm"), QStringLiteral("8"));
-    QTest::mouseClick(page.findChild<QPushButton*>(QStringLiteral("go_best_range")),
-                      Qt::LeftButton);
+    type("cylinder_bottom_mm", QStringLiteral("200"));
+    type("rod_width_mm", QStringLiteral("0,1"));
+    type("shaft_swing_radius_mm", QStringLiteral("8"));
+    press("go_best_range");
     EXPECT_NEAR(model->shaftAngleDeg(), 50.65, 0.05);
 }
 
@@ -222,7 +208,7 @@ TEST_F(BalanceShaftPageTest, WhatCannotBeBuiltIsShaded) {
     }
     // The page says which sizes that rests on.
     EXPECT_TRUE(field("rod_width_mm")->placeholderText().contains(QStringLiteral("23")));
-    type(field("clearance_mm"), QStringLiteral("50"));
+    type("clearance_mm", QStringLiteral("50"));
     ASSERT_EQ(partPlot(page, "range")->data().bands.size(), 1U);
     EXPECT_EQ(partPlot(page, "range")->data().bands[0].to, 360.0);
 }
@@ -232,7 +218,7 @@ TEST_F(BalanceShaftPageTest, OffsetCylinderIsDrawnAndTurned) {
     model->setByKey(QStringLiteral("envelope/crank_swing_radius_mm"), QStringLiteral("70"));
     model->setShaftAngleDeg(180.0);
     model->finishDrag();
-    type(field("offset_mm"), QStringLiteral("8"));
+    type("offset_mm", QStringLiteral("8"));
     EXPECT_EQ(model->input().cylinder.offset, 8e-3);
     EXPECT_GT(model->result().dead_centre, 0.0);
     EXPECT_FALSE(page.findChild<MechanismView*>()->grab().isNull());
@@ -246,85 +232,76 @@ TEST_F(BalanceShaftPageTest, OffsetCylinderIsDrawnAndTurned) {
 }
 
 TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {
-    TorqueTableModel* table = torqueTable();
     ASSERT_EQ(table->rowCount(), 49);
-    const double peak = model->result().M_up.min;
-    EXPECT_TRUE(table->setData(table->index(25, 1), QStringLiteral("1000,5"), Qt::EditRole));
-    EXPECT_NEAR(model->result().M_up.min, -1000.5, 1e-9);
-    EXPECT_NE(model->result().M_up.min, peak);
-    // Something that is no number is kept, marked, and changes nothing.
-    table->setData(table->index(25, 1), QStringLiteral("oops"), Qt::EditRole);
-    EXPECT_EQ(table->trouble(), QStringLiteral("Row 26: “oops” is not a number."));
-    EXPECT_NEAR(model->result().M_up.min, -1000.5, 1e-9);
-    // Nor does what may be two numbers.
-    table->setData(table->index(25, 1), QStringLiteral("1,893"), Qt::EditRole);
-    EXPECT_EQ(table->trouble(),
-              QStringLiteral("Row 26: “1,893” may be 1893 or 1.893: enter one of them."));
-    EXPECT_NEAR(model->result().M_up.min, -1000.5, 1e-9);
-    table->setData(table->index(25, 1), QStringLiteral("900"), Qt::EditRole);
-    EXPECT_NEAR(model->result().M_up.min, -900.0, 1e-9);
-    EXPECT_TRUE(table->trouble().isEmpty());
-    // Every cell that is rejected is marked, whichever row it is in, and said up to a few.
-    const auto isMarked = [&](int row, int column) {
-        return table->index(row, column).data(EditableTable::TroubleRole).toBool();
+    const QString angle = cell(30, 0);
+    const struct {
+        int row;
+        int column;
+        const char* text;  ///< null: what was rejected is taken back
+        std::set<std::pair<int, int>> marked;
+        const char* said;  ///< of what is rejected
+        double peak;       ///< of the torque, N·m
+    } steps[]{
+        {25, 1, "1000,5", {}, "", 1000.5},
+        // What is no number is kept, marked, and changes nothing, nor does what may be two.
+        {25, 1, "oops", {{25, 1}}, "Row 26: “oops” is not a number.", 1000.5},
+        {25, 1, "1,893", {{25, 1}}, "“1,893” may be 1893 or 1.893: enter one of them.", 1000.5},
+        {25, 1, "900", {}, "", 900.0},
+        {25, 1, "oops", {{25, 1}}, "Row 26:", 900.0},
+        {30, 0, "?", {{25, 1}, {30, 0}}, "Row 26:", 900.0},
+        {25, 1, "900", {{30, 0}}, "Row 31:", 900.0},
+        // An angle that does not grow is marked too; beside it what is right counts.
+        {30, 0, "0", {{30, 0}}, "Row 31:", 900.0},
+        {10, 0, "151", {{30, 0}}, "Row 31:", 900.0},
+        {25, 1, "901", {{30, 0}}, "Row 31:", 901.0},
+        {30, 0, "700", {{30, 0}}, "Row 31:", 901.0},
+        {30, 0, nullptr, {}, "", 901.0},
+        // An end without its cycle too.
+        {0, 0, "1", {{0, 0}}, "Row 1:", 901.0},
+        {30, 0, "0", {{0, 0}, {30, 0}}, "Row 31:", 901.0},
+        {7, 0, "107", {{0, 0}, {30, 0}}, "Row 1:", 901.0},
+        {0, 0, nullptr, {{30, 0}}, "Row 31:", 901.0},
+        {30, 0, nullptr, {}, "", 901.0},
     };
-    const QString angle = table->index(30, 0).data(Qt::EditRole).toString();
-    table->setData(table->index(25, 1), QStringLiteral("oops"), Qt::EditRole);
-    table->setData(table->index(30, 0), QStringLiteral("?"), Qt::EditRole);
-    EXPECT_TRUE(isMarked(25, 1));
-    EXPECT_FALSE(isMarked(25, 0));
-    EXPECT_TRUE(isMarked(30, 0));
-    EXPECT_FALSE(isMarked(31, 0));
-    EXPECT_TRUE(table->trouble().contains(QStringLiteral("Row 26:")) &&
-                table->trouble().contains(QStringLiteral("Row 31:")))
-        << table->trouble().toStdString();
-    for (int row = 40; row < 45; ++row) {
-        table->setData(table->index(row, 1), QStringLiteral("-"), Qt::EditRole);
+    for (const auto& step : steps) {
+        SCOPED_TRACE(testing::Message() << step.row << ", " << step.column << ": "
+                                        << (step.text != nullptr ? step.text : "back"));
+        if (step.text != nullptr) {
+            put(step.row, step.column, step.text);
+        } else {
+            table->takeBackRejected(table->index(step.row, step.column));
+        }
+        for (int row = 0; row < table->rowCount(); ++row) {
+            for (const int column : {0, 1}) {
+                EXPECT_EQ(isMarked(row, column), step.marked.contains({row, column})) << row;
+            }
+        }
+        EXPECT_EQ(table->trouble().isEmpty(), step.marked.empty());
+        EXPECT_TRUE(table->trouble().contains(QString::fromUtf8(step.said)))
+            << table->trouble().toStdString();
+        EXPECT_NEAR(model->result().M_up.min, -step.peak, 1e-9);
+    }
+    EXPECT_EQ(cell(30, 0), angle);
+    EXPECT_EQ(model->input().torque.table.crank_angle_deg[10], 151.0);
+    EXPECT_EQ(model->input().torque.table.crank_angle_deg[7], 107.0);
+    // What is rejected is said up to a few.
+    for (int row = 39; row < 46; ++row) {
+        put(row, 1, "-");
     }
     EXPECT_TRUE(table->trouble().endsWith(QStringLiteral("Also not accepted: 4")))
         << table->trouble().toStdString();
-    for (int row = 40; row < 45; ++row) {
-        table->setData(table->index(row, 1), QString::number(row), Qt::EditRole);
+    for (int row = 39; row < 46; ++row) {
+        put(row, 1, "40");
     }
-    table->setData(table->index(25, 1), QStringLiteral("900"), Qt::EditRole);
-    // An angle that does not grow is marked too.
-    table->setData(table->index(30, 0), QStringLiteral("0"), Qt::EditRole);
-    EXPECT_FALSE(table->trouble().isEmpty());
-    EXPECT_TRUE(isMarked(30, 0));
-    EXPECT_FALSE(isMarked(29, 0));
-    // Beside it what is right counts.
-    table->setData(table->index(10, 0), QStringLiteral("151"), Qt::EditRole);
-    table->setData(table->index(25, 1), QStringLiteral("901"), Qt::EditRole);
-    EXPECT_EQ(model->input().torque.table.crank_angle_deg[10], 151.0);
-    EXPECT_NEAR(model->result().M_up.min, -901.0, 1e-9);
-    EXPECT_TRUE(isMarked(30, 0));
-    table->setData(table->index(30, 0), QStringLiteral("700"), Qt::EditRole);
-    EXPECT_TRUE(isMarked(30, 0));
-    EXPECT_FALSE(isMarked(31, 0));
-    table->takeBackRejected(table->index(30, 0));
-    EXPECT_EQ(table->index(30, 0).data().toString(), angle);
     EXPECT_TRUE(table->trouble().isEmpty());
-    EXPECT_FALSE(isMarked(30, 0));
-    // An end without its cycle too.
-    table->setData(table->index(0, 0), QStringLiteral("1"), Qt::EditRole);
-    table->setData(table->index(30, 0), QStringLiteral("0"), Qt::EditRole);
-    table->setData(table->index(7, 0), QStringLiteral("107"), Qt::EditRole);
-    EXPECT_TRUE(isMarked(0, 0) && isMarked(30, 0) && !isMarked(7, 0));
-    EXPECT_TRUE(table->trouble().contains(QStringLiteral("Row 1:")) &&
-                table->trouble().contains(QStringLiteral("Row 31:")))
-        << table->trouble().toStdString();
-    EXPECT_EQ(model->input().torque.table.crank_angle_deg[7], 107.0);
-    table->takeBackRejected(table->index(0, 0));
-    table->takeBackRejected(table->index(30, 0));
-    EXPECT_TRUE(table->trouble().isEmpty()) << table->trouble().toStdString();
     // The ends are one instant of the cycle, in a pasted cell too.
     EXPECT_EQ(table->paste(0, 1, {{QStringLiteral("-90")}}), QString());
-    EXPECT_EQ(table->index(48, 1).data().toString(), QStringLiteral("−90"));
+    EXPECT_EQ(cell(48), QStringLiteral("−90"));
     EXPECT_TRUE(table->trouble().isEmpty());
     EXPECT_EQ(table->paste(48, 1, {{QStringLiteral("0")}}), QString());
     EXPECT_EQ(model->input().torque.table.torque.front(), 0.0);
-    table->setData(table->index(0, 1), QStringLiteral("7"), Qt::EditRole);
-    EXPECT_EQ(table->index(48, 1).data().toString(), QStringLiteral("7"));
+    put(0, 1, "7");
+    EXPECT_EQ(cell(48), QStringLiteral("7"));
     EXPECT_TRUE(table->trouble().isEmpty());
     // A row between two others leaves the curve as it is.
     const double rms = model->result().M_up.rms;
@@ -344,30 +321,24 @@ TEST_F(BalanceShaftPageTest, ARejectedCellIsTheNewestThingToUndo) {
     const double before = model->shaftAngleDeg();
     model->setShaftAngleDeg(before + 25.0);
     model->finishDrag();
-    TorqueTableModel* table = torqueTable();
-    QTableView* view = page.findChild<TorqueTableEditor*>()->view();
-    const auto cell = [&](int row) { return table->index(row, 1).data().toString(); };
-    const auto type = [&](int row, const char* text) {
+    QTableView* view = editor->view();
+    const auto typeIn = [&](int row, const char* text) {
         view->setCurrentIndex(table->index(row, 1));
         view->edit(table->index(row, 1));
-        auto* editor = view->viewport()->findChild<QLineEdit*>();
-        ASSERT_NE(editor, nullptr);
-        editor->selectAll();
-        QTest::keyClicks(editor, QString::fromLatin1(text));
-        QTest::keyClick(editor, Qt::Key_Return);
+        test::type(view->viewport()->findChild<QLineEdit*>(), QString::fromLatin1(text));
         QApplication::processEvents();
         QApplication::processEvents();
         view->setFocus();
     };
     const QString five = cell(5);
     const QString eight = cell(8);
-    type(5, "abc");
-    type(8, "77");
+    typeIn(5, "abc");
+    typeIn(8, "77");
     EXPECT_EQ(cell(5), QStringLiteral("abc"));
     EXPECT_EQ(cell(8), QStringLiteral("77"));
     // What is right beside it counts, and is one step of the history.
     EXPECT_EQ(model->input().torque.table.torque[8], 77.0);
-    EXPECT_TRUE(table->index(5, 1).data(EditableTable::TroubleRole).toBool());
+    EXPECT_TRUE(isMarked(5, 1));
     QTest::keyClick(view, Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(cell(5), five);
     EXPECT_EQ(cell(8), QStringLiteral("77"));
@@ -378,8 +349,8 @@ TEST_F(BalanceShaftPageTest, ARejectedCellIsTheNewestThingToUndo) {
     // In the red cell its own text goes, with either key.
     for (const auto& [key, modifier] :
          {std::pair(Qt::Key_Z, Qt::ControlModifier), std::pair(Qt::Key_Escape, Qt::NoModifier)}) {
-        type(5, "abc");
-        type(8, "77");
+        typeIn(5, "abc");
+        typeIn(8, "77");
         view->setCurrentIndex(table->index(5, 1));
         QTest::keyClick(view, key, modifier);
         EXPECT_EQ(cell(5), five);
@@ -388,7 +359,7 @@ TEST_F(BalanceShaftPageTest, ARejectedCellIsTheNewestThingToUndo) {
         EXPECT_EQ(model->shaftAngleDeg(), before + 25.0);
     }
     // It outlives changes elsewhere. The document's undo clears it first, as in fields.
-    type(5, "abc");
+    typeIn(5, "abc");
     model->setByKey(QStringLiteral("shaft_angle_deg"), QStringLiteral("12"));
     EXPECT_EQ(cell(5), QStringLiteral("abc"));
     EXPECT_EQ(cell(8), QStringLiteral("77"));
@@ -403,39 +374,38 @@ TEST_F(BalanceShaftPageTest, ARejectedCellIsTheNewestThingToUndo) {
 TEST_F(BalanceShaftPageTest, TableTakesASpreadsheet) {
     QApplication::clipboard()->setText(
         QStringLiteral("angle\ttorque\n0\t0\n180\t100,5\n360\t0\n540\t-20\n720\t0\n"));
-    QTableView* view = page.findChild<TorqueTableEditor*>()->view();
+    QTableView* view = editor->view();
     QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
-    EXPECT_EQ(torqueTable()->rowCount(), 5);
+    EXPECT_EQ(table->rowCount(), 5);
     EXPECT_NEAR(model->result().M_up.min, -100.5, 1e-9);
     const auto says = [&](const char* text) {
-        const auto labels = page.findChild<TorqueTableEditor*>()->findChildren<QLabel*>();
+        const auto labels = editor->findChildren<QLabel*>();
         return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
             return label->text().startsWith(QLatin1String(text));
         });
     };
     EXPECT_TRUE(says("Read 5 rows"));
     model->history()->undo();
-    EXPECT_EQ(torqueTable()->rowCount(), 49);
+    EXPECT_EQ(table->rowCount(), 49);
     EXPECT_FALSE(says("Read"));
     // A few cells go where the cursor stands.
-    view->setCurrentIndex(view->model()->index(3, 1));
+    view->setCurrentIndex(table->index(3, 1));
     QApplication::clipboard()->setText(QStringLiteral("-1\n-2\n"));
     QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
-    EXPECT_EQ(view->model()->index(4, 1).data().toString(), QStringLiteral("−2"));
+    EXPECT_EQ(cell(4), QStringLiteral("−2"));
     // Copy gives the same block back.
-    view->selectionModel()->select(
-        QItemSelection(view->model()->index(3, 0), view->model()->index(4, 1)),
-        QItemSelectionModel::ClearAndSelect);
+    view->selectionModel()->select(QItemSelection(table->index(3, 0), table->index(4, 1)),
+                                   QItemSelectionModel::ClearAndSelect);
     QTest::keyClick(view, Qt::Key_C, Qt::ControlModifier);
     EXPECT_EQ(QApplication::clipboard()->text(), QStringLiteral("45\t-1\n60\t-2\n"));
     // A cycle that is rejected is not put among the rows of this one.
-    const QString below = view->model()->index(5, 1).data().toString();
+    const QString below = cell(5);
     QApplication::clipboard()->setText(
         QStringLiteral("0\t-81\n180\t40\n360\t1,893\n540\t40\n720\t-81\n"));
     QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
-    EXPECT_EQ(view->model()->index(5, 1).data().toString(), below);
-    EXPECT_EQ(view->model()->index(4, 1).data().toString(), QStringLiteral("−2"));
-    EXPECT_TRUE(torqueTable()->trouble().isEmpty());
+    EXPECT_EQ(cell(5), below);
+    EXPECT_EQ(cell(4), QStringLiteral("−2"));
+    EXPECT_TRUE(table->trouble().isEmpty());
 }
 
 TEST_F(BalanceShaftPageTest, ImportNamesLineAndColumn) {
@@ -444,8 +414,7 @@ TEST_F(BalanceShaftPageTest, ImportNamesLineAndColumn) {
     write_text_file(path.toStdString(), "phi;M\n0;0\n180;x\n720;0\n");
     const Json before = model->inputJson();
     const auto imported = [&](const QString& from) {
-        return test::importBy(page,
-                              [&] { page.findChild<TorqueTableEditor*>()->importFile(from); });
+        return test::importBy(page, [&] { editor->importFile(from); });
     };
     const QString trouble = imported(path);
     EXPECT_TRUE(trouble.contains(QStringLiteral("line 3"))) << trouble.toStdString();
@@ -480,12 +449,12 @@ TEST_F(BalanceShaftPageTest, MeansOfNodesAreShownWithThePapersTableAlone) {
 }
 
 TEST_F(BalanceShaftPageTest, TheStrokeIsTwiceTheCrankRadiusWhicheverIsTyped) {
-    type(field("stroke_mm"), QStringLiteral("75/2*2"));
+    type("stroke_mm", QStringLiteral("75/2*2"));
     EXPECT_DOUBLE_EQ(model->input().crank_radius, 0.0375);
     EXPECT_EQ(field("crank_radius_mm")->value(), 37.5);
-    type(field("crank_radius_mm"), QStringLiteral("46"));
+    type("crank_radius_mm", QStringLiteral("46"));
     EXPECT_EQ(field("stroke_mm")->value(), 92.0);
-    type(field("stroke_mm"), QStringLiteral("0"));
+    type("stroke_mm", QStringLiteral("0"));
     EXPECT_FALSE(field("stroke_mm")->trouble().isEmpty());
     EXPECT_DOUBLE_EQ(model->input().crank_radius, 0.046);
 }
@@ -494,10 +463,10 @@ TEST_F(BalanceShaftPageTest, WhileAnEntryIsRedTheVerdictSaysWhoseResultsTheyAre)
     const auto* verdict = page.findChild<VerdictLine*>();
     const QString before = verdict->text();
     const int height = verdict->height();
-    type(field("crank_radius_mm"), QStringLiteral("-1"));
+    type("crank_radius_mm", QStringLiteral("-1"));
     EXPECT_TRUE(verdict->text().contains(QStringLiteral("previous value of the red field")));
     EXPECT_EQ(verdict->height(), height) << "no field moves under the hand";
-    type(field("crank_radius_mm"), QStringLiteral("46"));
+    type("crank_radius_mm", QStringLiteral("46"));
     EXPECT_EQ(verdict->text(), before);
 }
 
@@ -509,20 +478,20 @@ TEST_F(BalanceShaftPageTest, WhatIsAssumedIsGreyAndHasItsNumber) {
     QTest::keyClick(bore, Qt::Key_Return);
     EXPECT_FALSE(bore->value());
     EXPECT_TRUE(bore->placeholderText().contains(QStringLiteral("92"))) << "the stroke";
-    type(field("stroke_mm"), QStringLiteral("80"));
+    type("stroke_mm", QStringLiteral("80"));
     EXPECT_TRUE(bore->placeholderText().contains(QStringLiteral("80")));
 }
 
 TEST_F(BalanceShaftPageTest, StrokesThatTheTableDoesNotFitAreRejectedInWords) {
-    auto* strokes = test::named<QComboBox>(page, "strokes");
-    auto* why = test::named<QLabel>(page, "strokesRejected");
+    auto* strokes = find<QComboBox>("strokes");
+    auto* why = find<QLabel>("strokesRejected");
     EXPECT_TRUE(why->isHidden());
     strokes->setFocus();
     QTest::keyClick(strokes, Qt::Key_Up);
     EXPECT_EQ(strokes->currentData(), 4);
     EXPECT_FALSE(why->isHidden());
     EXPECT_TRUE(why->text().contains(QStringLiteral("720"))) << why->text().toStdString();
-    type(field("crank_radius_mm"), QStringLiteral("47"));
+    type("crank_radius_mm", QStringLiteral("47"));
     EXPECT_TRUE(why->isHidden());
 }
 

@@ -17,36 +17,23 @@
 #include "balance-shaft/torque_table_editor.h"
 #include "case-file/case_file.h"
 #include "case-file/text_file.h"
-#include "events.h"
 #include "import_file.h"
+#include "page_fixture.h"
 #include "text/preferences.h"
 #include "text/shown_units.h"
 #include "widgets/form_section.h"
-#include "widgets/number_field.h"
 
 namespace ravnoves {
 namespace {
 
 using Kind = balance_shaft::TorqueSource::Kind;
 
-class TorqueSourceTest : public ::testing::Test {
+class TorqueSourceTest : public test::PageTest<BalanceShaftPage> {
   protected:
-    TorqueSourceTest() {
-        test::showAt(page, {1187, 712});
-        page.activateWindow();
-        model = page.viewModel();
-        source = page.findChild<TorqueSourceEditor*>();
-        entries = source->findChild<TorqueTableEditor*>();
-    }
-    void choose(int index) {
-        source->choice()->setCurrentIndex(index);
-        Q_EMIT source->choice()->activated(index);
-    }
+    void choose(int index) { PageTest::choose("torque_source", index); }
 
-    BalanceShaftPage page;
-    BalanceShaftModel* model = nullptr;
-    TorqueSourceEditor* source = nullptr;
-    TorqueTableEditor* entries = nullptr;
+    TorqueSourceEditor* source = page.findChild<TorqueSourceEditor*>();
+    TorqueTableEditor* entries = source->findChild<TorqueTableEditor*>();
 };
 
 TEST_F(TorqueSourceTest, TheComputedCycleStartsAtTheLoadOfTheTable) {
@@ -62,23 +49,7 @@ TEST_F(TorqueSourceTest, TheComputedCycleStartsAtTheLoadOfTheTable) {
     EXPECT_TRUE(model->cycle().rows.isEmpty());
 }
 
-TEST_F(TorqueSourceTest, InertiaTorqueFollowsTheSpeedAndGasTorqueDoesNot) {
-    choose(2);
-    const auto before = model->result().curves;
-    model->edit(QStringLiteral("Speed"),
-                [](balance_shaft::Input& input) { input.angular_speed *= 2.0; });
-    const auto& after = model->result().curves;
-    ASSERT_EQ(before.M_gas.size(), after.M_gas.size());
-    for (std::size_t i = 0; i < after.M_gas.size(); ++i) {
-        EXPECT_NEAR(after.M_inertia[i], 4.0 * before.M_inertia[i], 1e-9 * 400.0);
-        EXPECT_NEAR(after.M_gas[i], before.M_gas[i], 1e-9 * 900.0);
-    }
-}
-
 TEST_F(TorqueSourceTest, ChangingTheSourceLosesNoSizeOfTheCylinder) {
-    const auto size = [&](const char* key) {
-        return page.findChild<NumberField*>(QLatin1String(key))->value();
-    };
     model->editField("/cylinder/bore_mm", 92.0,
                      QStringLiteral("Bore"));  // the stroke, as by default
     model->editField("/cylinder/rod_length_mm", 141.0, QStringLiteral("Rod"));
@@ -87,25 +58,10 @@ TEST_F(TorqueSourceTest, ChangingTheSourceLosesNoSizeOfTheCylinder) {
     for (const int source : {2, 0, 2, 0}) {
         choose(source);
         EXPECT_EQ(model->input().cylinder, typed) << source;
-        EXPECT_EQ(size("bore_mm"), 92.0);
-        EXPECT_EQ(size("rod_length_mm"), 141.0);
-        EXPECT_EQ(size("offset_mm"), 3.0);
+        EXPECT_EQ(field("bore_mm")->value(), 92.0);
+        EXPECT_EQ(field("rod_length_mm")->value(), 141.0);
+        EXPECT_EQ(field("offset_mm")->value(), 3.0);
     }
-}
-
-TEST_F(TorqueSourceTest, FieldsOfTheCycleEditTheCase) {
-    choose(2);
-    auto* ratio = source->findChild<NumberField*>(QStringLiteral("compression_ratio"));
-    ASSERT_NE(ratio, nullptr);
-    page.findChild<QTabWidget*>()->setCurrentWidget(source);
-    ratio->setFocus();
-    ratio->selectAll();
-    QTest::keyClicks(ratio, QStringLiteral("16,5"));
-    EXPECT_DOUBLE_EQ(model->input().torque.cycle.compression_ratio, 16.5);
-    QTest::keyClick(ratio, Qt::Key_Return);
-    QTest::keyClicks(ratio, QStringLiteral("x"));
-    EXPECT_FALSE(ratio->trouble().isEmpty());
-    EXPECT_DOUBLE_EQ(model->input().torque.cycle.compression_ratio, 16.5);
 }
 
 TEST_F(TorqueSourceTest, ATraceOfOneTurnMakesATwoStrokeAndAnOddOneANote) {
@@ -141,7 +97,7 @@ TEST_F(TorqueSourceTest, ReadsAPressureTrace) {
     EXPECT_EQ(model->input().torque.kind, Kind::pressure);
     ASSERT_TRUE(model->result().indicated.has_value());
     EXPECT_NEAR(model->result().indicated->peak_pressure, 61e5, 1e3);
-    const auto* trace = test::named<QLabel>(*source, "trace_file");
+    const auto* trace = find<QLabel>("trace_file");
     EXPECT_TRUE(trace->text().startsWith(QStringLiteral("trace.csv: 14")));
     Json input = model->inputJson();
     input["torque"]["pressure"]["csv"] = "trace.csv";
@@ -165,9 +121,9 @@ TEST_F(TorqueSourceTest, ACaseWithAComputedCycleAloneLeadsToATable) {
     const double range = model->result().M_up.range;
     choose(0);
     EXPECT_EQ(model->input().torque.kind, Kind::cycle);
-    EXPECT_EQ(source->choice()->currentIndex(), 0);
-    auto* take = test::named<QPushButton>(*source, "take_computed_torque");
-    page.findChild<QTabWidget*>()->setCurrentWidget(source);
+    EXPECT_EQ(find<QComboBox>("torque_source")->currentIndex(), 0);
+    auto* take = find<QPushButton>("take_computed_torque");
+    bring(source);
     ASSERT_TRUE(take->isVisible());
     QTest::mouseClick(take, Qt::LeftButton);
     EXPECT_EQ(model->input().torque.kind, Kind::table);
@@ -204,8 +160,8 @@ TEST_F(TorqueSourceTest, APastedTextInItsOwnUnitIsNotConvertedByTheShownOne) {
 }
 
 TEST_F(TorqueSourceTest, WithoutATraceItSaysWhoseResultsTheyAre) {
-    const auto* line = test::named<QLabel>(*source, "no_trace");
-    page.findChild<QTabWidget*>()->setCurrentWidget(source);
+    const auto* line = find<QLabel>("no_trace");
+    bring(source);
     choose(1);
     EXPECT_TRUE(line->isVisible());
     EXPECT_TRUE(line->text().contains(QStringLiteral("the table is used")))
@@ -219,9 +175,9 @@ TEST_F(TorqueSourceTest, WithoutATraceItSaysWhoseResultsTheyAre) {
 TEST_F(TorqueSourceTest, AnEmptySourceStaysChosenUntilAnotherGivesTheTorque) {
     model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
     model->edit(QStringLiteral("x"), [](balance_shaft::Input& input) { input.torque.table = {}; });
-    const auto* chosen = test::named<QComboBox>(*source, "torque_source");
-    page.findChild<QTabWidget*>()->setCurrentWidget(source);
-    auto* paste = test::named<QPushButton>(*source, "paste_table");
+    const auto* chosen = find<QComboBox>("torque_source");
+    bring(source);
+    auto* paste = find<QPushButton>("paste_table");
     for (const int empty : {0, 1}) {
         choose(empty);
         model->editField("/crank_radius_mm", 45.0 + empty, QStringLiteral("x"));
@@ -249,26 +205,15 @@ TEST_F(TorqueSourceTest, PlacesOfTheTableAreRows) {
     EXPECT_FALSE(line->text().contains(QLatin1Char('_'))) << qPrintable(line->text());
 }
 
-TEST_F(TorqueSourceTest, ABlockOfTwoColumnsIsAnglesAndTorquesAtEitherColumn) {
+TEST_F(TorqueSourceTest, ABlockWithoutRoomIsRejectedInWords) {
     QTableView* view = entries->view();
     const QAbstractItemModel& table = *view->model();
-    const auto text = [&](int row, int column) {
-        return table.index(row, column).data().toString();
-    };
     const auto paste = [&](int row, const QString& block) {
         view->setCurrentIndex(table.index(row, TorqueTableModel::Torque));
         QApplication::clipboard()->setText(block);
         entries->paste();
         return entries->findChild<TroubleLine*>()->text();
     };
-    const QString angle = text(3, TorqueTableModel::CrankAngle);
-    const QString next = text(4, TorqueTableModel::CrankAngle);
-    EXPECT_EQ(paste(3, angle + QStringLiteral("\t111\n") + next + QStringLiteral("\t112\n")),
-              QString());
-    EXPECT_EQ(text(3, TorqueTableModel::CrankAngle), angle);
-    EXPECT_EQ(text(3, TorqueTableModel::Torque), QStringLiteral("111"));
-    EXPECT_EQ(text(4, TorqueTableModel::Torque), QStringLiteral("112"));
-    // What has no room is rejected in words.
     const auto before = model->input().torque.table;
     EXPECT_TRUE(
         paste(3, QStringLiteral("9000\t7\n9001\t8\n")).contains(QStringLiteral("2 columns")));
@@ -281,7 +226,7 @@ TEST_F(TorqueSourceTest, ABlockOfTwoColumnsIsAnglesAndTorquesAtEitherColumn) {
 TEST_F(TorqueSourceTest, OfABlockUndoTakesFirstWhatIsRejected) {
     TableEditor& editor = *entries;
     const auto before = model->input().torque.table;
-    page.findChild<QTabWidget*>()->setCurrentWidget(source);
+    bring(source);
     editor.view()->setCurrentIndex(editor.table()->index(3, TorqueTableModel::Torque));
     QApplication::clipboard()->setText(QStringLiteral("111\nx\n112\ny\n"));
     editor.paste();

@@ -12,7 +12,6 @@
 #include <QTemporaryDir>
 #include <map>
 
-#include "balance-shaft/shaft_map_view.h"
 #include "balance-shaft/speed_view.h"
 #include "case-file/json.h"
 #include "events.h"
@@ -218,19 +217,17 @@ TEST_F(Settings, WhatWasChosenBesideTheCaseSurvivesANewPage) {
     test::type(onPage<NumberField>("step_deg"), u"2"_s);
     window.showScene(u"balance-shaft"_s);
     choose("map_criterion", Qt::Key_End);
-    auto* map = window.currentPage()->findChild<ShaftMapView*>();
-    test::type(test::named<NumberField>(*map, "range_weight"), u"70"_s);
+    test::type(onPage<NumberField>("range_weight"), u"70"_s);
     const auto speedCriterion = [this] {
-        return window.currentPage()->findChild<SpeedView*>()->criterionChoice();
+        return window.currentPage()->findChild<SpeedView*>()->findChild<QComboBox*>();
     };
     speedCriterion()->setFocus();
     QTest::keyClick(speedCriterion(), Qt::Key_End);
 
     Preferences::instance().setLanguage(u"ru"_s);
     QApplication::processEvents();
-    map = window.currentPage()->findChild<ShaftMapView*>();
-    EXPECT_EQ(map->criterionChoice()->currentIndex(), 2);
-    EXPECT_EQ(test::named<NumberField>(*map, "range_weight")->value(), 70.0);
+    EXPECT_EQ(onPage<QComboBox>("map_criterion")->currentIndex(), 2);
+    EXPECT_EQ(onPage<NumberField>("range_weight")->value(), 70.0);
     EXPECT_EQ(speedCriterion()->currentIndex(), 1);
     window.showScene(u"elastic-hinge"_s);
     EXPECT_EQ(onPage<QComboBox>("export_hinge")->currentIndex(), 2);

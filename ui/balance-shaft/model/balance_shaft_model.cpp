@@ -203,48 +203,6 @@ QString BalanceShaftModel::setLoad(std::optional<double> GasCycle::*given, doubl
     return isDrag ? drag(step, load) : edit(step, load);
 }
 
-namespace {
-
-/// The table over one turn where it holds the same turn twice, and the other way round.
-void bringToStrokes(balance_shaft::TorqueTable& table, int strokes) {
-    std::vector<double>& angle = table.crank_angle_deg;
-    std::vector<double>& torque = table.torque;
-    const std::size_t rows = angle.size() - 1;
-    if (strokes == 4) {
-        for (std::size_t i = 1; i <= rows; ++i) {
-            angle.push_back(angle[i] + 360.0);
-            torque.push_back(torque[i]);
-        }
-        return;
-    }
-    const std::size_t half = rows / 2;
-    for (std::size_t i = 0; i <= half; ++i) {
-        if (rows % 2 != 0 || std::abs(angle[i + half] - angle[i] - 360.0) > 1e-9 ||
-            torque[i + half] != torque[i]) {
-            return;
-        }
-    }
-    angle.resize(half + 1);
-    torque.resize(half + 1);
-}
-
-}  // namespace
-
-QString BalanceShaftModel::setStrokes(int strokes) {
-    using Kind = balance_shaft::TorqueSource::Kind;
-    return edit(fieldName(balance_shaft::field::strokes), [&](Input& input) {
-        const bool tabled = !input.torque.is_computed();
-        if (tabled && input.strokes_of_torque() != strokes) {
-            bringToStrokes(input.torque.table, strokes);
-            if (input.strokes_of_torque() == strokes) {
-                input.torque.kind = Kind::table;
-                input.torque.csv.name.clear();
-            }
-        }
-        input.strokes = strokes;
-    });
-}
-
 double BalanceShaftModel::shaftAngleDeg() const {
     return input().shaft_angle / degree;
 }
@@ -353,45 +311,41 @@ double BalanceShaftModel::otherMasses() const {
 
 Results BalanceShaftModel::criteria() const {
     const auto moment = [](double value) { return shownCell(value, units::N_m, 1); };
-    const auto row = [&](const QString& name, double MomentMetrics::*value,
-                         const ResultCell& change, const QString& tip) {
-        ResultCell ups = moment(result().M_ups.*value);
-        ups.isSmallerBetter = value == &MomentMetrics::range || value == &MomentMetrics::rms;
-        return ResultRow(
-            {name, moment(result().M_up.*value), moment(result().M_s.*value), ups, change}, tip);
-    };
     double scale = 0.0;
     for (const MomentMetrics* each : {&result().M_up, &result().M_s, &result().M_ups}) {
         scale = std::max({scale, std::abs(each->max), std::abs(each->min)});
     }
     // Rounding noise changes by nothing that has a meaning.
-    const auto isNoise = [scale](double without) {
-        constexpr double rounding = 1e-9;
-        return std::abs(without) <= rounding * scale;
-    };
     const auto relative = [&](double with, double without) -> std::optional<double> {
-        if (isNoise(without)) {
+        constexpr double rounding = 1e-9;
+        if (std::abs(without) <= rounding * scale) {
             return std::nullopt;
         }
         return (with - without) / std::abs(without);
-    };
-    const auto unlessNoise = [&](const std::optional<double>& change, double without) {
-        return isNoise(without) ? std::nullopt : change;
     };
     const auto percent = [](const std::optional<double>& fraction) {
         return fraction ? ResultCell(100.0 * *fraction, signedPercentText(*fraction),
                                      ResultCell::Kind::Change)
                         : ResultCell(QStringLiteral("–"));
     };
-    // The sign of a change does not say whether it is a good one.
-    const auto judged = [&](const std::optional<double>& fraction, bool lessIsBetter) {
+    const auto change = [&](double MomentMetrics::*value) {
+        const auto fraction = relative(result().M_ups.*value, result().M_up.*value);
         const double rounded = fraction ? std::round(1e3 * *fraction) / 10.0 : 0.0;
-        if (rounded == 0.0) {
+        if (rounded == 0.0 || value == &MomentMetrics::mean) {
             return percent(fraction);
         }
+        // The sign of a change does not say whether it is a good one.
         const QString size = percentText(std::abs(*fraction), std::abs(rounded) < 100.0 ? 1 : 0);
-        return ResultCell((rounded < 0.0) == lessIsBetter ? tr("%1 better").arg(size)
-                                                          : tr("%1 worse").arg(size));
+        return ResultCell((rounded < 0.0) == (value != &MomentMetrics::min)
+                              ? tr("%1 better").arg(size)
+                              : tr("%1 worse").arg(size));
+    };
+    const auto row = [&](const QString& name, double MomentMetrics::*value, const QString& tip) {
+        ResultCell ups = moment(result().M_ups.*value);
+        ups.isSmallerBetter = value == &MomentMetrics::range || value == &MomentMetrics::rms;
+        return ResultRow(
+            {name, moment(result().M_up.*value), moment(result().M_s.*value), ups, change(value)},
+            tip);
     };
     Results results{{
         shownUnit(units::N_m).name,
@@ -401,21 +355,14 @@ Results BalanceShaftModel::criteria() const {
         {tr("change"), tr("Change from Mᵤₚ to Mᵤₚₛ, relative to Mᵤₚ. Better: smaller range, RMS "
                           "and maximum, minimum nearer to zero.")},
     }};
-    results.rows = {row(tr("range"), &MomentMetrics::range,
-                        judged(unlessNoise(result().range_change, result().M_up.range), true),
-                        tr("Maximum minus minimum over the cycle")),
-                    row(tr("RMS"), &MomentMetrics::rms,
-                        judged(unlessNoise(result().rms_change, result().M_up.rms), true),
-                        tr("RMS about the mean over the cycle")),
-                    row(tr("mean"), &MomentMetrics::mean,
-                        percent(relative(result().M_ups.mean, result().M_up.mean)),
-                        tr("Mean over the cycle; for the shaft 0 at every α")),
-                    row(tr("max"), &MomentMetrics::max,
-                        judged(relative(result().M_ups.max, result().M_up.max), true),
-                        tr("Maximum over the cycle")),
-                    row(tr("min"), &MomentMetrics::min,
-                        judged(relative(result().M_ups.min, result().M_up.min), false),
-                        tr("Minimum over the cycle; usually negative, nearer to zero is better"))};
+    results.rows = {
+        row(tr("range"), &MomentMetrics::range, tr("Maximum minus minimum over the cycle")),
+        row(tr("RMS"), &MomentMetrics::rms, tr("RMS about the mean over the cycle")),
+        row(tr("mean"), &MomentMetrics::mean,
+            tr("Mean over the cycle; for the shaft 0 at every α")),
+        row(tr("max"), &MomentMetrics::max, tr("Maximum over the cycle")),
+        row(tr("min"), &MomentMetrics::min,
+            tr("Minimum over the cycle; usually negative, nearer to zero is better"))};
     if (isPapersCase()) {
         results.rows.push_back(
             {{tr("nodes"), moment(result().printed_mean_M_up), moment(result().printed_mean_M_s),

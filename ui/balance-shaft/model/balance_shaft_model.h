@@ -97,9 +97,6 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     /// By a hand in a picture: to a tenth of a degree.
     void pickShaftAngleDeg(double angle);
 
-    /// Two- or four-stroke. A torque table with the same turn twice is halved or doubled with it;
-    /// any other and a trace keep their cycle and reject. Returns as edit().
-    QString setStrokes(int strokes);
     double cycleDeg() const { return input().cycle_deg(); }  ///< 360 or 720
 
     CrankAngle* crank() { return &crank_; }
@@ -137,7 +134,6 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     // What views show beside the result; found when first asked for.
     const balance_shaft::EnvelopeStudy& envelopeStudy() const;
     const balance_shaft::GearError& gearError() const;
-    balance_shaft::RelievedShaft relievedShaft() const { return result().relieved_shaft; }
 
     /// The mass of a named part, kg; 0 without one.
     double mass(const std::string& name) const;

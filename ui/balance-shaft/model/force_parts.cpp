@@ -7,10 +7,10 @@
 #include "balance-shaft/crank_balance.h"
 #include "balance-shaft/gear_error.h"
 #include "balance-shaft/model/balance_shaft_model.h"
-#include "balance-shaft/model/relieved_shaft_model.h"
 #include "balance-shaft/result_fields.h"
 #include "numerics/constants.h"
 #include "text/field_row.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 
@@ -157,14 +157,37 @@ Results gears(const BalanceShaftModel& model) {
     return results;
 }
 
+/// The words of the relieved shaft.
+struct ReliefWords {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::RelievedShaftView)
+};
+
 Results relief(const BalanceShaftModel& model) {
-    return RelievedShaftModel::results(model.relievedShaft());
+    namespace key = balance_shaft::result_field;
+    const balance_shaft::RelievedShaft& found = model.result().relieved_shaft;
+    const auto row = [](const ResultField& field, double si) {
+        return shownRow(field, si > 0.0 ? std::optional(si) : std::nullopt);
+    };
+    Results results{{ReliefWords::tr("Shaft"), ReliefWords::tr("Value"), ReliefWords::tr("Unit")}};
+    results.rows = {
+        row(key::required_unbalance, found.required),
+        row(key::unbalance, found.unbalance),
+        row(key::flat_width, 2.0 * found.half_width),
+        row(key::relieved_part_mass, found.mass),
+        row(key::removed_mass, found.removed_mass),
+        row(key::centre_of_mass_radius, found.centre_of_mass_radius),
+        row(key::critical_radius, found.critical_radius),
+        row(key::critical_length, found.critical_length),
+    };
+    return results;
 }
 
 Notes reliefVerdict(const BalanceShaftModel& model) {
-    const balance_shaft::RelievedShaft shaft = model.relievedShaft();
-    return Notes::of(shaft.feasible ? Severity::note : Severity::warning,
-                     RelievedShaftModel::verdict(shaft));
+    const balance_shaft::RelievedShaft& shaft = model.result().relieved_shaft;
+    return shaft.feasible ? Notes::of(Severity::note, (ReliefWords::tr("Feasible.") +
+                                                       QLatin1Char(' ') + messageText(shaft.note))
+                                                          .trimmed())
+                          : Notes::of(Severity::warning, messageText(shaft.reason));
 }
 
 constexpr std::array forceMakers{

@@ -36,15 +36,6 @@ QString whereText(const Position& position) {
         .arg(mm(position.centre_distance(), 2), degrees(position.shaft_angle(), 2));
 }
 
-/// "+1.2 N·m (+3.0 %)".
-QString differenceText(double present, double reference, const Unit& unit, int decimals) {
-    const auto found =
-        shownCell(present, unit, decimals).from(shownCell(reference, unit, decimals));
-    return !found ? shownNumber(present, unit, decimals)
-                  : QStringLiteral("%1 (%2)").arg(withUnit(found->absolute, shownUnit(unit).name),
-                                                  found->percent);
-}
-
 QString criterionName(Criterion criterion) {
     return criterion == Criterion::Range ? ShaftMapModel::tr("range")
            : criterion == Criterion::Rms ? ShaftMapModel::tr("RMS")
@@ -110,27 +101,6 @@ QString best(const ShaftMapModel& map) {
     return text;
 }
 
-QString bestAgainst(const ShaftMapModel& map, const ShaftMapModel& other, const QString& name) {
-    const Marker* best = map.best();
-    const Marker* was = other.best();
-    if (map.map() == nullptr || other.map() == nullptr || best == nullptr || was == nullptr ||
-        other.criterion() != map.criterion()) {
-        return {};
-    }
-    const QString text = ShaftMapModel::tr("Best place of %1: %2 at %3")
-                             .arg(name, valueText(other, was->criteria), whereText(was->position));
-    if (map.criterion() == Criterion::Both) {
-        return text + QLatin1Char('.');
-    }
-    const bool byRange = map.criterion() == Criterion::Range;
-    const auto value = [&](const Criteria& criteria) {
-        return byRange ? criteria.range : criteria.rms;
-    };
-    return text +
-           ShaftMapModel::tr("; present best place: %1.")
-               .arg(differenceText(value(best->criteria), value(was->criteria), units::N_m, 1));
-}
-
 QString place(const ShaftMapModel& map, const Position& position, int decimals) {
     QString text = placeLines(map, position, decimals).join(QStringLiteral("; "));
     if (const QString why = reason(map, position); !why.isEmpty()) {
@@ -159,19 +129,6 @@ QStringList placeLines(const ShaftMapModel& map, const Position& position, int d
             ShaftMapModel::tr("box %1").arg(shownNumber(criteria.size, units::cm2, 0))};
 }
 
-QString placeAgainst(const ShaftMapModel& map, const ShaftMapModel& other, const QString& name,
-                     const Position& position) {
-    if (map.map() == nullptr || other.map() == nullptr) {
-        return {};
-    }
-    const Criteria now = map.map()->study.at(position);
-    const Criteria was = other.map()->study.at(position);
-    return ShaftMapModel::tr("Compared with %1 here: range %2; RMS %3; box %4")
-        .arg(name, differenceText(now.range, was.range, units::N_m, 1),
-             differenceText(now.rms, was.rms, units::N_m, 1),
-             differenceText(now.size, was.size, units::cm2, 0));
-}
-
 QString reason(const ShaftMapModel& map, const Position& position) {
     return map.map() != nullptr ? messageText(map.map()->study.obstacle_reason(position))
                                 : QString();
@@ -184,13 +141,10 @@ QString fieldCsv(const ShaftMapModel& map, const CsvFormat& format) {
     }
     const balance_shaft::PositionMap& field = places->field;
     const ShownTitle range = shownTitle(ShaftMapModel::tr("ΔMᵤₚₛ, N·m"));
-    QString text = QStringList{format.field(shownTitle(ShaftMapModel::tr("x, mm")).text),
-                               format.field(shownTitle(ShaftMapModel::tr("y, mm")).text),
-                               format.field(range.text),
-                               format.field(shownTitle(ShaftMapModel::tr("RMS, N·m")).text),
-                               format.field(ShaftMapModel::tr("feasible"))}
-                       .join(format.separator) +
-                   QLatin1Char('\n');
+    QString text = format.line({shownTitle(ShaftMapModel::tr("x, mm")).text,
+                                shownTitle(ShaftMapModel::tr("y, mm")).text, range.text,
+                                shownTitle(ShaftMapModel::tr("RMS, N·m")).text,
+                                ShaftMapModel::tr("feasible")});
     const std::size_t columns = places->obstacleColumns;
     const std::size_t rows = places->obstacles.size() / columns;
     const std::size_t stride = (field.columns - 1) / (columns - 1);
@@ -203,13 +157,11 @@ QString fieldCsv(const ShaftMapModel& map, const CsvFormat& format) {
                        shownAs(units::mm);
             };
             const bool built = places->obstacles[row * columns + column] == Obstacle::none;
-            text += QStringList{format.number(along(field.left, field.right, column, columns)),
-                                format.number(along(field.bottom, field.top, row, rows)),
-                                format.number(range.factor * field.range[element]),
-                                format.number(range.factor * field.rms[element]),
-                                QString::number(built ? 1 : 0)}
-                        .join(format.separator) +
-                    QLatin1Char('\n');
+            text += format.line({format.number(along(field.left, field.right, column, columns)),
+                                 format.number(along(field.bottom, field.top, row, rows)),
+                                 format.number(range.factor * field.range[element]),
+                                 format.number(range.factor * field.rms[element]),
+                                 QString::number(built ? 1 : 0)});
         }
     }
     return text;

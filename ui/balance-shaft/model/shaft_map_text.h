@@ -13,17 +13,12 @@ namespace ravnoves::shaft_map_text {
 
 /// The best place, and the gain of an infeasible one.
 QString best(const ShaftMapModel& map);
-/// The best place of another map by the criterion of this one, and this one's against it.
-QString bestAgainst(const ShaftMapModel& map, const ShaftMapModel& other, const QString& name);
 /// One place: l, α, range, RMS, change, size, and its obstacle if it is infeasible.
 /// @param decimals  of l and α; 2 name a place of ShaftMapModel::shortened()
 QString place(const ShaftMapModel& map, const ShaftMapModel::Position& position, int decimals = 2);
 /// The same but for the reason, a line each.
 QStringList placeLines(const ShaftMapModel& map, const ShaftMapModel::Position& position,
                        int decimals = 2);
-/// The place's values here against another map's, the difference of each.
-QString placeAgainst(const ShaftMapModel& map, const ShaftMapModel& other, const QString& name,
-                     const ShaftMapModel::Position& position);
 /// Why the shaft is infeasible there; empty where it fits.
 QString reason(const ShaftMapModel& map, const ShaftMapModel::Position& position);
 

@@ -16,12 +16,6 @@ using balance_shaft::Input;
 using balance_shaft::SpeedBand;
 using balance_shaft::SpeedStudy;
 
-namespace {
-
-constexpr std::size_t mapAngles = 360;
-
-}  // namespace
-
 double SpeedStudyModel::changeAt(double angleDeg, double speed) const {
     const auto along = [](double part, std::size_t count) {  // the element before, and the rest
         const double place = std::clamp(part, 0.0, 1.0) * static_cast<double>(count - 1);
@@ -67,15 +61,16 @@ SpeedStudyModel::Study SpeedStudyModel::studyOf(const Input& input, const SpeedB
     if (!study->reason().empty() || !study->is_complete()) {
         return result;
     }
-    result.map = study->map(mapAngles, [&](double part) { return progress(0.3 + 0.6 * part); });
-    const auto among = [&](const std::vector<balance_shaft::AngleStretch>& angles) {
+    constexpr std::size_t angles = 360;
+    result.map = study->map(angles, [&](double part) { return progress(0.3 + 0.6 * part); });
+    const auto bestOf = [&](const std::vector<balance_shaft::AngleStretch>& among) {
         constexpr auto relative = SpeedStudy::Measure::relative;
-        return Best{study->best_compromise_angle(Criterion::range, relative, angles),
-                    study->best_compromise_angle(Criterion::rms, relative, angles)};
+        return Best{study->best_compromise_angle(Criterion::range, relative, among),
+                    study->best_compromise_angle(Criterion::rms, relative, among)};
     };
-    result.ofAll = among(balance_shaft::whole_turn());
+    result.ofAll = bestOf(balance_shaft::whole_turn());
     const auto& stretches = study->buildable().stretches;
-    result.best = stretches.empty() ? result.ofAll : among(stretches);
+    result.best = stretches.empty() ? result.ofAll : bestOf(stretches);
     return result;
 }
 
@@ -168,8 +163,8 @@ QString SpeedStudyModel::answer() const {
                     : tr("Choose a pressure trace or a computed cycle on the Torque tab."));
     }
     const QLocale locale;
-    const BestCompromise& best = bestCompromise();
-    const BestCompromise& ofAll = byRange() ? study_.ofAll.range : study_.ofAll.rms;
+    const BestCompromise& best = among(study_.best);
+    const BestCompromise& ofAll = among(study_.ofAll);
     QString other;
     if (buildable().stretches.empty()) {
         other = tr(" No position is feasible.");
@@ -219,10 +214,9 @@ QString SpeedStudyModel::gasAtEverySpeed() const {
 }
 
 void SpeedStudyModel::setLoad(double load) {
-    if (!hasLoad()) {
-        return;
+    if (hasLoad()) {
+        model_->setLoad(&balance_shaft::GasCycle::imep, load * units::bar, true);
     }
-    model_->setLoad(&balance_shaft::GasCycle::imep, load * units::bar, true);
 }
 
 }  // namespace ravnoves

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -58,7 +59,7 @@ class SpeedStudyModel : public QObject {
     const balance_shaft::BuildableAngles& buildable() const { return study_.study->buildable(); }
     Curves curves() const;
     /// α that is the best compromise by the criterion, °.
-    double bestCompromiseDeg() const { return bestCompromise().shaft_angle / degree; }
+    double bestCompromiseDeg() const { return among(study_.best).shaft_angle / degree; }
     void goToBestCompromise();
 
     /// The best compromise α in a sentence, or the reason for none.
@@ -80,11 +81,7 @@ class SpeedStudyModel : public QObject {
 
   private:
     using BestCompromise = balance_shaft::SpeedStudy::BestCompromise;
-    /// By range and by RMS.
-    struct Best {
-        BestCompromise range;
-        BestCompromise rms;
-    };
+    using Best = std::array<BestCompromise, 2>;  ///< by range and by RMS
     struct Study {
         std::shared_ptr<const balance_shaft::SpeedStudy> study;
         std::optional<balance_shaft::SpeedStudy::Map> map;
@@ -95,9 +92,7 @@ class SpeedStudyModel : public QObject {
     static Study studyOf(const balance_shaft::Input& input, const balance_shaft::SpeedBand& band,
                          const std::function<bool(double)>& progress);
     bool byRange() const { return model_->speedCriterion() == Criterion::range; }
-    const BestCompromise& bestCompromise() const {
-        return byRange() ? study_.best.range : study_.best.rms;
-    }
+    const BestCompromise& among(const Best& best) const { return best[byRange() ? 0 : 1]; }
     void take(Study study, const QString& trouble);
     ChangeContours mapOf(const balance_shaft::SpeedStudy::Map& studied) const;
 

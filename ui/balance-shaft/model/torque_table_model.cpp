@@ -3,7 +3,6 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "case-file/decimal.h"
@@ -232,28 +231,11 @@ void TorqueTableModel::replaceBy(const TorqueTable& table) {
     forgetRejected();
 }
 
-/// Whether the first cells of a block are angles of this cycle that grow.
-bool TorqueTableModel::beginsWithAngles(const std::vector<QStringList>& cells) const {
-    double before = -std::numeric_limits<double>::infinity();
-    for (const QStringList& line : cells) {
-        const auto angle = line.isEmpty() ? std::nullopt : readCell(line.front());
-        if (!angle || !(*angle > before) || *angle < table().crank_angle_deg.front() ||
-            *angle > table().crank_angle_deg.back()) {
-            return false;
-        }
-        before = *angle;
-    }
-    return true;
-}
-
 QString TorqueTableModel::pasteBlock(int row, int column, const std::vector<QStringList>& cells) {
     if (rowCount() == 0) {
         return {};
     }
     constexpr int columns = 2;
-    if (widthOf(cells) == columns && beginsWithAngles(cells)) {
-        column = CrankAngle;  // whichever of the row's cells was chosen
-    }
     if (QString why = noRoomText(cells, rowCount() - row, columns - column); !why.isEmpty()) {
         return why;
     }

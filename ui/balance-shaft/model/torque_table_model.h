@@ -55,7 +55,6 @@ class TorqueTableModel final : public EditableTable {
     int rowOf(const Cell& cell) const;
     /// The case's value, with all digits.
     QString ownText(const Place& place) const;
-    bool beginsWithAngles(const std::vector<QStringList>& cells) const;
     /// Accepts the typed texts as long as the table is a cycle; the rest is rejected in its cells.
     void put(Texts texts);
     QString take(const balance_shaft::TorqueTable& table);
