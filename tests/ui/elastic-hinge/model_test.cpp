@@ -251,7 +251,8 @@ TEST(ElasticHingeModel, WritesGuidesAndSaysWhyNot) {
     const QString dxf = folder.filePath(QStringLiteral("guide.dxf"));
     const QString csv = folder.filePath(QStringLiteral("guide.csv"));
     EXPECT_EQ(model.exportGuide(dxf), QString());
-    model.guideExport() = {.hinge = Hinge::rod, .stepDeg = 10.0};
+    model.guideExport().hinge = Hinge::rod;
+    model.guideExport().stepDeg = 10.0;
     EXPECT_EQ(model.exportGuide(csv), QString());
     model.guideExport() = {};
     EXPECT_NE(read_text_file(dxf.toStdString()).find("ROLLER_PATH"), std::string::npos);
