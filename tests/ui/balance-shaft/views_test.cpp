@@ -88,6 +88,7 @@ TEST_F(BalanceShaftViewsTest, OfThreeSizesOfTheShaftOneIsFound) {
     ASSERT_TRUE(shaft().feasible) << shaft().reason.english();
     EXPECT_NEAR(shaft().diameter / 2.0, 20.0 * units::mm, 1e-12);
     EXPECT_GT(shaft().length, length);
+    model->history()->undo();
     // A bar that is surely thick enough.
     type("diameter_mm", QStringLiteral("80"));
     EXPECT_NEAR(swing(), 40.0 * units::mm, 1e-12);
