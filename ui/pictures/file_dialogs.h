@@ -40,8 +40,8 @@ QString completedPath(const QString& typed, const QList<FileFormat>& formats, qs
 QString askSavePath(QWidget* parent, const QString& title, const QString& suggestion,
                     const QList<FileFormat>& formats);
 /// Asks where to save, and writes there.
-/// @param write  returns an empty text, or what went wrong, which is said
-/// @return the path of what was written; empty where nothing was
+/// @param write  returns an empty text, or the error to show
+/// @return the path of the written file, or an empty text
 QString saveFile(QWidget* parent, const QString& title, const QString& suggestion,
                  const QList<FileFormat>& formats,
                  const std::function<QString(const QString& path)>& write);
