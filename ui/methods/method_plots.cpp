@@ -83,8 +83,9 @@ std::pair<double, double> decadesOf(const MethodMeasurement* shown) {
             std::pow(10.0, std::ceil(std::log10(high)))};
 }
 
-/// What both charts have: the axis of the errors, and the tolerance.
-Figure overErrors(const MethodMeasurement* shown, const Kernel& kernel) {
+/// What both charts have: the axis of the errors, the tolerance, and a curve of each method, still
+/// without its points.
+Figure overErrors(const MethodMeasurement* shown, const Kernel& kernel, plot::Shape shape) {
     const auto [from, to] = decadesOf(shown);
     Figure figure;
     figure.left = {.title = MethodPlots::tr("error"), .min = from, .max = to, .logarithmic = true};
@@ -100,20 +101,18 @@ Figure overErrors(const MethodMeasurement* shown, const Kernel& kernel) {
                          .strength = 0.05,
                          .orientation = Qt::Vertical}};
     }
+    for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
+        const MethodInfo& info = kernel.methods[method];
+        figure.add(kernel.id + '/' + info.id,
+                   {.name = shownText(info.title),
+                    .role = series(static_cast<int>(method)),
+                    .width = method == kernel.chosen_method() ? 2.2 : 1.4,
+                    .shape = shape,
+                    .toolTip = shownText(info.limits),
+                    .gaps = true},
+                   {}, {});
+    }
     return figure;
-}
-
-Figure::Curve& addMethod(Figure& figure, const Kernel& kernel, std::size_t method,
-                         plot::Shape shape) {
-    const MethodInfo& info = kernel.methods[method];
-    return figure.add(kernel.id + '/' + info.id,
-                      {.name = shownText(info.title),
-                       .role = series(static_cast<int>(method)),
-                       .width = method == kernel.chosen_method() ? 2.2 : 1.4,
-                       .shape = shape,
-                       .toolTip = shownText(info.limits),
-                       .gaps = true},
-                      {}, {});
 }
 
 QString pointText(const Kernel& kernel, const WorkPoint& point) {
@@ -131,7 +130,7 @@ QString pointText(const Kernel& kernel, const WorkPoint& point) {
 }
 
 Figure workFigure(const MethodMeasurement* shown, const Kernel& kernel) {
-    Figure figure = overErrors(shown, kernel);
+    Figure figure = overErrors(shown, kernel, plot::Shape::LineAndPoints);
     figure.x = {.title = MethodPlots::tr("time of one evaluation"),
                 .min = 1.0,
                 .max = 1e6,
@@ -150,7 +149,7 @@ Figure workFigure(const MethodMeasurement* shown, const Kernel& kernel) {
     figure.x.max = slowest.timing.median * room;
     figure.marks.emplace();
     for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
-        Figure::Curve& curve = addMethod(figure, kernel, method, plot::Shape::LineAndPoints);
+        Figure::Curve& curve = figure.curves[method];
         QStringList texts;
         for (const WorkPoint& point : shown->work.points) {
             if (point.method != method || point.result.rejected()) {
@@ -212,7 +211,7 @@ void addFailing(Figure& figure, const MethodMeasurement& shown, std::size_t meth
 /// @param method  whose failing regions are shaded
 Figure stabilityFigure(const MethodMeasurement* shown, const Kernel& kernel, const SweepInfo& sweep,
                        std::size_t method) {
-    Figure figure = overErrors(shown, kernel);
+    Figure figure = overErrors(shown, kernel, plot::Shape::Line);
     figure.x = sweepAxis(sweep);
     if (shown == nullptr) {
         figure.title = MethodPlots::tr("Error along the hard parameter");
@@ -221,7 +220,7 @@ Figure stabilityFigure(const MethodMeasurement* shown, const Kernel& kernel, con
     figure.title = MethodPlots::tr("%1: stability").arg(shownText(kernel.title));
     figure.left.title.clear();
     for (const StabilityCurve& curve : shown->map->curves) {
-        Figure::Curve& errors = addMethod(figure, kernel, curve.method, plot::Shape::Line);
+        Figure::Curve& errors = figure.curves[curve.method];
         errors.x = shown->map->values;
         for (const Result& result : curve.results) {
             errors.y.push_back(result.rejected() ? std::numeric_limits<double>::quiet_NaN()
@@ -273,6 +272,11 @@ void MethodPlots::follow() {
     const MethodMeasurement* shown = model_->shown();
     const Kernel& kernel = shown != nullptr ? shown->kernel() : model_->kernel();
     const SweepInfo& sweep = shown != nullptr ? shown->sweep() : model_->sweep();
+    for (PlotView* plot : {work_, stability_}) {
+        for (int curve = 0; shown == nullptr && curve < plot->curveCount(); ++curve) {
+            plot->setCurveStyle(curve, {});  // no names of the methods of another kernel
+        }
+    }
     work_->showFigure(workFigure(shown, kernel));
     Figure figure = stabilityFigure(
         shown, kernel, sweep,
