@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "case-file/text_file.h"
 
@@ -100,21 +101,38 @@ void write_head(DL_Dxf& dxf, DL_WriterA& out, const std::vector<DxfDocument::Lay
 }  // namespace
 
 void DxfDocument::line(Point from, Point to, const std::string& layer) {
-    entities_.emplace_back(Line{from, to, layer});
+    entities_.emplace_back([=](DL_Dxf& dxf, DL_WriterA& out) {
+        dxf.writeLine(out, DL_LineData(from.x, from.y, 0.0, to.x, to.y, 0.0), on_layer(layer));
+    });
 }
 
 void DxfDocument::polyline(std::vector<Point> points, bool closed, const std::string& layer) {
-    entities_.emplace_back(Polyline{std::move(points), closed, layer});
+    entities_.emplace_back([=, points = std::move(points)](DL_Dxf& dxf, DL_WriterA& out) {
+        const auto count = static_cast<int>(points.size());
+        dxf.writePolyline(out, DL_PolylineData(count, 0, 0, closed ? 1 : 0), on_layer(layer));
+        for (const Point& point : points) {
+            dxf.writeVertex(out, DL_VertexData(point.x, point.y, 0.0, 0.0));
+        }
+        dxf.writePolylineEnd(out);
+    });
 }
 
 void DxfDocument::arc(Point centre, double radius, double from_deg, double to_deg,
                       const std::string& layer) {
-    entities_.emplace_back(Arc{centre, radius, from_deg, to_deg, layer});
+    entities_.emplace_back([=](DL_Dxf& dxf, DL_WriterA& out) {
+        dxf.writeArc(out, DL_ArcData(centre.x, centre.y, 0.0, radius, from_deg, to_deg),
+                     on_layer(layer));
+    });
 }
 
 void DxfDocument::text(Point place, double height, const std::string& words,
                        const std::string& layer) {
-    entities_.emplace_back(Text{place, height, ascii(words), layer});
+    entities_.emplace_back([=, kept = ascii(words)](DL_Dxf& dxf, DL_WriterA& out) {
+        dxf.writeText(out,
+                      DL_TextData(place.x, place.y, 0.0, place.x, place.y, 0.0, height, 1.0, 0, 0,
+                                  0, kept, "Standard", 0.0),
+                      on_layer(layer));
+    });
 }
 
 std::string DxfDocument::write() const {
@@ -128,40 +146,8 @@ std::string DxfDocument::write() const {
         DL_WriterA& out = *writer;
         write_head(dxf, out, layers_);
         out.sectionEntities();
-        struct Visitor {
-            DL_Dxf& dxf;
-            DL_WriterA& out;
-            void operator()(const Line& line) const {
-                dxf.writeLine(out,
-                              DL_LineData(line.from.x, line.from.y, 0.0, line.to.x, line.to.y, 0.0),
-                              on_layer(line.layer));
-            }
-            void operator()(const Polyline& polyline) const {
-                dxf.writePolyline(out,
-                                  DL_PolylineData(static_cast<int>(polyline.points.size()), 0, 0,
-                                                  polyline.closed ? 1 : 0),
-                                  on_layer(polyline.layer));
-                for (const Point& point : polyline.points) {
-                    dxf.writeVertex(out, DL_VertexData(point.x, point.y, 0.0, 0.0));
-                }
-                dxf.writePolylineEnd(out);
-            }
-            void operator()(const Arc& arc) const {
-                dxf.writeArc(out,
-                             DL_ArcData(arc.centre.x, arc.centre.y, 0.0, arc.radius, arc.from_deg,
-                                        arc.to_deg),
-                             on_layer(arc.layer));
-            }
-            void operator()(const Text& text) const {
-                dxf.writeText(
-                    out,
-                    DL_TextData(text.place.x, text.place.y, 0.0, text.place.x, text.place.y, 0.0,
-                                text.height, 1.0, 0, 0, 0, text.words, "Standard", 0.0),
-                    on_layer(text.layer));
-            }
-        };
-        for (const auto& entity : entities_) {
-            std::visit(Visitor{dxf, out}, entity);
+        for (const auto& write_entity : entities_) {
+            write_entity(dxf, out);
         }
         out.sectionEnd();
         dxf.writeObjects(out);

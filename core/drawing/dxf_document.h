@@ -1,8 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <string>
-#include <variant>
 #include <vector>
+
+class DL_Dxf;
+class DL_WriterA;
 
 namespace ravnoves {
 
@@ -40,32 +43,8 @@ class DxfDocument {
     std::string write() const;
 
   private:
-    struct Line {
-        Point from;
-        Point to;
-        std::string layer;
-    };
-    struct Polyline {
-        std::vector<Point> points;
-        bool closed;
-        std::string layer;
-    };
-    struct Arc {
-        Point centre;
-        double radius;
-        double from_deg;
-        double to_deg;
-        std::string layer;
-    };
-    struct Text {
-        Point place;
-        double height;
-        std::string words;
-        std::string layer;
-    };
-
     std::vector<Layer> layers_;
-    std::vector<std::variant<Line, Polyline, Arc, Text>> entities_;
+    std::vector<std::function<void(DL_Dxf& dxf, DL_WriterA& out)>> entities_;
 };
 
 }  // namespace ravnoves
