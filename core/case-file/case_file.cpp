@@ -161,11 +161,9 @@ Json parse_json(std::string_view text) {
 
 namespace {
 
-const Json& checked_object(const Json& value, const std::string& pointer) {
-    if (!value.is_object()) {
-        throw InputError(pointer, CORE_TEXT("core", "must be an object"), show(value));
-    }
-    return value;
+const Json& object_at(ObjectReader& reader, std::string_view key) {
+    reader.object(key);  // else it rejects it
+    return reader.raw(key);
 }
 
 std::vector<CaseVariant> read_variants(const Json& list) {
@@ -182,7 +180,7 @@ std::vector<CaseVariant> read_variants(const Json& list) {
                              CORE_TEXT("core", "must differ from the names of the other variants"),
                              show(variant.name));
         }
-        variant.input = checked_object(reader.raw("input"), reader.pointer_to("input"));
+        variant.input = object_at(reader, "input");
         reader.finish();
         variants.push_back(std::move(variant));
     }
@@ -217,7 +215,7 @@ CaseFile read_case(Json document, const std::vector<std::string>& scenes) {
     }
     file.title = reader.text("title", "");
     file.notes = reader.text("notes", "");
-    checked_object(reader.raw("input"), "/input");
+    reader.object("input");
     if (reader.has("variants")) {
         file.variants = read_variants(reader.list("variants"));
     }
@@ -229,10 +227,10 @@ CaseFile read_case(Json document, const std::vector<std::string>& scenes) {
                          show(Json(file.reference)));
     }
     if (reader.has("study")) {
-        file.study = checked_object(reader.raw("study"), "/study");
+        file.study = object_at(reader, "study");
     }
     if (reader.has("kept")) {
-        file.kept = checked_object(reader.raw("kept"), "/kept");
+        file.kept = object_at(reader, "kept");
     }
     reader.finish(CORE_TEXT("core",
                             "is not a known key (a newer program may have written this case; "

@@ -26,13 +26,6 @@ std::string_view trim(std::string_view text) {
     return text;
 }
 
-std::string quote(std::string_view text) {
-    constexpr std::size_t longest = 40;
-    // Bytes of another code page are none of UTF-8; JSON puts a sign in their place.
-    const std::string json = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-    return "\"" + printable(std::string_view(json).substr(1, json.size() - 2), longest) + "\"";
-}
-
 /// In small letters, without signs, blanks and quotes.
 std::string word_of(std::string_view text) {
     std::string word;
@@ -56,7 +49,7 @@ Message found(std::string_view text, bool is_table) {
         text.size() < 40 && text.find_first_not_of("0123456789+-.,eE \t") == std::string_view::npos;
     const std::string word = word_of(text);
     const bool is_none = word == "nan" || word == "inf" || word == "infinity" || word == "#n/a";
-    return is_table || is_number || is_none ? Message(quote(text)) : Message();
+    return is_table || is_number || is_none ? Message(show(Json(text))) : Message();
 }
 
 /// Fields of a line; a blank separator represents any run of blanks. Quotes around a field go.
