@@ -8,10 +8,10 @@ namespace ravnoves {
 namespace {
 
 Json json_of(double si, const Unit& unit) {
-    if (!std::isfinite(si)) {
+    const double shown = si / unit;
+    if (!std::isfinite(shown)) {
         return nullptr;
     }
-    const double shown = si / unit;
     return shown == 0.0 ? 0.0 : shown;  // no minus before zero
 }
 

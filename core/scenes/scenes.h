@@ -74,7 +74,7 @@ void move_files(CaseFile& file, const CaseContext& from, const CaseContext& to);
 
 /// Solves a case and wraps the result, or its wanted part, in its envelope, without NaN or
 /// infinity.
-/// @throws InputError for bad input, std::logic_error for a fault of ours
+/// @throws InputError for bad input
 Json solve_case(const CaseFile& file, const CaseContext& context, const Wanted& wanted = {});
 
 }  // namespace ravnoves
