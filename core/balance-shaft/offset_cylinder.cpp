@@ -11,7 +11,7 @@ PistonFirstOrder piston_first_order(const SliderCrank<double>& crank) {
     if (crank.offset == 0.0) {
         return {crank.crank_radius, 0.0};  // √(L² − r² sin²θ) has even orders alone
     }
-    const std::size_t count = transform_length(crank.harmonic_decay(), 1, 1e-17).samples;
+    const std::size_t count = transform_length(crank.harmonic_decay(), 1, 1e-17);
     double a = 0.0;
     double b = 0.0;
     for (std::size_t i = 0; i < count; ++i) {

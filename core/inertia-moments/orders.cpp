@@ -99,11 +99,10 @@ double relative_difference(const CylinderOrders<double>& a, const CylinderOrders
 /// Exact orders of a cylinder with an articulated rod: the transform is doubled until that changes
 /// nothing.
 /// @param transforms  of so many samples, twice, four times…; grows as needed
-/// @param result      notes the samples
 /// @return none where that accuracy is not reached
 std::optional<ArticulatedOrders> exact_articulated_orders(
     const ArticulatedCrank& crank, int max_order, double accuracy,
-    std::vector<UniformTransform<double>>& transforms, EngineOrders& result) {
+    std::vector<UniformTransform<double>>& transforms) {
     const auto motion_at = [&](double sin_theta, double cos_theta) {
         return crank.at(sin_theta, cos_theta);
     };
@@ -113,15 +112,13 @@ std::optional<ArticulatedOrders> exact_articulated_orders(
             transforms.emplace_back(i == 0 ? 2 * static_cast<std::size_t>(max_order) + 8
                                            : 2 * transforms.back().size());
         }
-        const std::size_t samples = transforms[i].size();
         ArticulatedOrders finer = articulated_orders(motion_at, max_order, transforms[i]);
         const bool settled = i > 0 && relative_difference(finer, orders) <= accuracy;
         orders = std::move(finer);
         if (settled) {
-            result.transform_samples = std::max(result.transform_samples, samples);
             return orders;
         }
-        if (samples >= longest_transform) {
+        if (transforms[i].size() >= longest_transform) {
             return std::nullopt;
         }
     }
@@ -283,8 +280,7 @@ EngineOrders exact_orders(const Engine& engine, int max_order, double accuracy) 
         if (!engine.knuckles[i]) {
             const SliderCrank<double> crank = engine.mechanism(engine.cylinders[i]);
             const std::size_t samples =
-                transform_length(crank.harmonic_decay(), max_order, accuracy).samples;
-            result.transform_samples = std::max(result.transform_samples, samples);
+                transform_length(crank.harmonic_decay(), max_order, accuracy);
             if (!transform || transform->size() < samples) {
                 transform.emplace(samples);
             }
@@ -292,7 +288,7 @@ EngineOrders exact_orders(const Engine& engine, int max_order, double accuracy) 
                 exact_cylinder_orders(crank, max_order, *transform, rod), {}, {}, {}, {}};
         }
         auto orders =
-            exact_articulated_orders(engine.articulated(i), max_order, accuracy, doubling, result);
+            exact_articulated_orders(engine.articulated(i), max_order, accuracy, doubling);
         if (!orders) {
             throw InputError(
                 "/input/cylinders/" + std::to_string(i) + "/articulated/knuckle_radius_mm",

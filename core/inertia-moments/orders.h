@@ -49,9 +49,6 @@ struct RotatingPair {
     /// The vector at kφ (rad).
     Complex at(double angle) const { return along(std::polar(1.0, angle)); }
     double max() const { return std::abs(forward) + std::abs(backward); }  ///< long half axis
-    double min() const { return std::abs(std::abs(forward) - std::abs(backward)); }  ///< short one
-    /// Root of the mean square over a turn.
-    double rms() const { return std::sqrt(std::norm(forward) + std::norm(backward)); }
 };
 
 inline double amplitude(const Harmonic<double>& h) {
@@ -92,8 +89,7 @@ struct EngineOrder {
 
 /// The orders of an engine's reciprocating parts (rotating masses are apart).
 struct EngineOrders {
-    std::vector<EngineOrder> orders;    ///< [k − 1] is order k
-    std::size_t transform_samples = 0;  ///< longest transform used; 0 for the two-term form
+    std::vector<EngineOrder> orders;  ///< [k − 1] is order k
 
     const EngineOrder& order(int k) const& { return orders[static_cast<std::size_t>(k) - 1]; }
     /// Of orders that end with the statement a copy.

@@ -173,9 +173,8 @@ Kernel inertia_orders_kernel() {
              {{"1e-4", 1e-4}, {"1e-8", 1e-8}, {"1e-13", 1e-13}},
              false},
             [](const OrdersCase& problem, double accuracy) {
-                return transformed(
-                    problem.crank,
-                    transform_length(problem.crank.harmonic_decay(), max_order, accuracy).samples);
+                return transformed(problem.crank, transform_length(problem.crank.harmonic_decay(),
+                                                                   max_order, accuracy));
             }),
     };
     // Both go beyond what the scene takes.

@@ -16,12 +16,6 @@ struct Harmonic {
     Scalar sin = Scalar(0);
 };
 
-/// How many equally spaced samples a discrete Fourier transform needs.
-struct TransformLength {
-    std::size_t samples = 0;
-    bool sufficient = true;  ///< false where `longest` cut it short of the accuracy asked
-};
-
 /// The number of samples for orders 0…max_order of a function whose coefficients fall as
 /// exp(−k·decay), so that the orders above, folded onto them, are under `tolerance` of the
 /// function's size.
@@ -31,12 +25,12 @@ struct TransformLength {
 /// factor that grows as a power of the order and of 1/decay; it is allowed for.
 /// @param decay      width of the strip of analyticity, rad, > 0 (SliderCrank::harmonic_decay)
 /// @param tolerance  0 < tolerance < 1
-/// @param longest    upper limit of the length
-inline TransformLength transform_length(double decay, int max_order, double tolerance,
-                                        std::size_t longest = std::size_t{1} << 20U) {
+/// @return at most 2²⁰, also where the accuracy would need more
+inline std::size_t transform_length(double decay, int max_order, double tolerance) {
+    constexpr std::size_t longest = std::size_t{1} << 20U;
     const double minimum = 2.0 * max_order + 2.0;  // Nyquist
     if (!(decay > 0.0)) {
-        return {longest, false};
+        return longest;
     }
     // Terms k^2 exp(−k d) stay under the tolerance from the k that solves
     // k d = ln(1/tolerance) + 2 ln(k); two rounds of the fixed point are enough.
@@ -47,11 +41,11 @@ inline TransformLength transform_length(double decay, int max_order, double tole
     }
     const double samples = std::max(minimum, std::ceil(max_order + k));
     if (!(samples <= static_cast<double>(longest))) {
-        return {longest, false};
+        return longest;
     }
     // An even number keeps the nodes symmetric about the axis.
     const auto count = static_cast<std::size_t>(samples);
-    return {count + count % 2, true};
+    return count + count % 2;
 }
 
 /// Discrete Fourier transform on a uniform grid of one turn, φ_j = 2πj/N, j = 0…N−1. The sines and
