@@ -217,33 +217,7 @@ double PeriodicPiecewise::variance() const {
 }
 
 FourierPair PeriodicPiecewise::fourier(double angular_frequency) const {
-    const double w = angular_frequency;
-    FourierPair sum;
-    TrigonometricMoments moments(0.0, linear_);
-    double half_of_moments = 0.0;
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        const double h = knots_[i + 1] - knots_[i];
-        const int parts = std::max(1, static_cast<int>(std::ceil(h * w / 2)));
-        const double half = h / parts / 2;
-        if (half != half_of_moments) {
-            moments = TrigonometricMoments(half * w, linear_);
-            half_of_moments = half;
-        }
-        for (int part = 0; part < parts; ++part) {
-            const double middle = half * (2 * part + 1);
-            const Cubic p = pieces_[i].shifted(middle);
-            // With τ = ωt about the middle m: cos(ωm + τ) and sin(ωm + τ) by addition;
-            // odd products vanish over (−d, d).
-            const double even = (p.y * moments.cos_0 + p.c2 / (w * w) * moments.cos_2) / w;
-            const double odd = (p.c1 / w * moments.sin_1 + p.c3 / (w * w * w) * moments.sin_3) / w;
-            const double phase = w * (knots_[i] + middle);
-            const double c = std::cos(phase);
-            const double s = std::sin(phase);
-            sum.a += c * even - s * odd;
-            sum.b += s * even + c * odd;
-        }
-    }
-    return {2 * sum.a / period(), 2 * sum.b / period()};
+    return fourier_series(angular_frequency, 1).front();
 }
 
 std::vector<FourierPair> PeriodicPiecewise::fourier_series(double angular_frequency,
@@ -265,6 +239,8 @@ std::vector<FourierPair> PeriodicPiecewise::fourier_series(double angular_freque
         }
         for (int part = 0; part < parts; ++part) {
             const double middle = half * (2 * part + 1);
+            // With τ = ωt about the middle m: cos(ωm + τ) and sin(ωm + τ) by addition;
+            // odd products vanish over (−d, d).
             const Cubic p = pieces_[i].shifted(middle);
             const double phase = angular_frequency * (knots_[i] + middle);
             const double c_1 = std::cos(phase);
