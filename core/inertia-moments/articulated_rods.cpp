@@ -166,22 +166,23 @@ ArticulatedMotion ArticulatedCrank::two_term_at(double sin_theta, double cos_the
     return motion;
 }
 
+PistonMotion<double> ArticulatedCrank::piston(double theta) const {
+    return at(std::sin(theta), std::cos(theta)).piston;
+}
+
 double ArticulatedCrank::top_dead_centre() const {
-    return angle_of_maximum(
-        [&](double theta) { return at(std::sin(theta), std::cos(theta)).piston.s; },
-        [&](double theta) { return at(std::sin(theta), std::cos(theta)).piston.ds; });
+    return angle_of_maximum([&](double theta) { return piston(theta).s; },
+                            [&](double theta) { return piston(theta).ds; });
 }
 
 double ArticulatedCrank::bottom_dead_centre() const {
-    const double angle = angle_of_maximum(
-        [&](double theta) { return -at(std::sin(theta), std::cos(theta)).piston.s; },
-        [&](double theta) { return -at(std::sin(theta), std::cos(theta)).piston.ds; });
+    const double angle = angle_of_maximum([&](double theta) { return -piston(theta).s; },
+                                          [&](double theta) { return -piston(theta).ds; });
     return angle < 0.0 ? angle + two_pi : angle;
 }
 
 double ArticulatedCrank::stroke() const {
-    const auto s = [&](double theta) { return at(std::sin(theta), std::cos(theta)).piston.s; };
-    return s(top_dead_centre()) - s(bottom_dead_centre());
+    return piston(top_dead_centre()).s - piston(bottom_dead_centre()).s;
 }
 
 double ArticulatedCrank::across(double theta) const {

@@ -54,6 +54,7 @@ struct ArticulatedCrank {
     std::optional<LockingAngles<double>> locking_angles() const;
 
   private:
+    PistonMotion<double> piston(double theta) const;
     RodSwing<double> master_swing(double sin_theta, double cos_theta) const;
     double across(double theta) const;        ///< Im q − K
     double across_slope(double theta) const;  ///< d/dθ

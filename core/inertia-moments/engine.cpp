@@ -7,8 +7,6 @@
 
 namespace ravnoves::inertia_moments {
 
-namespace {}  // namespace
-
 std::vector<Cylinder> rounded(std::vector<Cylinder> cylinders) {
     const auto round = [](double& si, const Field& field) {
         si = ravnoves::rounded(si, field, 12);

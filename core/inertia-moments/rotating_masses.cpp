@@ -36,16 +36,16 @@ CounterweightDesign design_counterweights(const Engine& engine, const RotatingMa
     // The moment of that force moves with the point from the reference position to z̄.
     const Complex moment_1 = first_order.moment.forward * to_pin * webs.first_order_share +
                              force_1 * (engine.reference_position - rotating.mean_position);
-    design.balanced_force = rotating.force() + force_1;
-    design.balanced_moment = rotating.moment() + moment_1;
+    const Complex balanced_force = rotating.force() + force_1;
+    const Complex balanced_moment = rotating.moment() + moment_1;
 
     const double omega_2 = engine.angular_speed * engine.angular_speed;
     const double distance = webs.front_position - webs.rear_position;
     const double front_lever = webs.front_position - rotating.mean_position;
     const double rear_lever = webs.rear_position - rotating.mean_position;
     // Front and rear together −F at z̄, and a couple −M over the distance of the webs.
-    design.against_force = -design.balanced_force / omega_2;
-    design.against_moment = -design.balanced_moment / (omega_2 * distance);
+    design.against_force = -balanced_force / omega_2;
+    design.against_moment = -balanced_moment / (omega_2 * distance);
     design.front = {design.against_force * (-rear_lever / distance) + design.against_moment,
                     webs.front_position, webs.front_radius};
     design.rear = {design.against_force * (front_lever / distance) - design.against_moment,

@@ -47,9 +47,6 @@ struct CounterweightDesign {
     /// about the reference position.
     Complex force;
     Complex moment;
-    /// The force and moment that they are made for, relative to crankpin 1; N, N·m about z̄.
-    Complex balanced_force;
-    Complex balanced_moment;
     /// kg·m: what zero is measured against for the weights, all that may cancel in them added up.
     double scale = 0.0;
 };

@@ -41,6 +41,16 @@ WrenchCurves balanced_curves(const WrenchCurves& curves, const EngineOrders& ord
     return sum;
 }
 
+/// The orders with the rotating masses added.
+EngineOrders with_rotating(const Engine& engine, EngineOrders orders,
+                           const RotatingMasses& rotating) {
+    const Complex pin = crankpin_direction(engine);
+    EngineOrder& first = orders.orders.front();
+    first.force.forward += rotating.force() * pin;
+    first.moment.forward += rotating.moment_about(engine.reference_position) * pin;
+    return orders;
+}
+
 /// What is left over: with the counterweights and shafts that are on.
 EngineOrders with_balancing(EngineOrders orders,
                             const std::optional<CounterweightDesign>& counterweights,
@@ -81,15 +91,6 @@ void check_designs(const Result& result) {
 }
 
 }  // namespace
-
-EngineOrders with_rotating(const Engine& engine, EngineOrders orders,
-                           const RotatingMasses& rotating) {
-    const Complex pin = crankpin_direction(engine);
-    EngineOrder& first = orders.orders.front();
-    first.force.forward += rotating.force() * pin;
-    first.moment.forward += rotating.moment_about(engine.reference_position) * pin;
-    return orders;
-}
 
 Result solve(const Input& input, bool with_curves) {
     Result result;

@@ -14,8 +14,4 @@ namespace ravnoves::inertia_moments {
 /// @throws InputError as check_input()
 Result solve(const Input& input, bool with_curves = true);
 
-/// The orders with the rotating masses added.
-EngineOrders with_rotating(const Engine& engine, EngineOrders orders,
-                           const RotatingMasses& rotating);
-
 }  // namespace ravnoves::inertia_moments
