@@ -351,26 +351,6 @@ Part begin_part(const Problem& problem, std::uint64_t shard, std::uint64_t shard
     return part;
 }
 
-bool set_limits(Part& part, const Study& study) {
-    Study same = study;
-    for (std::size_t w = 0; w < std::min(same.watch.size(), part.study.watch.size()); ++w) {
-        same.watch[w].min = part.study.watch[w].min;
-        same.watch[w].max = part.study.watch[w].max;
-    }
-    if (same != part.study || !part.finished() || part.first == nullptr ||
-        part.first->reasons.size() < part.size()) {
-        return false;
-    }
-    part.study = study;
-    for (std::size_t w = 0; w < study.watch.size(); ++w) {
-        CountingPlan& plan = part.basis.plan[w];
-        plan.min = study.watch[w].min;
-        plan.max = study.watch[w].max;
-        part.tally.set_plan(w, plan, values_of(*part.first, w, study.watch.size()));
-    }
-    return true;
-}
-
 void run_part(const Problem& problem, Part& part, int threads,
               const std::function<bool(const Part&)>& went_on) {
     constexpr auto stretch = std::chrono::milliseconds(250);

@@ -107,10 +107,6 @@ double share_done(const Part& part);
 void run_part(const Problem& problem, Part& part, int threads = 0,
               const std::function<bool(const Part&)>& went_on = {});
 
-/// Gives a finished study other limits: its samples are only counted again.
-/// @return false where it differs otherwise too, or its samples are not all kept
-bool set_limits(Part& part, const Study& study);
-
 /// Puts the finished parts of one study together, in any order, one at a time.
 class PartMerger {
   public:

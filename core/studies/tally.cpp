@@ -125,13 +125,6 @@ Tally::Tally(std::vector<CountingPlan> plan, std::size_t inputs)
     }
 }
 
-void Tally::set_plan(std::size_t watched, const CountingPlan& plan,
-                     std::span<const double> values) {
-    plan_[watched] = plan;
-    values_[watched].within =
-        std::ranges::count_if(values, [&](double value) { return plan.within(value); });
-}
-
 void Tally::add(Block& block, std::uint64_t sample, std::span<const double> u,
                 std::span<const double> y) {
     const std::size_t replicate = sample % replicates;

@@ -114,9 +114,6 @@ class Tally {
                   std::span<const double> other);
     /// Of another with the same plan.
     void add(const Tally& other);
-    /// Counts the samples within the plan's limits again, after these have changed.
-    /// @param values  of all solved samples
-    void set_plan(std::size_t watched, const CountingPlan& plan, std::span<const double> values);
 
     std::uint64_t solved() const { return solved_; }
     const Rejections& rejections() const { return rejections_; }

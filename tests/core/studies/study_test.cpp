@@ -123,27 +123,6 @@ TEST(Study, TakesAnglesOnTheCircle) {
     }
 }
 
-TEST(Study, ErrorsFallAtTheirRates) {
-    const auto error = [](const char* method, std::uint64_t samples) {
-        double squares = 0.0;
-        constexpr int seeds = 16;
-        for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-            const Part part = whole(
-                problem(normal_study(3, method, samples, seed), {0, 0, 0}, [](auto x, auto y) {
-                    y[0] = std::exp(0.3 * (x[0] + x[1] - x[2]));
-                    return true;
-                }));
-            squares += std::pow(statistics(part).mean - std::exp(0.135), 2);
-        }
-        return std::sqrt(squares / seeds);
-    };
-    const auto rate = [&](const char* method) {
-        return std::log2(error(method, 4096) / error(method, 64)) / 6.0;
-    };
-    EXPECT_NEAR(rate("monte-carlo"), -0.5, 0.12);
-    EXPECT_LT(rate("sobol"), -0.9);
-}
-
 TEST(Study, PercentilesKeepToTheContract) {
     // Of an exponential law, whose quantiles are known, against the samples themselves.
     Json study = normal_study(1, "monte-carlo", 20'000, 3);
@@ -318,32 +297,6 @@ TEST(Study, CountsRejectionsByTheirReasons) {
     EXPECT_EQ(part.tally.solved() + count_of(part.tally.rejections()), 1000U);
     EXPECT_NEAR(static_cast<double>(count_of(part.tally.rejections())), 158.7, 3.0 * 11.6);
     EXPECT_LT(statistics(part).max, 1.0);
-}
-
-TEST(Study, LimitsSetLaterCountAsFromTheStart) {
-    const auto function = [](auto x, auto y) {
-        y[0] = x[0] + x[1];
-        return x[0] < 1.0;
-    };
-    for (const char* method : sampled_words) {
-        const auto of = [&](const Json& watched, std::uint64_t seed = 5) {
-            Json study = normal_study(2, method, 1000, seed);
-            study["watch"]["/y"] = watched;
-            return problem(study, {0.0, 0.0}, function);
-        };
-        Part part = whole(of(Json::object()));
-        const Json none = write_results(part);
-        for (const Json& limits : {Json{{"max", 1.0}}, Json{{"min", -0.5}, {"max", 0.5}}}) {
-            const Problem limited = of(limits);
-            ASSERT_TRUE(set_limits(part, limited.study));
-            EXPECT_EQ(write_results(part), write_results(whole(limited)));
-            EXPECT_NE(write_results(part), none);
-        }
-        ASSERT_TRUE(set_limits(part, of(Json::object()).study));
-        EXPECT_EQ(write_results(part), none);
-        EXPECT_FALSE(set_limits(part, of({{"max", 1.0}}, 6).study));
-        EXPECT_EQ(write_results(part), none);
-    }
 }
 
 TEST(Study, SaysWhereTheLinearAnswerFails) {

@@ -310,33 +310,22 @@ void StudyModel::start() {
     }
     const std::size_t watched = study.watch.size();
     watchFeasible(study, *scene_);
-    if (done_ != nullptr && doneAt_ == scene_->solutions() && studies::set_limits(*done_, study)) {
-        job_->cancel();
-        show(answersOf(*done_, watched), {});
-        return;
-    }
     CaseFile file = scene_->caseFile();
     file.study = studies::write_study(study);
-    job_->start([this, file = std::move(file), context = scene_->context(), watched,
-                 at = scene_->solutions()](
-                    const BackgroundJob::Progress& progress) -> std::function<void()> {
+    job_->start([this, file = std::move(file), context = scene_->context(),
+                 watched](const BackgroundJob::Progress& progress) -> std::function<void()> {
         const studies::Problem problem = studies::problem_of(file, context);
-        const auto part = std::make_shared<studies::Part>(
-            studies::begin_part(problem, 1, 1, everyCore, progress));
-        if (!progress(studies::share_done(*part))) {
+        studies::Part part = studies::begin_part(problem, 1, 1, everyCore, progress);
+        if (!progress(studies::share_done(part))) {
             return {};
         }
-        studies::run_part(problem, *part, everyCore, [&](const studies::Part&) {
-            return progress(studies::share_done(*part));
+        studies::run_part(problem, part, everyCore, [&](const studies::Part& now) {
+            return progress(studies::share_done(now));
         });
-        if (!part->finished()) {
+        if (!part.finished()) {
             return {};
         }
-        return [this, part, at, answers = answersOf(*part, watched)] {
-            done_ = part;
-            doneAt_ = at;
-            show(answers, {});
-        };
+        return [this, answers = answersOf(part, watched)] { show(answers, {}); };
     });
 }
 

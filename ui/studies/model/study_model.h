@@ -139,8 +139,6 @@ class StudyModel : public QObject {
     studies::Study study_;
     std::vector<Input> inputs_;
     std::optional<StudyAnswers> answers_;
-    std::shared_ptr<studies::Part> done_;  ///< the part of the answers; null before the first run
-    int doneAt_ = -1;                      ///< solution of the scene
     QString trouble_;
     QString removedMethod_;
     bool isRejected_ = false;  ///< the case's study cannot be read, and stays until it is cleared
