@@ -12,6 +12,21 @@
 #include "case-file/sha256.h"
 #include "studies/study_run.h"
 
+namespace nlohmann {
+
+/// An empty one is null.
+template <>
+struct adl_serializer<std::optional<double>> {
+    static void to_json(ravnoves::Json& json, const std::optional<double>& value) {
+        json = value ? ravnoves::Json(*value) : ravnoves::Json();
+    }
+    static void from_json(const ravnoves::Json& json, std::optional<double>& value) {
+        value = json.is_null() ? std::nullopt : std::optional(json.get<double>());
+    }
+};
+
+}  // namespace nlohmann
+
 namespace ravnoves::studies {
 
 namespace {
@@ -20,15 +35,6 @@ constexpr std::string_view study_format = "ravnoves-study";
 constexpr std::string_view part_format = "ravnoves-study-part";
 constexpr int study_version = 1;
 constexpr int part_version = 2;
-
-template <typename Value>
-Json or_null(const std::optional<Value>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
-
-std::optional<double> read_optional(const Json& value) {
-    return value.is_null() ? std::nullopt : std::optional(value.get<double>());
-}
 
 Json write_files(const Origin& origin) {
     Json files = Json::object();
@@ -47,7 +53,7 @@ Json write_basis(const Basis& basis) {
         json["laws"].push_back({law.normal, law.mean, law.deviation, law.low, law.high});
     }
     for (std::size_t w = 0; w < basis.nominal.size(); ++w) {
-        Json value = {{"nominal", or_null(basis.nominal[w])}};
+        Json value = {{"nominal", basis.nominal[w]}};
         if (w < basis.plan.size()) {
             const CountingPlan& plan = basis.plan[w];
             const Taylor& expansion = basis.expansions[w];
@@ -55,7 +61,7 @@ Json write_basis(const Basis& basis) {
             for (const auto& slope : expansion.slopes) {
                 slopes.push_back(slope ? Json::array({slope->value, slope->error}) : Json(nullptr));
             }
-            value["expansion"] = or_null(expansion.value);
+            value["expansion"] = expansion.value;
             value["slopes"] = std::move(slopes);
             value["plan"] = {plan.low, plan.width, plan.centre, plan.period};
         }
@@ -77,11 +83,11 @@ Basis read_basis(const Json& json, const Study& study) {
     }
     for (std::size_t w = 0; w < study.watch.size(); ++w) {
         const Json& value = json.at("values").at(w);
-        basis.nominal.push_back(read_optional(value.at("nominal")));
+        basis.nominal.push_back(value.at("nominal").get<std::optional<double>>());
         if (grid) {
             continue;
         }
-        Taylor expansion{.value = read_optional(value.at("expansion")), .slopes = {}};
+        Taylor expansion{.value = value.at("expansion").get<std::optional<double>>(), .slopes = {}};
         for (std::size_t j = 0; j < study.vary.size(); ++j) {
             const Json& slope = value.at("slopes").at(j);
             expansion.slopes.emplace_back();
@@ -99,22 +105,6 @@ Basis read_basis(const Json& json, const Study& study) {
         basis.distances.resize(study.watch.size());
     }
     return basis;
-}
-
-Json write_row(const Row& row) {
-    Json list = Json::array();
-    for (const auto& value : row) {
-        list.push_back(or_null(value));
-    }
-    return list;
-}
-
-Row read_row(const Json& json) {
-    Row row;
-    for (const Json& each : json) {
-        row.push_back(read_optional(each));
-    }
-    return row;
 }
 
 Json write_block(const Block& block) {
@@ -181,7 +171,7 @@ Json write_watched(const Part& part, std::size_t w) {
     const bool sampled = is_sampled(study.method);
     const Taylor& expansion = basis.expansions[w];
     const auto linear = expansion.propagated(basis.laws);
-    Json json = {{"nominal", or_null(basis.nominal[w])}};
+    Json json = {{"nominal", basis.nominal[w]}};
     if (part.tally.solved() == 0 || (!sampled && !linear)) {
         for (const char* key : {"mean", "standard_deviation", "min", "max", "percentiles"}) {
             json[key] = nullptr;
@@ -316,13 +306,10 @@ Json write_part(const Part& part) {
                  {"basis", write_basis(part.basis)},
                  {"blocks", Json::array()},
                  {"counts", part.tally.write()},
-                 {"rows", Json::array()},
+                 {"rows", part.rows},
                  {"file_notes", Json::array()}};
     for (const Block& block : part.blocks) {
         json["blocks"].push_back(write_block(block));
-    }
-    for (const Row& row : part.rows) {
-        json["rows"].push_back(write_row(row));
     }
     for (const Message& note : part.file_notes) {
         json["file_notes"].push_back(note.english());
@@ -381,7 +368,7 @@ Part read_part(Json json) {
             throw InputError("/counts", not_ours);
         }
         for (std::uint64_t i = 0; part.study.method == Method::grid && i < part.size(); ++i) {
-            part.rows.push_back(read_row(json.at("rows").at(i)));
+            part.rows.push_back(json.at("rows").at(i).get<Row>());
         }
         for (const Json& note : json.at("file_notes")) {
             part.file_notes.emplace_back(note.get<std::string>());
@@ -437,10 +424,7 @@ Json write_results(const Part& part) {
         for (const Watched& watched : study.watch) {
             json["columns"].push_back(watched.pointer);
         }
-        json["table"] = Json::array();
-        for (const Row& row : part.rows) {
-            json["table"].push_back(write_row(row));
-        }
+        json["table"] = part.rows;
     } else {
         json["watched"] = Json::object();
         for (std::size_t w = 0; w < study.watch.size(); ++w) {
