@@ -44,7 +44,6 @@ struct Definition {
     /// In the place of the largest |out − expected| / scale, where the error is something else.
     std::function<double(const Case&, std::span<const double>, const std::vector<Expected>&)>
         measure;
-    std::function<Message(const Case&)> rejection;
 };
 
 template <typename Case>
@@ -69,9 +68,6 @@ class ProblemOf final : public Problem {
             worst = std::max(worst, error);
         }
         return static_cast<double>(worst);
-    }
-    Message scene_rejection() const override {
-        return definition_->rejection ? definition_->rejection(case_) : Message();
     }
 
   private:

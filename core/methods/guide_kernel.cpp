@@ -314,13 +314,6 @@ Kernel guide_kernel() {
          paper_with([](elastic_hinge::Input& input, double gap) { input.lambda = 1.0 - gap; })},
     };
     definition.reference = reference;
-    definition.rejection = [](const GuideCase& guide) -> Message {
-        try {
-            return scene_guide(guide.input).reason.english();
-        } catch (const InputError& error) {
-            return error.message();
-        }
-    };
     return make_kernel(std::move(definition));
 }
 

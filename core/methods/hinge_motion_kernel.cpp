@@ -395,18 +395,6 @@ Kernel hinge_motion_kernel() {
          [=](double torque) { return make_motion(paper_lambda, off_design, 5.0, torque); }});
     definition.sweeps.back().info.points = 9;
     definition.reference = reference;
-    definition.rejection = [](const MotionCase& motion) -> Message {
-        try {
-            elastic_hinge::Input input = motion.input;
-            input.motion = elastic_hinge::MotionWish{};
-            input.motion->turns = motion.turns;
-            input.motion->start_speed = motion.start_speed;
-            input.motion->crank_torque = motion.crank_torque;
-            return elastic_hinge::solve(input).crank_guide.reason.english();
-        } catch (const InputError& error) {
-            return error.message();
-        }
-    };
     return make_kernel(std::move(definition));
 }
 

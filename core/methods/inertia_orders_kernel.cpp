@@ -194,7 +194,6 @@ Kernel inertia_orders_kernel() {
          }},
     };
     definition.reference = reference;
-    definition.rejection = rejection_of;
     return make_kernel(std::move(definition));
 }
 

@@ -93,8 +93,6 @@ class Problem {
     virtual Run prepare(std::size_t method, std::size_t setting) const = 0;
     /// Largest error of the outputs against 50 digits, in the kernel's measure.
     virtual double error(std::span<const double> out) const = 0;
-    /// What the scene says instead of numbers for this input, as a sentence; empty where it solves.
-    virtual Message scene_rejection() const = 0;
 };
 
 /// A quantity that scenes compute, with all the methods that could compute it.

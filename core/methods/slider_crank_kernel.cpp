@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "inertia-moments/engine.h"
 #include "methods/definition.h"
 #include "methods/reference_mechanism.h"
 #include "numerics/constants.h"
@@ -208,11 +207,6 @@ Kernel slider_crank_kernel() {
          }},
     };
     definition.reference = reference;
-    definition.rejection = [](const Turn& turn) {
-        const auto locking = inertia_moments::find_locking(
-            turn.crank.crank_radius, turn.crank.lambda(), {{0.0, 0.0, turn.crank.offset, 0.0}});
-        return locking ? inertia_moments::describe(*locking) : Message();
-    };
     return make_kernel(std::move(definition));
 }
 

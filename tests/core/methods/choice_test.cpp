@@ -72,7 +72,6 @@ TEST_P(EveryKernel, TheMethodInUseHoldsItsTolerance) {
                 evaluate(*problem, kernel.chosen_method(), kernel.chosen_setting());
             EXPECT_EQ(result.rejection.english(), "") << info.id << " = " << value;
             EXPECT_LE(result.error, kernel.choice.tolerance) << info.id << " = " << value;
-            EXPECT_EQ(problem->scene_rejection(), "") << info.id << " = " << value;
         }
     }
 }
@@ -86,9 +85,6 @@ TEST_P(EveryKernel, BeyondItsRangeTheProgramSaysSo) {
                 continue;
             }
             const auto problem = kernel.problem(sweep, value);
-            if (!problem->scene_rejection().empty()) {
-                continue;
-            }
             const Result result =
                 evaluate(*problem, kernel.chosen_method(), kernel.chosen_setting());
             EXPECT_TRUE(result.rejected() || result.error <= kernel.choice.tolerance)

@@ -4,19 +4,11 @@
 
 #include <cmath>
 
-#include "methods/kernel.h"
 #include "numerics/chebyshev.h"
+#include "support.h"
 
 namespace ravnoves::methods {
 namespace {
-
-Result result_of(const char* kernel_id, const char* sweep, double value, const char* method,
-                 const char* setting) {
-    const Kernel& kernel = *find_kernel(kernel_id);
-    const std::size_t m = kernel.find_method(method);
-    return evaluate(*kernel.problem(kernel.find_sweep(sweep), value), m,
-                    kernel.find_setting(m, setting));
-}
 
 double reached(const char* kernel_id, const char* sweep, double value, const char* method,
                const char* setting) {
@@ -41,8 +33,6 @@ TEST(ChebyshevSeries, GoesThroughItsPointsAndIntegrates) {
     }
 }
 
-// --------------------------------------------------------------------------------------- scatter
-
 TEST(RivalSamples, ErrorsFallAtTheirRates) {
     const auto order = [&](const char* sweep, double value, const char* method) {
         const bool chance = std::string(method) == "monte-carlo";
@@ -56,13 +46,6 @@ TEST(RivalSamples, ErrorsFallAtTheirRates) {
     EXPECT_GT(order("scatter", 0.01, "sobol"), 0.9);
     EXPECT_GT(order("jump", 0.8, "sobol"), 0.6);
     EXPECT_GT(order("corner", -0.5, "sobol"), 0.9);
-}
-
-TEST(RivalSamples, SlopesFailAtAJumpAndAtACorner) {
-    EXPECT_LT(reached("scatter", "scatter", 1e-4, "linear", "differences"), 1e-3);
-    EXPECT_GT(reached("scatter", "jump", 0.8, "linear", "differences"), 0.5);
-    EXPECT_GT(reached("scatter", "corner", -0.5, "linear", "differences"), 0.1);
-    EXPECT_GT(reached("scatter", "scatter", 0.2, "linear", "differences"), 3e-2);
 }
 
 }  // namespace

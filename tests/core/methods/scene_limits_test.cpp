@@ -19,11 +19,9 @@
 namespace ravnoves::methods {
 namespace {
 
-/// The "result" of a case; every number in it is finite.
+/// The "result" of a case.
 Json solved(const Json& document) {
-    const Json answer = solve_case(parse_case(document.dump()), CaseContext{RAVNOVES_EXAMPLES});
-    EXPECT_TRUE(has_only_finite_numbers(answer));
-    return answer.at("result");
+    return solve_case(parse_case(document.dump()), CaseContext{RAVNOVES_EXAMPLES}).at("result");
 }
 
 std::string rejection(const Json& document) {

@@ -35,7 +35,6 @@ class Looking : public methods::Problem {
         };
     }
     double error(std::span<const double> out) const override { return out[0]; }
-    Message scene_rejection() const override { return {}; }
 
   private:
     Seen& seen_;
