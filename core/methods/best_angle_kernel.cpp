@@ -25,11 +25,7 @@ struct ShaftAngles {
 };
 
 /// The α with the smallest range. The range at an α is prepared as the scene prepares it.
-struct AngleCase : TorqueCycle {
-    std::size_t outputs() const { return 1; }
-    double evaluations() const { return 1.0; }
-    ShaftAngles extrema() const { return {MomentPlane(interpolant()), amplitude}; }
-};
+using AngleCase = TorqueCase<1>;
 
 using Search = double (*)(const ShaftAngles& extrema, double setting);
 
@@ -65,7 +61,8 @@ double cutting_planes(const ShaftAngles& extrema, double) {
 
 Method<AngleCase> method_of(MethodInfo info, Search search) {
     return {std::move(info), [search](const AngleCase& cycle, double setting) -> Run {
-                return [search, setting, extrema = cycle.extrema()](std::span<double> out) {
+                const ShaftAngles extrema{MomentPlane(cycle.interpolant()), cycle.amplitude};
+                return [search, setting, extrema](std::span<double> out) {
                     out[0] = search(extrema, setting);
                     return Message();
                 };

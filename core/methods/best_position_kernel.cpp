@@ -15,11 +15,7 @@ using Place = Eigen::Vector2d;
 
 /// The place (a, b) of the shaft, in N·m of its moment, with the smallest range. The range at a
 /// place is prepared as the scene prepares it.
-struct PlaceCase : TorqueCycle {
-    std::size_t outputs() const { return 2; }
-    double evaluations() const { return 1.0; }
-    MomentPlane plane() const { return MomentPlane(interpolant()); }
-};
+using PlaceCase = TorqueCase<2>;
 
 using Search = Place (*)(const MomentPlane& plane, double setting);
 
@@ -53,7 +49,8 @@ Place cutting_planes(const MomentPlane& plane, double) {
 
 Method<PlaceCase> method_of(MethodInfo info, Search search) {
     return {std::move(info), [search](const PlaceCase& cycle, double setting) -> Run {
-                return [search, setting, plane = cycle.plane()](std::span<double> out) {
+                return [search, setting,
+                        plane = MomentPlane(cycle.interpolant())](std::span<double> out) {
                     const Place found = search(plane, setting);
                     out[0] = found.x();
                     out[1] = found.y();

@@ -13,10 +13,7 @@ namespace {
 
 /// Mean of M_ups, its RMS about the mean, and the first order of M_up, a cos φ + b sin φ: with it
 /// the RMS at every other α follows from the one at this.
-struct MeanCase : TorqueCycle {
-    std::size_t outputs() const { return 4; }
-    double evaluations() const { return 1.0; }
-};
+using MeanCase = TorqueCase<4>;
 
 /// Sums over weighted values of M_ups and M_up.
 struct Sums {

@@ -13,10 +13,7 @@ namespace ravnoves::methods {
 namespace {
 
 /// Range of M_ups at one α. What does not depend on α is prepared, as the scene prepares it.
-struct RangeCase : TorqueCycle {
-    std::size_t outputs() const { return 1; }
-    double evaluations() const { return 1.0; }
-};
+using RangeCase = TorqueCase<1>;
 
 /// M_up and the sines at equally spaced nodes: two multiplications and additions per node and α.
 class Nodes {

@@ -29,6 +29,13 @@ struct TorqueCycle {
     double size() const;
 };
 
+/// A kernel's case: a cycle of which it computes so many numbers in one evaluation.
+template <std::size_t count>
+struct TorqueCase : TorqueCycle {
+    std::size_t outputs() const { return count; }
+    double evaluations() const { return 1.0; }
+};
+
 /// The paper's engine: Table 2 at 376.8 rad/s with its shaft.
 TorqueCycle paper_cycle();
 /// The paper's shaft beside a tipping moment of 0: M_ups is a pure sine.
