@@ -57,48 +57,62 @@ TEST(Wanted, EachNumberAloneIsThatOfTheWhole) {
 TEST(TypedResponse, GivesTheNumbersOfTheWholeSolution) {
     const struct {
         const char* file;
-        std::array<std::string, 2> varied;
+        std::vector<std::string> varied;
     } cases[] = {{"tmz-650d", {"/crank_radius_mm", "/reciprocating_masses_kg/piston"}},
                  {"tmz-650d", {"/shaft_angle_deg", "/torque/torque_Nm/26"}},
                  {"with-shaft-88x75", {"/crank_radius_mm", "/shaft_angle_deg"}},
                  {"with-shaft-88x75", {"/speed_rpm", "/centre_distance_mm"}},
                  {"with-shaft-88x75", {"/cylinder/bore_mm", "/cylinder/rod_length_mm"}},
                  {"with-shaft-88x75",
-                  {"/reciprocating_masses_kg/piston", "/torque/cycle/compression_ratio"}}};
+                  {"/reciprocating_masses_kg/piston", "/torque/cycle/compression_ratio"}},
+                 {"zotov-energy", {"/lambda"}},
+                 {"vr5-volkswagen", {"/crank_radius_mm"}},
+                 {"v8-6-manufacture", {"/engine/plug_radius_mm"}},
+                 {"bob-weights-v8", {"/parts_g/piston"}}};
     for (const auto& [name, varied] : cases) {
-        CaseFile file = example(name);
+        SCOPED_TRACE(name + varied[0]);
+        const CaseFile file = example(name);
         const Json flat = solve_case(file, {}).at("result").flatten();
-        // Those that rest on the moments alone; a solver gives the others.
-        std::vector<std::string> watched{"/moment_amplitude_Nm", "/counterweight_mass_kg"};
+        std::vector<std::string> watched;
         for (const auto& item : flat.items()) {
-            if (item.value().is_number() &&
-                (item.key().starts_with("/metrics/") || item.key().starts_with("/optimum/"))) {
+            // Of a balance shaft those that rest on the moments alone; a solver gives the others.
+            const bool is_watched =
+                file.scene != "balance-shaft"
+                    ? item.value().is_number_float() && watched.size() < 12
+                    : item.value().is_number() && (item.key().starts_with("/metrics/") ||
+                                                   item.key().starts_with("/optimum/") ||
+                                                   item.key() == "/moment_amplitude_Nm" ||
+                                                   item.key() == "/counterweight_mass_kg");
+            if (is_watched) {
                 watched.push_back(item.key());
             }
         }
-        ASSERT_GT(watched.size(), 25U);
+        ASSERT_GT(watched.size(), file.scene == "balance-shaft" ? 25U : 0U);
         const auto quick = scene_solver(file.scene).respond(file.input, {}, varied, watched);
+        std::vector<double> x(varied.size());
         std::vector<double> y(watched.size());
-        for (int i = 0; i < 6; ++i) {
-            std::array<double, 2> x{};
+        for (std::size_t i = 0; i < 6; ++i) {
             CaseFile moved = file;
             // Together, then one alone: what the one that stays leaves as it was is kept.
-            for (const std::size_t j : {0, 1}) {
+            for (std::size_t j = 0; j < varied.size(); ++j) {
                 Json& value = moved.input.at(Json::json_pointer(varied[j]));
-                const int step = i < 3 ? i : j == static_cast<std::size_t>(i % 2) ? i : 2;
-                x[j] = value.get<double>() * (1.0 + 0.003 * step);
+                const std::size_t step = i < 3 ? i : j == i % 2 ? i : 2;
+                x[j] = value.get<double>() * (1.0 + 0.001 * static_cast<double>(step));
                 value = x[j];
             }
             ASSERT_TRUE(quick->evaluate(x, y));
             const Json result = solve_case(moved, {}).at("result");
             for (std::size_t w = 0; w < watched.size(); ++w) {
-                const Json& value = result.at(Json::json_pointer(watched[w]));
-                EXPECT_EQ(y[w], value.is_boolean() ? value.get<bool>() : value.get<double>())
-                    << name << varied[0] << watched[w];
+                EXPECT_EQ(y[w], result.at(Json::json_pointer(watched[w])).get<double>())
+                    << watched[w];
             }
         }
-        EXPECT_FALSE(quick->evaluate(std::array<double, 2>{-1.0, 1e13}, y));
-        EXPECT_EQ(quick->reason().message().english().substr(0, 6), "/input");
+        std::fill(x.begin(), x.end(), -1e13);
+        EXPECT_FALSE(quick->evaluate(x, y));
+        const std::string reason = quick->reason().message().english();
+        EXPECT_TRUE(std::ranges::any_of(varied, [&](const auto& each) {
+            return reason.starts_with("/input" + each + ": ");
+        })) << reason;
     }
 }
 
@@ -118,52 +132,6 @@ TEST(TypedResponse, RejectsAsTheWholeSolutionDoes) {
         }
         EXPECT_FALSE(quick->evaluate(std::span(&x, 1), std::span(&y, 1)));
         EXPECT_EQ(quick->reason().message().english(), reason);
-    }
-}
-
-/// Scenes without a quick way are solved whole at every sample.
-TEST(CaseResponse, GivesTheNumbersOfTheWholeSolutionOfEveryScene) {
-    const struct {
-        const char* file;
-        const char* varied;
-        double impossible;
-    } scenes[] = {{"zotov-energy", "/lambda", 7.0},
-                  {"vr5-volkswagen", "/crank_radius_mm", -1.0},
-                  {"v8-6-manufacture", "/engine/plug_radius_mm", -1.0},
-                  {"bob-weights-v8", "/parts_g/piston", -1.0}};
-    for (const auto& scene : scenes) {
-        CaseFile file = example(scene.file);
-        const Json::json_pointer place(scene.varied);
-        const double nominal = file.input.at(place).get<double>();
-        std::vector<std::string> watched;
-        Json watch = Json::object();
-        const Json flat = solve_case(file, {}).at("result").flatten();
-        for (const auto& item : flat.items()) {
-            if (item.value().is_number_float() && watched.size() < 12) {
-                watch[item.key()] = Json::object();
-                watched.push_back(item.key());
-            }
-        }
-        file.study = {{"vary", {{scene.varied, {{"plus_minus_percent", 0.5}}}}},
-                      {"watch", watch},
-                      {"samples", 8}};
-        const Problem problem = problem_of(file, {});
-        const auto response = problem.make();
-        std::vector<double> y(watched.size());
-        for (const double share : {0.996, 1.0, 1.003}) {
-            const double x = share * nominal;
-            CaseFile moved = file;
-            moved.input[place] = x;
-            ASSERT_TRUE(response->evaluate(std::span(&x, 1), y)) << scene.file;
-            const Json result = solve_case(moved, {}).at("result");
-            for (std::size_t w = 0; w < watched.size(); ++w) {
-                EXPECT_EQ(y[w], result.at(Json::json_pointer(watched[w])).get<double>())
-                    << scene.file << watched[w];
-            }
-        }
-        EXPECT_FALSE(response->evaluate(std::span(&scene.impossible, 1), y)) << scene.file;
-        EXPECT_NE(response->reason().message().english().find(scene.varied), std::string::npos)
-            << response->reason().message().english();
     }
 }
 
