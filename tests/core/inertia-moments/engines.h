@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "case-file/result_json.h"
 #include "error_of.h"
 #include "inertia-moments/input.h"
@@ -61,9 +63,24 @@ inline Input irregular() {
     return input;
 }
 
-/// |value| largest of a harmonic.
-inline double size(const Harmonic<double>& h) {
-    return amplitude(h);
+/// At its firing angle each piston stands at top dead centre, at even intervals of the cycle: the
+/// definition, not the formula.
+inline void expect_fires_evenly_at_the_top(const Input& input) {
+    const Result result = solve(input);
+    const auto count = result.engine.cylinders.size();
+    ASSERT_EQ(result.firing.size(), count);
+    EXPECT_TRUE(fires_evenly(result.firing));
+    const double interval = input.cycle() / static_cast<double>(count);
+    const double first = result.engine.mechanism(result.engine.cylinders[0]).top_dead_centre();
+    for (std::size_t n = 0; n < count; ++n) {
+        EXPECT_NEAR(result.firing[n].interval, interval, 1e-9);
+        const auto index = static_cast<std::size_t>(result.firing[n].cylinder) - 1;
+        const Cylinder& cylinder = result.engine.cylinders[index];
+        const auto motion = result.engine.mechanism(cylinder).at(
+            first + interval * static_cast<double>(n) + result.engine.crank_phase(cylinder));
+        EXPECT_NEAR(motion.ds, 0.0, 1e-13);
+        EXPECT_LT(motion.d2s, 0.0);  // top, not bottom
+    }
 }
 
 inline std::string rejection_of(const Json& json) {

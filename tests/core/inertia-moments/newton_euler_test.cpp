@@ -119,24 +119,5 @@ TEST(RigidRods, AgreeWithNewtonEuler) {
     }
 }
 
-// Two masses at the bearings with no couple left over: the rod is exactly two masses.
-TEST(RigidRods, TwoMassesAreTheRodWithTheirInertia) {
-    Input input = test::irregular();
-    const double length = input.rod_length();
-    const double c = 0.3 * length;
-    input.rod = RigidRod{0.6, c, 0.6 * c * (length - c)};
-    Input masses = test::irregular();
-    masses.reciprocating_mass += 0.6 * 0.3;
-    masses.rotating_mass += 0.6 * 0.7;
-    const Result a = solve(input);
-    const Result b = solve(masses);
-    const double unit = a.engine.force_unit();
-    for (std::size_t i = 0; i < a.curves.roll.size(); ++i) {
-        EXPECT_NEAR(a.remaining_curves.force_x[i], b.remaining_curves.force_x[i], 1e-12 * unit);
-        EXPECT_NEAR(a.remaining_curves.moment_y[i], b.remaining_curves.moment_y[i], 1e-12 * unit);
-        EXPECT_NEAR(a.remaining_curves.roll[i], b.remaining_curves.roll[i], 1e-12 * unit);
-    }
-}
-
 }  // namespace
 }  // namespace ravnoves::inertia_moments

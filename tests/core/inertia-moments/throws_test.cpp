@@ -160,25 +160,12 @@ TEST(Radials, AreSaidToHavePlainRods) {
     EXPECT_EQ(json.at("throws").size(), 1U);
 }
 
-// At its firing angle each piston stands at top dead centre, once in a turn: the definition.
 TEST(TwoStrokes, PistonsAreAtTopDeadCentreAtEvenIntervalsOfOneTurn) {
     for (const char* name : {"i3", "i4", "i5", "i6", "vr5", "vr6", "v6-60", "flat-6"}) {
+        SCOPED_TRACE(name);
         Input input = engine_of(name);
         input.strokes = 2;
-        const Result result = solve(input);
-        const auto count = result.engine.cylinders.size();
-        ASSERT_EQ(result.firing.size(), count) << name;
-        EXPECT_TRUE(fires_evenly(result.firing)) << name;
-        const double first = result.engine.mechanism(result.engine.cylinders[0]).top_dead_centre();
-        for (const FiringEvent& event : result.firing) {
-            EXPECT_NEAR(event.interval, two_pi / static_cast<double>(count), 1e-9);
-            const Cylinder& cylinder =
-                result.engine.cylinders[static_cast<std::size_t>(event.cylinder) - 1];
-            const auto motion = result.engine.mechanism(cylinder).at(
-                first + event.crank_angle + result.engine.crank_phase(cylinder));
-            EXPECT_NEAR(motion.ds, 0.0, 1e-9) << name;
-            EXPECT_LT(motion.d2s, 0.0) << name;
-        }
+        test::expect_fires_evenly_at_the_top(input);
         EXPECT_EQ(result_json({}, read_input(write_input(input))).at("firing_cycle_deg"), 360.0);
     }
 }
