@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <functional>
 #include <new>
@@ -20,6 +19,7 @@
 #include "case-file/json.h"
 #include "case-file/json_text.h"
 #include "case-file/text_file.h"
+#include "example_check.h"
 #include "scenes/scenes.h"
 #include "shop/scale_line.h"
 #include "studies/study_run.h"
@@ -134,45 +134,24 @@ void expect_survives(const Read& read) {
     EXPECT_TRUE(read_with(read, 0, false) == expected) << "afterwards";
 }
 
-std::string example(const std::string& name) {
-    return read_text_file(fs::path(RAVNOVES_EXAMPLES) / name);
-}
-
-std::vector<std::string> cases() {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(RAVNOVES_EXAMPLES)) {
-        if (entry.path().string().ends_with(".case.json")) {
-            names.push_back(entry.path().filename().string());
-        }
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 std::string written(const Json& json) {
     return json_text(json, JsonLayout::one_line);
 }
 
-TEST(Allocations, OfCasesMayFail) {
-    for (const std::string& name : cases()) {
-        const std::string text = example(name);
+TEST(Allocations, OfCasesAndSolutionsMayFail) {
+    std::set<std::string> scenes;  // one case of each is solved
+    for (const auto& path : test::example_files()) {
+        const std::string text = read_text_file(path);
+        const std::string name = path.filename().string();
         expect_survives({name, [&] { return written(write_case(parse_case(text))); }});
-    }
-}
-
-TEST(Allocations, OfSolutionsMayFail) {
-    std::set<std::string> scenes;  // one case of each
-    for (const std::string& name : cases()) {
-        const std::string text = example(name);
-        if (!scenes.insert(parse_case(text).scene).second) {
-            continue;
+        if (scenes.insert(parse_case(text).scene).second) {
+            expect_survives({name, [&] { return written(solve_case(parse_case(text), {})); }});
         }
-        expect_survives({name, [&] { return written(solve_case(parse_case(text), {})); }});
     }
 }
 
 std::string study_text() {
-    Json document = Json::parse(example("tmz-650d.case.json"));
+    Json document = write_case(test::example("tmz-650d"));
     document["study"] = {{"vary", {{"/crank_radius_mm", {{"plus_minus", 0.02}}}}},
                          {"watch", {{"/metrics/M_ups/range_Nm", {{"max", 1083}}}}},
                          {"samples", 40}};

@@ -22,11 +22,8 @@ template <typename Look>
 void for_every_example(Look&& look) {
     for (const auto& path : ravnoves::test::example_files()) {
         const CaseFile file = parse_case(read_text_file(path));
-        for (const SceneSolver& scene : scene_solvers()) {
-            if (scene.name == file.scene) {
-                look(scene, path, scene.formulas(file.input));
-            }
-        }
+        const SceneSolver& scene = scene_solver(file.scene);
+        look(scene, path, scene.formulas(file.input));
     }
 }
 
@@ -90,15 +87,10 @@ TEST(Formulas, AreWellFormed) {
 
 TEST(Formulas, FollowTheCase) {
     const auto has = [](const Json& input, const char* name) {
-        for (const SceneSolver& scene : scene_solvers()) {
-            if (scene.name == "elastic-hinge") {
-                const auto formulas = scene.formulas(input);
-                return std::any_of(formulas.begin(), formulas.end(), [&](const Formula& formula) {
-                    return std::string_view(formula.name.english) == name;
-                });
-            }
-        }
-        return false;
+        const auto formulas = scene_solver("elastic-hinge").formulas(input);
+        return std::any_of(formulas.begin(), formulas.end(), [&](const Formula& formula) {
+            return std::string_view(formula.name.english) == name;
+        });
     };
     const auto input_of = [](const char* name) { return test::example(name).input; };
     EXPECT_TRUE(has(input_of("zotov-counterweight"), "Part of the counterweight in M₁₂"));
