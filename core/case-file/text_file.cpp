@@ -93,27 +93,13 @@ class SignalsWait {
     sigset_t before_{};
 };
 
-/// The target's name, shortened to whole letters where nothing more could are behind it.
-std::string short_name(const std::filesystem::path& target) {
-    constexpr std::size_t longest = 200;  // bytes, of 255
-    std::string name = target.filename().string();
-    if (name.size() > longest) {
-        std::size_t end = longest;
-        while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) {
-            --end;
-        }
-        name.resize(end);
-    }
-    return name;
-}
-
 /// A new file beside the target under a name that nothing has, also no link that somebody planted
 /// there.
 int make_beside(const std::filesystem::path& target, std::filesystem::path& partial) {
     constexpr int tries = 1000;
     for (int i = 0; i < tries; ++i) {
-        partial = target.parent_path() / short_name(target);
-        partial += ".part" + std::to_string(::getpid()) + "-" + std::to_string(i);
+        partial = target.parent_path() /
+                  ("." + std::to_string(::getpid()) + "-" + std::to_string(i) + ".part");
         const int file =
             ::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (file >= 0) {

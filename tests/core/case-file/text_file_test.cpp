@@ -72,10 +72,9 @@ TEST_F(TextFile, PlantedLinksAreNotFollowed) {
     const fs::path victim = folder_ / "victim";
     std::ofstream(victim) << "precious";
     write_text_file(path_, "before");
-    const std::string partial = path_.string() + ".part" + std::to_string(::getpid());
-    fs::create_symlink(victim, partial);
+    const std::string partial = "." + std::to_string(::getpid()) + "-";
     for (int i = 0; i < 20; ++i) {
-        fs::create_symlink(victim, partial + "-" + std::to_string(i));
+        fs::create_symlink(victim, folder_ / (partial + std::to_string(i) + ".part"));
     }
     const std::size_t before = files();
     write_text_file(path_, "after");
