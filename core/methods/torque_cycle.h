@@ -29,7 +29,7 @@ struct TorqueCycle {
     double size() const;
 };
 
-/// A kernel's case: a cycle of which it computes so many numbers in one evaluation.
+/// A kernel's case: a cycle and the number of its outputs.
 template <std::size_t count>
 struct TorqueCase : TorqueCycle {
     std::size_t outputs() const { return count; }

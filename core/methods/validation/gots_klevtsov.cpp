@@ -229,11 +229,13 @@ void means_over_the_angle(const Engine& engine, PaperRows& rows) {
     const double turn = engine.result.sweep.shaft_angle_deg.back();
     rows.at(in_text(Message{CORE_TEXT("methods", "before Table %1"), 3}));
     const double step = step_of_printed_means(engine);
-    rows.slip_shown(CORE_TEXT("methods", "step of the means Mₛₘ in Table 3"), "°", "5", step,
-                    engine.has_printed_mean(step) && !engine.has_printed_mean(5.0),
-                    CORE_TEXT("methods",
-                              "Only the 25 printed rows give the printed means; rows every 5° "
-                              "would give a sixth of them."));
+    // No number but a comparison shows it.
+    const bool is_shown = engine.has_printed_mean(step) && !engine.has_printed_mean(5.0);
+    rows.slip(CORE_TEXT("methods", "step of the means Mₛₘ in Table 3"), "°", "5", step,
+              is_shown ? 5.0 : std::nan(""),
+              CORE_TEXT("methods",
+                        "Only the 25 printed rows give the printed means; rows every 5° "
+                        "would give a sixth of them."));
     rows.at(in_text(CORE_TEXT("methods", "results")));
     rows.reproduced(CORE_TEXT("methods", "α at which Mₛ is a sine"), "°", "0",
                     angle_of_peak(engine, 90.0), CORE_TEXT("methods", "There Mₛ is P₁ l sin φ."));

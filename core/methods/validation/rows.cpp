@@ -43,34 +43,22 @@ Printed read_printed(std::string_view text) {
     return {number(text), std::pow(10.0, -static_cast<double>(decimals))};
 }
 
-Verdict decide(Claim claim, double printed, double tolerance, std::optional<double> ours,
+Verdict decide(Verdict claim, double printed, double tolerance, std::optional<double> ours,
                std::optional<double> by_slip) {
     // The printed digits are decimal, so a difference of exactly half a digit carries rounding.
     const double limit = tolerance * (1.0 + 1e-9) + 1e-12 * std::abs(printed);
     const auto agrees = [&](const std::optional<double>& value) {
         return value && std::abs(*value - printed) <= limit;
     };
-    if ((ours && !std::isfinite(*ours)) || (by_slip && !std::isfinite(*by_slip))) {
+    const bool is_slip = claim == Verdict::artefact || claim == Verdict::slip;
+    const bool is_finite =
+        std::isfinite(ours.value_or(0.0)) && std::isfinite(by_slip.value_or(0.0));
+    const bool holds = claim == Verdict::not_derivable || (claim == Verdict::given && !ours) ||
+                       agrees(is_slip ? by_slip : ours);
+    if (!is_finite || !holds) {
         return Verdict::differs;
     }
-    switch (claim) {
-        case Claim::reproduced:
-            return agrees(ours) ? Verdict::reproduced : Verdict::differs;
-        case Claim::artefact:
-        case Claim::slip:
-            if (!agrees(by_slip)) {
-                return Verdict::differs;
-            }
-            if (agrees(ours)) {
-                return Verdict::reproduced;
-            }
-            return claim == Claim::slip ? Verdict::slip : Verdict::artefact;
-        case Claim::given:
-            return !ours || agrees(ours) ? Verdict::given : Verdict::differs;
-        case Claim::not_derivable:
-            break;
-    }
-    return Verdict::not_derivable;
+    return is_slip && agrees(ours) ? Verdict::reproduced : claim;
 }
 
 Message in_text(Message place) {
@@ -95,7 +83,7 @@ Message upper_end(Text quantity) {
     return joined(quantity, CORE_TEXT("methods", "to"));
 }
 
-void PaperRows::add(Claim claim, Message quantity, std::string unit, std::string_view printed,
+void PaperRows::add(Verdict claim, Message quantity, std::string unit, std::string_view printed,
                     std::optional<double> ours, std::optional<double> by_slip, Message reason,
                     double tolerance) {
     const Printed number = read_printed(printed);
@@ -113,15 +101,6 @@ void PaperRows::add(Claim claim, Message quantity, std::string unit, std::string
     row.verdict = decide(claim, row.printed, row.tolerance, ours, by_slip);
     row.reason = std::move(reason);
     rows_.push_back(std::move(row));
-}
-
-void PaperRows::slip_shown(Message quantity, std::string unit, std::string_view printed,
-                           double ours, bool shown, Message reason) {
-    reproduced(std::move(quantity), std::move(unit), printed, ours, std::move(reason));
-    ValidationRow& last = rows_.back();
-    if (last.verdict == Verdict::differs && std::isfinite(ours) && shown) {
-        last.verdict = Verdict::slip;
-    }
 }
 
 Message PaperRows::stated() {

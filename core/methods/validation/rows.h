@@ -20,9 +20,6 @@ struct Printed {
 /// @throws std::logic_error for anything else: our fault
 Printed read_printed(std::string_view text);
 
-/// What a row claims; whether it is so is decided from its numbers.
-enum class Claim { reproduced, artefact, slip, not_derivable, given };
-
 /// The verdict on a claim:
 ///  - reproduced: ours is within the tolerance of the printed value;
 ///  - artefact, slip: by_slip is within the tolerance of the printed value and ours is not (else
@@ -30,7 +27,7 @@ enum class Claim { reproduced, artefact, slip, not_derivable, given };
 ///  - not_derivable: always accepted, nothing can be computed;
 ///  - given: ours, where there is one, is within the tolerance: it is an input;
 ///  - anything else, or a number that is not finite: differs.
-Verdict decide(Claim claim, double printed, double tolerance, std::optional<double> ours,
+Verdict decide(Verdict claim, double printed, double tolerance, std::optional<double> ours,
                std::optional<double> by_slip);
 
 /// Collects the rows of one paper.
@@ -44,32 +41,29 @@ class PaperRows {
     /// @param tolerance  in the row's unit; 0: half a unit of the last printed digit
     void reproduced(Message quantity, std::string unit, std::string_view printed, double ours,
                     Message reason, double tolerance = 0.0) {
-        add(Claim::reproduced, std::move(quantity), std::move(unit), printed, ours, {},
+        add(Verdict::reproduced, std::move(quantity), std::move(unit), printed, ours, {},
             std::move(reason), tolerance);
     }
     void artefact(Message quantity, std::string unit, std::string_view printed,
                   std::optional<double> ours, double by_slip, Message reason,
                   double tolerance = 0.0) {
-        add(Claim::artefact, std::move(quantity), std::move(unit), printed, ours, by_slip,
+        add(Verdict::artefact, std::move(quantity), std::move(unit), printed, ours, by_slip,
             std::move(reason), tolerance);
     }
     void slip(Message quantity, std::string unit, std::string_view printed,
               std::optional<double> ours, double by_slip, Message reason, double tolerance = 0.0) {
-        add(Claim::slip, std::move(quantity), std::move(unit), printed, ours, by_slip,
+        add(Verdict::slip, std::move(quantity), std::move(unit), printed, ours, by_slip,
             std::move(reason), tolerance);
     }
-    /// A slip that no number but a comparison shows.
-    void slip_shown(Message quantity, std::string unit, std::string_view printed, double ours,
-                    bool shown, Message reason);
     void not_derivable(Message quantity, std::string unit, std::string_view printed, Message reason,
                        std::optional<double> ours = std::nullopt) {
-        add(Claim::not_derivable, std::move(quantity), std::move(unit), printed, ours, {},
+        add(Verdict::not_derivable, std::move(quantity), std::move(unit), printed, ours, {},
             std::move(reason));
     }
     /// What the paper states and nothing is tested by. @param ours  that the program was told
     void given(Message quantity, std::string unit, std::string_view printed,
                std::optional<double> ours, Message reason = stated()) {
-        add(Claim::given, std::move(quantity), std::move(unit), printed, ours, {},
+        add(Verdict::given, std::move(quantity), std::move(unit), printed, ours, {},
             std::move(reason));
     }
 
@@ -77,7 +71,7 @@ class PaperRows {
 
   private:
     static Message stated();  ///< why a row is given that needs no other words
-    void add(Claim claim, Message quantity, std::string unit, std::string_view printed,
+    void add(Verdict claim, Message quantity, std::string unit, std::string_view printed,
              std::optional<double> ours, std::optional<double> by_slip, Message reason,
              double tolerance = 0.0);
 

@@ -10,13 +10,6 @@
 namespace ravnoves::methods {
 namespace {
 
-double reached(const char* kernel_id, const char* sweep, double value, const char* method,
-               const char* setting) {
-    const Result result = result_of(kernel_id, sweep, value, method, setting);
-    EXPECT_EQ(result.rejection.english(), "") << kernel_id << " " << method << " " << setting;
-    return result.error;
-}
-
 TEST(ChebyshevSeries, GoesThroughItsPointsAndIntegrates) {
     const ChebyshevPoints points(24);
     std::vector<double> values;
@@ -36,9 +29,9 @@ TEST(ChebyshevSeries, GoesThroughItsPointsAndIntegrates) {
 TEST(RivalSamples, ErrorsFallAtTheirRates) {
     const auto order = [&](const char* sweep, double value, const char* method) {
         const bool chance = std::string(method) == "monte-carlo";
-        return std::log(reached("scatter", sweep, value, method, "64 samples") /
-                        reached("scatter", sweep, value, method,
-                                chance ? "8192 samples" : "4096 samples")) /
+        return std::log(error_of("scatter", sweep, value, method, "64 samples") /
+                        error_of("scatter", sweep, value, method,
+                                 chance ? "8192 samples" : "4096 samples")) /
                std::log(chance ? 128.0 : 64.0);
     };
     EXPECT_NEAR(order("scatter", 0.01, "monte-carlo"), 0.5, 0.15);

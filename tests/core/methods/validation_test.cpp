@@ -220,25 +220,25 @@ TEST(Validation, APaperWhoseYearIsNotKnownIsCitedSo) {
 TEST(Validation, DecidesByTheNumbersAlone) {
     constexpr double half = 0.05;
     const auto none = std::optional<double>{};
-    EXPECT_EQ(decide(Claim::reproduced, 1.2, half, 1.24, none), Verdict::reproduced);
-    EXPECT_EQ(decide(Claim::reproduced, 1.2, half, 1.25, none), Verdict::reproduced);
-    EXPECT_EQ(decide(Claim::reproduced, 1.2, half, 1.26, none), Verdict::differs);
-    EXPECT_EQ(decide(Claim::reproduced, 1.2, half, none, none), Verdict::differs);
-    EXPECT_EQ(decide(Claim::slip, 1.2, half, 2.0, 1.2), Verdict::slip);
-    EXPECT_EQ(decide(Claim::artefact, 1.2, half, 2.0, 1.2), Verdict::artefact);
-    EXPECT_EQ(decide(Claim::artefact, 1.2, half, none, 1.2), Verdict::artefact);
+    EXPECT_EQ(decide(Verdict::reproduced, 1.2, half, 1.24, none), Verdict::reproduced);
+    EXPECT_EQ(decide(Verdict::reproduced, 1.2, half, 1.25, none), Verdict::reproduced);
+    EXPECT_EQ(decide(Verdict::reproduced, 1.2, half, 1.26, none), Verdict::differs);
+    EXPECT_EQ(decide(Verdict::reproduced, 1.2, half, none, none), Verdict::differs);
+    EXPECT_EQ(decide(Verdict::slip, 1.2, half, 2.0, 1.2), Verdict::slip);
+    EXPECT_EQ(decide(Verdict::artefact, 1.2, half, 2.0, 1.2), Verdict::artefact);
+    EXPECT_EQ(decide(Verdict::artefact, 1.2, half, none, 1.2), Verdict::artefact);
     // A mistake that does not give the printed number explains nothing…
-    EXPECT_EQ(decide(Claim::slip, 1.2, half, 2.0, 1.3), Verdict::differs);
-    EXPECT_EQ(decide(Claim::slip, 1.2, half, 2.0, none), Verdict::differs);
+    EXPECT_EQ(decide(Verdict::slip, 1.2, half, 2.0, 1.3), Verdict::differs);
+    EXPECT_EQ(decide(Verdict::slip, 1.2, half, 2.0, none), Verdict::differs);
     // …and where the right number is printed there was none.
-    EXPECT_EQ(decide(Claim::slip, 1.2, half, 1.2, 1.2), Verdict::reproduced);
+    EXPECT_EQ(decide(Verdict::slip, 1.2, half, 1.2, 1.2), Verdict::reproduced);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(decide(Claim::reproduced, 1.2, half, nan, none), Verdict::differs);
-    EXPECT_EQ(decide(Claim::not_derivable, 1.2, half, nan, none), Verdict::differs);
-    EXPECT_EQ(decide(Claim::not_derivable, 1.2, half, none, none), Verdict::not_derivable);
-    EXPECT_EQ(decide(Claim::given, 1.2, half, none, none), Verdict::given);
-    EXPECT_EQ(decide(Claim::given, 1.2, half, 1.21, none), Verdict::given);
-    EXPECT_EQ(decide(Claim::given, 1.2, half, 1.3, none), Verdict::differs);
+    EXPECT_EQ(decide(Verdict::reproduced, 1.2, half, nan, none), Verdict::differs);
+    EXPECT_EQ(decide(Verdict::not_derivable, 1.2, half, nan, none), Verdict::differs);
+    EXPECT_EQ(decide(Verdict::not_derivable, 1.2, half, none, none), Verdict::not_derivable);
+    EXPECT_EQ(decide(Verdict::given, 1.2, half, none, none), Verdict::given);
+    EXPECT_EQ(decide(Verdict::given, 1.2, half, 1.21, none), Verdict::given);
+    EXPECT_EQ(decide(Verdict::given, 1.2, half, 1.3, none), Verdict::differs);
 }
 
 TEST(Validation, ReadsNumbersAsPrinted) {
