@@ -206,36 +206,6 @@ double ArticulatedCrank::reach() const {
     return maximum;
 }
 
-std::optional<LockingAngles<double>> ArticulatedCrank::locking_angles() const {
-    const auto room = [&](double theta) { return rod_length - std::abs(across(theta)); };
-    // From the place nearest to the top at which the rod can be fitted, both ways.
-    constexpr double step = two_pi / (4.0 * scan_samples);
-    std::optional<double> start;
-    for (int i = 0; i <= 2 * scan_samples && !start; ++i) {
-        for (const double angle : {i * step, -i * step}) {
-            if (!start && room(angle) > 0.0) {
-                start = angle;
-            }
-        }
-    }
-    const auto stop = [&](double way) -> std::optional<double> {
-        for (int i = 1; start && i <= 4 * scan_samples; ++i) {
-            const double angle = *start + way * step * i;
-            if (!(room(angle) > 0.0)) {
-                const double before = angle - way * step;
-                return root_between(room, std::min(angle, before), std::max(angle, before));
-            }
-        }
-        return std::nullopt;
-    };
-    const std::optional<double> forward = stop(1.0);
-    const std::optional<double> backward = stop(-1.0);
-    if (!forward || !backward) {
-        return std::nullopt;
-    }
-    return LockingAngles<double>{*forward, *backward};
-}
-
 std::vector<std::optional<KnuckleRod>> knuckle_rods(std::span<const Cylinder> cylinders,
                                                     std::span<const Throw> throws,
                                                     double rod_length) {

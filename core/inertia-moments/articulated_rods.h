@@ -49,9 +49,6 @@ struct ArticulatedCrank {
     /// Farthest distance of the knuckle pin from the cylinder's axis, |Im q − K|: the rod must be
     /// longer.
     double reach() const;
-    /// Where the crank stops on both sides of top dead centre, θ in rad, where reach() ≥ l; nothing
-    /// where the rod reaches the piston at no crank angle, or does so at all.
-    std::optional<LockingAngles<double>> locking_angles() const;
 
   private:
     PistonMotion<double> piston(double theta) const;

@@ -51,20 +51,6 @@ std::optional<Locking> find_locking(double crank_radius, double lambda,
     return std::nullopt;
 }
 
-std::optional<Locking> find_articulated_locking(const Engine& engine) {
-    for (std::size_t i = 0; i < engine.knuckles.size(); ++i) {
-        if (engine.knuckles[i]) {
-            const ArticulatedCrank crank = engine.articulated(i);
-            // Nearer to locking, rounding decides whether the crank passes.
-            constexpr double margin = 1e-12;
-            if (!(crank.rod_length - crank.reach() > margin * crank.rod_length)) {
-                return Locking{i, crank.locking_angles()};
-            }
-        }
-    }
-    return std::nullopt;
-}
-
 ArticulatedCrank Engine::articulated(std::size_t cylinder) const {
     const Cylinder& own = cylinders[cylinder];
     const KnuckleRod& rod = *knuckles[cylinder];

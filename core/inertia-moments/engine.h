@@ -74,10 +74,6 @@ struct Locking {
 std::optional<Locking> find_locking(double crank_radius, double lambda,
                                     const std::vector<Cylinder>& cylinders);
 
-/// The first cylinder whose articulated rod is across before the crank is round, if any does.
-/// @param engine  whose other mechanisms do not lock
-std::optional<Locking> find_articulated_locking(const Engine& engine);
-
 /// Why the crank cannot turn, as a phrase: "the mechanism of cylinder 1 locks with the crank at
 /// 203.5° turning forward and at -23.5° turning back, measured from the cylinder's axis".
 Message describe(const Locking& locking);

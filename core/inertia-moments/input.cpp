@@ -111,21 +111,22 @@ void check_articulated(const Input& input, const Engine& engine) {
                  Number{.value = engine.rotating_mass, .digits = 6}},
                 Number{mass});
         }
-    }
-    if (const auto locking = find_articulated_locking(engine)) {
-        const std::size_t i = locking->cylinder;
-        const double reach = engine.articulated(i).reach() * engine.crank_radius;
-        const bool given = input.cylinders[i].articulated->rod_length.has_value();
-        const Field& field = given ? field::articulated_length : field::knuckle_radius;
-        const KnuckleRod& rod = *engine.knuckles[i];
-        throw InputError(
-            "/input/cylinders/" + std::to_string(i) + "/articulated/" + std::string(field.key),
-            {CORE_TEXT("inertia-moments",
-                       "must leave the articulated rod longer than %1, the distance of its knuckle "
-                       "pin from the cylinder's axis; %2"),
-             Number{.value = reach / units::mm, .digits = 6}, describe(*locking)},
-            Number{.value = from_si(field, given ? rod.rod_length : rod.knuckle_radius),
-                   .digits = 6});
+        const ArticulatedCrank crank = engine.articulated(i);
+        constexpr double margin = 1e-12;  // nearer, rounding decides whether the crank passes
+        const double reach = crank.reach();
+        if (!(crank.rod_length - reach > margin * crank.rod_length)) {
+            const bool given = input.cylinders[i].articulated->rod_length.has_value();
+            const Field& field = given ? field::articulated_length : field::knuckle_radius;
+            const KnuckleRod& rod = *engine.knuckles[i];
+            throw InputError(
+                "/input/cylinders/" + std::to_string(i) + "/articulated/" + std::string(field.key),
+                {CORE_TEXT("inertia-moments",
+                           "must leave the articulated rod longer than %1, the distance of its "
+                           "knuckle pin from the cylinder's axis"),
+                 Number{.value = reach * engine.crank_radius / units::mm, .digits = 6}},
+                Number{.value = from_si(field, given ? rod.rod_length : rod.knuckle_radius),
+                       .digits = 6});
+        }
     }
 }
 

@@ -8001,8 +8001,8 @@
         <translation>не указывается при прицепных шатунах (цилиндр %1): массы шатунов различны, введите их доли в массах</translation>
     </message>
     <message>
-        <source>must leave the articulated rod longer than %1, the distance of its knuckle pin from the cylinder&apos;s axis; %2</source>
-        <translation>прицепной шатун должен остаться длиннее %1, расстояния пальца прицепа от оси цилиндра; %2</translation>
+        <source>must leave the articulated rod longer than %1, the distance of its knuckle pin from the cylinder&apos;s axis</source>
+        <translation>прицепной шатун должен остаться длиннее %1, расстояния пальца прицепа от оси цилиндра</translation>
     </message>
     <message>
         <source>must be given for one cylinder (%1) if the throws carry different numbers of rods</source>

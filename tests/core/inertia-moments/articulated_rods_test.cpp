@@ -591,36 +591,19 @@ TEST(ArticulatedRods, LockingIsRejectedInWords) {
     input.cylinders[1].articulated->rod_length = reach * (1.0 + 1e-6);
     EXPECT_THROW(static_cast<void>(solve(input)), InputError);  // its orders need too many samples
     input.cylinders[1].articulated->rod_length = 0.9 * reach;
-    Json json = write_input(input);
-    const std::string why = test::rejection_of(json);
-    EXPECT_EQ(why.find("/input/cylinders/1/articulated/rod_length_mm: must leave the articulated "
-                       "rod longer than "),
-              0U)
-        << why;
-    EXPECT_NE(why.find("; the mechanism of cylinder 2 locks with the crank at "), std::string::npos)
-        << why;
-    // Where it locks, the rod stands across the cylinder's axis.
-    const Engine engine = reduce(input);
-    const auto locking = find_articulated_locking(engine);
-    ASSERT_TRUE(locking && locking->angles);
-    EXPECT_GT(locking->angles->forward, 0.0);
-    EXPECT_LT(locking->angles->backward, 0.0);
-    for (const double theta : {locking->angles->forward, locking->angles->backward}) {
-        const Complex pin = std::polar(1.0, theta);
-        const auto swing = engine.mechanism(engine.cylinders[0]).rod_at(theta + two_pi / 5.0);
-        const Complex knuckle = pin + 0.75 * std::polar(1.0, swing.psi);
-        EXPECT_NEAR(std::abs(knuckle.imag()), 0.9 * reach / input.crank_radius, 1e-12);
-    }
-    // A rod that reaches its piston nowhere, and one whose length is not given.
+    const std::string place = "/input/cylinders/1/articulated/";
+    const std::string why = ": must leave the articulated rod longer than ";
+    EXPECT_TRUE(test::rejection_of(write_input(input)).starts_with(place + "rod_length_mm" + why));
+    // A length that is not given, and a rod that reaches its piston nowhere.
     input.cylinders[1].articulated->rod_length.reset();
     input.cylinders[1].articulated->knuckle_radius = 0.27;
-    EXPECT_EQ(test::rejection_of(write_input(input))
-                  .find("/input/cylinders/1/articulated/knuckle_radius_mm: must leave"),
-              0U);
+    EXPECT_TRUE(
+        test::rejection_of(write_input(input)).starts_with(place + "knuckle_radius_mm" + why));
     input.cylinders[1].articulated->knuckle_radius = 0.06;
     input.cylinders[1].articulated->knuckle_angle = 3.0;
     input.cylinders[1].offset = 1.0;
-    EXPECT_NE(test::rejection_of(write_input(input)).find("is not possible"), std::string::npos);
+    EXPECT_TRUE(
+        test::rejection_of(write_input(input)).starts_with(place + "knuckle_radius_mm" + why));
 }
 
 // A second cylinder in the direction of another is on a crankpin of its own; the rods that follow
