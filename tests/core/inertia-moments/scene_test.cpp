@@ -102,9 +102,6 @@ TEST(CaseIo, RejectsWithPointerRuleAndFinding) {
     json["crank_radius_mm"] = -46;
     EXPECT_EQ(error_in(json), "/input/crank_radius_mm: must be greater than 0, got -46");
     json = vr5_json();
-    json["lamda"] = 0.3;
-    EXPECT_NE(error_in(json).find("the nearest is \"lambda\""), std::string::npos);
-    json = vr5_json();
     json["layout"]["firing_order"] = {1, 2, 4, 5, 5};
     EXPECT_EQ(error_in(json),
               "/input/layout/firing_order: must name each cylinder from 1 to 5 once, got "
@@ -119,13 +116,6 @@ TEST(CaseIo, RejectsWithPointerRuleAndFinding) {
     EXPECT_NE(error_in(json).find("/input/cylinders: is required"), std::string::npos);
     json["cylinders"] = Json::array();
     EXPECT_NE(error_in(json).find("/input/cylinders: must list from 1"), std::string::npos);
-    json = table_json();
-    json["cylinders"][1]["ofset_mm"] = 1;
-    EXPECT_EQ(error_in(json),
-              "/input/cylinders/1/ofset_mm: is not a known key; the nearest is \"offset_mm\"");
-    json = table_json();
-    json["cylinders"][1].erase("crankpin_angle_deg");
-    EXPECT_EQ(error_in(json), "/input/cylinders/1/crankpin_angle_deg: is required and missing");
     json = table_json();
     json["balance_shafts"] = Json::array({{{"order", 13}}});
     EXPECT_NE(error_in(json).find("/input/balance_shafts/0/order"), std::string::npos);
