@@ -118,7 +118,7 @@ class Progress {
         lock_ = ::open(lock_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, rights);
         if (lock_ < 0) {
             throw ProgressError(lock_path_,
-                                {CORE_TEXT("core", "cannot be written: %1"), system_fault(errno)});
+                                {Text::tr("cannot be written: %1"), system_fault(errno)});
         }
         const bool locked = ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
         struct stat now {};

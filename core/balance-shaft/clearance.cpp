@@ -182,13 +182,11 @@ BuildableAngles buildable_angles(const FrontView& view, const PlaceLimits& limit
         };
         answer.reason =
             clear_angles(ShaftPlaces(view, {}), distance).empty()
-                ? Message(CORE_TEXT("balance-shaft",
-                                    "At every angle the shaft's swing circle (radius %1, clearance "
-                                    "%2) meets the cylinder or the rod."),
+                ? Message(Text::tr("At every angle the shaft's swing circle (radius %1, clearance "
+                                   "%2) meets the cylinder or the rod."),
                           millimetres(view.shaft_swing_radius), millimetres(view.clearance))
-                : Message(CORE_TEXT("balance-shaft",
-                                    "At the centre distance %1 no angle within the limits clears "
-                                    "cylinder and rod."),
+                : Message(Text::tr("At the centre distance %1 no angle within the limits clears "
+                                   "cylinder and rod."),
                           millimetres(distance));
     }
     return answer;

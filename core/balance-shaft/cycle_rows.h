@@ -21,10 +21,10 @@ struct Column {
     double end_tolerance;  ///< of the largest value
 };
 
-inline constexpr Column torque_column{CORE_TEXT("balance-shaft", "torque"),
+inline constexpr Column torque_column{Text::tr("torque"),
                                       Range::between(-largest_torque, largest_torque), 1e-9};
-inline constexpr Column pressure_column{CORE_TEXT("balance-shaft", "pressure"),
-                                        Range::between(0.0, largest_pressure), 0.02};
+inline constexpr Column pressure_column{Text::tr("pressure"), Range::between(0.0, largest_pressure),
+                                        0.02};
 
 /// To 0.1 %, for tables rounded by hand.
 inline bool near(double value, double wanted) {
@@ -37,16 +37,13 @@ void check_ascending(const std::vector<double>& angles, const auto& place) {
         const double previous = angles[i - 1];
         if (angles[i] == previous) {
             throw InputError(
-                place(i),
-                {CORE_TEXT("balance-shaft", "must not repeat the angle of the row before, %1"),
-                 previous},
+                place(i), {Text::tr("must not repeat the angle of the row before, %1"), previous},
                 Number{angles[i]});
         }
         if (!(angles[i] > previous)) {
             throw InputError(
                 place(i),
-                {CORE_TEXT("balance-shaft", "must be greater than the angle of the row before, %1"),
-                 previous},
+                {Text::tr("must be greater than the angle of the row before, %1"), previous},
                 Number{angles[i]});
         }
     }

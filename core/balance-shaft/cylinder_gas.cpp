@@ -96,8 +96,7 @@ CylinderGas::CylinderGas(const SliderCrank<double>& crank, double bore, double c
         heat_ = (cycle_.imep.value_or(0.0) * displacement_ - done.motored) / done.per_heat;
         if (!(heat_ >= 0.0) || !std::isfinite(heat_)) {
             throw InputError("/input/torque/cycle/indicated_mean_effective_pressure_bar",
-                             {CORE_TEXT("balance-shaft",
-                                        "must be at least %1, the value of the cycle without heat"),
+                             {Text::tr("must be at least %1, the value of the cycle without heat"),
                               Number{done.motored / displacement_ / units::bar, {}, 6}},
                              Number{cycle_.imep.value_or(0.0) / units::bar});
         }

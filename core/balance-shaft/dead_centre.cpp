@@ -241,11 +241,9 @@ Message DeadCentre::describe() const {
         return Number{rounded_to_decimals(angle / degree, digits), units::degree};
     };
     return {is_certain()
-                ? CORE_TEXT("balance-shaft",
-                            "The dead centre is at %1 ± %2 of the trace: shift the angles by %3.")
-                : CORE_TEXT("balance-shaft",
-                            "The dead centre may be at %1 ± %2 of the trace, a shift of %3; the "
-                            "compression line is not more precise."),
+                ? Text::tr("The dead centre is at %1 ± %2 of the trace: shift the angles by %3.")
+                : Text::tr("The dead centre may be at %1 ± %2 of the trace, a shift of %3; the "
+                           "compression line is not more precise."),
             degrees(angle, 2), degrees(uncertainty, 2), degrees(proposed_shift(), 2)};
 }
 

@@ -84,26 +84,21 @@ Message assumed_sizes(const Input& input) {
     Message sizes;
     const auto add = [&](const std::optional<double>& given, const Text& name, double value) {
         if (!given) {
-            const Message one(Text{"", "%1 %2"}, name, Number{value / units::mm, units::mm, 3});
+            const Message one(Text{"%1 %2"}, name, Number{value / units::mm, units::mm, 3});
             sizes = sizes.empty() ? one : joined(sizes, one);
         }
     };
     const EnvelopeSizes& given = input.envelope;
     if (!input.relieved_shaft) {
-        add(given.shaft_swing_radius, CORE_TEXT("balance-shaft", "swing radius of the shaft"),
+        add(given.shaft_swing_radius, Text::tr("swing radius of the shaft"),
             view.shaft_swing_radius);
     }
-    add(given.crank_swing_radius, CORE_TEXT("balance-shaft", "swing radius of the crank"),
-        view.crank_swing_radius);
-    add(given.rod_width, CORE_TEXT("balance-shaft", "width of the rod"), view.rod_width);
-    add(input.cylinder.bore, CORE_TEXT("balance-shaft", "bore"), view.cylinder_bore);
-    add(given.cylinder_wall, CORE_TEXT("balance-shaft", "wall of the cylinder"),
-        view.cylinder_wall);
-    add(given.cylinder_bottom, CORE_TEXT("balance-shaft", "lower end of the cylinder"),
-        view.cylinder_bottom);
-    return sizes.empty()
-               ? sizes
-               : Message(CORE_TEXT("balance-shaft", "Sizes not given are assumed: %1."), sizes);
+    add(given.crank_swing_radius, Text::tr("swing radius of the crank"), view.crank_swing_radius);
+    add(given.rod_width, Text::tr("width of the rod"), view.rod_width);
+    add(input.cylinder.bore, Text::tr("bore"), view.cylinder_bore);
+    add(given.cylinder_wall, Text::tr("wall of the cylinder"), view.cylinder_wall);
+    add(given.cylinder_bottom, Text::tr("lower end of the cylinder"), view.cylinder_bottom);
+    return sizes.empty() ? sizes : Message(Text::tr("Sizes not given are assumed: %1."), sizes);
 }
 
 Envelope envelope(const FrontView& view, double shaft_angle) {

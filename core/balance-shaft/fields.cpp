@@ -92,9 +92,9 @@ void visit_cycle(FieldVisitor& visitor, GasCycle& cycle) {
 struct ColumnsValue final : FieldVisitor::Custom {
     explicit ColumnsValue(TableReading& it) : reading(it) {}
     void read(const Json& value, const std::string& pointer) override {
-        constexpr Text rule = CORE_TEXT("balance-shaft",
-                                        "must be two numbers from 1 or two headings: of the crank "
-                                        "angle and of the value");
+        constexpr Text rule = Text::tr(
+            "must be two numbers from 1 or two headings: of the crank "
+            "angle and of the value");
         if (!value.is_array() || value.size() != reading.columns.size()) {
             throw InputError(pointer, rule, show(value));
         }
@@ -150,7 +150,7 @@ struct UnitValue final : FieldVisitor::Custom {
             for (const Unit& unit : units) {
                 names.emplace_back(unit.name);
             }
-            throw InputError(pointer, {CORE_TEXT("core", "must be one of %1"), quoted_list(names)},
+            throw InputError(pointer, {Text::tr("must be one of %1"), quoted_list(names)},
                              show(value));
         }
         reading.unit = *found;
@@ -164,7 +164,7 @@ struct GaugeValue final : FieldVisitor::Custom {
     explicit GaugeValue(TableReading& it) : reading(it) {}
     void read(const Json& value, const std::string& pointer) override {
         if (!value.is_boolean()) {
-            throw InputError(pointer, CORE_TEXT("core", "must be true or false"), show(value));
+            throw InputError(pointer, Text::tr("must be true or false"), show(value));
         }
         reading.gauge = value.get<bool>();
     }
@@ -234,12 +234,11 @@ void visit_torque(FieldVisitor& visitor, Input& input) {
         }
     });
     if (visitor.is_reading() && given != 1) {
-        throw InputError("/input/torque",
-                         {CORE_TEXT("balance-shaft", "must have one of: %1 with %2, %3, %4, %5"),
-                          field::table_angle.key, field::table_torque.key, field::csv.key,
-                          field::pressure.key, field::cycle.key},
-                         given == 0 ? CORE_TEXT("balance-shaft", "none of them")
-                                    : CORE_TEXT("balance-shaft", "more than one of them"));
+        throw InputError(
+            "/input/torque",
+            {Text::tr("must have one of: %1 with %2, %3, %4, %5"), field::table_angle.key,
+             field::table_torque.key, field::csv.key, field::pressure.key, field::cycle.key},
+            given == 0 ? Text::tr("none of them") : Text::tr("more than one of them"));
     }
 }
 

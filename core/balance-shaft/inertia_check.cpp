@@ -163,9 +163,9 @@ InertiaCheck check_inertia(const Input& input) {
     const double mass = input.reciprocating_mass();
     check.entered = mass * input.crank_radius * input.crank_radius * speed * speed;
     if (input.torque.is_computed()) {
-        check.text = CORE_TEXT("balance-shaft",
-                               "The torque is computed from the masses and the speed: no check is "
-                               "necessary.");
+        check.text = Text::tr(
+            "The torque is computed from the masses and the speed: no check is "
+            "necessary.");
         return check;
     }
     const TorqueTable& table = input.torque.table;
@@ -203,20 +203,18 @@ InertiaCheck check_inertia(const Input& input) {
         check.is_of_other_rod = false;
         check.lambda_fitted = !lambda;
         check.text = four_stroke
-                         ? CORE_TEXT("balance-shaft",
-                                     "The torque during gas exchange does not resemble an inertia "
-                                     "torque, so masses and speed cannot be checked.")
-                         : CORE_TEXT("balance-shaft",
-                                     "A two-stroke engine has no stroke with a small gas torque, "
-                                     "so masses and speed cannot be checked.");
+                         ? Text::tr(
+                               "The torque during gas exchange does not resemble an inertia "
+                               "torque, so masses and speed cannot be checked.")
+                         : Text::tr(
+                               "A two-stroke engine has no stroke with a small gas torque, "
+                               "so masses and speed cannot be checked.");
         return check;
     }
     if (fit.at_bound) {
-        check.text = {
-            CORE_TEXT("balance-shaft",
-                      "Masses and speed cannot be checked, because the fitted r/L = %1 is "
-                      "at the limit of the search: enter the rod length."),
-            number(fit.lambda)};
+        check.text = {Text::tr("Masses and speed cannot be checked, because the fitted r/L = %1 is "
+                               "at the limit of the search: enter the rod length."),
+                      number(fit.lambda)};
         return check;
     }
     check.fitted = fit.scale;
@@ -230,9 +228,8 @@ InertiaCheck check_inertia(const Input& input) {
     check.matching_mass = mass * ratio;
     if (check.is_of_other_rod) {
         check.text = {
-            CORE_TEXT("balance-shaft",
-                      "Torque and rod do not match, so the best angles are not meaningful: r/L is "
-                      "%1 in the torque, %2 by the input; the torque fits a rod length of %3."),
+            Text::tr("Torque and rod do not match, so the best angles are not meaningful: r/L is "
+                     "%1 in the torque, %2 by the input; the torque fits a rod length of %3."),
             number(fit.lambda), number(*lambda),
             Number{rounded_to_digits(input.crank_radius / fit.lambda / units::mm, 3), units::mm}};
         return check;
@@ -240,20 +237,18 @@ InertiaCheck check_inertia(const Input& input) {
     check.text =
         *check.consistent
             ? Message(
-                  CORE_TEXT("balance-shaft",
-                            "Torque and masses match: mⱼ r² ω² is %1 in the torque (r/L = %2), %3 "
-                            "by the input; difference %4, tolerance %5."),
+                  Text::tr("Torque and masses match: mⱼ r² ω² is %1 in the torque (r/L = %2), %3 "
+                           "by the input; difference %4, tolerance %5."),
                   moment(fit.scale), number(fit.lambda), moment(check.entered),
                   Number{100.0 * std::abs(ratio - 1.0), units::percent, -1},
                   Number{100.0 * InertiaCheck::tolerance, units::percent, 2})
-            : Message(CORE_TEXT(
-                          "balance-shaft",
-                          "Torque and masses do not match, so the best angles are not meaningful: "
-                          "mⱼ r² ω² is %1 in the torque (r/L = %2), %3 by the input; the torque "
-                          "fits %4 or %5."),
-                      moment(fit.scale), number(fit.lambda), moment(check.entered),
-                      Number{rounded_to_digits(check.matching_speed / units::rpm, 4), units::rpm},
-                      Number{rounded_to_digits(check.matching_mass, 3), units::kg});
+            : Message(
+                  Text::tr("Torque and masses do not match, so the best angles are not meaningful: "
+                           "mⱼ r² ω² is %1 in the torque (r/L = %2), %3 by the input; the torque "
+                           "fits %4 or %5."),
+                  moment(fit.scale), number(fit.lambda), moment(check.entered),
+                  Number{rounded_to_digits(check.matching_speed / units::rpm, 4), units::rpm},
+                  Number{rounded_to_digits(check.matching_mass, 3), units::kg});
     return check;
 }
 

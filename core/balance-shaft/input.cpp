@@ -24,17 +24,14 @@ Number shown(const Field& field, double si) {
 void check_masses(const Input& input) {
     const double sum = input.reciprocating_mass();
     if (!(sum > 0.0) || !std::isfinite(sum)) {
-        throw InputError(
-            pointer(field::reciprocating_masses),
-            CORE_TEXT("balance-shaft", "must add up to more than 0 and to a finite mass"),
-            Number{sum});
+        throw InputError(pointer(field::reciprocating_masses),
+                         Text::tr("must add up to more than 0 and to a finite mass"), Number{sum});
     }
     for (const NamedMass& part : input.reciprocating_masses) {
         if (part.name == "rod_small_end" && input.rod_mass && part.mass > *input.rod_mass) {
             throw InputError(
                 pointer(field::reciprocating_masses) + "/" + part.name,
-                {CORE_TEXT("balance-shaft", "must be at most the mass of the whole rod, %1"),
-                 *input.rod_mass},
+                {Text::tr("must be at most the mass of the whole rod, %1"), *input.rod_mass},
                 Number{part.mass});
         }
     }
@@ -46,28 +43,25 @@ void check_ports(const GasCycle& cycle, double bottom, const std::string& parent
         return Number{radians / units::degree, units::degree, 6};
     };
     if (!(cycle.ports_open < bottom)) {
-        throw InputError(pointer(field::ports_open, parent),
-                         {CORE_TEXT("balance-shaft",
-                                    "must be less than the angle of the bottom dead centre, %1"),
-                          angle(bottom)},
-                         angle(cycle.ports_open));
+        throw InputError(
+            pointer(field::ports_open, parent),
+            {Text::tr("must be less than the angle of the bottom dead centre, %1"), angle(bottom)},
+            angle(cycle.ports_open));
     }
     const double end = cycle.combustion_start + cycle.combustion_duration;
     const double opening = two_pi + cycle.ports_open;
     if (end > opening) {
         throw InputError(
             pointer(field::combustion_duration, parent),
-            {CORE_TEXT("balance-shaft", "must end the combustion before the ports open at %1"),
-             angle(opening)},
+            {Text::tr("must end the combustion before the ports open at %1"), angle(opening)},
             angle(end));
     }
     // As far before the dead centre as they open after it, but for the offset of the cylinder.
     const double closing = 2.0 * bottom - cycle.ports_open;
     if (cycle.combustion_start < closing) {
-        throw InputError(
-            pointer(field::combustion_start, parent),
-            {CORE_TEXT("balance-shaft", "must be after the ports have closed, %1"), angle(closing)},
-            angle(cycle.combustion_start));
+        throw InputError(pointer(field::combustion_start, parent),
+                         {Text::tr("must be after the ports have closed, %1"), angle(closing)},
+                         angle(cycle.combustion_start));
     }
 }
 
@@ -75,10 +69,8 @@ void check_cycle(const GasCycle& cycle, const SliderCrank<double>& crank, int st
                  const std::string& parent) {
     if (cycle.heat.has_value() == cycle.imep.has_value()) {
         throw InputError(parent,
-                         {CORE_TEXT("balance-shaft", "must have either %1 or %2"), field::heat.key,
-                          field::imep.key},
-                         cycle.heat ? CORE_TEXT("balance-shaft", "both")
-                                    : CORE_TEXT("balance-shaft", "neither"));
+                         {Text::tr("must have either %1 or %2"), field::heat.key, field::imep.key},
+                         cycle.heat ? Text::tr("both") : Text::tr("neither"));
     }
     const double end = cycle.combustion_start + cycle.combustion_duration;
     const double bottom = two_pi + crank.bottom_dead_centre() - crank.top_dead_centre();
@@ -86,8 +78,7 @@ void check_cycle(const GasCycle& cycle, const SliderCrank<double>& crank, int st
         check_ports(cycle, bottom - two_pi, parent);
     } else if (end > bottom) {
         throw InputError(pointer(field::combustion_duration, parent),
-                         {CORE_TEXT("balance-shaft",
-                                    "must end the combustion before the bottom dead centre at %1"),
+                         {Text::tr("must end the combustion before the bottom dead centre at %1"),
                           Number{bottom / units::degree, units::degree, 6}},
                          Number{end / units::degree, units::degree, 6});
     }
@@ -97,13 +88,12 @@ void check_cycle(const GasCycle& cycle, const SliderCrank<double>& crank, int st
 void check_strokes(const Input& input) {
     const int wanted = input.strokes_of_torque();
     if (wanted != input.strokes) {
-        throw InputError(
-            pointer(field::strokes),
-            {input.torque.kind == TorqueSource::Kind::pressure
-                 ? CORE_TEXT("balance-shaft", "must be %1, since the pressure trace spans %2")
-                 : CORE_TEXT("balance-shaft", "must be %1, since the torque table spans %2"),
-             wanted, Number{180.0 * wanted, units::degree}},
-            Number{1.0 * input.strokes});
+        throw InputError(pointer(field::strokes),
+                         {input.torque.kind == TorqueSource::Kind::pressure
+                              ? Text::tr("must be %1, since the pressure trace spans %2")
+                              : Text::tr("must be %1, since the torque table spans %2"),
+                          wanted, Number{180.0 * wanted, units::degree}},
+                         Number{1.0 * input.strokes});
     }
 }
 
@@ -116,14 +106,12 @@ void check_rod(const Input& input) {
         if (!input.cylinder.rod_length) {
             throw InputError(
                 pointer(field::offset, parent),
-                {CORE_TEXT("balance-shaft",
-                           "must be less than %1 in magnitude, the rod length minus crank radius"),
+                {Text::tr("must be less than %1 in magnitude, the rod length minus crank radius"),
                  shown(field::offset, input.effective_rod_length() - input.crank_radius)},
                 shown(field::offset, offset));
         }
         throw InputError(pointer(field::rod_length, parent),
-                         {CORE_TEXT("balance-shaft",
-                                    "must be greater than the crank radius plus the offset, %1"),
+                         {Text::tr("must be greater than the crank radius plus the offset, %1"),
                           shown(field::crank_radius, rounded_to_digits(minimum, 12))},
                          shown(field::rod_length, input.effective_rod_length()));
     }
@@ -141,9 +129,8 @@ void check_torque(const Input& input) {
                                       std::pair(&field::rod_length, input.cylinder.rod_length)}) {
         if (!size) {
             throw InputError(pointer(*field, cylinder),
-                             {CORE_TEXT("balance-shaft",
-                                        "is required with a pressure trace or a computed cycle, "
-                                        "and missing")});
+                             {Text::tr("is required with a pressure trace or a computed cycle, "
+                                       "and missing")});
         }
     }
     // Beyond these no cylinder exists, and pressures and powers of volumes leave double's range.
@@ -152,10 +139,9 @@ void check_torque(const Input& input) {
     const double bore = *input.cylinder.bore;
     const double displacement = pi / 4.0 * bore * bore * crank.stroke();
     if (!displacement_range.contains(displacement)) {
-        throw InputError(
-            pointer(field::bore, cylinder),
-            CORE_TEXT("balance-shaft", "must give a displacement from 1e-6 cm³ to 1e9 cm³"),
-            Number{displacement / units::cm3, units::cm3, 6});
+        throw InputError(pointer(field::bore, cylinder),
+                         Text::tr("must give a displacement from 1e-6 cm³ to 1e9 cm³"),
+                         Number{displacement / units::cm3, units::cm3, 6});
     }
     if (source.kind == TorqueSource::Kind::pressure) {
         check_pressure_trace(source.trace,
@@ -188,17 +174,15 @@ void check_limits(const PlaceLimits& limits) {
             const Field& wrong = is_given ? pair.high : pair.low;
             if (&pair.high == &field::shaft_angle_to && is_given) {
                 // Angles from 350 to 20 are meant across 0.
-                throw InputError(
-                    pointer(wrong, parent),
-                    {CORE_TEXT("balance-shaft", "must be greater than %1; across 0° enter %2"),
-                     Number{from_si(pair.low, *pair.from), wrong.unit, 6},
-                     Number{from_si(pair.high, *pair.to + two_pi), wrong.unit, 6}},
-                    shown(wrong, *pair.to));
+                throw InputError(pointer(wrong, parent),
+                                 {Text::tr("must be greater than %1; across 0° enter %2"),
+                                  Number{from_si(pair.low, *pair.from), wrong.unit, 6},
+                                  Number{from_si(pair.high, *pair.to + two_pi), wrong.unit, 6}},
+                                 shown(wrong, *pair.to));
             }
             throw InputError(
                 pointer(wrong, parent),
-                {is_given ? CORE_TEXT("core", "must be greater than %1")
-                          : CORE_TEXT("core", "must be less than %1"),
+                {is_given ? Text::tr("must be greater than %1") : Text::tr("must be less than %1"),
                  Number{from_si(is_given ? pair.low : pair.high, is_given ? *pair.from : *pair.to),
                         wrong.unit, 6}},
                 shown(wrong, is_given ? *pair.to : *pair.from));
@@ -212,8 +196,7 @@ Message TorqueSource::changed_note() const {
     if (!has_changed()) {
         return {};
     }
-    return {CORE_TEXT(
-                "balance-shaft",
+    return {Text::tr(
                 "%1 has changed since this case was made: import it again to accept the change, or "
                 "restore the old file."),
             kind == Kind::csv ? csv.name : trace_file.name};
@@ -250,11 +233,10 @@ void check_speed_band(const SpeedBand& band) {
     const std::string parent = pointer(field::speed_band);
     check_fields(band, parent.c_str());
     if (band.to < band.from) {
-        throw InputError(
-            pointer(field::band_to, parent),
-            {CORE_TEXT("balance-shaft", "must be at least the minimum speed of the band, %1"),
-             shown(field::band_from, band.from)},
-            shown(field::band_to, band.to));
+        throw InputError(pointer(field::band_to, parent),
+                         {Text::tr("must be at least the minimum speed of the band, %1"),
+                          shown(field::band_from, band.from)},
+                         shown(field::band_to, band.to));
     }
 }
 
@@ -270,18 +252,16 @@ void check_joined(const Input& input) {
     if (input.flywheel &&
         input.flywheel->inertia.has_value() == input.flywheel->fluctuation.has_value()) {
         throw InputError(pointer(field::flywheel),
-                         {CORE_TEXT("balance-shaft", "must have either %1 or %2"),
-                          field::flywheel_inertia.key, field::fluctuation.key},
-                         input.flywheel->inertia ? CORE_TEXT("balance-shaft", "both")
-                                                 : CORE_TEXT("balance-shaft", "neither"));
+                         {Text::tr("must have either %1 or %2"), field::flywheel_inertia.key,
+                          field::fluctuation.key},
+                         input.flywheel->inertia ? Text::tr("both") : Text::tr("neither"));
     }
     const GearPair& gears = input.gears;
     if (std::abs(gears.shifted_teeth) >= gears.teeth) {
-        throw InputError(
-            pointer(field::shifted_teeth, pointer(field::gears)),
-            {CORE_TEXT("balance-shaft", "must be less than the teeth, which must be from %1 to %2"),
-             field::teeth.range.min, field::teeth.range.max},
-            Number{1.0 * gears.shifted_teeth});
+        throw InputError(pointer(field::shifted_teeth, pointer(field::gears)),
+                         {Text::tr("must be less than the teeth, which must be from %1 to %2"),
+                          field::teeth.range.min, field::teeth.range.max},
+                         Number{1.0 * gears.shifted_teeth});
     }
     check_limits(input.place_limits);
     if (input.speed_band) {

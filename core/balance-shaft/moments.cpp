@@ -44,8 +44,7 @@ double size_of(const MomentMetrics& moment) {
     return std::max(std::abs(moment.max), std::abs(moment.min));
 }
 
-constexpr Text makes_no_moment =
-    CORE_TEXT("balance-shaft", "The shaft has no moment: its angle has no effect.");
+constexpr Text makes_no_moment = Text::tr("The shaft has no moment: its angle has no effect.");
 
 /// Of A sin(φ + angle).
 MomentMetrics metrics_of_sine(double amplitude, double angle) {
@@ -69,7 +68,7 @@ Optimum best_range(const Moments& moments, const MomentMetrics& tipping) {
         return {wrap_turn(best.alpha - moments.phase), best.value, {}};
     }
     return {std::nullopt, best.value,
-            CORE_TEXT("balance-shaft", "The angle of the shaft does not affect the range.")};
+            Text::tr("The angle of the shaft does not affect the range.")};
 }
 
 Optimum best_rms(const Moments& moments, const MomentMetrics& tipping) {
@@ -83,9 +82,8 @@ Optimum best_rms(const Moments& moments, const MomentMetrics& tipping) {
         return {angle, moments.plane.rms(moments.shaft_moment(angle)), {}};
     }
     return {std::nullopt, moments.plane.rms(moments.shaft_moment(0.0)),
-            CORE_TEXT("balance-shaft",
-                      "The tipping moment has no first order: the angle of the shaft does not "
-                      "affect the RMS.")};
+            Text::tr("The tipping moment has no first order: the angle of the shaft does not "
+                     "affect the RMS.")};
 }
 
 }  // namespace

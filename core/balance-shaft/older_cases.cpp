@@ -45,10 +45,9 @@ std::optional<Json> take(Json& input, const char* place) {
 void demand_same(const Json& first, const std::string& place, const Json& other,
                  const std::string& other_place) {
     if (other != first) {
-        throw InputError(
-            other_place,
-            {CORE_TEXT("balance-shaft", "must be %1 as in %2, or be left out"), show(first), place},
-            show(other));
+        throw InputError(other_place,
+                         {Text::tr("must be %1 as in %2, or be left out"), show(first), place},
+                         show(other));
     }
 }
 
@@ -121,9 +120,8 @@ void gather_cylinder(CaseFile& file) {
             const std::optional<Json> value = take(file.kept, older);
             if (&size == &sizes[0] && value && !value->is_null() && *value != bore) {
                 file.changes.push_back(
-                    {CORE_TEXT("balance-shaft",
-                               "An unused torque source had the bore %1: enter it at the "
-                               "cylinder, for all sources, if it is correct."),
+                    {Text::tr("An unused torque source had the bore %1: enter it at the "
+                              "cylinder, for all sources, if it is correct."),
                      show(*value)});
             }
         }

@@ -155,16 +155,14 @@ double ShaftPosition::shaft_angle() const {
 BestPositions PositionStudy::best() const {
     BestPositions answer;
     if (force_ == 0.0) {
-        answer.reason =
-            CORE_TEXT("balance-shaft", "The shaft has no moment: its place has no effect.");
+        answer.reason = Text::tr("The shaft has no moment: its place has no effect.");
         return answer;
     }
     if (is_constant()) {
         BestPosition at_crank;
         at_crank.criteria = at({});
         answer.range = answer.rms = at_crank;
-        answer.reason = CORE_TEXT(
-            "balance-shaft",
+        answer.reason = Text::tr(
             "The tipping moment is constant: a shaft away from the crank axis only adds to it.");
         return answer;
     }
@@ -231,18 +229,14 @@ Message trade_off(const PositionCriteria& from, const PositionCriteria& to) {
                          : Message(sign > 0 ? larger : smaller,
                                    Number{100.0 * std::abs(change), units::percent, -1});
     };
-    const Message moments =
-        joined(part(from.range, to.range, CORE_TEXT("balance-shaft", "range %1 smaller"),
-                    CORE_TEXT("balance-shaft", "range %1 larger"),
-                    CORE_TEXT("balance-shaft", "range unchanged")),
-               part(from.rms, to.rms, CORE_TEXT("balance-shaft", "RMS %1 smaller"),
-                    CORE_TEXT("balance-shaft", "RMS %1 larger"),
-                    CORE_TEXT("balance-shaft", "RMS unchanged")));
-    return from.size > 0.0 ? joined(moments, part(from.size, to.size,
-                                                  CORE_TEXT("balance-shaft", "box %1 smaller"),
-                                                  CORE_TEXT("balance-shaft", "box %1 larger"),
-                                                  CORE_TEXT("balance-shaft", "box unchanged")))
-                           : moments;
+    const Message moments = joined(part(from.range, to.range, Text::tr("range %1 smaller"),
+                                        Text::tr("range %1 larger"), Text::tr("range unchanged")),
+                                   part(from.rms, to.rms, Text::tr("RMS %1 smaller"),
+                                        Text::tr("RMS %1 larger"), Text::tr("RMS unchanged")));
+    return from.size > 0.0
+               ? joined(moments, part(from.size, to.size, Text::tr("box %1 smaller"),
+                                      Text::tr("box %1 larger"), Text::tr("box unchanged")))
+               : moments;
 }
 
 Obstacle PositionStudy::obstacle(const ShaftPosition& position) const {

@@ -32,15 +32,14 @@ void check_relieved_shaft(const RelievedShaftSizes& sizes) {
     const int given =
         sizes.diameter.has_value() + sizes.depth.has_value() + sizes.length.has_value();
     if (given < 2) {
-        throw InputError(
-            root,
-            {CORE_TEXT("balance-shaft", "must have two of %1, %2 and %3"), field::bar_diameter.key,
-             field::relief_depth.key, field::relief_length.key},
-            Number{1.0 * given});
+        throw InputError(root,
+                         {Text::tr("must have two of %1, %2 and %3"), field::bar_diameter.key,
+                          field::relief_depth.key, field::relief_length.key},
+                         Number{1.0 * given});
     }
     if (sizes.diameter && sizes.depth && !(*sizes.depth < *sizes.diameter)) {
         throw InputError(std::string(root) + "/depth_mm",
-                         {CORE_TEXT("balance-shaft", "must be less than the diameter, %1"),
+                         {Text::tr("must be less than the diameter, %1"),
                           from_si(field::bar_diameter, *sizes.diameter)},
                          Number{from_si(field::relief_depth, *sizes.depth)});
     }
@@ -55,7 +54,7 @@ RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double requ
     shaft.length = sizes.length.value_or(0.0);
     const double per_volume = 2.0 / 3.0 * sizes.density;  // U = per_volume b a³
     if (!(required > 0.0)) {
-        shaft.reason = CORE_TEXT("balance-shaft", "No unbalance is required: no relief.");
+        shaft.reason = Text::tr("No unbalance is required: no relief.");
         return shaft;
     }
     if (sizes.length) {
@@ -70,9 +69,8 @@ RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double requ
         constexpr double rounding = 1e-12;  // half a bar, sized by its critical radius
         if (a > radius * (1.0 + rounding)) {
             shaft.reason = {
-                CORE_TEXT("balance-shaft",
-                          "The bar is too thin: over a length of %1 its diameter must be at least "
-                          "%2; with this diameter the relieved length must be at least %3."),
+                Text::tr("The bar is too thin: over a length of %1 its diameter must be at least "
+                         "%2; with this diameter the relieved length must be at least %3."),
                 in_mm(shaft.length), in_mm(2.0 * a), in_mm(shaft.critical_length)};
             return shaft;
         }
@@ -103,23 +101,20 @@ RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double requ
         !std::isfinite(shaft.critical_radius) || !std::isfinite(shaft.critical_length)) {
         RelievedShaft none;
         none.required = required;
-        none.reason =
-            CORE_TEXT("balance-shaft", "No shaft of these sizes has the required unbalance.");
+        none.reason = Text::tr("No shaft of these sizes has the required unbalance.");
         return none;
     }
     const double ratio = shaft.unbalance / required;
     if (std::abs(ratio - 1.0) > relieved_shaft_tolerance) {
-        shaft.reason = {
-            CORE_TEXT("balance-shaft", "These sizes give %1 % of the required unbalance."),
-            Number{100.0 * ratio, {}, 4}};
+        shaft.reason = {Text::tr("These sizes give %1 % of the required unbalance."),
+                        Number{100.0 * ratio, {}, 4}};
         return shaft;
     }
     shaft.feasible = true;
     constexpr double half = 0.5 * (1.0 + 1e-12);
     if (shaft.depth > half * shaft.diameter) {
-        shaft.note = {CORE_TEXT("balance-shaft",
-                                "More than half of the bar is milled away: the depth %1 gives the "
-                                "same unbalance and a stiffer shaft."),
+        shaft.note = {Text::tr("More than half of the bar is milled away: the depth %1 gives the "
+                               "same unbalance and a stiffer shaft."),
                       in_mm(shaft.diameter - shaft.depth)};
     }
     return shaft;
@@ -127,7 +122,7 @@ RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double requ
 
 std::string relieved_shaft_dxf(const RelievedShaft& shaft, const std::string& title) {
     if (!shaft.feasible) {
-        throw InputError("", {CORE_TEXT("balance-shaft", "no drawing: %1"), shaft.reason});
+        throw InputError("", {Text::tr("no drawing: %1"), shaft.reason});
     }
     DxfDocument drawing({{"SHAFT", DxfDocument::white},
                          {"REMOVED", DxfDocument::cyan},

@@ -22,13 +22,12 @@ template <typename Parsed>
 Parsed read_beside(DataFile& file, const std::string& place, const CaseContext& context,
                    int strokes, Parsed (*parse)(std::string_view, const TableReading&)) {
     if (file.name.find('\0') != std::string::npos || file.name.empty()) {
-        throw InputError(place, CORE_TEXT("core", "must be a file name"), show(Json(file.name)));
+        throw InputError(place, Text::tr("must be a file name"), show(Json(file.name)));
     }
     if (!context.may_read(file.name)) {
         throw InputError(place,
-                         CORE_TEXT("core",
-                                   "must be a file in the folder of the case, unless "
-                                   "--allow-files is given"),
+                         Text::tr("must be a file in the folder of the case, unless "
+                                  "--allow-files is given"),
                          show(Json(file.name)));
     }
     try {

@@ -77,8 +77,7 @@ ShaftPlaces::ShaftPlaces(const FrontView& view, const PlaceLimits& limits)
 }
 
 Message ShaftPlaces::reason_for_none() {
-    return CORE_TEXT(
-        "balance-shaft",
+    return Text::tr(
         "No place within the limits clears crank, cylinder and rod with the gears in mesh.");
 }
 
@@ -126,37 +125,31 @@ Message ShaftPlaces::reason(Obstacle obstacle, double l) const {
         case Obstacle::none:
             break;
         case Obstacle::crank:
-            return {CORE_TEXT("balance-shaft",
-                              "The shaft's swing circle (radius %1, clearance %2) meets the crank: "
-                              "centre distance %4, minimum %3."),
+            return {Text::tr("The shaft's swing circle (radius %1, clearance %2) meets the crank: "
+                             "centre distance %4, minimum %3."),
                     swing, gap, millimetres(needed_crank_), millimetres(l)};
         case Obstacle::cylinder:
             return {
-                CORE_TEXT("balance-shaft",
-                          "The shaft's swing circle (radius %1, clearance %2) meets the cylinder."),
+                Text::tr("The shaft's swing circle (radius %1, clearance %2) meets the cylinder."),
                 swing, gap};
         case Obstacle::rod:
-            return {CORE_TEXT("balance-shaft",
-                              "The shaft's swing circle (radius %1, clearance %2) meets the rod."),
+            return {Text::tr("The shaft's swing circle (radius %1, clearance %2) meets the rod."),
                     swing, gap};
         case Obstacle::gears:
-            return {CORE_TEXT("balance-shaft",
-                              "The gears do not mesh: with a tip radius of %1 the centre distance "
-                              "must be %2 to %3, not %4."),
+            return {Text::tr("The gears do not mesh: with a tip radius of %1 the centre distance "
+                             "must be %2 to %3, not %4."),
                     millimetres(view_.gear_tip_radius), millimetres(gears_min_),
                     millimetres(gears_max_), millimetres(l)};
         case Obstacle::limits:
             if (l < limits_.centre_distance_min.value_or(l)) {
-                return {
-                    CORE_TEXT("balance-shaft", "Centre distance %2 is below the minimum of %1."),
-                    millimetres(*limits_.centre_distance_min), millimetres(l)};
+                return {Text::tr("Centre distance %2 is below the minimum of %1."),
+                        millimetres(*limits_.centre_distance_min), millimetres(l)};
             }
             if (l > limits_.centre_distance_max.value_or(l)) {
-                return {
-                    CORE_TEXT("balance-shaft", "Centre distance %2 is above the maximum of %1."),
-                    millimetres(*limits_.centre_distance_max), millimetres(l)};
+                return {Text::tr("Centre distance %2 is above the maximum of %1."),
+                        millimetres(*limits_.centre_distance_max), millimetres(l)};
             }
-            return CORE_TEXT("balance-shaft", "The place is outside the limits.");
+            return Text::tr("The place is outside the limits.");
     }
     return {};
 }

@@ -64,29 +64,26 @@ RelievedShaft relieved_shaft(const Input& input, const FrontView& view) {
     RelievedShaft shaft = design_relieved_shaft(relieved_shaft_sizes(input), input.unbalance());
     const auto in_mm = [](double metres) { return Number{metres / units::mm, units::mm, 4}; };
     const auto note_first = [&shaft](Message note) {
-        shaft.note = shaft.note.empty() ? note : Message(Text{"", "%1 %2"}, note, shaft.note);
+        shaft.note = shaft.note.empty() ? note : Message(Text{"%1 %2"}, note, shaft.note);
     };
     const double swing = view.shaft_swing_radius;
     constexpr double rounding = 1e-12;
     if (shaft.feasible && swing < shaft.diameter / 2.0 * (1.0 - rounding)) {
         shaft.feasible = false;
         shaft.reason = {
-            CORE_TEXT("balance-shaft",
-                      "The bar (radius %1) does not fit in the swing circle (radius %2)."),
+            Text::tr("The bar (radius %1) does not fit in the swing circle (radius %2)."),
             in_mm(shaft.diameter / 2.0), in_mm(swing)};
     }
     if (!shaft.feasible) {
         return shaft;
     }
     if (shaft.length > usual_bores * view.cylinder_bore) {
-        note_first({CORE_TEXT("balance-shaft",
-                              "The relief of %1 is longer than two bores: check the length of the "
-                              "crankcase."),
+        note_first({Text::tr("The relief of %1 is longer than two bores: check the length of the "
+                             "crankcase."),
                     in_mm(shaft.length)});
     }
-    note_first({CORE_TEXT("balance-shaft",
-                          "Same unbalance as %1 at ρ₁ = %2; map and clearances use the swing "
-                          "radius %3."),
+    note_first({Text::tr("Same unbalance as %1 at ρ₁ = %2; map and clearances use the swing "
+                         "radius %3."),
                 Number{rounded_to_digits(input.counterweight(), 4), units::kg},
                 in_mm(input.counterweight_radius), in_mm(swing)});
     return shaft;
@@ -254,20 +251,17 @@ void Solver::Prepared::prepare_notes() {
         base.notes.push_back(std::move(changed));
     }
     if (input.relieved_shaft && input.relieved_shaft->had_bending) {
-        base.notes.emplace_back(CORE_TEXT(
-            "balance-shaft",
+        base.notes.emplace_back(Text::tr(
             "Not used, since bending of the relieved shaft is no longer computed: elastic modulus, "
             "bearing span, allowable stress, deflection, critical-speed ratio, bearing load."));
     }
     if (input.relieved_shaft && !base.relieved_shaft.feasible) {
-        base.doubts.emplace_back(CORE_TEXT("balance-shaft", "Relieved shaft: %1"),
-                                 base.relieved_shaft.reason);
+        base.doubts.emplace_back(Text::tr("Relieved shaft: %1"), base.relieved_shaft.reason);
     }
     const double length = half_disc_length(view.shaft_swing_radius, input.unbalance());
     if (!input.relieved_shaft && length > usual_bores * view.cylinder_bore) {
-        base.doubts.emplace_back(CORE_TEXT("balance-shaft",
-                                           "A steel half disc of the shaft swing radius must be "
-                                           "%1 long for m₁ ρ₁: more than two bores."),
+        base.doubts.emplace_back(Text::tr("A steel half disc of the shaft swing radius must be "
+                                          "%1 long for m₁ ρ₁: more than two bores."),
                                  Number{length / units::mm, units::mm, 3});
     }
     if (base.inertia_check.consistent && !*base.inertia_check.consistent) {
@@ -280,9 +274,8 @@ void Solver::Prepared::prepare_notes() {
     const double balanced = 2.0 * forces.counterweight_force / forces.inertia_force_1_max;
     constexpr double noticeable = 1e-3;
     if (input.counterweight_mass && std::abs(balanced - 1.0) > noticeable) {
-        base.notes.emplace_back(CORE_TEXT("balance-shaft",
-                                          "The counterweight balances %1 % of the first-order "
-                                          "inertia force; equation (1) requires %2."),
+        base.notes.emplace_back(Text::tr("The counterweight balances %1 % of the first-order "
+                                         "inertia force; equation (1) requires %2."),
                                 Number{100.0 * balanced, units::none, 4},
                                 Number{input.reciprocating_mass() * input.crank_radius /
                                            (2.0 * input.counterweight_radius),
@@ -294,14 +287,12 @@ void Solver::Prepared::prepare_notes_on_building() {
     const auto in_degrees = [](double angle) { return Number{angle / degree, units::degree, -2}; };
     if (crank.offset != 0.0) {
         base.notes.emplace_back(
-            CORE_TEXT("balance-shaft",
-                      "Offset cylinder: at the top dead centre (φ = 0) the crank is %1 from the "
-                      "cylinder's direction; both counterweights lag by %2."),
+            Text::tr("Offset cylinder: at the top dead centre (φ = 0) the crank is %1 from the "
+                     "cylinder's direction; both counterweights lag by %2."),
             in_degrees(top), in_degrees(piston_1.lag));
     }
     if (buildable.stretches.empty()) {
-        base.notes.emplace_back(CORE_TEXT("balance-shaft", "No feasible position: %1"),
-                                buildable.reason);
+        base.notes.emplace_back(Text::tr("No feasible position: %1"), buildable.reason);
     }
     base.assumed_sizes = balance_shaft::assumed_sizes(input);
 }

@@ -50,9 +50,8 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
         parts = torque_parts(input, check);
         if (!parts) {
             reason_ = check.fitted
-                          ? Message(CORE_TEXT("balance-shaft",
-                                              "The torque does not match masses and speed, so "
-                                              "other speeds cannot be computed. %1"),
+                          ? Message(Text::tr("The torque does not match masses and speed, so "
+                                             "other speeds cannot be computed. %1"),
                                     check.text)
                           : check.text;
             return;

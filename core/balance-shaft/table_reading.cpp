@@ -144,41 +144,37 @@ std::vector<Unit> units_of(Measured what) {
 }
 
 Message TableFormat::describe() const {
-    Message text(CORE_TEXT("balance-shaft", "%1 rows"), rows);
+    Message text(Text::tr("%1 rows"), rows);
     const auto add = [&](bool holds, const Message& part) {
         if (holds) {
-            text = Message(Text{"", "%1, %2"}, text, part);
+            text = Message(Text{"%1, %2"}, text, part);
         }
     };
-    const Text name{"core", unit.name.data()};
-    add(true, separator == ';'    ? CORE_TEXT("balance-shaft", "separated by semicolons")
-              : separator == ','  ? CORE_TEXT("balance-shaft", "separated by commas")
-              : separator == '\t' ? CORE_TEXT("balance-shaft", "separated by tabs")
-                                  : CORE_TEXT("balance-shaft", "separated by blanks"));
-    add(decimal_comma, CORE_TEXT("balance-shaft", "decimal comma"));
-    add(true, in_radians ? CORE_TEXT("balance-shaft", "angles in radians")
-                         : CORE_TEXT("balance-shaft", "angles in degrees"));
-    add(header_lines > 0, CORE_TEXT("balance-shaft", "with a header"));
+    const Text name{unit.name.data()};
+    add(true, separator == ';'    ? Text::tr("separated by semicolons")
+              : separator == ','  ? Text::tr("separated by commas")
+              : separator == '\t' ? Text::tr("separated by tabs")
+                                  : Text::tr("separated by blanks"));
+    add(decimal_comma, Text::tr("decimal comma"));
+    add(true, in_radians ? Text::tr("angles in radians") : Text::tr("angles in degrees"));
+    add(header_lines > 0, Text::tr("with a header"));
     if (what == Measured::pressure) {
         add(true,
-            {!unit_named ? CORE_TEXT("balance-shaft",
-                                     "pressure assumed in %1, without a known unit in the heading")
-             : gauge     ? CORE_TEXT("balance-shaft", "gauge pressure in %1")
-                         : CORE_TEXT("balance-shaft", "pressure in %1"),
+            {!unit_named ? Text::tr("pressure assumed in %1, without a known unit in the heading")
+             : gauge     ? Text::tr("gauge pressure in %1")
+                         : Text::tr("pressure in %1"),
              name});
     } else if (unit_named) {
-        add(unit != units::N_m, {CORE_TEXT("balance-shaft", "torque in %1"), name});
+        add(unit != units::N_m, {Text::tr("torque in %1"), name});
     } else {
         add(header_lines > 0,
-            {CORE_TEXT("balance-shaft",
-                       "torque assumed in %1, without a known unit in the heading"),
-             name});
+            {Text::tr("torque assumed in %1, without a known unit in the heading"), name});
     }
-    add(strokes == 2, CORE_TEXT("balance-shaft", "360°, the cycle of a two-stroke engine"));
-    add(cycles > 1, {CORE_TEXT("balance-shaft", "mean of %1 cycles"), cycles});
-    add(left_over > 0.0, {CORE_TEXT("balance-shaft", "%1 at the end left out"),
-                          Number{left_over / degree, units::degree, 4}});
-    add(closed, CORE_TEXT("balance-shaft", "end joined to the start"));
+    add(strokes == 2, Text::tr("360°, the cycle of a two-stroke engine"));
+    add(cycles > 1, {Text::tr("mean of %1 cycles"), cycles});
+    add(left_over > 0.0,
+        {Text::tr("%1 at the end left out"), Number{left_over / degree, units::degree, 4}});
+    add(closed, Text::tr("end joined to the start"));
     return text;
 }
 
@@ -263,8 +259,7 @@ void check_length(std::size_t rows) {
     if (rows > largest_torque_table) {
         throw InputError(
             "",
-            {CORE_TEXT("balance-shaft", "a cycle must have at most %1 rows: use larger steps"),
-             largest_torque_table},
+            {Text::tr("a cycle must have at most %1 rows: use larger steps"), largest_torque_table},
             Number{static_cast<double>(rows)});
     }
 }
@@ -316,8 +311,7 @@ void convert(const TwoColumns& rows, const Column& column, const TableReading& r
                 format.what == Measured::pressure && si < 0.0 && !reading.gauge && !format.gauge;
             throw InputError(rows.place(i, 1),
                              may_be_gauge
-                                 ? Message(CORE_TEXT("balance-shaft",
-                                                     "%1; for gauge pressure set \"gauge\": true"),
+                                 ? Message(Text::tr("%1; for gauge pressure set \"gauge\": true"),
                                            shown.message())
                                  : shown.message(),
                              Number{values[i]});
@@ -328,9 +322,8 @@ void convert(const TwoColumns& rows, const Column& column, const TableReading& r
 
 void check_rows(std::size_t rows, const Column& column) {
     if (rows < fewest_rows) {
-        throw InputError(
-            "", {CORE_TEXT("balance-shaft", "the %1 table must have at least 3 rows"), column.name},
-            Number{static_cast<double>(rows)});
+        throw InputError("", {Text::tr("the %1 table must have at least 3 rows"), column.name},
+                         Number{static_cast<double>(rows)});
     }
 }
 
@@ -422,9 +415,8 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
     } else if (!is_closed) {
         throw InputError(
             rows.place(rows.first.size() - 1, 0),
-            CORE_TEXT("balance-shaft",
-                      "the angles must span 720° (or 360°, or 4π or 2π in radians), "
-                      "the last row repeating the first"),
+            Text::tr("the angles must span 720° (or 360°, or 4π or 2π in radians), "
+                     "the last row repeating the first"),
             format.in_radians ? Number{raw_span, units::radian} : Number{span, units::degree});
     } else {
         format.rows = series.angle.size();
@@ -449,9 +441,7 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
     // Rounding of the units must not have undone the order.
     for (std::size_t i = 1; i < series.angle.size(); ++i) {
         if (!(series.angle[i] > series.angle[i - 1])) {
-            throw InputError("",
-                             CORE_TEXT("balance-shaft",
-                                       "the angles of neighbouring rows are too close together"),
+            throw InputError("", Text::tr("the angles of neighbouring rows are too close together"),
                              Number{series.angle[i], units::degree});
         }
     }
@@ -460,7 +450,7 @@ Cycle to_cycle(TwoColumns&& rows, Measured what, const TableReading& reading) {
 
 TwoColumns read_columns(std::string_view text, Measured what, const TableReading& reading) {
     constexpr double max_turns = 1e5;
-    const TwoColumnsRule rule{CORE_TEXT("balance-shaft", "crank angle"), column_of(what).name,
+    const TwoColumnsRule rule{Text::tr("crank angle"), column_of(what).name,
                               Range::between(-max_turns * turn_deg, max_turns * turn_deg)};
     return read_two_columns(text, rule, reading.layout, reading.columns);
 }
@@ -484,9 +474,8 @@ ParsedPressureTrace parse_pressure_trace(std::string_view text, const TableReadi
 }
 
 Message assumed_unit_note(const Unit& unit) {
-    return {CORE_TEXT("balance-shaft",
-                      "The heading of the pressure has no unit; the numbers look like %1."),
-            Text{"core", unit.name.data()}};
+    return {Text::tr("The heading of the pressure has no unit; the numbers look like %1."),
+            Text{unit.name.data()}};
 }
 
 // ----------------------------------------------------------------------------- what a file may be
@@ -635,7 +624,7 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
         looks.push_back(look_at_column(column));
     }
     if (looks.empty() || cells.front().size() < fewest_rows || looks.front().numbers == 0.0) {
-        throw InputError("", CORE_TEXT("balance-shaft", "must have rows of numbers"));
+        throw InputError("", Text::tr("must have rows of numbers"));
     }
     const auto heading = [&](std::size_t column) {
         return view.headings.empty() ? std::string() : view.headings[column];
@@ -654,12 +643,10 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
         reading.columns = {std::to_string(angle + 1), std::to_string(value + 1)};
         if (counts) {
             proposal.doubts.emplace_back(
-                CORE_TEXT("balance-shaft",
-                          "The file has no crank angles: equal steps over one cycle are assumed."));
+                Text::tr("The file has no crank angles: equal steps over one cycle are assumed."));
         } else if (angle_score(looks[angle], heading(angle)) < 2.0) {
             proposal.doubts.emplace_back(
-                CORE_TEXT("balance-shaft",
-                          "The column of the crank angle is uncertain; column %1 is proposed."),
+                Text::tr("The column of the crank angle is uncertain; column %1 is proposed."),
                 angle + 1);
         }
     }
@@ -668,7 +655,7 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
         chosen = read_columns(text, what, reading);
     } catch (const InputError& error) {
         proposal.doubts.push_back(
-            {Text{"", "%1: %2."}, error.where_message(), error.allowed_message()});
+            {Text{"%1: %2."}, error.where_message(), error.allowed_message()});
         return proposal;
     }
     const ColumnLook& look = looks[chosen.column[1]];
@@ -685,9 +672,9 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
         const bool says_so = names_gauge_pressure(chosen.heading(1));
         reading.gauge = says_so || look.lowest < 0.0 || low < min_absolute;
         if (*reading.gauge && !says_so) {
-            proposal.doubts.emplace_back(
-                CORE_TEXT("balance-shaft", "The minimum pressure is %1 %2: gauge pressure?"),
-                Number{look.lowest, {}, 4}, Text{"core", reading.unit->name.data()});
+            proposal.doubts.emplace_back(Text::tr("The minimum pressure is %1 %2: gauge pressure?"),
+                                         Number{look.lowest, {}, 4},
+                                         Text{reading.unit->name.data()});
         }
     }
     try {
@@ -696,7 +683,7 @@ ReadingProposal propose_reading(std::string_view text, Measured what, const Tabl
         reading.strokes = format.strokes;
     } catch (const InputError& error) {
         proposal.doubts.push_back(
-            {Text{"", "%1: %2."}, error.where_message(), error.allowed_message()});
+            {Text{"%1: %2."}, error.where_message(), error.allowed_message()});
     }
     return proposal;
 }

@@ -22,11 +22,10 @@ void check_end(const std::vector<double>& values, const Column& column, double t
     }
     if (!(std::abs(values.back() - values.front()) <= tolerance * largest)) {
         const auto shown = [&](double value) { return Number{value / unit, unit}; };
-        throw InputError(
-            place,
-            {CORE_TEXT("balance-shaft", "must equal the first %1, %2, since the cycle repeats"),
-             column.name, shown(values.front())},
-            shown(values.back()));
+        throw InputError(place,
+                         {Text::tr("must equal the first %1, %2, since the cycle repeats"),
+                          column.name, shown(values.front())},
+                         shown(values.back()));
     }
 }
 
@@ -40,20 +39,18 @@ void check_table(const std::vector<double>& angle, const std::vector<double>& va
                  const Column& column, const Unit& unit, const std::string& angles,
                  const std::string& values) {
     if (angle.size() != value.size()) {
-        throw InputError(values,
-                         {CORE_TEXT("balance-shaft", "must have as many numbers as %1, %2"),
-                          field::table_angle.key, angle.size()},
-                         count(value));
+        throw InputError(
+            values,
+            {Text::tr("must have as many numbers as %1, %2"), field::table_angle.key, angle.size()},
+            count(value));
     }
     if (angle.size() < 3) {
-        throw InputError(angles, CORE_TEXT("balance-shaft", "must have at least 3 numbers"),
-                         count(angle));
+        throw InputError(angles, Text::tr("must have at least 3 numbers"), count(angle));
     }
     if (angle.size() > largest_torque_table) {
         throw InputError(
             angles,
-            {CORE_TEXT("balance-shaft",
-                       "must have at most %1 numbers: average the cycles, or use larger steps"),
+            {Text::tr("must have at most %1 numbers: average the cycles, or use larger steps"),
              largest_torque_table},
             count(angle));
     }
@@ -75,8 +72,7 @@ void check_table(const std::vector<double>& angle, const std::vector<double>& va
         if (!(angle[i] - angle[i - 1] >= min_gap_deg)) {
             throw InputError(
                 angles + "/" + std::to_string(i),
-                {CORE_TEXT("balance-shaft",
-                           "must be at least %1 more than the angle of the row before, %2"),
+                {Text::tr("must be at least %1 more than the angle of the row before, %2"),
                  Number{min_gap_deg, units::degree}, angle[i - 1]},
                 Number{angle[i]});
         }
@@ -88,9 +84,8 @@ void check_table(const std::vector<double>& angle, const std::vector<double>& va
     if (std::abs(span - cycle_deg) > 1e-9 * cycle_deg) {
         throw InputError(
             angles,
-            CORE_TEXT("balance-shaft",
-                      "must span 720°, or 360° for a two-stroke engine, the last row repeating the "
-                      "first"),
+            Text::tr("must span 720°, or 360° for a two-stroke engine, the last row repeating the "
+                     "first"),
             Number{span, units::degree});
     }
 }

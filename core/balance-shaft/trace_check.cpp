@@ -105,9 +105,8 @@ Message coarse_rows(const PressureTrace& trace) {
     }
     constexpr double largest = 6.0;
     return widest > largest
-               ? Message(CORE_TEXT("balance-shaft",
-                                   "Pressure trace: %1 between rows near the peak; peak and work "
-                                   "are uncertain, and the dead centre requires steps of 4°."),
+               ? Message(Text::tr("Pressure trace: %1 between rows near the peak; peak and work "
+                                  "are uncertain, and the dead centre requires steps of 4°."),
                          Number{widest, units::degree, 3})
                : Message();
 }
@@ -136,18 +135,15 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
     const double late = lateness(input, cycle);
     if (!is_usual_lateness(late)) {
         if (peaks_a_turn_off(input, cycle)) {
-            return {CORE_TEXT(
-                        "balance-shaft",
-                        "The peak of the pressure trace is at %1, near the gas-exchange dead "
-                        "centre. The firing dead centre is at 360°: shift the trace by one turn."),
-                    Number{peak_deg, units::degree, 4}};
+            return {
+                Text::tr("The peak of the pressure trace is at %1, near the gas-exchange dead "
+                         "centre. The firing dead centre is at 360°: shift the trace by one turn."),
+                Number{peak_deg, units::degree, 4}};
         }
-        return {
-            CORE_TEXT("balance-shaft",
-                      "The peak of the pressure trace is %1 after the firing dead centre at %2; "
-                      "usual: 5° before to 45° after. Check the phase of the crank angles."),
-            Number{late, units::degree, 3},
-            Number{input.strokes == 4 ? 360.0 : 0.0, units::degree}};
+        return {Text::tr("The peak of the pressure trace is %1 after the firing dead centre at %2; "
+                         "usual: 5° before to 45° after. Check the phase of the crank angles."),
+                Number{late, units::degree, 3},
+                Number{input.strokes == 4 ? 360.0 : 0.0, units::degree}};
     }
 
     // Pressure at the bottom dead centre before compression.
@@ -164,9 +160,8 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
         if (input.torque.crankcase_pressure < atmosphere / 2.0) {
             return {};  // both are gauge pressures, so the torque is right
         }
-        return {CORE_TEXT("balance-shaft",
-                          "The trace looks like gauge pressure: %1 bar at the bottom dead centre "
-                          "before compression. Read it as gauge pressure (\"gauge\": true)."),
+        return {Text::tr("The trace looks like gauge pressure: %1 bar at the bottom dead centre "
+                         "before compression. Read it as gauge pressure (\"gauge\": true)."),
                 rounded(bottom / units::bar, 3)};
     }
     if (parts > largest_bottom || parts < min_bottom) {
@@ -176,11 +171,10 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
         }
         const Unit likely = likely_unit(Measured::pressure, std::move(numbers));
         if (likely != trace.unit) {
-            return {CORE_TEXT("balance-shaft",
-                              "Pressure at the bottom dead centre before compression: %1 bar. The "
-                              "numbers look like %2; %3 is used."),
-                    rounded(bottom / units::bar, 3), Text{"core", likely.name.data()},
-                    Text{"core", trace.unit.name.data()}};
+            return {Text::tr("Pressure at the bottom dead centre before compression: %1 bar. The "
+                             "numbers look like %2; %3 is used."),
+                    rounded(bottom / units::bar, 3), Text{likely.name.data()},
+                    Text{trace.unit.name.data()}};
         }
     }
     constexpr double min_exponent = 1.2;
@@ -188,9 +182,8 @@ Message check_trace(const Input& input, const CylinderGas& gas) {
     constexpr double largest_residual = 0.02;  // of a curve that is a polytrope
     if (fit && fit->residual < largest_residual &&
         !(fit->exponent >= min_exponent && fit->exponent <= largest_exponent)) {
-        return {CORE_TEXT("balance-shaft",
-                          "Polytropic exponent of the compression: %1; usual: 1.25 to 1.42. Check "
-                          "the phase of the crank angles and the zero of the pressure."),
+        return {Text::tr("Polytropic exponent of the compression: %1; usual: 1.25 to 1.42. Check "
+                         "the phase of the crank angles and the zero of the pressure."),
                 rounded(fit->exponent, 3)};
     }
     return {};

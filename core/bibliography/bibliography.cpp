@@ -14,7 +14,7 @@ namespace {
 constexpr Source in_english(std::string_view key, const char* cited_as, const char* authors,
                             const char* title, const char* journal, int year,
                             std::string_view pages = "", const char* doi = "") {
-    return {key, {"", cited_as}, {"", authors}, {"", title}, {"", journal}, year, pages, doi};
+    return {key, {cited_as}, {authors}, {title}, {journal}, year, pages, doi};
 }
 constexpr Source standard(std::string_view key, const char* number, int year, const char* title) {
     return in_english(key, number, "ISO", title, number, year);
@@ -22,35 +22,31 @@ constexpr Source standard(std::string_view key, const char* number, int year, co
 
 constexpr Source sources[] = {
     {"gots-klevtsov",
-     CORE_TEXT("core", "Gots, Klevtsov"),
-     CORE_TEXT("core", "A. N. Gots, V. S. Klevtsov"),
-     CORE_TEXT("core",
-               "Selection of the optimal scheme of stabilization of the one-cylinder engine"),
+     Text::tr("Gots, Klevtsov"),
+     Text::tr("A. N. Gots, V. S. Klevtsov"),
+     Text::tr("Selection of the optimal scheme of stabilization of the one-cylinder engine"),
      {},
      2020,
      "",
      ""},
-    {"zotov-sviridov", CORE_TEXT("core", "Zotov, Sviridov"),
-     CORE_TEXT("core", "A. N. Zotov, A. S. Sviridov"),
-     CORE_TEXT("core", "Crank-and-rod mechanism with elastic hinges of given characteristics"),
-     CORE_TEXT("core", "Problemy mashinostroeniya i nadezhnosti mashin, no. 5"), 2021, "14–22", ""},
+    {"zotov-sviridov", Text::tr("Zotov, Sviridov"), Text::tr("A. N. Zotov, A. S. Sviridov"),
+     Text::tr("Crank-and-rod mechanism with elastic hinges of given characteristics"),
+     Text::tr("Problemy mashinostroeniya i nadezhnosti mashin, no. 5"), 2021, "14–22", ""},
     {"nazarov",
-     CORE_TEXT("core", "Nazarov"),
-     CORE_TEXT("core", "A. D. Nazarov"),
-     CORE_TEXT("core",
-               "Compensating the total unbalanced mass of crank-gear parts of V-8 engines in "
-               "manufacture and repair"),
+     Text::tr("Nazarov"),
+     Text::tr("A. D. Nazarov"),
+     Text::tr("Compensating the total unbalanced mass of crank-gear parts of V-8 engines in "
+              "manufacture and repair"),
      {},
      2007,
      "",
      ""},
-    {"chainov-vallejo-maldonado", CORE_TEXT("core", "Chainov, Vallejo Maldonado"),
-     CORE_TEXT("core", "N. D. Chainov, P. R. Vallejo Maldonado"),
-     CORE_TEXT("core",
-               "Balancing the moments of a VR5 engine taking into account a desaxial crank "
-               "mechanism and cylinder camber angle"),
-     CORE_TEXT("core", "Izvestiya vysshikh uchebnykh zavedeniy. Mashinostroenie, no. 5"), 2020,
-     "41–49", "10.18698/0536-1044-2020-5-41-49"},
+    {"chainov-vallejo-maldonado", Text::tr("Chainov, Vallejo Maldonado"),
+     Text::tr("N. D. Chainov, P. R. Vallejo Maldonado"),
+     Text::tr("Balancing the moments of a VR5 engine taking into account a desaxial crank "
+              "mechanism and cylinder camber angle"),
+     Text::tr("Izvestiya vysshikh uchebnykh zavedeniy. Mashinostroenie, no. 5"), 2020, "41–49",
+     "10.18698/0536-1044-2020-5-41-49"},
     in_english("hairer-norsett-wanner", "Hairer, Nørsett, Wanner",
                "E. Hairer, S. P. Nørsett, G. Wanner",
                "Solving Ordinary Differential Equations I: Nonstiff Problems",
@@ -86,16 +82,15 @@ const Source& source(std::string_view key) {
 
 Message citation(const Source& source) {
     if (source.journal.empty()) {
-        return {CORE_TEXT("core", "%1, \"%2\", %3 or later"), source.authors, source.title,
-                source.year};
+        return {Text::tr("%1, \"%2\", %3 or later"), source.authors, source.title, source.year};
     }
-    Message line{CORE_TEXT("core", "%1, \"%2\", %3, %4"), source.authors, source.title,
-                 source.journal, source.year};
+    Message line{Text::tr("%1, \"%2\", %3, %4"), source.authors, source.title, source.journal,
+                 source.year};
     if (!source.pages.empty()) {
-        line = joined(std::move(line), {CORE_TEXT("core", "pp. %1"), source.pages});
+        line = joined(std::move(line), {Text::tr("pp. %1"), source.pages});
     }
-    if (const Text doi{"", source.doi}; !doi.empty()) {
-        line = joined(std::move(line), {Text{"", "DOI %1"}, doi});
+    if (const Text doi{source.doi}; !doi.empty()) {
+        line = joined(std::move(line), {Text{"DOI %1"}, doi});
     }
     return line;
 }

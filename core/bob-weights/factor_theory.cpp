@@ -67,60 +67,53 @@ Message factor_reason(const Engine& engine) {
         if (engine.pin_split != 0.0) {
             if (left < nothing) {
                 return {
-                    CORE_TEXT(
-                        "bob-weights",
+                    Text::tr(
                         "Banks at %1, crankpins split by %2: the backward parts of the first order "
                         "cancel, 50 % balances the rest. First-order force fully balanced."),
                     degrees(bank_angle(engine)), degrees(engine.pin_split)};
             }
             if (left > forward_share(engine)) {
-                return {CORE_TEXT("bob-weights",
-                                  "Banks at %1, crankpins split by %2: %3 of the reciprocating "
-                                  "mass turns against the crank, with the crank only %4 even at 0 "
-                                  "%. With a backward balance shaft use 50 %."),
+                return {Text::tr("Banks at %1, crankpins split by %2: %3 of the reciprocating "
+                                 "mass turns against the crank, with the crank only %4 even at 0 "
+                                 "%. With a backward balance shaft use 50 %."),
                         degrees(bank_angle(engine)), degrees(engine.pin_split), percent(left),
                         percent(forward_share(engine))};
             }
-            return {CORE_TEXT("bob-weights",
-                              "Banks at %1, crankpins split by %2: %3 of the reciprocating mass "
-                              "turns against the crank. At %4 the residual is a straight motion, "
-                              "easiest on the mounts; with a backward balance shaft use 50 %."),
+            return {Text::tr("Banks at %1, crankpins split by %2: %3 of the reciprocating mass "
+                             "turns against the crank. At %4 the residual is a straight motion, "
+                             "easiest on the mounts; with a backward balance shaft use 50 %."),
                     degrees(bank_angle(engine)), degrees(engine.pin_split), percent(left),
                     percent(theory_factor(engine))};
         }
         if (left < nothing) {
-            return CORE_TEXT(
-                "bob-weights",
+            return Text::tr(
                 "Two cylinders at 90° on one crankpin: their first-order forces add up to a "
                 "constant force that turns with the crank. 50 % balances it fully.");
         }
         if (engine.crankpins() == 1) {
-            return {CORE_TEXT("bob-weights",
-                              "Banks at %1: 50 % balances the forward part of the first order. "
-                              "Counterweights cannot balance the backward part, %2 of the "
-                              "reciprocating mass."),
+            return {Text::tr("Banks at %1: 50 % balances the forward part of the first order. "
+                             "Counterweights cannot balance the backward part, %2 of the "
+                             "reciprocating mass."),
                     degrees(bank_angle(engine)), percent(left)};
         }
-        return {CORE_TEXT("bob-weights",
-                          "Banks at %1: 50 % balances the forward part of the first order. The "
-                          "backward part, %2 of the reciprocating mass, may cancel between the "
-                          "crankpins, not by counterweights."),
+        return {Text::tr("Banks at %1: 50 % balances the forward part of the first order. The "
+                         "backward part, %2 of the reciprocating mass, may cancel between the "
+                         "crankpins, not by counterweights."),
                 degrees(bank_angle(engine)), percent(left)};
     }
     if (engine.type == EngineType::boxer) {
-        return CORE_TEXT("bob-weights",
-                         "Boxer: opposite pistons cancel each other's force. The factor affects "
-                         "residual couple and main bearing load; 50 % minimises the maximum.");
+        return Text::tr(
+            "Boxer: opposite pistons cancel each other's force. The factor affects "
+            "residual couple and main bearing load; 50 % minimises the maximum.");
     }
     if (engine.type == EngineType::in_line) {
-        return CORE_TEXT(
-            "bob-weights",
+        return Text::tr(
             "In line: 50 % halves the first-order force of each piston. If the crankpins balance "
             "one another (four, six in line), equal bob weights are not needed.");
     }
-    return CORE_TEXT("bob-weights",
-                     "Each rod on its own crankpin: 50 % leaves half the first-order force of each "
-                     "piston, turning against the crank.");
+    return Text::tr(
+        "Each rod on its own crankpin: 50 % leaves half the first-order force of each "
+        "piston, turning against the crank.");
 }
 
 bool balances_itself(const Engine& engine) {
@@ -131,34 +124,29 @@ Message factor_effect(const Engine& engine, double factor) {
     const FirstOrder left = first_order(engine, factor, 1.0);
     const double whole = is_pair(engine) ? 2.0 : 1.0;
     if (left.maximum() < nothing * whole) {
-        return CORE_TEXT("bob-weights", "First-order force fully balanced.");
+        return Text::tr("First-order force fully balanced.");
     }
     if (std::abs(left.forward) < nothing) {
-        return {CORE_TEXT("bob-weights",
-                          "Residual: a circle against the crank, %1 of the reciprocating mass of a "
-                          "cylinder."),
+        return {Text::tr("Residual: a circle against the crank, %1 of the reciprocating mass of a "
+                         "cylinder."),
                 percent(left.maximum())};
     }
     if (std::abs(left.backward) < nothing) {
         return {
-            CORE_TEXT(
-                "bob-weights",
+            Text::tr(
                 "Residual: a circle with the crank, %1 of the reciprocating mass of a cylinder."),
             percent(left.maximum())};
     }
     if (std::min(left.upright(), left.across()) < nothing) {
         return {left.upright() > left.across()
-                    ? CORE_TEXT("bob-weights",
-                                "Residual: a straight vertical motion, %1 of the reciprocating "
-                                "mass of a cylinder.")
-                    : CORE_TEXT("bob-weights",
-                                "Residual: a straight horizontal motion, %1 of the reciprocating "
-                                "mass of a cylinder."),
+                    ? Text::tr("Residual: a straight vertical motion, %1 of the reciprocating "
+                               "mass of a cylinder.")
+                    : Text::tr("Residual: a straight horizontal motion, %1 of the reciprocating "
+                               "mass of a cylinder."),
                 percent(left.maximum())};
     }
-    return {CORE_TEXT("bob-weights",
-                      "Residual: an ellipse, %1 of the reciprocating mass of a cylinder "
-                      "vertically, %2 horizontally."),
+    return {Text::tr("Residual: an ellipse, %1 of the reciprocating mass of a cylinder "
+                     "vertically, %2 horizontally."),
             percent(left.upright()), percent(left.across())};
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using shop::Part;
 
-constexpr Field part(std::string_view key, Text label, Text hint, Text placeholder = {"", "0"}) {
+constexpr Field part(std::string_view key, Text label, Text hint, Text placeholder = {"0"}) {
     return {.key = key,
             .unit = units::gram,
             .range = Range::between(0, 1'000'000),
@@ -20,33 +20,27 @@ constexpr Field part(std::string_view key, Text label, Text hint, Text placehold
 }
 
 constexpr std::array<PartField, 8> parts_of_a_card{{
-    {part("piston", CORE_TEXT("bob-weights", "One &piston"),
-          CORE_TEXT("bob-weights", "One piston without pin and rings."),
-          CORE_TEXT("V8", "required")),
+    {part("piston", Text::tr("One &piston"), Text::tr("One piston without pin and rings."),
+          Text::tr("required")),
      &Parts::piston, PartKind::reciprocating, Part::piston},
-    {part("pin", CORE_TEXT("bob-weights", "One p&in"), CORE_TEXT("bob-weights", "One piston pin.")),
-     &Parts::pin, PartKind::reciprocating, Part::pin},
-    {part("rings", CORE_TEXT("bob-weights", "Rin&gs of one piston"),
-          CORE_TEXT("bob-weights", "All rings of one piston.")),
+    {part("pin", Text::tr("One p&in"), Text::tr("One piston pin.")), &Parts::pin,
+     PartKind::reciprocating, Part::pin},
+    {part("rings", Text::tr("Rin&gs of one piston"), Text::tr("All rings of one piston.")),
      &Parts::rings, PartKind::reciprocating, Part::rings},
-    {part("locks", CORE_TEXT("bob-weights", "Loc&ks of one pin"),
-          CORE_TEXT("bob-weights", "The locks of one pin; 0 for a pressed pin.")),
+    {part("locks", Text::tr("Loc&ks of one pin"),
+          Text::tr("The locks of one pin; 0 for a pressed pin.")),
      &Parts::locks, PartKind::reciprocating, std::nullopt},
-    {part("small_end", CORE_TEXT("bob-weights", "S&mall end of one rod"),
-          CORE_TEXT("bob-weights",
-                    "Small end of one rod, with the big end supported at the same level.")),
+    {part("small_end", Text::tr("S&mall end of one rod"),
+          Text::tr("Small end of one rod, with the big end supported at the same level.")),
      &Parts::small_end, PartKind::reciprocating, Part::rod_small_end},
-    {part("big_end", CORE_TEXT("bob-weights", "&Big end of one rod"),
-          CORE_TEXT("bob-weights", "Big end of one rod with its bolts, without shells."),
-          CORE_TEXT("V8", "required")),
+    {part("big_end", Text::tr("&Big end of one rod"),
+          Text::tr("Big end of one rod with its bolts, without shells."), Text::tr("required")),
      &Parts::big_end, PartKind::rotating, Part::rod_big_end},
-    {part("shells", CORE_TEXT("bob-weights", "S&hells of one rod"),
-          CORE_TEXT("bob-weights",
-                    "Both shells of one rod, not of the whole crankpin; each rod adds its own.")),
+    {part("shells", Text::tr("S&hells of one rod"),
+          Text::tr("Both shells of one rod, not of the whole crankpin; each rod adds its own.")),
      &Parts::shells, PartKind::rotating, Part::shells},
-    {part("oil", CORE_TEXT("bob-weights", "&Oil of one crankpin"),
-          CORE_TEXT("bob-weights",
-                    "Oil in and around one crankpin, once for all its rods; usually 4 g.")),
+    {part("oil", Text::tr("&Oil of one crankpin"),
+          Text::tr("Oil in and around one crankpin, once for all its rods; usually 4 g.")),
      &Parts::oil, PartKind::crankpin, std::nullopt},
 }};
 

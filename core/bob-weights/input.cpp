@@ -13,7 +13,7 @@ namespace ravnoves::bob_weights {
 namespace {
 
 [[noreturn]] void missing(const std::string& where) {
-    throw InputError(where, CORE_TEXT("core", "is required and missing"));
+    throw InputError(where, Text::tr("is required and missing"));
 }
 
 void need(const std::string& place, const Field& field, const std::optional<double>& value) {
@@ -29,24 +29,24 @@ void check_engine(const Engine& engine) {
     }
     if (engine.cylinders % engine.rods_per_pin != 0) {
         throw InputError(place + std::string(field::cylinders.key),
-                         CORE_TEXT("bob-weights", "must be even if two rods share a bob weight"),
+                         Text::tr("must be even if two rods share a bob weight"),
                          Number{1.0 * engine.cylinders});
     }
     if (engine.type == EngineType::in_line && engine.rods_per_pin != 1) {
         throw InputError(place + std::string(field::rods_per_pin.key),
-                         CORE_TEXT("bob-weights", "must be 1 for cylinders in line"),
+                         Text::tr("must be 1 for cylinders in line"),
                          Number{1.0 * engine.rods_per_pin});
     }
     if (engine.type != EngineType::v && engine.pin_split != 0.0) {
         throw InputError(place + std::string(field::pin_split.key),
-                         CORE_TEXT("bob-weights", "must be 0 except for a V"),
+                         Text::tr("must be 0 except for a V"),
                          Number{from_si(field::pin_split, engine.pin_split)});
     }
 }
 
 void check_two(std::size_t count, const std::string& place) {
     if (count != 2) {
-        throw InputError(place, CORE_TEXT("bob-weights", "must be a list of two"),
+        throw InputError(place, Text::tr("must be a list of two"),
                          Number{static_cast<double>(count)});
     }
 }
@@ -78,7 +78,7 @@ void check_correction(const Correction& correction) {
     const auto apart = [&](const char* list, const Field& field, double first, double second) {
         if (first == second) {
             throw InputError(place + list + "/1/" + std::string(field.key),
-                             CORE_TEXT("bob-weights", "must differ from the first"),
+                             Text::tr("must differ from the first"),
                              Number{from_si(field, second)});
         }
     };
@@ -98,7 +98,7 @@ void check_correction(const Correction& correction) {
         need(place + "slug/", field::slug_density, slug.density);
         if (*slug.density <= correction.drill.density) {
             throw InputError(place + "slug/" + std::string(field::slug_density.key),
-                             {CORE_TEXT("bob-weights", "must be greater than the crankshaft's %1"),
+                             {Text::tr("must be greater than the crankshaft's %1"),
                               from_si(field::density, correction.drill.density)},
                              Number{from_si(field::slug_density, *slug.density)});
         }
@@ -113,7 +113,7 @@ void check_drilled(const std::optional<std::vector<DrilledHole>>& drilled, const
         if (!hole.depths_agree()) {
             throw InputError(at + std::string(field::drilled.key) + "/" + std::to_string(i) + "/" +
                                  std::string(field::drilled_from_depth.key),
-                             {CORE_TEXT("bob-weights", "must be less than the depth, %1"),
+                             {Text::tr("must be less than the depth, %1"),
                               from_si(field::drilled_depth, hole.depth)},
                              Number{from_si(field::drilled_from_depth, hole.from_depth)});
         }
@@ -126,7 +126,7 @@ void check_runs(const Correction& correction) {
     const std::string place = correction_place;
     if (correction.earlier_runs.size() >= max_runs) {
         throw InputError(place + std::string(field::earlier_runs.key),
-                         {CORE_TEXT("bob-weights", "must be a list of at most %1"), max_runs - 1},
+                         {Text::tr("must be a list of at most %1"), max_runs - 1},
                          Number{static_cast<double>(correction.earlier_runs.size())});
     }
     check_drilled(correction.record.drilled, place);
@@ -162,14 +162,13 @@ void check_tolerance(const Tolerance& tolerance) {
     }
     if (tolerance.front_bearing && *tolerance.front_bearing == *tolerance.rear_bearing) {
         throw InputError(place + std::string(field::rear_bearing.key),
-                         CORE_TEXT("bob-weights", "must differ from the first"),
+                         Text::tr("must differ from the first"),
                          Number{from_si(field::rear_bearing, *tolerance.rear_bearing)});
     }
     if (tolerance.front_share != 0.5 && (tolerance.centre_of_mass || tolerance.front_bearing)) {
-        throw InputError(
-            place + std::string(field::front_share.key),
-            CORE_TEXT("bob-weights", "must be left out if centre of mass or bearings are given"),
-            Number{tolerance.front_share});
+        throw InputError(place + std::string(field::front_share.key),
+                         Text::tr("must be left out if centre of mass or bearings are given"),
+                         Number{tolerance.front_share});
     }
 }
 
@@ -250,9 +249,8 @@ std::vector<Message> replaced(const Input& input) {
     for (const PartField& part : part_fields()) {
         const auto& typed = input.parts.*part.member;
         if (typed && part.column && is_weighed(input, part)) {
-            list.emplace_back(
-                CORE_TEXT("bob-weights", "%1: the weighed masses replace the typed %2."),
-                shop::part_word(*part.column).label, shop::in_grams(*typed));
+            list.emplace_back(Text::tr("%1: the weighed masses replace the typed %2."),
+                              shop::part_word(*part.column).label, shop::in_grams(*typed));
         }
     }
     return list;
@@ -267,11 +265,9 @@ std::vector<Message> not_counted(const Input& input) {
         if (const auto weighed = shop::statistics((*input.weigh_in)[*part.column])) {
             list.emplace_back(
                 input.parts.*part.member
-                    ? CORE_TEXT(
-                          "bob-weights",
+                    ? Text::tr(
                           "%1: %2 of %3 weighed; the typed mass is used until all are weighed.")
-                    : CORE_TEXT("bob-weights",
-                                "%1: %2 of %3 weighed; not used until all are weighed."),
+                    : Text::tr("%1: %2 of %3 weighed; not used until all are weighed."),
                 shop::part_word(*part.column).label, weighed->count, input.engine.cylinders);
         }
     }
@@ -283,7 +279,7 @@ void check_bob_weight(const Input& input) {
     const double factor = input.factor.reciprocating.value_or(theory_factor(input.engine));
     if (factor + input.factor.overbalance < 0.0) {
         throw InputError("/input/factor/" + std::string(field::overbalance_percent.key),
-                         CORE_TEXT("bob-weights", "must leave a factor of 0 or more"),
+                         Text::tr("must leave a factor of 0 or more"),
                          Number{from_si(field::overbalance_percent, input.factor.overbalance)});
     }
 }

@@ -28,35 +28,31 @@ Message cause_of(Shortfall shortfall, const Correction& correction, bool beside)
         case Shortfall::none:
             return {};
         case Shortfall::nothing_fits:
-            return CORE_TEXT(
-                "bob-weights",
+            return Text::tr(
                 "The smallest hole takes off too much: use a smaller drill or a flatter point.");
         case Shortfall::rounding:
-            return CORE_TEXT("bob-weights",
-                             "Rounding of the depths leaves more than the limit: use a finer step "
-                             "or a smaller drill.");
+            return Text::tr(
+                "Rounding of the depths leaves more than the limit: use a finer step "
+                "or a smaller drill.");
         case Shortfall::beside_sector:
-            return CORE_TEXT("bob-weights",
-                             "The heavy spot is outside the drilling sector; holes at its edge "
-                             "take off only a part.");
+            return Text::tr(
+                "The heavy spot is outside the drilling sector; holes at its edge "
+                "take off only a part.");
         case Shortfall::outside_sector:
-            return CORE_TEXT("bob-weights", "The heavy spot is outside the drilling sector.");
+            return Text::tr("The heavy spot is outside the drilling sector.");
         case Shortfall::light_slugs:
-            return {CORE_TEXT("bob-weights",
-                              "Slugs of %1 are hardly heavier than the crankshaft metal (%2) of "
-                              "their holes: none are planned."),
+            return {Text::tr("Slugs of %1 are hardly heavier than the crankshaft metal (%2) of "
+                             "their holes: none are planned."),
                     density_of(correction.slug->density.value()),
                     density_of(correction.drill.density)};
         case Shortfall::short_slugs:
-            return {CORE_TEXT("bob-weights",
-                              "A slug of %1 of maximum depth is lighter than the crankshaft metal "
-                              "(%2) of its hole with the cone: none are planned."),
+            return {Text::tr("A slug of %1 of maximum depth is lighter than the crankshaft metal "
+                             "(%2) of its hole with the cone: none are planned."),
                     density_of(correction.slug->density.value()),
                     density_of(correction.drill.density)};
         case Shortfall::too_little_room:
-            return beside ? CORE_TEXT("bob-weights",
-                                      "There is too little room next to the holes of earlier runs.")
-                          : CORE_TEXT("bob-weights", "There is too little room for the holes.");
+            return beside ? Text::tr("There is too little room next to the holes of earlier runs.")
+                          : Text::tr("There is too little room for the holes.");
     }
     return {};
 }
@@ -73,29 +69,28 @@ Message describe(Shortfall shortfall, double left, double angle, const Plane& pl
         shortfall == Shortfall::rounding) {
         return cause;
     }
-    const Message remains{CORE_TEXT("bob-weights", "Residual: %1 at the drilling radius at %2."),
+    const Message remains{Text::tr("Residual: %1 at the drilling radius at %2."),
                           shop::in_grams(std::abs(left) / *plane.radius),
                           Number{turn_of(angle) / degree, units::degree, -1}};
     Message remedy =
         !can_press && !can_deepen
-            ? CORE_TEXT("bob-weights",
-                        "The opposite side is outside the sector too: widen the sector if there is "
-                        "metal, or as a last resort weld an equal mass on that side.")
-        : !can_press ? CORE_TEXT("bob-weights",
-                                 "The opposite side is outside the sector too: drill deeper or "
-                                 "wider, or as a last resort weld an equal mass on that side.")
-        : has_slugs
-            ? CORE_TEXT("bob-weights", "As a last resort weld an equal mass on the opposite side.")
-        : can_deepen ? CORE_TEXT("bob-weights",
-                                 "Press in heavy metal opposite, drill deeper or wider, or as a "
-                                 "last resort weld an equal mass on that side.")
-                     : CORE_TEXT("bob-weights",
-                                 "Press in heavy metal opposite, or as a last resort weld an equal "
-                                 "mass on that side.");
+            ? Text::tr(
+                  "The opposite side is outside the sector too: widen the sector if there is "
+                  "metal, or as a last resort weld an equal mass on that side.")
+        : !can_press ? Text::tr(
+                           "The opposite side is outside the sector too: drill deeper or "
+                           "wider, or as a last resort weld an equal mass on that side.")
+        : has_slugs  ? Text::tr("As a last resort weld an equal mass on the opposite side.")
+        : can_deepen ? Text::tr(
+                           "Press in heavy metal opposite, drill deeper or wider, or as a "
+                           "last resort weld an equal mass on that side.")
+                     : Text::tr(
+                           "Press in heavy metal opposite, or as a last resort weld an equal "
+                           "mass on that side.");
     if (can_press && !no_slug.empty()) {
         remedy = shop::two_sentences(no_slug, remedy);
     }
-    return {Text{"", "%1 %2 %3"}, cause, remains, remedy};
+    return {Text{"%1 %2 %3"}, cause, remains, remedy};
 }
 
 /// Why holes and slugs together leave too much.
@@ -177,30 +172,25 @@ class PlanePlanner {
             case NoRoom::too_shallow:
                 return {
                     into_.axial_wall
-                        ? CORE_TEXT("bob-weights",
-                                    "No slug of ⌀ %1 fits: the counterweight is too thin, with "
-                                    "a maximum depth of %2.")
-                        : CORE_TEXT("bob-weights",
-                                    "No slug of ⌀ %1 fits: the maximum depth of %2 is too small."),
+                        ? Text::tr("No slug of ⌀ %1 fits: the counterweight is too thin, with "
+                                   "a maximum depth of %2.")
+                        : Text::tr("No slug of ⌀ %1 fits: the maximum depth of %2 is too small."),
                     size, Number{limits.maximum_depth / units::mm, units::mm, -2}};
             case NoRoom::behind_wall:
-                return {CORE_TEXT("bob-weights",
-                                  "No slug of ⌀ %1 fits: a wall of %2 leaves it no room."),
-                        size, wall};
+                return {Text::tr("No slug of ⌀ %1 fits: a wall of %2 leaves it no room."), size,
+                        wall};
             case NoRoom::in_sector:
-                return {CORE_TEXT("bob-weights",
-                                  "No slug of ⌀ %1 fits at %2: its edge would be beyond the "
-                                  "drilling sector."),
+                return {Text::tr("No slug of ⌀ %1 fits at %2: its edge would be beyond the "
+                                 "drilling sector."),
                         size, place};
             case NoRoom::beside_hole:
-                return {CORE_TEXT("bob-weights",
-                                  "No slug of ⌀ %1 fits at %2: a hole is too near for a wall of "
-                                  "%3."),
+                return {Text::tr("No slug of ⌀ %1 fits at %2: a hole is too near for a wall of "
+                                 "%3."),
                         size, place, wall};
             case NoRoom::none:
                 break;
         }
-        return {CORE_TEXT("bob-weights", "Even the shortest slug of ⌀ %1 adds too much."), size};
+        return {Text::tr("Even the shortest slug of ⌀ %1 adds too much."), size};
     }
 
     Planned plan(Vector unbalance) const {

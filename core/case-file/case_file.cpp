@@ -13,7 +13,7 @@ namespace ravnoves {
 
 namespace {
 
-constexpr Text no_nul = CORE_TEXT("core", "must not contain the character NUL");
+constexpr Text no_nul = Text::tr("must not contain the character NUL");
 
 Message line_and_column(std::string_view text, std::size_t byte) {
     byte = std::min(byte, text.size());
@@ -59,12 +59,11 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
         const auto& names = entries(level);
         if (std::any_of(names.begin(), names.end(),
                         [&](const auto& entry) { return entry.first == level.key; })) {
-            throw InputError(pointer(), CORE_TEXT("core", "is given twice"));
+            throw InputError(pointer(), Text::tr("is given twice"));
         }
         if (names.size() >= max_names) {
             levels_.pop_back();
-            throw InputError(pointer(),
-                             {CORE_TEXT("core", "must have at most %1 names"), max_names});
+            throw InputError(pointer(), {Text::tr("must have at most %1 names"), max_names});
         }
         return true;
     }
@@ -75,11 +74,10 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
                      const Json::exception& error) override {
         constexpr int number_overflow = 406;
         if (error.id == number_overflow) {
-            throw InputError(
-                pointer(),
-                CORE_TEXT("core", "contains a number that is too large for this program"));
+            throw InputError(pointer(),
+                             Text::tr("contains a number that is too large for this program"));
         }
-        throw InputError(line_and_column(text_, position), CORE_TEXT("core", "is not valid JSON"));
+        throw InputError(line_and_column(text_, position), Text::tr("is not valid JSON"));
     }
 
   private:
@@ -109,7 +107,7 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
     template <typename Value>
     bool put(Value&& value) {
         if (++values_ > max_values) {
-            throw InputError("", {CORE_TEXT("core", "must have at most %1 values"), max_values});
+            throw InputError("", {Text::tr("must have at most %1 values"), max_values});
         }
         if (levels_.empty()) {
             root_ = std::forward<Value>(value);
@@ -126,8 +124,7 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
     }
     bool open(Json empty) {
         if (levels_.size() >= deepest) {
-            throw InputError("",
-                             {CORE_TEXT("core", "is nested more than %1 levels deep"), deepest});
+            throw InputError("", {Text::tr("is nested more than %1 levels deep"), deepest});
         }
         levels_.push_back({std::move(empty)});
         return true;
@@ -148,7 +145,7 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
 
 Json parse_json(std::string_view text) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-        throw InputError("", CORE_TEXT("core", "is empty"));
+        throw InputError("", Text::tr("is empty"));
     }
     DocumentBuilder builder(text);
     Json::sax_parse(text, &builder);
@@ -173,11 +170,11 @@ std::vector<CaseVariant> read_variants(const Json& list) {
         ObjectReader reader(element, "/variants/" + std::to_string(variants.size()));
         CaseVariant variant{reader.text("name"), Json()};
         if (variant.name.empty()) {
-            throw InputError(reader.pointer_to("name"), CORE_TEXT("core", "must not be empty"));
+            throw InputError(reader.pointer_to("name"), Text::tr("must not be empty"));
         }
         if (!names.insert(variant.name).second) {
             throw InputError(reader.pointer_to("name"),
-                             CORE_TEXT("core", "must differ from the names of the other variants"),
+                             Text::tr("must differ from the names of the other variants"),
                              show(variant.name));
         }
         variant.input = object_at(reader, "input");
@@ -197,9 +194,8 @@ CaseFile read_case(Json document, const std::vector<std::string>& scenes) {
     reader.has("format");
     if (const int version = reader.integer("version", 1, 1'000'000); version > case_version) {
         throw InputError("/version",
-                         {CORE_TEXT("core",
-                                    "must be at most %1 (a newer program wrote this case; update "
-                                    "to open it)"),
+                         {Text::tr("must be at most %1 (a newer program wrote this case; update "
+                                   "to open it)"),
                           case_version},
                          Number{1.0 * version});
     }
@@ -207,10 +203,9 @@ CaseFile read_case(Json document, const std::vector<std::string>& scenes) {
     if (std::find(scenes.begin(), scenes.end(), file.scene) == scenes.end()) {
         const auto near = nearest_word(file.scene, scenes);
         throw InputError("/scene",
-                         near
-                             ? Message(CORE_TEXT("core", "must be one of %1 (the nearest is %2)"),
-                                       quoted_list(scenes), quoted_list({*near}))
-                             : Message(CORE_TEXT("core", "must be one of %1"), quoted_list(scenes)),
+                         near ? Message(Text::tr("must be one of %1 (the nearest is %2)"),
+                                        quoted_list(scenes), quoted_list({*near}))
+                              : Message(Text::tr("must be one of %1"), quoted_list(scenes)),
                          show(document.at("scene")));
     }
     file.title = reader.text("title", "");
@@ -223,7 +218,7 @@ CaseFile read_case(Json document, const std::vector<std::string>& scenes) {
     if (!file.reference.empty() &&
         std::none_of(file.variants.begin(), file.variants.end(),
                      [&](const CaseVariant& variant) { return variant.name == file.reference; })) {
-        throw InputError("/reference", CORE_TEXT("core", "must be the name of a variant"),
+        throw InputError("/reference", Text::tr("must be the name of a variant"),
                          show(Json(file.reference)));
     }
     if (reader.has("study")) {
@@ -232,9 +227,9 @@ CaseFile read_case(Json document, const std::vector<std::string>& scenes) {
     if (reader.has("kept")) {
         file.kept = object_at(reader, "kept");
     }
-    reader.finish(CORE_TEXT("core",
-                            "is not a known key (a newer program may have written this case; "
-                            "update to open it)"));
+    reader.finish(
+        Text::tr("is not a known key (a newer program may have written this case; "
+                 "update to open it)"));
     file.input = std::move(document.at("input"));
     return file;
 }
@@ -274,9 +269,9 @@ void set_input_value(Json& input, const std::string& pointer, Json value) {
             const char* const last = key.data() + key.size();
             const auto [stopped, fault] = std::from_chars(key.data(), last, index);
             if (key != "-" && (fault != std::errc{} || stopped != last || index > parent->size())) {
-                throw InputError("/input" + printable(pointer),
-                                 {CORE_TEXT("core", "is not in the list, which has %1 elements"),
-                                  parent->size()});
+                throw InputError(
+                    "/input" + printable(pointer),
+                    {Text::tr("is not in the list, which has %1 elements"), parent->size()});
             }
             if (key == "-" || index == parent->size()) {
                 parent->push_back(nullptr);

@@ -23,9 +23,9 @@ bool Field::allows_whole(double value) const {
 }
 
 Message Field::whole_number_rule() const {
-    return words.empty() ? range.whole_number_message()
-                         : Message(CORE_TEXT("core", "must be %1 or %2"), words.front().word,
-                                   words.back().word);
+    return words.empty()
+               ? range.whole_number_message()
+               : Message(Text::tr("must be %1 or %2"), words.front().word, words.back().word);
 }
 
 void check_range(const Field& field, double value, const Message& where, const Unit& shown) {

@@ -55,8 +55,7 @@ class FieldReader final : public FieldVisitor {
                           [&](bool* value) {
                               if (!json.is_boolean()) {
                                   throw InputError(place_of(field),
-                                                   CORE_TEXT("core", "must be true or false"),
-                                                   show(json));
+                                                   Text::tr("must be true or false"), show(json));
                               }
                               *value = json.get<bool>();
                           },
@@ -116,10 +115,9 @@ class FieldReader final : public FieldVisitor {
     }
     void check_word(const Field& field, std::string_view word, const Json& json) {
         if (json != word) {
-            throw InputError(
-                place_of(field),
-                {CORE_TEXT("core", "must be a number or %1"), quoted_list({std::string(word)})},
-                show(json));
+            throw InputError(place_of(field),
+                             {Text::tr("must be a number or %1"), quoted_list({std::string(word)})},
+                             show(json));
         }
     }
     static void take_usual(const Leaf& leaf) {
@@ -143,7 +141,7 @@ int FieldReader::one_of(std::initializer_list<std::string_view> keys, int presen
         if (reader().has(key)) {
             if (found >= 0) {
                 throw InputError(reader().pointer_to(key),
-                                 {CORE_TEXT("core", "must be left out if %1 is given"), first});
+                                 {Text::tr("must be left out if %1 is given"), first});
             }
             found = index;
             first = key;
@@ -154,9 +152,9 @@ int FieldReader::one_of(std::initializer_list<std::string_view> keys, int presen
         for (const std::string_view key : keys) {
             reader().reject_mistyped(key);
         }
-        throw InputError(reader().pointer_to(*keys.begin()),
-                         {CORE_TEXT("core", "is required and missing (or %1)"),
-                          *(keys.begin() + keys.size() - 1)});
+        throw InputError(
+            reader().pointer_to(*keys.begin()),
+            {Text::tr("is required and missing (or %1)"), *(keys.begin() + keys.size() - 1)});
     }
     return found < 0 ? present : found;
 }

@@ -30,8 +30,7 @@ class InputError : public std::runtime_error {
           allowed_(std::move(allowed)),
           found_(std::move(found)) {}
 
-    static InputError unknown_key(Message where,
-                                  Message rule = CORE_TEXT("core", "is not a known key")) {
+    static InputError unknown_key(Message where, Message rule = Text::tr("is not a known key")) {
         InputError error(std::move(where), std::move(rule));
         error.of_ = Of::unknown_key;
         return error;
@@ -42,7 +41,7 @@ class InputError : public std::runtime_error {
     static InputError in_file(Message where, std::string name, const InputError& fault) {
         InputError error(
             std::move(where),
-            {Text{"", "%1: %2"}, std::move(name), with_place(fault.where_, fault.allowed_)},
+            {Text{"%1: %2"}, std::move(name), with_place(fault.where_, fault.allowed_)},
             fault.found_);
         error.of_ = Of::named_file;
         return error;
@@ -62,11 +61,11 @@ class InputError : public std::runtime_error {
 
   private:
     static Message with_place(const Message& where, const Message& allowed) {
-        return where.empty() ? allowed : Message(Text{"", "%1: %2"}, where, allowed);
+        return where.empty() ? allowed : Message(Text{"%1: %2"}, where, allowed);
     }
     static Message join(const Message& where, const Message& allowed, const Message& found) {
         const Message text = with_place(where, allowed);
-        return found.empty() ? text : Message(CORE_TEXT("core", "%1, got %2"), text, found);
+        return found.empty() ? text : Message(Text::tr("%1, got %2"), text, found);
     }
 
     Message where_;

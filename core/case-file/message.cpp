@@ -46,7 +46,7 @@ Message::Message(std::string verbatim) : verbatim_(std::move(verbatim)) {}
 Message::Message(std::string_view verbatim) : verbatim_(verbatim) {}
 Message::Message(const char* verbatim) : verbatim_(verbatim) {}
 Message::Message(Text pattern) : pattern_(pattern) {}
-Message::Message(Number number) : pattern_{"", "%1"}, arguments_{number} {}
+Message::Message(Number number) : pattern_{"%1"}, arguments_{number} {}
 Message::Message(const Message& other) = default;
 Message::Message(Message&& other) noexcept = default;
 Message& Message::operator=(const Message& other) = default;
@@ -88,15 +88,15 @@ void Message::add(Argument value) {
 }
 
 Message joined(Message a, Message b) {
-    return {Text{"", "%1, %2"}, std::move(a), std::move(b)};
+    return {Text{"%1, %2"}, std::move(a), std::move(b)};
 }
 
 Message line_place(std::size_t line) {
-    return {CORE_TEXT("core", "line %1"), line};
+    return {Text::tr("line %1"), line};
 }
 
 Message table_place(std::size_t line, int column) {
-    return {CORE_TEXT("core", "line %1, column %2"), line, column};
+    return {Text::tr("line %1, column %2"), line, column};
 }
 
 Message quoted_list(const std::vector<std::string>& words) {

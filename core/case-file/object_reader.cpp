@@ -29,7 +29,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 double checked_number(const Json& value, const std::string& pointer, const Range& range) {
     if (!value.is_number()) {
-        throw InputError(pointer, CORE_TEXT("core", "must be a number"), show(value));
+        throw InputError(pointer, Text::tr("must be a number"), show(value));
     }
     const double number = value.get<double>();
     if (!range.contains(number)) {
@@ -133,7 +133,7 @@ std::optional<std::string> nearest_word(std::string_view word,
 ObjectReader::ObjectReader(const Json& value, std::string pointer)
     : value_(value), pointer_(std::move(pointer)) {
     if (!value_.is_object()) {
-        throw InputError(pointer_, CORE_TEXT("core", "must be an object"), show(value_));
+        throw InputError(pointer_, Text::tr("must be an object"), show(value_));
     }
 }
 
@@ -165,7 +165,7 @@ const Json& ObjectReader::require(std::string_view key) {
     const auto found = value_.find(key);
     if (found == value_.end()) {
         reject_mistyped(key);
-        throw InputError(pointer_to(key), CORE_TEXT("core", "is required and missing"));
+        throw InputError(pointer_to(key), Text::tr("is required and missing"));
     }
     return *found;
 }
@@ -177,9 +177,8 @@ void ObjectReader::reject_mistyped(std::string_view key) const {
         const bool is_as_long = given.size() <= key.size() + slip && key.size() > 2 * slip;
         if (std::find(known_.begin(), known_.end(), given) == known_.end() &&
             (is_without_unit(given, key) || (is_as_long && edit_distance(key, given) <= slip))) {
-            throw InputError(
-                pointer_to(key),
-                {CORE_TEXT("core", "is required and missing; found: %1"), quoted_list({given})});
+            throw InputError(pointer_to(key), {Text::tr("is required and missing; found: %1"),
+                                               quoted_list({given})});
         }
     }
 }
@@ -209,7 +208,7 @@ int ObjectReader::integer(std::string_view key, int min, int max) {
 std::string ObjectReader::text(std::string_view key) {
     const Json& value = require(key);
     if (!value.is_string()) {
-        throw InputError(pointer_to(key), CORE_TEXT("core", "must be a text"), show(value));
+        throw InputError(pointer_to(key), Text::tr("must be a text"), show(value));
     }
     return value.get<std::string>();
 }
@@ -227,14 +226,14 @@ int ObjectReader::choice(std::string_view key, std::span<const Word> words) {
         }
         allowed.emplace_back(word.word);
     }
-    throw InputError(pointer_to(key),
-                     {CORE_TEXT("core", "must be one of %1"), quoted_list(allowed)}, show(value));
+    throw InputError(pointer_to(key), {Text::tr("must be one of %1"), quoted_list(allowed)},
+                     show(value));
 }
 
 const Json& ObjectReader::list(std::string_view key) {
     const Json& value = require(key);
     if (!value.is_array()) {
-        throw InputError(pointer_to(key), CORE_TEXT("core", "must be a list"), show(value));
+        throw InputError(pointer_to(key), Text::tr("must be a list"), show(value));
     }
     return value;
 }
@@ -277,7 +276,7 @@ void ObjectReader::finish(const Text& unknown) const {
         if (const auto near = nearest_word(item.key(), known_)) {
             throw InputError::unknown_key(
                 pointer_to(item.key()),
-                {CORE_TEXT("core", "is not a known key; the nearest is %1"), quoted_list({*near})});
+                {Text::tr("is not a known key; the nearest is %1"), quoted_list({*near})});
         }
         throw InputError::unknown_key(pointer_to(item.key()), unknown);
     }

@@ -57,7 +57,7 @@ class ObjectReader {
     /// without its unit.
     void reject_mistyped(std::string_view key) const;
     /// Rejects any key that was not asked for, with the nearest known key.
-    void finish(const Text& unknown = CORE_TEXT("core", "is not a known key")) const;
+    void finish(const Text& unknown = Text::tr("is not a known key")) const;
 
   private:
     const Json& require(std::string_view key);

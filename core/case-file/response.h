@@ -13,13 +13,11 @@ struct Reason {
 
     bool empty() const { return where.empty() && why.empty(); }
     /// The two joined.
-    Message message() const {
-        return where.empty() ? why : Message(Text{"", "%1: %2"}, where, why);
-    }
+    Message message() const { return where.empty() ? why : Message(Text{"%1: %2"}, where, why); }
     friend bool operator==(const Reason&, const Reason&) = default;
 };
 
-inline constexpr Text no_value = CORE_TEXT("core", "no value");
+inline constexpr Text no_value = Text::tr("no value");
 
 /// Values of a result as functions of numbers of the input, for a study. For one thread at a time.
 class Response {

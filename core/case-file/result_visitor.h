@@ -52,7 +52,7 @@ using ResultValue = std::variant<std::monostate, double, long long, bool, std::s
 ///
 ///     void visit_results(ResultVisitor& visitor, const Input& input);
 ///
-/// with one call for each value: `visitor.number({"relief_mm", CORE_TEXT(…), 4}, guide.relief)`.
+/// with one call for each value: `visitor.number({"relief_mm", Text::tr(…), 4}, guide.relief)`.
 /// Numbers are SI values here and in the field's unit elsewhere; one that is not finite, or is
 /// empty, is null. Unwanted values are neither visited nor computed: a call with a function calls
 /// it for a wanted value alone.

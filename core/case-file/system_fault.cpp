@@ -11,20 +11,20 @@ Message system_fault(int error) {
         Text text;
     };
     static constexpr Fault faults[] = {
-        {ENOENT, CORE_TEXT("core", "No such file or directory")},
-        {EACCES, CORE_TEXT("core", "Permission denied")},
-        {EPERM, CORE_TEXT("core", "Operation not permitted")},
-        {ENOSPC, CORE_TEXT("core", "No space left on device")},
-        {EDQUOT, CORE_TEXT("core", "Disk quota exceeded")},
-        {EROFS, CORE_TEXT("core", "Read-only file system")},
-        {EISDIR, CORE_TEXT("core", "Is a directory")},
-        {ENOTDIR, CORE_TEXT("core", "Not a directory")},
-        {ENAMETOOLONG, CORE_TEXT("core", "File name too long")},
-        {EFBIG, CORE_TEXT("core", "File too large")},
-        {EBUSY, CORE_TEXT("core", "Device or resource busy")},
-        {ELOOP, CORE_TEXT("core", "Too many levels of symbolic links")},
-        {EMFILE, CORE_TEXT("core", "Too many open files")},
-        {EIO, CORE_TEXT("core", "Input/output error")},
+        {ENOENT, Text::tr("No such file or directory")},
+        {EACCES, Text::tr("Permission denied")},
+        {EPERM, Text::tr("Operation not permitted")},
+        {ENOSPC, Text::tr("No space left on device")},
+        {EDQUOT, Text::tr("Disk quota exceeded")},
+        {EROFS, Text::tr("Read-only file system")},
+        {EISDIR, Text::tr("Is a directory")},
+        {ENOTDIR, Text::tr("Not a directory")},
+        {ENAMETOOLONG, Text::tr("File name too long")},
+        {EFBIG, Text::tr("File too large")},
+        {EBUSY, Text::tr("Device or resource busy")},
+        {ELOOP, Text::tr("Too many levels of symbolic links")},
+        {EMFILE, Text::tr("Too many open files")},
+        {EIO, Text::tr("Input/output error")},
     };
     for (const Fault& fault : faults) {
         if (fault.error == error) {

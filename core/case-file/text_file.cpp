@@ -22,11 +22,11 @@ namespace ravnoves {
 namespace {
 
 InputError not_written() {
-    return {"", {CORE_TEXT("core", "cannot be written: %1"), system_fault(errno)}};
+    return {"", {Text::tr("cannot be written: %1"), system_fault(errno)}};
 }
 
 InputError not_read() {
-    return {"", {CORE_TEXT("core", "cannot be read: %1"), system_fault(errno)}};
+    return {"", {Text::tr("cannot be read: %1"), system_fault(errno)}};
 }
 
 constexpr std::size_t block_size = 1U << 16U;
@@ -118,7 +118,7 @@ void replace_file(const std::filesystem::path& target, std::string_view text) {
     const bool is_there = ::stat(target.c_str(), &old) == 0;
     constexpr mode_t anybody_writes = S_IWUSR | S_IWGRP | S_IWOTH;
     if (is_there && ((old.st_mode & anybody_writes) == 0 || ::access(target.c_str(), W_OK) != 0)) {
-        throw InputError("", CORE_TEXT("core", "is read-only and was not changed"));
+        throw InputError("", Text::tr("is read-only and was not changed"));
     }
     const SignalsWait wait;
     std::filesystem::path partial;
@@ -161,7 +161,7 @@ std::string read_text_file(const std::filesystem::path& path) {
         throw not_read();
     }
     if (S_ISDIR(status.st_mode)) {
-        throw InputError("", CORE_TEXT("core", "must be a file, not a folder"));
+        throw InputError("", Text::tr("must be a file, not a folder"));
     }
     if (!S_ISREG(status.st_mode)) {
         throw InputError("", not_a_file);
@@ -185,7 +185,7 @@ std::string read_text_file(const std::filesystem::path& path) {
         check_text_size(text.size() + static_cast<std::size_t>(count));
         text.append(block.data(), static_cast<std::size_t>(count));
         if (std::chrono::steady_clock::now() > end) {
-            throw InputError("", CORE_TEXT("core", "takes too long to read"));
+            throw InputError("", Text::tr("takes too long to read"));
         }
     }
 }
@@ -272,7 +272,7 @@ void write_text_file(const std::filesystem::path& path, std::string_view text) {
             path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOCTTY | O_CLOEXEC | waits_not, 0666));
         if (device.number < 0) {
             if (waits_not != 0 && errno == ENXIO) {
-                throw InputError("", CORE_TEXT("core", "is a pipe without a reader"));
+                throw InputError("", Text::tr("is a pipe without a reader"));
             }
             throw not_written();
         }

@@ -127,7 +127,7 @@ class Lines {
         });
         if (bad != line_.end()) {
             throw InputError(line_place(number_),
-                             CORE_TEXT("core", "must be text; this looks like a binary file"));
+                             Text::tr("must be text; this looks like a binary file"));
         }
     }
 
@@ -350,9 +350,9 @@ std::size_t named_column(const std::string& name, const TableView& view) {
         place = place_in(fields);
     }
     if (!place) {
-        throw InputError(
-            "", {CORE_TEXT("core", "must have a column with the heading %1"), quoted_list({name})},
-            view.headings.empty() ? Message() : quoted_list(view.headings));
+        throw InputError("",
+                         {Text::tr("must have a column with the heading %1"), quoted_list({name})},
+                         view.headings.empty() ? Message() : quoted_list(view.headings));
     }
     return *place;
 }
@@ -368,9 +368,8 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule,
         rows.column[i] = takes_all ? i : named_column(columns[i], rows.view);
     }
     if (rows.column[1] == row_number) {
-        throw InputError(
-            "", CORE_TEXT("core", "must have a column of values: columns are numbered from 1"),
-            Number{0.0});
+        throw InputError("", Text::tr("must have a column of values: columns are numbered from 1"),
+                         Number{0.0});
     }
     const bool counts = rows.column[0] == row_number;
     const std::size_t needed =
@@ -392,24 +391,22 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule,
         if (takes_all && fields.size() == 4 && rows.view.separator == ',' &&
             lines.line().find_first_of("\".") == std::string_view::npos) {
             throw InputError(table_place(number, 1),
-                             CORE_TEXT("core",
-                                       "must not separate columns by commas and use decimal commas "
-                                       "at once; separate the columns by semicolons"),
+                             Text::tr("must not separate columns by commas and use decimal commas "
+                                      "at once; separate the columns by semicolons"),
                              found(lines.line(), false));
         }
         if (takes_all ? fields.size() != 2 : fields.size() < needed) {
             throw InputError(
                 line_place(number),
                 fields.size() > 2 && takes_all
-                    ? Message(CORE_TEXT("core",
-                                        "must have two columns, %1 and %2, or the case must name "
-                                        "two of them in \"columns\""),
+                    ? Message(Text::tr("must have two columns, %1 and %2, or the case must name "
+                                       "two of them in \"columns\""),
                               rule.first, rule.second)
-                : takes_all ? Message(CORE_TEXT("core", "must have two columns, %1 and %2"),
-                                      rule.first, rule.second)
-                            : Message(CORE_TEXT("core", "must have at least %1 columns"), needed),
+                : takes_all
+                    ? Message(Text::tr("must have two columns, %1 and %2"), rule.first, rule.second)
+                    : Message(Text::tr("must have at least %1 columns"), needed),
                 fields.size() == 1 ? found(fields[0], !is_first)
-                                   : Message(CORE_TEXT("core", "%1 columns"), fields.size()));
+                                   : Message(Text::tr("%1 columns"), fields.size()));
         }
         std::array<double, 2> values{static_cast<double>(rows.first.size()), 0.0};
         for (std::size_t which = counts ? 1 : 0; which < 2; ++which) {
@@ -417,7 +414,7 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule,
             const Message place = table_place(number, static_cast<int>(rows.column[which]) + 1);
             const auto value = parse_decimal(field);
             if (!value) {
-                throw InputError(place, CORE_TEXT("core", "must be a finite number"),
+                throw InputError(place, Text::tr("must be a finite number"),
                                  found(field, !is_first));
             }
             values[which] = *value;
@@ -429,9 +426,8 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule,
                     : any(&DecimalSigns::doubtful_line) && any(&DecimalSigns::has_point);
             if (is_mixed) {
                 throw InputError(place,
-                                 CORE_TEXT("core",
-                                           "must have the decimal sign of the numbers above: all "
-                                           "points or all commas, and nothing between thousands"),
+                                 Text::tr("must have the decimal sign of the numbers above: all "
+                                          "points or all commas, and nothing between thousands"),
                                  found(field, true));
             }
         }
@@ -449,9 +445,8 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule,
         if (const DecimalSigns& seen = signs[which]; seen.doubtful_line != 0 && seen.has_whole) {
             throw InputError(
                 table_place(seen.doubtful_line, static_cast<int>(rows.column[which]) + 1),
-                CORE_TEXT("core",
-                          "must be unambiguous: its comma may divide thousands or be a decimal "
-                          "sign, as no other number of the column has one"),
+                Text::tr("must be unambiguous: its comma may divide thousands or be a decimal "
+                         "sign, as no other number of the column has one"),
                 found(seen.doubtful, true));
         }
     }

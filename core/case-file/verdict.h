@@ -29,20 +29,20 @@ struct Verdict {
     /// Adds a warning to the verdict; an empty one adds nothing.
     void warn(const Message& warning) {
         if (!warning.empty()) {
-            text = text.empty() ? warning : Message(Text{"", "%1 %2"}, text, warning);
+            text = text.empty() ? warning : Message(Text{"%1 %2"}, text, warning);
             severity = std::max(severity, Severity::warning);
         }
     }
 };
 
 namespace result_field {
-inline constexpr ResultField verdict{"verdict", CORE_TEXT("core", "Verdict")};
-inline constexpr ResultField severity{"severity", CORE_TEXT("core", "Severity")};
+inline constexpr ResultField verdict{"verdict", Text::tr("Verdict")};
+inline constexpr ResultField severity{"severity", Text::tr("Severity")};
 inline constexpr ResultField text{"text"};
-inline constexpr ResultField reason{"reason", CORE_TEXT("core", "Reason")};
-inline constexpr ResultField note{"note", CORE_TEXT("core", "Note")};
-inline constexpr ResultField notes{"notes", CORE_TEXT("core", "Notes")};
-inline constexpr ResultField feasible{"feasible", CORE_TEXT("core", "Feasible")};
+inline constexpr ResultField reason{"reason", Text::tr("Reason")};
+inline constexpr ResultField note{"note", Text::tr("Note")};
+inline constexpr ResultField notes{"notes", Text::tr("Notes")};
+inline constexpr ResultField feasible{"feasible", Text::tr("Feasible")};
 }  // namespace result_field
 
 /// As in every result.

@@ -35,9 +35,8 @@ Wanted::Wanted(std::vector<std::string> pointers) : pointers_(std::move(pointers
             // said below
         }
         throw InputError("",
-                         CORE_TEXT("core",
-                                   "must be a JSON pointer below the result, such as "
-                                   "/optimum/range"),
+                         Text::tr("must be a JSON pointer below the result, such as "
+                                  "/optimum/range"),
                          show(Json(pointer)));
     }
 }
@@ -58,7 +57,7 @@ Json Wanted::pick(Json result) const {
         const Json::json_pointer pointer(text);
         if (!result.contains(pointer)) {
             throw InputError("/result" + shown(text),
-                             CORE_TEXT("core", "must be a value that the result has"));
+                             Text::tr("must be a value that the result has"));
         }
         // What lies in another comes with it.
         if (std::any_of(pointers_.begin(), pointers_.end(), [&](const std::string& other) {

@@ -25,13 +25,13 @@ Number number_up(double si, Unit unit) {
 Text name_of(Hinge hinge) {
     switch (hinge) {
         case Hinge::crank:
-            return CORE_TEXT("elastic-hinge", "the crank's hinge");
+            return Text::tr("the crank's hinge");
         case Hinge::crank_with_rod:
-            return CORE_TEXT("elastic-hinge", "the crank's hinge with the rod's hinge");
+            return Text::tr("the crank's hinge with the rod's hinge");
         case Hinge::rod:
             break;
     }
-    return CORE_TEXT("elastic-hinge", "the rod's hinge");
+    return Text::tr("the rod's hinge");
 }
 
 /// ρ / √(ρ² + ρ′²), the cosine of the pressure angle.
@@ -214,15 +214,14 @@ double largest_moment(const Design& design, Hinge hinge, const std::vector<Deman
 Message preload_reason(const Guide& guide) {
     // Rounded up so that what is shown suffices.
     const double minimum = std::ceil(guide.minimum_preload / units::mm * 1e4 - 1e-9) / 1e4;
-    const Message reason{CORE_TEXT("elastic-hinge",
-                                   "from a crank angle of %1 the spring stores too little energy "
-                                   "(worst at %2): the preload |ℓ₀/2 − ρ₀| is %3, the minimum %4"),
+    const Message reason{Text::tr("from a crank angle of %1 the spring stores too little energy "
+                                  "(worst at %2): the preload |ℓ₀/2 − ρ₀| is %3, the minimum %4"),
                          number(guide.first_missing_angle, units::degree),
                          number(guide.worst_angle, units::degree), number(guide.preload, units::mm),
                          Number{minimum, units::mm, -4}};
     if (guide.minimum_stiffness && std::isfinite(*guide.minimum_stiffness)) {
-        return {CORE_TEXT("elastic-hinge", "%1; with this preload the minimum stiffness is %2"),
-                reason, number_up(*guide.minimum_stiffness, units::kN_per_m)};
+        return {Text::tr("%1; with this preload the minimum stiffness is %2"), reason,
+                number_up(*guide.minimum_stiffness, units::kN_per_m)};
     }
     return reason;
 }
@@ -255,14 +254,14 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     guide.hinge = hinge;
     if (!design->has_exact_kinematics()) {
         guide.problem = GuideProblem::mechanism_locks;
-        guide.reason = CORE_TEXT("elastic-hinge",
-                                 "at λ = 1 the mechanism locks at a crank angle of 90°: no guide "
-                                 "and no motion, only M₁₂ and side force by the series");
+        guide.reason = Text::tr(
+            "at λ = 1 the mechanism locks at a crank angle of 90°: no guide "
+            "and no motion, only M₁₂ and side force by the series");
         return guide;
     }
     if (!spring) {
         guide.problem = GuideProblem::no_spring;
-        guide.reason = {CORE_TEXT("elastic-hinge", "no spring is given for %1"), name_of(hinge)};
+        guide.reason = {Text::tr("no spring is given for %1"), name_of(hinge)};
         return guide;
     }
     const auto shape =
@@ -353,8 +352,7 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     if (guide.branch == Branch::compressed && !fits) {
         guide.problem = GuideProblem::radius_not_positive;
         guide.reason = {
-            CORE_TEXT("elastic-hinge",
-                      "the spring would be compressed by %1, its whole free length (%2) or more"),
+            Text::tr("the spring would be compressed by %1, its whole free length (%2) or more"),
             number(2.0 * highest, units::mm), number(spring->free_length, units::mm)};
         return guide;
     }

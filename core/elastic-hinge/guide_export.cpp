@@ -21,21 +21,19 @@ void check_drawing(const Guide& guide, const GuideDrawing& drawing) {
     const BranchSummary& summary =
         drawing.branch == Branch::compressed ? guide.compressed : guide.stretched;
     if (!guide.shape || !summary.exists) {
-        throw InputError(
-            "", guide.reason.empty()
-                    ? Message(CORE_TEXT("elastic-hinge", "no feasible guide"))
-                    : Message(CORE_TEXT("elastic-hinge", "no feasible guide: %1"), guide.reason));
+        throw InputError("", guide.reason.empty()
+                                 ? Message(Text::tr("no feasible guide"))
+                                 : Message(Text::tr("no feasible guide: %1"), guide.reason));
     }
     check_range(field::chord_tolerance, drawing.chord_tolerance / units::mm,
-                CORE_TEXT("elastic-hinge", "chord tolerance"), units::mm);
-    const Text roller = CORE_TEXT("elastic-hinge", "roller radius");
+                Text::tr("chord tolerance"), units::mm);
+    const Text roller = Text::tr("roller radius");
     check_range(field::roller_radius, drawing.roller_radius / units::mm, roller, units::mm);
     if (summary.largest_roller_radius && drawing.roller_radius >= *summary.largest_roller_radius) {
-        throw InputError(
-            roller,
-            {CORE_TEXT("elastic-hinge", "must be less than %1, else the profile is undercut"),
-             Number{*summary.largest_roller_radius / units::mm, units::mm}},
-            Number{drawing.roller_radius / units::mm, units::mm});
+        throw InputError(roller,
+                         {Text::tr("must be less than %1, else the profile is undercut"),
+                          Number{*summary.largest_roller_radius / units::mm, units::mm}},
+                         Number{drawing.roller_radius / units::mm, units::mm});
     }
 }
 
@@ -88,9 +86,8 @@ class ClosedPolyline {
         }
         if (result_.size() >= max_points) {
             throw InputError(
-                CORE_TEXT("elastic-hinge", "chord tolerance"),
-                {CORE_TEXT("elastic-hinge", "is too small for this guide: more than %1 points"),
-                 max_points});
+                Text::tr("chord tolerance"),
+                {Text::tr("is too small for this guide: more than %1 points"), max_points});
         }
         divide(from, a, middle, m, depth + 1);
         result_.push_back(m);

@@ -56,13 +56,12 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         return proposal;
     };
     if (!design->has_exact_kinematics()) {
-        return reject(CORE_TEXT("elastic-hinge", "at λ = 1 the mechanism locks: no guide"));
+        return reject(Text::tr("at λ = 1 the mechanism locks: no guide"));
     }
     const DemandRange range = design->range(hinge);
     const double span = range.span();
     if (!(span > 0.0)) {
-        return reject(
-            CORE_TEXT("elastic-hinge", "the hinge releases no energy: its guide is a circle"));
+        return reject(Text::tr("the hinge releases no energy: its guide is a circle"));
     }
     const bool reversed = sign == GuideSign::as_printed && hinge != Hinge::rod;
     const double max_energy = reversed ? -range.min : range.max;
@@ -81,17 +80,15 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         low = std::max(low, half - limit);
         high = 0.5 * (free_length - shortest) - relief;
         if (high < min_deflection) {
-            return reject({CORE_TEXT("elastic-hinge",
-                                     "a spring of %1 with a minimum length of %2 has no room for a "
-                                     "relief of %3; it must be at least %4 long"),
+            return reject({Text::tr("a spring of %1 with a minimum length of %2 has no room for a "
+                                    "relief of %3; it must be at least %4 long"),
                            millimetres(free_length), millimetres(shortest), millimetres(relief),
                            millimetres(shortest + 2.0 * (min_deflection + relief))});
         }
         const double needed = 2.0 * (half - high + roller_radius);
         if (low > high) {
-            return reject({CORE_TEXT("elastic-hinge",
-                                     "a compressed spring of %1 with a minimum length of %2 needs "
-                                     "an outer diameter of at least %3 for a relief of %4"),
+            return reject({Text::tr("a compressed spring of %1 with a minimum length of %2 needs "
+                                    "an outer diameter of at least %3 for a relief of %4"),
                            millimetres(free_length), millimetres(shortest), millimetres(needed),
                            millimetres(relief)});
         }
@@ -99,9 +96,8 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         high = limit - half - relief;
         const double needed = 2.0 * (half + min_deflection + relief + roller_radius);
         if (low > high) {
-            return reject({CORE_TEXT("elastic-hinge",
-                                     "a stretched spring of %1 with a relief of %2 needs an outer "
-                                     "diameter of at least %3"),
+            return reject({Text::tr("a stretched spring of %1 with a relief of %2 needs an outer "
+                                    "diameter of at least %3"),
                            millimetres(free_length), millimetres(relief), millimetres(needed)});
         }
     }
@@ -129,9 +125,8 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         ++first;
     }
     if (first > looks) {
-        return reject({CORE_TEXT("elastic-hinge",
-                                 "a roller of radius %1 undercuts every guide with a relief of %2: "
-                                 "use a smaller roller or less relief"),
+        return reject({Text::tr("a roller of radius %1 undercuts every guide with a relief of %2: "
+                                "use a smaller roller or less relief"),
                        millimetres(roller_radius), millimetres(relief)});
     }
     double minimum = look(first);
@@ -144,7 +139,7 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
     try {
         check_fields(proposal.spring);
     } catch (const InputError&) {
-        return reject({CORE_TEXT("elastic-hinge", "the required stiffness, %1, is out of range"),
+        return reject({Text::tr("the required stiffness, %1, is out of range"),
                        Number{proposal.spring.stiffness, units::N_per_m}});
     }
     const double maximum = minimum + relief;

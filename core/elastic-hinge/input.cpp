@@ -14,14 +14,13 @@ void check_input(const Input& input) {
         (input.crank_mass + input.rod_mass + input.slider_mass) * (weights ? input.gravity : 1.0);
     if (!(sum >= 1e-12)) {
         throw InputError(weights ? "/input/weights_N" : "/input/masses_kg",
-                         CORE_TEXT("elastic-hinge", "must together be more than 0"), Number{sum});
+                         Text::tr("must together be more than 0"), Number{sum});
     }
     if (input.kinematics == Kinematics::exact && !(input.lambda < 1.0)) {
         throw InputError(
             "/input/lambda",
-            CORE_TEXT("elastic-hinge",
-                      "must be less than 1 for the exact kinematics (else the mechanism locks at a "
-                      "crank angle of 90°; \"kinematics\": \"series\" draws the paper's curves)"),
+            Text::tr("must be less than 1 for the exact kinematics (else the mechanism locks at a "
+                     "crank angle of 90°; \"kinematics\": \"series\" draws the paper's curves)"),
             Number{input.lambda});
     }
 }

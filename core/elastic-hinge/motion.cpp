@@ -238,23 +238,20 @@ void check_work(std::size_t points, const Design& design, const MotionSetup& set
     if (lambda > nearly_one) {
         throw InputError(
             "/input/lambda",
-            {CORE_TEXT("elastic-hinge", "must be further from 1 for a motion: more than %1 points"),
-             points},
+            {Text::tr("must be further from 1 for a motion: more than %1 points"), points},
             Number{lambda});
     }
-    throw InputError(
-        "/input/motion/turns",
-        {CORE_TEXT("elastic-hinge", "must be less for this motion: %1 points reach only turn %2"),
-         points, turns_of(turned)},
-        Number{setup.turns});
+    throw InputError("/input/motion/turns",
+                     {Text::tr("must be less for this motion: %1 points reach only turn %2"),
+                      points, turns_of(turned)},
+                     Number{setup.turns});
 }
 
 void check_setup(const Design& design, const Guide& guide, const MotionSetup& setup) {
     if (!design.has_exact_kinematics()) {
-        throw InputError(
-            "/input/lambda",
-            CORE_TEXT("elastic-hinge", "must be less than 1 for a motion: the mechanism locks"),
-            Number{design.mechanism().lambda});
+        throw InputError("/input/lambda",
+                         Text::tr("must be less than 1 for a motion: the mechanism locks"),
+                         Number{design.mechanism().lambda});
     }
     if (setup.hinges != HingeSet::none) {
         const Hinge wanted = setup.hinges == HingeSet::crank ? Hinge::crank : Hinge::crank_with_rod;
@@ -262,10 +259,8 @@ void check_setup(const Design& design, const Guide& guide, const MotionSetup& se
             throw InputError(
                 "/input/spring",
                 guide.reason.empty()
-                    ? Message(
-                          CORE_TEXT("elastic-hinge", "must give a feasible guide for this motion"))
-                    : Message(CORE_TEXT("elastic-hinge",
-                                        "must give a feasible guide for this motion: %1"),
+                    ? Message(Text::tr("must give a feasible guide for this motion"))
+                    : Message(Text::tr("must give a feasible guide for this motion: %1"),
                               guide.reason));
         }
     }
@@ -333,9 +328,8 @@ class Run {
         const double acceleration = first.acceleration(setup.start_speed);
         if (!std::isfinite(acceleration) || !(reduced_inertia_at_zero(design.mechanism()) > 0.0)) {
             throw InputError("/input",
-                             CORE_TEXT("elastic-hinge",
-                                       "must give the crank and the rod together some mass for a "
-                                       "motion"));
+                             Text::tr("must give the crank and the rod together some mass for a "
+                                      "motion"));
         }
         // A time in which something happens: of one radian at the start's speed or acceleration.
         const double rate =
@@ -612,20 +606,18 @@ class Run {
             case MotionEnd::completed:
                 break;
             case MotionEnd::reversed:
-                motion_.reason = {
-                    CORE_TEXT("elastic-hinge", "the crank stops after %1 turns and reverses"),
-                    turns_of(turned)};
+                motion_.reason = {Text::tr("the crank stops after %1 turns and reverses"),
+                                  turns_of(turned)};
                 break;
             case MotionEnd::too_slow:
                 motion_.reason =
                     turned == 0.0
-                        ? Message(CORE_TEXT("elastic-hinge", "the crank is at rest"))
-                        : Message{CORE_TEXT("elastic-hinge", "the crank made only %1 turns in %2"),
-                                  turns_of(turned), Number{motion_.time.back(), units::second, 6}};
+                        ? Message(Text::tr("the crank is at rest"))
+                        : Message{Text::tr("the crank made only %1 turns in %2"), turns_of(turned),
+                                  Number{motion_.time.back(), units::second, 6}};
                 break;
             case MotionEnd::cancelled:
-                motion_.reason = {CORE_TEXT("elastic-hinge", "cancelled after %1 turns"),
-                                  turns_of(turned)};
+                motion_.reason = {Text::tr("cancelled after %1 turns"), turns_of(turned)};
                 break;
         }
     }

@@ -19,7 +19,7 @@ Input preset_zotov() {
 }
 
 std::vector<Preset<Input>> presets() {
-    return {{CORE_TEXT("elastic-hinge", "Zotov and Sviridov 2021"), preset_zotov()}};
+    return {{Text::tr("Zotov and Sviridov 2021"), preset_zotov()}};
 }
 
 }  // namespace ravnoves::elastic_hinge

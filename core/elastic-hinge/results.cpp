@@ -16,31 +16,28 @@ using ravnoves::result_field::feasible;
 using ravnoves::result_field::notes;
 using ravnoves::result_field::reason;
 namespace key {
-constexpr ResultField guide{"guide", CORE_TEXT("elastic-hinge", "Crank guide")};
-constexpr ResultField guide_beside_rod_hinge{
-    "guide_beside_rod_hinge", CORE_TEXT("elastic-hinge", "Crank guide with the rod hinge")};
-constexpr ResultField rod_hinge_guide{"rod_hinge_guide",
-                                      CORE_TEXT("elastic-hinge", "Rod hinge guide")};
-constexpr ResultField side_force{"side_force", CORE_TEXT("elastic-hinge", "Side force")};
-constexpr ResultField series{"series", CORE_TEXT("elastic-hinge", "Series against exact")};
-constexpr ResultField motion{"motion", CORE_TEXT("elastic-hinge", "Motion")};
-constexpr ResultField curves{"curves", CORE_TEXT("elastic-hinge", "Curves")};
-constexpr ResultField branch{"branch", CORE_TEXT("elastic-hinge", "Branch")};
-constexpr ResultField relief{
-    "relief_mm", CORE_TEXT("elastic-hinge", "Relief of the guide"), 4,
-    CORE_TEXT("elastic-hinge", "Maximum minus minimum radius of the guide.")};
-constexpr ResultField largest_spring_force{
-    "largest_spring_force_N", CORE_TEXT("elastic-hinge", "Maximum spring force"), 1,
-    CORE_TEXT("elastic-hinge", "c |ℓ − ℓ₀|, maximum over a turn.")};
-constexpr ResultField largest_moment{"largest_moment_Nm",
-                                     CORE_TEXT("elastic-hinge", "Maximum moment")};
-constexpr ResultField compressed{"compressed", CORE_TEXT("elastic-hinge", "Spring compressed")};
-constexpr ResultField stretched{"stretched", CORE_TEXT("elastic-hinge", "Spring stretched")};
-constexpr ResultField profile_error{"profile_error", CORE_TEXT("elastic-hinge", "Profile error")};
+constexpr ResultField guide{"guide", Text::tr("Crank guide")};
+constexpr ResultField guide_beside_rod_hinge{"guide_beside_rod_hinge",
+                                             Text::tr("Crank guide with the rod hinge")};
+constexpr ResultField rod_hinge_guide{"rod_hinge_guide", Text::tr("Rod hinge guide")};
+constexpr ResultField side_force{"side_force", Text::tr("Side force")};
+constexpr ResultField series{"series", Text::tr("Series against exact")};
+constexpr ResultField motion{"motion", Text::tr("Motion")};
+constexpr ResultField curves{"curves", Text::tr("Curves")};
+constexpr ResultField branch{"branch", Text::tr("Branch")};
+constexpr ResultField relief{"relief_mm", Text::tr("Relief of the guide"), 4,
+                             Text::tr("Maximum minus minimum radius of the guide.")};
+constexpr ResultField largest_spring_force{"largest_spring_force_N",
+                                           Text::tr("Maximum spring force"), 1,
+                                           Text::tr("c |ℓ − ℓ₀|, maximum over a turn.")};
+constexpr ResultField largest_moment{"largest_moment_Nm", Text::tr("Maximum moment")};
+constexpr ResultField compressed{"compressed", Text::tr("Spring compressed")};
+constexpr ResultField stretched{"stretched", Text::tr("Spring stretched")};
+constexpr ResultField profile_error{"profile_error", Text::tr("Profile error")};
 constexpr ResultField guide_radius_compressed{"guide_radius_compressed_mm",
-                                              CORE_TEXT("elastic-hinge", "ρ, spring compressed")};
+                                              Text::tr("ρ, spring compressed")};
 constexpr ResultField guide_radius_stretched{"guide_radius_stretched_mm",
-                                             CORE_TEXT("elastic-hinge", "ρ, spring stretched")};
+                                             Text::tr("ρ, spring stretched")};
 }  // namespace key
 
 /// Of the hinge's moment: what a profile error may take from a guide that can be made.
@@ -70,30 +67,21 @@ std::optional<double> when(bool there, double value) {
 
 void visit_branch(ResultVisitor& visitor, const ResultField& field, const BranchSummary& branch) {
     visitor.object_or_null(field, branch.exists, [&] {
-        visitor.number({"min_radius_mm", CORE_TEXT("elastic-hinge", "Minimum ρ")},
-                       branch.min_radius);
-        visitor.number({"max_radius_mm", CORE_TEXT("elastic-hinge", "Maximum ρ")},
-                       branch.max_radius);
-        visitor.number({"smallest_curvature_radius_mm",
-                        CORE_TEXT("elastic-hinge", "Minimum curvature radius"), 2,
-                        CORE_TEXT("elastic-hinge",
-                                  "Radius of curvature of the guide; a cutter must be smaller.")},
+        visitor.number({"min_radius_mm", Text::tr("Minimum ρ")}, branch.min_radius);
+        visitor.number({"max_radius_mm", Text::tr("Maximum ρ")}, branch.max_radius);
+        visitor.number({"smallest_curvature_radius_mm", Text::tr("Minimum curvature radius"), 2,
+                        Text::tr("Radius of curvature of the guide; a cutter must be smaller.")},
                        branch.smallest_curvature_radius);
-        visitor.number(
-            {"largest_roller_radius_mm", CORE_TEXT("elastic-hinge", "Maximum roller radius"), 2,
-             CORE_TEXT("elastic-hinge",
-                       "Maximum radius of a roller that touches the whole guide.")},
-            branch.largest_roller_radius);
-        visitor.flag({"undercut", CORE_TEXT("elastic-hinge", "Undercut")}, branch.undercut);
-        visitor.number(
-            {"profile_min_radius_mm", CORE_TEXT("elastic-hinge", "Minimum profile radius")},
-            branch.profile_min_radius);
-        visitor.number(
-            {"profile_max_radius_mm", CORE_TEXT("elastic-hinge", "Maximum profile radius")},
-            branch.profile_max_radius);
-        visitor.number(
-            {"max_pressure_angle_deg", CORE_TEXT("elastic-hinge", "Maximum pressure angle"), 2},
-            branch.max_pressure_angle);
+        visitor.number({"largest_roller_radius_mm", Text::tr("Maximum roller radius"), 2,
+                        Text::tr("Maximum radius of a roller that touches the whole guide.")},
+                       branch.largest_roller_radius);
+        visitor.flag({"undercut", Text::tr("Undercut")}, branch.undercut);
+        visitor.number({"profile_min_radius_mm", Text::tr("Minimum profile radius")},
+                       branch.profile_min_radius);
+        visitor.number({"profile_max_radius_mm", Text::tr("Maximum profile radius")},
+                       branch.profile_max_radius);
+        visitor.number({"max_pressure_angle_deg", Text::tr("Maximum pressure angle"), 2},
+                       branch.max_pressure_angle);
     });
 }
 
@@ -102,47 +90,39 @@ void visit_guide(ResultVisitor& visitor, const Guide& guide) {
     const bool made = guide.feasible;
     visitor.flag(feasible, guide.feasible);
     visitor.text(reason, guide.reason);
-    visitor.number({"preload_mm", CORE_TEXT("elastic-hinge", "Preload"), 2,
-                    CORE_TEXT("elastic-hinge", "|ℓ₀/2 − ρ₀| of the spring.")},
+    visitor.number({"preload_mm", Text::tr("Preload"), 2, Text::tr("|ℓ₀/2 − ρ₀| of the spring.")},
                    when(known, guide.preload));
-    visitor.number({"minimum_preload_mm", CORE_TEXT("elastic-hinge", "Minimum preload"), 2,
-                    CORE_TEXT("elastic-hinge", "Minimum |ℓ₀/2 − ρ₀| to store the energy.")},
+    visitor.number({"minimum_preload_mm", Text::tr("Minimum preload"), 2,
+                    Text::tr("Minimum |ℓ₀/2 − ρ₀| to store the energy.")},
                    when(known, guide.minimum_preload));
-    visitor.number({"minimum_stiffness_N_m", CORE_TEXT("elastic-hinge", "Minimum stiffness"), 0},
+    visitor.number({"minimum_stiffness_N_m", Text::tr("Minimum stiffness"), 0},
                    known ? guide.minimum_stiffness : std::nullopt);
     visitor.number(
-        {"first_missing_crank_angle_deg", CORE_TEXT("elastic-hinge", "Guide ends at φ"), 1},
+        {"first_missing_crank_angle_deg", Text::tr("Guide ends at φ"), 1},
         when(guide.problem == GuideProblem::preload_too_small, guide.first_missing_angle));
-    visitor.number(
-        {"worst_crank_angle_deg", CORE_TEXT("elastic-hinge", "φ of the maximum energy"), 1},
-        when(known, guide.worst_angle));
+    visitor.number({"worst_crank_angle_deg", Text::tr("φ of the maximum energy"), 1},
+                   when(known, guide.worst_angle));
     visitor.word(key::branch, known ? word_of(guide.branch) : "");
     visitor.number(key::relief, when(made, guide.relief));
-    visitor.number(
-        {"spring_travel_mm", CORE_TEXT("elastic-hinge", "Spring travel"), 3,
-         CORE_TEXT("elastic-hinge", "Maximum minus minimum length of the spring over a turn.")},
-        when(made, guide.spring_travel));
+    visitor.number({"spring_travel_mm", Text::tr("Spring travel"), 3,
+                    Text::tr("Maximum minus minimum length of the spring over a turn.")},
+                   when(made, guide.spring_travel));
     visitor.number(key::largest_spring_force, when(made, guide.largest_spring_force));
-    visitor.number(
-        {"smallest_spring_force_N", CORE_TEXT("elastic-hinge", "Minimum spring force"), 1},
-        when(made, guide.smallest_spring_force));
+    visitor.number({"smallest_spring_force_N", Text::tr("Minimum spring force"), 1},
+                   when(made, guide.smallest_spring_force));
     visitor.number(key::largest_moment, when(known, guide.largest_moment));
     visit_branch(visitor, key::compressed, guide.compressed);
     visit_branch(visitor, key::stretched, guide.stretched);
     visitor.object_or_null(key::profile_error, made, [&] {
-        visitor.number({"amplitude_um", CORE_TEXT("elastic-hinge", "Amplitude")},
-                       guide.error.amplitude);
-        visitor.integer({"waves", CORE_TEXT("elastic-hinge", "Waves")}, guide.error.waves);
-        visitor.number({"torque_Nm", CORE_TEXT("elastic-hinge", "Moment error"), 2,
-                        CORE_TEXT("elastic-hinge",
-                                  "Maximum error of the hinge's moment at this profile error.")},
+        visitor.number({"amplitude_um", Text::tr("Amplitude")}, guide.error.amplitude);
+        visitor.integer({"waves", Text::tr("Waves")}, guide.error.waves);
+        visitor.number({"torque_Nm", Text::tr("Moment error"), 2,
+                        Text::tr("Maximum error of the hinge's moment at this profile error.")},
                        guide.error.torque);
-        visitor.number(
-            {"relative_torque", CORE_TEXT("elastic-hinge", "Moment error, share"), 3,
-             CORE_TEXT("elastic-hinge", "Moment error over the hinge's maximum moment.")},
-            guide.error.relative);
-        visitor.number({"energy_J", CORE_TEXT("elastic-hinge", "Energy error")},
-                       guide.error.energy);
+        visitor.number({"relative_torque", Text::tr("Moment error, share"), 3,
+                        Text::tr("Moment error over the hinge's maximum moment.")},
+                       guide.error.relative);
+        visitor.number({"energy_J", Text::tr("Energy error")}, guide.error.energy);
     });
 }
 
@@ -153,45 +133,36 @@ void visit_proposal(ResultVisitor& visitor, const GuideProposal& proposal) {
         return;
     }
     visitor.word(key::branch, word_of(proposal.branch));
-    visitor.object({"spring", CORE_TEXT("elastic-hinge", "Spring")}, [&] {
-        visitor.number({"stiffness_N_m", CORE_TEXT("elastic-hinge", "Stiffness c"), 0},
-                       proposal.spring.stiffness);
-        visitor.number({"free_length_mm", CORE_TEXT("elastic-hinge", "Free length ℓ₀")},
-                       proposal.spring.free_length);
-        visitor.number({"guide_radius_at_zero_mm", CORE_TEXT("elastic-hinge", "Guide radius ρ₀")},
+    visitor.object({"spring", Text::tr("Spring")}, [&] {
+        visitor.number({"stiffness_N_m", Text::tr("Stiffness c"), 0}, proposal.spring.stiffness);
+        visitor.number({"free_length_mm", Text::tr("Free length ℓ₀")}, proposal.spring.free_length);
+        visitor.number({"guide_radius_at_zero_mm", Text::tr("Guide radius ρ₀")},
                        proposal.spring.guide_radius_at_zero);
     });
     visitor.number(key::relief, proposal.relief);
-    visitor.number({"outer_diameter_mm", CORE_TEXT("elastic-hinge", "Outer diameter"), 1},
-                   proposal.outer_diameter);
-    visitor.number(
-        {"smallest_spring_length_mm", CORE_TEXT("elastic-hinge", "Minimum spring length"), 1},
-        proposal.smallest_spring_length);
+    visitor.number({"outer_diameter_mm", Text::tr("Outer diameter"), 1}, proposal.outer_diameter);
+    visitor.number({"smallest_spring_length_mm", Text::tr("Minimum spring length"), 1},
+                   proposal.smallest_spring_length);
     visitor.number(key::largest_spring_force, proposal.largest_spring_force);
-    visitor.number({"largest_spring_energy_J", CORE_TEXT("elastic-hinge", "Maximum spring energy")},
+    visitor.number({"largest_spring_energy_J", Text::tr("Maximum spring energy")},
                    proposal.largest_spring_energy);
 }
 
 void visit_motion(ResultVisitor& visitor, const Motion& motion) {
     visitor.flag(feasible, true);
-    visitor.word({"end", CORE_TEXT("elastic-hinge", "End of the motion")}, word_of(motion.end));
+    visitor.word({"end", Text::tr("End of the motion")}, word_of(motion.end));
     visitor.text(reason, motion.reason);
-    visitor.number({"time_s", CORE_TEXT("elastic-hinge", "Time")}, motion.time.back());
-    visitor.number({"crank_angle_deg", CORE_TEXT("elastic-hinge", "Crank angle φ"), 1},
-                   motion.crank_angle.back());
-    visitor.number({"speed_rad_s", CORE_TEXT("elastic-hinge", "Speed")}, motion.speed.back());
-    visitor.number({"mean_speed_rad_s", CORE_TEXT("elastic-hinge", "Mean speed")},
-                   motion.mean_speed);
-    visitor.number({"min_speed_rad_s", CORE_TEXT("elastic-hinge", "Minimum speed")},
-                   motion.min_speed);
-    visitor.number({"max_speed_rad_s", CORE_TEXT("elastic-hinge", "Maximum speed")},
-                   motion.max_speed);
-    visitor.number({"speed_ripple", CORE_TEXT("elastic-hinge", "Speed ripple"), 5,
-                    CORE_TEXT("elastic-hinge", "(ω_max − ω_min) / mean ω of the free motion.")},
+    visitor.number({"time_s", Text::tr("Time")}, motion.time.back());
+    visitor.number({"crank_angle_deg", Text::tr("Crank angle φ"), 1}, motion.crank_angle.back());
+    visitor.number({"speed_rad_s", Text::tr("Speed")}, motion.speed.back());
+    visitor.number({"mean_speed_rad_s", Text::tr("Mean speed")}, motion.mean_speed);
+    visitor.number({"min_speed_rad_s", Text::tr("Minimum speed")}, motion.min_speed);
+    visitor.number({"max_speed_rad_s", Text::tr("Maximum speed")}, motion.max_speed);
+    visitor.number({"speed_ripple", Text::tr("Speed ripple"), 5,
+                    Text::tr("(ω_max − ω_min) / mean ω of the free motion.")},
                    motion.ripple);
-    visitor.number({"energy_drift", CORE_TEXT("elastic-hinge", "Energy drift")},
-                   motion.energy_drift);
-    visitor.integer({"steps", CORE_TEXT("elastic-hinge", "Steps")}, motion.steps);
+    visitor.number({"energy_drift", Text::tr("Energy drift")}, motion.energy_drift);
+    visitor.integer({"steps", Text::tr("Steps")}, motion.steps);
 }
 
 /// Without and, where their guides exist, with hinges.
@@ -202,8 +173,7 @@ void visit_motions(ResultVisitor& visitor, const Input& input, const Result& res
                                                                    : result.crank_guide;
             if (!result.design->has_exact_kinematics()) {
                 visitor.flag(feasible, false);
-                visitor.text(reason,
-                             CORE_TEXT("elastic-hinge", "at lambda = 1 the mechanism locks"));
+                visitor.text(reason, Text::tr("at lambda = 1 the mechanism locks"));
             } else if (hinges != HingeSet::none && !guide.feasible) {
                 visitor.flag(feasible, false);
                 visitor.text(reason, guide.reason);
@@ -212,9 +182,9 @@ void visit_motions(ResultVisitor& visitor, const Input& input, const Result& res
             }
         });
     };
-    visit({"without_hinge", CORE_TEXT("elastic-hinge", "Without hinge")}, HingeSet::none);
-    visit({"with_crank_hinge", CORE_TEXT("elastic-hinge", "Crank hinge")}, HingeSet::crank);
-    visit({"with_both_hinges", CORE_TEXT("elastic-hinge", "Both hinges")}, HingeSet::crank_and_rod);
+    visit({"without_hinge", Text::tr("Without hinge")}, HingeSet::none);
+    visit({"with_crank_hinge", Text::tr("Crank hinge")}, HingeSet::crank);
+    visit({"with_both_hinges", Text::tr("Both hinges")}, HingeSet::crank_and_rod);
 }
 
 }  // namespace
@@ -223,20 +193,17 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
     const double g = result.design->mechanism().gravity;
     visit_verdict(visitor, [&] { return verdict(input, result); });
     visitor.number(
-        {"rod_hinge_moment_integral_J", CORE_TEXT("elastic-hinge", "∮ M₁₂ dφ"), 3,
-         CORE_TEXT("elastic-hinge",
-                   "Work of the rod hinge's moment over a turn; 0 if a spring can supply it.")},
+        {"rod_hinge_moment_integral_J", Text::tr("∮ M₁₂ dφ"), 3,
+         Text::tr("Work of the rod hinge's moment over a turn; 0 if a spring can supply it.")},
         result.rod_hinge_integral);
     if (result.has_counterweight) {
-        visitor.number(
-            {"counterweight_weight_N", CORE_TEXT("elastic-hinge", "Counterweight P₄"), 3,
-             CORE_TEXT("elastic-hinge", "Weight on the rod for ∮ M₁₂ dφ = 0, or as entered.")},
-            result.counterweight_mass * g);
-        visitor.number(
-            {"counterweight_mass_kg", CORE_TEXT("elastic-hinge", "Counterweight P₄"), 4,
-             CORE_TEXT("elastic-hinge", "Weight on the rod for ∮ M₁₂ dφ = 0, or as entered.")},
-            result.counterweight_mass);
-        visitor.number({"balancing_weight_N", CORE_TEXT("elastic-hinge", "Balancing weight")},
+        visitor.number({"counterweight_weight_N", Text::tr("Counterweight P₄"), 3,
+                        Text::tr("Weight on the rod for ∮ M₁₂ dφ = 0, or as entered.")},
+                       result.counterweight_mass * g);
+        visitor.number({"counterweight_mass_kg", Text::tr("Counterweight P₄"), 4,
+                        Text::tr("Weight on the rod for ∮ M₁₂ dφ = 0, or as entered.")},
+                       result.counterweight_mass);
+        visitor.number({"balancing_weight_N", Text::tr("Balancing weight")},
                        result.balancing_mass * g);
     }
     visitor.object(key::guide, [&] { visit_guide(visitor, result.crank_guide); });
@@ -244,46 +211,38 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
                    [&] { visit_guide(visitor, result.crank_guide_with_rod); });
     visitor.object(key::rod_hinge_guide, [&] {
         visit_guide(visitor, result.rod_guide);
-        visitor.numbers({"hinge_angle_deg", CORE_TEXT("elastic-hinge", "Hinge angle θ")},
+        visitor.numbers({"hinge_angle_deg", Text::tr("Hinge angle θ")},
                         result.rod_guide.polar_angle);
         visitor.numbers(key::guide_radius_compressed, result.rod_guide.radius_compressed);
         visitor.numbers(key::guide_radius_stretched, result.rod_guide.radius_stretched);
     });
     if (input.guide_search) {
-        visitor.object({"guide_search", CORE_TEXT("elastic-hinge", "Proposed guide")}, [&] {
+        visitor.object({"guide_search", Text::tr("Proposed guide")}, [&] {
             GuideProposal none;
-            none.reason = CORE_TEXT("elastic-hinge", "no spring is given: enter its free length");
+            none.reason = Text::tr("no spring is given: enter its free length");
             visit_proposal(visitor, result.proposal.value_or(none));
         });
     }
     visitor.object(key::side_force, [&] {
         const double with = result.largest_side_force_with;
         const double without = result.largest_side_force_without;
-        visitor.number(
-            {"largest_without_hinge_N", CORE_TEXT("elastic-hinge", "Side force, no hinge"), 1,
-             CORE_TEXT("elastic-hinge", "Maximum force of the slider on its guide.")},
-            without);
-        visitor.number(
-            {"largest_with_hinge_N", CORE_TEXT("elastic-hinge", "Side force, rod hinge"), 2,
-             CORE_TEXT("elastic-hinge",
-                       "Maximum force of the slider on its guide with the rod hinge.")},
-            with);
-        visitor.number({"largest_by_newton_euler_N",
-                        CORE_TEXT("elastic-hinge", "Side force by Newton–Euler"), 2},
+        visitor.number({"largest_without_hinge_N", Text::tr("Side force, no hinge"), 1,
+                        Text::tr("Maximum force of the slider on its guide.")},
+                       without);
+        visitor.number({"largest_with_hinge_N", Text::tr("Side force, rod hinge"), 2,
+                        Text::tr("Maximum force of the slider on its guide with the rod hinge.")},
+                       with);
+        visitor.number({"largest_by_newton_euler_N", Text::tr("Side force by Newton–Euler"), 2},
                        when(!result.side_force_true.empty(), result.largest_side_force_true));
-        visitor.number(
-            {"reduction_factor", CORE_TEXT("elastic-hinge", "Side force, reduction factor"), 1},
-            when(with > 0.0, without / with));
+        visitor.number({"reduction_factor", Text::tr("Side force, reduction factor"), 1},
+                       when(with > 0.0, without / with));
     });
     visitor.object(key::series, [&] {
-        visitor.number(
-            {"largest_cos_psi_error", CORE_TEXT("elastic-hinge", "Maximum error of cos ψ"), 6},
-            result.series_error);
-        visitor.number(
-            {"at_crank_angle_deg", CORE_TEXT("elastic-hinge", "φ of the maximum error"), 1},
-            result.series_error_angle);
-        visitor.number({"largest_rod_hinge_moment_error_Nm",
-                        CORE_TEXT("elastic-hinge", "Maximum error of M₁₂")},
+        visitor.number({"largest_cos_psi_error", Text::tr("Maximum error of cos ψ"), 6},
+                       result.series_error);
+        visitor.number({"at_crank_angle_deg", Text::tr("φ of the maximum error"), 1},
+                       result.series_error_angle);
+        visitor.number({"largest_rod_hinge_moment_error_Nm", Text::tr("Maximum error of M₁₂")},
                        result.series_moment_error);
     });
     if (input.motion) {
@@ -297,27 +256,23 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
     });
     visitor.object(key::curves, [&] {
         const MechanismCurves& curves = result.curves;
-        visitor.numbers(
-            {"crank_angle_deg", CORE_TEXT("elastic-hinge", "Crank angle φ"), 3, {}, units::none},
-            result.crank_angle_deg);
-        visitor.numbers({"reduced_inertia_kg_m2", CORE_TEXT("elastic-hinge", "Reduced inertia")},
+        visitor.numbers({"crank_angle_deg", Text::tr("Crank angle φ"), 3, {}, units::none},
+                        result.crank_angle_deg);
+        visitor.numbers({"reduced_inertia_kg_m2", Text::tr("Reduced inertia")},
                         curves.reduced_inertia);
-        visitor.numbers({"crank_moment_Nm", CORE_TEXT("elastic-hinge", "Crank hinge moment M")},
-                        curves.crank_moment);
-        visitor.numbers({"rod_hinge_moment_Nm", CORE_TEXT("elastic-hinge", "Rod hinge moment M₁₂")},
+        visitor.numbers({"crank_moment_Nm", Text::tr("Crank hinge moment M")}, curves.crank_moment);
+        visitor.numbers({"rod_hinge_moment_Nm", Text::tr("Rod hinge moment M₁₂")},
                         curves.rod_hinge_moment);
-        visitor.numbers({"rod_hinge_moment_potential_Nm",
-                         CORE_TEXT("elastic-hinge", "Rod hinge moment, potential part")},
-                        curves.rod_hinge_moment_potential);
         visitor.numbers(
-            {"side_force_without_hinge_N", CORE_TEXT("elastic-hinge", "Side force without hinge")},
-            curves.side_force_without_hinge);
+            {"rod_hinge_moment_potential_Nm", Text::tr("Rod hinge moment, potential part")},
+            curves.rod_hinge_moment_potential);
+        visitor.numbers({"side_force_without_hinge_N", Text::tr("Side force without hinge")},
+                        curves.side_force_without_hinge);
+        visitor.numbers({"side_force_with_hinge_N", Text::tr("Side force with hinge")},
+                        curves.side_force_with_hinge);
         visitor.numbers(
-            {"side_force_with_hinge_N", CORE_TEXT("elastic-hinge", "Side force with hinge")},
-            curves.side_force_with_hinge);
-        visitor.numbers({"crank_moment_with_rod_hinge_Nm",
-                         CORE_TEXT("elastic-hinge", "Crank hinge moment with the rod hinge")},
-                        curves.crank_moment_with_rod_hinge);
+            {"crank_moment_with_rod_hinge_Nm", Text::tr("Crank hinge moment with the rod hinge")},
+            curves.crank_moment_with_rod_hinge);
         visitor.numbers(key::guide_radius_compressed, result.crank_guide.radius_compressed);
         visitor.numbers(key::guide_radius_stretched, result.crank_guide.radius_stretched);
     });
@@ -348,13 +303,12 @@ namespace {
 /// Without the warnings.
 Verdict guide_verdict(const Input& input, const Guide& guide) {
     if (!guide.feasible) {
-        return {Severity::error, Message(CORE_TEXT("elastic-hinge", "No guide: %1."), guide.reason),
+        return {Severity::error, Message(Text::tr("No guide: %1."), guide.reason),
                 guide.problem == GuideProblem::preload_too_small ? minimum_preload_act : ""};
     }
     if (guide.summary().undercut) {
         return {Severity::error,
-                Message(CORE_TEXT("elastic-hinge",
-                                  "A roller of radius %1 undercuts the guide; the maximum is %2."),
+                Message(Text::tr("A roller of radius %1 undercuts the guide; the maximum is %2."),
                         Number{input.roller_radius / units::mm, units::mm, 5},
                         Number{*guide.summary().largest_roller_radius / units::mm, units::mm, -2})};
     }
@@ -364,15 +318,13 @@ Verdict guide_verdict(const Input& input, const Guide& guide) {
                         units::percent};
     if (guide.error.relative > max_relative_error) {
         return {Severity::warning,
-                Message(CORE_TEXT("elastic-hinge",
-                                  "The guide cannot be made: its relief is %1, and a profile "
-                                  "error of %2 changes the moment by up to %3."),
+                Message(Text::tr("The guide cannot be made: its relief is %1, and a profile "
+                                 "error of %2 changes the moment by up to %3."),
                         relief, error, spoilt)};
     }
     return {Severity::good,
-            Message(CORE_TEXT("elastic-hinge",
-                              "The guide is feasible: relief %1; a profile error of %2 changes "
-                              "the moment by up to %3."),
+            Message(Text::tr("The guide is feasible: relief %1; a profile error of %2 changes "
+                             "the moment by up to %3."),
                     relief, error, spoilt)};
 }
 
@@ -391,20 +343,18 @@ Verdict verdict(const Input& input, const Result& result) {
     }
     if (input.guide_sign == GuideSign::as_printed) {
         verdict.warn(
-            CORE_TEXT("elastic-hinge",
-                      "The sign is as printed in the paper: the crank does not keep its speed."));
+            Text::tr("The sign is as printed in the paper: the crank does not keep its speed."));
     }
     const double margin = guide.preload - guide.minimum_preload;
     if (guide.minimum_preload > 0.0 && margin < min_preload_margin) {
-        verdict.warn(
-            {CORE_TEXT("elastic-hinge", "The preload exceeds the minimum by only %1 of %2."),
-             Number{margin / units::mm, units::mm, -2},
-             Number{guide.preload / units::mm, units::mm, -2}});
+        verdict.warn({Text::tr("The preload exceeds the minimum by only %1 of %2."),
+                      Number{margin / units::mm, units::mm, -2},
+                      Number{guide.preload / units::mm, units::mm, -2}});
     }
     if (input.roller_radius == 0.0) {
-        verdict.warn(CORE_TEXT("elastic-hinge",
-                               "The roller radius is 0: the guide is the path of the roller's "
-                               "centre."));
+        verdict.warn(
+            Text::tr("The roller radius is 0: the guide is the path of the roller's "
+                     "centre."));
     }
     return verdict;
 }

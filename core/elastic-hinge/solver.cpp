@@ -49,8 +49,7 @@ bool all_finite(const MechanismCurves& curves) {
 [[noreturn]] void reject_extreme() {
     throw InputError(
         "/input",
-        CORE_TEXT("elastic-hinge",
-                  "has values whose result exceeds the range of numbers; enter realistic values"));
+        Text::tr("has values whose result exceeds the range of numbers; enter realistic values"));
 }
 
 void resize(MechanismCurves& curves, std::size_t n, bool exact) {
@@ -226,32 +225,28 @@ void add_notes(const Input& input, Result& result) {
                                           0.0,  // the ratio is typed itself
                                           {input.crank_mass, input.rod_mass, input.slider_mass}});
     if (input.kinematics == Kinematics::series && input.lambda > 0.4) {
-        result.notes.emplace_back(CORE_TEXT("elastic-hinge",
-                                            "Error of the series in cos ψ: %1 at φ = %2°; use the "
-                                            "exact kinematics for a design."),
+        result.notes.emplace_back(Text::tr("Error of the series in cos ψ: %1 at φ = %2°; use the "
+                                           "exact kinematics for a design."),
                                   Number{result.series_error, units::none, 3},
                                   std::round(result.series_error_angle / units::degree));
     }
     if (input.guide_sign == GuideSign::as_printed) {
         result.guide_notes.emplace_back(
-            CORE_TEXT("elastic-hinge",
-                      "The guide has the sign as printed in the paper: the crank leaves its design "
-                      "speed, which the energy sign keeps."));
+            Text::tr("The guide has the sign as printed in the paper: the crank leaves its design "
+                     "speed, which the energy sign keeps."));
     }
     if (input.rod_counterweight &&
         input.rod_counterweight->inertia == CounterweightInertia::as_printed &&
         result.counterweight_mass > 0.0 && !result.side_force_true.empty()) {
         result.notes.emplace_back(
-            CORE_TEXT("elastic-hinge",
-                      "Equation (9) as printed has the wrong sign of the counterweight's inertia: "
-                      "residual side force up to %1, with Newton–Euler zero."),
+            Text::tr("Equation (9) as printed has the wrong sign of the counterweight's inertia: "
+                     "residual side force up to %1, with Newton–Euler zero."),
             Number{std::round(result.largest_side_force_true), units::newton});
     }
     if (guide.feasible && guide.relief < 0.1 * units::mm && guide.error.relative > 0.02) {
         result.guide_notes.emplace_back(
-            CORE_TEXT("elastic-hinge",
-                      "The crank's guide has a relief of only %1: a profile error of %2 changes "
-                      "its moment by up to %3; a softer spring gives more relief."),
+            Text::tr("The crank's guide has a relief of only %1: a profile error of %2 changes "
+                     "its moment by up to %3; a softer spring gives more relief."),
             Number{rounded_to_decimals(guide.relief / units::micrometre, 1), units::micrometre},
             Number{rounded_to_decimals(guide.error.amplitude / units::micrometre, 2),
                    units::micrometre},

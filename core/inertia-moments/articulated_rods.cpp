@@ -84,13 +84,11 @@ std::size_t master_of(std::span<const Cylinder> cylinders, const Throw& pin, std
         if (plain.size() != 1) {
             throw InputError(pointer,
                              plain.empty()
-                                 ? Message(CORE_TEXT("inertia-moments",
-                                                     "must have a master rod: all rods on the "
-                                                     "crankpin of cylinder %1 are articulated"),
+                                 ? Message(Text::tr("must have a master rod: all rods on the "
+                                                    "crankpin of cylinder %1 are articulated"),
                                            own + 1)
-                                 : Message(CORE_TEXT("inertia-moments",
-                                                     "must be given: any of the rods of cylinders "
-                                                     "%1 on this crankpin could be the master"),
+                                 : Message(Text::tr("must be given: any of the rods of cylinders "
+                                                    "%1 on this crankpin could be the master"),
                                            numbers_of(plain)));
         }
         return plain.front();
@@ -100,20 +98,17 @@ std::size_t master_of(std::span<const Cylinder> cylinders, const Throw& pin, std
         throw InputError(pointer, why, Number{static_cast<double>(number)});
     };
     if (master >= cylinders.size()) {
-        reject({CORE_TEXT("inertia-moments", "must be a cylinder of the table, 1 to %1"),
-                cylinders.size()});
+        reject({Text::tr("must be a cylinder of the table, 1 to %1"), cylinders.size()});
     }
     if (cylinders[master].articulated) {
         reject(
-            {CORE_TEXT("inertia-moments",
-                       "must be a rod on the crankpin; the rod of cylinder %1 is articulated too"),
+            {Text::tr("must be a rod on the crankpin; the rod of cylinder %1 is articulated too"),
              number});
     }
     if (std::find(plain.begin(), plain.end(), master) == plain.end()) {
         reject(
-            {CORE_TEXT("inertia-moments",
-                       "must run on the same crankpin (same angle, another direction, less than "
-                       "the crank radius away); cylinder %1 runs on the crankpin of cylinders %2"),
+            {Text::tr("must run on the same crankpin (same angle, another direction, less than "
+                      "the crank radius away); cylinder %1 runs on the crankpin of cylinders %2"),
              own + 1, numbers_of(pin.cylinders)});
     }
     return master;
@@ -219,11 +214,10 @@ std::vector<std::optional<KnuckleRod>> knuckle_rods(std::span<const Cylinder> cy
         rod.master = master_of(cylinders, throw_of(throws, i), i);
         rod.knuckle_radius = given.knuckle_radius;
         if (!(rod.knuckle_radius < rod_length)) {
-            throw InputError(
-                rod_pointer(i, field::knuckle_radius),
-                {CORE_TEXT("inertia-moments", "must be less than %1, the length of the master rod"),
-                 Number{.value = rod_length / units::mm, .digits = 6}},
-                Number{from_si(field::knuckle_radius, given.knuckle_radius)});
+            throw InputError(rod_pointer(i, field::knuckle_radius),
+                             {Text::tr("must be less than %1, the length of the master rod"),
+                              Number{.value = rod_length / units::mm, .digits = 6}},
+                             Number{from_si(field::knuckle_radius, given.knuckle_radius)});
         }
         const double between = cylinders[i].bank_angle - cylinders[rod.master].bank_angle;
         rod.knuckle_angle = given.knuckle_angle.value_or(between);
@@ -252,17 +246,15 @@ std::vector<Message> unusual_rod_notes(std::span<const std::optional<KnuckleRod>
     std::vector<Message> notes;
     if (!longer.empty()) {
         notes.emplace_back(
-            CORE_TEXT("inertia-moments",
-                      "The articulated rods of cylinders %1 are longer than the master rod (%2); "
-                      "usual: shorter by about the knuckle radius."),
+            Text::tr("The articulated rods of cylinders %1 are longer than the master rod (%2); "
+                     "usual: shorter by about the knuckle radius."),
             numbers_of(longer),
             Number{.value = rod_length / units::mm, .unit = units::mm, .digits = 6});
     }
     if (!plain.empty()) {
         notes.emplace_back(
-            CORE_TEXT("inertia-moments",
-                      "The articulated rods of cylinders %1 have a knuckle radius of 0: they move "
-                      "as plain rods on the crankpin."),
+            Text::tr("The articulated rods of cylinders %1 have a knuckle radius of 0: they move "
+                     "as plain rods on the crankpin."),
             numbers_of(plain));
     }
     return notes;

@@ -77,11 +77,9 @@ std::vector<Difference> compare(const EngineOrders& exact, const EngineOrders& t
 }
 
 Message describe(const Difference& difference) {
-    constexpr Text quantities[] = {CORE_TEXT("inertia-moments", "order %1 force"),
-                                   CORE_TEXT("inertia-moments", "order %1 moment"),
-                                   CORE_TEXT("inertia-moments", "order %1 roll moment")};
-    constexpr Text planes[] = {CORE_TEXT("inertia-moments", "%1, horizontal plane"),
-                               CORE_TEXT("inertia-moments", "%1, vertical plane")};
+    constexpr Text quantities[] = {Text::tr("order %1 force"), Text::tr("order %1 moment"),
+                                   Text::tr("order %1 roll moment")};
+    constexpr Text planes[] = {Text::tr("%1, horizontal plane"), Text::tr("%1, vertical plane")};
     Message component(quantities[static_cast<int>(difference.quantity)], difference.order);
     if (difference.plane != Plane::none) {
         component = Message(planes[static_cast<int>(difference.plane)], component);
@@ -90,11 +88,10 @@ Message describe(const Difference& difference) {
         return Number{share / units::percent, units::none, -1};
     };
     if (difference.two_term == 0.0) {
-        return {
-            CORE_TEXT("inertia-moments", "%1: not in the two-term form, %2 % of the maximum order"),
-            component, percent(difference.of_largest)};
+        return {Text::tr("%1: not in the two-term form, %2 % of the maximum order"), component,
+                percent(difference.of_largest)};
     }
-    return {CORE_TEXT("inertia-moments", "%1: error of the two-term form %2 %"), component,
+    return {Text::tr("%1: error of the two-term form %2 %"), component,
             percent(difference.relative.value_or(0.0))};
 }
 

@@ -81,14 +81,12 @@ double Engine::stroke(std::size_t cylinder) const {
 Message describe(const Locking& locking) {
     const auto number = static_cast<double>(locking.cylinder + 1);
     if (!locking.angles) {
-        return {CORE_TEXT("inertia-moments",
-                          "the mechanism of cylinder %1 is not possible: the rod does not reach "
-                          "the piston at any crank angle"),
+        return {Text::tr("the mechanism of cylinder %1 is not possible: the rod does not reach "
+                         "the piston at any crank angle"),
                 number};
     }
-    return {CORE_TEXT("inertia-moments",
-                      "the mechanism of cylinder %1 locks with the crank at %2 turning forward and "
-                      "at %3 turning back, measured from the cylinder's axis"),
+    return {Text::tr("the mechanism of cylinder %1 locks with the crank at %2 turning forward and "
+                     "at %3 turning back, measured from the cylinder's axis"),
             number, Number{locking.angles->forward / degree, units::degree, 4},
             Number{locking.angles->backward / degree, units::degree, 4}};
 }

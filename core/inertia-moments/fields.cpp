@@ -30,9 +30,8 @@ std::span<const Word> layout_words() {
 
 const Field field::layout_name{
     .key = "name",
-    .label = CORE_TEXT("inertia-moments", "Layout"),
-    .hint =
-        CORE_TEXT("inertia-moments", "Name in the library, for example i4, v6-60, v8-cross-plane."),
+    .label = Text::tr("Layout"),
+    .hint = Text::tr("Name in the library, for example i4, v6-60, v8-cross-plane."),
     .words = layout_words()};
 
 namespace {
@@ -56,11 +55,9 @@ Layout library_layout(const std::string& name, double crank_radius, const std::s
     }
     const auto near = nearest_word(name, names);
     throw InputError(parent + "/name",
-                     near
-                         ? Message(CORE_TEXT("inertia-moments",
-                                             "must be a layout of the library (the nearest is %1)"),
-                                   quoted_list({*near}))
-                         : Message(CORE_TEXT("inertia-moments", "must be a layout of the library")),
+                     near ? Message(Text::tr("must be a layout of the library (the nearest is %1)"),
+                                    quoted_list({*near}))
+                          : Message(Text::tr("must be a layout of the library")),
                      quoted_list({name}));
 }
 
@@ -108,7 +105,7 @@ void visit_rotating_mass(FieldVisitor& visitor, Input& input) {
         if (of_throw && of_cylinder) {
             throw InputError(
                 visitor.pointer() + "/" + std::string(field::rotating_mass_per_throw.key),
-                {CORE_TEXT("core", "must be left out if %1 is given"), field::rotating_mass.key});
+                {Text::tr("must be left out if %1 is given"), field::rotating_mass.key});
         }
         input.rotating_mass_of_throw = of_throw;
     }

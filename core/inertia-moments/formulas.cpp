@@ -10,20 +10,18 @@ namespace {
 constexpr std::string_view chainov = "chainov-vallejo-maldonado";
 
 void add_articulated(std::vector<Formula>& list) {
-    list.push_back({CORE_TEXT("inertia-moments", "Swing of the master rod"),
+    list.push_back({Text::tr("Swing of the master rod"),
                     "sin ψ = λ (K<sub>m</sub> − sin θ<sub>m</sub>)", "", "",
-                    CORE_TEXT("inertia-moments",
-                              "ψ counter-clockwise from the master cylinder's "
-                              "axis, index m: of the master cylinder")});
-    list.push_back({CORE_TEXT("inertia-moments", "Knuckle pin"),
+                    Text::tr("ψ counter-clockwise from the master cylinder's "
+                             "axis, index m: of the master cylinder")});
+    list.push_back({Text::tr("Knuckle pin"),
                     "q = R e<sup>iθ</sup> + r<sub>k</sub> e<sup>i(ψ + γ − β + β<sub>m</sub>)</sup>",
                     "", "",
-                    CORE_TEXT("inertia-moments",
-                              "along the cylinder's own axis + i across it; r_k and γ radius and "
-                              "angle of the knuckle pin, β bank angle")});
-    list.push_back({CORE_TEXT("inertia-moments", "Articulated piston pin"),
+                    Text::tr("along the cylinder's own axis + i across it; r_k and γ radius and "
+                             "angle of the knuckle pin, β bank angle")});
+    list.push_back({Text::tr("Articulated piston pin"),
                     "s = Re q + √(l<sup>2</sup> − (Im q − e)<sup>2</sup>)", "", "",
-                    CORE_TEXT("inertia-moments", "l length of the articulated rod")});
+                    Text::tr("l length of the articulated rod")});
 }
 
 void add_weights(std::vector<Formula>& list, const Input& input) {
@@ -32,32 +30,29 @@ void add_weights(std::vector<Formula>& list, const Input& input) {
                            [&](const Shaft& shaft) { return shaft.balances == what; });
     };
     if (!input.shafts.empty()) {
-        list.push_back({CORE_TEXT("inertia-moments", "Rotating parts of order k"),
+        list.push_back({Text::tr("Rotating parts of order k"),
                         "M<sub>x</sub> + i M<sub>y</sub> = A e<sup>ikφ</sup> + B e<sup>−ikφ</sup>",
                         "", "",
-                        CORE_TEXT("inertia-moments",
-                                  "A turns with the crank, B against it; each is cancelled by one "
-                                  "shaft")});
+                        Text::tr("A turns with the crank, B against it; each is cancelled by one "
+                                 "shaft")});
     }
     if (has(Balances::moment)) {
-        list.push_back({CORE_TEXT("inertia-moments", "Balance shaft against a moment"),
+        list.push_back({Text::tr("Balance shaft against a moment"),
                         "m ρ L (kω)<sup>2</sup> = |A|, |B|", chainov, "Fig. 7, Fig. 8",
-                        CORE_TEXT("inertia-moments",
-                                  "L distance of its two weights; phase opposite "
-                                  "to A or B")});
+                        Text::tr("L distance of its two weights; phase opposite "
+                                 "to A or B")});
     }
     if (has(Balances::force)) {
-        list.push_back({CORE_TEXT("inertia-moments", "Balance shaft against a force"),
-                        "m ρ (kω)<sup>2</sup> = |A|, |B|"});
+        list.push_back(
+            {Text::tr("Balance shaft against a force"), "m ρ (kω)<sup>2</sup> = |A|, |B|"});
     }
     if (input.rotating_mass > 0.0 || input.end_webs) {
-        list.push_back({CORE_TEXT("inertia-moments", "Rotating masses"),
+        list.push_back({Text::tr("Rotating masses"),
                         "m<sub>R</sub> R ω<sup>2</sup> Σ e<sup>iκ</sup>, m<sub>R</sub> R "
                         "ω<sup>2</sup> Σ (z − z<sub>0</sub>) e<sup>iκ</sup>",
                         chainov, "Fig. 9",
-                        CORE_TEXT("inertia-moments",
-                                  "force and moment; κ crankpin angle; two weights on the end webs "
-                                  "are opposite to both")});
+                        Text::tr("force and moment; κ crankpin angle; two weights on the end webs "
+                                 "are opposite to both")});
     }
 }
 
@@ -73,58 +68,49 @@ std::vector<Formula> formulas(const Input& input) {
     const bool offset = any([](const Cylinder& each) { return each.offset != 0.0; });
     const bool articulated = any([](const Cylinder& each) { return each.articulated.has_value(); });
     std::vector<Formula> list;
-    list.push_back(
-        {CORE_TEXT("inertia-moments", "Piston pin along its axis"),
-         offset ? "s = R cos θ + √(L<sup>2</sup> − (R sin θ − e)<sup>2</sup>)"
-                : "s = R cos θ + √(L<sup>2</sup> − R<sup>2</sup> sin<sup>2</sup> θ)",
-         "", "",
-         CORE_TEXT("inertia-moments",
-                   "θ = φ + β₁ + κ − β angle of the crankpin from the cylinder's axis, R "
-                   "crank radius, L = R/λ rod, e = K R offset")});
+    list.push_back({Text::tr("Piston pin along its axis"),
+                    offset ? "s = R cos θ + √(L<sup>2</sup> − (R sin θ − e)<sup>2</sup>)"
+                           : "s = R cos θ + √(L<sup>2</sup> − R<sup>2</sup> sin<sup>2</sup> θ)",
+                    "", "",
+                    Text::tr("θ = φ + β₁ + κ − β angle of the crankpin from the cylinder's axis, R "
+                             "crank radius, L = R/λ rod, e = K R offset")});
     if (articulated) {
         add_articulated(list);
     }
-    list.push_back({CORE_TEXT("inertia-moments", "Inertia force, exact"),
+    list.push_back({Text::tr("Inertia force, exact"),
                     "F = −m<sub>j</sub> d<sup>2</sup>s/dt<sup>2</sup>", "", "",
-                    CORE_TEXT("inertia-moments",
-                              "orders 1 to 12 by a Fourier transform of the exact motion")});
-    list.push_back({CORE_TEXT("inertia-moments", "Inertia force, two terms"),
+                    Text::tr("orders 1 to 12 by a Fourier transform of the exact motion")});
+    list.push_back({Text::tr("Inertia force, two terms"),
                     offset ? "F = m<sub>j</sub> R ω<sup>2</sup> (cos θ + K λ sin θ + λ cos 2θ)"
                            : "F = m<sub>j</sub> R ω<sup>2</sup> (cos θ + λ cos 2θ)",
-                    chainov, "(1)–(4)",
-                    CORE_TEXT("inertia-moments", "the paper's form, compared with the exact one")});
+                    chainov, "(1)–(4)", Text::tr("the paper's form, compared with the exact one")});
     if (offset) {
-        list.push_back({CORE_TEXT("inertia-moments", "Top dead centre"), "θ = arcsin(λK / (1 + λ))",
-                        chainov, "Fig. 1",
-                        CORE_TEXT("inertia-moments", "on the side of the offset")});
+        list.push_back({Text::tr("Top dead centre"), "θ = arcsin(λK / (1 + λ))", chainov, "Fig. 1",
+                        Text::tr("on the side of the offset")});
     }
     if (input.layout && input.layout->name == "vr") {
-        list.push_back({CORE_TEXT("inertia-moments", "Shift of the second bank's crankpins"),
-                        "γ + 2 φ<sub>0</sub>", chainov, "Fig. 2",
-                        CORE_TEXT("inertia-moments",
-                                  "for even firing; γ angle between the banks, φ₀ top dead centre. "
-                                  "The paper prints γ + φ₀, but its number is from this formula")});
+        list.push_back({Text::tr("Shift of the second bank's crankpins"), "γ + 2 φ<sub>0</sub>",
+                        chainov, "Fig. 2",
+                        Text::tr("for even firing; γ angle between the banks, φ₀ top dead centre. "
+                                 "The paper prints γ + φ₀, but its number is from this formula")});
     }
-    list.push_back({CORE_TEXT("inertia-moments", "Force on the engine"),
+    list.push_back({Text::tr("Force on the engine"),
                     "F = Σ F<sub>i</sub> "
                     "u<sub>i</sub>",
-                    chainov, "Fig. 4", CORE_TEXT("inertia-moments", "uᵢ direction of cylinder i")});
+                    chainov, "Fig. 4", Text::tr("uᵢ direction of cylinder i")});
     list.push_back(
-        {CORE_TEXT("inertia-moments", "Moments in the horizontal and vertical plane"),
+        {Text::tr("Moments in the horizontal and vertical plane"),
          "(M<sub>x</sub>, M<sub>y</sub>) = Σ F<sub>i</sub> u<sub>i</sub> (z<sub>i</sub> "
          "− z<sub>0</sub>)",
          chainov, "(1)–(4)",
-         CORE_TEXT("inertia-moments",
-                   "zᵢ place of cylinder i along the crank, z₀ reference point of moments")});
+         Text::tr("zᵢ place of cylinder i along the crank, z₀ reference point of moments")});
     list.push_back(
-        {CORE_TEXT("inertia-moments", "Roll moment"), "M<sub>z</sub> = −Σ e F − Σ F ds/dφ", "", "",
-         CORE_TEXT("inertia-moments",
-                   "due to the offset axes and the reaction to the torque on the crank")});
+        {Text::tr("Roll moment"), "M<sub>z</sub> = −Σ e F − Σ F ds/dφ", "", "",
+         Text::tr("due to the offset axes and the reaction to the torque on the crank")});
     if (input.rod) {
         list.push_back(
-            {CORE_TEXT("inertia-moments", "Rod as a rigid body"), "ΔJ = J − m c (L − c)", "", "",
-             CORE_TEXT(
-                 "inertia-moments",
+            {Text::tr("Rod as a rigid body"), "ΔJ = J − m c (L − c)", "", "",
+             Text::tr(
                  "difference of its inertia from two masses; acts on roll moment and torque")});
     }
     add_weights(list, input);
@@ -133,16 +119,13 @@ std::vector<Formula> formulas(const Input& input) {
 
 std::span<const Text> left_out() {
     static constexpr std::array texts{
-        CORE_TEXT("inertia-moments", "The engine is rigid, and the crank turns at constant speed."),
-        CORE_TEXT(
-            "inertia-moments",
+        Text::tr("The engine is rigid, and the crank turns at constant speed."),
+        Text::tr(
             "Gas forces act inside the engine, outside only as torque; they have the half orders."),
-        CORE_TEXT(
-            "inertia-moments",
+        Text::tr(
             "All cylinders have the same masses, crank radius and rod, except articulated rods."),
-        CORE_TEXT("inertia-moments",
-                  "The inertia of a master rod's big end beyond the mass at its knuckle pins is "
-                  "neglected."),
+        Text::tr("The inertia of a master rod's big end beyond the mass at its knuckle pins is "
+                 "neglected."),
     };
     return texts;
 }

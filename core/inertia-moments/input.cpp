@@ -27,8 +27,7 @@ void check_firing_order(const std::vector<int>& order, int count, const std::str
 
 void check_layout(const Layout& layout) {
     if (layout.name != "vr" && find_layout(layout.name) == nullptr) {
-        throw InputError("/input/layout/name",
-                         CORE_TEXT("inertia-moments", "must be a layout of the library"),
+        throw InputError("/input/layout/name", Text::tr("must be a layout of the library"),
                          layout.name);
     }
     check_firing_order(layout.firing_order, cylinder_count(layout), "/input/layout/firing_order");
@@ -37,10 +36,9 @@ void check_layout(const Layout& layout) {
 void check_table(const Input& input) {
     if (input.cylinders.empty() ||
         input.cylinders.size() > static_cast<std::size_t>(max_cylinders)) {
-        throw InputError(
-            "/input/cylinders",
-            {CORE_TEXT("inertia-moments", "must list from 1 to %1 cylinders"), max_cylinders},
-            Number{static_cast<double>(input.cylinders.size())});
+        throw InputError("/input/cylinders",
+                         {Text::tr("must list from 1 to %1 cylinders"), max_cylinders},
+                         Number{static_cast<double>(input.cylinders.size())});
     }
     if (!input.firing_order.empty()) {
         check_firing_order(input.firing_order, static_cast<int>(input.cylinders.size()),
@@ -63,7 +61,7 @@ void check_locking(const Input& input, const std::vector<Cylinder>& cylinders) {
     if (!(limit > 0.0) && input.given_rod_length) {
         throw InputError(
             "/input/rod_length_mm",
-            {CORE_TEXT("inertia-moments", "must be greater than the crank radius, %1; %2"),
+            {Text::tr("must be greater than the crank radius, %1; %2"),
              bound(from_si(field::crank_radius, input.crank_radius / (1.0 - nearest_to_locking)),
                    from_si(field::rod_length, input.rod_length())),
              describe(*locking)},
@@ -72,7 +70,7 @@ void check_locking(const Input& input, const std::vector<Cylinder>& cylinders) {
     if (!(limit > 0.0)) {
         throw InputError(
             "/input/lambda",
-            {CORE_TEXT("inertia-moments", "must be at most %1; %2"),
+            {Text::tr("must be at most %1; %2"),
              Number{.value = 1.0 - nearest_to_locking, .digits = 9}, describe(*locking)},
             Number{input.lambda});
     }
@@ -82,8 +80,7 @@ void check_locking(const Input& input, const std::vector<Cylinder>& cylinders) {
                      : "/input/cylinders/" + std::to_string(locking->cylinder) + "/offset_mm";
     throw InputError(
         pointer,
-        {CORE_TEXT("inertia-moments",
-                   "must be less than %1 in magnitude (rod length minus crank radius); %2"),
+        {Text::tr("must be less than %1 in magnitude (rod length minus crank radius); %2"),
          bound(limit, std::abs(offset)), describe(*locking)},
         bound(offset, std::copysign(limit, offset)));
 }
@@ -97,17 +94,15 @@ void check_articulated(const Input& input, const Engine& engine) {
         if (input.rod) {
             throw InputError(
                 "/input/rod",
-                {CORE_TEXT("inertia-moments",
-                           "must be left out with articulated rods (cylinder %1): master and "
-                           "articulated rods differ in mass, so enter their shares in the masses"),
+                {Text::tr("must be left out with articulated rods (cylinder %1): master and "
+                          "articulated rods differ in mass, so enter their shares in the masses"),
                  i + 1});
         }
         const double mass = engine.knuckles[i]->knuckle_mass;
         if (!(mass <= engine.rotating_mass)) {
             throw InputError(
                 "/input/cylinders/" + std::to_string(i) + "/articulated/knuckle_mass_kg",
-                {CORE_TEXT("inertia-moments",
-                           "must be at most %1, the rotating mass of one cylinder"),
+                {Text::tr("must be at most %1, the rotating mass of one cylinder"),
                  Number{.value = engine.rotating_mass, .digits = 6}},
                 Number{mass});
         }
@@ -120,9 +115,8 @@ void check_articulated(const Input& input, const Engine& engine) {
             const KnuckleRod& rod = *engine.knuckles[i];
             throw InputError(
                 "/input/cylinders/" + std::to_string(i) + "/articulated/" + std::string(field.key),
-                {CORE_TEXT("inertia-moments",
-                           "must leave the articulated rod longer than %1, the distance of its "
-                           "knuckle pin from the cylinder's axis"),
+                {Text::tr("must leave the articulated rod longer than %1, the distance of its "
+                          "knuckle pin from the cylinder's axis"),
                  Number{.value = reach * engine.crank_radius / units::mm, .digits = 6}},
                 Number{.value = from_si(field, given ? rod.rod_length : rod.knuckle_radius),
                        .digits = 6});
@@ -136,7 +130,7 @@ void check_end_webs(const EndWebs& webs) {
     if (!(std::abs(webs.front_position - webs.rear_position) >
           std::max(1e-9 * size, min_distance))) {
         throw InputError("/input/counterweights/rear_position_mm",
-                         {CORE_TEXT("inertia-moments", "must differ from %1 by more than %2"),
+                         {Text::tr("must differ from %1 by more than %2"),
                           field::front_position.key, min_distance / units::mm},
                          Number{from_si(field::rear_position, webs.rear_position)});
     }
@@ -145,9 +139,8 @@ void check_end_webs(const EndWebs& webs) {
 void check_throws(const Input& input, const Engine& engine) {
     if (input.rotating_mass_of_throw && !rods_per_throw(engine.throws)) {
         throw InputError("/input/rotating_mass_per_throw_kg",
-                         {CORE_TEXT("inertia-moments",
-                                    "must be given for one cylinder (%1) if the throws carry "
-                                    "different numbers of rods"),
+                         {Text::tr("must be given for one cylinder (%1) if the throws carry "
+                                   "different numbers of rods"),
                           field::rotating_mass.key},
                          describe_difference(engine.throws));
     }
@@ -155,10 +148,9 @@ void check_throws(const Input& input, const Engine& engine) {
 
 void check_size(const Input& input, const Engine& engine) {
     if (input.rod && !(engine.reciprocating_mass > 0.0 && engine.rotating_mass >= 0.0)) {
-        throw InputError(
-            "/input/rod/centre_from_big_end_mm",
-            CORE_TEXT("inertia-moments", "must give both ends of the rod a mass of at least 0"),
-            Number{.value = input.rod->centre_from_big_end / units::mm, .digits = 6});
+        throw InputError("/input/rod/centre_from_big_end_mm",
+                         Text::tr("must give both ends of the rod a mass of at least 0"),
+                         Number{.value = input.rod->centre_from_big_end / units::mm, .digits = 6});
     }
     double lever = engine.crank_radius;
     for (const Cylinder& cylinder : engine.cylinders) {
@@ -177,9 +169,8 @@ void check_size(const Input& input, const Engine& engine) {
     for (const double effect : {engine.force_unit(), force, force * lever, couple}) {
         if (!(effect <= largest_effect)) {
             throw InputError("/input",
-                             CORE_TEXT("inertia-moments",
-                                       "sizes, masses and speed together must keep forces and "
-                                       "moments under 1e200 N and N·m"),
+                             Text::tr("sizes, masses and speed together must keep forces and "
+                                      "moments under 1e200 N and N·m"),
                              Number{.value = effect, .digits = 6});
         }
     }
@@ -188,9 +179,8 @@ void check_size(const Input& input, const Engine& engine) {
                   engine.crank_radius});
     if (!(smallest >= smallest_effect)) {
         throw InputError("/input",
-                         CORE_TEXT("inertia-moments",
-                                   "sizes, masses and speed together must keep m R ω² over 1e-200 "
-                                   "N"),
+                         Text::tr("sizes, masses and speed together must keep m R ω² over 1e-200 "
+                                  "N"),
                          Number{.value = engine.force_unit(), .digits = 6});
     }
 }
@@ -208,11 +198,10 @@ void check_input(const Input& input) {
     // The rod, R/λ, must have a length; field::lambda allows all that is greater than 0.
     if (constexpr Range ratios = Range::at_least(1e-9); !ratios.contains(input.ratio())) {
         if (input.given_rod_length) {
-            throw InputError(
-                "/input/rod_length_mm",
-                {CORE_TEXT("inertia-moments", "must be at most %1, 1e9 times the crank radius"),
-                 from_si(field::crank_radius, input.crank_radius) / 1e-9},
-                Number{from_si(field::rod_length, input.rod_length())});
+            throw InputError("/input/rod_length_mm",
+                             {Text::tr("must be at most %1, 1e9 times the crank radius"),
+                              from_si(field::crank_radius, input.crank_radius) / 1e-9},
+                             Number{from_si(field::rod_length, input.rod_length())});
         }
         throw InputError("/input/lambda", ratios.message(), Number{input.lambda});
     }
@@ -226,7 +215,7 @@ void check_input(const Input& input) {
     }
     if (input.shafts.size() > static_cast<std::size_t>(max_shafts)) {
         throw InputError("/input/balance_shafts",
-                         {CORE_TEXT("inertia-moments", "must list at most %1 shafts"), max_shafts},
+                         {Text::tr("must list at most %1 shafts"), max_shafts},
                          Number{static_cast<double>(input.shafts.size())});
     }
     if (input.end_webs) {

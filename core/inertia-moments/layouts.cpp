@@ -43,44 +43,28 @@ using enum Arrangement;
 // name, title, arrangement, N, γ°, side of bank 1, K, a/R, stagger/R, even firing, pins, firing
 // order
 constexpr std::array<LayoutSpec, 20> library{{
-    {"i1", CORE_TEXT("inertia-moments", "Single"), in_line, 1, 0, 0, 0, 2, 0, false, pins_1,
-     order_1},
-    {"i2-180", CORE_TEXT("inertia-moments", "In-line 2, 180°"), in_line, 2, 0, 0, 0, 2, 0, false,
-     pins_i2_180, order_2},
-    {"i2-360", CORE_TEXT("inertia-moments", "In-line 2, 360°"), in_line, 2, 0, 0, 0, 2, 0, false,
-     pins_i2_360, order_2},
-    {"i3", CORE_TEXT("inertia-moments", "In-line 3"), in_line, 3, 0, 0, 0, 2, 0, true, even,
-     order_3},
-    {"i4", CORE_TEXT("inertia-moments", "In-line 4"), in_line, 4, 0, 0, 0, 2, 0, true, even,
-     order_4},
-    {"i5", CORE_TEXT("inertia-moments", "In-line 5"), in_line, 5, 0, 0, 0, 2, 0, true, even,
-     order_5},
-    {"i6", CORE_TEXT("inertia-moments", "In-line 6"), in_line, 6, 0, 0, 0, 2, 0, true, even,
-     order_6},
-    {"v2-45", CORE_TEXT("inertia-moments", "V-twin 45°"), v, 2, 45, 1, 0, 2, 0, false,
-     pins_common_2, order_2},
-    {"v2-60", CORE_TEXT("inertia-moments", "V-twin 60°"), v, 2, 60, 1, 0, 2, 0, false,
-     pins_common_2, order_2},
-    {"v2-90", CORE_TEXT("inertia-moments", "V-twin 90°"), v, 2, 90, 1, 0, 2, 0, false,
-     pins_common_2, order_2},
-    {"v6-60", CORE_TEXT("inertia-moments", "V6 60°, split pins"), v, 6, 60, -1, 0, 2.4, 0, true,
-     even, order_v6},
-    {"v6-90", CORE_TEXT("inertia-moments", "V6 90°, split pins"), v, 6, 90, -1, 0, 2.4, 0, true,
-     even, order_v6},
-    {"v8-cross-plane", CORE_TEXT("inertia-moments", "V8, cross-plane"), v, 8, 90, 1, 0, 2.4, 0,
-     false, pins_v8_cross, order_v8_cross},
-    {"v8-flat-plane", CORE_TEXT("inertia-moments", "V8, flat-plane"), v, 8, 90, -1, 0, 2.4, 0,
-     false, pins_v8_flat, order_v8_flat},
-    {"flat-2", CORE_TEXT("inertia-moments", "Flat twin"), v, 2, 180, 1, 0, 2.4, 1, false,
-     pins_flat_2, order_2},
-    {"flat-4", CORE_TEXT("inertia-moments", "Flat 4"), v, 4, 180, 1, 0, 2.4, 1, false, pins_flat_4,
-     order_flat_4},
-    {"flat-6", CORE_TEXT("inertia-moments", "Flat 6"), v, 6, 180, 1, 0, 2.4, 1, true, even,
-     order_flat_6},
-    {"vr5", CORE_TEXT("inertia-moments", "VR5"), vr, 5, 15, 1, 0.278, 1.4, 0, true, even, order_5},
-    {"vr6", CORE_TEXT("inertia-moments", "VR6"), vr, 6, 15, 1, 0.278, 1.4, 0, true, even, order_6},
-    {"w12", CORE_TEXT("inertia-moments", "W12"), double_vr, 12, 72, -1, 0.278, 1.5, 0.3, true, even,
-     order_w12},
+    {"i1", Text::tr("Single"), in_line, 1, 0, 0, 0, 2, 0, false, pins_1, order_1},
+    {"i2-180", Text::tr("In-line 2, 180°"), in_line, 2, 0, 0, 0, 2, 0, false, pins_i2_180, order_2},
+    {"i2-360", Text::tr("In-line 2, 360°"), in_line, 2, 0, 0, 0, 2, 0, false, pins_i2_360, order_2},
+    {"i3", Text::tr("In-line 3"), in_line, 3, 0, 0, 0, 2, 0, true, even, order_3},
+    {"i4", Text::tr("In-line 4"), in_line, 4, 0, 0, 0, 2, 0, true, even, order_4},
+    {"i5", Text::tr("In-line 5"), in_line, 5, 0, 0, 0, 2, 0, true, even, order_5},
+    {"i6", Text::tr("In-line 6"), in_line, 6, 0, 0, 0, 2, 0, true, even, order_6},
+    {"v2-45", Text::tr("V-twin 45°"), v, 2, 45, 1, 0, 2, 0, false, pins_common_2, order_2},
+    {"v2-60", Text::tr("V-twin 60°"), v, 2, 60, 1, 0, 2, 0, false, pins_common_2, order_2},
+    {"v2-90", Text::tr("V-twin 90°"), v, 2, 90, 1, 0, 2, 0, false, pins_common_2, order_2},
+    {"v6-60", Text::tr("V6 60°, split pins"), v, 6, 60, -1, 0, 2.4, 0, true, even, order_v6},
+    {"v6-90", Text::tr("V6 90°, split pins"), v, 6, 90, -1, 0, 2.4, 0, true, even, order_v6},
+    {"v8-cross-plane", Text::tr("V8, cross-plane"), v, 8, 90, 1, 0, 2.4, 0, false, pins_v8_cross,
+     order_v8_cross},
+    {"v8-flat-plane", Text::tr("V8, flat-plane"), v, 8, 90, -1, 0, 2.4, 0, false, pins_v8_flat,
+     order_v8_flat},
+    {"flat-2", Text::tr("Flat twin"), v, 2, 180, 1, 0, 2.4, 1, false, pins_flat_2, order_2},
+    {"flat-4", Text::tr("Flat 4"), v, 4, 180, 1, 0, 2.4, 1, false, pins_flat_4, order_flat_4},
+    {"flat-6", Text::tr("Flat 6"), v, 6, 180, 1, 0, 2.4, 1, true, even, order_flat_6},
+    {"vr5", Text::tr("VR5"), vr, 5, 15, 1, 0.278, 1.4, 0, true, even, order_5},
+    {"vr6", Text::tr("VR6"), vr, 6, 15, 1, 0.278, 1.4, 0, true, even, order_6},
+    {"w12", Text::tr("W12"), double_vr, 12, 72, -1, 0.278, 1.5, 0.3, true, even, order_w12},
 }};
 
 /// The number of stations along the crank.
@@ -225,8 +209,7 @@ bool is_firing_order(std::span<const int> order, int count) {
 Message firing_order_trouble(std::span<const int> order, int count) {
     return is_firing_order(order, count)
                ? Message()
-               : Message(CORE_TEXT("inertia-moments", "must name each cylinder from 1 to %1 once"),
-                         count);
+               : Message(Text::tr("must name each cylinder from 1 to %1 once"), count);
 }
 
 Message firing_order_text(std::span<const int> order) {
@@ -234,7 +217,7 @@ Message firing_order_text(std::span<const int> order) {
     for (const int number : order) {
         text += (text.empty() ? "" : "-") + std::to_string(number);
     }
-    return text.empty() ? Message(CORE_TEXT("inertia-moments", "nothing")) : Message(text);
+    return text.empty() ? Message(Text::tr("nothing")) : Message(text);
 }
 
 void set_even_firing(std::vector<Cylinder>& cylinders, std::span<const int> firing_order,
@@ -303,13 +286,11 @@ bool fires_evenly(std::span<const FiringEvent> firing) {
 
 Message describe_misfit(const Engine& engine, std::span<const int> firing_order, double cycle) {
     if (cycle > two_pi) {
-        return {
-            CORE_TEXT("inertia-moments", "This crank cannot fire in the order %1 in two turns."),
-            firing_order_text(firing_order)};
+        return {Text::tr("This crank cannot fire in the order %1 in two turns."),
+                firing_order_text(firing_order)};
     }
-    return {CORE_TEXT("inertia-moments",
-                      "This crank cannot fire in the order %1 in one turn (two-stroke); the order "
-                      "of its dead centres is %2."),
+    return {Text::tr("This crank cannot fire in the order %1 in one turn (two-stroke); the order "
+                     "of its dead centres is %2."),
             firing_order_text(firing_order), firing_order_text(dead_centre_order(engine))};
 }
 

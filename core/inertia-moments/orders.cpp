@@ -292,9 +292,8 @@ EngineOrders exact_orders(const Engine& engine, int max_order, double accuracy) 
         if (!orders) {
             throw InputError(
                 "/input/cylinders/" + std::to_string(i) + "/articulated/knuckle_radius_mm",
-                CORE_TEXT("inertia-moments",
-                          "must keep the articulated rod farther from locking: its exact orders "
-                          "are not accurate enough"),
+                Text::tr("must keep the articulated rod farther from locking: its exact orders "
+                         "are not accurate enough"),
                 Number{from_si(field::knuckle_radius, engine.knuckles[i]->knuckle_radius)});
         }
         return *std::move(orders);

@@ -176,8 +176,7 @@ void make_radial(Input& input, int cylinders) {
 std::vector<Preset<Input>> presets() {
     std::vector<Preset<Input>> list{{"Volkswagen VR5", preset_vw_vr5()}};
     for (const int count : radial_counts) {
-        list.push_back({{CORE_TEXT("inertia-moments", "Radial engine, %1 cylinders"), count},
-                        preset_radial(count)});
+        list.push_back({{Text::tr("Radial engine, %1 cylinders"), count}, preset_radial(count)});
     }
     return list;
 }

@@ -15,41 +15,33 @@ namespace ravnoves::inertia_moments {
 namespace {
 
 namespace key {
-constexpr ResultField curves{"curves", CORE_TEXT("inertia-moments", "Curves")};
-constexpr ResultField unbalanced_curves{"unbalanced_curves",
-                                        CORE_TEXT("inertia-moments", "Curves before balancing")};
-constexpr ResultField remaining_curves{"remaining_curves",
-                                       CORE_TEXT("inertia-moments", "Residual curves")};
-constexpr ResultField angle{"angle_deg", CORE_TEXT("inertia-moments", "angle"), 1};
-constexpr ResultField cylinder{"cylinder", CORE_TEXT("inertia-moments", "cylinder"), 0};
-constexpr ResultField crank_angle{"crank_angle_deg", CORE_TEXT("inertia-moments", "crank angle"),
-                                  1};
-constexpr ResultField unbalance{"unbalance_kg_m", CORE_TEXT("inertia-moments", "unbalance"), 5};
-constexpr ResultField mass{"mass_kg", CORE_TEXT("inertia-moments", "mass")};
-constexpr ResultField cancels_force{"cancels_N", CORE_TEXT("inertia-moments", "cancels"), 1};
-constexpr ResultField cancels_moment{"cancels_Nm", CORE_TEXT("inertia-moments", "cancels"), 2};
-constexpr ResultField before_force{"order_max_before_N",
-                                   CORE_TEXT("inertia-moments", "maximum before"), 1};
-constexpr ResultField before_moment{"order_max_before_Nm",
-                                    CORE_TEXT("inertia-moments", "maximum before"), 2};
-constexpr ResultField remaining_force{"order_max_remaining_N",
-                                      CORE_TEXT("inertia-moments", "maximum after"), 1};
-constexpr ResultField remaining_moment{"order_max_remaining_Nm",
-                                       CORE_TEXT("inertia-moments", "maximum after"), 2};
+constexpr ResultField curves{"curves", Text::tr("Curves")};
+constexpr ResultField unbalanced_curves{"unbalanced_curves", Text::tr("Curves before balancing")};
+constexpr ResultField remaining_curves{"remaining_curves", Text::tr("Residual curves")};
+constexpr ResultField angle{"angle_deg", Text::tr("angle"), 1};
+constexpr ResultField cylinder{"cylinder", Text::tr("cylinder"), 0};
+constexpr ResultField crank_angle{"crank_angle_deg", Text::tr("crank angle"), 1};
+constexpr ResultField unbalance{"unbalance_kg_m", Text::tr("unbalance"), 5};
+constexpr ResultField mass{"mass_kg", Text::tr("mass")};
+constexpr ResultField cancels_force{"cancels_N", Text::tr("cancels"), 1};
+constexpr ResultField cancels_moment{"cancels_Nm", Text::tr("cancels"), 2};
+constexpr ResultField before_force{"order_max_before_N", Text::tr("maximum before"), 1};
+constexpr ResultField before_moment{"order_max_before_Nm", Text::tr("maximum before"), 2};
+constexpr ResultField remaining_force{"order_max_remaining_N", Text::tr("maximum after"), 1};
+constexpr ResultField remaining_moment{"order_max_remaining_Nm", Text::tr("maximum after"), 2};
 /// [k − 1] is order k.
-constexpr std::array<ResultField, 12> orders{
-    {{"order_1", CORE_TEXT("inertia-moments", "order 1")},
-     {"order_2", CORE_TEXT("inertia-moments", "order 2")},
-     {"order_3", CORE_TEXT("inertia-moments", "order 3")},
-     {"order_4", CORE_TEXT("inertia-moments", "order 4")},
-     {"order_5", CORE_TEXT("inertia-moments", "order 5")},
-     {"order_6", CORE_TEXT("inertia-moments", "order 6")},
-     {"order_7", CORE_TEXT("inertia-moments", "order 7")},
-     {"order_8", CORE_TEXT("inertia-moments", "order 8")},
-     {"order_9", CORE_TEXT("inertia-moments", "order 9")},
-     {"order_10", CORE_TEXT("inertia-moments", "order 10")},
-     {"order_11", CORE_TEXT("inertia-moments", "order 11")},
-     {"order_12", CORE_TEXT("inertia-moments", "order 12")}}};
+constexpr std::array<ResultField, 12> orders{{{"order_1", Text::tr("order 1")},
+                                              {"order_2", Text::tr("order 2")},
+                                              {"order_3", Text::tr("order 3")},
+                                              {"order_4", Text::tr("order 4")},
+                                              {"order_5", Text::tr("order 5")},
+                                              {"order_6", Text::tr("order 6")},
+                                              {"order_7", Text::tr("order 7")},
+                                              {"order_8", Text::tr("order 8")},
+                                              {"order_9", Text::tr("order 9")},
+                                              {"order_10", Text::tr("order 10")},
+                                              {"order_11", Text::tr("order 11")},
+                                              {"order_12", Text::tr("order 12")}}};
 }  // namespace key
 
 /// The direction within a turn, or nothing where the amplitude is zero beside its scale.
@@ -66,16 +58,15 @@ std::optional<double> lag(Complex weight, double scale) {
 
 void visit_harmonic(ResultVisitor& visitor, const ResultField& field, const Harmonic<double>& h) {
     visitor.object(field, [&] {
-        visitor.number({"cos", CORE_TEXT("inertia-moments", "cosine"), 2}, h.cos);
-        visitor.number({"sin", CORE_TEXT("inertia-moments", "sine"), 2}, h.sin);
+        visitor.number({"cos", Text::tr("cosine"), 2}, h.cos);
+        visitor.number({"sin", Text::tr("sine"), 2}, h.sin);
     });
 }
 
 void visit_rotating_part(ResultVisitor& visitor, const ResultField& field, Complex vector,
                          double scale) {
     visitor.object(field, [&] {
-        visitor.number({"amplitude", CORE_TEXT("inertia-moments", "amplitude"), 2},
-                       std::abs(vector));
+        visitor.number({"amplitude", Text::tr("amplitude"), 2}, std::abs(vector));
         visitor.number(key::angle, direction(vector, scale));
     });
 }
@@ -83,14 +74,10 @@ void visit_rotating_part(ResultVisitor& visitor, const ResultField& field, Compl
 void visit_pair(ResultVisitor& visitor, const ResultField& field, const RotatingPair& pair,
                 double scale) {
     visitor.object(field, [&] {
-        visit_harmonic(visitor, {"horizontal", CORE_TEXT("inertia-moments", "horizontal")},
-                       pair.horizontal());
-        visit_harmonic(visitor, {"vertical", CORE_TEXT("inertia-moments", "vertical")},
-                       pair.vertical());
-        visit_rotating_part(visitor, {"forward", CORE_TEXT("inertia-moments", "forward part")},
-                            pair.forward, scale);
-        visit_rotating_part(visitor, {"backward", CORE_TEXT("inertia-moments", "backward part")},
-                            pair.backward, scale);
+        visit_harmonic(visitor, {"horizontal", Text::tr("horizontal")}, pair.horizontal());
+        visit_harmonic(visitor, {"vertical", Text::tr("vertical")}, pair.vertical());
+        visit_rotating_part(visitor, {"forward", Text::tr("forward part")}, pair.forward, scale);
+        visit_rotating_part(visitor, {"backward", Text::tr("backward part")}, pair.backward, scale);
     });
 }
 
@@ -102,46 +89,35 @@ void visit_orders(ResultVisitor& visitor, const ResultField& field, const Engine
     visitor.object(field, [&] {
         for (const EngineOrder& order : orders.orders) {
             visitor.object(order_key(order.order), [&] {
-                visit_pair(visitor, {"force_N", CORE_TEXT("inertia-moments", "force"), 1},
-                           order.force, order.force_scale);
-                visit_pair(visitor, {"moment_Nm", CORE_TEXT("inertia-moments", "moment"), 2},
-                           order.moment, order.moment_scale);
-                visitor.object(
-                    {"roll_moment_Nm", CORE_TEXT("inertia-moments", "roll moment"), 2}, [&] {
-                        visit_harmonic(
-                            visitor,
-                            {"inertia", CORE_TEXT("inertia-moments", "from offsets and rods")},
-                            order.inertia_roll);
-                        visit_harmonic(
-                            visitor,
-                            {"reaction_torque", CORE_TEXT("inertia-moments", "reaction torque")},
-                            order.reaction_torque);
-                        visit_harmonic(visitor, {"total", CORE_TEXT("inertia-moments", "sum")},
-                                       order.roll());
-                    });
+                visit_pair(visitor, {"force_N", Text::tr("force"), 1}, order.force,
+                           order.force_scale);
+                visit_pair(visitor, {"moment_Nm", Text::tr("moment"), 2}, order.moment,
+                           order.moment_scale);
+                visitor.object({"roll_moment_Nm", Text::tr("roll moment"), 2}, [&] {
+                    visit_harmonic(visitor, {"inertia", Text::tr("from offsets and rods")},
+                                   order.inertia_roll);
+                    visit_harmonic(visitor, {"reaction_torque", Text::tr("reaction torque")},
+                                   order.reaction_torque);
+                    visit_harmonic(visitor, {"total", Text::tr("sum")}, order.roll());
+                });
             });
         }
     });
 }
 
 void visit_throws(ResultVisitor& visitor, const Engine& engine) {
-    visitor.list(
-        {"throws", CORE_TEXT("inertia-moments", "Crank throws")}, engine.throws.size(),
-        [&](std::size_t i) {
-            const Throw& pin = engine.throws[i];
-            std::vector<int> cylinders;
-            for (const std::size_t cylinder : pin.cylinders) {
-                cylinders.push_back(static_cast<int>(cylinder) + 1);
-            }
-            visitor.integers({"cylinders"}, cylinders);
-            visitor.number({"axial_position_mm", CORE_TEXT("inertia-moments", "axial position"), 1},
-                           pin.position);
-            visitor.number(
-                {"crankpin_angle_deg", CORE_TEXT("inertia-moments", "crankpin angle"), 1},
-                wrap_turn(pin.crankpin_angle));
-            visitor.number({"rotating_mass_kg", CORE_TEXT("inertia-moments", "rotating mass")},
-                           engine.mass_on(pin));
-        });
+    visitor.list({"throws", Text::tr("Crank throws")}, engine.throws.size(), [&](std::size_t i) {
+        const Throw& pin = engine.throws[i];
+        std::vector<int> cylinders;
+        for (const std::size_t cylinder : pin.cylinders) {
+            cylinders.push_back(static_cast<int>(cylinder) + 1);
+        }
+        visitor.integers({"cylinders"}, cylinders);
+        visitor.number({"axial_position_mm", Text::tr("axial position"), 1}, pin.position);
+        visitor.number({"crankpin_angle_deg", Text::tr("crankpin angle"), 1},
+                       wrap_turn(pin.crankpin_angle));
+        visitor.number({"rotating_mass_kg", Text::tr("rotating mass")}, engine.mass_on(pin));
+    });
 }
 
 /// With what their input leaves out filled in.
@@ -156,105 +132,87 @@ void visit_articulated_rods(ResultVisitor& visitor, const Engine& engine) {
         return;
     }
     visitor.list(
-        {"articulated_rods", CORE_TEXT("inertia-moments", "Articulated rods")}, cylinders.size(),
-        [&](std::size_t i) {
+        {"articulated_rods", Text::tr("Articulated rods")}, cylinders.size(), [&](std::size_t i) {
             const auto& rod = *engine.knuckles[cylinders[i]];
             visitor.integer(key::cylinder, static_cast<long long>(cylinders[i]) + 1);
-            visitor.integer({"master", CORE_TEXT("inertia-moments", "master cylinder"), 0},
+            visitor.integer({"master", Text::tr("master cylinder"), 0},
                             static_cast<long long>(rod.master) + 1);
-            visitor.number({"knuckle_radius_mm", CORE_TEXT("inertia-moments", "knuckle radius"), 2},
+            visitor.number({"knuckle_radius_mm", Text::tr("knuckle radius"), 2},
                            rod.knuckle_radius);
-            visitor.number({"knuckle_angle_deg", CORE_TEXT("inertia-moments", "knuckle angle"), 2},
-                           rod.knuckle_angle);
-            visitor.number({"rod_length_mm", CORE_TEXT("inertia-moments", "rod length"), 2},
-                           rod.rod_length);
+            visitor.number({"knuckle_angle_deg", Text::tr("knuckle angle"), 2}, rod.knuckle_angle);
+            visitor.number({"rod_length_mm", Text::tr("rod length"), 2}, rod.rod_length);
         });
 }
 
 void visit_rotating_masses(ResultVisitor& visitor, const RotatingMasses& rotating) {
-    visitor.object({"rotating", CORE_TEXT("inertia-moments", "Rotating masses")}, [&] {
+    visitor.object({"rotating", Text::tr("Rotating masses")}, [&] {
         const Complex force = rotating.force_factor;
         const Complex moment = rotating.moment_factor;
-        visitor.number({"force_factor", CORE_TEXT("inertia-moments", "force factor")},
-                       std::abs(force));
-        visitor.number({"force_angle_deg", CORE_TEXT("inertia-moments", "angle of the force"), 1},
+        visitor.number({"force_factor", Text::tr("force factor")}, std::abs(force));
+        visitor.number({"force_angle_deg", Text::tr("angle of the force"), 1},
                        direction(force, rotating.force_scale));
-        visitor.number(
-            {"moment_factor_m", CORE_TEXT("inertia-moments", "moment factor"), 4,
-             CORE_TEXT("inertia-moments", "About the mean axial position of the crankpins.")},
-            std::abs(moment));
-        visitor.number({"moment_angle_deg", CORE_TEXT("inertia-moments", "angle of the moment"), 1},
+        visitor.number({"moment_factor_m", Text::tr("moment factor"), 4,
+                        Text::tr("About the mean axial position of the crankpins.")},
+                       std::abs(moment));
+        visitor.number({"moment_angle_deg", Text::tr("angle of the moment"), 1},
                        direction(moment, rotating.moment_scale));
-        visitor.number({"force_N", CORE_TEXT("inertia-moments", "force"), 1},
-                       std::abs(rotating.force()));
-        visitor.number(
-            {"moment_Nm", CORE_TEXT("inertia-moments", "moment"), 2,
-             CORE_TEXT("inertia-moments", "About the mean axial position of the crankpins.")},
-            std::abs(rotating.moment()));
-        visitor.number(
-            {"counterweight_force_lag_deg",
-             CORE_TEXT("inertia-moments", "lag of the counterweight against the force"), 1},
-            lag(-force, rotating.force_scale));
-        visitor.number(
-            {"counterweight_moment_lag_deg",
-             CORE_TEXT("inertia-moments", "lag of the counterweights against the moment"), 1},
-            lag(-moment, rotating.moment_scale));
+        visitor.number({"force_N", Text::tr("force"), 1}, std::abs(rotating.force()));
+        visitor.number({"moment_Nm", Text::tr("moment"), 2,
+                        Text::tr("About the mean axial position of the crankpins.")},
+                       std::abs(rotating.moment()));
+        visitor.number({"counterweight_force_lag_deg",
+                        Text::tr("lag of the counterweight against the force"), 1},
+                       lag(-force, rotating.force_scale));
+        visitor.number({"counterweight_moment_lag_deg",
+                        Text::tr("lag of the counterweights against the moment"), 1},
+                       lag(-moment, rotating.moment_scale));
     });
 }
 
 void visit_quantity(ResultVisitor& visitor, const ResultField& field, const Difference& horizontal,
                     const Difference& vertical) {
     visitor.object(field, [&] {
-        visitor.number({"horizontal_percent", CORE_TEXT("inertia-moments", "horizontal"), 1},
-                       horizontal.relative);
-        visitor.number({"vertical_percent", CORE_TEXT("inertia-moments", "vertical"), 1},
-                       vertical.relative);
+        visitor.number({"horizontal_percent", Text::tr("horizontal"), 1}, horizontal.relative);
+        visitor.number({"vertical_percent", Text::tr("vertical"), 1}, vertical.relative);
     });
 }
 
 void visit_differences(ResultVisitor& visitor, const Result& result) {
-    visitor.object(
-        {"difference", CORE_TEXT("inertia-moments", "Difference of the two-term form")}, [&] {
-            // compare() gives the components of an order in this order.
-            constexpr std::size_t components = 5;
-            const std::span<const Difference> all(result.differences);
-            for (std::size_t i = 0; i + components <= all.size(); i += components) {
-                visitor.object(order_key(all[i].order), [&] {
-                    visit_quantity(visitor, {"force", CORE_TEXT("inertia-moments", "force")},
-                                   all[i], all[i + 1]);
-                    visit_quantity(visitor, {"moment", CORE_TEXT("inertia-moments", "moment")},
-                                   all[i + 2], all[i + 3]);
-                    visitor.number(
-                        {"roll_moment_percent", CORE_TEXT("inertia-moments", "roll moment"), 1},
-                        all[i + 4].relative);
-                });
-            }
-            visitor.texts({"warnings"}, [&] {
-                std::vector<Message> warnings;
-                for (const Difference& difference : all) {
-                    if (difference.warning) {
-                        warnings.push_back(describe(difference));
-                    }
-                }
-                return warnings;
+    visitor.object({"difference", Text::tr("Difference of the two-term form")}, [&] {
+        // compare() gives the components of an order in this order.
+        constexpr std::size_t components = 5;
+        const std::span<const Difference> all(result.differences);
+        for (std::size_t i = 0; i + components <= all.size(); i += components) {
+            visitor.object(order_key(all[i].order), [&] {
+                visit_quantity(visitor, {"force", Text::tr("force")}, all[i], all[i + 1]);
+                visit_quantity(visitor, {"moment", Text::tr("moment")}, all[i + 2], all[i + 3]);
+                visitor.number({"roll_moment_percent", Text::tr("roll moment"), 1},
+                               all[i + 4].relative);
             });
+        }
+        visitor.texts({"warnings"}, [&] {
+            std::vector<Message> warnings;
+            for (const Difference& difference : all) {
+                if (difference.warning) {
+                    warnings.push_back(describe(difference));
+                }
+            }
+            return warnings;
         });
+    });
 }
 
 void visit_firing(ResultVisitor& visitor, const Input& input, const Result& result) {
     if (!result.firing.empty()) {
-        visitor.list({"firing", CORE_TEXT("inertia-moments", "Firing order")}, result.firing.size(),
+        visitor.list({"firing", Text::tr("Firing order")}, result.firing.size(),
                      [&](std::size_t i) {
                          visitor.integer(key::cylinder, result.firing[i].cylinder);
                          visitor.number(key::crank_angle, result.firing[i].crank_angle);
-                         visitor.number(
-                             {"interval_deg", CORE_TEXT("inertia-moments", "firing interval"), 1},
-                             result.firing[i].interval);
+                         visitor.number({"interval_deg", Text::tr("firing interval"), 1},
+                                        result.firing[i].interval);
                      });
-        visitor.number({"firing_cycle_deg", CORE_TEXT("inertia-moments", "Firing cycle"), 0},
-                       input.cycle());
-        visitor.flag({"fires_evenly", CORE_TEXT("inertia-moments", "Even firing"), 0},
-                     fires_evenly(result.firing));
+        visitor.number({"firing_cycle_deg", Text::tr("Firing cycle"), 0}, input.cycle());
+        visitor.flag({"fires_evenly", Text::tr("Even firing"), 0}, fires_evenly(result.firing));
     } else if (!result.firing_trouble.empty()) {
         visitor.text({"firing_reason"}, result.firing_trouble);
     }
@@ -269,24 +227,20 @@ void visit_shafts(ResultVisitor& visitor, const std::vector<ShaftDesign>& shafts
     if (shafts.empty()) {
         return;
     }
-    visitor.list(
-        {"balance_shafts", CORE_TEXT("inertia-moments", "Balance shafts")}, shafts.size(),
-        [&](std::size_t i) {
-            const ShaftDesign& design = shafts[i];
-            const bool force = design.shaft.balances == Balances::force;
-            visitor.integer({"order", CORE_TEXT("inertia-moments", "order"), 0},
-                            design.shaft.order);
-            visitor.word({"direction"}, word(field::directions, design.shaft.direction));
-            visitor.word({"balances"}, word(field::tasks, design.shaft.balances));
-            visitor.number(key::unbalance, design.unbalance);
-            visitor.number(key::mass, design.mass);
-            visitor.number({"phase_deg", CORE_TEXT("inertia-moments", "phase"), 1},
-                           design.phase ? std::optional(wrap_turn(*design.phase)) : std::nullopt);
-            visitor.number(force ? key::cancels_force : key::cancels_moment,
-                           std::abs(design.target));
-            visitor.number(force ? key::before_force : key::before_moment, design.before);
-            visitor.number(force ? key::remaining_force : key::remaining_moment, design.remaining);
-        });
+    visitor.list({"balance_shafts", Text::tr("Balance shafts")}, shafts.size(), [&](std::size_t i) {
+        const ShaftDesign& design = shafts[i];
+        const bool force = design.shaft.balances == Balances::force;
+        visitor.integer({"order", Text::tr("order"), 0}, design.shaft.order);
+        visitor.word({"direction"}, word(field::directions, design.shaft.direction));
+        visitor.word({"balances"}, word(field::tasks, design.shaft.balances));
+        visitor.number(key::unbalance, design.unbalance);
+        visitor.number(key::mass, design.mass);
+        visitor.number({"phase_deg", Text::tr("phase"), 1},
+                       design.phase ? std::optional(wrap_turn(*design.phase)) : std::nullopt);
+        visitor.number(force ? key::cancels_force : key::cancels_moment, std::abs(design.target));
+        visitor.number(force ? key::before_force : key::before_moment, design.before);
+        visitor.number(force ? key::remaining_force : key::remaining_moment, design.remaining);
+    });
 }
 
 void visit_counterweights(ResultVisitor& visitor, const CounterweightDesign& design) {
@@ -297,18 +251,15 @@ void visit_counterweights(ResultVisitor& visitor, const CounterweightDesign& des
             visitor.number(key::unbalance, std::abs(weight.unbalance));
             visitor.number(key::mass, weight.mass());
             visitor.number(key::angle, direction(weight.unbalance, scale));
-            visitor.number({"lag_deg", CORE_TEXT("inertia-moments", "lag"), 1},
-                           lag(weight.unbalance, scale));
+            visitor.number({"lag_deg", Text::tr("lag"), 1}, lag(weight.unbalance, scale));
         });
     };
-    visitor.object({"counterweights", CORE_TEXT("inertia-moments", "Counterweights")}, [&] {
-        visit({"front", CORE_TEXT("inertia-moments", "front")}, design.front);
-        visit({"rear", CORE_TEXT("inertia-moments", "rear")}, design.rear);
-        visitor.number({"force_unbalance_kg_m",
-                        CORE_TEXT("inertia-moments", "unbalance against the force"), 5},
+    visitor.object({"counterweights", Text::tr("Counterweights")}, [&] {
+        visit({"front", Text::tr("front")}, design.front);
+        visit({"rear", Text::tr("rear")}, design.rear);
+        visitor.number({"force_unbalance_kg_m", Text::tr("unbalance against the force"), 5},
                        std::abs(design.against_force));
-        visitor.number({"moment_unbalance_kg_m",
-                        CORE_TEXT("inertia-moments", "unbalance against the moment"), 5},
+        visitor.number({"moment_unbalance_kg_m", Text::tr("unbalance against the moment"), 5},
                        std::abs(design.against_moment));
     });
 }
@@ -316,21 +267,15 @@ void visit_counterweights(ResultVisitor& visitor, const CounterweightDesign& des
 void visit_curves(ResultVisitor& visitor, const ResultField& field, const WrenchCurves& curves) {
     visitor.object(field, [&] {
         visitor.numbers(key::crank_angle, curves.crank_angle);
-        visitor.numbers({"force_x_N", CORE_TEXT("inertia-moments", "horizontal force"), 1},
-                        curves.force_x);
-        visitor.numbers({"force_y_N", CORE_TEXT("inertia-moments", "vertical force"), 1},
-                        curves.force_y);
-        visitor.numbers({"moment_x_Nm", CORE_TEXT("inertia-moments", "moment about x"), 2},
-                        curves.moment_x);
-        visitor.numbers({"moment_y_Nm", CORE_TEXT("inertia-moments", "moment about y"), 2},
-                        curves.moment_y);
-        visitor.numbers({"inertia_roll_Nm",
-                         CORE_TEXT("inertia-moments", "roll moment from offsets and rods"), 2},
+        visitor.numbers({"force_x_N", Text::tr("horizontal force"), 1}, curves.force_x);
+        visitor.numbers({"force_y_N", Text::tr("vertical force"), 1}, curves.force_y);
+        visitor.numbers({"moment_x_Nm", Text::tr("moment about x"), 2}, curves.moment_x);
+        visitor.numbers({"moment_y_Nm", Text::tr("moment about y"), 2}, curves.moment_y);
+        visitor.numbers({"inertia_roll_Nm", Text::tr("roll moment from offsets and rods"), 2},
                         curves.inertia_roll);
-        visitor.numbers({"reaction_torque_Nm", CORE_TEXT("inertia-moments", "reaction torque"), 2},
+        visitor.numbers({"reaction_torque_Nm", Text::tr("reaction torque"), 2},
                         curves.reaction_torque);
-        visitor.numbers({"roll_moment_Nm", CORE_TEXT("inertia-moments", "roll moment"), 2},
-                        curves.roll);
+        visitor.numbers({"roll_moment_Nm", Text::tr("roll moment"), 2}, curves.roll);
     });
 }
 
@@ -347,20 +292,18 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
         tops.push_back(engine.top_dead_centre(i));
         strokes.push_back(engine.stroke(i));
     }
-    visitor.numbers({"crankpin_angle_deg", CORE_TEXT("inertia-moments", "Crankpin angle"), 1},
-                    pins);
+    visitor.numbers({"crankpin_angle_deg", Text::tr("Crankpin angle"), 1}, pins);
     if (result.tdc_angle) {
-        visitor.number({"tdc_angle_deg", CORE_TEXT("inertia-moments", "Crank angle at TDC"), 2,
-                        CORE_TEXT("inertia-moments", "From the cylinder's axis, without sign.")},
+        visitor.number({"tdc_angle_deg", Text::tr("Crank angle at TDC"), 2,
+                        Text::tr("From the cylinder's axis, without sign.")},
                        result.tdc_angle);
     }
-    visitor.numbers({"cylinder_tdc_angle_deg",
-                     CORE_TEXT("inertia-moments", "Crank angle at TDC of each cylinder"), 2},
+    visitor.numbers({"cylinder_tdc_angle_deg", Text::tr("Crank angle at TDC of each cylinder"), 2},
                     tops);
-    visitor.numbers({"cylinder_stroke_mm", CORE_TEXT("inertia-moments", "Stroke"), 2}, strokes);
+    visitor.numbers({"cylinder_stroke_mm", Text::tr("Stroke"), 2}, strokes);
     visit_articulated_rods(visitor, engine);
-    visit_orders(visitor, {"two_term", CORE_TEXT("inertia-moments", "Two-term")}, result.two_term);
-    visit_orders(visitor, {"exact", CORE_TEXT("inertia-moments", "Exact")}, result.exact);
+    visit_orders(visitor, {"two_term", Text::tr("Two-term")}, result.two_term);
+    visit_orders(visitor, {"exact", Text::tr("Exact")}, result.exact);
     visit_rotating_masses(visitor, result.rotating);
     visit_throws(visitor, engine);
     visit_differences(visitor, result);
@@ -371,11 +314,10 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
         visit_counterweights(visitor, *result.counterweights);
     }
     visit_orders(visitor,
-                 {"unbalanced", CORE_TEXT("inertia-moments", "Before balancing"), 3,
-                  CORE_TEXT("inertia-moments", "Exact orders with the rotating masses.")},
+                 {"unbalanced", Text::tr("Before balancing"), 3,
+                  Text::tr("Exact orders with the rotating masses.")},
                  result.unbalanced);
-    visit_orders(visitor, {"remaining", CORE_TEXT("inertia-moments", "Residual")},
-                 result.remaining);
+    visit_orders(visitor, {"remaining", Text::tr("Residual forces and moments")}, result.remaining);
     if (input.step) {
         visit_curves(visitor, key::curves, result.curves);
         visit_curves(visitor, key::unbalanced_curves, result.unbalanced_curves);
@@ -412,22 +354,21 @@ Verdict residual_verdict(const EngineOrders& remaining) {
     }
     if (force == nullptr && moment == nullptr) {
         return {Severity::good,
-                Message(CORE_TEXT("inertia-moments",
-                                  "Forces and moments of orders 1 to 4 are balanced."))};
+                Message(Text::tr("Forces and moments of orders 1 to 4 are balanced."))};
     }
     std::vector<Message> said;
     if (force != nullptr) {
-        said.emplace_back(CORE_TEXT("inertia-moments", "Maximum residual force: %1, order %2."),
+        said.emplace_back(Text::tr("Maximum residual force: %1, order %2."),
                           Number{rounded_to_digits(force->force.max(), 4), units::newton},
                           force->order);
     }
     if (moment != nullptr) {
-        said.emplace_back(CORE_TEXT("inertia-moments", "Maximum residual moment: %1, order %2."),
+        said.emplace_back(Text::tr("Maximum residual moment: %1, order %2."),
                           Number{rounded_to_digits(moment->moment.max(), 4), units::N_m},
                           moment->order);
     }
     return {Severity::note,
-            said.size() == 1 ? said.front() : Message(Text{"", "%1 %2"}, said[0], said[1])};
+            said.size() == 1 ? said.front() : Message(Text{"%1 %2"}, said[0], said[1])};
 }
 
 }  // namespace
@@ -444,9 +385,8 @@ Verdict verdict(const Input& input, const Result& result) {
         }
     }
     if (worst != nullptr && input.shaft_basis == DesignBasis::two_term && !result.shafts.empty()) {
-        verdict.warn({CORE_TEXT("inertia-moments",
-                                "The shafts are designed by the two-term form, which is "
-                                "inaccurate here: %1."),
+        verdict.warn({Text::tr("The shafts are designed by the two-term form, which is "
+                               "inaccurate here: %1."),
                       describe(*worst)});
     }
     return verdict;

@@ -84,9 +84,8 @@ void check_designs(const Result& result) {
     }
     if (!finite) {
         throw InputError("/input",
-                         CORE_TEXT("inertia-moments",
-                                   "sizes, masses and speed together must keep the balancing "
-                                   "masses in the range of numbers"));
+                         Text::tr("sizes, masses and speed together must keep the balancing "
+                                  "masses in the range of numbers"));
     }
 }
 

@@ -122,8 +122,8 @@ Message describe_difference(std::span<const Throw> throws) {
     const auto [minimum, maximum] = std::minmax_element(
         throws.begin(), throws.end(),
         [](const Throw& a, const Throw& b) { return a.cylinders.size() < b.cylinders.size(); });
-    return {CORE_TEXT("inertia-moments", "throws with %1 and with %2 rods"),
-            minimum->cylinders.size(), maximum->cylinders.size()};
+    return {Text::tr("throws with %1 and with %2 rods"), minimum->cylinders.size(),
+            maximum->cylinders.size()};
 }
 
 std::vector<Message> articulated_rod_notes(std::span<const Throw> throws,
@@ -156,10 +156,9 @@ std::vector<Message> articulated_rod_notes(std::span<const Throw> throws,
         }
         if (maximum >= 3) {
             notes.emplace_back(
-                CORE_TEXT("inertia-moments",
-                          "Cylinders %1 share a crankpin but are computed as plain rods: "
-                          "\"Articulated rods\" above the table adds a second order of 5 to 12 % "
-                          "and uneven dead centres."),
+                Text::tr("Cylinders %1 share a crankpin but are computed as plain rods: "
+                         "\"Articulated rods\" above the table adds a second order of 5 to 12 % "
+                         "and uneven dead centres."),
                 widest);
         }
     }

@@ -86,41 +86,37 @@ Kernel best_angle_kernel() {
     Definition<AngleCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "best-angle";
-    kernel.title = CORE_TEXT("methods", "Best shaft angle");
-    kernel.quantity = CORE_TEXT("methods", "the α of the minimum range of Mᵤₚₛ");
-    kernel.error_measure =
-        CORE_TEXT("methods", "range minus minimum range, share of the maximum torque + A");
-    kernel.evaluation = CORE_TEXT("methods", "one search over all α, with the table prepared");
-    kernel.reference = CORE_TEXT(
-        "methods", "every angle of a scan where the slope turns, halved until it is found");
+    kernel.title = Text::tr("Best shaft angle");
+    kernel.quantity = Text::tr("the α of the minimum range of Mᵤₚₛ");
+    kernel.error_measure = Text::tr("range minus minimum range, share of the maximum torque + A");
+    kernel.evaluation = Text::tr("one search over all α, with the table prepared");
+    kernel.reference =
+        Text::tr("every angle of a scan where the slope turns, halved until it is found");
     kernel.choice = {
         "balance-shaft", "cutting-planes", "exact", 1e-9,
-        CORE_TEXT(
-            "methods",
+        Text::tr(
             "The range is the maximum of many sinusoids, with kinks and several minima. "
             "Sinusoids that bound it from below exclude worse angles, so the optimum is proven, "
             "with fewer evaluations than a scan of 5°.")};
     definition.methods = {
         method_of({"scan",
-                   CORE_TEXT("methods", "scan"),
-                   CORE_TEXT("methods", "limited by its step, for any table"),
+                   Text::tr("scan"),
+                   Text::tr("limited by its step, for any table"),
                    {{"30°", 30}, {"5°", 5}, {"1°", 1}, {"0.1°", 0.1}},
                    false},
                   scan),
-        method_of(
-            {"brent",
-             CORE_TEXT("methods", "Brent's method"),
-             CORE_TEXT("methods",
-                       "finds one of several minima, and on a kink its parabolas do not help"),
-             {{CORE_TEXT("methods", "one start"), 0},
-              counted(CORE_TEXT("methods", "from a scan of %1°"), 30),
-              counted(CORE_TEXT("methods", "from a scan of %1°"), 10)},
-             false},
-            brent),
+        method_of({"brent",
+                   Text::tr("Brent's method"),
+                   Text::tr("finds one of several minima, and on a kink its parabolas do not help"),
+                   {{Text::tr("one start"), 0},
+                    counted(Text::tr("from a scan of %1°"), 30),
+                    counted(Text::tr("from a scan of %1°"), 10)},
+                   false},
+                  brent),
         method_of({"cutting-planes",
-                   CORE_TEXT("methods", "cutting planes"),
-                   CORE_TEXT("methods", "exact: the bounds prove that no angle is better"),
-                   {{CORE_TEXT("methods", "exact"), 0}},
+                   Text::tr("cutting planes"),
+                   Text::tr("exact: the bounds prove that no angle is better"),
+                   {{Text::tr("exact"), 0}},
                    false},
                   cutting_planes),
     };

@@ -86,35 +86,31 @@ Kernel best_position_kernel() {
     Definition<PlaceCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "best-position";
-    kernel.title = CORE_TEXT("methods", "Best place of the shaft");
-    kernel.quantity =
-        CORE_TEXT("methods", "the place of the shaft with the minimum range of M_ups");
-    kernel.error_measure =
-        CORE_TEXT("methods", "range minus minimum range, share of the maximum torque + A");
-    kernel.evaluation = CORE_TEXT("methods", "one search over all places, with the table prepared");
-    kernel.reference = CORE_TEXT("methods", "ellipsoids around the place, cut by slopes");
+    kernel.title = Text::tr("Best place of the shaft");
+    kernel.quantity = Text::tr("the place of the shaft with the minimum range of M_ups");
+    kernel.error_measure = Text::tr("range minus minimum range, share of the maximum torque + A");
+    kernel.evaluation = Text::tr("one search over all places, with the table prepared");
+    kernel.reference = Text::tr("ellipsoids around the place, cut by slopes");
     kernel.choice = {
         "balance-shaft", "cutting-planes", "exact", 1e-9,
-        CORE_TEXT(
-            "methods",
+        Text::tr(
             "Over the plane of places the range is convex: the maximum of linear functions minus "
             "their minimum. Planes below find its kinks, where other methods stop or jump, and "
             "prove that no place is better.")};
     definition.methods = {
         {{"first-order",
-          CORE_TEXT("methods", "place without first order"),
-          CORE_TEXT("methods", "the optimum of the RMS, not of the range"),
-          {{CORE_TEXT("methods", "closed form"), 0}},
+          Text::tr("place without first order"),
+          Text::tr("the optimum of the RMS, not of the range"),
+          {{Text::tr("closed form"), 0}},
           false},
          first_order},
-        method_of({"grid", CORE_TEXT("methods", "grid"),
-                   CORE_TEXT("methods", "limited by its step, at a quadratic cost"),
-                   counted(CORE_TEXT("methods", "%1 a side"), {21, 81, 201}), false},
+        method_of({"grid", Text::tr("grid"), Text::tr("limited by its step, at a quadratic cost"),
+                   counted(Text::tr("%1 a side"), {21, 81, 201}), false},
                   grid),
         method_of({"cutting-planes",
-                   CORE_TEXT("methods", "cutting planes"),
-                   CORE_TEXT("methods", "exact: the planes prove that no place is better"),
-                   {{CORE_TEXT("methods", "exact"), 0}},
+                   Text::tr("cutting planes"),
+                   Text::tr("exact: the planes prove that no place is better"),
+                   {{Text::tr("exact"), 0}},
                    false},
                   cutting_planes),
     };

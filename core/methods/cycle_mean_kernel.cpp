@@ -56,12 +56,9 @@ class Nodes {
 /// A rule of equally spaced nodes: weight(i) of node i = 0…n.
 template <typename Weight>
 Method<MeanCase> node_rule(MethodInfo info, const Weight& weight) {
-    info.settings = {counted(CORE_TEXT("methods", "%1 steps"), 12),
-                     {CORE_TEXT("methods", "24 steps"), 24},
-                     counted(CORE_TEXT("methods", "%1 steps"), 48),
-                     {CORE_TEXT("methods", "144 steps"), 144},
-                     counted(CORE_TEXT("methods", "%1 steps"), 720),
-                     counted(CORE_TEXT("methods", "%1 steps"), 7200)};
+    info.settings = {counted(Text::tr("%1 steps"), 12),  {Text::tr("24 steps"), 24},
+                     counted(Text::tr("%1 steps"), 48),  {Text::tr("144 steps"), 144},
+                     counted(Text::tr("%1 steps"), 720), counted(Text::tr("%1 steps"), 7200)};
     return {std::move(info), [weight](const MeanCase& cycle, double steps) -> Run {
                 return
                     [&cycle, weight, n = static_cast<std::size_t>(steps)](std::span<double> out) {
@@ -130,55 +127,49 @@ Kernel cycle_mean_kernel() {
     Definition<MeanCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "cycle-mean";
-    kernel.title = CORE_TEXT("methods", "Cycle mean and RMS");
-    kernel.quantity = CORE_TEXT("methods",
-                                "mean of Mᵤₚₛ, its RMS about the mean, and the first order, which "
-                                "gives the RMS at every α");
-    kernel.error_measure = CORE_TEXT("methods", "share of the maximum torque of the table + A");
-    kernel.evaluation = CORE_TEXT("methods", "all of these, from the table");
-    kernel.reference =
-        CORE_TEXT("methods", "Gauss-Legendre sums over the pieces, the spline by its bends");
+    kernel.title = Text::tr("Cycle mean and RMS");
+    kernel.quantity = Text::tr(
+        "mean of Mᵤₚₛ, its RMS about the mean, and the first order, which "
+        "gives the RMS at every α");
+    kernel.error_measure = Text::tr("share of the maximum torque of the table + A");
+    kernel.evaluation = Text::tr("all of these, from the table");
+    kernel.reference = Text::tr("Gauss-Legendre sums over the pieces, the spline by its bends");
     kernel.choice = {
         "balance-shaft", "exact", "pieces", 1e-9,
-        CORE_TEXT(
-            "methods",
+        Text::tr(
             "The paper's conclusions use a mean, so it must be the mean of the cycle, not of "
             "some nodes: nine digits for any table. The pieces between the rows are integrated "
             "exactly; then each shaft angle needs three multiplications.")};
     definition.methods = {
         node_rule({"nodes-end-twice",
-                   CORE_TEXT("methods", "node mean, end counted twice"),
-                   CORE_TEXT("methods",
-                             "never: 720° is 0° again, so a pure sine gets a mean of A sin α / "
-                             "nodes (17.2 N·m in the paper)"),
+                   Text::tr("node mean, end counted twice"),
+                   Text::tr("never: 720° is 0° again, so a pure sine gets a mean of A sin α / "
+                            "nodes (17.2 N·m in the paper)"),
                    {},
                    true},
                   [](std::size_t, std::size_t) { return 1.0; }),
         node_rule({"trapezoid",
-                   CORE_TEXT("methods", "trapezoid rule"),
-                   CORE_TEXT("methods",
-                             "a peak narrower than the step is seen or missed by chance; the kinks "
-                             "at the rows leave order 2"),
+                   Text::tr("trapezoid rule"),
+                   Text::tr("a peak narrower than the step is seen or missed by chance; the kinks "
+                            "at the rows leave order 2"),
                    {},
                    true},
                   [](std::size_t i, std::size_t n) { return i == 0 || i == n ? 0.5 : 1.0; }),
         {{"gauss-legendre",
-          CORE_TEXT("methods", "Gauss-Legendre, 10 points a panel"),
-          CORE_TEXT("methods",
-                    "converges slowly over the kinks at the rows; a peak inside one panel is lost"),
-          {{CORE_TEXT("methods", "1 panel"), 1},
-           {CORE_TEXT("methods", "4 panels"), 4},
-           counted(CORE_TEXT("methods", "%1 panels"), 16),
-           {CORE_TEXT("methods", "72 panels"), 72},
-           counted(CORE_TEXT("methods", "%1 panels"), 720)},
+          Text::tr("Gauss-Legendre, 10 points a panel"),
+          Text::tr("converges slowly over the kinks at the rows; a peak inside one panel is lost"),
+          {{Text::tr("1 panel"), 1},
+           {Text::tr("4 panels"), 4},
+           counted(Text::tr("%1 panels"), 16),
+           {Text::tr("72 panels"), 72},
+           counted(Text::tr("%1 panels"), 720)},
           true},
          gauss_legendre},
         {{"exact",
-          CORE_TEXT("methods", "exact integral of the interpolant"),
-          CORE_TEXT("methods",
-                    "exact for the interpolated table; the table does not show the engine between "
-                    "its rows"),
-          {{CORE_TEXT("methods", "pieces"), 0}},
+          Text::tr("exact integral of the interpolant"),
+          Text::tr("exact for the interpolated table; the table does not show the engine between "
+                   "its rows"),
+          {{Text::tr("pieces"), 0}},
           false},
          exact},
     };

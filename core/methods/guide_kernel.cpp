@@ -51,12 +51,11 @@ struct GuideCase {
 };
 
 Message no_guide() {
-    return CORE_TEXT("methods", "the spring stores too little energy");
+    return Text::tr("the spring stores too little energy");
 }
 
 Message singular() {
-    return CORE_TEXT("methods",
-                     "runs into the spring's free length, where the equation is singular");
+    return Text::tr("runs into the spring's free length, where the equation is singular");
 }
 
 template <typename Radius>
@@ -231,16 +230,15 @@ Kernel guide_kernel() {
     Definition<GuideCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "guide";
-    kernel.title = CORE_TEXT("methods", "Guide of the elastic hinge");
-    kernel.quantity = CORE_TEXT("methods", "radius ρ(φ) of the crank's guide over one turn");
-    kernel.error_measure = CORE_TEXT("methods", "part of the guide's relief");
-    kernel.evaluation = CORE_TEXT("methods", "ρ at one crank angle");
+    kernel.title = Text::tr("Guide of the elastic hinge");
+    kernel.quantity = Text::tr("radius ρ(φ) of the crank's guide over one turn");
+    kernel.error_measure = Text::tr("part of the guide's relief");
+    kernel.evaluation = Text::tr("ρ at one crank angle");
     kernel.reference =
-        CORE_TEXT("methods", "residual energy of the spring, from the energy of the three bodies");
+        Text::tr("residual energy of the spring, from the energy of the three bodies");
     kernel.choice = {
         "elastic-hinge", "closed-form", "free of cancellation", 1e-7,
-        CORE_TEXT(
-            "methods",
+        Text::tr(
             "A guide acts by its relief, which may be a few micrometres on a radius of a hundred "
             "millimetres: seven digits of the relief. The closed form needs no step and no "
             "start. Without a difference of nearly equal squares it stays accurate until the "
@@ -248,10 +246,9 @@ Kernel guide_kernel() {
     definition.methods = {
         closed_form(
             {"printed-form",
-             CORE_TEXT("methods", "closed form as printed"),
-             CORE_TEXT("methods",
-                       "a difference of nearly equal squares: it loses the digits of a small "
-                       "relief or a small preload"),
+             Text::tr("closed form as printed"),
+             Text::tr("a difference of nearly equal squares: it loses the digits of a small "
+                      "relief or a small preload"),
              {{"(3)", 0}},
              false},
             [](const GuideSpring<double>& spring, double q) {
@@ -261,23 +258,21 @@ Kernel guide_kernel() {
                 return l / 2.0 - std::sqrt(l * l / 4.0 - (l * rho - rho * rho + q));
             }),
         closed_form({"closed-form",
-                     CORE_TEXT("methods", "closed form"),
-                     CORE_TEXT("methods",
-                               "half of the digits remain where the spring releases all its "
-                               "energy; beyond that no guide exists"),
-                     {{CORE_TEXT("methods", "free of cancellation"), 0}},
+                     Text::tr("closed form"),
+                     Text::tr("half of the digits remain where the spring releases all its "
+                              "energy; beyond that no guide exists"),
+                     {{Text::tr("free of cancellation"), 0}},
                      false},
                     [](const GuideSpring<double>& spring, double q) {
                         return guide_radius(spring, Branch::compressed, q);
                     }),
-        {{"rk4", CORE_TEXT("methods", "Runge-Kutta of order 4"),
-          CORE_TEXT("methods",
-                    "loses its order where ρ approaches ℓ₀/2: the slope is infinite there"),
-          counted(CORE_TEXT("methods", "%1 steps"), {360, 720, 3600}), true},
+        {{"rk4", Text::tr("Runge-Kutta of order 4"),
+          Text::tr("loses its order where ρ approaches ℓ₀/2: the slope is infinite there"),
+          counted(Text::tr("%1 steps"), {360, 720, 3600}), true},
          runge_kutta},
         {{"dormand-prince",
-          CORE_TEXT("methods", "Dormand-Prince with step control"),
-          CORE_TEXT("methods", "its steps shrink to 0 where ρ approaches ℓ₀/2"),
+          Text::tr("Dormand-Prince with step control"),
+          Text::tr("its steps shrink to 0 where ρ approaches ℓ₀/2"),
           {{"1e-6", 1e-6}, {"1e-8", 1e-8}, {"1e-10", 1e-10}, {"1e-12", 1e-12}},
           false},
          dormand_prince},
@@ -286,16 +281,16 @@ Kernel guide_kernel() {
     const double min_preload = scene_guide(paper.input).minimum_preload;
     const double margin = paper.spring().preload() / min_preload - 1.0;
     definition.sweeps = {
-        {{"preload", CORE_TEXT("methods", "preload above the minimum, relative"), units::none,
-          1e-12, 1e2, Spacing::logarithmic, 1e-12, 1e2, margin},
+        {{"preload", Text::tr("preload above the minimum, relative"), units::none, 1e-12, 1e2,
+          Spacing::logarithmic, 1e-12, 1e2, margin},
          paper_with([min_preload](elastic_hinge::Input& input, double excess) {
              input.spring->guide_radius_at_zero =
                  input.spring->free_length / 2.0 - min_preload * (1.0 + excess);
          })},
-        {{"stiffness", CORE_TEXT("methods", "stiffness c of the spring"), units::N_per_m, 1e4, 1e12,
+        {{"stiffness", Text::tr("stiffness c of the spring"), units::N_per_m, 1e4, 1e12,
           Spacing::logarithmic, 1e5, 1e10, paper.input.spring->stiffness},
          paper_with([](elastic_hinge::Input& input, double c) { input.spring->stiffness = c; })},
-        {{"stiffness-preloaded", CORE_TEXT("methods", "stiffness c, preload 1.1 times the minimum"),
+        {{"stiffness-preloaded", Text::tr("stiffness c, preload 1.1 times the minimum"),
           units::N_per_m, 1e7, 1e15, Spacing::logarithmic, 1e7, 1e15,
           paper.input.spring->stiffness},
          paper_with([paper_min = min_preload](elastic_hinge::Input& input, double c) {
@@ -305,11 +300,11 @@ Kernel guide_kernel() {
                  spring.free_length / 2.0 - reserve * paper_min * std::sqrt(spring.stiffness / c);
              spring.stiffness = c;
          })},
-        {{"speed", CORE_TEXT("methods", "crank speed ω"), units::rad_per_s, 1.0, 1e4,
-          Spacing::logarithmic, 1.0, 1e3, paper.input.angular_speed},
+        {{"speed", Text::tr("crank speed ω"), units::rad_per_s, 1.0, 1e4, Spacing::logarithmic, 1.0,
+          1e3, paper.input.angular_speed},
          paper_with(
              [](elastic_hinge::Input& input, double speed) { input.angular_speed = speed; })},
-        {{"locking", CORE_TEXT("methods", "distance from locking, 1 − λ"), units::none, 1e-6, 0.99,
+        {{"locking", Text::tr("distance from locking, 1 − λ"), units::none, 1e-6, 0.99,
           Spacing::logarithmic, 1e-6, 0.99, 1.0 - paper.input.lambda},
          paper_with([](elastic_hinge::Input& input, double gap) { input.lambda = 1.0 - gap; })},
     };

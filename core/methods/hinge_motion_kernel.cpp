@@ -134,13 +134,12 @@ class Acceleration {
 /// Why there is no motion to compute; empty where there is.
 Message why_not(const MotionCase& motion) {
     if (!motion.solved || !motion.solved->crank_guide.feasible) {
-        return CORE_TEXT("methods", "there is no guide");
+        return Text::tr("there is no guide");
     }
     const double square = motion.start_speed * motion.start_speed;
     return std::isnormal(square) && motion.seconds > 0.0 && std::isfinite(motion.seconds)
                ? Text{}
-               : CORE_TEXT("methods",
-                           "at this speed the time of a turn is below the range of numbers");
+               : Text::tr("at this speed the time of a turn is below the range of numbers");
 }
 
 struct TurnState {
@@ -211,7 +210,7 @@ Advance dormand_prince(const MotionCase& motion, const Acceleration& f, double t
                                   tolerance, odeint::runge_kutta_dopri5<State>());
     stepper.initialize(State{0.0, motion.start_speed}, 0.0, 1e-3 / motion.start_speed);
     const auto max_steps = static_cast<long>(1e5 * motion.turns);
-    const Message lost = CORE_TEXT("methods", "its steps shrink to 0");
+    const Message lost = Text::tr("its steps shrink to 0");
     return
         [&f, stepper, lost, max_steps, end = 0.0](double seconds, TurnState& x) mutable -> Message {
             end += seconds;
@@ -340,58 +339,54 @@ Kernel hinge_motion_kernel() {
     Definition<MotionCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "hinge-motion";
-    kernel.title = CORE_TEXT("methods", "Motion with a hinge");
-    kernel.quantity = CORE_TEXT(
-        "methods", "crank angle and speed at nine times of the last turn, off the design speed");
-    kernel.error_measure = CORE_TEXT("methods", "rad, or share of the speed, per turn");
-    kernel.evaluation = CORE_TEXT("methods", "one turn of motion");
-    kernel.reference = CORE_TEXT(
-        "methods", "speeds by the energy of the three bodies, times by Gauss-Legendre sums");
+    kernel.title = Text::tr("Motion with a hinge");
+    kernel.quantity =
+        Text::tr("crank angle and speed at nine times of the last turn, off the design speed");
+    kernel.error_measure = Text::tr("rad, or share of the speed, per turn");
+    kernel.evaluation = Text::tr("one turn of motion");
+    kernel.reference =
+        Text::tr("speeds by the energy of the three bodies, times by Gauss-Legendre sums");
     kernel.choice = {
         "elastic-hinge", "energy-series", "1e-8", 1e-7,
-        CORE_TEXT(
-            "methods",
+        Text::tr(
             "Ripple is read to parts of a million after up to a thousand turns: an error of 1e-7 "
             "a turn. The energy gives the speed at every angle; only the time is integrated, "
             "without drift. Adaptive series find the steep places of a turn, also with a moment "
             "on the crank, from rest and up to a reversal.")};
     definition.methods = {
-        integrated({"rk4", CORE_TEXT("methods", "Runge-Kutta of order 4, fixed step"),
-                    CORE_TEXT("methods",
-                              "its energy drifts: with 90 steps a turn it is wrong after thousands "
-                              "of turns, near λ = 1 at once"),
-                    counted(CORE_TEXT("methods", "%1 steps a turn"), {45, 90, 180, 360}), true},
+        integrated({"rk4", Text::tr("Runge-Kutta of order 4, fixed step"),
+                    Text::tr("its energy drifts: with 90 steps a turn it is wrong after thousands "
+                             "of turns, near λ = 1 at once"),
+                    counted(Text::tr("%1 steps a turn"), {45, 90, 180, 360}), true},
                    runge_kutta_4),
         integrated(
-            {"dormand-prince", CORE_TEXT("methods", "Dormand-Prince with step control"),
-             CORE_TEXT("methods",
-                       "the energy drifts by about the tolerance at every turn, without limit"),
+            {"dormand-prince", Text::tr("Dormand-Prince with step control"),
+             Text::tr("the energy drifts by about the tolerance at every turn, without limit"),
              tolerances, false},
             dormand_prince),
-        {{"energy-series", CORE_TEXT("methods", "energy, time by Chebyshev series"),
-          CORE_TEXT("methods",
-                    "slower near a standstill; where the crank barely passes a dead point, "
-                    "rounding decides"),
+        {{"energy-series", Text::tr("energy, time by Chebyshev series"),
+          Text::tr("slower near a standstill; where the crank barely passes a dead point, "
+                   "rounding decides"),
           tolerances, false},
          energy_series},
     };
     constexpr double off_design = 0.8;
     constexpr double paper_lambda = 0.3;
     definition.sweeps = {
-        {{"locking", CORE_TEXT("methods", "distance from locking, 1 − λ"), units::none, 1e-3, 0.95,
+        {{"locking", Text::tr("distance from locking, 1 − λ"), units::none, 1e-3, 0.95,
           Spacing::logarithmic, 0.05, 0.95, 1.0 - paper_lambda},
          [=](double gap) { return make_motion(1.0 - gap, off_design, 5.0); }},
-        {{"start-speed", CORE_TEXT("methods", "start speed, part of the design speed"), units::none,
-          0.05, 20.0, Spacing::logarithmic, 0.05, 20.0, off_design},
+        {{"start-speed", Text::tr("start speed, part of the design speed"), units::none, 0.05, 20.0,
+          Spacing::logarithmic, 0.05, 20.0, off_design},
          [=](double share) { return make_motion(paper_lambda, share, 5.0); }},
-        {{"turns", CORE_TEXT("methods", "turns"), units::none, 1.0, 300.0, Spacing::logarithmic,
-          1.0, 300.0, 5.0},
+        {{"turns", Text::tr("turns"), units::none, 1.0, 300.0, Spacing::logarithmic, 1.0, 300.0,
+          5.0},
          [=](double turns) { return make_motion(paper_lambda, off_design, turns); }},
     };
     definition.sweeps.back().info.points = 5;
     definition.sweeps.push_back(
-        {{"crank-torque", CORE_TEXT("methods", "moment on the crank, 5 turns"), units::N_m, 1e-3,
-          1e2, Spacing::logarithmic, 1e-3, 1e2, 0.5},
+        {{"crank-torque", Text::tr("moment on the crank, 5 turns"), units::N_m, 1e-3, 1e2,
+          Spacing::logarithmic, 1e-3, 1e2, 0.5},
          [=](double torque) { return make_motion(paper_lambda, off_design, 5.0, torque); }});
     definition.sweeps.back().info.points = 9;
     definition.reference = reference;

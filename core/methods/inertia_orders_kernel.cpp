@@ -122,54 +122,48 @@ Kernel inertia_orders_kernel() {
     Definition<OrdersCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "inertia-orders";
-    kernel.title = CORE_TEXT("methods", "Inertia orders");
-    kernel.quantity = CORE_TEXT("methods", "orders 0 to 12 of force and torque of one cylinder");
-    kernel.error_measure =
-        CORE_TEXT("methods", "share of the maximum order, or of m R ω² and m R² ω²");
-    kernel.evaluation = CORE_TEXT("methods", "all the orders of one cylinder");
-    kernel.reference =
-        CORE_TEXT("methods", "integrals of s″ over half turns by the double exponential rule");
+    kernel.title = Text::tr("Inertia orders");
+    kernel.quantity = Text::tr("orders 0 to 12 of force and torque of one cylinder");
+    kernel.error_measure = Text::tr("share of the maximum order, or of m R ω² and m R² ω²");
+    kernel.evaluation = Text::tr("all the orders of one cylinder");
+    kernel.reference = Text::tr("integrals of s″ over half turns by the double exponential rule");
     kernel.choice = {
         "inertia-moments", "transform-by-accuracy", "1e-13", 1e-11,
-        CORE_TEXT(
-            "methods",
+        Text::tr(
             "In a balanced layout orders cancel and only rounding may remain: eleven digits. No "
             "fixed number of points suffices for every λ and K; the number follows from the "
             "known decay of the orders.")};
     definition.methods = {
         method_of(
             {"two-term",
-             CORE_TEXT("methods", "two-term closed form"),
-             CORE_TEXT(
-                 "methods",
+             Text::tr("two-term closed form"),
+             Text::tr(
                  "leaves λ³/4 in order 2 and all of the higher orders: three digits at λ = 0.25"),
-             {{CORE_TEXT("methods", "closed form"), 0}},
+             {{Text::tr("closed form"), 0}},
              false},
             [](const OrdersCase& problem, double) {
                 return inertia_moments::two_term_cylinder_orders(
                     problem.crank.lambda(), problem.crank.relative_offset(), false);
             }),
         method_of({"transform",
-                   CORE_TEXT("methods", "discrete Fourier transform"),
-                   CORE_TEXT("methods",
-                             "orders above half the points fold onto the low ones: with large λ or "
-                             "K a short transform is wrong"),
-                   {counted(CORE_TEXT("methods", "%1 points"), 8),
-                    counted(CORE_TEXT("methods", "%1 points"), 16),
-                    {CORE_TEXT("methods", "32 points"), 32},
-                    {CORE_TEXT("methods", "64 points"), 64},
-                    counted(CORE_TEXT("methods", "%1 points"), 128),
-                    counted(CORE_TEXT("methods", "%1 points"), 512)},
+                   Text::tr("discrete Fourier transform"),
+                   Text::tr("orders above half the points fold onto the low ones: with large λ or "
+                            "K a short transform is wrong"),
+                   {counted(Text::tr("%1 points"), 8),
+                    counted(Text::tr("%1 points"), 16),
+                    {Text::tr("32 points"), 32},
+                    {Text::tr("64 points"), 64},
+                    counted(Text::tr("%1 points"), 128),
+                    counted(Text::tr("%1 points"), 512)},
                    false},
                   [](const OrdersCase& problem, double samples) {
                       return transformed(problem.crank, static_cast<std::size_t>(samples));
                   }),
         method_of(
             {"transform-by-accuracy",
-             CORE_TEXT("methods", "Fourier transform of sufficient length"),
-             CORE_TEXT("methods",
-                       "the number of points grows as 1/√(1 − λ(1 + K)); nearer to locking than "
-                       "4·10⁻⁹ the module rejects the mechanism"),
+             Text::tr("Fourier transform of sufficient length"),
+             Text::tr("the number of points grows as 1/√(1 − λ(1 + K)); nearer to locking than "
+                      "4·10⁻⁹ the module rejects the mechanism"),
              {{"1e-4", 1e-4}, {"1e-8", 1e-8}, {"1e-13", 1e-13}},
              false},
             [](const OrdersCase& problem, double accuracy) {
@@ -180,13 +174,12 @@ Kernel inertia_orders_kernel() {
     // Both go beyond what the scene takes.
     constexpr double nearest = 1e-9;
     definition.sweeps = {
-        {{"locking", CORE_TEXT("methods", "distance from locking, 1 − λ"), units::none, nearest,
-          0.99, Spacing::logarithmic, 5e-9, 0.99, 1.0 - vr5_lambda},
+        {{"locking", Text::tr("distance from locking, 1 − λ"), units::none, nearest, 0.99,
+          Spacing::logarithmic, 5e-9, 0.99, 1.0 - vr5_lambda},
          [](double gap) {
              return OrdersCase{{1.0, 1.0 / (1.0 - gap), 0.0}};
          }},
-        {{"offset",
-          CORE_TEXT("methods", "distance from locking by the offset, 1 − λ(1 + K), λ = 0.265"),
+        {{"offset", Text::tr("distance from locking by the offset, 1 − λ(1 + K), λ = 0.265"),
           units::none, nearest, 1.0 - vr5_lambda, Spacing::logarithmic, 5e-9, 1.0 - vr5_lambda,
           1.0 - vr5_lambda * (1.0 + vr5_offset)},
          [](double gap) {

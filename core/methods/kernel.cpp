@@ -100,12 +100,12 @@ Result evaluate(const Problem& problem, std::size_t method, std::size_t setting)
         return result;
     }
     if (!std::all_of(out.begin(), out.end(), [](double x) { return std::isfinite(x); })) {
-        result.rejection = CORE_TEXT("methods", "gives no finite number");
+        result.rejection = Text::tr("gives no finite number");
         return result;
     }
     result.error = problem.error(out);
     if (!std::isfinite(result.error)) {
-        result.rejection = CORE_TEXT("methods", "has an error beyond the range of numbers");
+        result.rejection = Text::tr("has an error beyond the range of numbers");
         result.error = 0.0;
     }
     return result;

@@ -157,11 +157,11 @@ StabilityMap map_stability(const Kernel& kernel, std::size_t sweep, const Measur
 }
 
 Text failing_nowhere() {
-    return CORE_TEXT("methods", "nowhere");
+    return Text::tr("nowhere");
 }
 
 Text failing_everywhere() {
-    return CORE_TEXT("methods", "everywhere");
+    return Text::tr("everywhere");
 }
 
 Message failing_text(const StabilityMap& map, const StabilityCurve& curve, double tolerance) {
@@ -176,22 +176,22 @@ Message failing_text(const StabilityMap& map, const StabilityCurve& curve, doubl
     const auto number = [&](std::size_t i) { return Number{map.values[i], sweep.unit, 3}; };
     const auto words = [&](const StabilityCurve::Span& span) -> Message {
         if (span.first == span.last) {
-            return {CORE_TEXT("methods", "at %1"), number(span.first)};
+            return {Text::tr("at %1"), number(span.first)};
         }
         if (span.last + 1 == map.values.size()) {
-            return {CORE_TEXT("methods", "from %1"), number(span.first)};
+            return {Text::tr("from %1"), number(span.first)};
         }
         if (span.first == 0) {
-            return {CORE_TEXT("methods", "up to %1"), number(span.last)};
+            return {Text::tr("up to %1"), number(span.last)};
         }
-        return {CORE_TEXT("methods", "%1 to %2"), number(span.first), number(span.last)};
+        return {Text::tr("%1 to %2"), number(span.first), number(span.last)};
     };
     constexpr std::size_t maximum = 3;
     Message text = words(spans.front());
     for (std::size_t k = 1; k < std::min(spans.size(), maximum); ++k) {
         text = joined(std::move(text), words(spans[k]));
     }
-    return spans.size() > maximum ? Message(Text{"", "%1 …"}, std::move(text)) : text;
+    return spans.size() > maximum ? Message(Text{"%1 …"}, std::move(text)) : text;
 }
 
 }  // namespace ravnoves::methods

@@ -101,37 +101,34 @@ Kernel moment_range_kernel() {
     Definition<RangeCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "moment-range";
-    kernel.title = CORE_TEXT("methods", "Range of Mᵤₚₛ");
-    kernel.quantity =
-        CORE_TEXT("methods", "ΔMᵤₚₛ, maximum minus minimum moment over the cycle, at one α");
-    kernel.error_measure = CORE_TEXT("methods", "share of the maximum torque of the table + A");
-    kernel.evaluation = CORE_TEXT("methods", "the range at one α, with the table prepared");
-    kernel.reference = CORE_TEXT("methods", "extrema of every half degree by Newton's method");
+    kernel.title = Text::tr("Range of Mᵤₚₛ");
+    kernel.quantity = Text::tr("ΔMᵤₚₛ, maximum minus minimum moment over the cycle, at one α");
+    kernel.error_measure = Text::tr("share of the maximum torque of the table + A");
+    kernel.evaluation = Text::tr("the range at one α, with the table prepared");
+    kernel.reference = Text::tr("extrema of every half degree by Newton's method");
     kernel.choice = {
         "balance-shaft", "exact", "pieces", 1e-9,
-        CORE_TEXT(
-            "methods",
+        Text::tr(
             "The optimum angle compares ranges, so nine digits. Nodes miss a peak between them; "
             "the extremum of a line plus a sine has a closed form, and only the few intervals "
             "that may contain it are solved.")};
     definition.methods = {
         {{"nodes",
-          CORE_TEXT("methods", "maximum and minimum node"),
-          CORE_TEXT("methods", "cuts off an extremum between the nodes and misses a narrow peak"),
+          Text::tr("maximum and minimum node"),
+          Text::tr("cuts off an extremum between the nodes and misses a narrow peak"),
           {{"30°", 30}, {"15°", 15}, {"5°", 5}, {"1°", 1}, {"0.1°", 0.1}},
           false},
          prepare_nodes},
         {{"brent",
-          CORE_TEXT("methods", "Brent's method between the rows"),
-          CORE_TEXT("methods", "finds only one of two extrema on long straight pieces"),
-          {counted(CORE_TEXT("methods", "to %1 bits"), 8),
-           counted(CORE_TEXT("methods", "to %1 bits"), 24)},
+          Text::tr("Brent's method between the rows"),
+          Text::tr("finds only one of two extrema on long straight pieces"),
+          {counted(Text::tr("to %1 bits"), 8), counted(Text::tr("to %1 bits"), 24)},
           false},
          prepare_brent},
         {{"exact",
-          CORE_TEXT("methods", "exact extrema of the pieces"),
-          CORE_TEXT("methods", "exact for the interpolated table"),
-          {{CORE_TEXT("methods", "pieces"), 0}},
+          Text::tr("exact extrema of the pieces"),
+          Text::tr("exact for the interpolated table"),
+          {{Text::tr("pieces"), 0}},
           false},
          prepare_exact},
     };

@@ -83,19 +83,17 @@ Verdict verdict(const KernelReport& report) {
         holding += row.holds ? 1 : 0;
         faster += row.holds && row.timing.median < used->timing.median ? 1 : 0;
     }
-    const Message name(Text{"", "%1, %2"}, report.method(*used).title, report.setting(*used));
+    const Message name(Text{"%1, %2"}, report.method(*used).title, report.setting(*used));
     if (used->result.rejected()) {
         return {Severity::note,
-                {CORE_TEXT("methods", "In use: %1. No values here: %2."), name,
-                 used->result.rejection}};
+                {Text::tr("In use: %1. No values here: %2."), name, used->result.rejection}};
     }
     if (!used->holds) {
         return {Severity::warning,
-                {CORE_TEXT("methods", "In use: %1. Beyond the tolerance at this value."), name}};
+                {Text::tr("In use: %1. Beyond the tolerance at this value."), name}};
     }
     return {Severity::good,
-            {CORE_TEXT("methods",
-                       "In use: %1. Within the tolerance; %2 of %3 settings within it are faster."),
+            {Text::tr("In use: %1. Within the tolerance; %2 of %3 settings within it are faster."),
              name, faster, holding}};
 }
 
@@ -144,11 +142,11 @@ Message failing_summary(const Kernel& kernel, const MethodRow& row, SweepName na
             continue;
         }
         const SweepInfo& sweep = kernel.sweeps[failing.sweep];
-        Message part{Text{"", "%1: %2"},
+        Message part{Text{"%1: %2"},
                      name == SweepName::id ? Message(sweep.id) : Message(sweep.title),
                      failing.where};
         text = text.empty() ? std::move(part)
-                            : Message(Text{"", "%1; %2"}, std::move(text), std::move(part));
+                            : Message(Text{"%1; %2"}, std::move(text), std::move(part));
     }
     return text;
 }

@@ -171,57 +171,51 @@ Kernel scatter_kernel() {
     Definition<ScatterCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "scatter";
-    kernel.title = CORE_TEXT("methods", "Uncertain inputs");
-    kernel.quantity =
-        CORE_TEXT("methods", "mean and standard deviation of a result of uncertain inputs");
-    kernel.error_measure = CORE_TEXT(
-        "methods", "larger error of both, share of the standard deviation, RMS over 16 seeds");
-    kernel.evaluation = CORE_TEXT("methods", "one study, without the cost of the result itself");
-    kernel.reference = CORE_TEXT("methods", "closed forms of mean and variance");
+    kernel.title = Text::tr("Uncertain inputs");
+    kernel.quantity = Text::tr("mean and standard deviation of a result of uncertain inputs");
+    kernel.error_measure =
+        Text::tr("larger error of both, share of the standard deviation, RMS over 16 seeds");
+    kernel.evaluation = Text::tr("one study, without the cost of the result itself");
+    kernel.reference = Text::tr("closed forms of mean and variance");
     kernel.choice = {
         "balance-shaft", "sobol", "4096 samples", 1e-2,
-        CORE_TEXT(
-            "methods",
+        Text::tr(
             "Uncertain inputs are known to a few digits, so a hundredth of the standard "
             "deviation suffices. Slopes give that for a few samples, but fail unnoticed where an "
             "optimum jumps or a clearance limits. Scrambled Sobol points give it everywhere with "
             "the fewest samples; other seeds show their error.")};
-    constexpr Text samples = CORE_TEXT("methods", "%1 samples");
+    constexpr Text samples = Text::tr("%1 samples");
     definition.methods = {
         {{"linear",
-          CORE_TEXT("methods", "slopes at the nominal"),
-          CORE_TEXT("methods",
-                    "does not include anything away from the nominal: a jump, a corner, a curve"),
-          {{CORE_TEXT("methods", "differences"), 0}},
+          Text::tr("slopes at the nominal"),
+          Text::tr("does not include anything away from the nominal: a jump, a corner, a curve"),
+          {{Text::tr("differences"), 0}},
           false},
          linear},
-        sampled({"monte-carlo", CORE_TEXT("methods", "Monte Carlo"),
-                 CORE_TEXT("methods",
-                           "converges always, but a digit needs a hundred times the samples"),
+        sampled({"monte-carlo", Text::tr("Monte Carlo"),
+                 Text::tr("converges always, but a digit needs a hundred times the samples"),
                  counted(samples, {64, 256, 1024, 8192}), true},
                 studies::Method::monte_carlo),
-        sampled(
-            {"sobol", CORE_TEXT("methods", "scrambled Sobol points"),
-             CORE_TEXT("methods",
-                       "a digit needs about ten times the samples; across a jump a little more"),
-             counted(samples, {64, 256, 1024, 4096}), true},
-            studies::Method::sobol),
+        sampled({"sobol", Text::tr("scrambled Sobol points"),
+                 Text::tr("a digit needs about ten times the samples; across a jump a little more"),
+                 counted(samples, {64, 256, 1024, 4096}), true},
+                studies::Method::sobol),
     };
     using Kind = ScatterCase::Kind;
     constexpr std::size_t points = 13;  // each takes some hundred thousand samples
     definition.sweeps = {
-        {{"scatter", CORE_TEXT("methods", "scatter of masses, lengths and speed, an amplitude"),
-          units::none, 1e-4, 0.5, Spacing::logarithmic, 1e-4, 0.5, 0.01, points},
+        {{"scatter", Text::tr("scatter of masses, lengths and speed, an amplitude"), units::none,
+          1e-4, 0.5, Spacing::logarithmic, 1e-4, 0.5, 0.01, points},
          [](double size) {
              return ScatterCase{Kind::amplitude, size};
          }},
-        {{"jump", CORE_TEXT("methods", "difference of two minima, share of its scatter"),
-          units::none, 0.05, 1.2, Spacing::linear, 0.05, 1.2, 0.8, points},
+        {{"jump", Text::tr("difference of two minima, share of its scatter"), units::none, 0.05,
+          1.2, Spacing::linear, 0.05, 1.2, 0.8, points},
          [](double gap) {
              return ScatterCase{Kind::jump, gap};
          }},
-        {{"corner", CORE_TEXT("methods", "where a clearance limits, share of the input's scatter"),
-          units::none, -0.95, 0.9, Spacing::linear, -0.95, 0.9, -0.5, points},
+        {{"corner", Text::tr("where a clearance limits, share of the input's scatter"), units::none,
+          -0.95, 0.9, Spacing::linear, -0.95, 0.9, -0.5, points},
          [](double place) {
              return ScatterCase{Kind::corner, place};
          }},

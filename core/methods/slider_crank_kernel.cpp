@@ -23,9 +23,8 @@ struct Turn {
 };
 
 Message rejection_of(const Turn& turn) {
-    return turn.crank.locks()
-               ? CORE_TEXT("methods", "the mechanism locks: the crank cannot make a turn")
-               : Text{};
+    return turn.crank.locks() ? Text::tr("the mechanism locks: the crank cannot make a turn")
+                              : Text{};
 }
 
 template <typename Scalar>
@@ -144,62 +143,56 @@ std::vector<Expected> reference(const Turn& turn) {
 Kernel slider_crank_kernel() {
     constexpr double vr5_lambda = 0.265;  // of the paper's VR5
     constexpr double vr5_offset = 12.5 / 45.0;
-    const std::vector<Setting> precision{{CORE_TEXT("methods", "float"), 0},
-                                         {CORE_TEXT("methods", "double"), 1}};
+    const std::vector<Setting> precision{{Text::tr("float"), 0}, {Text::tr("double"), 1}};
     Definition<Turn> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "slider-crank";
-    kernel.title = CORE_TEXT("methods", "Slider-crank kinematics");
-    kernel.quantity = CORE_TEXT("methods", "s, s′, s″ of the piston pin over one turn");
-    kernel.error_measure = CORE_TEXT("methods", "share of the maximum |s|, |s′|, |s″| of the turn");
-    kernel.evaluation = CORE_TEXT("methods", "s, s′ and s″ at one crank angle");
-    kernel.reference = CORE_TEXT("methods", "the closure |crankpin − pin| = L, differentiated");
+    kernel.title = Text::tr("Slider-crank kinematics");
+    kernel.quantity = Text::tr("s, s′, s″ of the piston pin over one turn");
+    kernel.error_measure = Text::tr("share of the maximum |s|, |s′|, |s″| of the turn");
+    kernel.evaluation = Text::tr("s, s′ and s″ at one crank angle");
+    kernel.reference = Text::tr("the closure |crankpin − pin| = L, differentiated");
     kernel.choice = {
         "inertia-moments", "exact-table", "double", 1e-9,
-        CORE_TEXT(
-            "methods",
+        Text::tr(
             "Reports print six digits, and balanced layouts must give zero as a difference of "
             "large forces: nine digits. The exact form needs one square root; a series of the "
             "same cost has three digits at λ = 0.5 and none near locking. The sines of the nodes "
             "are stored: every cylinder and turn needs them.")};
     definition.methods = {
         {{"series",
-          CORE_TEXT("methods", "series in λ"),
-          CORE_TEXT("methods",
-                    "the terms left out are of the order (λ(1 + K))^2n: three digits at λ "
-                    "= 0.5 with 4 terms, and no convergence at locking"),
-          {{CORE_TEXT("methods", "2 terms"), 2},
-           {CORE_TEXT("methods", "3 terms"), 3},
-           {CORE_TEXT("methods", "4 terms"), 4},
-           counted(CORE_TEXT("methods", "%1 terms"), 6),
-           counted(CORE_TEXT("methods", "%1 terms"), 10)},
+          Text::tr("series in λ"),
+          Text::tr("the terms left out are of the order (λ(1 + K))^2n: three digits at λ "
+                   "= 0.5 with 4 terms, and no convergence at locking"),
+          {{Text::tr("2 terms"), 2},
+           {Text::tr("3 terms"), 3},
+           {Text::tr("4 terms"), 4},
+           counted(Text::tr("%1 terms"), 6),
+           counted(Text::tr("%1 terms"), 10)},
           false},
          prepare_series},
-        {{"exact", CORE_TEXT("methods", "exact"),
-          CORE_TEXT("methods",
-                    "in float the angle itself has seven digits; near locking the error "
-                    "grows as the rounding divided by 1 − λ(1 + K)"),
+        {{"exact", Text::tr("exact"),
+          Text::tr("in float the angle itself has seven digits; near locking the error "
+                   "grows as the rounding divided by 1 − λ(1 + K)"),
           precision, false},
          [](const Turn& turn, double wide) {
              return wide > 0.0 ? prepare_exact<double>(turn) : prepare_exact<float>(turn);
          }},
-        {{"exact-table", CORE_TEXT("methods", "exact, sines kept"),
-          CORE_TEXT("methods",
-                    "near locking the error grows as the rounding divided by 1 − λ(1 + K): nine "
-                    "digits remain at 1 − λ(1 + K) = 10⁻⁶"),
+        {{"exact-table", Text::tr("exact, sines kept"),
+          Text::tr("near locking the error grows as the rounding divided by 1 − λ(1 + K): nine "
+                   "digits remain at 1 − λ(1 + K) = 10⁻⁶"),
           precision, false},
          [](const Turn& turn, double wide) {
              return wide > 0.0 ? prepare_table<double>(turn) : prepare_table<float>(turn);
          }},
     };
     definition.sweeps = {
-        {{"locking", CORE_TEXT("methods", "distance from locking, 1 − λ"), units::none, 1e-6, 0.99,
+        {{"locking", Text::tr("distance from locking, 1 − λ"), units::none, 1e-6, 0.99,
           Spacing::logarithmic, 1e-6, 0.99, 1.0 - vr5_lambda},
          [](double gap) {
              return Turn{{1.0, 1.0 / (1.0 - gap), 0.0}};
          }},
-        {{"offset",
-          CORE_TEXT("methods", "distance from locking by the offset, 1 − λ(1 + K), λ = 0.265"),
+        {{"offset", Text::tr("distance from locking by the offset, 1 − λ(1 + K), λ = 0.265"),
           units::none, 1e-6, 1.0 - vr5_lambda, Spacing::logarithmic, 1e-6, 1.0 - vr5_lambda,
           1.0 - vr5_lambda * (1.0 + vr5_offset)},
          [](double gap) {

@@ -136,8 +136,8 @@ SceneSolver older_scene(std::string_view name) {
 SceneSolver balance_shaft_scene() {
     using namespace balance_shaft;
     SceneSolver made = scene<Input, left_out, presets, read_input, check_joined, RepeatedResults>(
-        "balance-shaft", CORE_TEXT("scenes", "Balance shaft"),
-        CORE_TEXT("scenes", "Position the balance shaft of a single-cylinder engine"));
+        "balance-shaft", Text::tr("Balance shaft"),
+        Text::tr("Position the balance shaft of a single-cylinder engine"));
     made.buildable = "/buildable/at_shaft_angle";
     made.file_notes = torque_notes;
     return made;
@@ -151,21 +151,20 @@ std::span<const SceneSolver> scene_solvers() {
         balance_shaft_scene(),
         scene<elastic_hinge::Input, elastic_hinge::left_out, elastic_hinge::presets,
               elastic_hinge::read_input, elastic_hinge::check_input>(
-            "elastic-hinge", CORE_TEXT("scenes", "Elastic hinges"),
-            CORE_TEXT("scenes", "Spring guides for constant crank speed")),
+            "elastic-hinge", Text::tr("Elastic hinges"),
+            Text::tr("Spring guides for constant crank speed")),
         scene<workshop::Input, workshop::left_out, workshop::presets, workshop::read_input,
               workshop::check_input>(
-            "workshop", CORE_TEXT("scenes", "Workshop"),
-            CORE_TEXT("scenes",
-                      "From the scale to the drilled crankshaft, plugs of a V-8 included")),
+            "workshop", Text::tr("Workshop"),
+            Text::tr("From the scale to the drilled crankshaft, plugs of a V-8 included")),
         older_scene<workshop::PlugsCase, workshop::read_plugs_case, workshop::check_plugs_case>(
             "v8-plugs"),
         older_scene<workshop::BobWeightsCase, workshop::read_bob_weights_case,
                     workshop::check_bob_weights_case>("bob-weights"),
         scene<inertia_moments::Input, inertia_moments::left_out, inertia_moments::presets,
               inertia_moments::read_input, inertia_moments::check_input>(
-            "inertia-moments", CORE_TEXT("scenes", "Inertia moments"),
-            CORE_TEXT("scenes", "Forces and moments of VR5 and any other cylinder layout")),
+            "inertia-moments", Text::tr("Inertia moments"),
+            Text::tr("Forces and moments of VR5 and any other cylinder layout")),
     };
     return scenes;
 }
@@ -175,7 +174,7 @@ const SceneSolver& scene_solver(const std::string& name) {
     const auto found = std::find_if(scenes.begin(), scenes.end(),
                                     [&](const SceneSolver& each) { return each.name == name; });
     if (found == scenes.end()) {
-        throw InputError("/scene", CORE_TEXT("core", "must be a known module"), name);
+        throw InputError("/scene", Text::tr("must be a known module"), name);
     }
     return *found;
 }

@@ -51,13 +51,13 @@ struct EngineName {
     Text name;
 };
 constexpr std::array engine_names{
-    EngineName{&SharedEngine::bore, CORE_TEXT("core", "bore")},
-    EngineName{&SharedEngine::crank_radius, CORE_TEXT("core", "crank radius")},
-    EngineName{&SharedEngine::rod_length, CORE_TEXT("core", "rod length")},
-    EngineName{&SharedEngine::offset, CORE_TEXT("core", "offset")},
-    EngineName{&SharedEngine::speed, CORE_TEXT("core", "speed")},
-    EngineName{&SharedEngine::reciprocating_mass, CORE_TEXT("core", "reciprocating mass")},
-    EngineName{&SharedEngine::rotating_mass, CORE_TEXT("core", "rotating mass")},
+    EngineName{&SharedEngine::bore, Text::tr("bore")},
+    EngineName{&SharedEngine::crank_radius, Text::tr("crank radius")},
+    EngineName{&SharedEngine::rod_length, Text::tr("rod length")},
+    EngineName{&SharedEngine::offset, Text::tr("offset")},
+    EngineName{&SharedEngine::speed, Text::tr("speed")},
+    EngineName{&SharedEngine::reciprocating_mass, Text::tr("reciprocating mass")},
+    EngineName{&SharedEngine::rotating_mass, Text::tr("rotating mass")},
 };
 
 const Json* number_at(const Json& input, const char* pointer) {

@@ -44,20 +44,19 @@ namespace field {
 inline constexpr Field grade{
     .key = "grade_mm_s",
     .range = Range::between(0.1, 10'000),
-    .label = CORE_TEXT("V8", "&Grade G"),
-    .hint = CORE_TEXT("V8",
-                      "Balance quality grade of ISO 21940-11, 0.4 to 4000 mm/s. Engines of cars, "
-                      "trucks and locomotives: G 100; inherently balanced crankshafts: better.")};
+    .label = Text::tr("&Grade G"),
+    .hint = Text::tr("Balance quality grade of ISO 21940-11, 0.4 to 4000 mm/s. Engines of cars, "
+                     "trucks and locomotives: G 100; inherently balanced crankshafts: better.")};
 inline constexpr Field rotor_mass{
     .key = "rotor_mass_kg",
     .range = Range::between(0.1, 100'000),
-    .label = CORE_TEXT("V8", "&Mass with bob weights"),
-    .hint = CORE_TEXT("V8", "Mass of crankshaft and bob weights on the machine.")};
+    .label = Text::tr("&Mass with bob weights"),
+    .hint = Text::tr("Mass of crankshaft and bob weights on the machine.")};
 inline constexpr Field service_speed{
     .key = "service_speed_rpm",
     .range = Range::between(1, 100'000),
-    .label = CORE_TEXT("V8", "Service s&peed"),
-    .hint = CORE_TEXT("V8", "Maximum speed in service, not the speed of the machine.")};
+    .label = Text::tr("Service s&peed"),
+    .hint = Text::tr("Maximum speed in service, not the speed of the machine.")};
 
 }  // namespace field
 }  // namespace ravnoves::shop

@@ -51,39 +51,35 @@ std::optional<OtherShaft> other_shaft(const ReadShaft& read, const JobHeader& no
 
 namespace field {
 
-inline constexpr Field job{.key = "job", .hint = CORE_TEXT("V8", "Head of the job card.")};
-inline constexpr Field engine_number{
-    .key = "engine_number",
-    .label = CORE_TEXT("V8", "Engine &number"),
-    .hint = CORE_TEXT("V8", "The journal finds the job by this number.")};
-inline constexpr Field crankshaft_number{
-    .key = "crankshaft_number",
-    .label = CORE_TEXT("V8", "Crankshaft num&ber"),
-    .hint = CORE_TEXT("V8", "Number stamped on the crankshaft.")};
+inline constexpr Field job{.key = "job", .hint = Text::tr("Head of the job card.")};
+inline constexpr Field engine_number{.key = "engine_number",
+                                     .label = Text::tr("Engine &number"),
+                                     .hint = Text::tr("The journal finds the job by this number.")};
+inline constexpr Field crankshaft_number{.key = "crankshaft_number",
+                                         .label = Text::tr("Crankshaft num&ber"),
+                                         .hint = Text::tr("Number stamped on the crankshaft.")};
 inline constexpr Field read_shaft{
     .key = "read_of",
-    .hint = CORE_TEXT("V8", "Engine and crankshaft of the readings, if the job now names others.")};
-inline constexpr Field engine_then{
-    .key = "engine_number",
-    .label = CORE_TEXT("V8", "Engine number of the reading"),
-    .hint = CORE_TEXT("V8", "Number of the engine during the reading.")};
+    .hint = Text::tr("Engine and crankshaft of the readings, if the job now names others.")};
+inline constexpr Field engine_then{.key = "engine_number",
+                                   .label = Text::tr("Engine number of the reading"),
+                                   .hint = Text::tr("Number of the engine during the reading.")};
 inline constexpr Field crankshaft_then{
     .key = "crankshaft_number",
-    .label = CORE_TEXT("V8", "Crankshaft number of the reading"),
-    .hint = CORE_TEXT("V8", "Number of the crankshaft during the reading.")};
+    .label = Text::tr("Crankshaft number of the reading"),
+    .hint = Text::tr("Number of the crankshaft during the reading.")};
 inline constexpr Field customer{
     .key = "customer",
-    .label = CORE_TEXT("V8", "C&ustomer"),
-    .hint = CORE_TEXT("V8", "Owner of the engine; the journal finds the job by this name.")};
+    .label = Text::tr("C&ustomer"),
+    .hint = Text::tr("Owner of the engine; the journal finds the job by this name.")};
 inline constexpr Field date{.key = "date",
-                            .label = CORE_TEXT("V8", "&Date"),
-                            .hint = CORE_TEXT("V8", "Year-month-day or day.month.year.")};
+                            .label = Text::tr("&Date"),
+                            .hint = Text::tr("Year-month-day or day.month.year.")};
 inline constexpr Field technician{.key = "technician",
-                                  .label = CORE_TEXT("V8", "&Technician"),
-                                  .hint = CORE_TEXT("V8", "Name of the technician.")};
-inline constexpr Field notes{.key = "notes",
-                             .label = CORE_TEXT("V8", "&Notes"),
-                             .hint = CORE_TEXT("V8", "Notes on the job card.")};
+                                  .label = Text::tr("&Technician"),
+                                  .hint = Text::tr("Name of the technician.")};
+inline constexpr Field notes{
+    .key = "notes", .label = Text::tr("&Notes"), .hint = Text::tr("Notes on the job card.")};
 
 }  // namespace field
 }  // namespace ravnoves::shop

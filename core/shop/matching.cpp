@@ -181,13 +181,13 @@ void Crank::follow(const WeighIn& sheet) {
 
 Message crank_fault(const Crank& crank) {
     if (crank.has_banks && !crank.bank_angle) {
-        return CORE_TEXT("matching", "the bank angle is missing");
+        return Text::tr("the bank angle is missing");
     }
     if (crank.angles.size() != static_cast<std::size_t>(crank.angle_count())) {
-        return {CORE_TEXT("matching", "enter %1 angles of the crankpins"), crank.angle_count()};
+        return {Text::tr("enter %1 angles of the crankpins"), crank.angle_count()};
     }
     if (crank.bank_offset != 0.0 && !crank.spacing) {
-        return CORE_TEXT("matching", "the bank offset needs the cylinder spacing");
+        return Text::tr("the bank offset needs the cylinder spacing");
     }
     return {};
 }
@@ -306,16 +306,14 @@ std::optional<Matched> match(const MatchingTask& task) {
     matched.spacing_known = task.crank.spacing.has_value();
     if (rules.goal == MatchingGoal::fewest_moves && !rules.permitted_spread) {
         matched.goal = MatchingGoal::min_spread;
-        matched.remark = CORE_TEXT(
-            "matching",
+        matched.remark = Text::tr(
             "The permitted range of the crankpins is missing: they are made as equal as possible.");
     }
     if (const Message fault = crank_fault(task.crank);
         rules.goal == MatchingGoal::min_shaking && !fault.empty()) {
         matched.goal = MatchingGoal::min_spread;
         matched.remark = {
-            CORE_TEXT(
-                "matching",
+            Text::tr(
                 "Shaking cannot be computed (%1): the crankpins are made as equal as possible."),
             fault};
     }
@@ -344,12 +342,10 @@ std::optional<Matched> match(const MatchingTask& task) {
     matched.shaking = shaking_of(task, found.from);
     if (has_limit && matched.spread > search.enough) {
         matched.remark = {
-            found.proven ? CORE_TEXT("matching",
-                                     "No combination gives a range of %1: the crankpins are made "
-                                     "as equal as possible. Make the heavier parts lighter.")
-                         : CORE_TEXT("matching",
-                                     "No combination found gives a range of %1: the crankpins are "
-                                     "made as equal as possible. Make the heavier parts lighter."),
+            found.proven ? Text::tr("No combination gives a range of %1: the crankpins are made "
+                                    "as equal as possible. Make the heavier parts lighter.")
+                         : Text::tr("No combination found gives a range of %1: the crankpins are "
+                                    "made as equal as possible. Make the heavier parts lighter."),
             in_grams(*rules.permitted_spread)};
     }
     return matched;
@@ -360,12 +356,12 @@ void check_matching(const MatchingRules& rules, int angle_count) {
     if (!rules.crankpin_angles_deg.empty() &&
         rules.crankpin_angles_deg.size() != static_cast<std::size_t>(angle_count)) {
         throw InputError(place + std::string(field::crankpin_angles.key),
-                         {CORE_TEXT("matching", "must be a list of %1 angles"), angle_count},
+                         {Text::tr("must be a list of %1 angles"), angle_count},
                          Number{static_cast<double>(rules.crankpin_angles_deg.size())});
     }
     if (rules.bank_offset && !rules.cylinder_spacing) {
         throw InputError(place + std::string(field::cylinder_spacing.key),
-                         CORE_TEXT("matching", "is required with the bank offset"));
+                         Text::tr("is required with the bank offset"));
     }
 }
 

@@ -42,94 +42,85 @@ struct MatchingRules {
     friend bool operator==(const MatchingRules&, const MatchingRules&) = default;
 };
 
-inline constexpr Word goal_words[] = {{"least-spread", CORE_TEXT("matching", "Equal crankpins")},
-                                      {"fewest-moves", CORE_TEXT("matching", "Fewest moves")},
-                                      {"least-shaking", CORE_TEXT("matching", "Minimum shaking")}};
-inline constexpr Word set_moves_words[] = {{"anywhere", CORE_TEXT("matching", "anywhere")},
-                                           {"within-bank", CORE_TEXT("matching", "within bank")},
-                                           {"stay", CORE_TEXT("matching", "fixed")}};
-inline constexpr Word part_moves_words[] = {{"with-set", CORE_TEXT("matching", "with its set")},
-                                            {"stay", CORE_TEXT("matching", "fixed")}};
+inline constexpr Word goal_words[] = {{"least-spread", Text::tr("Equal crankpins")},
+                                      {"fewest-moves", Text::tr("Fewest moves")},
+                                      {"least-shaking", Text::tr("Minimum shaking")}};
+inline constexpr Word set_moves_words[] = {{"anywhere", Text::tr("anywhere")},
+                                           {"within-bank", Text::tr("within bank")},
+                                           {"stay", Text::tr("fixed")}};
+inline constexpr Word part_moves_words[] = {{"with-set", Text::tr("with its set")},
+                                            {"stay", Text::tr("fixed")}};
 
 namespace field {
 
 inline constexpr Field matching{
-    .key = "matching",
-    .hint = CORE_TEXT("matching", "Matching of weighed parts: goal, and permitted moves.")};
+    .key = "matching", .hint = Text::tr("Matching of weighed parts: goal, and permitted moves.")};
 inline constexpr Field goal{
     .key = "goal",
-    .label = CORE_TEXT("matching", "Place the parts for"),
-    .hint = CORE_TEXT("matching",
-                      "Minimum range of the crankpins, fewest moves to the permitted range, or "
-                      "minimum first-order shaking at the ends of the crankshaft."),
+    .label = Text::tr("Place the parts for"),
+    .hint = Text::tr("Minimum range of the crankpins, fewest moves to the permitted range, or "
+                     "minimum first-order shaking at the ends of the crankshaft."),
     .words = goal_words};
 inline constexpr Field piston_moves{
     .key = "pistons",
-    .label = CORE_TEXT("matching", "Piston sets may move"),
-    .hint = CORE_TEXT("matching",
-                      "Piston with pin and rings: anywhere; within its bank (valve pockets, offset "
-                      "pin); or fixed (fitted to the bore)."),
+    .label = Text::tr("Piston sets may move"),
+    .hint = Text::tr("Piston with pin and rings: anywhere; within its bank (valve pockets, offset "
+                     "pin); or fixed (fitted to the bore)."),
     .words = set_moves_words};
 inline constexpr Field pin_moves{.key = "pins",
-                                 .label = CORE_TEXT("matching", "Pins may move"),
-                                 .hint = CORE_TEXT("matching", "With its set, or fixed."),
+                                 .label = Text::tr("Pins may move"),
+                                 .hint = Text::tr("With its set, or fixed."),
                                  .words = part_moves_words};
-inline constexpr Field ring_moves{
-    .key = "rings",
-    .label = CORE_TEXT("matching", "Rings may move"),
-    .hint = CORE_TEXT("matching", "With its set, or fixed (gapped to the bore)."),
-    .words = part_moves_words};
+inline constexpr Field ring_moves{.key = "rings",
+                                  .label = Text::tr("Rings may move"),
+                                  .hint = Text::tr("With its set, or fixed (gapped to the bore)."),
+                                  .words = part_moves_words};
 inline constexpr Field rod_moves{
     .key = "rods",
-    .label = CORE_TEXT("matching", "Rods may move"),
-    .hint = CORE_TEXT("matching",
-                      "Rod with its shells: anywhere; within its bank (each faces its side of the "
-                      "crankpin); or fixed."),
+    .label = Text::tr("Rods may move"),
+    .hint = Text::tr("Rod with its shells: anywhere; within its bank (each faces its side of the "
+                     "crankpin); or fixed."),
     .words = set_moves_words};
 inline constexpr Field shell_moves{
     .key = "shells",
-    .label = CORE_TEXT("matching", "Shells may move"),
-    .hint = CORE_TEXT("matching", "With its set, or fixed (chosen for the journal)."),
+    .label = Text::tr("Shells may move"),
+    .hint = Text::tr("With its set, or fixed (chosen for the journal)."),
     .words = part_moves_words};
 inline constexpr Field permitted_crankpin_spread{
     .key = "permitted_spread_g",
     .range = Range::between(0, 100'000),
-    .label = CORE_TEXT("matching", "Permitted crankpin range"),
-    .hint = CORE_TEXT(
-        "matching", "Heaviest minus lightest crankpin by bob weight, for the goal “Fewest moves”."),
-    .placeholder = CORE_TEXT("matching", "no limit")};
+    .label = Text::tr("Permitted crankpin range"),
+    .hint =
+        Text::tr("Heaviest minus lightest crankpin by bob weight, for the goal “Fewest moves”."),
+    .placeholder = Text::tr("no limit")};
 inline constexpr Field crankpin_angles{
     .key = "crankpin_angles_deg",
     .range = Range::between(-720, 720),
-    .label = CORE_TEXT("matching", "Crankpins at"),
-    .hint = CORE_TEXT(
-        "matching",
+    .label = Text::tr("Crankpins at"),
+    .hint = Text::tr(
         "Angles of the throws from the front, positive from the second bank to the first."),
-    .if_empty = CORE_TEXT("matching", "usual for the engine, cross-plane V-8: 0; 90; 270; 180"),
-    .placeholder = CORE_TEXT("matching", "as usual")};
+    .if_empty = Text::tr("usual for the engine, cross-plane V-8: 0; 90; 270; 180"),
+    .placeholder = Text::tr("as usual")};
 inline constexpr Field cylinder_spacing{
     .key = "cylinder_spacing_mm",
     .range = Range::between(1, 10'000),
-    .label = CORE_TEXT("matching", "Cylinder spacing"),
-    .hint = CORE_TEXT(
-        "matching", "Distance between neighbours of a bank along the crankshaft, for the couple."),
-    .placeholder = CORE_TEXT("matching", "no couple")};
+    .label = Text::tr("Cylinder spacing"),
+    .hint = Text::tr("Distance between neighbours of a bank along the crankshaft, for the couple."),
+    .placeholder = Text::tr("no couple")};
 inline constexpr Field bank_offset{
     .key = "bank_offset_mm",
     .range = Range::between(-1000, 1000),
-    .label = CORE_TEXT("matching", "Bank offset"),
-    .hint = CORE_TEXT("matching",
-                      "Distance of the second bank behind the first (width of a big end). Enter "
-                      "the spacing too."),
-    .placeholder = {"", "0"}};
+    .label = Text::tr("Bank offset"),
+    .hint = Text::tr("Distance of the second bank behind the first (width of a big end). Enter "
+                     "the spacing too."),
+    .placeholder = {"0"}};
 inline constexpr Field matching_crank_radius{
     .key = "crank_radius_mm",
     .range = Range::between(1, 5000),
-    .label = CORE_TEXT("matching", "Crank radius"),
-    .hint = CORE_TEXT(
-        "matching",
+    .label = Text::tr("Crank radius"),
+    .hint = Text::tr(
         "Crank radius for forces in g·mm and N; without it they are masses at the crank radius."),
-    .placeholder = CORE_TEXT("matching", "no force")};
+    .placeholder = Text::tr("no force")};
 
 }  // namespace field
 

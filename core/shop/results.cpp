@@ -16,29 +16,25 @@ void visit_shaking(ResultVisitor& visitor, const ResultField& field, const Shaki
                    bool spacing_known, const std::optional<double>& radius,
                    const std::optional<double>& speed) {
     visitor.object(field, [&] {
-        visitor.number({"force_g", CORE_TEXT("workshop", "Force, mass at the crank radius"), 2},
-                       shaking.force);
-        visitor.number({"rms_at_ends_g", CORE_TEXT("workshop", "RMS at the ends"), 2},
-                       shaking.ends);
+        visitor.number({"force_g", Text::tr("Force, mass at the crank radius"), 2}, shaking.force);
+        visitor.number({"rms_at_ends_g", Text::tr("RMS at the ends"), 2}, shaking.ends);
         if (spacing_known) {
-            visitor.number(
-                {"couple_g_mm", CORE_TEXT("workshop", "Couple, mass at the crank radius"), 1},
-                shaking.couple);
+            visitor.number({"couple_g_mm", Text::tr("Couple, mass at the crank radius"), 1},
+                           shaking.couple);
         }
         if (!radius) {
             return;
         }
-        visitor.number({"force_g_mm", CORE_TEXT("workshop", "Force, unbalance"), 1},
-                       shaking.force * *radius);
+        visitor.number({"force_g_mm", Text::tr("Force, unbalance"), 1}, shaking.force * *radius);
         if (spacing_known) {
-            visitor.number({"couple_g_mm2", CORE_TEXT("workshop", "Couple, unbalance"), 0},
+            visitor.number({"couple_g_mm2", Text::tr("Couple, unbalance"), 0},
                            shaking.couple * *radius);
         }
         if (speed) {
-            visitor.number({"force_N", CORE_TEXT("workshop", "Force"), 1},
+            visitor.number({"force_N", Text::tr("Force"), 1},
                            shaking.force * *radius * *speed * *speed);
             if (spacing_known) {
-                visitor.number({"couple_Nm", CORE_TEXT("workshop", "Couple"), 2},
+                visitor.number({"couple_Nm", Text::tr("Couple"), 2},
                                shaking.couple * *radius * *speed * *speed);
             }
         }
@@ -63,26 +59,25 @@ void visit_columns(ResultVisitor& visitor, const WeighIn& sheet) {
             continue;
         }
         visitor.object({part_word(part).word, part_word(part).label, 0, {}, units::none}, [&] {
-            visitor.number({"mean_g", CORE_TEXT("workshop", "Mean"), 2}, found->mean);
+            visitor.number({"mean_g", Text::tr("Mean"), 2}, found->mean);
             visitor.number(key::spread, found->spread);
-            visitor.integer({"heaviest_cylinder", CORE_TEXT("workshop", "Heaviest, cylinder")},
+            visitor.integer({"heaviest_cylinder", Text::tr("Heaviest, cylinder")},
                             found->heaviest + 1);
-            visitor.integer({"lightest_cylinder", CORE_TEXT("workshop", "Lightest, cylinder")},
+            visitor.integer({"lightest_cylinder", Text::tr("Lightest, cylinder")},
                             found->lightest + 1);
-            visitor.flag(
-                {"within_permitted_spread", CORE_TEXT("workshop", "Within permitted range")},
-                found->within_permitted);
+            visitor.flag({"within_permitted_spread", Text::tr("Within permitted range")},
+                         found->within_permitted);
             if (sheet.is_moved()) {
-                visitor.integers({"part_numbers", CORE_TEXT("workshop", "Part number")},
+                visitor.integers({"part_numbers", Text::tr("Part number")},
                                  part_numbers(sheet, part));
             }
             std::vector<double> off;
             for (const Weighed& mass : take_off(column.mass)) {
                 off.push_back(mass.value_or(std::numeric_limits<double>::quiet_NaN()));
             }
-            visitor.numbers({"take_off_g", CORE_TEXT("workshop", "Take off"), 2}, off);
+            visitor.numbers({"take_off_g", Text::tr("Take off"), 2}, off);
             if (column.nominal) {
-                visitor.number({"mean_deviation_g", CORE_TEXT("workshop", "Mean minus nominal"), 2},
+                visitor.number({"mean_deviation_g", Text::tr("Mean minus nominal"), 2},
                                found->mean - *column.nominal);
             }
         });
@@ -93,17 +88,16 @@ void visit_matched(ResultVisitor& visitor, const Matched& matched,
                    const std::optional<double>& crank_radius, const std::optional<double>& speed) {
     visitor.integers({"pistons_from_cylinder"}, from_one(matched.pistons));
     visitor.integers({"rods_from_cylinder"}, from_one(matched.rods));
-    visitor.integer({"sets_moved", CORE_TEXT("workshop", "Sets moved")}, matched.moved);
+    visitor.integer({"sets_moved", Text::tr("Sets moved")}, matched.moved);
     visitor.word({"goal"}, goal_words[static_cast<std::size_t>(matched.goal)].word);
-    visitor.number({"spread_before_g", CORE_TEXT("workshop", "Range of the crankpins before"), 2},
+    visitor.number({"spread_before_g", Text::tr("Range of the crankpins before"), 2},
                    matched.spread_before);
-    visitor.number({"spread_g", CORE_TEXT("workshop", "Range of the crankpins"), 2},
-                   matched.spread);
-    visitor.flag({"proven", CORE_TEXT("workshop", "Proven")}, matched.proven);
+    visitor.number({"spread_g", Text::tr("Range of the crankpins"), 2}, matched.spread);
+    visitor.flag({"proven", Text::tr("Proven")}, matched.proven);
     if (matched.shaking && matched.shaking_before) {
-        visit_shaking(visitor, {"shaking_before", CORE_TEXT("workshop", "Shaking before")},
+        visit_shaking(visitor, {"shaking_before", Text::tr("Shaking before")},
                       *matched.shaking_before, matched.spacing_known, crank_radius, speed);
-        visit_shaking(visitor, {"shaking", CORE_TEXT("workshop", "Shaking")}, *matched.shaking,
+        visit_shaking(visitor, {"shaking", Text::tr("Shaking")}, *matched.shaking,
                       matched.spacing_known, crank_radius, speed);
     }
     if (!matched.remark.empty()) {
@@ -114,9 +108,8 @@ void visit_matched(ResultVisitor& visitor, const Matched& matched,
 void visit_other(ResultVisitor& visitor, const std::optional<double>& read_with,
                  const std::optional<OtherShaft>& read_on) {
     if (read_with) {
-        visitor.number(
-            {"read_with_bobweight_g", CORE_TEXT("workshop", "Bob weight of the readings"), 1},
-            read_with);
+        visitor.number({"read_with_bobweight_g", Text::tr("Bob weight of the readings"), 1},
+                       read_with);
     }
     if (read_on) {
         visitor.word({"read_on"}, read_on->then);
@@ -129,15 +122,13 @@ Message other_readings(const std::optional<double>& read_with,
     const auto grams = [](double mass) { return Number{mass / units::gram, units::gram, -1}; };
     if (read_on) {
         return {
-            CORE_TEXT(
-                "workshop",
+            Text::tr(
                 "The readings are of another crankshaft: number %1 then, %2 now. Measure again."),
             read_on->then, read_on->now};
     }
     if (read_with) {
         return {
-            CORE_TEXT(
-                "workshop",
+            Text::tr(
                 "The readings were taken with another bob weight: %1 then, %2 now. Measure again."),
             grams(*read_with), grams(bob_weight_now.value_or(0.0))};
     }
@@ -166,13 +157,13 @@ std::string capitalised(std::string name) {
 
 Message plane_title(const std::array<std::string, 2>& own, std::size_t plane) {
     return !own.at(plane).empty() ? Message(capitalised(own[plane]))
-           : plane == 0           ? CORE_TEXT("v8-plugs", "Front plane")
-                                  : CORE_TEXT("v8-plugs", "Rear plane");
+           : plane == 0           ? Text::tr("Front plane")
+                                  : Text::tr("Rear plane");
 }
 
 std::array<Message, 2> plane_names(const std::array<std::string, 2>& own) {
-    return {own[0].empty() ? Message(CORE_TEXT("workshop", "front")) : Message(own[0]),
-            own[1].empty() ? Message(CORE_TEXT("workshop", "rear")) : Message(own[1])};
+    return {own[0].empty() ? Message(Text::tr("front")) : Message(own[0]),
+            own[1].empty() ? Message(Text::tr("rear")) : Message(own[1])};
 }
 
 void add_machine_verdict(Verdict& verdict, const std::array<std::optional<double>, 2>& unbalance,
@@ -193,9 +184,8 @@ void add_machine_verdict(Verdict& verdict, const std::array<std::optional<double
         return;
     }
     const std::array<Message, 2> names = plane_names(own_names);
-    const Message said{fails
-                           ? CORE_TEXT("workshop", "Fails: %1 %5, %2 %6; permissible %3 and %4.")
-                           : CORE_TEXT("workshop", "Passes: %1 %5, %2 %6; permissible %3 and %4."),
+    const Message said{fails ? Text::tr("Fails: %1 %5, %2 %6; permissible %3 and %4.")
+                             : Text::tr("Passes: %1 %5, %2 %6; permissible %3 and %4."),
                        unbalance[0] ? Message(shown[0]) : Message("–"),
                        unbalance[1] ? Message(shown[1]) : Message("–"),
                        in_gram_millimetres((*permissible)[0]),

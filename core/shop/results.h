@@ -12,12 +12,11 @@
 namespace ravnoves::shop {
 
 namespace result_field {
-inline constexpr ResultField weigh_in{"weigh_in", CORE_TEXT("workshop", "Weigh-in")};
-inline constexpr ResultField spread{"spread_g", CORE_TEXT("workshop", "Range"), 2,
-                                    CORE_TEXT("workshop", "Heaviest minus lightest.")};
+inline constexpr ResultField weigh_in{"weigh_in", Text::tr("Weigh-in")};
+inline constexpr ResultField spread{"spread_g", Text::tr("Range"), 2,
+                                    Text::tr("Heaviest minus lightest.")};
 
-inline constexpr ResultField assignment{"assignment",
-                                        CORE_TEXT("workshop", "Matching of the parts")};
+inline constexpr ResultField assignment{"assignment", Text::tr("Matching of the parts")};
 
 }  // namespace result_field
 
@@ -33,11 +32,11 @@ void visit_matched(ResultVisitor& visitor, const Matched& matched,
 /// The lines of a bob weight's sum, of either scene.
 /// @param word_of  the part of a line
 void visit_lines(ResultVisitor& visitor, const auto& lines, const auto& word_of) {
-    visitor.list({"lines", CORE_TEXT("workshop", "Lines")}, lines.size(), [&](std::size_t i) {
+    visitor.list({"lines", Text::tr("Lines")}, lines.size(), [&](std::size_t i) {
         visitor.word({"part"}, word_of(lines[i]));
-        visitor.number({"factor", CORE_TEXT("workshop", "Factor"), 4}, lines[i].factor);
-        visitor.number({"mass_g", CORE_TEXT("workshop", "Mass"), 2}, lines[i].mass);
-        visitor.number({"product_g", CORE_TEXT("workshop", "Total"), 2}, lines[i].product());
+        visitor.number({"factor", Text::tr("Factor"), 4}, lines[i].factor);
+        visitor.number({"mass_g", Text::tr("Mass"), 2}, lines[i].mass);
+        visitor.number({"product_g", Text::tr("Total"), 2}, lines[i].product());
     });
 }
 

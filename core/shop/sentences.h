@@ -19,7 +19,7 @@ inline Number in_gram_millimetres(double unbalance) {
 }
 
 inline Message two_sentences(Message first, Message second) {
-    return {Text{"", "%1 %2"}, std::move(first), std::move(second)};
+    return {Text{"%1 %2"}, std::move(first), std::move(second)};
 }
 
 inline std::vector<Message> both(std::vector<Message> first, std::vector<Message> second) {

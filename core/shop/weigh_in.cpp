@@ -67,10 +67,9 @@ struct SetNumberList final : FieldVisitor::Custom {
         }
         if (found.size() != cylinders ||
             !std::is_permutation(found.begin(), found.end(), usual.begin())) {
-            throw InputError(
-                pointer,
-                {CORE_TEXT("workshop", "must be the numbers 1 to %1, each once"), cylinders},
-                show(list));
+            throw InputError(pointer,
+                             {Text::tr("must be the numbers 1 to %1, each once"), cylinders},
+                             show(list));
         }
         numbers = found == usual ? SetNumbers() : found;
     }
@@ -88,15 +87,14 @@ struct WeightList final : FieldVisitor::Custom {
         if (!masses.is_array() || masses.size() != weights.size()) {
             throw InputError(
                 pointer,
-                {CORE_TEXT("workshop", "must be a list of %1 masses, one for each cylinder"),
-                 weights.size()},
+                {Text::tr("must be a list of %1 masses, one for each cylinder"), weights.size()},
                 show(masses));
         }
         for (std::size_t i = 0; i < masses.size(); ++i) {
             const Json& each = masses.at(i);
             if (!each.is_null() && !each.is_number()) {
-                throw InputError(pointer + "/" + std::to_string(i),
-                                 CORE_TEXT("core", "must be a number"), show(each));
+                throw InputError(pointer + "/" + std::to_string(i), Text::tr("must be a number"),
+                                 show(each));
             }
             weights[i] =
                 each.is_null() ? std::nullopt : std::optional(each.get<double>() * mass.unit);
@@ -187,11 +185,11 @@ void check_weighed(const WeighIn& sheet, bool nominal_needed) {
         const auto gap = std::find(column.mass.begin(), column.mass.end(), std::nullopt);
         if (gap != column.mass.end()) {
             throw InputError(place + "mass_g/" + std::to_string(gap - column.mass.begin()),
-                             CORE_TEXT("core", "must be a number"), "null");
+                             Text::tr("must be a number"), "null");
         }
         if (nominal_needed && !column.nominal) {
             throw InputError(place + std::string(field::nominal.key),
-                             CORE_TEXT("core", "is required and missing"));
+                             Text::tr("is required and missing"));
         }
     }
 }

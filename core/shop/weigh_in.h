@@ -23,12 +23,12 @@ enum class Part { piston, pin, rings, rod_small_end, rod_big_end, shells };
 inline constexpr std::array<Part, 6> all_parts{
     Part::piston, Part::pin, Part::rings, Part::rod_small_end, Part::rod_big_end, Part::shells};
 /// Names of the parts, in the order of the enumeration.
-inline constexpr Word part_words[] = {{"piston", CORE_TEXT("V8", "Piston")},
-                                      {"pin", CORE_TEXT("V8", "Pin")},
-                                      {"rings", CORE_TEXT("V8", "Rings")},
-                                      {"rod_small_end", CORE_TEXT("V8", "Rod, small end")},
-                                      {"rod_big_end", CORE_TEXT("V8", "Rod, big end")},
-                                      {"shells", CORE_TEXT("V8", "Shells")}};
+inline constexpr Word part_words[] = {{"piston", Text::tr("Piston")},
+                                      {"pin", Text::tr("Pin")},
+                                      {"rings", Text::tr("Rings")},
+                                      {"rod_small_end", Text::tr("Rod, small end")},
+                                      {"rod_big_end", Text::tr("Rod, big end")},
+                                      {"shells", Text::tr("Shells")}};
 constexpr const Word& part_word(Part part) {
     return part_words[static_cast<std::size_t>(part)];
 }
@@ -128,26 +128,25 @@ inline bool is_other_bob_weight(const std::optional<double>& then,
 namespace field {
 
 inline constexpr Field weigh_in{.key = "weigh_in",
-                                .hint = CORE_TEXT("V8", "Masses of the parts by the scale.")};
+                                .hint = Text::tr("Masses of the parts by the scale.")};
 inline constexpr Field nominal{.key = "nominal_g",
                                .range = Range::between(0.001, 100'000),
-                               .hint = CORE_TEXT("V8", "Nominal mass of the part.")};
+                               .hint = Text::tr("Nominal mass of the part.")};
 inline constexpr Field permitted_spread{.key = "permitted_spread_g",
                                         .range = Range::between(0, 100'000),
-                                        .hint = CORE_TEXT("V8", "Permitted range of the masses.")};
+                                        .hint = Text::tr("Permitted range of the masses.")};
 inline constexpr Field piston_sets{
     .key = "piston_sets",
-    .hint = CORE_TEXT("V8", "Piston set in each cylinder, by the cylinder where it was weighed.")};
+    .hint = Text::tr("Piston set in each cylinder, by the cylinder where it was weighed.")};
 inline constexpr Field rod_sets{
     .key = "rod_sets",
-    .hint = CORE_TEXT("V8", "Rod in each cylinder, by the cylinder where it was weighed.")};
+    .hint = Text::tr("Rod in each cylinder, by the cylinder where it was weighed.")};
 /// Of a reading of the balancing machine.
 inline constexpr Field bob_weight_then{
     .key = "bobweight_g",
     .range = Range::between(0, 100'000'000),
-    .label = CORE_TEXT("V8", "Bob weight of the reading"),
-    .hint = CORE_TEXT(
-        "V8",
+    .label = Text::tr("Bob weight of the reading"),
+    .hint = Text::tr(
         "Bob weight on each crankpin during the reading; the reading is valid only with it.")};
 
 }  // namespace field

@@ -35,7 +35,7 @@ std::vector<double> nominal_inputs(const Json& input, const Study& study) {
         const bool there = input.contains(place);
         if (!there || !input.at(place).is_number()) {
             throw InputError(vary_place(varied.pointer),
-                             CORE_TEXT("studies", "must point to a number of the input"),
+                             Text::tr("must point to a number of the input"),
                              there ? show(input.at(place)) : Message());
         }
         nominal.push_back(input.at(place).get<double>());
@@ -44,7 +44,7 @@ std::vector<double> nominal_inputs(const Json& input, const Study& study) {
             !std::isfinite(law.deviation * law.deviation)) {
             throw InputError(
                 vary_place(varied.pointer),
-                CORE_TEXT("studies", "must scatter less: its moments exceed the range of numbers"));
+                Text::tr("must scatter less: its moments exceed the range of numbers"));
         }
     }
     return nominal;
@@ -59,13 +59,12 @@ std::vector<std::optional<double>> nominal_result(const SceneSolver& solver, con
         const Pointer place(watched.pointer);
         if (!result.contains(place)) {
             throw InputError(watch_place(watched.pointer),
-                             CORE_TEXT("core", "must be a value that the result has"));
+                             Text::tr("must be a value that the result has"));
         }
         const Json& value = result.at(place);
         if (value.is_structured() || value.is_string()) {
             throw InputError(watch_place(watched.pointer),
-                             CORE_TEXT("studies", "must point to a number of the result"),
-                             show(value));
+                             Text::tr("must point to a number of the result"), show(value));
         }
         const double number = value.is_boolean()  ? (value.get<bool>() ? 1.0 : 0.0)
                               : value.is_number() ? value.get<double>()
@@ -79,7 +78,7 @@ std::vector<std::optional<double>> nominal_result(const SceneSolver& solver, con
 
 Problem problem_of(const CaseFile& file, const CaseContext& context, std::string_view text) {
     if (file.study.is_null()) {
-        throw InputError("/study", CORE_TEXT("core", "is required and missing"));
+        throw InputError("/study", Text::tr("is required and missing"));
     }
     const SceneSolver& solver = scene_solver(file.scene);
     Problem problem{.origin = {.scene = file.scene, .title = file.title, .case_sha256 = {}},

@@ -16,10 +16,10 @@ constexpr std::size_t max_varied = 1000;
 constexpr std::size_t max_watched = 32;
 
 constexpr std::array methods{
-    Word{"linear", CORE_TEXT("studies", "Linear")},
-    Word{"monte-carlo", CORE_TEXT("studies", "Monte Carlo")},
-    Word{"sobol", CORE_TEXT("studies", "Sobol points")},
-    Word{"grid", CORE_TEXT("studies", "Grid")},
+    Word{"linear", Text::tr("Linear")},
+    Word{"monte-carlo", Text::tr("Monte Carlo")},
+    Word{"sobol", Text::tr("Sobol points")},
+    Word{"grid", Text::tr("Grid")},
 };
 
 bool is_pointer(const std::string& text) {
@@ -32,8 +32,7 @@ bool is_pointer(const std::string& text) {
 
 void check_pointer(const std::string& key, const std::string& place) {
     if (!is_pointer(key)) {
-        throw InputError(place,
-                         CORE_TEXT("studies", "must be a JSON pointer, such as /crank_radius_mm"));
+        throw InputError(place, Text::tr("must be a JSON pointer, such as /crank_radius_mm"));
     }
 }
 
@@ -53,8 +52,8 @@ std::uint64_t whole(ObjectReader& reader, const char* key, std::uint64_t minimum
     }
     if (number < minimum || number > maximum) {
         throw InputError(reader.pointer_to(key),
-                         {CORE_TEXT("core", "must be a whole number from %1 to %2"),
-                          std::to_string(minimum), std::to_string(maximum)},
+                         {Text::tr("must be a whole number from %1 to %2"), std::to_string(minimum),
+                          std::to_string(maximum)},
                          show(value));
     }
     return number;
@@ -67,15 +66,13 @@ void reject_former_method(ObjectReader& reader) {
     const std::string_view method = text != nullptr ? std::string_view(*text) : std::string_view();
     if (method == "second-order") {
         throw InputError(reader.pointer_to("method"),
-                         CORE_TEXT("studies",
-                                   "must be \"linear\" or \"sobol\": second-order studies are no "
-                                   "longer supported"));
+                         Text::tr("must be \"linear\" or \"sobol\": second-order studies are no "
+                                  "longer supported"));
     }
     if (method == "latin-hypercube") {
         throw InputError(reader.pointer_to("method"),
-                         CORE_TEXT("studies",
-                                   "must be \"sobol\" or \"monte-carlo\": Latin hypercubes are no "
-                                   "longer supported"));
+                         Text::tr("must be \"sobol\" or \"monte-carlo\": Latin hypercubes are no "
+                                  "longer supported"));
     }
 }
 
@@ -99,7 +96,7 @@ Varied read_varied(const std::string& pointer, ObjectReader reader) {
         varied.spread = Spread::grid;
         varied.values = reader.numbers("values", Range{});
         if (varied.values.empty()) {
-            throw InputError(reader.pointer_to("values"), CORE_TEXT("core", "must not be empty"));
+            throw InputError(reader.pointer_to("values"), Text::tr("must not be empty"));
         }
     }
     if (reader.has("from") || reader.has("to") || reader.has("steps")) {
@@ -109,8 +106,7 @@ Varied read_varied(const std::string& pointer, ObjectReader reader) {
         if (!std::isfinite(varied.to - varied.from)) {
             throw InputError(
                 reader.pointer_to("to"),
-                CORE_TEXT("studies",
-                          "must be nearer to from: their difference exceeds the range of numbers"),
+                Text::tr("must be nearer to from: their difference exceeds the range of numbers"),
                 Number{varied.to});
         }
         varied.spread = Spread::uniform;
@@ -123,9 +119,8 @@ Varied read_varied(const std::string& pointer, ObjectReader reader) {
     reader.finish();
     if (given != 1) {
         throw InputError(reader.pointer(),
-                         CORE_TEXT("studies",
-                                   "must have one of: plus_minus, plus_minus_percent, normal_sd, "
-                                   "from with to, values"));
+                         Text::tr("must have one of: plus_minus, plus_minus_percent, normal_sd, "
+                                  "from with to, values"));
     }
     return varied;
 }
@@ -138,8 +133,7 @@ auto read_each(ObjectReader& reader, const char* key, bool half_filled, std::siz
     ObjectReader object = reader.object(key);
     const auto keys = object.keys();
     if ((keys.empty() && !half_filled) || keys.size() > maximum) {
-        throw InputError(object.pointer(),
-                         {CORE_TEXT("studies", "must have from 1 to %1 pointers"), maximum},
+        throw InputError(object.pointer(), {Text::tr("must have from 1 to %1 pointers"), maximum},
                          Number{static_cast<double>(keys.size())});
     }
     for (const std::string& pointer : keys) {
@@ -155,8 +149,8 @@ Watched read_watched(const std::string& pointer, ObjectReader reader) {
     watched.max = reader.optional_number("max", Range{});
     if (const auto across = upper_across_zero(watched)) {
         throw InputError(reader.pointer_to("max"),
-                         {CORE_TEXT("studies", "must be at least %1; across 0° enter %2"),
-                          Number{*watched.min}, Number{*across}},
+                         {Text::tr("must be at least %1; across 0° enter %2"), Number{*watched.min},
+                          Number{*across}},
                          Number{*watched.max});
     }
     if (watched.min) {
@@ -173,17 +167,15 @@ void check_grid(const Study& study, bool method_is_given) {
         if ((varied.spread == Varied::Spread::grid) != first) {
             throw InputError(
                 vary_place(varied.pointer),
-                CORE_TEXT("studies",
-                          "must be a grid like the others; otherwise none may be a grid"));
+                Text::tr("must be a grid like the others; otherwise none may be a grid"));
         }
     }
     if (method_is_given && (study.method == Method::grid) != first) {
-        throw InputError("/study/method",
-                         first ? CORE_TEXT("studies", "must be \"grid\" with listed values")
-                               : CORE_TEXT("studies", "must not be \"grid\" without a grid"));
+        throw InputError("/study/method", first ? Text::tr("must be \"grid\" with listed values")
+                                                : Text::tr("must not be \"grid\" without a grid"));
     }
     if (first && study.points() > max_grid_points) {
-        throw InputError("/study/vary", {CORE_TEXT("studies", "must make at most %1 points"),
+        throw InputError("/study/vary", {Text::tr("must make at most %1 points"),
                                          std::to_string(max_grid_points)});
     }
 }

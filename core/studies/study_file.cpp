@@ -214,9 +214,8 @@ std::optional<Message> note_of_linear(const Part& part, std::size_t w,
         return std::nullopt;
     }
     return Message{
-        CORE_TEXT("studies",
-                  "The linear answer fails for %1: the samples deviate from it by %2 (RMS), "
-                  "standard deviation %3."),
+        Text::tr("The linear answer fails for %1: the samples deviate from it by %2 (RMS), "
+                 "standard deviation %3."),
         part.study.watch[w].pointer, Number{distance, {}, 4}, Number{linear.deviation, {}, 4}};
 }
 
@@ -246,9 +245,8 @@ std::vector<Note> noted(const Part& part) {
     const Basis& basis = part.basis;
     for (std::size_t j = 0; j < basis.laws.size(); ++j) {
         if (!scatters(basis.laws[j])) {
-            notes.push_back({{CORE_TEXT("studies",
-                                        "%1 does not scatter and has no derivative: its tolerance "
-                                        "is below the rounding of its value."),
+            notes.push_back({{Text::tr("%1 does not scatter and has no derivative: its tolerance "
+                                       "is below the rounding of its value."),
                               part.study.vary[j].pointer}});
         }
     }
@@ -258,13 +256,12 @@ std::vector<Note> noted(const Part& part) {
     }
     if (linear_study && !basis.rejections.empty()) {
         notes.push_back(
-            {{CORE_TEXT(
-                  "studies",
+            {{Text::tr(
                   "%1 of %2 trial samples cannot be solved; the linear answer does not show that."),
               std::to_string(count_of(basis.rejections)), std::to_string(tried_samples)}});
     }
     if (!linear_study && part.tally.solved() < 2) {
-        notes.push_back({CORE_TEXT("studies", "A standard deviation needs two solved samples.")});
+        notes.push_back({Text::tr("A standard deviation needs two solved samples.")});
         return notes;
     }
     for (std::size_t w = 0; w < part.study.watch.size(); ++w) {
@@ -274,15 +271,13 @@ std::vector<Note> noted(const Part& part) {
                                  ? std::nullopt
                                  : vague_sensitivities(part.tally.statistics(w, part.blocks));
         if (maximum) {
-            notes.push_back({{CORE_TEXT("studies",
-                                        "The samples are too few for the sensitivities of %1: "
-                                        "standard errors up to %2."),
+            notes.push_back({{Text::tr("The samples are too few for the sensitivities of %1: "
+                                       "standard errors up to %2."),
                               name, Number{*maximum, {}, 2}}});
         }
         if (!linear) {
-            notes.push_back({{CORE_TEXT("studies",
-                                        "%1 has no linear answer: a derivative does not exist at "
-                                        "the inputs' means."),
+            notes.push_back({{Text::tr("%1 has no linear answer: a derivative does not exist at "
+                                       "the inputs' means."),
                               name},
                              w});
         } else if (const auto fails = note_of_linear(part, w, *linear)) {
@@ -324,7 +319,7 @@ Part read_part(Json json) {
     reader.choice("format", formats);
     if (reader.raw("version") != part_version) {
         throw InputError("/version",
-                         {CORE_TEXT("studies", "must be %1; run the parts of other versions again"),
+                         {Text::tr("must be %1; run the parts of other versions again"),
                           std::to_string(part_version)},
                          show(json["version"]));
     }
@@ -333,8 +328,7 @@ Part read_part(Json json) {
     if (sum != sum_of(json)) {
         throw InputError(
             "/sha256",
-            CORE_TEXT("studies",
-                      "is not the checksum of the part: the part was changed; run it again"));
+            Text::tr("is not the checksum of the part: the part was changed; run it again"));
     }
     try {
         Part part;

@@ -397,34 +397,30 @@ void PartMerger::add(Part part, const std::string& name) {
     if (whole_ &&
         (part.origin.case_sha256 != whole_->origin.case_sha256 ||
          part.origin.files_sha256 != whole_->origin.files_sha256 || part.study != whole_->study)) {
-        throw InputError(name,
-                         {CORE_TEXT("studies", "is a part of another case than %1"), first_name_});
+        throw InputError(name, {Text::tr("is a part of another case than %1"), first_name_});
     }
     if (whole_ && part.shards != whole_->shards) {
         throw InputError(
-            name, {CORE_TEXT("studies", "is one of %1 parts, but %2 is one of %3"),
-                   std::to_string(part.shards), first_name_, std::to_string(whole_->shards)});
+            name, {Text::tr("is one of %1 parts, but %2 is one of %3"), std::to_string(part.shards),
+                   first_name_, std::to_string(whole_->shards)});
     }
     if (whole_ &&
         (part.origin.program != whole_->origin.program || !same_basis(part.basis, whole_->basis))) {
         throw InputError(
             name,
-            {CORE_TEXT(
-                 "studies",
+            {Text::tr(
                  "was computed by another program or machine than %1: the first numbers differ"),
              first_name_});
     }
     if (!part.finished()) {
         throw InputError(
-            name,
-            {CORE_TEXT("studies", "is not finished (%1 of %2 samples); run it again: --shard %3"),
-             std::to_string(part.done()), std::to_string(part.size()), label(part.shard)});
+            name, {Text::tr("is not finished (%1 of %2 samples); run it again: --shard %3"),
+                   std::to_string(part.done()), std::to_string(part.size()), label(part.shard)});
     }
     names_.resize(part.shards);
     std::string& known = names_[part.shard - 1];
     if (!known.empty()) {
-        throw InputError(
-            name, {CORE_TEXT("studies", "is the same part as %1: %2"), known, label(part.shard)});
+        throw InputError(name, {Text::tr("is the same part as %1: %2"), known, label(part.shard)});
     }
     known = name;
     if (!whole_) {
@@ -461,9 +457,8 @@ Part PartMerger::finish() {
     }
     if (count != 0) {
         missing += count > max_named ? ", …" : "";
-        throw InputError("", {CORE_TEXT("studies",
-                                        "%1 of %2 parts are missing; run them again: "
-                                        "--shard %3"),
+        throw InputError("", {Text::tr("%1 of %2 parts are missing; run them again: "
+                                       "--shard %3"),
                               std::to_string(count), std::to_string(names_.size()), missing});
     }
     whole_->shard = whole_->shards = 1;

@@ -94,7 +94,7 @@ struct Block {
 };
 
 /// Of a part that this program did not write, or not so.
-inline constexpr Text not_ours = CORE_TEXT("studies", "was not written by this program");
+inline constexpr Text not_ours = Text::tr("was not written by this program");
 
 /// Whole numbers that samples add up to, whatever their order. 65536 bins of each watched value are
 /// fixed beforehand; their places serve the sensitivities too.

@@ -14,19 +14,17 @@ using shop::in_grams;
 Message action(const Option& option, const Message& off) {
     const bool machined = option.machined();
     if (has_new_plugs(option.id)) {
-        return machined
-                   ? Message(CORE_TEXT("V8", "Take %1 off each of the 8 new steel plugs."), off)
-                   : CORE_TEXT("V8", "Leave the 8 new steel plugs unchanged.");
+        return machined ? Message(Text::tr("Take %1 off each of the 8 new steel plugs."), off)
+                        : Text::tr("Leave the 8 new steel plugs unchanged.");
     }
     if (has_steel_plugs(option.id)) {
-        return machined ? Message(CORE_TEXT("V8", "Take %1 off each of the 8 steel plugs."), off)
-                        : CORE_TEXT("V8", "Fit the 8 present steel plugs unchanged.");
+        return machined ? Message(Text::tr("Take %1 off each of the 8 steel plugs."), off)
+                        : Text::tr("Fit the 8 present steel plugs unchanged.");
     }
     return machined
-               ? Message(CORE_TEXT("V8",
-                                   "Replace all 8 plugs by aluminium plugs, lightened by %1 each."),
+               ? Message(Text::tr("Replace all 8 plugs by aluminium plugs, lightened by %1 each."),
                          off)
-               : CORE_TEXT("V8", "Replace all 8 plugs by aluminium plugs, unchanged.");
+               : Text::tr("Replace all 8 plugs by aluminium plugs, unchanged.");
 }
 
 Message action(const Option& option) {
@@ -34,18 +32,18 @@ Message action(const Option& option) {
 }
 
 Message over_or_under(const Option& option) {
-    return {option.residual_mass > 0 ? CORE_TEXT("V8", "leaves an excess of %1 on each crankpin")
-                                     : CORE_TEXT("V8", "over-compensates by %1 on each crankpin"),
+    return {option.residual_mass > 0 ? Text::tr("leaves an excess of %1 on each crankpin")
+                                     : Text::tr("over-compensates by %1 on each crankpin"),
             in_grams(std::abs(option.residual_mass))};
 }
 
 Message within(double unbalance, double tolerance) {
-    return {CORE_TEXT("V8", "%1, within the %2 allowed"), in_gram_millimetres(std::abs(unbalance)),
+    return {Text::tr("%1, within the %2 allowed"), in_gram_millimetres(std::abs(unbalance)),
             in_gram_millimetres(tolerance)};
 }
 
 Message against(double unbalance, double tolerance) {
-    return {CORE_TEXT("V8", "%1 against the %2 allowed"), in_gram_millimetres(std::abs(unbalance)),
+    return {Text::tr("%1 against the %2 allowed"), in_gram_millimetres(std::abs(unbalance)),
             in_gram_millimetres(tolerance)};
 }
 
@@ -189,12 +187,12 @@ Message describe_action(const Option& option, double minimum, double maximum) {
         return action(option, to);
     }
     from.unit_follows = true;
-    return action(option, {Text{"", "%1…%2"}, from, to});
+    return action(option, {Text{"%1…%2"}, from, to});
 }
 
 Message describe_failure(const Option& option, double tolerance) {
     return option.feasible ? Message()
-                           : Message(Text{"", "%1: %2"}, over_or_under(option),
+                           : Message(Text{"%1: %2"}, over_or_under(option),
                                      against(option.residual_unbalance, tolerance));
 }
 
@@ -202,9 +200,9 @@ Message describe_verdict(const Option& option, double tolerance) {
     if (!option.feasible) {
         return describe_failure(option, tolerance);
     }
-    return option.residual_mass == 0.0 ? Message(CORE_TEXT("V8", "works"))
-                                       : Message(CORE_TEXT("V8", "works: %1"),
-                                                 within(option.residual_unbalance, tolerance));
+    return option.residual_mass == 0.0
+               ? Message(Text::tr("works"))
+               : Message(Text::tr("works: %1"), within(option.residual_unbalance, tolerance));
 }
 
 Message describe(const Advice& advice, double unbalanced_mass, double crank_radius,
@@ -213,37 +211,32 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
     Message text;
     switch (advice.kind) {
         case Advice::Kind::none_needed:
-            return {
-                CORE_TEXT("V8", "Leave the plugs unchanged: the excess of %1 per crankpin is %2."),
-                in_grams(unbalanced_mass), within(unbalance, tolerance)};
+            return {Text::tr("Leave the plugs unchanged: the excess of %1 per crankpin is %2."),
+                    in_grams(unbalanced_mass), within(unbalance, tolerance)};
         case Advice::Kind::option: {
             const Option& option = advice.option.value();
             return option.residual_mass == 0.0
                        ? action(option)
                        : two_sentences(action(option),
-                                       {CORE_TEXT("V8", "This %1: %2."), over_or_under(option),
+                                       {Text::tr("This %1: %2."), over_or_under(option),
                                         within(option.residual_unbalance, tolerance)});
         }
         case Advice::Kind::no_new_plug_data:
-            return CORE_TEXT(
-                "V8",
+            return Text::tr(
                 "The crankshaft is made for plugs of the new design: enter their mass and radius.");
         case Advice::Kind::too_light:
-            text = {CORE_TEXT("V8",
-                              "The parts are %1 per crankpin lighter than nominal (%2). Plugs can "
-                              "only be lightened: use heavier parts or heavier plugs."),
+            text = {Text::tr("The parts are %1 per crankpin lighter than nominal (%2). Plugs can "
+                             "only be lightened: use heavier parts or heavier plugs."),
                     in_grams(-unbalanced_mass), in_gram_millimetres(-unbalance)};
             break;
         case Advice::Kind::cannot_be_made: {
             const Option& option = advice.option.value();
             text = two_sentences(
                 option.machined()
-                    ? Message(CORE_TEXT("V8",
-                                        "“%1” would be suitable with %2 off each plug, but such a "
-                                        "plug cannot be made."),
+                    ? Message(Text::tr("“%1” would be suitable with %2 off each plug, but such a "
+                                       "plug cannot be made."),
                               option_word(option.id).label, in_grams(option.reduction))
-                    : Message(CORE_TEXT("V8",
-                                        "“%1” would be suitable, but such a plug cannot be made."),
+                    : Message(Text::tr("“%1” would be suitable, but such a plug cannot be made."),
                               option_word(option.id).label),
                 advice.hindrance);
             break;
@@ -251,18 +244,17 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
         case Advice::Kind::none_sufficient:
         case Advice::Kind::none_light_enough: {
             const Option& closest = advice.option.value();
-            text = two_sentences(
-                advice.kind == Advice::Kind::none_sufficient
-                    ? CORE_TEXT("V8", "No plug of this crankshaft can be made light enough.")
-                    : CORE_TEXT("V8", "No plug of this crankshaft has the required mass."),
-                {CORE_TEXT("V8", "The nearest option is “%1”, which %2: %3."),
-                 option_word(closest.id).label, over_or_under(closest),
-                 against(closest.residual_unbalance, tolerance)});
+            text =
+                two_sentences(advice.kind == Advice::Kind::none_sufficient
+                                  ? Text::tr("No plug of this crankshaft can be made light enough.")
+                                  : Text::tr("No plug of this crankshaft has the required mass."),
+                              {Text::tr("The nearest option is “%1”, which %2: %3."),
+                               option_word(closest.id).label, over_or_under(closest),
+                               against(closest.residual_unbalance, tolerance)});
             if (closest.residual_mass > 0.0) {
                 // Each piston counts once in the excess of its crankpin.
-                text = two_sentences(std::move(text),
-                                     {CORE_TEXT("V8", "Also take %1 off each piston."),
-                                      in_grams(closest.residual_mass)});
+                text = two_sentences(std::move(text), {Text::tr("Also take %1 off each piston."),
+                                                       in_grams(closest.residual_mass)});
             }
             break;
         }
@@ -271,8 +263,8 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
         return two_sentences(
             std::move(text),
             {needs_new_crankshaft(*other)
-                 ? CORE_TEXT("V8", "A crankshaft for the new plugs would be suitable: “%1”.")
-                 : CORE_TEXT("V8", "A standard crankshaft would be suitable: “%1”."),
+                 ? Text::tr("A crankshaft for the new plugs would be suitable: “%1”.")
+                 : Text::tr("A standard crankshaft would be suitable: “%1”."),
              option_word(*other).label});
     }
     return text;

@@ -58,11 +58,11 @@ inline constexpr std::array<OptionId, 5> all_options{
 
 /// Names of the options, in the order of the enumeration.
 inline constexpr Word option_words[] = {
-    {"steel-machined", CORE_TEXT("V8", "Machine the steel plugs")},
-    {"steel-to-aluminium", CORE_TEXT("V8", "Aluminium plugs")},
-    {"new-steel-to-steel", CORE_TEXT("V8", "New crankshaft, steel plugs")},
-    {"new-steel-machined", CORE_TEXT("V8", "New crankshaft, its own plugs")},
-    {"new-steel-to-aluminium", CORE_TEXT("V8", "New crankshaft, aluminium plugs")}};
+    {"steel-machined", Text::tr("Machine the steel plugs")},
+    {"steel-to-aluminium", Text::tr("Aluminium plugs")},
+    {"new-steel-to-steel", Text::tr("New crankshaft, steel plugs")},
+    {"new-steel-machined", Text::tr("New crankshaft, its own plugs")},
+    {"new-steel-to-aluminium", Text::tr("New crankshaft, aluminium plugs")}};
 constexpr const Word& option_word(OptionId option) {
     return option_words[static_cast<std::size_t>(option)];
 }
@@ -156,14 +156,14 @@ struct BobWeightLine {
 
 /// Names of the lines, in the order of the enumeration.
 inline constexpr Word bob_weight_words[] = {
-    {"reciprocating_mass", CORE_TEXT("V8", "Reciprocating mass mⱼ")},
-    {"piston", CORE_TEXT("V8", "Improved piston Δmₚᵢ")},
-    {"repair_piston_and_rings", CORE_TEXT("V8", "Repair piston and rings Δmᵣₚ")},
-    {"rotating_mass", CORE_TEXT("V8", "Rotating mass")},
-    {"plugs", CORE_TEXT("V8", "Plug")},
-    {"rod_big_end", CORE_TEXT("V8", "Rod big end")},
-    {"repair_bearing", CORE_TEXT("V8", "Repair shells Δmₛₕ")},
-    {"oil", CORE_TEXT("V8", "Oil mₘ")}};
+    {"reciprocating_mass", Text::tr("Reciprocating mass mⱼ")},
+    {"piston", Text::tr("Improved piston Δmₚᵢ")},
+    {"repair_piston_and_rings", Text::tr("Repair piston and rings Δmᵣₚ")},
+    {"rotating_mass", Text::tr("Rotating mass")},
+    {"plugs", Text::tr("Plug")},
+    {"rod_big_end", Text::tr("Rod big end")},
+    {"repair_bearing", Text::tr("Repair shells Δmₛₕ")},
+    {"oil", Text::tr("Oil mₘ")}};
 constexpr const Word& bob_weight_word(BobWeightLine::Part part) {
     return bob_weight_words[static_cast<std::size_t>(part)];
 }

@@ -30,10 +30,9 @@ void read_engine_values(ObjectReader& reader, Engine& engine) {
         }
         for (const EngineField& each : engine_fields()) {
             if (each.group == group && reader.has(each.field.key) && !is_null(each)) {
-                throw InputError(
-                    reader.pointer_to(each.field.key),
-                    {CORE_TEXT("V8", "must be null or left out where %1 is null"), null_key},
-                    show(reader.raw(each.field.key)));
+                throw InputError(reader.pointer_to(each.field.key),
+                                 {Text::tr("must be null or left out where %1 is null"), null_key},
+                                 show(reader.raw(each.field.key)));
             }
         }
         set_plugs(engine, group, false);
@@ -92,8 +91,7 @@ struct EngineValue final : FieldVisitor::Custom {
                 names.push_back(engine.name);
             }
             throw InputError(
-                pointer,
-                {CORE_TEXT("V8", "must be an engine object or one of %1"), quoted_list(names)},
+                pointer, {Text::tr("must be an engine object or one of %1"), quoted_list(names)},
                 show(value));
         }
         input.preset = preset->name;
@@ -120,8 +118,8 @@ struct EngineOverrides final : FieldVisitor::Custom {
 
     void read(const Json& value, const std::string& pointer) override {
         if (input.preset.empty()) {
-            throw InputError(
-                pointer, CORE_TEXT("V8", "is allowed only where engine is the name of a preset"));
+            throw InputError(pointer,
+                             Text::tr("is allowed only where engine is the name of a preset"));
         }
         ObjectReader overrides(value, pointer);
         read_engine_values(overrides, input.engine);
@@ -142,7 +140,7 @@ struct ThreadValue final : FieldVisitor::Custom {
 
     void read(const Json& value, const std::string& pointer) override {
         if (!value.is_string()) {
-            throw InputError(pointer, CORE_TEXT("core", "must be a text"), show(value));
+            throw InputError(pointer, Text::tr("must be a text"), show(value));
         }
         thread = parse_thread(value.get_ref<const std::string&>(), pointer);
     }

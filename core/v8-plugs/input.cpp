@@ -15,21 +15,20 @@ constexpr Field change(std::string_view key, Text label, Text hint) {
             .range = Range::between(-100'000, 100'000),
             .label = label,
             .hint = hint,
-            .placeholder = {"", "?"}};
+            .placeholder = {"?"}};
 }
 
 constexpr std::array<MassChangeField, 4> change_fields{{
-    {change("piston", CORE_TEXT("V8", "One improved piston Δmₚᵢ"),
-            CORE_TEXT("V8", "Δmₚᵢ: one piston minus nominal.")),
+    {change("piston", Text::tr("One improved piston Δmₚᵢ"),
+            Text::tr("Δmₚᵢ: one piston minus nominal.")),
      &MassChanges::piston, false},
-    {change("rod_big_end", CORE_TEXT("V8", "Big end of one rod"),
-            CORE_TEXT("V8", "One big end minus nominal.")),
+    {change("rod_big_end", Text::tr("Big end of one rod"), Text::tr("One big end minus nominal.")),
      &MassChanges::rod_big_end, false},
-    {change("repair_piston_and_rings", CORE_TEXT("V8", "One repair piston with rings Δmᵣₚ"),
-            CORE_TEXT("V8", "Δmᵣₚ: one repair piston with rings minus nominal.")),
+    {change("repair_piston_and_rings", Text::tr("One repair piston with rings Δmᵣₚ"),
+            Text::tr("Δmᵣₚ: one repair piston with rings minus nominal.")),
      &MassChanges::repair_piston_and_rings, true},
-    {change("repair_bearing", CORE_TEXT("V8", "Repair shells of one crankpin Δmₛₕ"),
-            CORE_TEXT("V8", "Δmₛₕ: repair shells of one crankpin minus nominal.")),
+    {change("repair_bearing", Text::tr("Repair shells of one crankpin Δmₛₕ"),
+            Text::tr("Δmₛₕ: repair shells of one crankpin minus nominal.")),
      &MassChanges::repair_bearing, true},
 }};
 
@@ -40,16 +39,15 @@ void check_engine(const Input& input, const std::string& at) {
         throw InputError(
             place + std::string(missing.front()->field.key),
             input.preset.empty()
-                ? Message(CORE_TEXT("core", "is required and missing"))
-                : Message(
-                      CORE_TEXT("V8", "is required and missing: the preset %1 does not give it"),
-                      quoted_list({input.preset})));
+                ? Message(Text::tr("is required and missing"))
+                : Message(Text::tr("is required and missing: the preset %1 does not give it"),
+                          quoted_list({input.preset})));
     }
     for (const auto& [reduction, plug_mass] : engine_conflicts(input.engine)) {
         const Field& field = reduction->field;
         throw InputError(
             place + std::string(field.key),
-            {CORE_TEXT("V8", "must be less than the plug's mass %1"), from_si(field, plug_mass)},
+            {Text::tr("must be less than the plug's mass %1"), from_si(field, plug_mass)},
             Number{from_si(field, *(input.engine.*reduction->member))});
     }
 }
@@ -59,11 +57,11 @@ void check_plug(const PlugSheet& sheet, const std::string& place) {
         throw InputError(
             place + "/" +
                 std::string((sheet.bore_diameter ? field::bore_depth : field::bore_diameter).key),
-            CORE_TEXT("V8", "is required where the bore's other size is given"));
+            Text::tr("is required where the bore's other size is given"));
     }
     if (const auto geometry = sheet.geometry()) {
         if (const auto fault = geometry_fault(*geometry)) {
-            throw InputError(place, {CORE_TEXT("V8", "must be a possible plug: %1"), *fault});
+            throw InputError(place, {Text::tr("must be a possible plug: %1"), *fault});
         }
     }
 }
@@ -129,7 +127,7 @@ std::vector<Message> replaced(const Input& input) {
     for (const MassChangeField& each : mass_change_fields()) {
         const double typed = input.typed_changes.*each.member;
         if (typed != 0.0 && !input.takes_typed(each.member)) {
-            list.emplace_back(CORE_TEXT("V8", "%1: the weighed masses replace the typed %2."),
+            list.emplace_back(Text::tr("%1: the weighed masses replace the typed %2."),
                               each.field.label, shop::in_grams(typed));
         }
     }
@@ -146,15 +144,14 @@ std::vector<Message> not_counted(const Input& input) {
         }
         const Number grams = shop::in_grams(typed);
         if (each.repair_only && input.process == Process::manufacture) {
-            list.emplace_back(CORE_TEXT("V8", "%1: the typed %2 is not used in manufacture."),
+            list.emplace_back(Text::tr("%1: the typed %2 is not used in manufacture."),
                               each.field.label, grams);
         } else if (weighs && !input.weigh_in->is_empty()) {
             list.emplace_back(
                 input.changes_known()
-                    ? CORE_TEXT("V8", "%1: the typed %2 is used with the weighed masses.")
-                    : CORE_TEXT("V8",
-                                "%1: the typed %2 is not used. Weighed masses are selected, but no "
-                                "column is complete."),
+                    ? Text::tr("%1: the typed %2 is used with the weighed masses.")
+                    : Text::tr("%1: the typed %2 is not used. Weighed masses are selected, but no "
+                               "column is complete."),
                 each.field.label, grams);
         }
     }
@@ -162,8 +159,7 @@ std::vector<Message> not_counted(const Input& input) {
         return list;
     }
     if (!weighs) {
-        list.emplace_back(
-            CORE_TEXT("V8", "Weighed masses are not used: the typed changes are selected."));
+        list.emplace_back(Text::tr("Weighed masses are not used: the typed changes are selected."));
         return list;
     }
     for (const Part part : all_parts) {
@@ -172,7 +168,7 @@ std::vector<Message> not_counted(const Input& input) {
             continue;
         }
         if (!column.nominal) {
-            list.emplace_back(CORE_TEXT("V8", "%1: weighed masses need a nominal mass."),
+            list.emplace_back(Text::tr("%1: weighed masses need a nominal mass."),
                               part_word(part).label);
             continue;
         }
@@ -180,10 +176,8 @@ std::vector<Message> not_counted(const Input& input) {
         const bool typed =
             input.changes_known() && input.changes().*change != 0.0 && input.takes_typed(change);
         list.emplace_back(
-            typed
-                ? CORE_TEXT("V8",
-                            "%1: %2 of 8 weighed; the typed change is used until all are weighed.")
-                : CORE_TEXT("V8", "%1: %2 of 8 weighed; nominal is used until all are weighed."),
+            typed ? Text::tr("%1: %2 of 8 weighed; the typed change is used until all are weighed.")
+                  : Text::tr("%1: %2 of 8 weighed; nominal is used until all are weighed."),
             part_word(part).label, statistics(column)->count);
     }
     return list;
@@ -194,13 +188,12 @@ void check_choices(const Input& input, const std::string& place) {
     if (input.crankshaft == Crankshaft::new_plugs && !input.engine.has_new_plug) {
         throw InputError(
             place + std::string(field::crankshaft.key),
-            CORE_TEXT("V8", "must be \"standard\" where the engine has no plug of the new design"),
+            Text::tr("must be \"standard\" where the engine has no plug of the new design"),
             "\"new-plugs\"");
     }
     if (input.changes_from_weigh_in && !input.weigh_in) {
-        throw InputError(
-            "/input/weigh_in",
-            {CORE_TEXT("V8", "is required where %1 is \"weigh-in\""), field::changes_source.key});
+        throw InputError("/input/weigh_in", {Text::tr("is required where %1 is \"weigh-in\""),
+                                             field::changes_source.key});
     }
 }
 

@@ -50,20 +50,19 @@ Thread parse_thread(std::string_view text, const std::string& where) {
         }
     }
     if (!diameter || !pitch) {
-        throw InputError(
-            where, {CORE_TEXT("V8", "must be a metric thread with its pitch, like %1"), "M22x1.5"},
-            show(std::string(text)));
+        throw InputError(where,
+                         {Text::tr("must be a metric thread with its pitch, like %1"), "M22x1.5"},
+                         show(std::string(text)));
     }
     if (!thread_diameter_range.contains(*diameter)) {
-        throw InputError(where,
-                         {CORE_TEXT("V8", "the diameter %1 mm"), thread_diameter_range.message()},
+        throw InputError(where, {Text::tr("the diameter %1 mm"), thread_diameter_range.message()},
                          Number{*diameter});
     }
     if (!thread_pitch_range.contains(*pitch) || *pitch > *diameter / 3.0) {
-        throw InputError(where,
-                         {CORE_TEXT("V8", "the pitch %1 mm and a third of the diameter"),
-                          thread_pitch_range.message()},
-                         Number{*pitch});
+        throw InputError(
+            where,
+            {Text::tr("the pitch %1 mm and a third of the diameter"), thread_pitch_range.message()},
+            Number{*pitch});
     }
     return {*diameter * units::mm, *pitch * units::mm};
 }
@@ -85,11 +84,11 @@ double PlugGeometry::centre_of_mass() const {
 
 std::optional<Message> geometry_fault(const PlugGeometry& plug) {
     if (plug.bore_depth > 0.0 && plug.bore_depth >= plug.height) {
-        return CORE_TEXT("V8", "The bore is as deep as the plug: no bottom remains.");
+        return Text::tr("The bore is as deep as the plug: no bottom remains.");
     }
     if (plug.bore_diameter >= plug.thread.root_diameter()) {
         return Message(
-            CORE_TEXT("V8", "The bore is wider than the root of the thread, %1: no wall remains."),
+            Text::tr("The bore is wider than the root of the thread, %1: no wall remains."),
             millimetres(plug.thread.root_diameter()));
     }
     return std::nullopt;
@@ -170,23 +169,20 @@ Message describe(const Boring& boring, const BoreLimits& limits) {
     }
     switch (boring.limit) {
         case Boring::Limit::wall:
-            return {CORE_TEXT(
-                        "V8",
-                        "A cutter of %1 leaves a wall of %2 under the thread; the minimum is %3."),
-                    cutter, millimetres(boring.wall), millimetres(limits.minimum_wall)};
-        case Boring::Limit::bottom:
             return {
-                CORE_TEXT("V8",
-                          "A cutter of %1 needs a depth of %2; the bottom must be at least %3."),
-                cutter, depth, millimetres(limits.minimum_bottom)};
+                Text::tr("A cutter of %1 leaves a wall of %2 under the thread; the minimum is %3."),
+                cutter, millimetres(boring.wall), millimetres(limits.minimum_wall)};
+        case Boring::Limit::bottom:
+            return {Text::tr("A cutter of %1 needs a depth of %2; the bottom must be at least %3."),
+                    cutter, depth, millimetres(limits.minimum_bottom)};
         case Boring::Limit::none:
             break;
     }
     if (!boring.is_wider && boring.deeper > 0.0 && boring.deeper < boring.depth) {
-        return {CORE_TEXT("V8", "Bore %1 deeper with a cutter of %2, to %3 from the face."),
+        return {Text::tr("Bore %1 deeper with a cutter of %2, to %3 from the face."),
                 millimetres(boring.deeper), cutter, depth};
     }
-    return {CORE_TEXT("V8", "Bore with a cutter of %1 to %2 from the face."), cutter, depth};
+    return {Text::tr("Bore with a cutter of %1 to %2 from the face."), cutter, depth};
 }
 
 bool mass_fits(double typed_mass, double geometry_mass) {

@@ -18,33 +18,31 @@ namespace {
 using ravnoves::result_field::feasible;
 using ravnoves::result_field::reason;
 namespace key {
-constexpr ResultField unbalanced_mass{
-    "unbalanced_mass_g", CORE_TEXT("v8-plugs", "Excess on a crankpin Δmᵤ"), 3,
-    CORE_TEXT("v8-plugs", "Excess mass of the parts on the crankpin axis.")};
-constexpr ResultField unbalance{"unbalance_g_mm", CORE_TEXT("v8-plugs", "Unbalance of a crankpin"),
-                                1};
+constexpr ResultField unbalanced_mass{"unbalanced_mass_g", Text::tr("Excess on a crankpin Δmᵤ"), 3,
+                                      Text::tr("Excess mass of the parts on the crankpin axis.")};
+constexpr ResultField unbalance{"unbalance_g_mm", Text::tr("Unbalance of a crankpin"), 1};
 constexpr ResultField not_counted{"not_counted"};
 constexpr ResultField recommended{"recommended"};
 constexpr ResultField state{"state"};
 constexpr ResultField warning{"warning"};
 constexpr ResultField required_reduction{"required_reduction_g",
-                                         CORE_TEXT("v8-plugs", "Required off each plug")};
-constexpr ResultField reduction{"reduction_g", CORE_TEXT("v8-plugs", "Take off each plug")};
-constexpr ResultField residual_mass{"residual_mass_g", CORE_TEXT("v8-plugs", "Remains")};
-constexpr ResultField residual_unbalance{"residual_unbalance_g_mm",
-                                         CORE_TEXT("v8-plugs", "Residual unbalance"), 1};
-constexpr ResultField bob_weight_sum{"bobweight_g", CORE_TEXT("v8-plugs", "Bob weight"), 1};
-constexpr ResultField with_plugs_in{"bobweight_with_plugs_in_g",
-                                    CORE_TEXT("v8-plugs", "Bob weight, plugs in"), 1};
-constexpr ResultField shift{"shift_mm", CORE_TEXT("v8-plugs", "Shift"), 2};
-constexpr ResultField bob_weight{"bobweight", CORE_TEXT("v8-plugs", "Bob weight")};
+                                         Text::tr("Required off each plug")};
+constexpr ResultField reduction{"reduction_g", Text::tr("Take off each plug")};
+constexpr ResultField residual_mass{"residual_mass_g", Text::tr("Remains")};
+constexpr ResultField residual_unbalance{"residual_unbalance_g_mm", Text::tr("Residual unbalance"),
+                                         1};
+constexpr ResultField bob_weight_sum{"bobweight_g", Text::tr("Bob weight"), 1};
+constexpr ResultField with_plugs_in{"bobweight_with_plugs_in_g", Text::tr("Bob weight, plugs in"),
+                                    1};
+constexpr ResultField shift{"shift_mm", Text::tr("Shift"), 2};
+constexpr ResultField bob_weight{"bobweight", Text::tr("Bob weight")};
 }  // namespace key
 
 constexpr std::array<std::string_view, 3> limit_words{"none", "wall", "bottom"};
 
 void visit_bob_weight(ResultVisitor& visitor, const ResultField& field, const BobWeight& weight) {
     visitor.object(field, [&] {
-        visitor.number({"sum_g", CORE_TEXT("v8-plugs", "Sum"), 1}, weight.sum());
+        visitor.number({"sum_g", Text::tr("Sum"), 1}, weight.sum());
         shop::visit_lines(visitor, weight.lines, [](const BobWeightLine& line) {
             return bob_weight_word(line.part).word;
         });
@@ -56,30 +54,28 @@ void visit_shift_effect(ResultVisitor& visitor, const ShiftEffect& effect, doubl
     visitor.numbers(key::shift, {effect.min_shift, effect.max_shift});
     visitor.numbers(key::unbalance, {effect.minimum, effect.maximum});
     visitor.number(key::residual_unbalance, effect.residual_unbalance);
-    visitor.flag({"beyond_tolerance", CORE_TEXT("v8-plugs", "Beyond tolerance")},
+    visitor.flag({"beyond_tolerance", Text::tr("Beyond tolerance")},
                  std::abs(effect.residual_unbalance) > tolerance);
     // For the shifts in their order: the smallest asks for most.
     visitor.numbers({"corrected_reduction_g"}, {effect.max_reduction, effect.min_reduction});
     if (effect.depth) {
-        visitor.number({"corrected_depth_mm", CORE_TEXT("v8-plugs", "Corrected depth"), 2},
-                       effect.depth);
+        visitor.number({"corrected_depth_mm", Text::tr("Corrected depth"), 2}, effect.depth);
     }
 }
 
 void visit_boring(ResultVisitor& visitor, const Boring& boring,
                   const std::optional<ShiftEffect>& effect) {
     const bool possible = boring.limit == Boring::Limit::none;
-    visitor.flag({"possible", CORE_TEXT("v8-plugs", "Possible")}, possible);
+    visitor.flag({"possible", Text::tr("Possible")}, possible);
     visitor.word({"limited_by"}, limit_words.at(static_cast<std::size_t>(boring.limit)));
-    visitor.number({"depth_mm", CORE_TEXT("v8-plugs", "Depth"), 2}, boring.depth);
-    visitor.number({"deeper_by_mm", CORE_TEXT("v8-plugs", "Deeper by"), 2}, boring.deeper);
-    visitor.number({"wall_mm", CORE_TEXT("v8-plugs", "Wall"), 2}, boring.wall);
-    visitor.number({"bottom_mm", CORE_TEXT("v8-plugs", "Bottom"), 2}, boring.bottom);
-    visitor.number({"maximum_reduction_g", CORE_TEXT("v8-plugs", "Maximum by the walls")},
-                   boring.max_reduction);
+    visitor.number({"depth_mm", Text::tr("Depth"), 2}, boring.depth);
+    visitor.number({"deeper_by_mm", Text::tr("Deeper by"), 2}, boring.deeper);
+    visitor.number({"wall_mm", Text::tr("Wall"), 2}, boring.wall);
+    visitor.number({"bottom_mm", Text::tr("Bottom"), 2}, boring.bottom);
+    visitor.number({"maximum_reduction_g", Text::tr("Maximum by the walls")}, boring.max_reduction);
     if (possible) {
         visitor.number(key::shift, effect ? effect->max_shift : 0.0);
-        visitor.number({"shift_unbalance_g_mm", CORE_TEXT("v8-plugs", "Effect of the shift"), 2},
+        visitor.number({"shift_unbalance_g_mm", Text::tr("Effect of the shift"), 2},
                        effect ? effect->maximum : 0.0);
     }
 }
@@ -94,13 +90,11 @@ void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, dou
     const auto number = [&](const ResultField& field, double Option::*member) {
         visitor.number(field, option ? std::optional((*option).*member) : std::nullopt);
     };
-    number({"constant_g", CORE_TEXT("v8-plugs", "Fixed part"), 3,
-            CORE_TEXT("v8-plugs", "Compensated without machining.")},
+    number({"constant_g", Text::tr("Fixed part"), 3, Text::tr("Compensated without machining.")},
            &Option::constant);
-    number({"slope", CORE_TEXT("v8-plugs", "Gain"), 3,
-            CORE_TEXT("v8-plugs", "Compensated by a gram off each plug.")},
+    number({"slope", Text::tr("Gain"), 3, Text::tr("Compensated by a gram off each plug.")},
            &Option::slope);
-    number({"maximum_g", CORE_TEXT("v8-plugs", "Maximum")}, &Option::maximum);
+    number({"maximum_g", Text::tr("Maximum")}, &Option::maximum);
     if (option && !solved) {
         for (const ResultField* field :
              {&key::required_reduction, &key::reduction, &feasible, &key::residual_mass,
@@ -121,39 +115,39 @@ void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, dou
     weight(key::bob_weight_sum, &OptionBobWeight::after, &BobWeight::sum);
     weight(key::with_plugs_in, &OptionBobWeight::after, &BobWeight::with_plugs_in);
     if (!option) {
-        visitor.text(reason, CORE_TEXT("v8-plugs", "the engine has no such plug"));
+        visitor.text(reason, Text::tr("the engine has no such plug"));
         return;
     }
-    weight({"nominal_bobweight_g", CORE_TEXT("v8-plugs", "Bob weight, nominal"), 1},
-           &OptionBobWeight::nominal, &BobWeight::sum);
+    weight({"nominal_bobweight_g", Text::tr("Bob weight, nominal"), 1}, &OptionBobWeight::nominal,
+           &BobWeight::sum);
     const double plug = option->plug_mass_unmachined - option->reduction;
-    visitor.number({"plug_mass_g", CORE_TEXT("v8-plugs", "Mass of a plug")}, plug);
+    visitor.number({"plug_mass_g", Text::tr("Mass of a plug")}, plug);
     if (!option->feasible) {
         visitor.text(reason, describe_failure(*option, tolerance));
     }
     if (weights) {
         visit_bob_weight(visitor, key::bob_weight, weights->after);
     }
-    visitor.list({"centre_of_mass_shift", CORE_TEXT("v8-plugs", "Shift")}, 2, [&](std::size_t i) {
+    visitor.list({"centre_of_mass_shift", Text::tr("Shift")}, 2, [&](std::size_t i) {
         const double shift = i == 0 ? smallest_shift : largest_shift;
         visitor.number(key::shift, shift);
-        visitor.number({"coefficient", CORE_TEXT("v8-plugs", "Coefficient"), 4},
+        visitor.number({"coefficient", Text::tr("Coefficient"), 4},
                        shift_coefficient(shift, crank_radius));
         visitor.number(key::unbalance, shift_unbalance(plug, shift));
     });
     if (const auto& effect = result.shift[index(id)]) {
-        visitor.object({"shift_effect", CORE_TEXT("v8-plugs", "Effect of the shift")},
+        visitor.object({"shift_effect", Text::tr("Effect of the shift")},
                        [&] { visit_shift_effect(visitor, *effect, tolerance); });
     }
     if (const auto& boring = result.boring[index(id)]) {
-        visitor.object({"boring", CORE_TEXT("v8-plugs", "Boring")},
+        visitor.object({"boring", Text::tr("Boring")},
                        [&] { visit_boring(visitor, *boring, result.shift[index(id)]); });
     }
 }
 
 void visit_crankpins(ResultVisitor& visitor, const std::array<double, crankpin_count>& excess,
                      double crank_radius) {
-    visitor.object({"crankpins", CORE_TEXT("v8-plugs", "Crankpins")}, [&] {
+    visitor.object({"crankpins", Text::tr("Crankpins")}, [&] {
         const double mean = std::accumulate(excess.begin(), excess.end(), 0.0) / crankpin_count;
         std::vector<double> deviation;
         for (const double mass : excess) {
@@ -181,11 +175,9 @@ void visit_plug_mass(ResultVisitor& visitor, const ResultField& field,
                      const std::optional<PlugMass>& mass) {
     if (mass) {
         visitor.object(field, [&] {
-            visitor.number({"geometry_mass_g", CORE_TEXT("v8-plugs", "Mass by the sizes"), 2},
-                           mass->geometry);
-            visitor.number({"entered_mass_g", CORE_TEXT("v8-plugs", "Mass as entered")},
-                           mass->typed);
-            visitor.flag({"fits", CORE_TEXT("v8-plugs", "Masses agree")}, mass->fits);
+            visitor.number({"geometry_mass_g", Text::tr("Mass by the sizes"), 2}, mass->geometry);
+            visitor.number({"entered_mass_g", Text::tr("Mass as entered")}, mass->typed);
+            visitor.flag({"fits", Text::tr("Masses agree")}, mass->fits);
         });
     }
 }
@@ -237,20 +229,19 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
     const Coefficients k = coefficients(*result.engine);
     visitor.number(key::unbalanced_mass, excess);
     visitor.number(key::unbalance, excess * crank_radius);
-    visitor.number({"k_p", CORE_TEXT("v8-plugs", "Coefficient kₚ")}, k.k_p);
-    visitor.number({"k_y", CORE_TEXT("v8-plugs", "Coefficient kᵤ")}, k.k_y);
-    visitor.number({"k_y_new", CORE_TEXT("v8-plugs", "Coefficient kᵤₙ")}, k.k_y_new);
-    visitor.number({"slope_angle_deg", CORE_TEXT("v8-plugs", "Slope angle"), 1}, std::atan(k.k_y));
-    visitor.object(
-        {"mass_changes_g", CORE_TEXT("v8-plugs", "Mass changes"), 3, {}, units::none}, [&] {
-            for (const auto& [field, member, repair_only] : mass_change_fields()) {
-                visitor.number({field.key, field.label, 3, {}, field.unit}, result.changes.*member);
-            }
-        });
+    visitor.number({"k_p", Text::tr("Coefficient kₚ")}, k.k_p);
+    visitor.number({"k_y", Text::tr("Coefficient kᵤ")}, k.k_y);
+    visitor.number({"k_y_new", Text::tr("Coefficient kᵤₙ")}, k.k_y_new);
+    visitor.number({"slope_angle_deg", Text::tr("Slope angle"), 1}, std::atan(k.k_y));
+    visitor.object({"mass_changes_g", Text::tr("Mass changes"), 3, {}, units::none}, [&] {
+        for (const auto& [field, member, repair_only] : mass_change_fields()) {
+            visitor.number({field.key, field.label, 3, {}, field.unit}, result.changes.*member);
+        }
+    });
     if (visitor.wants(key::not_counted.key)) {
         visitor.texts(key::not_counted, shop::both(replaced(input), not_counted(input)));
     }
-    visitor.object({"options", CORE_TEXT("v8-plugs", "Options")}, [&] {
+    visitor.object({"options", Text::tr("Options")}, [&] {
         for (const OptionId id : all_options) {
             visitor.object({option_word(id).word, option_word(id).label, 0, {}, units::none}, [&] {
                 visit_option(visitor, result, id, crank_radius, input.tolerance);
@@ -266,9 +257,8 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
     }
     if (result.nominal && result.before) {
         visitor.object(key::bob_weight, [&] {
-            visit_bob_weight(visitor, {"nominal", CORE_TEXT("v8-plugs", "Nominal")},
-                             *result.nominal);
-            visit_bob_weight(visitor, {"before", CORE_TEXT("v8-plugs", "Before")}, *result.before);
+            visit_bob_weight(visitor, {"nominal", Text::tr("Nominal")}, *result.nominal);
+            visit_bob_weight(visitor, {"before", Text::tr("Before")}, *result.before);
         });
     }
     if (input.weigh_in) {
@@ -276,10 +266,9 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
                        [&] { visit_weigh_in(visitor, input, result, crank_radius, speed); });
     }
     if (result.steel_plug) {
-        visitor.object({"plug", CORE_TEXT("v8-plugs", "Plug")}, [&] {
-            visit_plug_mass(visitor, {"steel", CORE_TEXT("v8-plugs", "Steel")}, result.steel_plug);
-            visit_plug_mass(visitor, {"aluminium", CORE_TEXT("v8-plugs", "Aluminium")},
-                            result.aluminium_plug);
+        visitor.object({"plug", Text::tr("Plug")}, [&] {
+            visit_plug_mass(visitor, {"steel", Text::tr("Steel")}, result.steel_plug);
+            visit_plug_mass(visitor, {"aluminium", Text::tr("Aluminium")}, result.aluminium_plug);
         });
     }
 }
@@ -294,22 +283,19 @@ Message plug_doubt(const Input& input, const Result& result) {
     const bool solid = geometry && geometry->bore_depth <= 0.0;
     const std::tuple<const std::optional<PlugMass>&, std::optional<double> Engine::*, Text>
         plugs[] = {
-            {result.steel_plug, &Engine::steel_plug_mass, CORE_TEXT("v8-plugs", "Steel plug")},
-            {result.aluminium_plug, &Engine::aluminium_plug_mass,
-             CORE_TEXT("v8-plugs", "Aluminium plug")}};
+            {result.steel_plug, &Engine::steel_plug_mass, Text::tr("Steel plug")},
+            {result.aluminium_plug, &Engine::aluminium_plug_mass, Text::tr("Aluminium plug")}};
     for (const auto& [mass, member, name] : plugs) {
         if (!mass || mass->fits) {
             continue;
         }
         if (is_printed(input, member)) {
-            return CORE_TEXT("v8-plugs", "The plug mass is from the paper: weigh the plugs.");
+            return Text::tr("The plug mass is from the paper: weigh the plugs.");
         }
-        return {solid ? CORE_TEXT("v8-plugs",
-                                  "%1: %2 entered, but a solid plug of these dimensions weighs %3. "
-                                  "Enter its bore or weigh the plug.")
-                      : CORE_TEXT("v8-plugs",
-                                  "%1: %2 entered, but a plug of these dimensions weighs %3. Weigh "
-                                  "the plug."),
+        return {solid ? Text::tr("%1: %2 entered, but a solid plug of these dimensions weighs %3. "
+                                 "Enter its bore or weigh the plug.")
+                      : Text::tr("%1: %2 entered, but a plug of these dimensions weighs %3. Weigh "
+                                 "the plug."),
                 name, shop::in_grams(mass->typed),
                 Number{mass->geometry / units::gram, units::gram, -1}};
     }

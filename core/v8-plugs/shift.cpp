@@ -89,26 +89,23 @@ Message describe(const ShiftEffect& effect, double tolerance) {
     const Number allowed = shop::in_gram_millimetres(tolerance);
     const Message neglect =
         effect.planned
-            ? Message(CORE_TEXT("V8",
-                                "The method neglects the shift of the plug's centre of mass: the "
-                                "residual is %1, permissible %2."),
+            ? Message(Text::tr("The method neglects the shift of the plug's centre of mass: the "
+                               "residual is %1, permissible %2."),
                       beyond, allowed)
-            : Message(CORE_TEXT("V8",
-                                "The method neglects the shift of the plug's centre of mass, %3 to "
-                                "%4 in the paper: the residual is up to %1, permissible %2."),
+            : Message(Text::tr("The method neglects the shift of the plug's centre of mass, %3 to "
+                               "%4 in the paper: the residual is up to %1, permissible %2."),
                       beyond, allowed, Number{smallest_shift / units::mm, units::mm, 0, true},
                       Number{largest_shift / units::mm, units::mm});
     const Number minimum = shop::in_grams(effect.min_reduction);
     if (!effect.planned) {
         return two_sentences(
-            neglect,
-            {CORE_TEXT("V8", "Enter the plug's sizes and the cutter, or take off %1 to %2 each."),
-             minimum, shop::in_grams(effect.max_reduction)});
+            neglect, {Text::tr("Enter the plug's sizes and the cutter, or take off %1 to %2 each."),
+                      minimum, shop::in_grams(effect.max_reduction)});
     }
     if (!effect.depth) {
-        return two_sentences(neglect, {CORE_TEXT("V8", "Take off %1 each."), minimum});
+        return two_sentences(neglect, {Text::tr("Take off %1 each."), minimum});
     }
-    return two_sentences(neglect, {CORE_TEXT("V8", "Bore to %1 from the face, %2 off each plug."),
+    return two_sentences(neglect, {Text::tr("Bore to %1 from the face, %2 off each plug."),
                                    Number{*effect.depth / units::mm, units::mm, -2}, minimum});
 }
 

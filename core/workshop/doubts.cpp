@@ -37,7 +37,7 @@ Number millimetres(double length) {
 }
 
 Message at_angle(double unbalance, double angle) {
-    return {Text{"", "%1 ∠ %2"}, in_gram_millimetres(unbalance),
+    return {Text{"%1 ∠ %2"}, in_gram_millimetres(unbalance),
             Number{angle / units::degree, units::degree, -1}};
 }
 
@@ -104,13 +104,13 @@ bool is_in_kilograms(Part part, const shop::PartColumn& column) {
 Messages kilograms(const DoubtCase& job) {
     Messages list;
     const auto add = [&](Text name, double mass) {
-        list.emplace_back(CORE_TEXT("workshop", "%1: %2 looks like kilograms. Enter grams."), name,
+        list.emplace_back(Text::tr("%1: %2 looks like kilograms. Enter grams."), name,
                           Number{mass / units::gram, units::gram, 3});
     };
     for (const auto& [part, mass] : job.shaft.in_kilograms) {
         add(part->column                                 ? shop::part_word(*part->column).label
-            : part->member == &bob_weights::Parts::locks ? CORE_TEXT("workshop", "Locks")
-                                                         : CORE_TEXT("workshop", "Oil"),
+            : part->member == &bob_weights::Parts::locks ? Text::tr("Locks")
+                                                         : Text::tr("Oil"),
             mass);
     }
     if (job.plugs_input != nullptr) {
@@ -119,9 +119,8 @@ Messages kilograms(const DoubtCase& job) {
         for (const auto member :
              {&v8_plugs::Engine::reciprocating_mass, &v8_plugs::Engine::rotating_mass}) {
             if (engine.*member && *(engine.*member) < minimum) {
-                add(member == &v8_plugs::Engine::rotating_mass
-                        ? CORE_TEXT("bob-weights", "Rotating mass")
-                        : CORE_TEXT("bob-weights", "Reciprocating mass"),
+                add(member == &v8_plugs::Engine::rotating_mass ? Text::tr("Rotating mass")
+                                                               : Text::tr("Reciprocating mass"),
                     *(engine.*member));
             }
         }
@@ -138,28 +137,24 @@ Messages odd_mass(const DoubtCase& job) {
         }
         const Text name = shop::part_word(part).label;
         if (!odd->also.empty()) {
-            list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: cylinders %2 differ from the others (%3, others %4). "
-                                        "Weigh them again or match the parts."),
+            list.emplace_back(Text::tr("%1: cylinders %2 differ from the others (%3, others %4). "
+                                       "Weigh them again or match the parts."),
                               name, cylinders(odd->cylinders()), in_grams(odd->mass),
                               in_grams(odd->usual));
         } else if (odd->score) {
             constexpr double maximum = 10.0;
             list.emplace_back(
                 *odd->score > maximum
-                    ? CORE_TEXT("workshop",
-                                "%1: cylinder %2 weighs %3, the others about %4; the deviation is "
-                                "more than %5 times their scatter. Weigh it again or match the "
-                                "parts.")
-                    : CORE_TEXT("workshop",
-                                "%1: cylinder %2 weighs %3, the others about %4; the deviation is "
-                                "%5 times their scatter. Weigh it again or match the parts."),
+                    ? Text::tr("%1: cylinder %2 weighs %3, the others about %4; the deviation is "
+                               "more than %5 times their scatter. Weigh it again or match the "
+                               "parts.")
+                    : Text::tr("%1: cylinder %2 weighs %3, the others about %4; the deviation is "
+                               "%5 times their scatter. Weigh it again or match the parts."),
                 name, odd->cylinder + 1, in_grams(odd->mass), in_grams(odd->usual),
                 Number{std::min(*odd->score, maximum), units::none, -1, false, true});
         } else {
-            list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: cylinder %2 weighs %3, the others about %4. Weigh it "
-                                        "again."),
+            list.emplace_back(Text::tr("%1: cylinder %2 weighs %3, the others about %4. Weigh it "
+                                       "again."),
                               name, odd->cylinder + 1, in_grams(odd->mass), in_grams(odd->usual));
         }
     });
@@ -172,9 +167,8 @@ Messages swapped_ends(const DoubtCase& job) {
         const auto swapped =
             shop::swapped_rod_ends(sheet[Part::rod_big_end].mass, sheet[Part::rod_small_end].mass);
         if (!swapped.empty()) {
-            return {{CORE_TEXT("workshop",
-                               "Rods of cylinders %1: the big end weighs less than the small end. "
-                               "Swap the columns or weigh the rods again."),
+            return {{Text::tr("Rods of cylinders %1: the big end weighs less than the small end. "
+                              "Swap the columns or weigh the rods again."),
                      cylinders(swapped)}};
         }
     }
@@ -183,9 +177,8 @@ Messages swapped_ends(const DoubtCase& job) {
     if (shop::swapped_rod_ends(big, small).empty()) {
         return {};
     }
-    return {{CORE_TEXT("workshop",
-                       "The big end of the rod, %1, weighs less than its small end, %2. Swap both "
-                       "or weigh the rod again."),
+    return {{Text::tr("The big end of the rod, %1, weighs less than its small end, %2. Swap both "
+                      "or weigh the rod again."),
              in_grams(**big), in_grams(**small)}};
 }
 
@@ -194,10 +187,9 @@ Messages typed_against_weighed(const DoubtCase& job) {
     for (const bob_weights::PartField& part : bob_weights::part_fields()) {
         if (contradicts_scale(job.input, part)) {
             const auto weighed = shop::statistics((*job.input.weigh_in)[*part.column]);
-            list.emplace_back(
-                CORE_TEXT("workshop", "%1: %2 entered, but %3 weighed. Correct the wrong value."),
-                shop::part_word(*part.column).label, in_grams(*(job.input.parts.*part.member)),
-                in_grams(weighed->mean));
+            list.emplace_back(Text::tr("%1: %2 entered, but %3 weighed. Correct the wrong value."),
+                              shop::part_word(*part.column).label,
+                              in_grams(*(job.input.parts.*part.member)), in_grams(weighed->mean));
         }
     }
     return list;
@@ -209,9 +201,9 @@ Messages nominal_against_weighed(const DoubtCase& job) {
         const double mean = shop::statistics(column)->mean;
         if (column.nominal && !is_in_kilograms(part, column) &&
             differ(*column.nominal, mean, same_part)) {
-            list.emplace_back(
-                CORE_TEXT("workshop", "%1: nominal %2, but %3 weighed. Correct the wrong value."),
-                shop::part_word(part).label, in_grams(*column.nominal), in_grams(mean));
+            list.emplace_back(Text::tr("%1: nominal %2, but %3 weighed. Correct the wrong value."),
+                              shop::part_word(part).label, in_grams(*column.nominal),
+                              in_grams(mean));
         }
     });
     return list;
@@ -224,8 +216,7 @@ Messages share_of_one(const DoubtCase& job) {
         return {};
     }
     return {
-        {CORE_TEXT("workshop",
-                   "A balance factor of %1 looks like a fraction. Enter percent: 50 for one half."),
+        {Text::tr("A balance factor of %1 looks like a fraction. Enter percent: 50 for one half."),
          Number{share / units::percent, units::percent, -2}}};
 }
 
@@ -240,15 +231,14 @@ Messages gear_against_parts(const DoubtCase& job) {
         // Bob weights are hung to a tenth of a gram.
         if (typed && parts && std::abs(*typed - *parts) >= 0.1 * units::gram) {
             list.emplace_back(
-                CORE_TEXT(
-                    "workshop",
+                Text::tr(
                     "%1: %2 entered, but the nominal parts add up to %3. Correct the wrong value."),
                 name, in_grams(*typed), in_grams(*parts));
         }
     };
-    check(CORE_TEXT("bob-weights", "Reciprocating mass"),
-          job.plugs_input->engine.reciprocating_mass, v8_plugs::nominal_reciprocating(sheet));
-    check(CORE_TEXT("bob-weights", "Rotating mass"), job.plugs_input->engine.rotating_mass,
+    check(Text::tr("Reciprocating mass"), job.plugs_input->engine.reciprocating_mass,
+          v8_plugs::nominal_reciprocating(sheet));
+    check(Text::tr("Rotating mass"), job.plugs_input->engine.rotating_mass,
           v8_plugs::nominal_rotating(sheet));
     return list;
 }
@@ -293,9 +283,8 @@ Messages half_weighed(const DoubtCase& job) {
     Messages list;
     for_columns(job, [&](Part part, const shop::PartColumn& column) {
         if (is_nominal(job, part)) {
-            list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: %2 of 8 weighed. Weigh all of them, or clear the "
-                                        "column."),
+            list.emplace_back(Text::tr("%1: %2 of 8 weighed. Weigh all of them, or clear the "
+                                       "column."),
                               shop::part_word(part).label, shop::statistics(column)->count);
         }
     });
@@ -311,9 +300,8 @@ Messages taken_as_nominal(const DoubtCase& job) {
         }
     }
     return names.empty() ? Messages()
-                         : Messages{{CORE_TEXT("workshop",
-                                               "Provisional: not weighed and taken as nominal: %1. "
-                                               "Weigh them before machining."),
+                         : Messages{{Text::tr("Provisional: not weighed and taken as nominal: %1. "
+                                              "Weigh them before machining."),
                                      names}};
 }
 
@@ -334,9 +322,8 @@ Messages unequal_crankpins(const DoubtCase& job) {
         return {};
     }
     const auto [minimum, maximum] = std::minmax_element(excess.begin(), excess.end());
-    return {{CORE_TEXT("workshop",
-                       "The crankpins are unequal: their excess is %1 to %2, and the plugs are for "
-                       "the mean. Move the sets or match the parts first."),
+    return {{Text::tr("The crankpins are unequal: their excess is %1 to %2, and the plugs are for "
+                      "the mean. Move the sets or match the parts first."),
              in_grams(*minimum), in_grams(*maximum)}};
 }
 
@@ -352,15 +339,13 @@ Messages spread_of_parts(const DoubtCase& job) {
         }
         if (!found->within_permitted) {
             list.emplace_back(
-                CORE_TEXT("workshop",
-                          "%1: range %2, permitted %3 (heaviest: cylinder %4, lightest: %5)."),
+                Text::tr("%1: range %2, permitted %3 (heaviest: cylinder %4, lightest: %5)."),
                 shop::part_word(part).label, in_grams(found->spread),
                 in_grams(*column.permitted_spread), found->heaviest + 1, found->lightest + 1);
         } else if (!column.permitted_spread &&
                    found->spread > std::max(usual_spread * found->mean, 1.0 * units::gram)) {
-            list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: range %2 (heaviest: cylinder %3, lightest: %4). Weigh "
-                                        "them again or match the parts."),
+            list.emplace_back(Text::tr("%1: range %2 (heaviest: cylinder %3, lightest: %4). Weigh "
+                                       "them again or match the parts."),
                               shop::part_word(part).label, in_grams(found->spread),
                               found->heaviest + 1, found->lightest + 1);
         }
@@ -395,8 +380,7 @@ Messages unlike_parts(const DoubtCase& job) {
         if (one != nullptr && other != nullptr &&
             (one->mass < minimum * other->mass || one->mass > maximum * other->mass)) {
             list.emplace_back(
-                CORE_TEXT("workshop",
-                          "%1 of %2 beside %3 of %4 is implausible. Correct the wrong value."),
+                Text::tr("%1 of %2 beside %3 of %4 is implausible. Correct the wrong value."),
                 one->name().label, in_grams(one->mass), other->name().label, in_grams(other->mass));
         }
     }
@@ -412,9 +396,8 @@ Messages much_oil(const DoubtCase& job) {
     if (!oil || !job.shaft.bob_weight || !(*oil > maximum * *job.shaft.bob_weight)) {
         return {};
     }
-    return {{CORE_TEXT("workshop",
-                       "Oil of %1 in a crankpin is implausible for a bob weight of %2. Correct the "
-                       "oil."),
+    return {{Text::tr("Oil of %1 in a crankpin is implausible for a bob weight of %2. Correct the "
+                      "oil."),
              in_grams(*oil), in_grams(*job.shaft.bob_weight)}};
 }
 
@@ -431,9 +414,8 @@ Messages unlike_halves(const DoubtCase& job) {
     if (ratio >= minimum && ratio <= maximum) {
         return {};
     }
-    return {{CORE_TEXT("workshop",
-                       "Reciprocating mass %1 and rotating mass %2 of a cylinder are inconsistent. "
-                       "Check the masses of the parts."),
+    return {{Text::tr("Reciprocating mass %1 and rotating mass %2 of a cylinder are inconsistent. "
+                      "Check the masses of the parts."),
              in_grams(*reciprocating), in_grams(*rotating)}};
 }
 
@@ -471,9 +453,8 @@ Messages drilled_at_light_spot(const DoubtCase& job) {
             if (lengthened(run, earlier, i) > 0.0) {
                 const auto& read = (*run.planes)[i];
                 list.emplace_back(
-                    CORE_TEXT("workshop",
-                              "%1: the holes drilled after %2 are opposite this heavy spot. Check "
-                              "whether the machine shows the heavy or the light spot."),
+                    Text::tr("%1: the holes drilled after %2 are opposite this heavy spot. Check "
+                             "whether the machine shows the heavy or the light spot."),
                     plane_name(job, i), at_angle(read.unbalance, read.angle));
             }
         }
@@ -492,10 +473,10 @@ Messages drilled_counting_otherwise(const DoubtCase& job) {
         const bob_weights::EarlierRun& earlier = job.input.correction->earlier_runs[at];
         if (earlier.counted_otherwise && job.shaft.runs[at].is_drilled() &&
             std::any_of(earlier.drilled->begin(), earlier.drilled->end(), is_as_counted)) {
-            return {{CORE_TEXT("workshop",
-                               "The holes were drilled while the machine counted degrees in the "
-                               "other direction. Check the direction, or enter the angles as "
-                               "measured.")}};
+            return {
+                {Text::tr("The holes were drilled while the machine counted degrees in the "
+                          "other direction. Check the direction, or enter the angles as "
+                          "measured.")}};
         }
     }
     return {};
@@ -510,21 +491,17 @@ Messages drilled_otherwise(const DoubtCase& job) {
         const auto& other = runs.back().other_effect[i];
         const auto& now = (*runs.back().planes)[i];
         return {other->is_in_other_plane
-                    ? CORE_TEXT("workshop",
-                                "%1: residual %2 after drilling instead of %3, as if the holes "
-                                "were in the other plane. Enter the actual plane of each hole.")
+                    ? Text::tr("%1: residual %2 after drilling instead of %3, as if the holes "
+                               "were in the other plane. Enter the actual plane of each hole.")
                 : other->is_opposite
-                    ? CORE_TEXT(
-                          "workshop",
+                    ? Text::tr(
                           "%1: drilling increased the unbalance to %2 instead of %3. Mark holes on "
                           "the wrong side, or check whether the machine shows the light spot.")
                 : runs[runs.size() - 2].drilled[i].empty()
-                    ? CORE_TEXT("workshop",
-                                "%1: %2 instead of %3, but no hole is recorded. Enter the holes "
-                                "drilled, or check crankshaft and machine.")
-                    : CORE_TEXT("workshop",
-                                "%1: residual %2 after drilling instead of %3. Check the actual "
-                                "holes: angle, depth, zero mark and direction of degrees."),
+                    ? Text::tr("%1: %2 instead of %3, but no hole is recorded. Enter the holes "
+                               "drilled, or check crankshaft and machine.")
+                    : Text::tr("%1: residual %2 after drilling instead of %3. Check the actual "
+                               "holes: angle, depth, zero mark and direction of degrees."),
                 plane_name(job, i), at_angle(now.unbalance, now.angle),
                 at_angle(other->expected, other->expected_angle)};
     });
@@ -546,8 +523,7 @@ Messages unknown_bob_weight(const DoubtCase& job) {
         bob_weights::balances_itself(job.input.engine)) {
         return {};
     }
-    return {{CORE_TEXT("workshop",
-                       "The readings need a known bob weight. Complete engine and parts.")}};
+    return {{Text::tr("The readings need a known bob weight. Complete engine and parts.")}};
 }
 
 /// What is read elsewhere is another unbalance in the planes, which takes its direction to know.
@@ -560,7 +536,7 @@ Messages beside_planes(const DoubtCase& job) {
                     })) {
         return {};
     }
-    return {{CORE_TEXT("workshop", "The readings are not in the planes. Enter their angles.")}};
+    return {{Text::tr("The readings are not in the planes. Enter their angles.")}};
 }
 
 /// All that hang on the crankshaft, kg.
@@ -588,15 +564,13 @@ Messages rotor_mass(const DoubtCase& job) {
     const double weights = bob_weights_of(job);
     const Number shown{*mass, units::kg, 0};
     if (*mass > heaviest || (weights > 0.0 && *mass > heaviest_rotor(job))) {
-        return {{CORE_TEXT("workshop",
-                           "A crankshaft of %1 is too heavy for this engine. Correct its mass in "
-                           "kilograms, or enter the limit in g·mm."),
+        return {{Text::tr("A crankshaft of %1 is too heavy for this engine. Correct its mass in "
+                          "kilograms, or enter the limit in g·mm."),
                  shown}};
     }
     if (*mass < weights) {
-        return {{CORE_TEXT("workshop",
-                           "The crankshaft with its bob weights, %1, weighs less than the bob "
-                           "weights, %2. Correct its mass."),
+        return {{Text::tr("The crankshaft with its bob weights, %1, weighs less than the bob "
+                          "weights, %2. Correct its mass."),
                  shown, Number{weights, units::kg, -2}}};
     }
     return {};
@@ -612,9 +586,8 @@ Messages great_reading(const DoubtCase& job) {
         if (!mass || !unbalance || *unbalance <= maximum * *mass) {
             return {};
         }
-        return {CORE_TEXT("workshop",
-                          "%1: %2 is implausible for a crankshaft of %3. Check the "
-                          "unit of the reading and the calibration of the machine."),
+        return {Text::tr("%1: %2 is implausible for a crankshaft of %3. Check the "
+                         "unit of the reading and the calibration of the machine."),
                 plane_name(job, i), in_gram_millimetres(*unbalance), Number{*mass, units::kg, 0}};
     });
 }
@@ -630,9 +603,8 @@ Messages grade(const DoubtCase& job) {
     if (!grade || shop::is_plausible_grade(*grade, job.input.tolerance->rotor_mass)) {
         return {};
     }
-    return {{CORE_TEXT("workshop",
-                       "A balance grade of G %1 is implausible for this crankshaft. Correct it, or "
-                       "enter the limit in g·mm."),
+    return {{Text::tr("A balance grade of G %1 is implausible for this crankshaft. Correct it, or "
+                      "enter the limit in g·mm."),
              Number{*grade / units::mm_per_s, units::none, -1}}};
 }
 
@@ -664,21 +636,20 @@ Messages service_speed(const DoubtCase& job) {
     if (!speed || !is_implausible_speed(job, *speed)) {
         return {};
     }
-    return {{CORE_TEXT("workshop", "A service speed of %1 is implausible. Correct the speed."),
+    return {{Text::tr("A service speed of %1 is implausible. Correct the speed."),
              Number{*speed / units::rpm, units::rpm, 0}}};
 }
 
 Messages bearings(const DoubtCase& job) {
     switch (bob_weights::places_of_bearings(job.input)) {
         case bob_weights::BearingPlaces::reversed:
-            return {CORE_TEXT("workshop",
-                              "The bearings are in reverse order to the planes. Measure all "
-                              "positions from one point in one direction.")};
+            return {
+                Text::tr("The bearings are in reverse order to the planes. Measure all "
+                         "positions from one point in one direction.")};
         case bob_weights::BearingPlaces::centre_beyond:
             return {
-                CORE_TEXT("workshop",
-                          "The centre of mass is not between the bearings (or planes). Correct its "
-                          "position.")};
+                Text::tr("The centre of mass is not between the bearings (or planes). Correct its "
+                         "position.")};
         case bob_weights::BearingPlaces::plausible:
             break;
     }
@@ -693,9 +664,8 @@ Messages plane_radius(const DoubtCase& job) {
             (*radius >= nearest_plane * *crank && *radius <= farthest_plane * *crank)) {
             return {};
         }
-        return {CORE_TEXT("workshop",
-                          "%1: a drilling radius of %2 does not match a crank radius "
-                          "of %3. Enter the radius, not the diameter."),
+        return {Text::tr("%1: a drilling radius of %2 does not match a crank radius "
+                         "of %3. Enter the radius, not the diameter."),
                 plane_name(job, i), millimetres(*radius), millimetres(*crank)};
     });
 }
@@ -716,9 +686,8 @@ Messages far_radius(const DoubtCase& job) {
                                      : *radius > far && *radius <= beyond)) {
             return {};
         }
-        return {CORE_TEXT("workshop",
-                          "%1: a drilling radius of %2 is unusual for such a bob "
-                          "weight. Enter the radius, not the diameter."),
+        return {Text::tr("%1: a drilling radius of %2 is unusual for such a bob "
+                         "weight. Enter the radius, not the diameter."),
                 plane_name(job, i), millimetres(*radius)};
     });
 }
@@ -735,9 +704,8 @@ Messages deep_holes(const DoubtCase& job) {
         std::max(radius_of(job, 0).value_or(0.0), radius_of(job, 1).value_or(0.0));
     const auto check = [&](const Field& field, const std::optional<double>& size) {
         if (size && radius > 0.0 && *size > maximum * radius) {
-            list.emplace_back(CORE_TEXT("workshop",
-                                        "%1: %2 is implausible at a drilling radius of %3. Correct "
-                                        "the wrong value."),
+            list.emplace_back(Text::tr("%1: %2 is implausible at a drilling radius of %3. Correct "
+                                       "the wrong value."),
                               field.label, millimetres(*size), millimetres(radius));
         }
     };
@@ -757,8 +725,7 @@ Messages unlike_radii(const DoubtCase& job) {
         !far_radius<true>(job).empty() || !far_radius<false>(job).empty()) {
         return {};
     }
-    return {{CORE_TEXT("workshop",
-                       "Drilling radii of %1 and %2: one looks like a diameter. Check both."),
+    return {{Text::tr("Drilling radii of %1 and %2: one looks like a diameter. Check both."),
              millimetres(front), millimetres(rear)}};
 }
 
@@ -769,8 +736,7 @@ Messages plane_order(const DoubtCase& job) {
     }
     const auto& [front, rear] = *planes;
     if (front >= rear) {
-        return {{CORE_TEXT("workshop",
-                           "%1 at %2 is not before %3 at %4. Correct the positions of the planes."),
+        return {{Text::tr("%1 at %2 is not before %3 at %4. Correct the positions of the planes."),
                  plane_name(job, 0), millimetres(front), plane_name(job, 1), millimetres(rear)}};
     }
     const auto& readings = job.input.correction->readings;
@@ -784,9 +750,8 @@ Messages plane_order(const DoubtCase& job) {
     if (second - first > nearest * (rear - front)) {
         return {};
     }
-    return {{CORE_TEXT("workshop",
-                       "The first reading is at %1, the second at %2, but the planes are at %3 and "
-                       "%4. Correct the positions of the readings."),
+    return {{Text::tr("The first reading is at %1, the second at %2, but the planes are at %3 and "
+                      "%4. Correct the positions of the readings."),
              millimetres(first), millimetres(second), millimetres(front), millimetres(rear)}};
 }
 
@@ -811,9 +776,8 @@ Messages reading_in_grams(const DoubtCase& job) {
         return {};
     }
     return {
-        {CORE_TEXT("workshop",
-                   "The first readings are far below the limit. If the machine shows grams, "
-                   "enter them with their unit: %1."),
+        {Text::tr("The first readings are far below the limit. If the machine shows grams, "
+                  "enter them with their unit: %1."),
          Number{*job.input.correction->readings[0].unbalance / units::gram_mm, units::gram, 0}}};
 }
 
@@ -822,9 +786,8 @@ Messages amplification(const DoubtCase& job) {
     if (!times || *times <= bob_weights::max_amplification) {
         return {};
     }
-    return {{CORE_TEXT("workshop",
-                       "The machine reads far outside the planes: errors may be %1 times as large "
-                       "in the planes. Measure nearer to the planes."),
+    return {{Text::tr("The machine reads far outside the planes: errors may be %1 times as large "
+                      "in the planes. Measure nearer to the planes."),
              Number{*times, units::none, -1}}};
 }
 
@@ -833,9 +796,8 @@ Messages drill_size(const DoubtCase& job) {
     for (const double size :
          job.input.correction ? job.input.correction->drill.diameters_mm : std::vector<double>()) {
         if (!bob_weights::is_usual_drill(size * units::mm)) {
-            list.emplace_back(CORE_TEXT("workshop",
-                                        "A drill of %1 is unusual. Separate several sizes by "
-                                        "semicolons."),
+            list.emplace_back(Text::tr("A drill of %1 is unusual. Separate several sizes by "
+                                       "semicolons."),
                               Number{size, units::mm, -2});
         }
     }
@@ -849,9 +811,8 @@ Messages beyond_sector(const DoubtCase& job) {
         if (beyond <= 0.0) {
             return {};
         }
-        return {CORE_TEXT("workshop",
-                          "%1: the edge of a hole is %2 beyond the drilling sector. "
-                          "Check that there is enough metal."),
+        return {Text::tr("%1: the edge of a hole is %2 beyond the drilling sector. "
+                         "Check that there is enough metal."),
                 plane_name(job, i), Number{beyond / units::mm, units::mm, -2}};
     });
 }
@@ -863,9 +824,8 @@ Messages all_round(const DoubtCase& job) {
         if (!planned || job.input.correction->planes[i].from_angle || (*planned)[i].holes.empty()) {
             return {};
         }
-        return {
-            CORE_TEXT("workshop", "%1: enter the drilling sector, or 0 to 360° for a whole rim."),
-            plane_name(job, i)};
+        return {Text::tr("%1: enter the drilling sector, or 0 to 360° for a whole rim."),
+                plane_name(job, i)};
     });
 }
 

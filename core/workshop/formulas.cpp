@@ -17,14 +17,12 @@ std::vector<Formula> formulas(const Input& input) {
 
 std::span<const Text> left_out() {
     static constexpr std::array texts{
-        CORE_TEXT("bob-weights", "The crankshaft is rigid."),
-        CORE_TEXT("bob-weights",
-                  "The factor uses the first order only; bob weights cannot affect higher orders."),
-        CORE_TEXT("bob-weights",
-                  "Couples along the crankshaft are not part of the factor: see inertia moments."),
-        CORE_TEXT("bob-weights", "The rim of a counterweight is taken as flat at a hole."),
-        CORE_TEXT("bob-weights", "All bob weights are equal, from the means of the weighed parts."),
-        CORE_TEXT("v8-plugs", "Not included: drilling in the webs, flywheel and damper."),
+        Text::tr("The crankshaft is rigid."),
+        Text::tr("The factor uses the first order only; bob weights cannot affect higher orders."),
+        Text::tr("Couples along the crankshaft are not part of the factor: see inertia moments."),
+        Text::tr("The rim of a counterweight is taken as flat at a hole."),
+        Text::tr("All bob weights are equal, from the means of the weighed parts."),
+        Text::tr("Not included: drilling in the webs, flywheel and damper."),
     };
     return texts;
 }

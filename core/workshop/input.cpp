@@ -29,8 +29,7 @@ struct PlaneNames final : FieldVisitor::Custom {
 
     void read(const Json& list, const std::string& pointer) override {
         if (!list.is_array() || list.size() != 2 || !list[0].is_string() || !list[1].is_string()) {
-            throw InputError(pointer, CORE_TEXT("workshop", "must be a list of two names"),
-                             show(list));
+            throw InputError(pointer, Text::tr("must be a list of two names"), show(list));
         }
         names = {list[0].get<std::string>(), list[1].get<std::string>()};
     }
@@ -44,13 +43,12 @@ struct PlaneNames final : FieldVisitor::Custom {
 void check_plugs(const Input& input) {
     if (!may_have_plugs(input.engine)) {
         throw InputError("/input/plugs",
-                         CORE_TEXT("workshop",
-                                   "is allowed only for a V of 8 cylinders at 90° with two rods on "
-                                   "a crankpin and no split"));
+                         Text::tr("is allowed only for a V of 8 cylinders at 90° with two rods on "
+                                  "a crankpin and no split"));
     }
     const auto reject = [](const Field& field) {
         throw InputError("/input/" + std::string(field.key),
-                         CORE_TEXT("workshop", "must be left out with plugs"));
+                         Text::tr("must be left out with plugs"));
     };
     if (!(input.parts == bob_weights::Parts{})) {
         reject(bob_weights::field::parts);
@@ -65,8 +63,7 @@ void check_job_correction(const Correction& correction) {
     const std::string place = "/input/correction/";
     const auto check_count = [&](const Field& field, std::size_t count) {
         if (count != 0 && count != 2) {
-            throw InputError(place + std::string(field.key),
-                             CORE_TEXT("bob-weights", "must be a list of two"),
+            throw InputError(place + std::string(field.key), Text::tr("must be a list of two"),
                              Number{static_cast<double>(count)});
         }
     };
@@ -79,7 +76,7 @@ void check_job_correction(const Correction& correction) {
         bob_weights::check_correction(correction);
     } else if (drilled && correction.planes.empty()) {
         throw InputError(place + std::string(bob_weights::field::planes.key),
-                         CORE_TEXT("core", "is required and missing"));
+                         Text::tr("is required and missing"));
     }
     bob_weights::check_runs(correction);
 }

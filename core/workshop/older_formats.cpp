@@ -24,27 +24,24 @@ namespace {
 using bob_weights::Correction;
 
 // What v8-plugs has elsewhere than a job.
-inline constexpr Field balancing{
-    .key = "balancing", .hint = CORE_TEXT("V8", "Limits and readings of the balancing machine.")};
-inline constexpr Field front_reading{
-    .key = "front_reading_g_mm",
-    .range = Range::between(0, 1e9),
-    .label = CORE_TEXT("V8", "&Front plane (pulley)"),
-    .hint = CORE_TEXT("V8", "Residual unbalance after correction.")};
-inline constexpr Field rear_reading{
-    .key = "rear_reading_g_mm",
-    .range = Range::between(0, 1e9),
-    .label = CORE_TEXT("V8", "&Rear plane (flywheel)"),
-    .hint = CORE_TEXT("V8", "Residual unbalance after correction.")};
+inline constexpr Field balancing{.key = "balancing",
+                                 .hint = Text::tr("Limits and readings of the balancing machine.")};
+inline constexpr Field front_reading{.key = "front_reading_g_mm",
+                                     .range = Range::between(0, 1e9),
+                                     .label = Text::tr("&Front plane (pulley)"),
+                                     .hint = Text::tr("Residual unbalance after correction.")};
+inline constexpr Field rear_reading{.key = "rear_reading_g_mm",
+                                    .range = Range::between(0, 1e9),
+                                    .label = Text::tr("&Rear plane (flywheel)"),
+                                    .hint = Text::tr("Residual unbalance after correction.")};
 
-inline constexpr Field front_bob_weight{
-    .key = "front_bobweight_g",
-    .range = shop::field::bob_weight_then.range,
-    .label = CORE_TEXT("V8", "Bob weight of the reading, front"),
-    .hint = shop::field::bob_weight_then.hint};
+inline constexpr Field front_bob_weight{.key = "front_bobweight_g",
+                                        .range = shop::field::bob_weight_then.range,
+                                        .label = Text::tr("Bob weight of the reading, front"),
+                                        .hint = shop::field::bob_weight_then.hint};
 inline constexpr Field rear_bob_weight{.key = "rear_bobweight_g",
                                        .range = shop::field::bob_weight_then.range,
-                                       .label = CORE_TEXT("V8", "Bob weight of the reading, rear"),
+                                       .label = Text::tr("Bob weight of the reading, rear"),
                                        .hint = shop::field::bob_weight_then.hint};
 
 inline constexpr Field front_shaft{.key = "front_read_of", .hint = shop::field::read_shaft.hint};
@@ -110,7 +107,7 @@ void check_bob_weights_case(const BobWeightsCase& input) {
                     throw InputError("/input/correction/earlier_runs/" + std::to_string(run) +
                                          "/readings/" + std::to_string(i) + "/" +
                                          std::string(bob_weights::field::angle.key),
-                                     CORE_TEXT("core", "is required and missing"));
+                                     Text::tr("is required and missing"));
                 }
             }
         }

@@ -20,29 +20,22 @@ std::vector<Preset<Input>> presets() {
             plugs.plug = printed;
         }
         const double litres = std::stod(engine.name);
-        list.push_back({{CORE_TEXT("V8", "V-8 of %1 litres"), litres}, std::move(input)});
+        list.push_back({{Text::tr("V-8 of %1 litres"), litres}, std::move(input)});
     }
     static constexpr std::pair<Text, bob_weights::Engine> engines[] = {
-        {CORE_TEXT("bob-weights", "V-6, 90°, even firing (crankpins split by 30°)"),
+        {Text::tr("V-6, 90°, even firing (crankpins split by 30°)"),
          {bob_weights::EngineType::v, 6, 90 * degree, 2, 30 * degree}},
-        {CORE_TEXT("bob-weights", "V-6, 60°, even firing (crankpins split by 60°)"),
+        {Text::tr("V-6, 60°, even firing (crankpins split by 60°)"),
          {bob_weights::EngineType::v, 6, 60 * degree, 2, 60 * degree}},
-        {CORE_TEXT("bob-weights", "V-6, 90°, odd firing"),
-         {bob_weights::EngineType::v, 6, 90 * degree, 2, 0.0}},
-        {CORE_TEXT("bob-weights", "V-10, 72°"),
-         {bob_weights::EngineType::v, 10, 72 * degree, 2, 0.0}},
-        {CORE_TEXT("bob-weights", "V-12, 60°"),
-         {bob_weights::EngineType::v, 12, 60 * degree, 2, 0.0}},
-        {CORE_TEXT("bob-weights", "V-twin, 45°"),
-         {bob_weights::EngineType::v, 2, 45 * degree, 2, 0.0}},
-        {CORE_TEXT("bob-weights", "Flat twin, a crankpin for each rod"),
+        {Text::tr("V-6, 90°, odd firing"), {bob_weights::EngineType::v, 6, 90 * degree, 2, 0.0}},
+        {Text::tr("V-10, 72°"), {bob_weights::EngineType::v, 10, 72 * degree, 2, 0.0}},
+        {Text::tr("V-12, 60°"), {bob_weights::EngineType::v, 12, 60 * degree, 2, 0.0}},
+        {Text::tr("V-twin, 45°"), {bob_weights::EngineType::v, 2, 45 * degree, 2, 0.0}},
+        {Text::tr("Flat twin, a crankpin for each rod"),
          {bob_weights::EngineType::boxer, 2, std::nullopt, 1, 0.0}},
-        {CORE_TEXT("bob-weights", "Four in line"),
-         {bob_weights::EngineType::in_line, 4, std::nullopt, 1, 0.0}},
-        {CORE_TEXT("bob-weights", "Six in line"),
-         {bob_weights::EngineType::in_line, 6, std::nullopt, 1, 0.0}},
-        {CORE_TEXT("bob-weights", "One cylinder"),
-         {bob_weights::EngineType::in_line, 1, std::nullopt, 1, 0.0}}};
+        {Text::tr("Four in line"), {bob_weights::EngineType::in_line, 4, std::nullopt, 1, 0.0}},
+        {Text::tr("Six in line"), {bob_weights::EngineType::in_line, 6, std::nullopt, 1, 0.0}},
+        {Text::tr("One cylinder"), {bob_weights::EngineType::in_line, 1, std::nullopt, 1, 0.0}}};
     for (const auto& [name, engine] : engines) {
         Input input;
         input.engine = engine;

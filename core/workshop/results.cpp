@@ -14,9 +14,9 @@ namespace ravnoves::workshop {
 namespace {
 
 namespace key {
-constexpr ResultField planes[] = {{"front", CORE_TEXT("v8-plugs", "Front plane")},
-                                  {"rear", CORE_TEXT("v8-plugs", "Rear plane")}};
-constexpr ResultField permissible{"permissible_g_mm", CORE_TEXT("v8-plugs", "Permissible"), 1};
+constexpr ResultField planes[] = {{"front", Text::tr("Front plane")},
+                                  {"rear", Text::tr("Rear plane")}};
+constexpr ResultField permissible{"permissible_g_mm", Text::tr("Permissible"), 1};
 }  // namespace key
 
 std::vector<Message> words_of(const Withheld& blocks) {
@@ -56,14 +56,11 @@ Verdict unwarned(const Input& input, const Result& result) {
     const auto blocking = std::find_if(result.doubts.begin(), result.doubts.end(),
                                        [](const Doubt& each) { return each.rule->blocks.any(); });
     if (blocking != result.doubts.end()) {
-        return {Severity::error,
-                {CORE_TEXT("workshop", "STOP. %1"), blocking->text},
-                blocking->rule->act};
+        return {Severity::error, {Text::tr("STOP. %1"), blocking->text}, blocking->rule->act};
     }
     return is_known(input, result)
                ? undoubted(input, result)
-               : Verdict{Severity::note,
-                         CORE_TEXT("workshop", "Enter the missing values of engine and parts.")};
+               : Verdict{Severity::note, Text::tr("Enter the missing values of engine and parts.")};
 }
 
 /// What is said beside an answer; nothing where there is none.
@@ -84,16 +81,16 @@ void visit_balancing(ResultVisitor& visitor, const Input& input, const bob_weigh
     if (!shaft.permissible_whole || tolerance->centre_of_mass || tolerance->front_bearing) {
         return;
     }
-    visitor.object({"balancing", CORE_TEXT("v8-plugs", "Balancing machine")}, [&] {
+    visitor.object({"balancing", Text::tr("Balancing machine")}, [&] {
         visitor.word({"limit"}, "iso-21940-11");
         const bob_weights::RunResult* newest = shaft.newest();
         for (std::size_t i = 0; i < 2; ++i) {
             visitor.object(key::planes[i], [&] {
                 visitor.number(key::permissible, (*shaft.permissible)[i]);
                 if (newest != nullptr && newest->alone[i]) {
-                    visitor.number({"reading_g_mm", CORE_TEXT("v8-plugs", "Reading"), 1},
+                    visitor.number({"reading_g_mm", Text::tr("Reading"), 1},
                                    newest->alone[i]->unbalance);
-                    visitor.flag({"passes", CORE_TEXT("v8-plugs", "Passes")}, newest->within(i));
+                    visitor.flag({"passes", Text::tr("Passes")}, newest->within(i));
                 }
             });
         }
@@ -122,7 +119,7 @@ Verdict verdict(const Input& input, const Result& result) {
 Verdict short_verdict(const Input& input, const Result& result) {
     Verdict verdict = unwarned(input, result);
     if (!warnings(input, result).empty()) {
-        verdict.warn(CORE_TEXT("workshop", "See the warnings."));
+        verdict.warn(Text::tr("See the warnings."));
     }
     return verdict;
 }
@@ -130,24 +127,23 @@ Verdict short_verdict(const Input& input, const Result& result) {
 void visit_results(ResultVisitor& visitor, const Input& input, const Result& result) {
     const Withheld withheld = result.withheld();
     visit_verdict(visitor, [&] { return verdict(input, result); });
-    visitor.list({"doubts", CORE_TEXT("workshop", "Doubts")}, result.doubts.size(),
-                 [&](std::size_t i) {
-                     const DoubtRule& rule = *result.doubts[i].rule;
-                     visitor.word({"kind"}, rule.word);
-                     visitor.word(ravnoves::result_field::severity, severity_word(rule.severity));
-                     visitor.text(ravnoves::result_field::text, result.doubts[i].text);
-                     visitor.texts({"blocks"}, words_of(rule.blocks));
-                 });
+    visitor.list({"doubts", Text::tr("Doubts")}, result.doubts.size(), [&](std::size_t i) {
+        const DoubtRule& rule = *result.doubts[i].rule;
+        visitor.word({"kind"}, rule.word);
+        visitor.word(ravnoves::result_field::severity, severity_word(rule.severity));
+        visitor.text(ravnoves::result_field::text, result.doubts[i].text);
+        visitor.texts({"blocks"}, words_of(rule.blocks));
+    });
     const auto visit_object = [&](const Result& shown) {
         if (shown.plugs) {
-            visitor.object({"plugs", CORE_TEXT("workshop", "Plugs")},
+            visitor.object({"plugs", Text::tr("Plugs")},
                            [&] { visit_plugs(visitor, input, shown); });
         }
     };
     const Result shown = allowed(result);
     visit_job(visitor, input, shown.shaft);
     visit_object(shown);
-    visitor.object_or_null({"doubtful", CORE_TEXT("workshop", "Doubtful")}, withheld.any(), [&] {
+    visitor.object_or_null({"doubtful", Text::tr("Doubtful")}, withheld.any(), [&] {
         visit_verdict(visitor, undoubted(input, result));
         if (withheld.bob_weight) {
             visit_bob_weight(visitor, input, result.shaft);

@@ -1099,927 +1099,683 @@
     </message>
 </context>
 <context>
-    <name>V8</name>
+    <name>Text</name>
     <message>
-        <source>thread</source>
-        <comment>drawing</comment>
-        <translation>резьба</translation>
+        <source>is required and missing</source>
+        <translation>обязательно, но отсутствует</translation>
     </message>
     <message>
-        <source>Take %1 off each of the 8 steel plugs.</source>
-        <translation>Снять с каждой из 8 стальных заглушек %1.</translation>
+        <source>must be at most %1</source>
+        <translation>должно быть не больше %1</translation>
     </message>
     <message>
-        <source>over-compensates by %1 on each crankpin</source>
-        <translation>снимает на каждой шейке на %1 больше нужного</translation>
+        <source>must be a file name</source>
+        <translation>должно быть именем файла</translation>
     </message>
     <message>
-        <source>%1, within the %2 allowed</source>
-        <translation>%1 при допустимых %2</translation>
+        <source>Gots, Klevtsov</source>
+        <translation>Гоц, Клевцов</translation>
     </message>
     <message>
-        <source>%1 against the %2 allowed</source>
-        <translation>%1 вместо допустимых %2</translation>
+        <source>A. N. Gots, V. S. Klevtsov</source>
+        <translation>А. Н. Гоц, В. С. Клевцов</translation>
     </message>
     <message>
-        <source>Crank radius r</source>
-        <translation>Радиус кривошипа r</translation>
+        <source>Selection of the optimal scheme of stabilization of the one-cylinder engine</source>
+        <translation>Выбор рациональной схемы уравновешивания одноцилиндрового двигателя</translation>
     </message>
     <message>
-        <source>Aluminium plugs</source>
-        <translation>Алюминиевые заглушки</translation>
+        <source>Zotov, Sviridov</source>
+        <translation>Зотов, Свиридов</translation>
     </message>
     <message>
-        <source>New crankshaft, aluminium plugs</source>
-        <translation>Новый вал, алюминиевые заглушки</translation>
+        <source>A. N. Zotov, A. S. Sviridov</source>
+        <translation>А. Н. Зотов, А. С. Свиридов</translation>
     </message>
     <message>
-        <source>Plug</source>
-        <translation>Заглушка</translation>
+        <source>Crank-and-rod mechanism with elastic hinges of given characteristics</source>
+        <translation>Кривошипно-шатунный механизм с упругими шарнирами, имеющими заданные характеристики</translation>
     </message>
     <message>
-        <source>Piston</source>
-        <translation>Поршень</translation>
+        <source>Nazarov</source>
+        <translation>Назаров</translation>
     </message>
     <message>
-        <source>Pin</source>
-        <translation>Палец</translation>
+        <source>A. D. Nazarov</source>
+        <translation>А. Д. Назаров</translation>
     </message>
     <message>
-        <source>Rings</source>
-        <translation>Кольца</translation>
+        <source>Compensating the total unbalanced mass of crank-gear parts of V-8 engines in manufacture and repair</source>
+        <translation>Способ компенсации суммарной неуравновешенной массы деталей КШМ двигателей V-8 при их изготовлении и ремонте</translation>
     </message>
     <message>
-        <source>Rod, big end</source>
-        <translation>Шатун, низ</translation>
+        <source>Chainov, Vallejo Maldonado</source>
+        <translation>Чайнов, Вальехо Мальдонадо</translation>
     </message>
     <message>
-        <source>Rod, small end</source>
-        <translation>Шатун, верх</translation>
+        <source>N. D. Chainov, P. R. Vallejo Maldonado</source>
+        <translation>Н. Д. Чайнов, П. Р. Вальехо Мальдонадо</translation>
     </message>
     <message>
-        <source>Shells</source>
-        <translation>Вкладыши</translation>
+        <source>Balancing the moments of a VR5 engine taking into account a desaxial crank mechanism and cylinder camber angle</source>
+        <translation>Уравновешивание моментов двигателя VR5 с учётом дезаксажа и угла развала цилиндров</translation>
     </message>
     <message>
-        <source>Manufacture</source>
-        <translation>Изготовление</translation>
+        <source>%1, &quot;%2&quot;, %3, %4</source>
+        <translation>%1, «%2», %3, %4</translation>
     </message>
     <message>
-        <source>Repair</source>
-        <translation>Ремонт</translation>
+        <source>is nested more than %1 levels deep</source>
+        <translation>вложено глубже %1 уровней</translation>
     </message>
     <message>
-        <source>Standard</source>
-        <translation>Штатный</translation>
+        <source>is empty</source>
+        <translation>пусто</translation>
     </message>
     <message>
-        <source>Made for plugs of the new design</source>
-        <translation>Под новые заглушки</translation>
+        <source>is not valid JSON</source>
+        <translation>это не JSON</translation>
     </message>
     <message>
-        <source>No plug of this crankshaft can be made light enough.</source>
-        <translation>Ни одну заглушку этого вала нельзя облегчить достаточно.</translation>
+        <source>must be at most %1 (a newer program wrote this case; update to open it)</source>
+        <translation>должно быть не больше %1 (задача записана более новой программой; обновите программу)</translation>
     </message>
     <message>
-        <source>Bore %1 deeper with a cutter of %2, to %3 from the face.</source>
-        <translation>Углубить на %1 фрезой %2, до %3 от торца.</translation>
+        <source>must be one of %1 (the nearest is %2)</source>
+        <translation>допустимо одно из: %1 (ближайшее — %2)</translation>
     </message>
     <message>
-        <source>Bore with a cutter of %1 to %2 from the face.</source>
-        <translation>Расточить фрезой %1 на глубину %2 от торца.</translation>
+        <source>must be one of %1</source>
+        <translation>допустимо одно из: %1</translation>
     </message>
     <message>
-        <source>works</source>
-        <translation>годится</translation>
+        <source>must be an object</source>
+        <translation>должно быть объектом</translation>
     </message>
     <message>
-        <source>works: %1</source>
-        <translation>годится: %1</translation>
+        <source>must be a number or %1</source>
+        <translation>должно быть числом или %1</translation>
+    </message>
+    <message>
+        <source>is required and missing (or %1)</source>
+        <translation>обязательно, но отсутствует (или %1)</translation>
+    </message>
+    <message>
+        <source>%1, got %2</source>
+        <translation>%1, получено %2</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>строка %1</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>строка %1, столбец %2</translation>
+    </message>
+    <message>
+        <source>must be a number</source>
+        <translation>должно быть числом</translation>
+    </message>
+    <message>
+        <source>must be a list</source>
+        <translation>должно быть списком</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>должно быть true или false</translation>
+    </message>
+    <message>
+        <source>must be a text</source>
+        <translation>должно быть текстом</translation>
+    </message>
+    <message>
+        <source>is not a known key; the nearest is %1</source>
+        <translation>неизвестный ключ; ближайший — %1</translation>
+    </message>
+    <message>
+        <source>is not a known key</source>
+        <translation>неизвестный ключ</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2</source>
+        <translation>должно быть от %1 до %2</translation>
+    </message>
+    <message>
+        <source>must be greater than %1 and less than %2</source>
+        <translation>должно быть больше %1 и меньше %2</translation>
+    </message>
+    <message>
+        <source>must be greater than %1 and at most %2</source>
+        <translation>должно быть больше %1 и не больше %2</translation>
+    </message>
+    <message>
+        <source>must be at least %1 and less than %2</source>
+        <translation>должно быть не меньше %1 и меньше %2</translation>
+    </message>
+    <message>
+        <source>must be greater than %1</source>
+        <translation>должно быть больше %1</translation>
+    </message>
+    <message>
+        <source>must be at least %1</source>
+        <translation>должно быть не меньше %1</translation>
+    </message>
+    <message>
+        <source>must be less than %1</source>
+        <translation>должно быть меньше %1</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>должно быть конечным числом</translation>
+    </message>
+    <message>
+        <source>must be a whole number from %1 to %2</source>
+        <translation>должно быть целым числом от %1 до %2</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>не удалось записать: %1</translation>
+    </message>
+    <message>
+        <source>must be a file, not a folder</source>
+        <translation>должно быть файлом, а не папкой</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>не читается: %1</translation>
+    </message>
+    <message>
+        <source>must be at most 64 MiB</source>
+        <translation>должно быть не больше 64 МиБ</translation>
+    </message>
+    <message>
+        <source>must not separate columns by commas and use decimal commas at once; separate the columns by semicolons</source>
+        <translation>запятая не может и разделять столбцы, и отделять дробную часть; разделите столбцы точкой с запятой</translation>
+    </message>
+    <message>
+        <source>must be text; this looks like a binary file</source>
+        <translation>должен быть текст, а это похоже на двоичный файл</translation>
+    </message>
+    <message>
+        <source>%1 columns</source>
+        <translation>столбцов: %1</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>м</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>µm</source>
+        <translation>мкм</translation>
     </message>
     <message>
         <source>l</source>
-        <comment>litre</comment>
         <translation>л</translation>
     </message>
     <message>
-        <source>steel</source>
-        <translation>сталь</translation>
+        <source>cm³</source>
+        <translation>см³</translation>
     </message>
     <message>
-        <source>aluminium</source>
-        <translation>алюминий</translation>
+        <source>kg</source>
+        <translation>кг</translation>
     </message>
     <message>
-        <source>%1: must be less than the plug&apos;s mass, %2.</source>
-        <translation>%1: должно быть меньше массы заглушки, %2.</translation>
+        <source>g</source>
+        <translation>г</translation>
     </message>
     <message>
-        <source>This %1: %2.</source>
-        <translation>Это %1: %2.</translation>
+        <source>kg·m</source>
+        <translation>кг·м</translation>
     </message>
     <message>
-        <source>Half the stroke.</source>
-        <translation>Половина хода поршня.</translation>
+        <source>g·mm</source>
+        <translation>г·мм</translation>
     </message>
     <message>
-        <source>From the crank axis to the centre of mass of a plug of the new design.</source>
-        <translation>От оси вала до центра масс заглушки новой конструкции.</translation>
+        <source>kg·m²</source>
+        <translation>кг·м²</translation>
     </message>
     <message>
-        <source>Oil in the sludge trap of one crankpin of a running engine.</source>
-        <translation>Масло в грязесборнике одной шатунной шейки работающего двигателя.</translation>
+        <source>kg/m³</source>
+        <translation>кг/м³</translation>
     </message>
     <message>
-        <source>Nominal mass of piston, pin, rings and the small-end share of the rod, one cylinder.</source>
-        <translation>Номинальная масса поршня, пальца, колец и доли шатуна у пальца, один цилиндр.</translation>
+        <source>N</source>
+        <translation>Н</translation>
     </message>
     <message>
-        <source>Nominal mass of the rod&apos;s big end and its shells, one cylinder.</source>
-        <translation>Номинальная масса нижней головки шатуна с вкладышами, один цилиндр.</translation>
+        <source>kN</source>
+        <translation>кН</translation>
     </message>
     <message>
-        <source>must be null or left out where %1 is null</source>
-        <translation>должно быть null или отсутствовать там, где %1 — null</translation>
+        <source>N·m</source>
+        <translation>Н·м</translation>
     </message>
     <message>
-        <source>must be an engine object or one of %1</source>
-        <translation>должно быть объектом двигателя или одним из %1</translation>
+        <source>N/m</source>
+        <translation>Н/м</translation>
     </message>
     <message>
-        <source>is allowed only where engine is the name of a preset</source>
-        <translation>допустимо, только если engine — имя образца</translation>
+        <source>kN/m</source>
+        <translation>кН/м</translation>
     </message>
     <message>
-        <source>must be &quot;standard&quot; where the engine has no plug of the new design</source>
-        <translation>должно быть &quot;standard&quot;, если у двигателя нет заглушки новой конструкции</translation>
+        <source>J</source>
+        <translation>Дж</translation>
     </message>
     <message>
-        <source>is required and missing: the preset %1 does not give it</source>
-        <translation>обязательно, но отсутствует: в образце %1 его нет</translation>
+        <source>kW</source>
+        <translation>кВт</translation>
     </message>
     <message>
-        <source>must be less than the plug&apos;s mass %1</source>
-        <translation>должно быть меньше массы заглушки %1</translation>
+        <source>Pa</source>
+        <translation>Па</translation>
     </message>
     <message>
-        <source>is required where the bore&apos;s other size is given</source>
-        <translation>обязательно, если задан другой размер полости</translation>
+        <source>kPa</source>
+        <translation>кПа</translation>
     </message>
     <message>
-        <source>must be a possible plug: %1</source>
-        <translation>такой заглушки быть не может: %1</translation>
+        <source>bar</source>
+        <translation>бар</translation>
     </message>
     <message>
-        <source>&amp;Engine</source>
-        <translation>Дви&amp;гатель</translation>
+        <source>MPa</source>
+        <translation>МПа</translation>
     </message>
     <message>
-        <source>Engines of the paper by displacement, then your own.</source>
-        <translation>Двигатели статьи по рабочему объёму, затем свои.</translation>
+        <source>GPa</source>
+        <translation>ГПа</translation>
     </message>
     <message>
-        <source>other</source>
-        <translation>другой</translation>
+        <source>s</source>
+        <translation>с</translation>
     </message>
     <message>
-        <source>&amp;Work</source>
-        <translation>Вид &amp;работы</translation>
+        <source>mm/s</source>
+        <translation>мм/с</translation>
     </message>
     <message>
-        <source>Cran&amp;kshaft</source>
-        <translation>&amp;Коленчатый вал</translation>
+        <source>m/s²</source>
+        <translation>м/с²</translation>
     </message>
     <message>
-        <source>Source of the mass changes</source>
-        <translation>Источник изменений масс</translation>
+        <source>rad</source>
+        <translation>рад</translation>
     </message>
     <message>
-        <source>Permissible residu&amp;al unbalance</source>
-        <translation>Допустимый остаточный дис&amp;баланс</translation>
+        <source>rad/s</source>
+        <translation>рад/с</translation>
     </message>
     <message>
-        <source>C&amp;ylinders of a crankpin</source>
-        <translation>&amp;Цилиндры одной шейки</translation>
+        <source>min⁻¹</source>
+        <translation>мин⁻¹</translation>
     </message>
     <message>
-        <source>&amp;Thread</source>
-        <translation>&amp;Резьба</translation>
+        <source>must be %1 or %2</source>
+        <translation>должно быть %1 или %2</translation>
     </message>
     <message>
-        <source>Metric thread with its pitch, like M22x1.5.</source>
-        <translation>Метрическая резьба с шагом, например M22×1,5.</translation>
+        <source>kN·m</source>
+        <translation>кН·м</translation>
     </message>
     <message>
-        <source>&amp;Height h</source>
-        <translation>&amp;Высота h</translation>
+        <source>is given twice</source>
+        <translation>задано дважды</translation>
     </message>
     <message>
-        <source>&amp;Bore diameter</source>
-        <translation>&amp;Диаметр полости</translation>
+        <source>is not in the list, which has %1 elements</source>
+        <translation>нет в списке, в нём элементов: %1</translation>
     </message>
     <message>
-        <source>Bore de&amp;pth</source>
-        <translation>&amp;Глубина полости</translation>
+        <source>must be a file, not a pipe or a device</source>
+        <translation>должен быть файлом, а не каналом и не устройством</translation>
     </message>
     <message>
-        <source>&amp;Cutter diameter</source>
-        <translation>Диаметр &amp;фрезы</translation>
+        <source>cm²</source>
+        <translation>см²</translation>
     </message>
     <message>
-        <source>&amp;Steel</source>
-        <translation>С&amp;таль</translation>
+        <source>must be a file in the folder of the case, unless --allow-files is given</source>
+        <translation>должно быть файлом в папке задачи, если не задан --allow-files</translation>
     </message>
     <message>
-        <source>Carbon steel 7850 kg/m³.</source>
-        <translation>Углеродистая сталь 7850 кг/м³.</translation>
+        <source>must not be empty</source>
+        <translation>не должно быть пустым</translation>
     </message>
     <message>
-        <source>&amp;Aluminium</source>
-        <translation>&amp;Алюминий</translation>
+        <source>must differ from the names of the other variants</source>
+        <translation>должно отличаться от имён других вариантов</translation>
     </message>
     <message>
-        <source>Wrought alloys 2640 to 2850 kg/m³.</source>
-        <translation>Деформируемые сплавы 2640–2850 кг/м³.</translation>
+        <source>is not a known key (a newer program may have written this case; update to open it)</source>
+        <translation>неизвестный ключ (возможно, задачу записала более новая программа; обновите её, чтобы открыть)</translation>
     </message>
     <message>
-        <source>&amp;Grade G</source>
-        <translation>&amp;Класс G</translation>
+        <source>must be a JSON pointer below the result, such as /optimum/range</source>
+        <translation>должно быть указателем JSON внутри результата, например /optimum/range</translation>
     </message>
     <message>
-        <source>Service s&amp;peed</source>
-        <translation>&amp;Частота вращения</translation>
+        <source>must be a value that the result has</source>
+        <translation>должно быть величиной, которая есть в результате</translation>
     </message>
     <message>
-        <source>&amp;Front plane (pulley)</source>
-        <translation>&amp;Передняя плоскость (шкив)</translation>
+        <source>in</source>
+        <translation>дюйм</translation>
     </message>
     <message>
-        <source>Residual unbalance after correction.</source>
-        <translation>Остаточный дисбаланс после коррекции.</translation>
+        <source>mil</source>
+        <translation>мил</translation>
     </message>
     <message>
-        <source>&amp;Rear plane (flywheel)</source>
-        <translation>&amp;Задняя плоскость (маховик)</translation>
+        <source>ft</source>
+        <translation>фут</translation>
     </message>
     <message>
-        <source>Engine &amp;number</source>
-        <translation>&amp;Номер двигателя</translation>
+        <source>in²</source>
+        <translation>дюйм²</translation>
     </message>
     <message>
-        <source>Crankshaft num&amp;ber</source>
-        <translation>Номер &amp;вала</translation>
+        <source>in³</source>
+        <translation>дюйм³</translation>
     </message>
     <message>
-        <source>C&amp;ustomer</source>
-        <translation>&amp;Заказчик</translation>
+        <source>lb</source>
+        <translation>фунт</translation>
     </message>
     <message>
-        <source>&amp;Date</source>
-        <translation>&amp;Дата</translation>
+        <source>oz</source>
+        <translation>унц</translation>
     </message>
     <message>
-        <source>Year-month-day or day.month.year.</source>
-        <translation>Год-месяц-день или день.месяц.год.</translation>
+        <source>oz·in</source>
+        <translation>унц·дюйм</translation>
     </message>
     <message>
-        <source>&amp;Technician</source>
-        <translation>&amp;Исполнитель</translation>
+        <source>lb·ft²</source>
+        <translation>фунт·фут²</translation>
     </message>
     <message>
-        <source>&amp;Notes</source>
-        <translation>П&amp;римечания</translation>
+        <source>lb·ft</source>
+        <translation>фунт·фут</translation>
     </message>
     <message>
-        <source>must be a metric thread with its pitch, like %1</source>
-        <translation>должно быть метрической резьбой с шагом, например %1</translation>
+        <source>lbf</source>
+        <translation>фунт-сила</translation>
     </message>
     <message>
-        <source>the diameter %1 mm</source>
-        <translation>диаметр %1 мм</translation>
+        <source>lbf/in</source>
+        <translation>фунт-с./дюйм</translation>
     </message>
     <message>
-        <source>the pitch %1 mm and a third of the diameter</source>
-        <translation>шаг %1 мм и трети диаметра</translation>
+        <source>lb/ft³</source>
+        <translation>фунт/фут³</translation>
     </message>
     <message>
-        <source>Take %1 off each of the 8 new steel plugs.</source>
-        <translation>Снять с каждой из 8 новых стальных заглушек %1.</translation>
+        <source>cm</source>
+        <translation>см</translation>
     </message>
     <message>
-        <source>New crankshaft, its own plugs</source>
-        <translation>Новый вал, его заглушки</translation>
+        <source>s⁻¹</source>
+        <translation>с⁻¹</translation>
     </message>
     <message>
-        <source>Nominal mass of the part.</source>
-        <translation>Номинальная масса детали.</translation>
+        <source>g·mm²</source>
+        <translation>г·мм²</translation>
     </message>
     <message>
-        <source>Eight masses, by cylinder.</source>
-        <translation>Восемь масс, по цилиндрам.</translation>
+        <source>g·in</source>
+        <translation>г·дюйм</translation>
     </message>
     <message>
-        <source>Sizes of the plug.</source>
-        <translation>Размеры заглушки.</translation>
+        <source>no value</source>
+        <translation>нет значения</translation>
     </message>
     <message>
-        <source>Limits and readings of the balancing machine.</source>
-        <translation>Нормы и показания балансировочного станка.</translation>
+        <source>No such file or directory</source>
+        <translation>нет такого файла или каталога</translation>
     </message>
     <message>
-        <source>Head of the job card.</source>
-        <translation>Шапка карты.</translation>
+        <source>Permission denied</source>
+        <translation>нет прав доступа</translation>
     </message>
     <message>
-        <source>new: steel</source>
-        <translation>новый: сталь</translation>
+        <source>Operation not permitted</source>
+        <translation>операция не разрешена</translation>
     </message>
     <message>
-        <source>new: its own</source>
-        <translation>новый: свои</translation>
+        <source>No space left on device</source>
+        <translation>на диске нет места</translation>
     </message>
     <message>
-        <source>new: aluminium</source>
-        <translation>новый: алюм.</translation>
+        <source>Disk quota exceeded</source>
+        <translation>исчерпана квота на диске</translation>
     </message>
     <message>
-        <source>Reciprocating mass mⱼ</source>
-        <translation>Поступательная масса mⱼ</translation>
+        <source>Read-only file system</source>
+        <translation>диск доступен только для чтения</translation>
     </message>
     <message>
-        <source>Improved piston Δmₚᵢ</source>
-        <translation>Поршень</translation>
+        <source>Is a directory</source>
+        <translation>это каталог</translation>
     </message>
     <message>
-        <source>Repair piston and rings Δmᵣₚ</source>
-        <translation>Рем. поршень, кольца</translation>
+        <source>Not a directory</source>
+        <translation>это не каталог</translation>
     </message>
     <message>
-        <source>Rotating mass</source>
-        <translation>Вращающаяся масса</translation>
+        <source>File name too long</source>
+        <translation>слишком длинное имя файла</translation>
     </message>
     <message>
-        <source>Rod big end</source>
-        <translation>Головка шатуна</translation>
+        <source>File too large</source>
+        <translation>слишком большой файл</translation>
     </message>
     <message>
-        <source>Repair shells of one crankpin Δmₛₕ</source>
-        <translation>Рем. вкладыши одной шатунной шейки Δmₛₕ</translation>
+        <source>Device or resource busy</source>
+        <translation>устройство занято</translation>
     </message>
     <message>
-        <source>Repair shells Δmₛₕ</source>
-        <translation>Рем. вкладыши</translation>
+        <source>Too many levels of symbolic links</source>
+        <translation>слишком много вложенных ссылок</translation>
     </message>
     <message>
-        <source>Oil mₘ</source>
-        <translation>Масло mₘ</translation>
+        <source>Too many open files</source>
+        <translation>открыто слишком много файлов</translation>
     </message>
     <message>
-        <source>Plug radius rₚ</source>
-        <translation>Радиус заглушки rₚ</translation>
+        <source>Input/output error</source>
+        <translation>ошибка ввода-вывода</translation>
     </message>
     <message>
-        <source>New plug radius rₚₙ</source>
-        <translation>Радиус новой заглушки rₚₙ</translation>
+        <source>Problemy mashinostroeniya i nadezhnosti mashin, no. 5</source>
+        <translation>Проблемы машиностроения и надёжности машин, № 5</translation>
     </message>
     <message>
-        <source>Rod coefficient kᵣ</source>
-        <translation>Коэффициент шатуна kᵣ</translation>
+        <source>Izvestiya vysshikh uchebnykh zavedeniy. Mashinostroenie, no. 5</source>
+        <translation>Известия высших учебных заведений. Машиностроение, № 5</translation>
     </message>
     <message>
-        <source>Oil coefficient kₘ</source>
-        <translation>Коэффициент масла kₘ</translation>
+        <source>pp. %1</source>
+        <translation>с. %1</translation>
     </message>
     <message>
-        <source>1+5, 2+6, 3+7, 4+8</source>
-        <translation>1+5, 2+6, 3+7, 4+8</translation>
+        <source>must be numbers with blanks or semicolons between them</source>
+        <translation>должны быть числа через пробел или точку с запятой</translation>
     </message>
     <message>
-        <source>1+2, 3+4, 5+6, 7+8</source>
-        <translation>1+2, 3+4, 5+6, 7+8</translation>
+        <source>must have the decimal sign of the numbers above: all points or all commas, and nothing between thousands</source>
+        <translation>десятичный знак должен быть тем же, что у чисел выше: везде точка или везде запятая, и ничего между тысячами</translation>
     </message>
     <message>
-        <source>is required where %1 is &quot;weigh-in&quot;</source>
-        <translation>обязательно, если «%1» — &quot;weigh-in&quot;</translation>
+        <source>must be the name of a variant</source>
+        <translation>должно быть именем варианта</translation>
     </message>
     <message>
-        <source>V-8 of %1 litres</source>
-        <translation>V-8, %1 л</translation>
+        <source>takes too long to read</source>
+        <translation>читается слишком долго</translation>
     </message>
     <message>
-        <source>a solid plug</source>
-        <translation>сплошная заглушка</translation>
+        <source>Verdict</source>
+        <translation>Заключение</translation>
     </message>
     <message>
-        <source>no boring is planned</source>
-        <translation>без расточки</translation>
+        <source>Severity</source>
+        <translation>Уровень</translation>
     </message>
     <message>
-        <source>no limit</source>
-        <translation>без предела</translation>
+        <source>Reason</source>
+        <translation>Причина</translation>
     </message>
     <message>
-        <source>Typed</source>
-        <translation>Введено</translation>
+        <source>Note</source>
+        <translation>Примечание</translation>
     </message>
     <message>
-        <source>required</source>
-        <translation>нужно</translation>
+        <source>Notes</source>
+        <translation>Примечания</translation>
     </message>
     <message>
-        <source>The two cylinders that share a crankpin.</source>
-        <translation>Два цилиндра на одной шатунной шейке.</translation>
+        <source>Feasible</source>
+        <translation>Осуществимо</translation>
     </message>
     <message>
-        <source>Balance quality grade of ISO 21940-11, 0.4 to 4000 mm/s. Engines of cars, trucks and locomotives: G 100; inherently balanced crankshafts: better.</source>
-        <translation>Класс точности балансировки по ИСО 21940-11, от 0,4 до 4000 мм/с. Автомобильные и тепловозные двигатели: G 100; уравновешенные валы: точнее.</translation>
+        <source>must have a column with the heading %1</source>
+        <translation>должен быть столбец с заголовком %1</translation>
     </message>
     <message>
-        <source>Maximum speed in service, not the speed of the machine.</source>
-        <translation>Максимальная рабочая частота, а не частота станка.</translation>
+        <source>must have a column of values: columns are numbered from 1</source>
+        <translation>должен быть столбец значений: столбцы нумеруются с 1</translation>
     </message>
     <message>
-        <source>The journal finds the job by this number.</source>
-        <translation>По этому номеру журнал находит работу.</translation>
+        <source>must not contain the character NUL</source>
+        <translation>не должно содержать символ NUL</translation>
     </message>
     <message>
-        <source>Number stamped on the crankshaft.</source>
-        <translation>Номер, выбитый на валу.</translation>
+        <source>must have at most %1 names</source>
+        <translation>должно содержать не более %1 имён</translation>
     </message>
     <message>
-        <source>Engine and crankshaft of the readings, if the job now names others.</source>
-        <translation>Двигатель и вал показаний, если в работе теперь указаны другие.</translation>
+        <source>contains a number that is too large for this program</source>
+        <translation>содержит число, слишком большое для программы</translation>
     </message>
     <message>
-        <source>Engine number of the reading</source>
-        <translation>Номер двигателя при показании</translation>
+        <source>must have at most %1 values</source>
+        <translation>должно содержать не более %1 значений</translation>
     </message>
     <message>
-        <source>Number of the engine during the reading.</source>
-        <translation>Номер двигателя при измерении.</translation>
+        <source>must be left out if %1 is given</source>
+        <translation>не указывается, если задано %1</translation>
     </message>
     <message>
-        <source>Crankshaft number of the reading</source>
-        <translation>Номер вала при показании</translation>
+        <source>is required and missing; found: %1</source>
+        <translation>обязательно, но отсутствует; есть %1</translation>
     </message>
     <message>
-        <source>Number of the crankshaft during the reading.</source>
-        <translation>Номер вала при измерении.</translation>
+        <source>is read-only and was not changed</source>
+        <translation>только для чтения и не изменён</translation>
     </message>
     <message>
-        <source>Owner of the engine; the journal finds the job by this name.</source>
-        <translation>Владелец двигателя; по этому имени журнал находит работу.</translation>
+        <source>is a pipe without a reader</source>
+        <translation>это канал без читателя</translation>
     </message>
     <message>
-        <source>Name of the technician.</source>
-        <translation>Имя исполнителя.</translation>
+        <source>must have two columns, %1 and %2, or the case must name two of them in &quot;columns&quot;</source>
+        <translation>должно быть два столбца, %1 и %2, или задача должна назвать два из них в &quot;columns&quot;</translation>
     </message>
     <message>
-        <source>Notes on the job card.</source>
-        <translation>Примечания на карте.</translation>
+        <source>must have two columns, %1 and %2</source>
+        <translation>должно быть два столбца: %1 и %2</translation>
     </message>
     <message>
-        <source>Masses of the parts by the scale.</source>
-        <translation>Массы деталей по весам.</translation>
+        <source>must have at least %1 columns</source>
+        <translation>должно быть не меньше %1 столбцов</translation>
     </message>
     <message>
-        <source>Permitted range of the masses.</source>
-        <translation>Допустимый размах масс.</translation>
+        <source>must be unambiguous: its comma may divide thousands or be a decimal sign, as no other number of the column has one</source>
+        <translation>должно быть однозначным: запятая может делить тысячи или отделять дробную часть, в других числах столбца её нет</translation>
     </message>
     <message>
-        <source>Piston set in each cylinder, by the cylinder where it was weighed.</source>
-        <translation>Комплект поршня в каждом цилиндре: номер цилиндра, где он взвешен.</translation>
+        <source>Speed %1 is implausible: check it.</source>
+        <translation>Частота %1 неправдоподобна: проверьте её.</translation>
     </message>
     <message>
-        <source>Rod in each cylinder, by the cylinder where it was weighed.</source>
-        <translation>Шатун в каждом цилиндре: номер цилиндра, где он взвешен.</translation>
+        <source>Crank radius %1 is implausible: check it.</source>
+        <translation>Радиус кривошипа %1 неправдоподобен: проверьте его.</translation>
     </message>
     <message>
-        <source>Bob weight of the reading</source>
-        <translation>Груз при показании</translation>
+        <source>Rod length %1 is implausible: check it.</source>
+        <translation>Длина шатуна %1 неправдоподобна: проверьте её.</translation>
     </message>
     <message>
-        <source>Bob weight on each crankpin during the reading; the reading is valid only with it.</source>
-        <translation>Груз на каждой шатунной шейке при измерении; показание верно только с ним.</translation>
+        <source>Crank radius %1 and rod %2 are implausible together: check their units, for example centimetres instead of millimetres.</source>
+        <translation>Радиус кривошипа %1 и шатун %2 вместе неправдоподобны: проверьте единицы, например сантиметры вместо миллиметров.</translation>
     </message>
     <message>
-        <source>Leave the 8 new steel plugs unchanged.</source>
-        <translation>Оставить 8 новых стальных заглушек без изменений.</translation>
+        <source>Mass %1 and crank radius %2 are implausible together: check their units, for example grams instead of kilograms.</source>
+        <translation>Масса %1 и радиус кривошипа %2 вместе неправдоподобны: проверьте единицы, например граммы вместо килограммов.</translation>
     </message>
     <message>
-        <source>Fit the 8 present steel plugs unchanged.</source>
-        <translation>Поставить 8 существующих стальных заглушек без доработки.</translation>
+        <source>must be a known module</source>
+        <translation>модуль неизвестен</translation>
     </message>
     <message>
-        <source>Replace all 8 plugs by aluminium plugs, lightened by %1 each.</source>
-        <translation>Заменить все 8 заглушек алюминиевыми, сняв с каждой %1.</translation>
+        <source>is not a setting of this page; settings: kernel, sweep, value</source>
+        <translation>не настройка этой страницы; настройки: kernel, sweep, value</translation>
     </message>
     <message>
-        <source>Replace all 8 plugs by aluminium plugs, unchanged.</source>
-        <translation>Заменить все 8 заглушек алюминиевыми без доработки.</translation>
+        <source>needs more memory than available</source>
+        <translation>требует больше памяти, чем доступно</translation>
     </message>
     <message>
-        <source>leaves an excess of %1 on each crankpin</source>
-        <translation>оставляет на каждой шейке лишние %1</translation>
+        <source>must be a module of the window; the command line solves this case</source>
+        <translation>должен быть модулем с окном; эту задачу решает командная строка</translation>
     </message>
     <message>
-        <source>Leave the plugs unchanged: the excess of %1 per crankpin is %2.</source>
-        <translation>Заглушки оставить без изменений: лишние %1 на шейку дают %2.</translation>
+        <source>must be two numbers or one: enter %1 or %2</source>
+        <translation>должно быть двумя числами или одним: введите %1 или %2</translation>
     </message>
     <message>
-        <source>The crankshaft is made for plugs of the new design: enter their mass and radius.</source>
-        <translation>Вал изготовлен под новые заглушки: введите их массу и радиус.</translation>
+        <source>bore</source>
+        <translation>диаметр цилиндра</translation>
     </message>
     <message>
-        <source>The parts are %1 per crankpin lighter than nominal (%2). Plugs can only be lightened: use heavier parts or heavier plugs.</source>
-        <translation>Детали легче номинала на %1 на шейку (%2). Заглушки можно только облегчить: нужны более тяжёлые детали или заглушки.</translation>
+        <source>crank radius</source>
+        <translation>радиус кривошипа</translation>
     </message>
     <message>
-        <source>“%1” would be suitable with %2 off each plug, but such a plug cannot be made.</source>
-        <translation>«%1» подошло бы со снятием %2 с каждой заглушки, но такую заглушку не изготовить.</translation>
+        <source>rod length</source>
+        <translation>длина шатуна</translation>
     </message>
     <message>
-        <source>“%1” would be suitable, but such a plug cannot be made.</source>
-        <translation>«%1» подошло бы, но такую заглушку не изготовить.</translation>
+        <source>offset</source>
+        <translation>дезаксаж</translation>
     </message>
     <message>
-        <source>No plug of this crankshaft has the required mass.</source>
-        <translation>Ни одна заглушка этого вала не даёт нужной массы.</translation>
+        <source>speed</source>
+        <translation>частота вращения</translation>
     </message>
     <message>
-        <source>The nearest option is “%1”, which %2: %3.</source>
-        <translation>Ближе всего «%1»: %2, то есть %3.</translation>
+        <source>reciprocating mass</source>
+        <translation>возвратно-поступательная масса</translation>
     </message>
     <message>
-        <source>Also take %1 off each piston.</source>
-        <translation>Вместе с этим снимите по %1 с каждого поршня.</translation>
+        <source>%1, &quot;%2&quot;, %3 or later</source>
+        <translation>%1, «%2», %3 или позже</translation>
     </message>
     <message>
-        <source>A crankshaft for the new plugs would be suitable: “%1”.</source>
-        <translation>Подошёл бы вал под новые заглушки: «%1».</translation>
+        <source>rotating mass</source>
+        <translation>вращающаяся масса</translation>
     </message>
     <message>
-        <source>A standard crankshaft would be suitable: “%1”.</source>
-        <translation>Подошёл бы штатный вал: «%1».</translation>
+        <source>Results use the previous value of the red field.</source>
+        <translation>Результаты — по прежнему значению красного поля.</translation>
     </message>
-    <message>
-        <source>Machine the steel plugs</source>
-        <translation>Облегчить стальные заглушки</translation>
-    </message>
-    <message>
-        <source>New crankshaft, steel plugs</source>
-        <translation>Новый вал, стальные заглушки</translation>
-    </message>
-    <message>
-        <source>From the crank axis to the centre of mass of the present plug.</source>
-        <translation>От оси вала до центра масс существующей заглушки.</translation>
-    </message>
-    <message>
-        <source>Mass of one plug by the scale, before machining.</source>
-        <translation>Масса одной заглушки по показанию весов, до обработки.</translation>
-    </message>
-    <message>
-        <source>Mass of one plug of the new design, for which the counterweights are made.</source>
-        <translation>Масса одной заглушки новой конструкции, под которую сделаны противовесы вала.</translation>
-    </message>
-    <message>
-        <source>Maximum to take off one plug, by the strength of its walls.</source>
-        <translation>Максимум, который можно снять с одной заглушки по прочности стенок.</translation>
-    </message>
-    <message>
-        <source>Masses of the parts</source>
-        <translation>Массы деталей</translation>
-    </message>
-    <message>
-        <source>Values that replace or complete the preset.</source>
-        <translation>Значения, которые заменяют или дополняют образец.</translation>
-    </message>
-    <message>
-        <source>In manufacture, repair pistons and repair shells are not used.</source>
-        <translation>При изготовлении ремонтные поршни и вкладыши не учитываются.</translation>
-    </message>
-    <message>
-        <source>Plugs for which the counterweights of the crankshaft were made.</source>
-        <translation>Заглушки, под которые сделаны противовесы вала.</translation>
-    </message>
-    <message>
-        <source>Mass of the parts minus nominal; negative if lighter.</source>
-        <translation>Масса деталей минус номинал; отрицательна, если легче.</translation>
-    </message>
-    <message>
-        <source>Source of the changes: weighed masses, or the changes typed on the sheet.</source>
-        <translation>Источник изменений: взвешенные массы или изменения, введённые на листе.</translation>
-    </message>
-    <message>
-        <source>Limit in each correction plane. Nazarov&apos;s experiments left 5 g·mm; a repair manual may allow much more (2 oz·in is 1440 g·mm).</source>
-        <translation>Предел в каждой плоскости коррекции. В опытах Назарова оставалось 5 г·мм; руководство по ремонту может допускать намного больше (2 унции·дюйма — 1440 г·мм).</translation>
-    </message>
-    <message>
-        <source>Height of the whole plug.</source>
-        <translation>Высота всей заглушки.</translation>
-    </message>
-    <message>
-        <source>Diameter of the present bore.</source>
-        <translation>Диаметр имеющейся полости.</translation>
-    </message>
-    <message>
-        <source>Depth from the outer face.</source>
-        <translation>Глубина от наружного торца.</translation>
-    </message>
-    <message>
-        <source>Minimum &amp;wall</source>
-        <translation>Мин. &amp;стенка</translation>
-    </message>
-    <message>
-        <source>Minimum between the bore and the root of the thread.</source>
-        <translation>Минимум между полостью и впадиной резьбы.</translation>
-    </message>
-    <message>
-        <source>Minimum b&amp;ottom</source>
-        <translation>Мин. д&amp;но</translation>
-    </message>
-    <message>
-        <source>Minimum between the bore and the inner face.</source>
-        <translation>Минимум между полостью и внутренним торцом.</translation>
-    </message>
-    <message>
-        <source>Bob weight of the reading, front</source>
-        <translation>Груз при показании, спереди</translation>
-    </message>
-    <message>
-        <source>Bob weight of the reading, rear</source>
-        <translation>Груз при показании, сзади</translation>
-    </message>
-    <message>
-        <source>Δmₚᵢ: one piston minus nominal.</source>
-        <translation>Один поршень минус номинал.</translation>
-    </message>
-    <message>
-        <source>One big end minus nominal.</source>
-        <translation>Одна нижняя головка минус номинал.</translation>
-    </message>
-    <message>
-        <source>Δmᵣₚ: one repair piston with rings minus nominal.</source>
-        <translation>Один ремонтный поршень с кольцами минус номинал.</translation>
-    </message>
-    <message>
-        <source>Δmₛₕ: repair shells of one crankpin minus nominal.</source>
-        <translation>Ремонтные вкладыши одной шейки минус номинал.</translation>
-    </message>
-    <message>
-        <source>%1: the weighed masses replace the typed %2.</source>
-        <translation>%1: взвешенные массы заменяют введённое %2.</translation>
-    </message>
-    <message>
-        <source>%1: the typed %2 is not used in manufacture.</source>
-        <translation>%1: введённое %2 при изготовлении не учитывается.</translation>
-    </message>
-    <message>
-        <source>%1: the typed %2 is used with the weighed masses.</source>
-        <translation>%1: введённое %2 учитывается вместе со взвешенным.</translation>
-    </message>
-    <message>
-        <source>%1: the typed %2 is not used. Weighed masses are selected, but no column is complete.</source>
-        <translation>%1: введённое %2 не используется. Выбраны взвешенные массы, но ни один столбец не полон.</translation>
-    </message>
-    <message>
-        <source>Weighed masses are not used: the typed changes are selected.</source>
-        <translation>Взвешенные массы не используются: выбраны введённые изменения.</translation>
-    </message>
-    <message>
-        <source>%1: weighed masses need a nominal mass.</source>
-        <translation>%1: взвешенным массам нужен номинал.</translation>
-    </message>
-    <message>
-        <source>%1: %2 of 8 weighed; the typed change is used until all are weighed.</source>
-        <translation>%1: взвешено %2 из 8; пока не все, используется введённое изменение.</translation>
-    </message>
-    <message>
-        <source>%1: %2 of 8 weighed; nominal is used until all are weighed.</source>
-        <translation>%1: взвешено %2 из 8; пока не все, используется номинал.</translation>
-    </message>
-    <message>
-        <source>The bore is as deep as the plug: no bottom remains.</source>
-        <translation>Полость глубиной с заглушку: дна не остаётся.</translation>
-    </message>
-    <message>
-        <source>The bore is wider than the root of the thread, %1: no wall remains.</source>
-        <translation>Полость шире впадины резьбы, %1: стенки не остаётся.</translation>
-    </message>
-    <message>
-        <source>A cutter of %1 leaves a wall of %2 under the thread; the minimum is %3.</source>
-        <translation>Фреза %1 оставляет под резьбой стенку %2; минимум %3.</translation>
-    </message>
-    <message>
-        <source>A cutter of %1 needs a depth of %2; the bottom must be at least %3.</source>
-        <translation>Фрезе %1 нужна глубина %2; дно должно быть не тоньше %3.</translation>
-    </message>
-    <message>
-        <source>The method neglects the shift of the plug&apos;s centre of mass: the residual is %1, permissible %2.</source>
-        <translation>Метод пренебрегает смещением центра масс заглушки: остаток %1, допустимо %2.</translation>
-    </message>
-    <message>
-        <source>The method neglects the shift of the plug&apos;s centre of mass, %3 to %4 in the paper: the residual is up to %1, permissible %2.</source>
-        <translation>Метод пренебрегает смещением центра масс заглушки, в статье %3–%4: остаток до %1, допустимо %2.</translation>
-    </message>
-    <message>
-        <source>Enter the plug&apos;s sizes and the cutter, or take off %1 to %2 each.</source>
-        <translation>Введите размеры заглушки и фрезу или снимите от %1 до %2 с каждой заглушки.</translation>
-    </message>
-    <message>
-        <source>Take off %1 each.</source>
-        <translation>Снимите по %1 с каждой заглушки.</translation>
-    </message>
-    <message>
-        <source>Bore to %1 from the face, %2 off each plug.</source>
-        <translation>Расточите на %1 от торца, по %2 с каждой заглушки.</translation>
-    </message>
-    <message>
-        <source>changes of mass (sheet 2) or masses of the parts (sheet 3)</source>
-        <translation>изменения масс (лист 2) или массы деталей (лист 3)</translation>
-    </message>
-    <message>
-        <source>Enter both diameter and depth of the bore.</source>
-        <translation>Введите и диаметр, и глубину полости.</translation>
-    </message>
-    <message>
-        <source>The method neglects the shift of the plug&apos;s centre of mass by boring, %4 to %5. Effect: %1 to %2; permissible: %3.</source>
-        <translation>Метод пренебрегает смещением центра масс заглушки при расточке, от %4 до %5. Влияние: %1–%2; допустимо: %3.</translation>
-    </message>
-    <message>
-        <source>With the planned bore it moves by %1: %2.</source>
-        <translation>При этой расточке он смещается на %1: %2.</translation>
-    </message>
-    <message>
-        <source>With the plugs removed. With the plugs fitted use %1.</source>
-        <translation>Без заглушек. С заглушками навесьте %1.</translation>
-    </message>
-    <message>
-        <source>Big end × 2: the small ends are weighed, kᵣ is not used.</source>
-        <translation>Головка × 2: верхние головки взвешены, kᵣ не учитывается.</translation>
-    </message>
-    <message>
-        <source>Big end × %1: 2 for two rods, kᵣ = %2 by the method; effect here: %3.</source>
-        <translation>Головка × %1: 2 за два шатуна, kᵣ = %2 по методу; влияние здесь: %3.</translation>
-    </message>
-    <message>
-        <source>Would match nominal, but cannot be made.</source>
-        <translation>Совпало бы с номиналом, но изготовить нельзя.</translation>
-    </message>
-    <message>
-        <source>(!) Matches nominal by the method only.</source>
-        <translation>(!) Совпадает с номиналом только по методу.</translation>
-    </message>
-    <message>
-        <source>Matches nominal: balanced.</source>
-        <translation>Совпадает с номиналом: уравновешено.</translation>
-    </message>
-    <message>
-        <source>Difference from nominal: %1 (%2).</source>
-        <translation>Отличие от номинала: %1 (%2).</translation>
-    </message>
-    <message>
-        <source>Weighed to %1, the bob weight is accurate to ±%2 and the unbalance of a crankpin to ±%3 (95 %).</source>
-        <translation>При взвешивании до %1 масса балансировочного груза известна до ±%2, а дисбаланс шейки — до ±%3 (95&#xa0;%).</translation>
-    </message>
-    <message>
-        <source>This is enough for the tolerance of %1.</source>
-        <translation>Для допуска %1 этого достаточно.</translation>
-    </message>
-    <message>
-        <source>This is too coarse for the tolerance of %1: use a scale with a last digit of %2.</source>
-        <translation>Для допуска %1 это слишком грубо: возьмите весы с дискретностью %2.</translation>
-    </message>
-    <message>
-        <source>The values are inconsistent.</source>
-        <translation>Значения не согласуются.</translation>
-    </message>
-    <message>
-        <source>Missing for the plugs: %1.</source>
-        <translation>Для заглушек не хватает: %1.</translation>
-    </message>
-    <message>
-        <source>One improved piston Δmₚᵢ</source>
-        <translation>Один улучшенный поршень</translation>
-    </message>
-    <message>
-        <source>Big end of one rod</source>
-        <translation>Нижняя головка одного шатуна</translation>
-    </message>
-    <message>
-        <source>One repair piston with rings Δmᵣₚ</source>
-        <translation>Один рем. поршень с кольцами</translation>
-    </message>
-    <message>
-        <source>One steel plug mₚ</source>
-        <translation>Одна стальная заглушка mₚ</translation>
-    </message>
-    <message>
-        <source>One aluminium plug mₐ</source>
-        <translation>Одна алюминиевая заглушка mₐ</translation>
-    </message>
-    <message>
-        <source>One new steel plug mₚₙ</source>
-        <translation>Одна новая стальная mₚₙ</translation>
-    </message>
-    <message>
-        <source>One new aluminium plug mₐₙ</source>
-        <translation>Одна новая алюминиевая mₐₙ</translation>
-    </message>
-    <message>
-        <source>Max. off one steel plug Δmₚₘ</source>
-        <translation>Предел съёма с одной стальной Δmₚₘ</translation>
-    </message>
-    <message>
-        <source>Max. off one aluminium plug Δmₐₘ</source>
-        <translation>Предел с одной алюминиевой Δmₐₘ</translation>
-    </message>
-    <message>
-        <source>Oil of one crankpin mₘ</source>
-        <translation>Масло одной шейки mₘ</translation>
-    </message>
-    <message>
-        <source>Reciprocating, one cylinder mⱼ</source>
-        <translation>Поступательная, 1 цилиндр mⱼ</translation>
-    </message>
-    <message>
-        <source>Rotating, one cylinder</source>
-        <translation>Вращающаяся, 1 цилиндр</translation>
-    </message>
-    <message>
-        <source>&amp;Mass with bob weights</source>
-        <translation>&amp;Масса с грузами</translation>
-    </message>
-    <message>
-        <source>Mass of crankshaft and bob weights on the machine.</source>
-        <translation>Масса вала с грузами на станке.</translation>
-    </message>
-    <message>
-        <source>A heavier big end has the factor (2 + k), unless the small ends are weighed.</source>
-        <translation>Лишняя масса нижней головки учитывается с множителем (2 + k), если верхние головки не взвешены.</translation>
-    </message>
-    <message>
-        <source>&amp;Share of the first plane</source>
-        <translation>&amp;Доля первой плоскости</translation>
-    </message>
-    <message>
-        <source>Factor of the oil mass in the bob weight; 1 if its centre is on the crankpin&apos;s axis.</source>
-        <translation>Множитель массы масла в балансировочном грузе; 1, если её центр на оси шейки.</translation>
-    </message>
-</context>
-<context>
-    <name>Workshop</name>
-    <message>
-        <source>another bob weight</source>
-        <translation>другой груз</translation>
-    </message>
-    <message>
-        <source>another crankshaft</source>
-        <translation>другой вал</translation>
-    </message>
-    <message>
-        <source>%1 of cylinder %2</source>
-        <translation>%1 цилиндра %2</translation>
-    </message>
-    <message>
-        <source>rod of cylinder %1</source>
-        <translation>шатун цилиндра %1</translation>
-    </message>
-    <message>
-        <source>Weigh again first: %1.</source>
-        <translation>Сначала взвесьте снова: %1.</translation>
-    </message>
-    <message>
-        <source>PASS</source>
-        <translation>ГОДЕН</translation>
-    </message>
-    <message>
-        <source>FAIL</source>
-        <translation>НЕ ГОДЕН</translation>
-    </message>
-    <message>
-        <source>FAIL → drill, then PASS</source>
-        <translation>НЕ ГОДЕН → сверлить → ГОДЕН</translation>
-    </message>
-    <message>
-        <source>FAIL → drill, still FAIL</source>
-        <translation>НЕ ГОДЕН → сверлить → НЕ ГОДЕН</translation>
-    </message>
-    <message>
-        <source>STOP</source>
-        <translation>СТОП</translation>
-    </message>
-    <message>
-        <source>PASS, but see the warnings</source>
-        <translation>ГОДЕН, но есть предупреждения</translation>
-    </message>
-    <message>
-        <source>FAIL: no hole is possible</source>
-        <translation>НЕ ГОДЕН: сверлить негде</translation>
-    </message>
-</context>
-<context>
-    <name>balance-shaft</name>
     <message>
         <source>none of them</source>
         <translation>ни одного</translation>
@@ -2274,7 +2030,7 @@
     </message>
     <message>
         <source>crank angle</source>
-        <translation>угол поворота</translation>
+        <translation>угол кривошипа</translation>
     </message>
     <message>
         <source>must not repeat the angle of the row before, %1</source>
@@ -2359,10 +2115,6 @@
     <message>
         <source>width of the rod</source>
         <translation>ширина шатуна</translation>
-    </message>
-    <message>
-        <source>bore</source>
-        <translation>диаметр цилиндра</translation>
     </message>
     <message>
         <source>wall of the cylinder</source>
@@ -2558,7 +2310,7 @@
     </message>
     <message>
         <source>Reciprocating mass</source>
-        <translation>Возвратно-поступательная масса</translation>
+        <translation>Поступательная масса</translation>
     </message>
     <message>
         <source>piston, pin, rings and the small-end share of the rod</source>
@@ -3183,10 +2935,6 @@
     <message>
         <source>remaining mass</source>
         <translation>оставшаяся масса</translation>
-    </message>
-    <message>
-        <source>speed</source>
-        <translation>частота вращения</translation>
     </message>
     <message>
         <source>range without shaft</source>
@@ -4164,9 +3912,6 @@
         <source>Pressure trace: %1 between rows near the peak; peak and work are uncertain, and the dead centre requires steps of 4°.</source>
         <translation>Индикаторная диаграмма: %1 между строками у пика; пик и работа неточны, для поиска мёртвой точки нужен шаг 4°.</translation>
     </message>
-</context>
-<context>
-    <name>bob-weights</name>
     <message>
         <source>All rings of one piston.</source>
         <translation>Все кольца одного поршня.</translation>
@@ -4518,10 +4263,6 @@
     <message>
         <source>Unbalance that a slug adds</source>
         <translation>Дисбаланс, который прибавляет вставка</translation>
-    </message>
-    <message>
-        <source>Reciprocating mass</source>
-        <translation>Поступательная масса</translation>
     </message>
     <message>
         <source>Rotating mass</source>
@@ -5231,688 +4972,6 @@
         <source>No hole is possible.</source>
         <translation>Сверлить негде.</translation>
     </message>
-</context>
-<context>
-    <name>core</name>
-    <message>
-        <source>is required and missing</source>
-        <translation>обязательно, но отсутствует</translation>
-    </message>
-    <message>
-        <source>must be at most %1</source>
-        <translation>должно быть не больше %1</translation>
-    </message>
-    <message>
-        <source>must be a file name</source>
-        <translation>должно быть именем файла</translation>
-    </message>
-    <message>
-        <source>Gots, Klevtsov</source>
-        <translation>Гоц, Клевцов</translation>
-    </message>
-    <message>
-        <source>A. N. Gots, V. S. Klevtsov</source>
-        <translation>А. Н. Гоц, В. С. Клевцов</translation>
-    </message>
-    <message>
-        <source>Selection of the optimal scheme of stabilization of the one-cylinder engine</source>
-        <translation>Выбор рациональной схемы уравновешивания одноцилиндрового двигателя</translation>
-    </message>
-    <message>
-        <source>Zotov, Sviridov</source>
-        <translation>Зотов, Свиридов</translation>
-    </message>
-    <message>
-        <source>A. N. Zotov, A. S. Sviridov</source>
-        <translation>А. Н. Зотов, А. С. Свиридов</translation>
-    </message>
-    <message>
-        <source>Crank-and-rod mechanism with elastic hinges of given characteristics</source>
-        <translation>Кривошипно-шатунный механизм с упругими шарнирами, имеющими заданные характеристики</translation>
-    </message>
-    <message>
-        <source>Nazarov</source>
-        <translation>Назаров</translation>
-    </message>
-    <message>
-        <source>A. D. Nazarov</source>
-        <translation>А. Д. Назаров</translation>
-    </message>
-    <message>
-        <source>Compensating the total unbalanced mass of crank-gear parts of V-8 engines in manufacture and repair</source>
-        <translation>Способ компенсации суммарной неуравновешенной массы деталей КШМ двигателей V-8 при их изготовлении и ремонте</translation>
-    </message>
-    <message>
-        <source>Chainov, Vallejo Maldonado</source>
-        <translation>Чайнов, Вальехо Мальдонадо</translation>
-    </message>
-    <message>
-        <source>N. D. Chainov, P. R. Vallejo Maldonado</source>
-        <translation>Н. Д. Чайнов, П. Р. Вальехо Мальдонадо</translation>
-    </message>
-    <message>
-        <source>Balancing the moments of a VR5 engine taking into account a desaxial crank mechanism and cylinder camber angle</source>
-        <translation>Уравновешивание моментов двигателя VR5 с учётом дезаксажа и угла развала цилиндров</translation>
-    </message>
-    <message>
-        <source>%1, &quot;%2&quot;, %3, %4</source>
-        <translation>%1, «%2», %3, %4</translation>
-    </message>
-    <message>
-        <source>is nested more than %1 levels deep</source>
-        <translation>вложено глубже %1 уровней</translation>
-    </message>
-    <message>
-        <source>is empty</source>
-        <translation>пусто</translation>
-    </message>
-    <message>
-        <source>is not valid JSON</source>
-        <translation>это не JSON</translation>
-    </message>
-    <message>
-        <source>must be at most %1 (a newer program wrote this case; update to open it)</source>
-        <translation>должно быть не больше %1 (задача записана более новой программой; обновите программу)</translation>
-    </message>
-    <message>
-        <source>must be one of %1 (the nearest is %2)</source>
-        <translation>допустимо одно из: %1 (ближайшее — %2)</translation>
-    </message>
-    <message>
-        <source>must be one of %1</source>
-        <translation>допустимо одно из: %1</translation>
-    </message>
-    <message>
-        <source>must be an object</source>
-        <translation>должно быть объектом</translation>
-    </message>
-    <message>
-        <source>must be a number or %1</source>
-        <translation>должно быть числом или %1</translation>
-    </message>
-    <message>
-        <source>is required and missing (or %1)</source>
-        <translation>обязательно, но отсутствует (или %1)</translation>
-    </message>
-    <message>
-        <source>%1, got %2</source>
-        <translation>%1, получено %2</translation>
-    </message>
-    <message>
-        <source>line %1</source>
-        <translation>строка %1</translation>
-    </message>
-    <message>
-        <source>line %1, column %2</source>
-        <translation>строка %1, столбец %2</translation>
-    </message>
-    <message>
-        <source>must be a number</source>
-        <translation>должно быть числом</translation>
-    </message>
-    <message>
-        <source>must be a list</source>
-        <translation>должно быть списком</translation>
-    </message>
-    <message>
-        <source>must be true or false</source>
-        <translation>должно быть true или false</translation>
-    </message>
-    <message>
-        <source>must be a text</source>
-        <translation>должно быть текстом</translation>
-    </message>
-    <message>
-        <source>is not a known key; the nearest is %1</source>
-        <translation>неизвестный ключ; ближайший — %1</translation>
-    </message>
-    <message>
-        <source>is not a known key</source>
-        <translation>неизвестный ключ</translation>
-    </message>
-    <message>
-        <source>must be from %1 to %2</source>
-        <translation>должно быть от %1 до %2</translation>
-    </message>
-    <message>
-        <source>must be greater than %1 and less than %2</source>
-        <translation>должно быть больше %1 и меньше %2</translation>
-    </message>
-    <message>
-        <source>must be greater than %1 and at most %2</source>
-        <translation>должно быть больше %1 и не больше %2</translation>
-    </message>
-    <message>
-        <source>must be at least %1 and less than %2</source>
-        <translation>должно быть не меньше %1 и меньше %2</translation>
-    </message>
-    <message>
-        <source>must be greater than %1</source>
-        <translation>должно быть больше %1</translation>
-    </message>
-    <message>
-        <source>must be at least %1</source>
-        <translation>должно быть не меньше %1</translation>
-    </message>
-    <message>
-        <source>must be less than %1</source>
-        <translation>должно быть меньше %1</translation>
-    </message>
-    <message>
-        <source>must be a finite number</source>
-        <translation>должно быть конечным числом</translation>
-    </message>
-    <message>
-        <source>must be a whole number from %1 to %2</source>
-        <translation>должно быть целым числом от %1 до %2</translation>
-    </message>
-    <message>
-        <source>cannot be written: %1</source>
-        <translation>не удалось записать: %1</translation>
-    </message>
-    <message>
-        <source>must be a file, not a folder</source>
-        <translation>должно быть файлом, а не папкой</translation>
-    </message>
-    <message>
-        <source>cannot be read: %1</source>
-        <translation>не читается: %1</translation>
-    </message>
-    <message>
-        <source>must be at most 64 MiB</source>
-        <translation>должно быть не больше 64 МиБ</translation>
-    </message>
-    <message>
-        <source>must not separate columns by commas and use decimal commas at once; separate the columns by semicolons</source>
-        <translation>запятая не может и разделять столбцы, и отделять дробную часть; разделите столбцы точкой с запятой</translation>
-    </message>
-    <message>
-        <source>must be text; this looks like a binary file</source>
-        <translation>должен быть текст, а это похоже на двоичный файл</translation>
-    </message>
-    <message>
-        <source>%1 columns</source>
-        <translation>столбцов: %1</translation>
-    </message>
-    <message>
-        <source>m</source>
-        <translation>м</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>мм</translation>
-    </message>
-    <message>
-        <source>µm</source>
-        <translation>мкм</translation>
-    </message>
-    <message>
-        <source>l</source>
-        <translation>л</translation>
-    </message>
-    <message>
-        <source>cm³</source>
-        <translation>см³</translation>
-    </message>
-    <message>
-        <source>kg</source>
-        <translation>кг</translation>
-    </message>
-    <message>
-        <source>g</source>
-        <translation>г</translation>
-    </message>
-    <message>
-        <source>kg·m</source>
-        <translation>кг·м</translation>
-    </message>
-    <message>
-        <source>g·mm</source>
-        <translation>г·мм</translation>
-    </message>
-    <message>
-        <source>kg·m²</source>
-        <translation>кг·м²</translation>
-    </message>
-    <message>
-        <source>kg/m³</source>
-        <translation>кг/м³</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>Н</translation>
-    </message>
-    <message>
-        <source>kN</source>
-        <translation>кН</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
-    </message>
-    <message>
-        <source>N/m</source>
-        <translation>Н/м</translation>
-    </message>
-    <message>
-        <source>kN/m</source>
-        <translation>кН/м</translation>
-    </message>
-    <message>
-        <source>J</source>
-        <translation>Дж</translation>
-    </message>
-    <message>
-        <source>kW</source>
-        <translation>кВт</translation>
-    </message>
-    <message>
-        <source>Pa</source>
-        <translation>Па</translation>
-    </message>
-    <message>
-        <source>kPa</source>
-        <translation>кПа</translation>
-    </message>
-    <message>
-        <source>bar</source>
-        <translation>бар</translation>
-    </message>
-    <message>
-        <source>MPa</source>
-        <translation>МПа</translation>
-    </message>
-    <message>
-        <source>GPa</source>
-        <translation>ГПа</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>с</translation>
-    </message>
-    <message>
-        <source>mm/s</source>
-        <translation>мм/с</translation>
-    </message>
-    <message>
-        <source>m/s²</source>
-        <translation>м/с²</translation>
-    </message>
-    <message>
-        <source>rad</source>
-        <translation>рад</translation>
-    </message>
-    <message>
-        <source>rad/s</source>
-        <translation>рад/с</translation>
-    </message>
-    <message>
-        <source>min⁻¹</source>
-        <translation>мин⁻¹</translation>
-    </message>
-    <message>
-        <source>must be %1 or %2</source>
-        <translation>должно быть %1 или %2</translation>
-    </message>
-    <message>
-        <source>kN·m</source>
-        <translation>кН·м</translation>
-    </message>
-    <message>
-        <source>is given twice</source>
-        <translation>задано дважды</translation>
-    </message>
-    <message>
-        <source>is not in the list, which has %1 elements</source>
-        <translation>нет в списке, в нём элементов: %1</translation>
-    </message>
-    <message>
-        <source>must be a file, not a pipe or a device</source>
-        <translation>должен быть файлом, а не каналом и не устройством</translation>
-    </message>
-    <message>
-        <source>cm²</source>
-        <translation>см²</translation>
-    </message>
-    <message>
-        <source>must be a file in the folder of the case, unless --allow-files is given</source>
-        <translation>должно быть файлом в папке задачи, если не задан --allow-files</translation>
-    </message>
-    <message>
-        <source>must not be empty</source>
-        <translation>не должно быть пустым</translation>
-    </message>
-    <message>
-        <source>must differ from the names of the other variants</source>
-        <translation>должно отличаться от имён других вариантов</translation>
-    </message>
-    <message>
-        <source>is not a known key (a newer program may have written this case; update to open it)</source>
-        <translation>неизвестный ключ (возможно, задачу записала более новая программа; обновите её, чтобы открыть)</translation>
-    </message>
-    <message>
-        <source>must be a JSON pointer below the result, such as /optimum/range</source>
-        <translation>должно быть указателем JSON внутри результата, например /optimum/range</translation>
-    </message>
-    <message>
-        <source>must be a value that the result has</source>
-        <translation>должно быть величиной, которая есть в результате</translation>
-    </message>
-    <message>
-        <source>in</source>
-        <translation>дюйм</translation>
-    </message>
-    <message>
-        <source>mil</source>
-        <translation>мил</translation>
-    </message>
-    <message>
-        <source>ft</source>
-        <translation>фут</translation>
-    </message>
-    <message>
-        <source>in²</source>
-        <translation>дюйм²</translation>
-    </message>
-    <message>
-        <source>in³</source>
-        <translation>дюйм³</translation>
-    </message>
-    <message>
-        <source>lb</source>
-        <translation>фунт</translation>
-    </message>
-    <message>
-        <source>oz</source>
-        <translation>унц</translation>
-    </message>
-    <message>
-        <source>oz·in</source>
-        <translation>унц·дюйм</translation>
-    </message>
-    <message>
-        <source>lb·ft²</source>
-        <translation>фунт·фут²</translation>
-    </message>
-    <message>
-        <source>lb·ft</source>
-        <translation>фунт·фут</translation>
-    </message>
-    <message>
-        <source>lbf</source>
-        <translation>фунт-сила</translation>
-    </message>
-    <message>
-        <source>lbf/in</source>
-        <translation>фунт-с./дюйм</translation>
-    </message>
-    <message>
-        <source>lb/ft³</source>
-        <translation>фунт/фут³</translation>
-    </message>
-    <message>
-        <source>cm</source>
-        <translation>см</translation>
-    </message>
-    <message>
-        <source>s⁻¹</source>
-        <translation>с⁻¹</translation>
-    </message>
-    <message>
-        <source>g·mm²</source>
-        <translation>г·мм²</translation>
-    </message>
-    <message>
-        <source>g·in</source>
-        <translation>г·дюйм</translation>
-    </message>
-    <message>
-        <source>no value</source>
-        <translation>нет значения</translation>
-    </message>
-    <message>
-        <source>No such file or directory</source>
-        <translation>нет такого файла или каталога</translation>
-    </message>
-    <message>
-        <source>Permission denied</source>
-        <translation>нет прав доступа</translation>
-    </message>
-    <message>
-        <source>Operation not permitted</source>
-        <translation>операция не разрешена</translation>
-    </message>
-    <message>
-        <source>No space left on device</source>
-        <translation>на диске нет места</translation>
-    </message>
-    <message>
-        <source>Disk quota exceeded</source>
-        <translation>исчерпана квота на диске</translation>
-    </message>
-    <message>
-        <source>Read-only file system</source>
-        <translation>диск доступен только для чтения</translation>
-    </message>
-    <message>
-        <source>Is a directory</source>
-        <translation>это каталог</translation>
-    </message>
-    <message>
-        <source>Not a directory</source>
-        <translation>это не каталог</translation>
-    </message>
-    <message>
-        <source>File name too long</source>
-        <translation>слишком длинное имя файла</translation>
-    </message>
-    <message>
-        <source>File too large</source>
-        <translation>слишком большой файл</translation>
-    </message>
-    <message>
-        <source>Device or resource busy</source>
-        <translation>устройство занято</translation>
-    </message>
-    <message>
-        <source>Too many levels of symbolic links</source>
-        <translation>слишком много вложенных ссылок</translation>
-    </message>
-    <message>
-        <source>Too many open files</source>
-        <translation>открыто слишком много файлов</translation>
-    </message>
-    <message>
-        <source>Input/output error</source>
-        <translation>ошибка ввода-вывода</translation>
-    </message>
-    <message>
-        <source>Problemy mashinostroeniya i nadezhnosti mashin, no. 5</source>
-        <translation>Проблемы машиностроения и надёжности машин, № 5</translation>
-    </message>
-    <message>
-        <source>Izvestiya vysshikh uchebnykh zavedeniy. Mashinostroenie, no. 5</source>
-        <translation>Известия высших учебных заведений. Машиностроение, № 5</translation>
-    </message>
-    <message>
-        <source>pp. %1</source>
-        <translation>с. %1</translation>
-    </message>
-    <message>
-        <source>must be numbers with blanks or semicolons between them</source>
-        <translation>должны быть числа через пробел или точку с запятой</translation>
-    </message>
-    <message>
-        <source>must have the decimal sign of the numbers above: all points or all commas, and nothing between thousands</source>
-        <translation>десятичный знак должен быть тем же, что у чисел выше: везде точка или везде запятая, и ничего между тысячами</translation>
-    </message>
-    <message>
-        <source>must be the name of a variant</source>
-        <translation>должно быть именем варианта</translation>
-    </message>
-    <message>
-        <source>takes too long to read</source>
-        <translation>читается слишком долго</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>Заключение</translation>
-    </message>
-    <message>
-        <source>Severity</source>
-        <translation>Уровень</translation>
-    </message>
-    <message>
-        <source>Reason</source>
-        <translation>Причина</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>Примечание</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>Примечания</translation>
-    </message>
-    <message>
-        <source>Feasible</source>
-        <translation>Осуществимо</translation>
-    </message>
-    <message>
-        <source>must have a column with the heading %1</source>
-        <translation>должен быть столбец с заголовком %1</translation>
-    </message>
-    <message>
-        <source>must have a column of values: columns are numbered from 1</source>
-        <translation>должен быть столбец значений: столбцы нумеруются с 1</translation>
-    </message>
-    <message>
-        <source>must not contain the character NUL</source>
-        <translation>не должно содержать символ NUL</translation>
-    </message>
-    <message>
-        <source>must have at most %1 names</source>
-        <translation>должно содержать не более %1 имён</translation>
-    </message>
-    <message>
-        <source>contains a number that is too large for this program</source>
-        <translation>содержит число, слишком большое для программы</translation>
-    </message>
-    <message>
-        <source>must have at most %1 values</source>
-        <translation>должно содержать не более %1 значений</translation>
-    </message>
-    <message>
-        <source>must be left out if %1 is given</source>
-        <translation>не указывается, если задано %1</translation>
-    </message>
-    <message>
-        <source>is required and missing; found: %1</source>
-        <translation>обязательно, но отсутствует; есть %1</translation>
-    </message>
-    <message>
-        <source>is read-only and was not changed</source>
-        <translation>только для чтения и не изменён</translation>
-    </message>
-    <message>
-        <source>is a pipe without a reader</source>
-        <translation>это канал без читателя</translation>
-    </message>
-    <message>
-        <source>must have two columns, %1 and %2, or the case must name two of them in &quot;columns&quot;</source>
-        <translation>должно быть два столбца, %1 и %2, или задача должна назвать два из них в &quot;columns&quot;</translation>
-    </message>
-    <message>
-        <source>must have two columns, %1 and %2</source>
-        <translation>должно быть два столбца: %1 и %2</translation>
-    </message>
-    <message>
-        <source>must have at least %1 columns</source>
-        <translation>должно быть не меньше %1 столбцов</translation>
-    </message>
-    <message>
-        <source>must be unambiguous: its comma may divide thousands or be a decimal sign, as no other number of the column has one</source>
-        <translation>должно быть однозначным: запятая может делить тысячи или отделять дробную часть, в других числах столбца её нет</translation>
-    </message>
-    <message>
-        <source>Speed %1 is implausible: check it.</source>
-        <translation>Частота %1 неправдоподобна: проверьте её.</translation>
-    </message>
-    <message>
-        <source>Crank radius %1 is implausible: check it.</source>
-        <translation>Радиус кривошипа %1 неправдоподобен: проверьте его.</translation>
-    </message>
-    <message>
-        <source>Rod length %1 is implausible: check it.</source>
-        <translation>Длина шатуна %1 неправдоподобна: проверьте её.</translation>
-    </message>
-    <message>
-        <source>Crank radius %1 and rod %2 are implausible together: check their units, for example centimetres instead of millimetres.</source>
-        <translation>Радиус кривошипа %1 и шатун %2 вместе неправдоподобны: проверьте единицы, например сантиметры вместо миллиметров.</translation>
-    </message>
-    <message>
-        <source>Mass %1 and crank radius %2 are implausible together: check their units, for example grams instead of kilograms.</source>
-        <translation>Масса %1 и радиус кривошипа %2 вместе неправдоподобны: проверьте единицы, например граммы вместо килограммов.</translation>
-    </message>
-    <message>
-        <source>must be a known module</source>
-        <translation>модуль неизвестен</translation>
-    </message>
-    <message>
-        <source>is not a setting of this page; settings: kernel, sweep, value</source>
-        <translation>не настройка этой страницы; настройки: kernel, sweep, value</translation>
-    </message>
-    <message>
-        <source>needs more memory than available</source>
-        <translation>требует больше памяти, чем доступно</translation>
-    </message>
-    <message>
-        <source>must be a module of the window; the command line solves this case</source>
-        <translation>должен быть модулем с окном; эту задачу решает командная строка</translation>
-    </message>
-    <message>
-        <source>must be two numbers or one: enter %1 or %2</source>
-        <translation>должно быть двумя числами или одним: введите %1 или %2</translation>
-    </message>
-    <message>
-        <source>bore</source>
-        <translation>диаметр цилиндра</translation>
-    </message>
-    <message>
-        <source>crank radius</source>
-        <translation>радиус кривошипа</translation>
-    </message>
-    <message>
-        <source>rod length</source>
-        <translation>длина шатуна</translation>
-    </message>
-    <message>
-        <source>offset</source>
-        <translation>дезаксаж</translation>
-    </message>
-    <message>
-        <source>speed</source>
-        <translation>частота вращения</translation>
-    </message>
-    <message>
-        <source>reciprocating mass</source>
-        <translation>возвратно-поступательная масса</translation>
-    </message>
-    <message>
-        <source>%1, &quot;%2&quot;, %3 or later</source>
-        <translation>%1, «%2», %3 или позже</translation>
-    </message>
-    <message>
-        <source>rotating mass</source>
-        <translation>вращающаяся масса</translation>
-    </message>
-    <message>
-        <source>Results use the previous value of the red field.</source>
-        <translation>Результаты — по прежнему значению красного поля.</translation>
-    </message>
-</context>
-<context>
-    <name>elastic-hinge</name>
     <message>
         <source>Given &amp;as</source>
         <translation>З&amp;аданы</translation>
@@ -5944,10 +5003,6 @@
     <message>
         <source>&amp;Gravity g</source>
         <translation>Ускорение &amp;g</translation>
-    </message>
-    <message>
-        <source>&amp;Crank radius r</source>
-        <translation>Радиус &amp;кривошипа r</translation>
     </message>
     <message>
         <source>Ratio λ</source>
@@ -6198,10 +5253,6 @@
         <translation>Доля противовеса в M₁₂</translation>
     </message>
     <message>
-        <source>Counterweight</source>
-        <translation>Противовес</translation>
-    </message>
-    <message>
         <source>P₄ weight at the distance ℓ₂ beyond the crankpin: the mean of M₁₂ over a turn is zero</source>
         <translation>P₄ — вес груза на расстоянии ℓ₂ за шатунной шейкой: среднее M₁₂ за оборот равно нулю</translation>
     </message>
@@ -6328,10 +5379,6 @@
     <message>
         <source>Series against exact</source>
         <translation>Ряд и точная кинематика</translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation>Кривые</translation>
     </message>
     <message>
         <source>Preload</source>
@@ -6480,10 +5527,6 @@
     <message>
         <source>Time</source>
         <translation>Время</translation>
-    </message>
-    <message>
-        <source>Crank angle φ</source>
-        <translation>Угол кривошипа φ</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -6913,9 +5956,6 @@
         <source>Radius of the guide at φ = 0: below ℓ₀/2 the spring is compressed, above it stretched.</source>
         <translation>Радиус направляющей при φ = 0: меньше ℓ₀/2 — пружина сжата, больше — растянута.</translation>
     </message>
-</context>
-<context>
-    <name>inertia-moments</name>
     <message>
         <source>order %1 force</source>
         <translation>порядок %1, сила</translation>
@@ -7003,10 +6043,6 @@
     <message>
         <source>Bank an&amp;gle γ</source>
         <translation>Угол развала &amp;γ</translation>
-    </message>
-    <message>
-        <source>O&amp;ffset e</source>
-        <translation>Дезакса&amp;ж e</translation>
     </message>
     <message>
         <source>&amp;Spacing a</source>
@@ -7333,10 +6369,6 @@
         <translation>угол прицепа</translation>
     </message>
     <message>
-        <source>rod length</source>
-        <translation>длина шатуна</translation>
-    </message>
-    <message>
         <source>Rod as a rigid body</source>
         <translation>Шатун как твёрдое тело</translation>
     </message>
@@ -7541,10 +6573,6 @@
         <translation>Угол шейки</translation>
     </message>
     <message>
-        <source>Crank angle at TDC</source>
-        <translation>Угол кривошипа в ВМТ</translation>
-    </message>
-    <message>
         <source>From the cylinder&apos;s axis, without sign.</source>
         <translation>От оси цилиндра, без знака.</translation>
     </message>
@@ -7605,12 +6633,8 @@
         <translation>Точные порядки с вращающимися массами.</translation>
     </message>
     <message>
-        <source>Residual</source>
+        <source>Residual forces and moments</source>
         <translation>Остаточные силы и моменты</translation>
-    </message>
-    <message>
-        <source>Curves</source>
-        <translation>Кривые</translation>
     </message>
     <message>
         <source>Curves before balancing</source>
@@ -7701,10 +6725,6 @@
         <translation>синус</translation>
     </message>
     <message>
-        <source>amplitude</source>
-        <translation>амплитуда</translation>
-    </message>
-    <message>
         <source>angle</source>
         <translation>угол</translation>
     </message>
@@ -7737,10 +6757,6 @@
         <translation>отставание противовесов против момента</translation>
     </message>
     <message>
-        <source>rotating mass</source>
-        <translation>вращающаяся масса</translation>
-    </message>
-    <message>
         <source>cylinder</source>
         <translation>цилиндр</translation>
     </message>
@@ -7749,16 +6765,8 @@
         <translation>главный цилиндр</translation>
     </message>
     <message>
-        <source>crank angle</source>
-        <translation>угол кривошипа</translation>
-    </message>
-    <message>
         <source>firing interval</source>
         <translation>интервал вспышек</translation>
-    </message>
-    <message>
-        <source>order</source>
-        <translation>порядок</translation>
     </message>
     <message>
         <source>unbalance</source>
@@ -7767,10 +6775,6 @@
     <message>
         <source>mass</source>
         <translation>масса</translation>
-    </message>
-    <message>
-        <source>phase</source>
-        <translation>фаза</translation>
     </message>
     <message>
         <source>cancels</source>
@@ -7786,11 +6790,11 @@
     </message>
     <message>
         <source>front</source>
-        <translation>передний</translation>
+        <translation>спереди</translation>
     </message>
     <message>
         <source>rear</source>
-        <translation>задний</translation>
+        <translation>сзади</translation>
     </message>
     <message>
         <source>lag</source>
@@ -8092,9 +7096,6 @@
         <source>backward part</source>
         <translation>обратная часть</translation>
     </message>
-</context>
-<context>
-    <name>matching</name>
     <message>
         <source>the bank angle is missing</source>
         <translation>не задан угол развала</translation>
@@ -8121,7 +7122,7 @@
     </message>
     <message>
         <source>no limit</source>
-        <translation>не задана</translation>
+        <translation>без предела</translation>
     </message>
     <message>
         <source>Crankpins at</source>
@@ -8271,9 +7272,6 @@
         <source>Crank radius for forces in g·mm and N; without it they are masses at the crank radius.</source>
         <translation>Радиус кривошипа для сил в г·мм и Н; без него это массы на этом радиусе.</translation>
     </message>
-</context>
-<context>
-    <name>methods</name>
     <message>
         <source>Best shaft angle</source>
         <translation>Наилучший угол вала</translation>
@@ -8313,10 +7311,6 @@
     <message>
         <source>exact: the bounds prove that no angle is better</source>
         <translation>точен: границы доказывают, что лучшего угла нет</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>точная форма</translation>
     </message>
     <message>
         <source>amplitude of the shaft&apos;s moment, the paper&apos;s torque</source>
@@ -8837,10 +7831,6 @@
     <message>
         <source>counterweight&apos;s force P₁</source>
         <translation>сила противовеса P₁</translation>
-    </message>
-    <message>
-        <source>m₁ ρ₁ ω².</source>
-        <translation>m₁ ρ₁ ω².</translation>
     </message>
     <message>
         <source>rated power</source>
@@ -9757,6 +8747,1798 @@
     <message>
         <source>The open case is incomplete: no results.</source>
         <translation>Открытая задача не заполнена: результатов нет.</translation>
+    </message>
+    <message>
+        <source>Balance shaft</source>
+        <translation>Балансирный вал</translation>
+    </message>
+    <message>
+        <source>Position the balance shaft of a single-cylinder engine</source>
+        <translation>Положение балансирного вала одноцилиндрового двигателя</translation>
+    </message>
+    <message>
+        <source>Elastic hinges</source>
+        <translation>Упругие шарниры</translation>
+    </message>
+    <message>
+        <source>Spring guides for constant crank speed</source>
+        <translation>Пружинные направляющие для постоянной угловой скорости кривошипа</translation>
+    </message>
+    <message>
+        <source>Workshop</source>
+        <translation>Мастерская</translation>
+    </message>
+    <message>
+        <source>From the scale to the drilled crankshaft, plugs of a V-8 included</source>
+        <translation>От весов до просверленного коленчатого вала, с заглушками V-8</translation>
+    </message>
+    <message>
+        <source>Inertia moments</source>
+        <translation>Моменты сил инерции</translation>
+    </message>
+    <message>
+        <source>Forces and moments of VR5 and any other cylinder layout</source>
+        <translation>Силы и моменты VR5 и любой другой компоновки</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Линейный</translation>
+    </message>
+    <message>
+        <source>Sobol points</source>
+        <translation>Точки Соболя</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Сетка</translation>
+    </message>
+    <message>
+        <source>must be a JSON pointer, such as /crank_radius_mm</source>
+        <translation>должно быть указателем JSON, например /crank_radius_mm</translation>
+    </message>
+    <message>
+        <source>must be a grid like the others; otherwise none may be a grid</source>
+        <translation>должно быть сеткой, как и остальные; иначе сеток быть не должно</translation>
+    </message>
+    <message>
+        <source>must make at most %1 points</source>
+        <translation>должно давать не больше %1 точек</translation>
+    </message>
+    <message>
+        <source>%1 has no linear answer: a derivative does not exist at the inputs&apos; means.</source>
+        <translation>Для %1 линейного ответа нет: при средних значениях входных данных нет производной.</translation>
+    </message>
+    <message>
+        <source>is a part of another case than %1</source>
+        <translation>часть другой задачи, чем %1</translation>
+    </message>
+    <message>
+        <source>is one of %1 parts, but %2 is one of %3</source>
+        <translation>одна из %1 частей, а %2 — одна из %3</translation>
+    </message>
+    <message>
+        <source>is not finished (%1 of %2 samples); run it again: --shard %3</source>
+        <translation>не закончено (%1 из %2 проб); запустите ещё раз: --shard %3</translation>
+    </message>
+    <message>
+        <source>is the same part as %1: %2</source>
+        <translation>та же часть, что и %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts are missing; run them again: --shard %3</source>
+        <translation>не хватает %1 из %2 частей; запустите их ещё раз: --shard %3</translation>
+    </message>
+    <message>
+        <source>The samples are too few for the sensitivities of %1: standard errors up to %2.</source>
+        <translation>Для чувствительностей %1 проб мало: стандартные ошибки до %2.</translation>
+    </message>
+    <message>
+        <source>must be &quot;linear&quot; or &quot;sobol&quot;: second-order studies are no longer supported</source>
+        <translation>должно быть «linear» или «sobol»: исследования второго порядка больше не поддерживаются</translation>
+    </message>
+    <message>
+        <source>must be &quot;sobol&quot; or &quot;monte-carlo&quot;: Latin hypercubes are no longer supported</source>
+        <translation>должно быть «sobol» или «monte-carlo»: латинские гиперкубы больше не поддерживаются</translation>
+    </message>
+    <message>
+        <source>%1 does not scatter and has no derivative: its tolerance is below the rounding of its value.</source>
+        <translation>%1 не меняется и не имеет производной: допуск меньше ошибки округления значения.</translation>
+    </message>
+    <message>
+        <source>must be %1; run the parts of other versions again</source>
+        <translation>должно быть %1; части других версий запустите снова</translation>
+    </message>
+    <message>
+        <source>must point to a number of the input</source>
+        <translation>должно указывать на число во входных данных</translation>
+    </message>
+    <message>
+        <source>must scatter less: its moments exceed the range of numbers</source>
+        <translation>должно рассеиваться меньше: его моменты вне пределов чисел</translation>
+    </message>
+    <message>
+        <source>must point to a number of the result</source>
+        <translation>должно указывать на число в результате</translation>
+    </message>
+    <message>
+        <source>must be nearer to from: their difference exceeds the range of numbers</source>
+        <translation>должно быть ближе к from: их разность вне пределов чисел</translation>
+    </message>
+    <message>
+        <source>must have one of: plus_minus, plus_minus_percent, normal_sd, from with to, values</source>
+        <translation>должно содержать одно из: plus_minus, plus_minus_percent, normal_sd, from с to, values</translation>
+    </message>
+    <message>
+        <source>must have from 1 to %1 pointers</source>
+        <translation>должно содержать от 1 до %1 указателей</translation>
+    </message>
+    <message>
+        <source>must be at least %1; across 0° enter %2</source>
+        <translation>должно быть не меньше %1; через 0° введите %2</translation>
+    </message>
+    <message>
+        <source>must be &quot;grid&quot; with listed values</source>
+        <translation>должно быть &quot;grid&quot;, если перечислены значения</translation>
+    </message>
+    <message>
+        <source>must not be &quot;grid&quot; without a grid</source>
+        <translation>не может быть &quot;grid&quot;, если сетка не задана</translation>
+    </message>
+    <message>
+        <source>%1 of %2 trial samples cannot be solved; the linear answer does not show that.</source>
+        <translation>%1 из %2 опробованных проб решить нельзя; линейный ответ этого не показывает.</translation>
+    </message>
+    <message>
+        <source>A standard deviation needs two solved samples.</source>
+        <translation>Для стандартного отклонения нужны две решённые пробы.</translation>
+    </message>
+    <message>
+        <source>is not the checksum of the part: the part was changed; run it again</source>
+        <translation>не контрольная сумма этой части: часть изменена; запустите её снова</translation>
+    </message>
+    <message>
+        <source>was computed by another program or machine than %1: the first numbers differ</source>
+        <translation>посчитано другой программой или машиной, чем %1: исходные числа иные</translation>
+    </message>
+    <message>
+        <source>was not written by this program</source>
+        <translation>записано не этой программой</translation>
+    </message>
+    <message>
+        <source>The linear answer fails for %1: the samples deviate from it by %2 (RMS), standard deviation %3.</source>
+        <translation>Линейный ответ для %1 неверен: пробы отклоняются от него на %2 (СКЗ), стандартное отклонение %3.</translation>
+    </message>
+    <message>
+        <source>mⱼ and m_R nominal reciprocating and rotating mass, mₘ oil, k_m its coefficient</source>
+        <translation>mⱼ и m_R — номинальные поступательная и вращающаяся массы, mₘ — масло, k_m — его коэффициент</translation>
+    </message>
+    <message>
+        <source>Bob weight, steel plugs</source>
+        <translation>Балансировочный груз, стальные заглушки</translation>
+    </message>
+    <message>
+        <source>Bob weight, aluminium plugs</source>
+        <translation>Балансировочный груз, алюминиевые заглушки</translation>
+    </message>
+    <message>
+        <source>Coefficients</source>
+        <translation>Коэффициенты</translation>
+    </message>
+    <message>
+        <source>Excess on the crankpin axis</source>
+        <translation>Лишняя масса на оси шатунной шейки</translation>
+    </message>
+    <message>
+        <source>Δmₚ piston, Δm_b big end of the rod, in repair Δm_rp repair piston with rings and Δm_sh repair shells; kᵣ coefficient of the rod</source>
+        <translation>Δmₚ — поршень, Δm_b — нижняя головка шатуна, в ремонте Δm_rp — ремонтный поршень с кольцами и Δm_sh — ремонтные вкладыши; kᵣ — коэффициент шатуна</translation>
+    </message>
+    <message>
+        <source>Lightening of each plug</source>
+        <translation>Облегчение каждой заглушки</translation>
+    </message>
+    <message>
+        <source>Aluminium in place of steel plugs</source>
+        <translation>Алюминиевые заглушки вместо стальных</translation>
+    </message>
+    <message>
+        <source>constant part; mₛ and mₐ mass of a plug of steel and of aluminium</source>
+        <translation>постоянная часть; mₛ и mₐ — масса стальной и алюминиевой заглушки</translation>
+    </message>
+    <message>
+        <source>constant parts with plugs of steel and of aluminium; mₛₙ mass of a new steel plug</source>
+        <translation>постоянные части со стальными и с алюминиевыми заглушками; mₛₙ — масса новой стальной заглушки</translation>
+    </message>
+    <message>
+        <source>Compensated by an option</source>
+        <translation>Компенсируется вариантом</translation>
+    </message>
+    <message>
+        <source>Cᵢ its constant part, Δmᵢ lightening of each plug, up to the limit of its wall</source>
+        <translation>Cᵢ — его постоянная часть, Δmᵢ — облегчение каждой заглушки, до предела по стенке</translation>
+    </message>
+    <message>
+        <source>the engine has no such plug</source>
+        <translation>в этом двигателе нет такой заглушки</translation>
+    </message>
+    <message>
+        <source>Excess on a crankpin Δmᵤ</source>
+        <translation>Избыток на шатунной шейке Δmᵤ</translation>
+    </message>
+    <message>
+        <source>Excess mass of the parts on the crankpin axis.</source>
+        <translation>Избыточная масса деталей на оси шатунной шейки.</translation>
+    </message>
+    <message>
+        <source>Unbalance of a crankpin</source>
+        <translation>Дисбаланс шатунной шейки</translation>
+    </message>
+    <message>
+        <source>Coefficient kₚ</source>
+        <translation>Коэффициент kₚ</translation>
+    </message>
+    <message>
+        <source>Coefficient kᵤ</source>
+        <translation>Коэффициент kᵤ</translation>
+    </message>
+    <message>
+        <source>Coefficient kᵤₙ</source>
+        <translation>Коэффициент kᵤₙ</translation>
+    </message>
+    <message>
+        <source>Slope angle</source>
+        <translation>Угол наклона</translation>
+    </message>
+    <message>
+        <source>Mass changes</source>
+        <translation>Изменения масс</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>Варианты</translation>
+    </message>
+    <message>
+        <source>Plug</source>
+        <translation>Заглушка</translation>
+    </message>
+    <message>
+        <source>Balancing machine</source>
+        <translation>Балансировочный станок</translation>
+    </message>
+    <message>
+        <source>Fixed part</source>
+        <translation>Постоянная часть</translation>
+    </message>
+    <message>
+        <source>Compensated without machining.</source>
+        <translation>Компенсируется без обработки.</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Коэффициент</translation>
+    </message>
+    <message>
+        <source>Compensated by a gram off each plug.</source>
+        <translation>Компенсируется при снятии грамма с каждой заглушки.</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Предел</translation>
+    </message>
+    <message>
+        <source>Required off each plug</source>
+        <translation>Требуется снять с заглушки</translation>
+    </message>
+    <message>
+        <source>Take off each plug</source>
+        <translation>Снять с заглушки</translation>
+    </message>
+    <message>
+        <source>Remains</source>
+        <translation>Остаток</translation>
+    </message>
+    <message>
+        <source>Residual unbalance</source>
+        <translation>Остаточный дисбаланс</translation>
+    </message>
+    <message>
+        <source>Bob weight, plugs in</source>
+        <translation>Балансировочный груз, заглушки на месте</translation>
+    </message>
+    <message>
+        <source>Bob weight, nominal</source>
+        <translation>Балансировочный груз, номинал</translation>
+    </message>
+    <message>
+        <source>Mass of a plug</source>
+        <translation>Масса заглушки</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Смещение</translation>
+    </message>
+    <message>
+        <source>Coefficient</source>
+        <translation>Коэффициент</translation>
+    </message>
+    <message>
+        <source>Effect of the shift</source>
+        <translation>Влияние смещения</translation>
+    </message>
+    <message>
+        <source>Beyond tolerance</source>
+        <translation>Вне допуска</translation>
+    </message>
+    <message>
+        <source>Corrected depth</source>
+        <translation>Исправленная глубина</translation>
+    </message>
+    <message>
+        <source>Boring</source>
+        <translation>Расточка</translation>
+    </message>
+    <message>
+        <source>Possible</source>
+        <translation>Возможна</translation>
+    </message>
+    <message>
+        <source>Deeper by</source>
+        <translation>Глубже на</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Стенка</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Дно</translation>
+    </message>
+    <message>
+        <source>Maximum by the walls</source>
+        <translation>Предел по стенкам</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>Номинал</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>До</translation>
+    </message>
+    <message>
+        <source>Sum</source>
+        <translation>Сумма</translation>
+    </message>
+    <message>
+        <source>Crankpins</source>
+        <translation>Шатунные шейки</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>Сталь</translation>
+    </message>
+    <message>
+        <source>Aluminium</source>
+        <translation>Алюминий</translation>
+    </message>
+    <message>
+        <source>Mass by the sizes</source>
+        <translation>Масса по размерам</translation>
+    </message>
+    <message>
+        <source>Mass as entered</source>
+        <translation>Введённая масса</translation>
+    </message>
+    <message>
+        <source>Masses agree</source>
+        <translation>Массы согласуются</translation>
+    </message>
+    <message>
+        <source>Front plane</source>
+        <translation>Передняя плоскость</translation>
+    </message>
+    <message>
+        <source>Rear plane</source>
+        <translation>Задняя плоскость</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Показание</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Годен</translation>
+    </message>
+    <message>
+        <source>Steel plug</source>
+        <translation>Стальная заглушка</translation>
+    </message>
+    <message>
+        <source>Aluminium plug</source>
+        <translation>Алюминиевая заглушка</translation>
+    </message>
+    <message>
+        <source>%1: %2 entered, but a solid plug of these dimensions weighs %3. Enter its bore or weigh the plug.</source>
+        <translation>%1: введено %2, но сплошная заглушка этих размеров весит %3. Введите расточку или взвесьте заглушку.</translation>
+    </message>
+    <message>
+        <source>%1: %2 entered, but a plug of these dimensions weighs %3. Weigh the plug.</source>
+        <translation>%1: введено %2, но заглушка этих размеров весит %3. Взвесьте заглушку.</translation>
+    </message>
+    <message>
+        <source>r crank radius, rₚ and rₚₙ distance of the centre of mass of the present and the new plug from the crank axis</source>
+        <translation>r — радиус кривошипа, rₚ и rₚₙ — расстояние центра масс существующей и новой заглушки от оси вала</translation>
+    </message>
+    <message>
+        <source>Crankshaft made for new plugs, present plugs fitted</source>
+        <translation>Вал под новые заглушки с существующими</translation>
+    </message>
+    <message>
+        <source>Residual due to the shift of the centre of mass</source>
+        <translation>Остаток от смещения центра масс</translation>
+    </message>
+    <message>
+        <source>d distance of the bored metal from the centre of mass of the plug</source>
+        <translation>d — расстояние снятого металла от центра масс заглушки</translation>
+    </message>
+    <message>
+        <source>Not included: drilling in the webs, flywheel and damper.</source>
+        <translation>Не учитываются: сверление щёк, маховик и гаситель колебаний.</translation>
+    </message>
+    <message>
+        <source>The plug mass is from the paper: weigh the plugs.</source>
+        <translation>Масса заглушки взята из статьи: взвесьте заглушки.</translation>
+    </message>
+    <message>
+        <source>Large slow marine diesels whose crank drive is inherently unbalanced</source>
+        <translation>Большие тихоходные судовые дизели с неуравновешенным по своей природе кривошипно-шатунным механизмом</translation>
+    </message>
+    <message>
+        <source>Large slow marine diesels whose crank drive is inherently balanced</source>
+        <translation>Большие тихоходные судовые дизели с уравновешенным по своей природе кривошипно-шатунным механизмом</translation>
+    </message>
+    <message>
+        <source>Crank drives inherently unbalanced, on elastic mounts</source>
+        <translation>Неуравновешенные по своей природе кривошипные механизмы на упругих опорах</translation>
+    </message>
+    <message>
+        <source>Crank drives inherently unbalanced, rigidly mounted</source>
+        <translation>Неуравновешенные по своей природе кривошипные механизмы на жёстких опорах</translation>
+    </message>
+    <message>
+        <source>Complete engines of cars, trucks and locomotives</source>
+        <translation>Двигатели легковых, грузовых автомобилей и локомотивов в сборе</translation>
+    </message>
+    <message>
+        <source>Crank drives inherently balanced, on elastic mounts; wheels and drive shafts of cars</source>
+        <translation>Уравновешенные кривошипные механизмы на упругих опорах; колёса и валы автомобилей</translation>
+    </message>
+    <message>
+        <source>Crank drives inherently balanced, rigidly mounted; cardan shafts</source>
+        <translation>Уравновешенные кривошипные механизмы на жёстких опорах; карданные валы</translation>
+    </message>
+    <message>
+        <source>Machinery in general: flywheels, pumps, fans, turbochargers</source>
+        <translation>Машины вообще: маховики, насосы, вентиляторы, турбокомпрессоры</translation>
+    </message>
+    <message>
+        <source>Gas and steam turbines, machine-tool drives</source>
+        <translation>Газовые и паровые турбины, приводы станков</translation>
+    </message>
+    <message>
+        <source>Grinding machine drives</source>
+        <translation>Приводы шлифовальных станков</translation>
+    </message>
+    <message>
+        <source>Spindles of high-precision machines, gyroscopes</source>
+        <translation>Шпиндели прецизионных станков, гироскопы</translation>
+    </message>
+    <message>
+        <source>must be a list of %1 masses, one for each cylinder</source>
+        <translation>должен быть списком масс по числу цилиндров (%1)</translation>
+    </message>
+    <message>
+        <source>must be the numbers 1 to %1, each once</source>
+        <translation>должны быть номера от 1 до %1, каждый один раз</translation>
+    </message>
+    <message>
+        <source>Permissible residual unbalance</source>
+        <translation>Допустимый остаточный дисбаланс</translation>
+    </message>
+    <message>
+        <source>g·mm with the mass m in kg, the grade G in mm/s and the service speed ω in rad/s</source>
+        <translation>г·мм при массе m в кг, классе G в мм/с и рабочей скорости ω в рад/с</translation>
+    </message>
+    <message>
+        <source>Weigh-in</source>
+        <translation>Взвешивание</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Среднее</translation>
+    </message>
+    <message>
+        <source>Heaviest minus lightest.</source>
+        <translation>Самая тяжёлая минус самая лёгкая.</translation>
+    </message>
+    <message>
+        <source>Heaviest, cylinder</source>
+        <translation>Самая тяжёлая, цилиндр</translation>
+    </message>
+    <message>
+        <source>Lightest, cylinder</source>
+        <translation>Самая лёгкая, цилиндр</translation>
+    </message>
+    <message>
+        <source>Take off</source>
+        <translation>Снять</translation>
+    </message>
+    <message>
+        <source>Mean minus nominal</source>
+        <translation>Среднее минус номинал</translation>
+    </message>
+    <message>
+        <source>Sets moved</source>
+        <translation>Переставлено комплектов</translation>
+    </message>
+    <message>
+        <source>Proven</source>
+        <translation>Доказано</translation>
+    </message>
+    <message>
+        <source>Shaking before</source>
+        <translation>Тряска до</translation>
+    </message>
+    <message>
+        <source>Shaking</source>
+        <translation>Тряска</translation>
+    </message>
+    <message>
+        <source>Force, mass at the crank radius</source>
+        <translation>Сила, масса на радиусе кривошипа</translation>
+    </message>
+    <message>
+        <source>RMS at the ends</source>
+        <translation>Среднеквадратичное на концах</translation>
+    </message>
+    <message>
+        <source>Couple, mass at the crank radius</source>
+        <translation>Момент, масса на радиусе кривошипа</translation>
+    </message>
+    <message>
+        <source>Force, unbalance</source>
+        <translation>Сила, дисбаланс</translation>
+    </message>
+    <message>
+        <source>Couple, unbalance</source>
+        <translation>Момент, дисбаланс</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Сила</translation>
+    </message>
+    <message>
+        <source>Couple</source>
+        <translation>Момент</translation>
+    </message>
+    <message>
+        <source>Bob weight of the readings</source>
+        <translation>Балансировочный груз показаний</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Строки</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Коэффициент</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Масса</translation>
+    </message>
+    <message>
+        <source>%1: %2 looks like kilograms. Enter grams.</source>
+        <translation>%1: %2 похоже на килограммы. Введите граммы.</translation>
+    </message>
+    <message>
+        <source>Locks</source>
+        <translation>Стопорные кольца</translation>
+    </message>
+    <message>
+        <source>Oil</source>
+        <translation>Масло</translation>
+    </message>
+    <message>
+        <source>%1: cylinder %2 weighs %3, the others about %4; the deviation is %5 times their scatter. Weigh it again or match the parts.</source>
+        <translation>%1: цилиндр %2 — %3, остальные около %4; отношение отклонения к их разбросу %5. Взвесьте снова или подберите детали.</translation>
+    </message>
+    <message>
+        <source>%1: cylinder %2 weighs %3, the others about %4. Weigh it again.</source>
+        <translation>%1: цилиндр %2 — %3, остальные около %4. Взвесьте снова.</translation>
+    </message>
+    <message>
+        <source>Rods of cylinders %1: the big end weighs less than the small end. Swap the columns or weigh the rods again.</source>
+        <translation>Шатуны цилиндров %1: нижняя головка легче верхней. Поменяйте столбцы местами или взвесьте шатуны снова.</translation>
+    </message>
+    <message>
+        <source>The big end of the rod, %1, weighs less than its small end, %2. Swap both or weigh the rod again.</source>
+        <translation>Нижняя головка шатуна, %1, легче верхней, %2. Поменяйте их местами или взвесьте шатун снова.</translation>
+    </message>
+    <message>
+        <source>The crankpins are unequal: their excess is %1 to %2, and the plugs are for the mean. Move the sets or match the parts first.</source>
+        <translation>Шатунные шейки неодинаковы: их избыток от %1 до %2, а заглушки рассчитаны на среднее. Сначала переставьте комплекты или подберите детали.</translation>
+    </message>
+    <message>
+        <source>A crankshaft of %1 is too heavy for this engine. Correct its mass in kilograms, or enter the limit in g·mm.</source>
+        <translation>Коленчатый вал массой %1 слишком тяжёл для этого двигателя. Исправьте массу в килограммах или задайте допуск в г·мм.</translation>
+    </message>
+    <message>
+        <source>The crankshaft with its bob weights, %1, weighs less than the bob weights, %2. Correct its mass.</source>
+        <translation>Вал с балансировочными грузами, %1, легче самих грузов, %2. Исправьте его массу.</translation>
+    </message>
+    <message>
+        <source>Clockwise</source>
+        <translation>По часовой стрелке</translation>
+    </message>
+    <message>
+        <source>Counter-clockwise</source>
+        <translation>Против часовой стрелки</translation>
+    </message>
+    <message>
+        <source>Light spot</source>
+        <translation>Лёгкое место</translation>
+    </message>
+    <message>
+        <source>Names of the planes</source>
+        <translation>Названия плоскостей</translation>
+    </message>
+    <message>
+        <source>Two names, as “front” and “rear” or “left” and “right”.</source>
+        <translation>Два названия, например «перед» и «зад» или «левая» и «правая».</translation>
+    </message>
+    <message>
+        <source>Degrees count</source>
+        <translation>Отсчёт градусов</translation>
+    </message>
+    <message>
+        <source>Machine shows</source>
+        <translation>Станок показывает</translation>
+    </message>
+    <message>
+        <source>Zero mark</source>
+        <translation>Нулевая метка</translation>
+    </message>
+    <message>
+        <source>Place of 0° on the crankshaft.</source>
+        <translation>Место 0° на валу.</translation>
+    </message>
+    <message>
+        <source>must be a list of two names</source>
+        <translation>должно быть списком из двух названий</translation>
+    </message>
+    <message>
+        <source>is allowed only for a V of 8 cylinders at 90° with two rods on a crankpin and no split</source>
+        <translation>допускается только для V-образного двигателя с 8 цилиндрами под 90°, двумя шатунами на шейке и без разведения шеек</translation>
+    </message>
+    <message>
+        <source>Plugs</source>
+        <translation>Заглушки</translation>
+    </message>
+    <message>
+        <source>Doubts</source>
+        <translation>Сомнения</translation>
+    </message>
+    <message>
+        <source>Doubtful</source>
+        <translation>Сомнительное</translation>
+    </message>
+    <message>
+        <source>STOP. %1</source>
+        <translation>СТОП. %1</translation>
+    </message>
+    <message>
+        <source>Enter the missing values of engine and parts.</source>
+        <translation>Введите недостающие данные двигателя и деталей.</translation>
+    </message>
+    <message>
+        <source>Fails: %1 %5, %2 %6; permissible %3 and %4.</source>
+        <translation>Не годен: %5 %1, %6 %2; допустимо %3 и %4.</translation>
+    </message>
+    <message>
+        <source>Passes: %1 %5, %2 %6; permissible %3 and %4.</source>
+        <translation>Годен: %5 %1, %6 %2; допустимо %3 и %4.</translation>
+    </message>
+    <message>
+        <source>The readings are of another crankshaft: number %1 then, %2 now. Measure again.</source>
+        <translation>Показания относятся к другому коленчатому валу: тогда номер %1, сейчас %2. Измерьте снова.</translation>
+    </message>
+    <message>
+        <source>The readings were taken with another bob weight: %1 then, %2 now. Measure again.</source>
+        <translation>Показания сняты с другим балансировочным грузом: тогда %1, сейчас %2. Измерьте снова.</translation>
+    </message>
+    <message>
+        <source>Within permitted range</source>
+        <translation>В пределах допустимого размаха</translation>
+    </message>
+    <message>
+        <source>Matching of the parts</source>
+        <translation>Подбор деталей</translation>
+    </message>
+    <message>
+        <source>Range of the crankpins before</source>
+        <translation>Размах шатунных шеек до</translation>
+    </message>
+    <message>
+        <source>Range of the crankpins</source>
+        <translation>Размах шатунных шеек</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Всего</translation>
+    </message>
+    <message>
+        <source>%1: %2 entered, but %3 weighed. Correct the wrong value.</source>
+        <translation>%1: введено %2, но взвешено %3. Исправьте неверное.</translation>
+    </message>
+    <message>
+        <source>%1: nominal %2, but %3 weighed. Correct the wrong value.</source>
+        <translation>%1: номинал %2, но взвешено %3. Исправьте неверное.</translation>
+    </message>
+    <message>
+        <source>A balance factor of %1 looks like a fraction. Enter percent: 50 for one half.</source>
+        <translation>Коэффициент балансировки %1 похож на долю единицы. Введите проценты: 50 для половины.</translation>
+    </message>
+    <message>
+        <source>%1: %2 entered, but the nominal parts add up to %3. Correct the wrong value.</source>
+        <translation>%1: введено %2, но сумма номинальных деталей %3. Исправьте неверное.</translation>
+    </message>
+    <message>
+        <source>%1: range %2, permitted %3 (heaviest: cylinder %4, lightest: %5).</source>
+        <translation>%1: размах %2, допускается %3 (самая тяжёлая: цилиндр %4, самая лёгкая: %5).</translation>
+    </message>
+    <message>
+        <source>%1: range %2 (heaviest: cylinder %3, lightest: %4). Weigh them again or match the parts.</source>
+        <translation>%1: размах %2 (самая тяжёлая: цилиндр %3, самая лёгкая: %4). Взвесьте ещё раз или подберите детали.</translation>
+    </message>
+    <message>
+        <source>Reciprocating mass %1 and rotating mass %2 of a cylinder are inconsistent. Check the masses of the parts.</source>
+        <translation>Возвратно-поступательная масса %1 и вращающаяся %2 одного цилиндра не согласуются. Проверьте массы деталей.</translation>
+    </message>
+    <message>
+        <source>%1: drilling increased the unbalance to %2 instead of %3. Mark holes on the wrong side, or check whether the machine shows the light spot.</source>
+        <translation>%1: сверление увеличило дисбаланс до %2 вместо %3. Отметьте отверстия, просверленные не с той стороны, или проверьте, не показывает ли станок лёгкое место.</translation>
+    </message>
+    <message>
+        <source>%1: residual %2 after drilling instead of %3. Check the actual holes: angle, depth, zero mark and direction of degrees.</source>
+        <translation>%1: остаток после сверления %2 вместо %3. Проверьте, как просверлено: угол, глубину, нулевую метку и направление отсчёта.</translation>
+    </message>
+    <message>
+        <source>The readings are not in the planes. Enter their angles.</source>
+        <translation>Показания сняты не в плоскостях коррекции. Введите их углы.</translation>
+    </message>
+    <message>
+        <source>A service speed of %1 is implausible. Correct the speed.</source>
+        <translation>Рабочая частота %1 неправдоподобна. Исправьте её.</translation>
+    </message>
+    <message>
+        <source>The bearings are in reverse order to the planes. Measure all positions from one point in one direction.</source>
+        <translation>Подшипники расположены в обратном порядке относительно плоскостей. Измерьте все положения от одной точки в одном направлении.</translation>
+    </message>
+    <message>
+        <source>%1: a drilling radius of %2 does not match a crank radius of %3. Enter the radius, not the diameter.</source>
+        <translation>%1: радиус сверления %2 не соответствует радиусу кривошипа %3. Введите радиус, а не диаметр.</translation>
+    </message>
+    <message>
+        <source>The machine reads far outside the planes: errors may be %1 times as large in the planes. Measure nearer to the planes.</source>
+        <translation>Станок измеряет далеко от плоскостей: погрешность показаний в них может быть в %1 раза больше. Измеряйте ближе к плоскостям.</translation>
+    </message>
+    <message>
+        <source>%1: the edge of a hole is %2 beyond the drilling sector. Check that there is enough metal.</source>
+        <translation>%1: край отверстия выходит за сектор сверления на %2. Проверьте, достаточно ли там металла.</translation>
+    </message>
+    <message>
+        <source>Sludge-trap plugs of a V-8, as in the module v8-plugs, without its weigh-in, balancing and job.</source>
+        <translation>Заглушки грязеуловителей V-8, как в модуле v8-plugs, без взвешивания, станка и работы.</translation>
+    </message>
+    <message>
+        <source>Settings of the balancing machine.</source>
+        <translation>Настройка балансировочного станка.</translation>
+    </message>
+    <message>
+        <source>Direction seen from the front of the crankshaft.</source>
+        <translation>Направление, если смотреть спереди вала.</translation>
+    </message>
+    <message>
+        <source>Spot shown by the machine; holes are always planned at the heavy spot.</source>
+        <translation>Место, которое показывает станок; отверстия всегда планируются в тяжёлом месте.</translation>
+    </message>
+    <message>
+        <source>must be left out with plugs</source>
+        <translation>не указывается, если заданы заглушки</translation>
+    </message>
+    <message>
+        <source>%1: the holes drilled after %2 are opposite this heavy spot. Check whether the machine shows the heavy or the light spot.</source>
+        <translation>%1: отверстия, просверленные после показания %2, находятся напротив этого тяжёлого места. Проверьте, тяжёлое или лёгкое место показывает станок.</translation>
+    </message>
+    <message>
+        <source>Drilling radii of %1 and %2: one looks like a diameter. Check both.</source>
+        <translation>Радиусы сверления %1 и %2: один похож на диаметр. Проверьте оба.</translation>
+    </message>
+    <message>
+        <source>Part number</source>
+        <translation>Номер детали</translation>
+    </message>
+    <message>
+        <source>%1: cylinders %2 differ from the others (%3, others %4). Weigh them again or match the parts.</source>
+        <translation>%1: цилиндры %2 отличаются от остальных (%3, остальные %4). Взвесьте их снова или подберите детали.</translation>
+    </message>
+    <message>
+        <source>%1: cylinder %2 weighs %3, the others about %4; the deviation is more than %5 times their scatter. Weigh it again or match the parts.</source>
+        <translation>%1: цилиндр %2 — %3, остальные около %4; отклонение больше их разброса более чем в %5 раз. Взвесьте снова или подберите детали.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of 8 weighed. Weigh all of them, or clear the column.</source>
+        <translation>%1: взвешено %2 из 8. Взвесьте все или очистите столбец.</translation>
+    </message>
+    <message>
+        <source>Provisional: not weighed and taken as nominal: %1. Weigh them before machining.</source>
+        <translation>Предварительно: не взвешены и взяты по номиналу: %1. Взвесьте их до обработки.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is implausible for a crankshaft of %3. Check the unit of the reading and the calibration of the machine.</source>
+        <translation>%1: %2 неправдоподобно для вала массой %3. Проверьте единицу показания и калибровку станка.</translation>
+    </message>
+    <message>
+        <source>A drill of %1 is unusual. Separate several sizes by semicolons.</source>
+        <translation>Сверло %1 необычно. Несколько размеров разделяйте точкой с запятой.</translation>
+    </message>
+    <message>
+        <source>The holes were drilled while the machine counted degrees in the other direction. Check the direction, or enter the angles as measured.</source>
+        <translation>Отверстия просверлены, когда станок отсчитывал градусы в другую сторону. Проверьте направление отсчёта или введите измеренные углы.</translation>
+    </message>
+    <message>
+        <source>%1: residual %2 after drilling instead of %3, as if the holes were in the other plane. Enter the actual plane of each hole.</source>
+        <translation>%1: после сверления остаток %2 вместо %3, как если бы отверстия были в другой плоскости. Укажите плоскость, в которой находится каждое отверстие.</translation>
+    </message>
+    <message>
+        <source>%1: enter the drilling sector, or 0 to 360° for a whole rim.</source>
+        <translation>%1: введите сектор сверления или 0 и 360° для всей окружности.</translation>
+    </message>
+    <message>
+        <source>The first readings are far below the limit. If the machine shows grams, enter them with their unit: %1.</source>
+        <translation>Первые показания намного меньше допуска. Если станок показывает граммы, вводите их с единицей: %1.</translation>
+    </message>
+    <message>
+        <source>See the warnings.</source>
+        <translation>См. предупреждения.</translation>
+    </message>
+    <message>
+        <source>%1: a drilling radius of %2 is unusual for such a bob weight. Enter the radius, not the diameter.</source>
+        <translation>%1: радиус сверления %2 необычен для такого груза. Введите радиус, а не диаметр.</translation>
+    </message>
+    <message>
+        <source>%1: %2 instead of %3, but no hole is recorded. Enter the holes drilled, or check crankshaft and machine.</source>
+        <translation>%1: %2 вместо %3, но сверления не записаны. Введите просверленные отверстия или проверьте коленвал и станок.</translation>
+    </message>
+    <message>
+        <source>The readings need a known bob weight. Complete engine and parts.</source>
+        <translation>Для показаний нужна известная масса балансировочного груза. Заполните двигатель и детали.</translation>
+    </message>
+    <message>
+        <source>Oil of %1 in a crankpin is implausible for a bob weight of %2. Correct the oil.</source>
+        <translation>Масло в шейке, %1, неправдоподобно при балансировочном грузе %2. Исправьте массу масла.</translation>
+    </message>
+    <message>
+        <source>A balance grade of G %1 is implausible for this crankshaft. Correct it, or enter the limit in g·mm.</source>
+        <translation>Класс точности G %1 неправдоподобен для этого вала. Исправьте его или введите допуск в г·мм.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is implausible at a drilling radius of %3. Correct the wrong value.</source>
+        <translation>%1: %2 неправдоподобно при радиусе сверления %3. Исправьте неверное значение.</translation>
+    </message>
+    <message>
+        <source>%1 at %2 is not before %3 at %4. Correct the positions of the planes.</source>
+        <translation>%1 (%2) не впереди другой: %3 (%4). Исправьте положения плоскостей.</translation>
+    </message>
+    <message>
+        <source>The first reading is at %1, the second at %2, but the planes are at %3 and %4. Correct the positions of the readings.</source>
+        <translation>Первое показание снято на %1, второе на %2, а плоскости на %3 и %4. Исправьте места показаний.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 beside %3 of %4 is implausible. Correct the wrong value.</source>
+        <translation>Неправдоподобно: %1 — %2, %3 — %4. Исправьте неверное значение.</translation>
+    </message>
+    <message>
+        <source>The centre of mass is not between the bearings (or planes). Correct its position.</source>
+        <translation>Центр масс не между подшипниками (плоскостями). Исправьте его положение.</translation>
+    </message>
+    <message>
+        <source>Take %1 off each of the 8 steel plugs.</source>
+        <translation>Снять с каждой из 8 стальных заглушек %1.</translation>
+    </message>
+    <message>
+        <source>over-compensates by %1 on each crankpin</source>
+        <translation>снимает на каждой шейке на %1 больше нужного</translation>
+    </message>
+    <message>
+        <source>%1, within the %2 allowed</source>
+        <translation>%1 при допустимых %2</translation>
+    </message>
+    <message>
+        <source>%1 against the %2 allowed</source>
+        <translation>%1 вместо допустимых %2</translation>
+    </message>
+    <message>
+        <source>Crank radius r</source>
+        <translation>Радиус кривошипа r</translation>
+    </message>
+    <message>
+        <source>Aluminium plugs</source>
+        <translation>Алюминиевые заглушки</translation>
+    </message>
+    <message>
+        <source>New crankshaft, aluminium plugs</source>
+        <translation>Новый вал, алюминиевые заглушки</translation>
+    </message>
+    <message>
+        <source>Piston</source>
+        <translation>Поршень</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Палец</translation>
+    </message>
+    <message>
+        <source>Rings</source>
+        <translation>Кольца</translation>
+    </message>
+    <message>
+        <source>Rod, big end</source>
+        <translation>Шатун, низ</translation>
+    </message>
+    <message>
+        <source>Rod, small end</source>
+        <translation>Шатун, верх</translation>
+    </message>
+    <message>
+        <source>Shells</source>
+        <translation>Вкладыши</translation>
+    </message>
+    <message>
+        <source>Manufacture</source>
+        <translation>Изготовление</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>Ремонт</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Штатный</translation>
+    </message>
+    <message>
+        <source>Made for plugs of the new design</source>
+        <translation>Под новые заглушки</translation>
+    </message>
+    <message>
+        <source>No plug of this crankshaft can be made light enough.</source>
+        <translation>Ни одну заглушку этого вала нельзя облегчить достаточно.</translation>
+    </message>
+    <message>
+        <source>Bore %1 deeper with a cutter of %2, to %3 from the face.</source>
+        <translation>Углубить на %1 фрезой %2, до %3 от торца.</translation>
+    </message>
+    <message>
+        <source>Bore with a cutter of %1 to %2 from the face.</source>
+        <translation>Расточить фрезой %1 на глубину %2 от торца.</translation>
+    </message>
+    <message>
+        <source>works</source>
+        <translation>годится</translation>
+    </message>
+    <message>
+        <source>works: %1</source>
+        <translation>годится: %1</translation>
+    </message>
+    <message>
+        <source>This %1: %2.</source>
+        <translation>Это %1: %2.</translation>
+    </message>
+    <message>
+        <source>From the crank axis to the centre of mass of a plug of the new design.</source>
+        <translation>От оси вала до центра масс заглушки новой конструкции.</translation>
+    </message>
+    <message>
+        <source>Oil in the sludge trap of one crankpin of a running engine.</source>
+        <translation>Масло в грязесборнике одной шатунной шейки работающего двигателя.</translation>
+    </message>
+    <message>
+        <source>Nominal mass of piston, pin, rings and the small-end share of the rod, one cylinder.</source>
+        <translation>Номинальная масса поршня, пальца, колец и доли шатуна у пальца, один цилиндр.</translation>
+    </message>
+    <message>
+        <source>Nominal mass of the rod&apos;s big end and its shells, one cylinder.</source>
+        <translation>Номинальная масса нижней головки шатуна с вкладышами, один цилиндр.</translation>
+    </message>
+    <message>
+        <source>must be null or left out where %1 is null</source>
+        <translation>должно быть null или отсутствовать там, где %1 — null</translation>
+    </message>
+    <message>
+        <source>must be an engine object or one of %1</source>
+        <translation>должно быть объектом двигателя или одним из %1</translation>
+    </message>
+    <message>
+        <source>is allowed only where engine is the name of a preset</source>
+        <translation>допустимо, только если engine — имя образца</translation>
+    </message>
+    <message>
+        <source>must be &quot;standard&quot; where the engine has no plug of the new design</source>
+        <translation>должно быть &quot;standard&quot;, если у двигателя нет заглушки новой конструкции</translation>
+    </message>
+    <message>
+        <source>is required and missing: the preset %1 does not give it</source>
+        <translation>обязательно, но отсутствует: в образце %1 его нет</translation>
+    </message>
+    <message>
+        <source>must be less than the plug&apos;s mass %1</source>
+        <translation>должно быть меньше массы заглушки %1</translation>
+    </message>
+    <message>
+        <source>is required where the bore&apos;s other size is given</source>
+        <translation>обязательно, если задан другой размер полости</translation>
+    </message>
+    <message>
+        <source>must be a possible plug: %1</source>
+        <translation>такой заглушки быть не может: %1</translation>
+    </message>
+    <message>
+        <source>Engines of the paper by displacement, then your own.</source>
+        <translation>Двигатели статьи по рабочему объёму, затем свои.</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>другой</translation>
+    </message>
+    <message>
+        <source>&amp;Work</source>
+        <translation>Вид &amp;работы</translation>
+    </message>
+    <message>
+        <source>Cran&amp;kshaft</source>
+        <translation>&amp;Коленчатый вал</translation>
+    </message>
+    <message>
+        <source>Source of the mass changes</source>
+        <translation>Источник изменений масс</translation>
+    </message>
+    <message>
+        <source>Permissible residu&amp;al unbalance</source>
+        <translation>Допустимый остаточный дис&amp;баланс</translation>
+    </message>
+    <message>
+        <source>&amp;Thread</source>
+        <translation>&amp;Резьба</translation>
+    </message>
+    <message>
+        <source>Metric thread with its pitch, like M22x1.5.</source>
+        <translation>Метрическая резьба с шагом, например M22×1,5.</translation>
+    </message>
+    <message>
+        <source>&amp;Height h</source>
+        <translation>&amp;Высота h</translation>
+    </message>
+    <message>
+        <source>&amp;Bore diameter</source>
+        <translation>&amp;Диаметр полости</translation>
+    </message>
+    <message>
+        <source>Bore de&amp;pth</source>
+        <translation>&amp;Глубина полости</translation>
+    </message>
+    <message>
+        <source>&amp;Cutter diameter</source>
+        <translation>Диаметр &amp;фрезы</translation>
+    </message>
+    <message>
+        <source>&amp;Steel</source>
+        <translation>С&amp;таль</translation>
+    </message>
+    <message>
+        <source>Carbon steel 7850 kg/m³.</source>
+        <translation>Углеродистая сталь 7850 кг/м³.</translation>
+    </message>
+    <message>
+        <source>&amp;Aluminium</source>
+        <translation>&amp;Алюминий</translation>
+    </message>
+    <message>
+        <source>Wrought alloys 2640 to 2850 kg/m³.</source>
+        <translation>Деформируемые сплавы 2640–2850 кг/м³.</translation>
+    </message>
+    <message>
+        <source>&amp;Grade G</source>
+        <translation>&amp;Класс G</translation>
+    </message>
+    <message>
+        <source>Service s&amp;peed</source>
+        <translation>&amp;Частота вращения</translation>
+    </message>
+    <message>
+        <source>&amp;Front plane (pulley)</source>
+        <translation>&amp;Передняя плоскость (шкив)</translation>
+    </message>
+    <message>
+        <source>Residual unbalance after correction.</source>
+        <translation>Остаточный дисбаланс после коррекции.</translation>
+    </message>
+    <message>
+        <source>&amp;Rear plane (flywheel)</source>
+        <translation>&amp;Задняя плоскость (маховик)</translation>
+    </message>
+    <message>
+        <source>Engine &amp;number</source>
+        <translation>&amp;Номер двигателя</translation>
+    </message>
+    <message>
+        <source>Crankshaft num&amp;ber</source>
+        <translation>Номер &amp;вала</translation>
+    </message>
+    <message>
+        <source>C&amp;ustomer</source>
+        <translation>&amp;Заказчик</translation>
+    </message>
+    <message>
+        <source>&amp;Date</source>
+        <translation>&amp;Дата</translation>
+    </message>
+    <message>
+        <source>Year-month-day or day.month.year.</source>
+        <translation>Год-месяц-день или день.месяц.год.</translation>
+    </message>
+    <message>
+        <source>&amp;Technician</source>
+        <translation>&amp;Исполнитель</translation>
+    </message>
+    <message>
+        <source>&amp;Notes</source>
+        <translation>П&amp;римечания</translation>
+    </message>
+    <message>
+        <source>must be a metric thread with its pitch, like %1</source>
+        <translation>должно быть метрической резьбой с шагом, например %1</translation>
+    </message>
+    <message>
+        <source>the diameter %1 mm</source>
+        <translation>диаметр %1 мм</translation>
+    </message>
+    <message>
+        <source>the pitch %1 mm and a third of the diameter</source>
+        <translation>шаг %1 мм и трети диаметра</translation>
+    </message>
+    <message>
+        <source>Take %1 off each of the 8 new steel plugs.</source>
+        <translation>Снять с каждой из 8 новых стальных заглушек %1.</translation>
+    </message>
+    <message>
+        <source>New crankshaft, its own plugs</source>
+        <translation>Новый вал, его заглушки</translation>
+    </message>
+    <message>
+        <source>Nominal mass of the part.</source>
+        <translation>Номинальная масса детали.</translation>
+    </message>
+    <message>
+        <source>Eight masses, by cylinder.</source>
+        <translation>Восемь масс, по цилиндрам.</translation>
+    </message>
+    <message>
+        <source>Sizes of the plug.</source>
+        <translation>Размеры заглушки.</translation>
+    </message>
+    <message>
+        <source>Limits and readings of the balancing machine.</source>
+        <translation>Нормы и показания балансировочного станка.</translation>
+    </message>
+    <message>
+        <source>Head of the job card.</source>
+        <translation>Шапка карты.</translation>
+    </message>
+    <message>
+        <source>Improved piston Δmₚᵢ</source>
+        <translation>Поршень</translation>
+    </message>
+    <message>
+        <source>Repair piston and rings Δmᵣₚ</source>
+        <translation>Рем. поршень, кольца</translation>
+    </message>
+    <message>
+        <source>Rod big end</source>
+        <translation>Головка шатуна</translation>
+    </message>
+    <message>
+        <source>Repair shells of one crankpin Δmₛₕ</source>
+        <translation>Рем. вкладыши одной шатунной шейки Δmₛₕ</translation>
+    </message>
+    <message>
+        <source>Repair shells Δmₛₕ</source>
+        <translation>Рем. вкладыши</translation>
+    </message>
+    <message>
+        <source>Oil mₘ</source>
+        <translation>Масло mₘ</translation>
+    </message>
+    <message>
+        <source>Plug radius rₚ</source>
+        <translation>Радиус заглушки rₚ</translation>
+    </message>
+    <message>
+        <source>New plug radius rₚₙ</source>
+        <translation>Радиус новой заглушки rₚₙ</translation>
+    </message>
+    <message>
+        <source>Rod coefficient kᵣ</source>
+        <translation>Коэффициент шатуна kᵣ</translation>
+    </message>
+    <message>
+        <source>Oil coefficient kₘ</source>
+        <translation>Коэффициент масла kₘ</translation>
+    </message>
+    <message>
+        <source>1+5, 2+6, 3+7, 4+8</source>
+        <translation>1+5, 2+6, 3+7, 4+8</translation>
+    </message>
+    <message>
+        <source>1+2, 3+4, 5+6, 7+8</source>
+        <translation>1+2, 3+4, 5+6, 7+8</translation>
+    </message>
+    <message>
+        <source>is required where %1 is &quot;weigh-in&quot;</source>
+        <translation>обязательно, если «%1» — &quot;weigh-in&quot;</translation>
+    </message>
+    <message>
+        <source>V-8 of %1 litres</source>
+        <translation>V-8, %1 л</translation>
+    </message>
+    <message>
+        <source>a solid plug</source>
+        <translation>сплошная заглушка</translation>
+    </message>
+    <message>
+        <source>no boring is planned</source>
+        <translation>без расточки</translation>
+    </message>
+    <message>
+        <source>Typed</source>
+        <translation>Введено</translation>
+    </message>
+    <message>
+        <source>required</source>
+        <translation>нужно</translation>
+    </message>
+    <message>
+        <source>The two cylinders that share a crankpin.</source>
+        <translation>Два цилиндра на одной шатунной шейке.</translation>
+    </message>
+    <message>
+        <source>Balance quality grade of ISO 21940-11, 0.4 to 4000 mm/s. Engines of cars, trucks and locomotives: G 100; inherently balanced crankshafts: better.</source>
+        <translation>Класс точности балансировки по ИСО 21940-11, от 0,4 до 4000 мм/с. Автомобильные и тепловозные двигатели: G 100; уравновешенные валы: точнее.</translation>
+    </message>
+    <message>
+        <source>Maximum speed in service, not the speed of the machine.</source>
+        <translation>Максимальная рабочая частота, а не частота станка.</translation>
+    </message>
+    <message>
+        <source>The journal finds the job by this number.</source>
+        <translation>По этому номеру журнал находит работу.</translation>
+    </message>
+    <message>
+        <source>Number stamped on the crankshaft.</source>
+        <translation>Номер, выбитый на валу.</translation>
+    </message>
+    <message>
+        <source>Engine and crankshaft of the readings, if the job now names others.</source>
+        <translation>Двигатель и вал показаний, если в работе теперь указаны другие.</translation>
+    </message>
+    <message>
+        <source>Engine number of the reading</source>
+        <translation>Номер двигателя при показании</translation>
+    </message>
+    <message>
+        <source>Number of the engine during the reading.</source>
+        <translation>Номер двигателя при измерении.</translation>
+    </message>
+    <message>
+        <source>Crankshaft number of the reading</source>
+        <translation>Номер вала при показании</translation>
+    </message>
+    <message>
+        <source>Number of the crankshaft during the reading.</source>
+        <translation>Номер вала при измерении.</translation>
+    </message>
+    <message>
+        <source>Owner of the engine; the journal finds the job by this name.</source>
+        <translation>Владелец двигателя; по этому имени журнал находит работу.</translation>
+    </message>
+    <message>
+        <source>Name of the technician.</source>
+        <translation>Имя исполнителя.</translation>
+    </message>
+    <message>
+        <source>Notes on the job card.</source>
+        <translation>Примечания на карте.</translation>
+    </message>
+    <message>
+        <source>Masses of the parts by the scale.</source>
+        <translation>Массы деталей по весам.</translation>
+    </message>
+    <message>
+        <source>Permitted range of the masses.</source>
+        <translation>Допустимый размах масс.</translation>
+    </message>
+    <message>
+        <source>Piston set in each cylinder, by the cylinder where it was weighed.</source>
+        <translation>Комплект поршня в каждом цилиндре: номер цилиндра, где он взвешен.</translation>
+    </message>
+    <message>
+        <source>Rod in each cylinder, by the cylinder where it was weighed.</source>
+        <translation>Шатун в каждом цилиндре: номер цилиндра, где он взвешен.</translation>
+    </message>
+    <message>
+        <source>Bob weight of the reading</source>
+        <translation>Груз при показании</translation>
+    </message>
+    <message>
+        <source>Bob weight on each crankpin during the reading; the reading is valid only with it.</source>
+        <translation>Груз на каждой шатунной шейке при измерении; показание верно только с ним.</translation>
+    </message>
+    <message>
+        <source>Leave the 8 new steel plugs unchanged.</source>
+        <translation>Оставить 8 новых стальных заглушек без изменений.</translation>
+    </message>
+    <message>
+        <source>Fit the 8 present steel plugs unchanged.</source>
+        <translation>Поставить 8 существующих стальных заглушек без доработки.</translation>
+    </message>
+    <message>
+        <source>Replace all 8 plugs by aluminium plugs, lightened by %1 each.</source>
+        <translation>Заменить все 8 заглушек алюминиевыми, сняв с каждой %1.</translation>
+    </message>
+    <message>
+        <source>Replace all 8 plugs by aluminium plugs, unchanged.</source>
+        <translation>Заменить все 8 заглушек алюминиевыми без доработки.</translation>
+    </message>
+    <message>
+        <source>leaves an excess of %1 on each crankpin</source>
+        <translation>оставляет на каждой шейке лишние %1</translation>
+    </message>
+    <message>
+        <source>Leave the plugs unchanged: the excess of %1 per crankpin is %2.</source>
+        <translation>Заглушки оставить без изменений: лишние %1 на шейку дают %2.</translation>
+    </message>
+    <message>
+        <source>The crankshaft is made for plugs of the new design: enter their mass and radius.</source>
+        <translation>Вал изготовлен под новые заглушки: введите их массу и радиус.</translation>
+    </message>
+    <message>
+        <source>The parts are %1 per crankpin lighter than nominal (%2). Plugs can only be lightened: use heavier parts or heavier plugs.</source>
+        <translation>Детали легче номинала на %1 на шейку (%2). Заглушки можно только облегчить: нужны более тяжёлые детали или заглушки.</translation>
+    </message>
+    <message>
+        <source>“%1” would be suitable with %2 off each plug, but such a plug cannot be made.</source>
+        <translation>«%1» подошло бы со снятием %2 с каждой заглушки, но такую заглушку не изготовить.</translation>
+    </message>
+    <message>
+        <source>“%1” would be suitable, but such a plug cannot be made.</source>
+        <translation>«%1» подошло бы, но такую заглушку не изготовить.</translation>
+    </message>
+    <message>
+        <source>No plug of this crankshaft has the required mass.</source>
+        <translation>Ни одна заглушка этого вала не даёт нужной массы.</translation>
+    </message>
+    <message>
+        <source>The nearest option is “%1”, which %2: %3.</source>
+        <translation>Ближе всего «%1»: %2, то есть %3.</translation>
+    </message>
+    <message>
+        <source>Also take %1 off each piston.</source>
+        <translation>Вместе с этим снимите по %1 с каждого поршня.</translation>
+    </message>
+    <message>
+        <source>A crankshaft for the new plugs would be suitable: “%1”.</source>
+        <translation>Подошёл бы вал под новые заглушки: «%1».</translation>
+    </message>
+    <message>
+        <source>A standard crankshaft would be suitable: “%1”.</source>
+        <translation>Подошёл бы штатный вал: «%1».</translation>
+    </message>
+    <message>
+        <source>Machine the steel plugs</source>
+        <translation>Облегчить стальные заглушки</translation>
+    </message>
+    <message>
+        <source>New crankshaft, steel plugs</source>
+        <translation>Новый вал, стальные заглушки</translation>
+    </message>
+    <message>
+        <source>From the crank axis to the centre of mass of the present plug.</source>
+        <translation>От оси вала до центра масс существующей заглушки.</translation>
+    </message>
+    <message>
+        <source>Mass of one plug by the scale, before machining.</source>
+        <translation>Масса одной заглушки по показанию весов, до обработки.</translation>
+    </message>
+    <message>
+        <source>Mass of one plug of the new design, for which the counterweights are made.</source>
+        <translation>Масса одной заглушки новой конструкции, под которую сделаны противовесы вала.</translation>
+    </message>
+    <message>
+        <source>Maximum to take off one plug, by the strength of its walls.</source>
+        <translation>Максимум, который можно снять с одной заглушки по прочности стенок.</translation>
+    </message>
+    <message>
+        <source>Masses of the parts</source>
+        <translation>Массы деталей</translation>
+    </message>
+    <message>
+        <source>Values that replace or complete the preset.</source>
+        <translation>Значения, которые заменяют или дополняют образец.</translation>
+    </message>
+    <message>
+        <source>In manufacture, repair pistons and repair shells are not used.</source>
+        <translation>При изготовлении ремонтные поршни и вкладыши не учитываются.</translation>
+    </message>
+    <message>
+        <source>Plugs for which the counterweights of the crankshaft were made.</source>
+        <translation>Заглушки, под которые сделаны противовесы вала.</translation>
+    </message>
+    <message>
+        <source>Mass of the parts minus nominal; negative if lighter.</source>
+        <translation>Масса деталей минус номинал; отрицательна, если легче.</translation>
+    </message>
+    <message>
+        <source>Source of the changes: weighed masses, or the changes typed on the sheet.</source>
+        <translation>Источник изменений: взвешенные массы или изменения, введённые на листе.</translation>
+    </message>
+    <message>
+        <source>Limit in each correction plane. Nazarov&apos;s experiments left 5 g·mm; a repair manual may allow much more (2 oz·in is 1440 g·mm).</source>
+        <translation>Предел в каждой плоскости коррекции. В опытах Назарова оставалось 5 г·мм; руководство по ремонту может допускать намного больше (2 унции·дюйма — 1440 г·мм).</translation>
+    </message>
+    <message>
+        <source>Height of the whole plug.</source>
+        <translation>Высота всей заглушки.</translation>
+    </message>
+    <message>
+        <source>Diameter of the present bore.</source>
+        <translation>Диаметр имеющейся полости.</translation>
+    </message>
+    <message>
+        <source>Depth from the outer face.</source>
+        <translation>Глубина от наружного торца.</translation>
+    </message>
+    <message>
+        <source>Minimum &amp;wall</source>
+        <translation>Мин. &amp;стенка</translation>
+    </message>
+    <message>
+        <source>Minimum between the bore and the root of the thread.</source>
+        <translation>Минимум между полостью и впадиной резьбы.</translation>
+    </message>
+    <message>
+        <source>Minimum b&amp;ottom</source>
+        <translation>Мин. д&amp;но</translation>
+    </message>
+    <message>
+        <source>Minimum between the bore and the inner face.</source>
+        <translation>Минимум между полостью и внутренним торцом.</translation>
+    </message>
+    <message>
+        <source>Bob weight of the reading, front</source>
+        <translation>Груз при показании, спереди</translation>
+    </message>
+    <message>
+        <source>Bob weight of the reading, rear</source>
+        <translation>Груз при показании, сзади</translation>
+    </message>
+    <message>
+        <source>Δmₚᵢ: one piston minus nominal.</source>
+        <translation>Один поршень минус номинал.</translation>
+    </message>
+    <message>
+        <source>One big end minus nominal.</source>
+        <translation>Одна нижняя головка минус номинал.</translation>
+    </message>
+    <message>
+        <source>Δmᵣₚ: one repair piston with rings minus nominal.</source>
+        <translation>Один ремонтный поршень с кольцами минус номинал.</translation>
+    </message>
+    <message>
+        <source>Δmₛₕ: repair shells of one crankpin minus nominal.</source>
+        <translation>Ремонтные вкладыши одной шейки минус номинал.</translation>
+    </message>
+    <message>
+        <source>%1: the typed %2 is not used in manufacture.</source>
+        <translation>%1: введённое %2 при изготовлении не учитывается.</translation>
+    </message>
+    <message>
+        <source>%1: the typed %2 is used with the weighed masses.</source>
+        <translation>%1: введённое %2 учитывается вместе со взвешенным.</translation>
+    </message>
+    <message>
+        <source>%1: the typed %2 is not used. Weighed masses are selected, but no column is complete.</source>
+        <translation>%1: введённое %2 не используется. Выбраны взвешенные массы, но ни один столбец не полон.</translation>
+    </message>
+    <message>
+        <source>Weighed masses are not used: the typed changes are selected.</source>
+        <translation>Взвешенные массы не используются: выбраны введённые изменения.</translation>
+    </message>
+    <message>
+        <source>%1: weighed masses need a nominal mass.</source>
+        <translation>%1: взвешенным массам нужен номинал.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of 8 weighed; the typed change is used until all are weighed.</source>
+        <translation>%1: взвешено %2 из 8; пока не все, используется введённое изменение.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of 8 weighed; nominal is used until all are weighed.</source>
+        <translation>%1: взвешено %2 из 8; пока не все, используется номинал.</translation>
+    </message>
+    <message>
+        <source>The bore is as deep as the plug: no bottom remains.</source>
+        <translation>Полость глубиной с заглушку: дна не остаётся.</translation>
+    </message>
+    <message>
+        <source>The bore is wider than the root of the thread, %1: no wall remains.</source>
+        <translation>Полость шире впадины резьбы, %1: стенки не остаётся.</translation>
+    </message>
+    <message>
+        <source>A cutter of %1 leaves a wall of %2 under the thread; the minimum is %3.</source>
+        <translation>Фреза %1 оставляет под резьбой стенку %2; минимум %3.</translation>
+    </message>
+    <message>
+        <source>A cutter of %1 needs a depth of %2; the bottom must be at least %3.</source>
+        <translation>Фрезе %1 нужна глубина %2; дно должно быть не тоньше %3.</translation>
+    </message>
+    <message>
+        <source>The method neglects the shift of the plug&apos;s centre of mass: the residual is %1, permissible %2.</source>
+        <translation>Метод пренебрегает смещением центра масс заглушки: остаток %1, допустимо %2.</translation>
+    </message>
+    <message>
+        <source>The method neglects the shift of the plug&apos;s centre of mass, %3 to %4 in the paper: the residual is up to %1, permissible %2.</source>
+        <translation>Метод пренебрегает смещением центра масс заглушки, в статье %3–%4: остаток до %1, допустимо %2.</translation>
+    </message>
+    <message>
+        <source>Enter the plug&apos;s sizes and the cutter, or take off %1 to %2 each.</source>
+        <translation>Введите размеры заглушки и фрезу или снимите от %1 до %2 с каждой заглушки.</translation>
+    </message>
+    <message>
+        <source>Take off %1 each.</source>
+        <translation>Снимите по %1 с каждой заглушки.</translation>
+    </message>
+    <message>
+        <source>Bore to %1 from the face, %2 off each plug.</source>
+        <translation>Расточите на %1 от торца, по %2 с каждой заглушки.</translation>
+    </message>
+    <message>
+        <source>One improved piston Δmₚᵢ</source>
+        <translation>Один улучшенный поршень</translation>
+    </message>
+    <message>
+        <source>Big end of one rod</source>
+        <translation>Нижняя головка одного шатуна</translation>
+    </message>
+    <message>
+        <source>One repair piston with rings Δmᵣₚ</source>
+        <translation>Один рем. поршень с кольцами</translation>
+    </message>
+    <message>
+        <source>One steel plug mₚ</source>
+        <translation>Одна стальная заглушка mₚ</translation>
+    </message>
+    <message>
+        <source>One aluminium plug mₐ</source>
+        <translation>Одна алюминиевая заглушка mₐ</translation>
+    </message>
+    <message>
+        <source>One new steel plug mₚₙ</source>
+        <translation>Одна новая стальная mₚₙ</translation>
+    </message>
+    <message>
+        <source>One new aluminium plug mₐₙ</source>
+        <translation>Одна новая алюминиевая mₐₙ</translation>
+    </message>
+    <message>
+        <source>Max. off one steel plug Δmₚₘ</source>
+        <translation>Предел съёма с одной стальной Δmₚₘ</translation>
+    </message>
+    <message>
+        <source>Max. off one aluminium plug Δmₐₘ</source>
+        <translation>Предел с одной алюминиевой Δmₐₘ</translation>
+    </message>
+    <message>
+        <source>Oil of one crankpin mₘ</source>
+        <translation>Масло одной шейки mₘ</translation>
+    </message>
+    <message>
+        <source>Reciprocating, one cylinder mⱼ</source>
+        <translation>Поступательная, 1 цилиндр mⱼ</translation>
+    </message>
+    <message>
+        <source>Rotating, one cylinder</source>
+        <translation>Вращающаяся, 1 цилиндр</translation>
+    </message>
+    <message>
+        <source>&amp;Mass with bob weights</source>
+        <translation>&amp;Масса с грузами</translation>
+    </message>
+    <message>
+        <source>Mass of crankshaft and bob weights on the machine.</source>
+        <translation>Масса вала с грузами на станке.</translation>
+    </message>
+    <message>
+        <source>A heavier big end has the factor (2 + k), unless the small ends are weighed.</source>
+        <translation>Лишняя масса нижней головки учитывается с множителем (2 + k), если верхние головки не взвешены.</translation>
+    </message>
+    <message>
+        <source>&amp;Share of the first plane</source>
+        <translation>&amp;Доля первой плоскости</translation>
+    </message>
+    <message>
+        <source>Factor of the oil mass in the bob weight; 1 if its centre is on the crankpin&apos;s axis.</source>
+        <translation>Множитель массы масла в балансировочном грузе; 1, если её центр на оси шейки.</translation>
+    </message>
+</context>
+<context>
+    <name>V8</name>
+    <message>
+        <source>thread</source>
+        <comment>drawing</comment>
+        <translation>резьба</translation>
+    </message>
+    <message>
+        <source>l</source>
+        <comment>litre</comment>
+        <translation>л</translation>
+    </message>
+    <message>
+        <source>steel</source>
+        <translation>сталь</translation>
+    </message>
+    <message>
+        <source>aluminium</source>
+        <translation>алюминий</translation>
+    </message>
+    <message>
+        <source>%1: must be less than the plug&apos;s mass, %2.</source>
+        <translation>%1: должно быть меньше массы заглушки, %2.</translation>
+    </message>
+    <message>
+        <source>new: steel</source>
+        <translation>новый: сталь</translation>
+    </message>
+    <message>
+        <source>new: its own</source>
+        <translation>новый: свои</translation>
+    </message>
+    <message>
+        <source>new: aluminium</source>
+        <translation>новый: алюм.</translation>
+    </message>
+    <message>
+        <source>changes of mass (sheet 2) or masses of the parts (sheet 3)</source>
+        <translation>изменения масс (лист 2) или массы деталей (лист 3)</translation>
+    </message>
+    <message>
+        <source>Enter both diameter and depth of the bore.</source>
+        <translation>Введите и диаметр, и глубину полости.</translation>
+    </message>
+    <message>
+        <source>The method neglects the shift of the plug&apos;s centre of mass by boring, %4 to %5. Effect: %1 to %2; permissible: %3.</source>
+        <translation>Метод пренебрегает смещением центра масс заглушки при расточке, от %4 до %5. Влияние: %1–%2; допустимо: %3.</translation>
+    </message>
+    <message>
+        <source>With the planned bore it moves by %1: %2.</source>
+        <translation>При этой расточке он смещается на %1: %2.</translation>
+    </message>
+    <message>
+        <source>With the plugs removed. With the plugs fitted use %1.</source>
+        <translation>Без заглушек. С заглушками навесьте %1.</translation>
+    </message>
+    <message>
+        <source>Big end × 2: the small ends are weighed, kᵣ is not used.</source>
+        <translation>Головка × 2: верхние головки взвешены, kᵣ не учитывается.</translation>
+    </message>
+    <message>
+        <source>Big end × %1: 2 for two rods, kᵣ = %2 by the method; effect here: %3.</source>
+        <translation>Головка × %1: 2 за два шатуна, kᵣ = %2 по методу; влияние здесь: %3.</translation>
+    </message>
+    <message>
+        <source>Would match nominal, but cannot be made.</source>
+        <translation>Совпало бы с номиналом, но изготовить нельзя.</translation>
+    </message>
+    <message>
+        <source>(!) Matches nominal by the method only.</source>
+        <translation>(!) Совпадает с номиналом только по методу.</translation>
+    </message>
+    <message>
+        <source>Matches nominal: balanced.</source>
+        <translation>Совпадает с номиналом: уравновешено.</translation>
+    </message>
+    <message>
+        <source>Difference from nominal: %1 (%2).</source>
+        <translation>Отличие от номинала: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Weighed to %1, the bob weight is accurate to ±%2 and the unbalance of a crankpin to ±%3 (95 %).</source>
+        <translation>При взвешивании до %1 масса балансировочного груза известна до ±%2, а дисбаланс шейки — до ±%3 (95&#xa0;%).</translation>
+    </message>
+    <message>
+        <source>This is enough for the tolerance of %1.</source>
+        <translation>Для допуска %1 этого достаточно.</translation>
+    </message>
+    <message>
+        <source>This is too coarse for the tolerance of %1: use a scale with a last digit of %2.</source>
+        <translation>Для допуска %1 это слишком грубо: возьмите весы с дискретностью %2.</translation>
+    </message>
+    <message>
+        <source>The values are inconsistent.</source>
+        <translation>Значения не согласуются.</translation>
+    </message>
+    <message>
+        <source>Missing for the plugs: %1.</source>
+        <translation>Для заглушек не хватает: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>Workshop</name>
+    <message>
+        <source>another bob weight</source>
+        <translation>другой груз</translation>
+    </message>
+    <message>
+        <source>another crankshaft</source>
+        <translation>другой вал</translation>
+    </message>
+    <message>
+        <source>%1 of cylinder %2</source>
+        <translation>%1 цилиндра %2</translation>
+    </message>
+    <message>
+        <source>rod of cylinder %1</source>
+        <translation>шатун цилиндра %1</translation>
+    </message>
+    <message>
+        <source>Weigh again first: %1.</source>
+        <translation>Сначала взвесьте снова: %1.</translation>
+    </message>
+    <message>
+        <source>PASS</source>
+        <translation>ГОДЕН</translation>
+    </message>
+    <message>
+        <source>FAIL</source>
+        <translation>НЕ ГОДЕН</translation>
+    </message>
+    <message>
+        <source>FAIL → drill, then PASS</source>
+        <translation>НЕ ГОДЕН → сверлить → ГОДЕН</translation>
+    </message>
+    <message>
+        <source>FAIL → drill, still FAIL</source>
+        <translation>НЕ ГОДЕН → сверлить → НЕ ГОДЕН</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>СТОП</translation>
+    </message>
+    <message>
+        <source>PASS, but see the warnings</source>
+        <translation>ГОДЕН, но есть предупреждения</translation>
+    </message>
+    <message>
+        <source>FAIL: no hole is possible</source>
+        <translation>НЕ ГОДЕН: сверлить негде</translation>
     </message>
 </context>
 <context>
@@ -17563,954 +18345,6 @@ but no position is feasible</source>
     <message>
         <source>Read as one value: %1</source>
         <translation>Прочитано как одно значение: %1</translation>
-    </message>
-</context>
-<context>
-    <name>scenes</name>
-    <message>
-        <source>Balance shaft</source>
-        <translation>Балансирный вал</translation>
-    </message>
-    <message>
-        <source>Position the balance shaft of a single-cylinder engine</source>
-        <translation>Положение балансирного вала одноцилиндрового двигателя</translation>
-    </message>
-    <message>
-        <source>Elastic hinges</source>
-        <translation>Упругие шарниры</translation>
-    </message>
-    <message>
-        <source>Spring guides for constant crank speed</source>
-        <translation>Пружинные направляющие для постоянной угловой скорости кривошипа</translation>
-    </message>
-    <message>
-        <source>Workshop</source>
-        <translation>Мастерская</translation>
-    </message>
-    <message>
-        <source>From the scale to the drilled crankshaft, plugs of a V-8 included</source>
-        <translation>От весов до просверленного коленчатого вала, с заглушками V-8</translation>
-    </message>
-    <message>
-        <source>Inertia moments</source>
-        <translation>Моменты сил инерции</translation>
-    </message>
-    <message>
-        <source>Forces and moments of VR5 and any other cylinder layout</source>
-        <translation>Силы и моменты VR5 и любой другой компоновки</translation>
-    </message>
-</context>
-<context>
-    <name>studies</name>
-    <message>
-        <source>Linear</source>
-        <translation>Линейный</translation>
-    </message>
-    <message>
-        <source>Monte Carlo</source>
-        <translation>Монте-Карло</translation>
-    </message>
-    <message>
-        <source>Sobol points</source>
-        <translation>Точки Соболя</translation>
-    </message>
-    <message>
-        <source>Grid</source>
-        <translation>Сетка</translation>
-    </message>
-    <message>
-        <source>must be a JSON pointer, such as /crank_radius_mm</source>
-        <translation>должно быть указателем JSON, например /crank_radius_mm</translation>
-    </message>
-    <message>
-        <source>must be a grid like the others; otherwise none may be a grid</source>
-        <translation>должно быть сеткой, как и остальные; иначе сеток быть не должно</translation>
-    </message>
-    <message>
-        <source>must make at most %1 points</source>
-        <translation>должно давать не больше %1 точек</translation>
-    </message>
-    <message>
-        <source>%1 has no linear answer: a derivative does not exist at the inputs&apos; means.</source>
-        <translation>Для %1 линейного ответа нет: при средних значениях входных данных нет производной.</translation>
-    </message>
-    <message>
-        <source>is a part of another case than %1</source>
-        <translation>часть другой задачи, чем %1</translation>
-    </message>
-    <message>
-        <source>is one of %1 parts, but %2 is one of %3</source>
-        <translation>одна из %1 частей, а %2 — одна из %3</translation>
-    </message>
-    <message>
-        <source>is not finished (%1 of %2 samples); run it again: --shard %3</source>
-        <translation>не закончено (%1 из %2 проб); запустите ещё раз: --shard %3</translation>
-    </message>
-    <message>
-        <source>is the same part as %1: %2</source>
-        <translation>та же часть, что и %1: %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2 parts are missing; run them again: --shard %3</source>
-        <translation>не хватает %1 из %2 частей; запустите их ещё раз: --shard %3</translation>
-    </message>
-    <message>
-        <source>The samples are too few for the sensitivities of %1: standard errors up to %2.</source>
-        <translation>Для чувствительностей %1 проб мало: стандартные ошибки до %2.</translation>
-    </message>
-    <message>
-        <source>must be &quot;linear&quot; or &quot;sobol&quot;: second-order studies are no longer supported</source>
-        <translation>должно быть «linear» или «sobol»: исследования второго порядка больше не поддерживаются</translation>
-    </message>
-    <message>
-        <source>must be &quot;sobol&quot; or &quot;monte-carlo&quot;: Latin hypercubes are no longer supported</source>
-        <translation>должно быть «sobol» или «monte-carlo»: латинские гиперкубы больше не поддерживаются</translation>
-    </message>
-    <message>
-        <source>%1 does not scatter and has no derivative: its tolerance is below the rounding of its value.</source>
-        <translation>%1 не меняется и не имеет производной: допуск меньше ошибки округления значения.</translation>
-    </message>
-    <message>
-        <source>must be %1; run the parts of other versions again</source>
-        <translation>должно быть %1; части других версий запустите снова</translation>
-    </message>
-    <message>
-        <source>must point to a number of the input</source>
-        <translation>должно указывать на число во входных данных</translation>
-    </message>
-    <message>
-        <source>must scatter less: its moments exceed the range of numbers</source>
-        <translation>должно рассеиваться меньше: его моменты вне пределов чисел</translation>
-    </message>
-    <message>
-        <source>must point to a number of the result</source>
-        <translation>должно указывать на число в результате</translation>
-    </message>
-    <message>
-        <source>must be nearer to from: their difference exceeds the range of numbers</source>
-        <translation>должно быть ближе к from: их разность вне пределов чисел</translation>
-    </message>
-    <message>
-        <source>must have one of: plus_minus, plus_minus_percent, normal_sd, from with to, values</source>
-        <translation>должно содержать одно из: plus_minus, plus_minus_percent, normal_sd, from с to, values</translation>
-    </message>
-    <message>
-        <source>must have from 1 to %1 pointers</source>
-        <translation>должно содержать от 1 до %1 указателей</translation>
-    </message>
-    <message>
-        <source>must be at least %1; across 0° enter %2</source>
-        <translation>должно быть не меньше %1; через 0° введите %2</translation>
-    </message>
-    <message>
-        <source>must be &quot;grid&quot; with listed values</source>
-        <translation>должно быть &quot;grid&quot;, если перечислены значения</translation>
-    </message>
-    <message>
-        <source>must not be &quot;grid&quot; without a grid</source>
-        <translation>не может быть &quot;grid&quot;, если сетка не задана</translation>
-    </message>
-    <message>
-        <source>%1 of %2 trial samples cannot be solved; the linear answer does not show that.</source>
-        <translation>%1 из %2 опробованных проб решить нельзя; линейный ответ этого не показывает.</translation>
-    </message>
-    <message>
-        <source>A standard deviation needs two solved samples.</source>
-        <translation>Для стандартного отклонения нужны две решённые пробы.</translation>
-    </message>
-    <message>
-        <source>is not the checksum of the part: the part was changed; run it again</source>
-        <translation>не контрольная сумма этой части: часть изменена; запустите её снова</translation>
-    </message>
-    <message>
-        <source>was computed by another program or machine than %1: the first numbers differ</source>
-        <translation>посчитано другой программой или машиной, чем %1: исходные числа иные</translation>
-    </message>
-    <message>
-        <source>was not written by this program</source>
-        <translation>записано не этой программой</translation>
-    </message>
-    <message>
-        <source>The linear answer fails for %1: the samples deviate from it by %2 (RMS), standard deviation %3.</source>
-        <translation>Линейный ответ для %1 неверен: пробы отклоняются от него на %2 (СКЗ), стандартное отклонение %3.</translation>
-    </message>
-</context>
-<context>
-    <name>v8-plugs</name>
-    <message>
-        <source>mⱼ and m_R nominal reciprocating and rotating mass, mₘ oil, k_m its coefficient</source>
-        <translation>mⱼ и m_R — номинальные поступательная и вращающаяся массы, mₘ — масло, k_m — его коэффициент</translation>
-    </message>
-    <message>
-        <source>Bob weight, steel plugs</source>
-        <translation>Балансировочный груз, стальные заглушки</translation>
-    </message>
-    <message>
-        <source>Bob weight, aluminium plugs</source>
-        <translation>Балансировочный груз, алюминиевые заглушки</translation>
-    </message>
-    <message>
-        <source>Coefficients</source>
-        <translation>Коэффициенты</translation>
-    </message>
-    <message>
-        <source>Excess on the crankpin axis</source>
-        <translation>Лишняя масса на оси шатунной шейки</translation>
-    </message>
-    <message>
-        <source>Δmₚ piston, Δm_b big end of the rod, in repair Δm_rp repair piston with rings and Δm_sh repair shells; kᵣ coefficient of the rod</source>
-        <translation>Δmₚ — поршень, Δm_b — нижняя головка шатуна, в ремонте Δm_rp — ремонтный поршень с кольцами и Δm_sh — ремонтные вкладыши; kᵣ — коэффициент шатуна</translation>
-    </message>
-    <message>
-        <source>Lightening of each plug</source>
-        <translation>Облегчение каждой заглушки</translation>
-    </message>
-    <message>
-        <source>Aluminium in place of steel plugs</source>
-        <translation>Алюминиевые заглушки вместо стальных</translation>
-    </message>
-    <message>
-        <source>constant part; mₛ and mₐ mass of a plug of steel and of aluminium</source>
-        <translation>постоянная часть; mₛ и mₐ — масса стальной и алюминиевой заглушки</translation>
-    </message>
-    <message>
-        <source>constant parts with plugs of steel and of aluminium; mₛₙ mass of a new steel plug</source>
-        <translation>постоянные части со стальными и с алюминиевыми заглушками; mₛₙ — масса новой стальной заглушки</translation>
-    </message>
-    <message>
-        <source>Compensated by an option</source>
-        <translation>Компенсируется вариантом</translation>
-    </message>
-    <message>
-        <source>Cᵢ its constant part, Δmᵢ lightening of each plug, up to the limit of its wall</source>
-        <translation>Cᵢ — его постоянная часть, Δmᵢ — облегчение каждой заглушки, до предела по стенке</translation>
-    </message>
-    <message>
-        <source>the engine has no such plug</source>
-        <translation>в этом двигателе нет такой заглушки</translation>
-    </message>
-    <message>
-        <source>Excess on a crankpin Δmᵤ</source>
-        <translation>Избыток на шатунной шейке Δmᵤ</translation>
-    </message>
-    <message>
-        <source>Excess mass of the parts on the crankpin axis.</source>
-        <translation>Избыточная масса деталей на оси шатунной шейки.</translation>
-    </message>
-    <message>
-        <source>Unbalance of a crankpin</source>
-        <translation>Дисбаланс шатунной шейки</translation>
-    </message>
-    <message>
-        <source>Coefficient kₚ</source>
-        <translation>Коэффициент kₚ</translation>
-    </message>
-    <message>
-        <source>Coefficient kᵤ</source>
-        <translation>Коэффициент kᵤ</translation>
-    </message>
-    <message>
-        <source>Coefficient kᵤₙ</source>
-        <translation>Коэффициент kᵤₙ</translation>
-    </message>
-    <message>
-        <source>Slope angle</source>
-        <translation>Угол наклона</translation>
-    </message>
-    <message>
-        <source>Mass changes</source>
-        <translation>Изменения масс</translation>
-    </message>
-    <message>
-        <source>Options</source>
-        <translation>Варианты</translation>
-    </message>
-    <message>
-        <source>Plug</source>
-        <translation>Заглушка</translation>
-    </message>
-    <message>
-        <source>Balancing machine</source>
-        <translation>Балансировочный станок</translation>
-    </message>
-    <message>
-        <source>Fixed part</source>
-        <translation>Постоянная часть</translation>
-    </message>
-    <message>
-        <source>Compensated without machining.</source>
-        <translation>Компенсируется без обработки.</translation>
-    </message>
-    <message>
-        <source>Gain</source>
-        <translation>Коэффициент</translation>
-    </message>
-    <message>
-        <source>Compensated by a gram off each plug.</source>
-        <translation>Компенсируется при снятии грамма с каждой заглушки.</translation>
-    </message>
-    <message>
-        <source>Maximum</source>
-        <translation>Предел</translation>
-    </message>
-    <message>
-        <source>Required off each plug</source>
-        <translation>Требуется снять с заглушки</translation>
-    </message>
-    <message>
-        <source>Take off each plug</source>
-        <translation>Снять с заглушки</translation>
-    </message>
-    <message>
-        <source>Remains</source>
-        <translation>Остаток</translation>
-    </message>
-    <message>
-        <source>Residual unbalance</source>
-        <translation>Остаточный дисбаланс</translation>
-    </message>
-    <message>
-        <source>Bob weight</source>
-        <translation>Балансировочный груз</translation>
-    </message>
-    <message>
-        <source>Bob weight, plugs in</source>
-        <translation>Балансировочный груз, заглушки на месте</translation>
-    </message>
-    <message>
-        <source>Bob weight, nominal</source>
-        <translation>Балансировочный груз, номинал</translation>
-    </message>
-    <message>
-        <source>Mass of a plug</source>
-        <translation>Масса заглушки</translation>
-    </message>
-    <message>
-        <source>Shift</source>
-        <translation>Смещение</translation>
-    </message>
-    <message>
-        <source>Coefficient</source>
-        <translation>Коэффициент</translation>
-    </message>
-    <message>
-        <source>Effect of the shift</source>
-        <translation>Влияние смещения</translation>
-    </message>
-    <message>
-        <source>Beyond tolerance</source>
-        <translation>Вне допуска</translation>
-    </message>
-    <message>
-        <source>Corrected depth</source>
-        <translation>Исправленная глубина</translation>
-    </message>
-    <message>
-        <source>Boring</source>
-        <translation>Расточка</translation>
-    </message>
-    <message>
-        <source>Possible</source>
-        <translation>Возможна</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Глубина</translation>
-    </message>
-    <message>
-        <source>Deeper by</source>
-        <translation>Глубже на</translation>
-    </message>
-    <message>
-        <source>Wall</source>
-        <translation>Стенка</translation>
-    </message>
-    <message>
-        <source>Bottom</source>
-        <translation>Дно</translation>
-    </message>
-    <message>
-        <source>Maximum by the walls</source>
-        <translation>Предел по стенкам</translation>
-    </message>
-    <message>
-        <source>Nominal</source>
-        <translation>Номинал</translation>
-    </message>
-    <message>
-        <source>Before</source>
-        <translation>До</translation>
-    </message>
-    <message>
-        <source>Sum</source>
-        <translation>Сумма</translation>
-    </message>
-    <message>
-        <source>Crankpins</source>
-        <translation>Шатунные шейки</translation>
-    </message>
-    <message>
-        <source>Steel</source>
-        <translation>Сталь</translation>
-    </message>
-    <message>
-        <source>Aluminium</source>
-        <translation>Алюминий</translation>
-    </message>
-    <message>
-        <source>Mass by the sizes</source>
-        <translation>Масса по размерам</translation>
-    </message>
-    <message>
-        <source>Mass as entered</source>
-        <translation>Введённая масса</translation>
-    </message>
-    <message>
-        <source>Masses agree</source>
-        <translation>Массы согласуются</translation>
-    </message>
-    <message>
-        <source>Front plane</source>
-        <translation>Передняя плоскость</translation>
-    </message>
-    <message>
-        <source>Rear plane</source>
-        <translation>Задняя плоскость</translation>
-    </message>
-    <message>
-        <source>Permissible</source>
-        <translation>Допустимый дисбаланс</translation>
-    </message>
-    <message>
-        <source>Reading</source>
-        <translation>Показание</translation>
-    </message>
-    <message>
-        <source>Passes</source>
-        <translation>Годен</translation>
-    </message>
-    <message>
-        <source>Steel plug</source>
-        <translation>Стальная заглушка</translation>
-    </message>
-    <message>
-        <source>Aluminium plug</source>
-        <translation>Алюминиевая заглушка</translation>
-    </message>
-    <message>
-        <source>%1: %2 entered, but a solid plug of these dimensions weighs %3. Enter its bore or weigh the plug.</source>
-        <translation>%1: введено %2, но сплошная заглушка этих размеров весит %3. Введите расточку или взвесьте заглушку.</translation>
-    </message>
-    <message>
-        <source>%1: %2 entered, but a plug of these dimensions weighs %3. Weigh the plug.</source>
-        <translation>%1: введено %2, но заглушка этих размеров весит %3. Взвесьте заглушку.</translation>
-    </message>
-    <message>
-        <source>r crank radius, rₚ and rₚₙ distance of the centre of mass of the present and the new plug from the crank axis</source>
-        <translation>r — радиус кривошипа, rₚ и rₚₙ — расстояние центра масс существующей и новой заглушки от оси вала</translation>
-    </message>
-    <message>
-        <source>Crankshaft made for new plugs, present plugs fitted</source>
-        <translation>Вал под новые заглушки с существующими</translation>
-    </message>
-    <message>
-        <source>Residual due to the shift of the centre of mass</source>
-        <translation>Остаток от смещения центра масс</translation>
-    </message>
-    <message>
-        <source>d distance of the bored metal from the centre of mass of the plug</source>
-        <translation>d — расстояние снятого металла от центра масс заглушки</translation>
-    </message>
-    <message>
-        <source>Not included: drilling in the webs, flywheel and damper.</source>
-        <translation>Не учитываются: сверление щёк, маховик и гаситель колебаний.</translation>
-    </message>
-    <message>
-        <source>The plug mass is from the paper: weigh the plugs.</source>
-        <translation>Масса заглушки взята из статьи: взвесьте заглушки.</translation>
-    </message>
-</context>
-<context>
-    <name>workshop</name>
-    <message>
-        <source>Large slow marine diesels whose crank drive is inherently unbalanced</source>
-        <translation>Большие тихоходные судовые дизели с неуравновешенным по своей природе кривошипно-шатунным механизмом</translation>
-    </message>
-    <message>
-        <source>Large slow marine diesels whose crank drive is inherently balanced</source>
-        <translation>Большие тихоходные судовые дизели с уравновешенным по своей природе кривошипно-шатунным механизмом</translation>
-    </message>
-    <message>
-        <source>Crank drives inherently unbalanced, on elastic mounts</source>
-        <translation>Неуравновешенные по своей природе кривошипные механизмы на упругих опорах</translation>
-    </message>
-    <message>
-        <source>Crank drives inherently unbalanced, rigidly mounted</source>
-        <translation>Неуравновешенные по своей природе кривошипные механизмы на жёстких опорах</translation>
-    </message>
-    <message>
-        <source>Complete engines of cars, trucks and locomotives</source>
-        <translation>Двигатели легковых, грузовых автомобилей и локомотивов в сборе</translation>
-    </message>
-    <message>
-        <source>Crank drives inherently balanced, on elastic mounts; wheels and drive shafts of cars</source>
-        <translation>Уравновешенные кривошипные механизмы на упругих опорах; колёса и валы автомобилей</translation>
-    </message>
-    <message>
-        <source>Crank drives inherently balanced, rigidly mounted; cardan shafts</source>
-        <translation>Уравновешенные кривошипные механизмы на жёстких опорах; карданные валы</translation>
-    </message>
-    <message>
-        <source>Machinery in general: flywheels, pumps, fans, turbochargers</source>
-        <translation>Машины вообще: маховики, насосы, вентиляторы, турбокомпрессоры</translation>
-    </message>
-    <message>
-        <source>Gas and steam turbines, machine-tool drives</source>
-        <translation>Газовые и паровые турбины, приводы станков</translation>
-    </message>
-    <message>
-        <source>Grinding machine drives</source>
-        <translation>Приводы шлифовальных станков</translation>
-    </message>
-    <message>
-        <source>Spindles of high-precision machines, gyroscopes</source>
-        <translation>Шпиндели прецизионных станков, гироскопы</translation>
-    </message>
-    <message>
-        <source>must be a list of %1 masses, one for each cylinder</source>
-        <translation>должен быть списком масс по числу цилиндров (%1)</translation>
-    </message>
-    <message>
-        <source>must be the numbers 1 to %1, each once</source>
-        <translation>должны быть номера от 1 до %1, каждый один раз</translation>
-    </message>
-    <message>
-        <source>Permissible residual unbalance</source>
-        <translation>Допустимый остаточный дисбаланс</translation>
-    </message>
-    <message>
-        <source>g·mm with the mass m in kg, the grade G in mm/s and the service speed ω in rad/s</source>
-        <translation>г·мм при массе m в кг, классе G в мм/с и рабочей скорости ω в рад/с</translation>
-    </message>
-    <message>
-        <source>Weigh-in</source>
-        <translation>Взвешивание</translation>
-    </message>
-    <message>
-        <source>Mean</source>
-        <translation>Среднее</translation>
-    </message>
-    <message>
-        <source>Heaviest minus lightest.</source>
-        <translation>Самая тяжёлая минус самая лёгкая.</translation>
-    </message>
-    <message>
-        <source>Heaviest, cylinder</source>
-        <translation>Самая тяжёлая, цилиндр</translation>
-    </message>
-    <message>
-        <source>Lightest, cylinder</source>
-        <translation>Самая лёгкая, цилиндр</translation>
-    </message>
-    <message>
-        <source>Take off</source>
-        <translation>Снять</translation>
-    </message>
-    <message>
-        <source>Mean minus nominal</source>
-        <translation>Среднее минус номинал</translation>
-    </message>
-    <message>
-        <source>Sets moved</source>
-        <translation>Переставлено комплектов</translation>
-    </message>
-    <message>
-        <source>Proven</source>
-        <translation>Доказано</translation>
-    </message>
-    <message>
-        <source>Shaking before</source>
-        <translation>Тряска до</translation>
-    </message>
-    <message>
-        <source>Shaking</source>
-        <translation>Тряска</translation>
-    </message>
-    <message>
-        <source>Force, mass at the crank radius</source>
-        <translation>Сила, масса на радиусе кривошипа</translation>
-    </message>
-    <message>
-        <source>RMS at the ends</source>
-        <translation>Среднеквадратичное на концах</translation>
-    </message>
-    <message>
-        <source>Couple, mass at the crank radius</source>
-        <translation>Момент, масса на радиусе кривошипа</translation>
-    </message>
-    <message>
-        <source>Force, unbalance</source>
-        <translation>Сила, дисбаланс</translation>
-    </message>
-    <message>
-        <source>Couple, unbalance</source>
-        <translation>Момент, дисбаланс</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>Сила</translation>
-    </message>
-    <message>
-        <source>Couple</source>
-        <translation>Момент</translation>
-    </message>
-    <message>
-        <source>Bob weight of the readings</source>
-        <translation>Балансировочный груз показаний</translation>
-    </message>
-    <message>
-        <source>Lines</source>
-        <translation>Строки</translation>
-    </message>
-    <message>
-        <source>Factor</source>
-        <translation>Коэффициент</translation>
-    </message>
-    <message>
-        <source>Mass</source>
-        <translation>Масса</translation>
-    </message>
-    <message>
-        <source>%1: %2 looks like kilograms. Enter grams.</source>
-        <translation>%1: %2 похоже на килограммы. Введите граммы.</translation>
-    </message>
-    <message>
-        <source>Locks</source>
-        <translation>Стопорные кольца</translation>
-    </message>
-    <message>
-        <source>Oil</source>
-        <translation>Масло</translation>
-    </message>
-    <message>
-        <source>%1: cylinder %2 weighs %3, the others about %4; the deviation is %5 times their scatter. Weigh it again or match the parts.</source>
-        <translation>%1: цилиндр %2 — %3, остальные около %4; отношение отклонения к их разбросу %5. Взвесьте снова или подберите детали.</translation>
-    </message>
-    <message>
-        <source>%1: cylinder %2 weighs %3, the others about %4. Weigh it again.</source>
-        <translation>%1: цилиндр %2 — %3, остальные около %4. Взвесьте снова.</translation>
-    </message>
-    <message>
-        <source>Rods of cylinders %1: the big end weighs less than the small end. Swap the columns or weigh the rods again.</source>
-        <translation>Шатуны цилиндров %1: нижняя головка легче верхней. Поменяйте столбцы местами или взвесьте шатуны снова.</translation>
-    </message>
-    <message>
-        <source>The big end of the rod, %1, weighs less than its small end, %2. Swap both or weigh the rod again.</source>
-        <translation>Нижняя головка шатуна, %1, легче верхней, %2. Поменяйте их местами или взвесьте шатун снова.</translation>
-    </message>
-    <message>
-        <source>The crankpins are unequal: their excess is %1 to %2, and the plugs are for the mean. Move the sets or match the parts first.</source>
-        <translation>Шатунные шейки неодинаковы: их избыток от %1 до %2, а заглушки рассчитаны на среднее. Сначала переставьте комплекты или подберите детали.</translation>
-    </message>
-    <message>
-        <source>A crankshaft of %1 is too heavy for this engine. Correct its mass in kilograms, or enter the limit in g·mm.</source>
-        <translation>Коленчатый вал массой %1 слишком тяжёл для этого двигателя. Исправьте массу в килограммах или задайте допуск в г·мм.</translation>
-    </message>
-    <message>
-        <source>The crankshaft with its bob weights, %1, weighs less than the bob weights, %2. Correct its mass.</source>
-        <translation>Вал с балансировочными грузами, %1, легче самих грузов, %2. Исправьте его массу.</translation>
-    </message>
-    <message>
-        <source>Clockwise</source>
-        <translation>По часовой стрелке</translation>
-    </message>
-    <message>
-        <source>Counter-clockwise</source>
-        <translation>Против часовой стрелки</translation>
-    </message>
-    <message>
-        <source>Heavy spot</source>
-        <translation>Тяжёлое место</translation>
-    </message>
-    <message>
-        <source>Light spot</source>
-        <translation>Лёгкое место</translation>
-    </message>
-    <message>
-        <source>Names of the planes</source>
-        <translation>Названия плоскостей</translation>
-    </message>
-    <message>
-        <source>Two names, as “front” and “rear” or “left” and “right”.</source>
-        <translation>Два названия, например «перед» и «зад» или «левая» и «правая».</translation>
-    </message>
-    <message>
-        <source>Degrees count</source>
-        <translation>Отсчёт градусов</translation>
-    </message>
-    <message>
-        <source>Machine shows</source>
-        <translation>Станок показывает</translation>
-    </message>
-    <message>
-        <source>Zero mark</source>
-        <translation>Нулевая метка</translation>
-    </message>
-    <message>
-        <source>Place of 0° on the crankshaft.</source>
-        <translation>Место 0° на валу.</translation>
-    </message>
-    <message>
-        <source>must be a list of two names</source>
-        <translation>должно быть списком из двух названий</translation>
-    </message>
-    <message>
-        <source>is allowed only for a V of 8 cylinders at 90° with two rods on a crankpin and no split</source>
-        <translation>допускается только для V-образного двигателя с 8 цилиндрами под 90°, двумя шатунами на шейке и без разведения шеек</translation>
-    </message>
-    <message>
-        <source>Plugs</source>
-        <translation>Заглушки</translation>
-    </message>
-    <message>
-        <source>Doubts</source>
-        <translation>Сомнения</translation>
-    </message>
-    <message>
-        <source>Doubtful</source>
-        <translation>Сомнительное</translation>
-    </message>
-    <message>
-        <source>STOP. %1</source>
-        <translation>СТОП. %1</translation>
-    </message>
-    <message>
-        <source>Enter the missing values of engine and parts.</source>
-        <translation>Введите недостающие данные двигателя и деталей.</translation>
-    </message>
-    <message>
-        <source>front</source>
-        <translation>спереди</translation>
-    </message>
-    <message>
-        <source>rear</source>
-        <translation>сзади</translation>
-    </message>
-    <message>
-        <source>Fails: %1 %5, %2 %6; permissible %3 and %4.</source>
-        <translation>Не годен: %5 %1, %6 %2; допустимо %3 и %4.</translation>
-    </message>
-    <message>
-        <source>Passes: %1 %5, %2 %6; permissible %3 and %4.</source>
-        <translation>Годен: %5 %1, %6 %2; допустимо %3 и %4.</translation>
-    </message>
-    <message>
-        <source>The readings are of another crankshaft: number %1 then, %2 now. Measure again.</source>
-        <translation>Показания относятся к другому коленчатому валу: тогда номер %1, сейчас %2. Измерьте снова.</translation>
-    </message>
-    <message>
-        <source>The readings were taken with another bob weight: %1 then, %2 now. Measure again.</source>
-        <translation>Показания сняты с другим балансировочным грузом: тогда %1, сейчас %2. Измерьте снова.</translation>
-    </message>
-    <message>
-        <source>Range</source>
-        <translation>Размах</translation>
-    </message>
-    <message>
-        <source>Within permitted range</source>
-        <translation>В пределах допустимого размаха</translation>
-    </message>
-    <message>
-        <source>Matching of the parts</source>
-        <translation>Подбор деталей</translation>
-    </message>
-    <message>
-        <source>Range of the crankpins before</source>
-        <translation>Размах шатунных шеек до</translation>
-    </message>
-    <message>
-        <source>Range of the crankpins</source>
-        <translation>Размах шатунных шеек</translation>
-    </message>
-    <message>
-        <source>Total</source>
-        <translation>Всего</translation>
-    </message>
-    <message>
-        <source>%1: %2 entered, but %3 weighed. Correct the wrong value.</source>
-        <translation>%1: введено %2, но взвешено %3. Исправьте неверное.</translation>
-    </message>
-    <message>
-        <source>%1: nominal %2, but %3 weighed. Correct the wrong value.</source>
-        <translation>%1: номинал %2, но взвешено %3. Исправьте неверное.</translation>
-    </message>
-    <message>
-        <source>A balance factor of %1 looks like a fraction. Enter percent: 50 for one half.</source>
-        <translation>Коэффициент балансировки %1 похож на долю единицы. Введите проценты: 50 для половины.</translation>
-    </message>
-    <message>
-        <source>%1: %2 entered, but the nominal parts add up to %3. Correct the wrong value.</source>
-        <translation>%1: введено %2, но сумма номинальных деталей %3. Исправьте неверное.</translation>
-    </message>
-    <message>
-        <source>%1: range %2, permitted %3 (heaviest: cylinder %4, lightest: %5).</source>
-        <translation>%1: размах %2, допускается %3 (самая тяжёлая: цилиндр %4, самая лёгкая: %5).</translation>
-    </message>
-    <message>
-        <source>%1: range %2 (heaviest: cylinder %3, lightest: %4). Weigh them again or match the parts.</source>
-        <translation>%1: размах %2 (самая тяжёлая: цилиндр %3, самая лёгкая: %4). Взвесьте ещё раз или подберите детали.</translation>
-    </message>
-    <message>
-        <source>Reciprocating mass %1 and rotating mass %2 of a cylinder are inconsistent. Check the masses of the parts.</source>
-        <translation>Возвратно-поступательная масса %1 и вращающаяся %2 одного цилиндра не согласуются. Проверьте массы деталей.</translation>
-    </message>
-    <message>
-        <source>%1: drilling increased the unbalance to %2 instead of %3. Mark holes on the wrong side, or check whether the machine shows the light spot.</source>
-        <translation>%1: сверление увеличило дисбаланс до %2 вместо %3. Отметьте отверстия, просверленные не с той стороны, или проверьте, не показывает ли станок лёгкое место.</translation>
-    </message>
-    <message>
-        <source>%1: residual %2 after drilling instead of %3. Check the actual holes: angle, depth, zero mark and direction of degrees.</source>
-        <translation>%1: остаток после сверления %2 вместо %3. Проверьте, как просверлено: угол, глубину, нулевую метку и направление отсчёта.</translation>
-    </message>
-    <message>
-        <source>The readings are not in the planes. Enter their angles.</source>
-        <translation>Показания сняты не в плоскостях коррекции. Введите их углы.</translation>
-    </message>
-    <message>
-        <source>A service speed of %1 is implausible. Correct the speed.</source>
-        <translation>Рабочая частота %1 неправдоподобна. Исправьте её.</translation>
-    </message>
-    <message>
-        <source>The bearings are in reverse order to the planes. Measure all positions from one point in one direction.</source>
-        <translation>Подшипники расположены в обратном порядке относительно плоскостей. Измерьте все положения от одной точки в одном направлении.</translation>
-    </message>
-    <message>
-        <source>%1: a drilling radius of %2 does not match a crank radius of %3. Enter the radius, not the diameter.</source>
-        <translation>%1: радиус сверления %2 не соответствует радиусу кривошипа %3. Введите радиус, а не диаметр.</translation>
-    </message>
-    <message>
-        <source>The machine reads far outside the planes: errors may be %1 times as large in the planes. Measure nearer to the planes.</source>
-        <translation>Станок измеряет далеко от плоскостей: погрешность показаний в них может быть в %1 раза больше. Измеряйте ближе к плоскостям.</translation>
-    </message>
-    <message>
-        <source>%1: the edge of a hole is %2 beyond the drilling sector. Check that there is enough metal.</source>
-        <translation>%1: край отверстия выходит за сектор сверления на %2. Проверьте, достаточно ли там металла.</translation>
-    </message>
-    <message>
-        <source>Sludge-trap plugs of a V-8, as in the module v8-plugs, without its weigh-in, balancing and job.</source>
-        <translation>Заглушки грязеуловителей V-8, как в модуле v8-plugs, без взвешивания, станка и работы.</translation>
-    </message>
-    <message>
-        <source>Settings of the balancing machine.</source>
-        <translation>Настройка балансировочного станка.</translation>
-    </message>
-    <message>
-        <source>Direction seen from the front of the crankshaft.</source>
-        <translation>Направление, если смотреть спереди вала.</translation>
-    </message>
-    <message>
-        <source>Spot shown by the machine; holes are always planned at the heavy spot.</source>
-        <translation>Место, которое показывает станок; отверстия всегда планируются в тяжёлом месте.</translation>
-    </message>
-    <message>
-        <source>must be left out with plugs</source>
-        <translation>не указывается, если заданы заглушки</translation>
-    </message>
-    <message>
-        <source>%1: the holes drilled after %2 are opposite this heavy spot. Check whether the machine shows the heavy or the light spot.</source>
-        <translation>%1: отверстия, просверленные после показания %2, находятся напротив этого тяжёлого места. Проверьте, тяжёлое или лёгкое место показывает станок.</translation>
-    </message>
-    <message>
-        <source>Drilling radii of %1 and %2: one looks like a diameter. Check both.</source>
-        <translation>Радиусы сверления %1 и %2: один похож на диаметр. Проверьте оба.</translation>
-    </message>
-    <message>
-        <source>Part number</source>
-        <translation>Номер детали</translation>
-    </message>
-    <message>
-        <source>%1: cylinders %2 differ from the others (%3, others %4). Weigh them again or match the parts.</source>
-        <translation>%1: цилиндры %2 отличаются от остальных (%3, остальные %4). Взвесьте их снова или подберите детали.</translation>
-    </message>
-    <message>
-        <source>%1: cylinder %2 weighs %3, the others about %4; the deviation is more than %5 times their scatter. Weigh it again or match the parts.</source>
-        <translation>%1: цилиндр %2 — %3, остальные около %4; отклонение больше их разброса более чем в %5 раз. Взвесьте снова или подберите детали.</translation>
-    </message>
-    <message>
-        <source>%1: %2 of 8 weighed. Weigh all of them, or clear the column.</source>
-        <translation>%1: взвешено %2 из 8. Взвесьте все или очистите столбец.</translation>
-    </message>
-    <message>
-        <source>Provisional: not weighed and taken as nominal: %1. Weigh them before machining.</source>
-        <translation>Предварительно: не взвешены и взяты по номиналу: %1. Взвесьте их до обработки.</translation>
-    </message>
-    <message>
-        <source>%1: %2 is implausible for a crankshaft of %3. Check the unit of the reading and the calibration of the machine.</source>
-        <translation>%1: %2 неправдоподобно для вала массой %3. Проверьте единицу показания и калибровку станка.</translation>
-    </message>
-    <message>
-        <source>A drill of %1 is unusual. Separate several sizes by semicolons.</source>
-        <translation>Сверло %1 необычно. Несколько размеров разделяйте точкой с запятой.</translation>
-    </message>
-    <message>
-        <source>The holes were drilled while the machine counted degrees in the other direction. Check the direction, or enter the angles as measured.</source>
-        <translation>Отверстия просверлены, когда станок отсчитывал градусы в другую сторону. Проверьте направление отсчёта или введите измеренные углы.</translation>
-    </message>
-    <message>
-        <source>%1: residual %2 after drilling instead of %3, as if the holes were in the other plane. Enter the actual plane of each hole.</source>
-        <translation>%1: после сверления остаток %2 вместо %3, как если бы отверстия были в другой плоскости. Укажите плоскость, в которой находится каждое отверстие.</translation>
-    </message>
-    <message>
-        <source>%1: enter the drilling sector, or 0 to 360° for a whole rim.</source>
-        <translation>%1: введите сектор сверления или 0 и 360° для всей окружности.</translation>
-    </message>
-    <message>
-        <source>The first readings are far below the limit. If the machine shows grams, enter them with their unit: %1.</source>
-        <translation>Первые показания намного меньше допуска. Если станок показывает граммы, вводите их с единицей: %1.</translation>
-    </message>
-    <message>
-        <source>See the warnings.</source>
-        <translation>См. предупреждения.</translation>
-    </message>
-    <message>
-        <source>%1: a drilling radius of %2 is unusual for such a bob weight. Enter the radius, not the diameter.</source>
-        <translation>%1: радиус сверления %2 необычен для такого груза. Введите радиус, а не диаметр.</translation>
-    </message>
-    <message>
-        <source>%1: %2 instead of %3, but no hole is recorded. Enter the holes drilled, or check crankshaft and machine.</source>
-        <translation>%1: %2 вместо %3, но сверления не записаны. Введите просверленные отверстия или проверьте коленвал и станок.</translation>
-    </message>
-    <message>
-        <source>The readings need a known bob weight. Complete engine and parts.</source>
-        <translation>Для показаний нужна известная масса балансировочного груза. Заполните двигатель и детали.</translation>
-    </message>
-    <message>
-        <source>Oil of %1 in a crankpin is implausible for a bob weight of %2. Correct the oil.</source>
-        <translation>Масло в шейке, %1, неправдоподобно при балансировочном грузе %2. Исправьте массу масла.</translation>
-    </message>
-    <message>
-        <source>A balance grade of G %1 is implausible for this crankshaft. Correct it, or enter the limit in g·mm.</source>
-        <translation>Класс точности G %1 неправдоподобен для этого вала. Исправьте его или введите допуск в г·мм.</translation>
-    </message>
-    <message>
-        <source>%1: %2 is implausible at a drilling radius of %3. Correct the wrong value.</source>
-        <translation>%1: %2 неправдоподобно при радиусе сверления %3. Исправьте неверное значение.</translation>
-    </message>
-    <message>
-        <source>%1 at %2 is not before %3 at %4. Correct the positions of the planes.</source>
-        <translation>%1 (%2) не впереди другой: %3 (%4). Исправьте положения плоскостей.</translation>
-    </message>
-    <message>
-        <source>The first reading is at %1, the second at %2, but the planes are at %3 and %4. Correct the positions of the readings.</source>
-        <translation>Первое показание снято на %1, второе на %2, а плоскости на %3 и %4. Исправьте места показаний.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 beside %3 of %4 is implausible. Correct the wrong value.</source>
-        <translation>Неправдоподобно: %1 — %2, %3 — %4. Исправьте неверное значение.</translation>
-    </message>
-    <message>
-        <source>The centre of mass is not between the bearings (or planes). Correct its position.</source>
-        <translation>Центр масс не между подшипниками (плоскостями). Исправьте его положение.</translation>
     </message>
 </context>
 </TS>

@@ -93,12 +93,13 @@ MOST_SENTENCES = 2
 
 # Notes of pages and results, which have one sentence.
 NOTE = (
-    r'(?:captionLabel\(\s*(?:\w+::)?tr\(|notes\.(?:emplace|push)_back\([\s{]*CORE_TEXT\(\s*"[^"]*",)'
+    r'(?:captionLabel\(\s*(?:\w+::)?tr\(|notes\.(?:emplace|push)_back\([\s{]*Text::tr\()'
     r'((?:\s*"(?:[^"\\]|\\.)*")+)'
 )
 
 # Texts of more than two sentences on purpose: what a whole page, card or report says.
-PROSE = {"ravnoves::ReportWords", "methods"}
+PROSE = {"ravnoves::ReportWords"}
+METHODS_TEXT = r'Text::tr\(((?:\s*"(?:[^"\\]|\\.)*")+)'
 
 # Words of the trade and of contracts that contain a phrase.
 ALLOWED = re.compile(
@@ -170,14 +171,15 @@ def page(path, language, generated=None):
         fault(path.name, "", "no text was found")
 
 
-def notes(source):
+def literals_of(form, *folders):
+    """The texts that stand in the form in the sources of the folders."""
     found = set()
-    for path in [*(source / "core").rglob("*.cpp"), *(source / "ui").rglob("*.cpp")]:
-        for literals in re.findall(NOTE, path.read_text(encoding="utf-8")):
+    for path in [path for folder in folders for path in folder.rglob("*.cpp")]:
+        for literals in re.findall(form, path.read_text(encoding="utf-8")):
             parts = re.findall(r'"((?:[^"\\]|\\.)*)"', literals)
             found.add("".join(parts).replace('\\"', '"').replace("&", ""))
     if len(found) < 20:
-        fault("notes", "", "too few were found")
+        fault("texts of one form", form, "too few were found")
     return found
 
 
@@ -198,7 +200,8 @@ def guide(path, source):
 
 def main(source):
     texts = 0
-    of_one_sentence = notes(source)
+    of_one_sentence = literals_of(NOTE, source / "core", source / "ui")
+    prose = literals_of(METHODS_TEXT, source / "core/methods")
     for context in ET.parse(source / "resources/translations/ravnoves_ru.ts").getroot().iter("context"):
         name = context.findtext("name")
         if name == "Keys":  # of case files, word by word
@@ -206,7 +209,8 @@ def main(source):
         for message in context.iter("message"):
             texts += 1
             english = message.findtext("source").replace("&", "")
-            most = None if name in PROSE else 1 if english in of_one_sentence else MOST_SENTENCES
+            most = 1 if english in of_one_sentence else MOST_SENTENCES
+            most = None if name in PROSE or english in prose else most
             phrases(name, english, ENGLISH)
             lengths(name, english, most)
             translation = message.find("translation")

@@ -374,7 +374,7 @@ void MethodsPage::showVerdict() {
     }
     const auto verdict = model_->verdictShown();
     verdict_->show(verdict.value_or(
-        Verdict{Severity::note, {CORE_TEXT("methods", "Measuring the methods on this machine.")}}));
+        Verdict{Severity::note, {Text::tr("Measuring the methods on this machine.")}}));
 }
 
 void MethodsPage::showTable() {

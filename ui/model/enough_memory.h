@@ -7,7 +7,7 @@
 namespace ravnoves {
 
 inline InputError tooLittleMemory() {
-    return {"/input", CORE_TEXT("core", "needs more memory than available")};
+    return {"/input", Text::tr("needs more memory than available")};
 }
 
 /// What the work returns. @throws InputError where it runs out of memory

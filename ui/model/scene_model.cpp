@@ -199,8 +199,7 @@ bool SceneModel::setViewOption(const QString& /*key*/, const QString& /*value*/)
 double SceneModel::readNumber(const QString& key, const QString& value) {
     const auto number = readFormNumber(value);
     if (!number) {
-        throw InputError(key.toStdString(), CORE_TEXT("core", "must be a number"),
-                         value.toStdString());
+        throw InputError(key.toStdString(), Text::tr("must be a number"), value.toStdString());
     }
     return *number;
 }
@@ -212,8 +211,7 @@ int SceneModel::oneOf(const QString& key, const QString& value, const QStringLis
         for (const QString& word : words) {
             known.push_back(word.toStdString());
         }
-        throw InputError(key.toStdString(),
-                         {CORE_TEXT("core", "must be one of %1"), quoted_list(known)},
+        throw InputError(key.toStdString(), {Text::tr("must be one of %1"), quoted_list(known)},
                          value.toStdString());
     }
     return static_cast<int>(place);

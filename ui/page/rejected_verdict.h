@@ -13,9 +13,9 @@ namespace ravnoves {
 inline Verdict withRejected(Verdict verdict, const SceneModel& model) {
     if (model.hasRejected()) {
         verdict.severity = std::max(verdict.severity, Severity::warning);
-        verdict.text = Message(
-            Text{"", "%1 %2"},
-            CORE_TEXT("core", "Results use the previous value of the red field."), verdict.text);
+        verdict.text =
+            Message(Text{"%1 %2"}, Text::tr("Results use the previous value of the red field."),
+                    verdict.text);
     }
     return verdict;
 }

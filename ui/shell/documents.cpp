@@ -283,8 +283,7 @@ void Documents::put(const CaseFile& file, OpenDocument* there,
     const auto scene = indexOf(QString::fromStdString(file.scene));
     if (!scene) {
         throw InputError(
-            "/scene",
-            CORE_TEXT("core", "must be a module of the window; the command line solves this case"),
+            "/scene", Text::tr("must be a module of the window; the command line solves this case"),
             file.scene);
     }
     OpenDocument* reused = there != nullptr ? there : untouchedOf(*scene);

@@ -288,8 +288,7 @@ QString FieldNames::errorText(const InputError& error) const {
                             ? QCoreApplication::translate("Errors", "a group of values")
                         : shown.starts_with('[') ? QCoreApplication::translate("Errors", "a list")
                                                  : messageText(found);
-    return messageText(
-        Message(CORE_TEXT("core", "%1, got %2"), text.toStdString(), got.toStdString()));
+    return messageText(Message(Text::tr("%1, got %2"), text.toStdString(), got.toStdString()));
 }
 
 }  // namespace ravnoves

@@ -55,7 +55,7 @@ QString numberText(const Number& number) {
 }
 
 QString shownText(const Text& text) {
-    return text.empty() ? QString() : QCoreApplication::translate(text.context, text.english);
+    return text.empty() ? QString() : QCoreApplication::translate(core_texts, text.english);
 }
 
 QString messageText(const Message& message, const MessageWords& words) {

@@ -10,6 +10,8 @@
 
 namespace ravnoves {
 
+/// The context of core's texts in the translations.
+inline constexpr const char* core_texts = "Text";
 /// A text of core in the language of the program.
 QString shownText(const Text& text);
 /// A number of a message in the user's way, with its unit.

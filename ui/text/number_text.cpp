@@ -20,7 +20,7 @@ QLocale plain(QLocale locale) {
 }  // namespace
 
 QString unitText(std::string_view unit) {
-    return shownText({"core", std::string(unit).c_str()});
+    return shownText({std::string(unit).c_str()});
 }
 
 QString unbroken(QString text) {

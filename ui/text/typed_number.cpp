@@ -275,7 +275,7 @@ void rejectEitherNumbers(const QString& word, const Message& where, bool isUsual
     const QString two = whole + QStringLiteral("; ") + match.captured(2).remove(leading);
     const QString one = fraction.isEmpty() ? whole : whole + QLatin1Char('.') + fraction;
     throw InputError(where,
-                     {CORE_TEXT("core", "must be two numbers or one: enter %1 or %2"),
+                     {Text::tr("must be two numbers or one: enter %1 or %2"),
                       quoted_list({two.toStdString()}), quoted_list({one.toStdString()})},
                      quoted_list({word.toStdString()}));
 }
@@ -314,9 +314,8 @@ std::vector<double> readNumberList(const QString& typed, const Field& field, con
             throw InputError(where,
                              named != nullptr
                                  ? named->allowed
-                                 : CORE_TEXT("core",
-                                             "must be numbers with blanks or semicolons "
-                                             "between them"),
+                                 : Text::tr("must be numbers with blanks or semicolons "
+                                            "between them"),
                              quoted_list({word.toStdString()}));
         } else if (shown.factor != 1.0) {
             value = rounded_to_digits(*value / shown.factor, exact);

@@ -65,9 +65,8 @@ CorrectionSheet::CorrectionSheet(WorkshopModel* model, QWidget* parent)
 void CorrectionSheet::buildDrills() {
     static constexpr NamedNumbers drills{
         named_drill,
-        CORE_TEXT("bob-weights",
-                  "must be mm, #1 to #60, A to Z or inches such as 1/4, with "
-                  "semicolons between them"),
+        Text::tr("must be mm, #1 to #60, A to Z or inches such as 1/4, with "
+                 "semicolons between them"),
         is_usual_drill};
     section(tr("Available drills"));
     numberList(

@@ -35,34 +35,30 @@ Input paper_input() {
 
 void sizes(const Result& result, const Input& input, PaperRows& rows) {
     const double shift = input.layout->bank_angle + 2.0 * *result.tdc_angle;
-    rows.at(in_text(CORE_TEXT("methods", "introduction")));
+    rows.at(in_text(Text::tr("introduction")));
     const auto quoted = [&](Message quantity, const char* unit, const char* printed) {
         rows.not_derivable(std::move(quantity), unit, printed,
-                           CORE_TEXT("methods", "Quoted from other papers."));
+                           Text::tr("Quoted from other papers."));
     };
-    quoted(lower_end(CORE_TEXT("methods", "displacement of five-cylinder engines")), "l", "2.3");
-    quoted(upper_end(CORE_TEXT("methods", "displacement of five-cylinder engines")), "l", "3.0");
-    quoted(lower_end(CORE_TEXT("methods", "angle between the banks of VR engines")), "°", "8");
-    quoted(upper_end(CORE_TEXT("methods", "angle between the banks of VR engines")), "°", "20");
-    rows.at(in_text(CORE_TEXT("methods", "parameters of the engine")));
-    rows.given(CORE_TEXT("methods", "angle between the banks γ"), "°", "15",
-               input.layout->bank_angle / degree);
+    quoted(lower_end(Text::tr("displacement of five-cylinder engines")), "l", "2.3");
+    quoted(upper_end(Text::tr("displacement of five-cylinder engines")), "l", "3.0");
+    quoted(lower_end(Text::tr("angle between the banks of VR engines")), "°", "8");
+    quoted(upper_end(Text::tr("angle between the banks of VR engines")), "°", "20");
+    rows.at(in_text(Text::tr("parameters of the engine")));
+    rows.given(Text::tr("angle between the banks γ"), "°", "15", input.layout->bank_angle / degree);
     constexpr const char* offset = "12.5";  // mm
-    rows.given(CORE_TEXT("methods", "offset e"), "mm", offset, input.layout->offset / units::mm,
-               CORE_TEXT("methods",
-                         "Stated by the paper; the program's input is 12.51 mm, which gives the "
-                         "printed K = 0.278."));
+    rows.given(Text::tr("offset e"), "mm", offset, input.layout->offset / units::mm,
+               Text::tr("Stated by the paper; the program's input is 12.51 mm, which gives the "
+                        "printed K = 0.278."));
     rows.given("λ", "", "0.265", input.lambda);
-    rows.reproduced(CORE_TEXT("methods", "relative offset K"), "", "0.278",
+    rows.reproduced(Text::tr("relative offset K"), "", "0.278",
                     read_printed(offset).value * units::mm / input.crank_radius,
-                    CORE_TEXT("methods", "e / R, both as printed."));
-    rows.reproduced(CORE_TEXT("methods", "crank angle at top dead centre"), "°", "3°20′",
-                    *result.tdc_angle / degree, CORE_TEXT("methods", "arcsin(λK / (1 + λ))."));
-    rows.reproduced(CORE_TEXT("methods", "shift of the crankpins of bank 2"), "°", "21°40′",
-                    shift / degree,
-                    CORE_TEXT("methods",
-                              "To 1′, from the exact top dead centre. Correct is γ + 2 φ; the "
-                              "printed γ + φ would give 18°20′."),
+                    Text::tr("e / R, both as printed."));
+    rows.reproduced(Text::tr("crank angle at top dead centre"), "°", "3°20′",
+                    *result.tdc_angle / degree, Text::tr("arcsin(λK / (1 + λ))."));
+    rows.reproduced(Text::tr("shift of the crankpins of bank 2"), "°", "21°40′", shift / degree,
+                    Text::tr("To 1′, from the exact top dead centre. Correct is γ + 2 φ; the "
+                             "printed γ + φ would give 18°20′."),
                     minute);
 }
 
@@ -82,18 +78,18 @@ void crankpins(const Result& result, PaperRows& rows) {
     const auto pin = [&](std::size_t cylinder) {
         return result.engine.cylinders[cylinder - 1].crankpin_angle / degree;
     };
-    const Text reason = CORE_TEXT("methods", "To 1′: the paper adds up angles rounded to minutes.");
-    rows.at(CORE_TEXT("methods", "Fig. 2a"));
-    rows.reproduced({CORE_TEXT("methods", "angle from crankpin %1 to %2"), 1, 4}, "°", "50°20′",
+    const Text reason = Text::tr("To 1′: the paper adds up angles rounded to minutes.");
+    rows.at(Text::tr("Fig. 2a"));
+    rows.reproduced({Text::tr("angle from crankpin %1 to %2"), 1, 4}, "°", "50°20′",
                     pin(4) - pin(1), reason, minute);
-    rows.reproduced({CORE_TEXT("methods", "angle from crankpin %1 to %2"), 2, 1}, "°", "165°40′",
+    rows.reproduced({Text::tr("angle from crankpin %1 to %2"), 2, 1}, "°", "165°40′",
                     360.0 - pin(2), reason, minute);
-    rows.reproduced({CORE_TEXT("methods", "angle from crankpin %1 to %2"), 5, 2}, "°", "93°40′",
+    rows.reproduced({Text::tr("angle from crankpin %1 to %2"), 5, 2}, "°", "93°40′",
                     pin(5) - pin(2), reason, minute);
-    rows.at(CORE_TEXT("methods", "Fig. 2b"));
-    rows.reproduced({CORE_TEXT("methods", "angle from crankpin %1 to %2"), 4, 3}, "°", "93°40′",
+    rows.at(Text::tr("Fig. 2b"));
+    rows.reproduced({Text::tr("angle from crankpin %1 to %2"), 4, 3}, "°", "93°40′",
                     pin(3) - pin(4), reason, minute);
-    rows.reproduced({CORE_TEXT("methods", "angle from crankpin %1 to %2"), 5, 4}, "°", "122°20′",
+    rows.reproduced({Text::tr("angle from crankpin %1 to %2"), 5, 4}, "°", "122°20′",
                     360.0 - pin(5) + pin(4), reason, minute);
 }
 
@@ -131,21 +127,17 @@ void printed_moment(PaperRows& rows, Message place, const char* name, int order,
                     const Harmonic<double>& of_a, const Harmonic<double>& of_l,
                     const std::array<const char*, 4>& printed) {
     const double values[] = {of_a.cos, of_l.cos, of_a.sin, of_l.sin};
-    const Text coefficients[2][4] = {{CORE_TEXT("methods", "coefficient of a cos φ"),
-                                      CORE_TEXT("methods", "coefficient of l cos φ"),
-                                      CORE_TEXT("methods", "coefficient of a sin φ"),
-                                      CORE_TEXT("methods", "coefficient of l sin φ")},
-                                     {CORE_TEXT("methods", "coefficient of a cos 2φ"),
-                                      CORE_TEXT("methods", "coefficient of l cos 2φ"),
-                                      CORE_TEXT("methods", "coefficient of a sin 2φ"),
-                                      CORE_TEXT("methods", "coefficient of l sin 2φ")}};
+    const Text coefficients[2][4] = {
+        {Text::tr("coefficient of a cos φ"), Text::tr("coefficient of l cos φ"),
+         Text::tr("coefficient of a sin φ"), Text::tr("coefficient of l sin φ")},
+        {Text::tr("coefficient of a cos 2φ"), Text::tr("coefficient of l cos 2φ"),
+         Text::tr("coefficient of a sin 2φ"), Text::tr("coefficient of l sin 2φ")}};
     rows.at(std::move(place));
     for (std::size_t i = 0; i < printed.size(); ++i) {
-        rows.reproduced({Text{"", "%1: %2"}, name, coefficients[order - 1][i]}, "", printed[i],
+        rows.reproduced({Text{"%1: %2"}, name, coefficients[order - 1][i]}, "", printed[i],
                         values[i],
-                        CORE_TEXT("methods",
-                                  "To one unit of the last digit: the paper adds up sines of "
-                                  "angles rounded to minutes. l counts from crankpin 4."),
+                        Text::tr("To one unit of the last digit: the paper adds up sines of "
+                                 "angles rounded to minutes. l counts from crankpin 4."),
                         read_printed(printed[i]).last_digit);
     }
 }
@@ -168,25 +160,24 @@ void moments(PaperRows& rows) {
 void shafts(const Result& result, PaperRows& rows) {
     // Direction of what each shaft cancels, at φ = 0; the preset has them at +ω, −ω, +2ω, −2ω.
     const auto plane = [&](std::size_t i) { return deg(std::arg(result.shafts[i].target)); };
-    const Text reason = CORE_TEXT(
-        "methods",
+    const Text reason = Text::tr(
         "To 1′, from the two-term orders: the paper computes on with rounded coefficients.");
-    rows.at(in_text(CORE_TEXT("methods", "Fig. 7a")));
-    rows.reproduced(joined(CORE_TEXT("methods", "plane of the moment of the shaft at +ω"),
-                           CORE_TEXT("methods", "from the x axis")),
-                    "°", "1°10′", 180.0 - plane(0), reason, minute);
-    rows.at(in_text(CORE_TEXT("methods", "Fig. 7b")));
-    rows.reproduced(joined(CORE_TEXT("methods", "plane of the moment of the shaft at −ω"),
-                           CORE_TEXT("methods", "from the y axis")),
-                    "°", "19°51′", plane(1) - 90.0, reason, minute);
-    rows.at(in_text(CORE_TEXT("methods", "Fig. 8a")));
-    rows.reproduced(joined(CORE_TEXT("methods", "plane of the moment of the shaft at +2ω"),
-                           CORE_TEXT("methods", "from the y axis")),
-                    "°", "17°39′", plane(2) - 90.0, reason, minute);
-    rows.at(in_text(CORE_TEXT("methods", "Fig. 8b")));
-    rows.reproduced(joined(CORE_TEXT("methods", "plane of the moment of the shaft at −2ω"),
-                           CORE_TEXT("methods", "from the y axis")),
-                    "°", "10°53′", 90.0 - plane(3), reason, minute);
+    rows.at(in_text(Text::tr("Fig. 7a")));
+    rows.reproduced(
+        joined(Text::tr("plane of the moment of the shaft at +ω"), Text::tr("from the x axis")),
+        "°", "1°10′", 180.0 - plane(0), reason, minute);
+    rows.at(in_text(Text::tr("Fig. 7b")));
+    rows.reproduced(
+        joined(Text::tr("plane of the moment of the shaft at −ω"), Text::tr("from the y axis")),
+        "°", "19°51′", plane(1) - 90.0, reason, minute);
+    rows.at(in_text(Text::tr("Fig. 8a")));
+    rows.reproduced(
+        joined(Text::tr("plane of the moment of the shaft at +2ω"), Text::tr("from the y axis")),
+        "°", "17°39′", plane(2) - 90.0, reason, minute);
+    rows.at(in_text(Text::tr("Fig. 8b")));
+    rows.reproduced(
+        joined(Text::tr("plane of the moment of the shaft at −2ω"), Text::tr("from the y axis")),
+        "°", "10°53′", 90.0 - plane(3), reason, minute);
 }
 
 /// The rotating masses of the paper's crank with bank 2's crankpins shifted by any angle.
@@ -240,44 +231,41 @@ double constant_part(OfShift f) {
 }
 
 void rotating_masses(const Result& result, PaperRows& rows) {
-    const Text reason = CORE_TEXT("methods", "Found from the crank with its shift γ_ш varied.");
+    const Text reason = Text::tr("Found from the crank with its shift γ_ш varied.");
     rows.at(in_text("ΣP_cy"));
-    rows.reproduced(CORE_TEXT("methods", "coefficient of sin γ_ш"), "", "0.36327",
-                    sine_coefficient(force_y), reason);
+    rows.reproduced(Text::tr("coefficient of sin γ_ш"), "", "0.36327", sine_coefficient(force_y),
+                    reason);
     rows.at(in_text("ΣP_cx"));
-    rows.reproduced(CORE_TEXT("methods", "coefficient of sin²(γ_ш/2)"), "", "-0.72654",
+    rows.reproduced(Text::tr("coefficient of sin²(γ_ш/2)"), "", "-0.72654",
                     half_square_coefficient(force_x), reason);
     rows.at(in_text("ΣM_cy"));
-    rows.reproduced(CORE_TEXT("methods", "constant part"), "", "1.382", constant_part(moment_y),
+    rows.reproduced(Text::tr("constant part"), "", "1.382", constant_part(moment_y), reason);
+    rows.reproduced(Text::tr("coefficient of sin γ_ш"), "", "-1.5388", sine_coefficient(moment_y),
                     reason);
-    rows.reproduced(CORE_TEXT("methods", "coefficient of sin γ_ш"), "", "-1.5388",
-                    sine_coefficient(moment_y), reason);
-    rows.reproduced(CORE_TEXT("methods", "coefficient of cos γ_ш"), "", "-1.118",
-                    cosine_coefficient(moment_y), reason);
+    rows.reproduced(Text::tr("coefficient of cos γ_ш"), "", "-1.118", cosine_coefficient(moment_y),
+                    reason);
     rows.at(in_text("ΣM_cx"));
-    rows.reproduced(CORE_TEXT("methods", "constant part"), "", "1.9021", constant_part(moment_x),
+    rows.reproduced(Text::tr("constant part"), "", "1.9021", constant_part(moment_x), reason);
+    rows.slip(Text::tr("coefficient of sin γ_ш"), "", "-1.118", sine_coefficient(moment_x),
+              -sine_coefficient(moment_x),
+              Text::tr("Misprint of the sign: only a plus gives the paper's angle 75°43′."));
+    rows.reproduced(Text::tr("coefficient of cos γ_ш"), "", "-1.5388", cosine_coefficient(moment_x),
                     reason);
-    rows.slip(
-        CORE_TEXT("methods", "coefficient of sin γ_ш"), "", "-1.118", sine_coefficient(moment_x),
-        -sine_coefficient(moment_x),
-        CORE_TEXT("methods", "Misprint of the sign: only a plus gives the paper's angle 75°43′."));
-    rows.reproduced(CORE_TEXT("methods", "coefficient of cos γ_ш"), "", "-1.5388",
-                    cosine_coefficient(moment_x), reason);
 
     const double force_lag = deg(-std::arg(-result.rotating.force_factor));
     const double moment_lag = deg(-std::arg(-result.rotating.moment_factor));
-    const Text angle = CORE_TEXT("methods", "To 1′: the paper computes with 21°40′.");
-    for (const Message& place : {figure(9), in_text(CORE_TEXT("methods", "after ΣM_c"))}) {
+    const Text angle = Text::tr("To 1′: the paper computes with 21°40′.");
+    for (const Message& place : {figure(9), in_text(Text::tr("after ΣM_c"))}) {
         rows.at(place);
-        rows.reproduced(joined(CORE_TEXT("methods", "counterweight against the force"),
-                               CORE_TEXT("methods", "lag behind crankpin 1")),
-                        "°", "136°50′", force_lag, angle, minute);
-        rows.reproduced(joined(CORE_TEXT("methods", "counterweight against the moment"),
-                               CORE_TEXT("methods", "lag behind crankpin 1")),
-                        "°", "75°43′", moment_lag, angle, minute);
+        rows.reproduced(
+            joined(Text::tr("counterweight against the force"), Text::tr("lag behind crankpin 1")),
+            "°", "136°50′", force_lag, angle, minute);
+        rows.reproduced(
+            joined(Text::tr("counterweight against the moment"), Text::tr("lag behind crankpin 1")),
+            "°", "75°43′", moment_lag, angle, minute);
     }
-    rows.at(in_text(CORE_TEXT("methods", "after ΣM_c")));
-    rows.reproduced(CORE_TEXT("methods", "plane of ΣM_c against crankpin 1"), "°", "-75°43′",
+    rows.at(in_text(Text::tr("after ΣM_c")));
+    rows.reproduced(Text::tr("plane of ΣM_c against crankpin 1"), "°", "-75°43′",
                     deg(std::arg(result.rotating.moment_factor)) - 180.0, angle, minute);
 }
 

@@ -62,11 +62,11 @@ v8_plugs::Option option_of(const Engine& plugs, OptionId id, double excess = 0.0
 }
 
 Message litres(double engine) {
-    return {CORE_TEXT("methods", "%1 l"), engine};
+    return {Text::tr("%1 l"), engine};
 }
 
 Message litres(double engine, double other) {
-    return {CORE_TEXT("methods", "%1 and %2 l"), engine, other};
+    return {Text::tr("%1 and %2 l"), engine, other};
 }
 
 Message of(Message quantity, const Column& column) {
@@ -76,18 +76,17 @@ Message of(Message quantity, const Column& column) {
 
 void table_2(const Column& c, const Engine& engine, PaperRows& rows) {
     const Coefficients k = coefficients(engine);
-    const Text one = CORE_TEXT("methods", "r_p / r.");
-    const Text both = CORE_TEXT("methods", "2 r_p / r, eq. (11).");
+    const Text one = Text::tr("r_p / r.");
+    const Text both = Text::tr("2 r_p / r, eq. (11).");
     rows.at(table(2));
     rows.given(of("l₂", c), "mm", c.l_2, std::nullopt,
-               CORE_TEXT("methods", "Stated by the paper; not part of any of its equations."));
+               Text::tr("Stated by the paper; not part of any of its equations."));
     rows.given(of("r", c), "mm", c.r, *engine.crank_radius / units::mm);
     rows.given(of("r_p", c), "mm", c.r_p, *engine.plug_radius / units::mm);
     rows.given(of("r_pн", c), "mm", c.r_new, *engine.new_plug_radius / units::mm);
     rows.given(
         of("k_ш", c), "", c.k_rod, *engine.rod_coefficient,
-        CORE_TEXT(
-            "methods",
+        Text::tr(
             "Stated by the paper, defined in another paper. Our value is the program's input."));
     rows.given(of("m_a", c), "g", c.m_a, *engine.aluminium_plug_mass / units::gram);
     rows.given(of("m_pн", c), "g", c.m_new, *engine.new_steel_plug_mass / units::gram);
@@ -100,9 +99,8 @@ void table_2(const Column& c, const Engine& engine, PaperRows& rows) {
     const double ratio = *other.aluminium_plug_mass / *other.steel_plug_mass;
     rows.reproduced(of("m_aн", c), "g", c.new_aluminium_mass,
                     ratio * *engine.new_steel_plug_mass / units::gram,
-                    CORE_TEXT("methods",
-                              "m_pн with the ratio of aluminium to steel of the present plugs of "
-                              "the 6 and 7 l engines."));
+                    Text::tr("m_pн with the ratio of aluminium to steel of the present plugs of "
+                             "the 6 and 7 l engines."));
 }
 
 void table_3(const Column& c, const Engine& engine, PaperRows& rows) {
@@ -114,11 +112,9 @@ void table_3(const Column& c, const Engine& engine, PaperRows& rows) {
         return rounded_to_decimals(option.constant / units::gram, decimals) +
                (option.maximum - option.constant) / units::gram;
     };
-    const Text from_printed = CORE_TEXT(
-        "methods",
+    const Text from_printed = Text::tr(
         "From k_y and k_yн as printed in Table 2; unrounded values change it by up to 0.003 g.");
-    const Text from_rounded = CORE_TEXT(
-        "methods",
+    const Text from_rounded = Text::tr(
         "From k_y and the constant part as printed; unrounded values change it by up to 0.003 g.");
     rows.at(table(3));
     if (c.also > 0.0) {
@@ -127,8 +123,7 @@ void table_3(const Column& c, const Engine& engine, PaperRows& rows) {
     } else {
         rows.given(
             of("Δm_yra (12)", c), "g", c.aluminium, constant(OptionId::steel_to_aluminium),
-            CORE_TEXT("methods",
-                      "The paper prints no m_p of this engine: it follows from this number."));
+            Text::tr("The paper prints no m_p of this engine: it follows from this number."));
     }
     rows.reproduced(of("Δm_yhr (13)", c), "g", c.new_steel, constant(OptionId::new_steel_to_steel),
                     from_printed);
@@ -142,8 +137,8 @@ void table_3(const Column& c, const Engine& engine, PaperRows& rows) {
                     maximum(OptionId::new_steel_to_aluminium), from_rounded);
     rows.reproduced(of("Δm_ykm (22)", c), "g", c.steel_max, maximum(OptionId::steel_machined),
                     from_printed);
-    rows.reproduced(of(CORE_TEXT("methods", "slope d(Δm_yk)/d(Δm) (24)"), c), "", c.slope,
-                    coefficients(engine).k_y, CORE_TEXT("methods", "k_y."));
+    rows.reproduced(of(Text::tr("slope d(Δm_yk)/d(Δm) (24)"), c), "", c.slope,
+                    coefficients(engine).k_y, Text::tr("k_y."));
     rows.given(of("Δm_pm", c), "g", c.steel_reduction, *engine.max_steel_reduction / units::gram);
     rows.given(of("Δm_am", c), "g", c.aluminium_reduction,
                *engine.max_aluminium_reduction / units::gram);
@@ -156,23 +151,22 @@ void text(const Column& c, const Engine& engine, PaperRows& rows) {
                    .required_reduction /
                units::gram;
     };
-    const Text inverse = CORE_TEXT("methods", "Equation (18) solved for Δm.");
+    const Text inverse = Text::tr("Equation (18) solved for Δm.");
     rows.at(in_text(after_equation(24)));
-    rows.reproduced(of(CORE_TEXT("methods", "excess compensated by the present steel plugs"), c),
-                    "g", c.steel_max,
-                    option_of(plugs, OptionId::steel_machined).maximum / units::gram,
-                    CORE_TEXT("methods", "Equation (22)."));
-    rows.given(of(CORE_TEXT("methods", "corresponding lightening of a steel plug"), c), "g",
-               c.steel_reduction, reduction(c.steel_max),
-               CORE_TEXT("methods", "Equation (22) inverted: it was computed from this value."));
+    rows.reproduced(of(Text::tr("excess compensated by the present steel plugs"), c), "g",
+                    c.steel_max, option_of(plugs, OptionId::steel_machined).maximum / units::gram,
+                    Text::tr("Equation (22)."));
+    rows.given(of(Text::tr("corresponding lightening of a steel plug"), c), "g", c.steel_reduction,
+               reduction(c.steel_max),
+               Text::tr("Equation (22) inverted: it was computed from this value."));
     rows.reproduced(
-        of(CORE_TEXT("methods", "excess that aluminium plugs compensate"), c), "g", c.aluminium_max,
+        of(Text::tr("excess that aluminium plugs compensate"), c), "g", c.aluminium_max,
         rounded_to_decimals(option_of(plugs, OptionId::steel_to_aluminium).constant / units::gram,
                             decimals) +
             *plugs.max_aluminium_reduction / units::gram *
                 option_of(plugs, OptionId::steel_to_aluminium).slope,
-        CORE_TEXT("methods", "Equation (19) from the printed constant part."));
-    rows.reproduced(of(CORE_TEXT("methods", "equivalent lightening of a steel plug"), c), "g",
+        Text::tr("Equation (19) from the printed constant part."));
+    rows.reproduced(of(Text::tr("equivalent lightening of a steel plug"), c), "g",
                     c.equivalent_reduction, reduction(c.aluminium_max), inverse);
 }
 
@@ -181,17 +175,16 @@ void shifts(PaperRows& rows) {
     const auto& curves = v8_plugs::shift_curves;
     const double largest = v8_plugs::largest_shift;
     rows.at(in_text(figure(2)));
-    rows.reproduced(joined(CORE_TEXT("methods", "maximum Δk"), litres(14.86)), "", "0.017",
+    rows.reproduced(joined(Text::tr("maximum Δk"), litres(14.86)), "", "0.017",
                     shift_coefficient(largest, curves.back().crank_radius),
-                    CORE_TEXT("methods", "Δr / r, eq. (1)."));
-    rows.reproduced(joined(CORE_TEXT("methods", "maximum Δk"), litres(4.25)), "", "0.030",
+                    Text::tr("Δr / r, eq. (1)."));
+    rows.reproduced(joined(Text::tr("maximum Δk"), litres(4.25)), "", "0.030",
                     shift_coefficient(largest, curves.front().crank_radius),
-                    CORE_TEXT("methods", "Δr / r, eq. (1)."));
-    rows.given(upper_end(CORE_TEXT("methods", "maximum shift Δr")), "mm", "1.2",
-               largest / units::mm,
-               CORE_TEXT("methods", "The maximum Δk were computed from this value."));
-    rows.not_derivable(lower_end(CORE_TEXT("methods", "maximum shift Δr")), "mm", "0.8",
-                       CORE_TEXT("methods", "The machined shapes are not printed."));
+                    Text::tr("Δr / r, eq. (1)."));
+    rows.given(upper_end(Text::tr("maximum shift Δr")), "mm", "1.2", largest / units::mm,
+               Text::tr("The maximum Δk were computed from this value."));
+    rows.not_derivable(lower_end(Text::tr("maximum shift Δr")), "mm", "0.8",
+                       Text::tr("The machined shapes are not printed."));
 }
 
 void plug_masses(PaperRows& rows) {
@@ -201,29 +194,24 @@ void plug_masses(PaperRows& rows) {
     plug.bore_diameter = read_printed("25.0").value * units::mm;
     plug.bore_depth = read_printed("8.0").value * units::mm;
     rows.at(table(1));
-    rows.not_derivable(joined(CORE_TEXT("methods", "mass m_p of the plug"), litres(6, 7)), "g",
-                       "4.03",
-                       CORE_TEXT("methods",
-                                 "The drawing lacks dimensions; our value is a steel cup of the "
-                                 "printed thread and height with a bore of 25 × 8 mm."),
+    rows.not_derivable(joined(Text::tr("mass m_p of the plug"), litres(6, 7)), "g", "4.03",
+                       Text::tr("The drawing lacks dimensions; our value is a steel cup of the "
+                                "printed thread and height with a bore of 25 × 8 mm."),
                        plug.volume() * steel_density / units::gram);
     rows.at(in_text(after_equation(24)));
     rows.not_derivable(
-        joined(CORE_TEXT("methods", "excess that an M27×1.5 aluminium plug compensates"),
-               litres(4.25)),
-        "g", "9.685", CORE_TEXT("methods", "Mass and radius of such a plug are not printed."));
-    rows.at(in_text(CORE_TEXT("methods", "experiments")));
-    const Text limit = CORE_TEXT("methods", "A chosen limit, not computed.");
-    rows.given(CORE_TEXT("methods", "residual unbalance of the parts"), "g·mm", "5", std::nullopt,
+        joined(Text::tr("excess that an M27×1.5 aluminium plug compensates"), litres(4.25)), "g",
+        "9.685", Text::tr("Mass and radius of such a plug are not printed."));
+    rows.at(in_text(Text::tr("experiments")));
+    const Text limit = Text::tr("A chosen limit, not computed.");
+    rows.given(Text::tr("residual unbalance of the parts"), "g·mm", "5", std::nullopt, limit);
+    rows.given(Text::tr("residual unbalance in each correction plane"), "g·mm", "5", std::nullopt,
                limit);
-    rows.given(CORE_TEXT("methods", "residual unbalance in each correction plane"), "g·mm", "5",
-               std::nullopt, limit);
 }
 
 /// What Table 1 and the text state of shapes and of the other engines.
 void stated(PaperRows& rows) {
-    const Text drawing =
-        CORE_TEXT("methods", "Stated by the paper, with a drawing that lacks dimensions.");
+    const Text drawing = Text::tr("Stated by the paper, with a drawing that lacks dimensions.");
     struct Size {
         const char *name, *small,
             *large;  // of the 4.25 l engine, of the 6 and 7 l ones; null: none
@@ -253,11 +241,9 @@ void stated(PaperRows& rows) {
                    *v8_plugs::find_preset(name)->crank_radius / units::mm);
     }
     rows.at(in_text(after_equation(24)));
-    const Text example = CORE_TEXT("methods", "The paper chooses it as an example.");
-    rows.given(CORE_TEXT("methods", "diameter of a larger thread"), "mm", "27", std::nullopt,
-               example);
-    rows.given(CORE_TEXT("methods", "pitch of a larger thread"), "mm", "1.5", std::nullopt,
-               example);
+    const Text example = Text::tr("The paper chooses it as an example.");
+    rows.given(Text::tr("diameter of a larger thread"), "mm", "27", std::nullopt, example);
+    rows.given(Text::tr("pitch of a larger thread"), "mm", "1.5", std::nullopt, example);
 }
 
 }  // namespace

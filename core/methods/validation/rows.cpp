@@ -62,25 +62,25 @@ Verdict decide(Verdict claim, double printed, double tolerance, std::optional<do
 }
 
 Message in_text(Message place) {
-    return joined(CORE_TEXT("methods", "text"), std::move(place));
+    return joined(Text::tr("text"), std::move(place));
 }
 Message table(int number) {
-    return {CORE_TEXT("methods", "Table %1"), number};
+    return {Text::tr("Table %1"), number};
 }
 Message figure(int number) {
-    return {CORE_TEXT("methods", "Fig. %1"), number};
+    return {Text::tr("Fig. %1"), number};
 }
 Message equation(int number) {
-    return {CORE_TEXT("methods", "eq. (%1)"), number};
+    return {Text::tr("eq. (%1)"), number};
 }
 Message after_equation(int number) {
-    return {CORE_TEXT("methods", "after eq. (%1)"), number};
+    return {Text::tr("after eq. (%1)"), number};
 }
 Message lower_end(Text quantity) {
-    return joined(quantity, CORE_TEXT("methods", "from"));
+    return joined(quantity, Text::tr("from"));
 }
 Message upper_end(Text quantity) {
-    return joined(quantity, CORE_TEXT("methods", "to"));
+    return joined(quantity, Text::tr("to"));
 }
 
 void PaperRows::add(Verdict claim, Message quantity, std::string unit, std::string_view printed,
@@ -104,7 +104,7 @@ void PaperRows::add(Verdict claim, Message quantity, std::string unit, std::stri
 }
 
 Message PaperRows::stated() {
-    return CORE_TEXT("methods", "Stated by the paper; our value is the program's input.");
+    return Text::tr("Stated by the paper; our value is the program's input.");
 }
 
 }  // namespace ravnoves::methods

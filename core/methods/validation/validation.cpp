@@ -26,12 +26,9 @@ struct VerdictWords {
 const VerdictWords& words_of(Verdict verdict) {
     // In the order of the enumeration.
     static constexpr VerdictWords words[] = {
-        {"reproduced", CORE_TEXT("methods", "reproduced")},
-        {"artefact", CORE_TEXT("methods", "artefact")},
-        {"slip", CORE_TEXT("methods", "misprint")},
-        {"not-derivable", CORE_TEXT("methods", "not derivable")},
-        {"given", CORE_TEXT("methods", "given")},
-        {"differs", CORE_TEXT("methods", "differs")},
+        {"reproduced", Text::tr("reproduced")}, {"artefact", Text::tr("artefact")},
+        {"slip", Text::tr("misprint")},         {"not-derivable", Text::tr("not derivable")},
+        {"given", Text::tr("given")},           {"differs", Text::tr("differs")},
     };
     return words[static_cast<std::size_t>(verdict)];
 }

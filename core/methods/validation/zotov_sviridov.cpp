@@ -65,31 +65,28 @@ void rod_hinge_integral(PaperRows& rows) {
     for (const double speed : {100.0, 300.0, 500.0}) {
         const Result result = elastic_hinge::solve(paper_input(speed));
         const TurnIntegral integral(result.curves.rod_hinge_moment);
-        rows.reproduced({CORE_TEXT("methods", "∮ M₁₂ dφ at ω = %1 s⁻¹"), speed}, "J", "9.469",
-                        integral.value,
-                        CORE_TEXT("methods",
-                                  "With the paper's series for cos ψ; the inertia part is odd in φ "
-                                  "and cancels at every speed."));
+        rows.reproduced({Text::tr("∮ M₁₂ dφ at ω = %1 s⁻¹"), speed}, "J", "9.469", integral.value,
+                        Text::tr("With the paper's series for cos ψ; the inertia part is odd in φ "
+                                 "and cancels at every speed."));
     }
 }
 
 void vanishing_integrals(PaperRows& rows) {
     const Result plain = elastic_hinge::solve(paper_input(100.0));
     const Result weighted = elastic_hinge::solve(with_counterweight(100.0, 0.1));
-    const Text rounding =
-        CORE_TEXT("methods", "To rounding, 1e-9 of the integral of its magnitude.");
-    zero_integral(rows, in_text(CORE_TEXT("methods", "introduction")), "∮ M dφ",
-                  plain.curves.crank_moment, rounding);
-    zero_integral(rows, equation(5), joined("∮ M₁₂ dφ", CORE_TEXT("methods", "potential part")),
+    const Text rounding = Text::tr("To rounding, 1e-9 of the integral of its magnitude.");
+    zero_integral(rows, in_text(Text::tr("introduction")), "∮ M dφ", plain.curves.crank_moment,
+                  rounding);
+    zero_integral(rows, equation(5), joined("∮ M₁₂ dφ", Text::tr("potential part")),
                   plain.curves.rod_hinge_moment_potential, rounding);
-    zero_integral(
-        rows, in_text(after_equation(8)), "∮ M₁ dφ", plain.curves.crank_moment_with_rod_hinge,
-        CORE_TEXT("methods", "To rounding, with M₁₂ correctly outside the factor 0.5 of (8)."));
+    zero_integral(rows, in_text(after_equation(8)), "∮ M₁ dφ",
+                  plain.curves.crank_moment_with_rod_hinge,
+                  Text::tr("To rounding, with M₁₂ correctly outside the factor 0.5 of (8)."));
     zero_integral(rows, equation(10), "∮ M₁₂* dφ", weighted.curves.rod_hinge_moment,
-                  CORE_TEXT("methods", "To rounding, with the counterweight of (10)."));
-    zero_integral(
-        rows, in_text(after_equation(11)), "∮ M₁* dφ", weighted.curves.crank_moment_with_rod_hinge,
-        CORE_TEXT("methods", "To rounding, with M₁₂* correctly outside the factor 0.5 of (11)."));
+                  Text::tr("To rounding, with the counterweight of (10)."));
+    zero_integral(rows, in_text(after_equation(11)), "∮ M₁* dφ",
+                  weighted.curves.crank_moment_with_rod_hinge,
+                  Text::tr("To rounding, with M₁₂* correctly outside the factor 0.5 of (11)."));
 }
 
 /// The factor of M₁₂ (1 + λ cos φ / cos ψ) in the crank's moment.
@@ -128,11 +125,9 @@ void factor_in_crank_moment(PaperRows& rows) {
         const double factor = factor_of_rod_hinge(input);
         rows.at(std::move(place));
         // The sum M + M₁₂ (…) has M = 0.5 (…): the bracket closes one term too late.
-        rows.slip(CORE_TEXT("methods", "factor of M₁₂ (1 + λ cos φ / cos ψ)"), "", "0.5", factor,
-                  0.5 * factor,
-                  CORE_TEXT("methods",
-                            "The bracket of 0.5 closes after M₁₂ instead of before it; the moment "
-                            "balance about the crank axis gives our value."));
+        rows.slip(Text::tr("factor of M₁₂ (1 + λ cos φ / cos ψ)"), "", "0.5", factor, 0.5 * factor,
+                  Text::tr("The bracket of 0.5 closes after M₁₂ instead of before it; the moment "
+                           "balance about the crank axis gives our value."));
     };
     add(equation(8), paper_input(300.0));
     add(equation(11), with_counterweight(300.0, 0.1));
@@ -149,17 +144,16 @@ void guide(PaperRows& rows) {
     const double as_printed = largest_radius(GuideSign::as_printed);
     const Mechanism<double> m = elastic_hinge::mechanism_of(input);
     rows.at(equation(3));
-    rows.reproduced(CORE_TEXT("methods", "divisor of r² (P₁ + P₂) / g in Iₚᵣ(0)"), "", "3",
+    rows.reproduced(Text::tr("divisor of r² (P₁ + P₂) / g in Iₚᵣ(0)"), "", "3",
                     m.crank_radius * m.crank_radius * (m.crank_mass + m.rod_mass) /
                         elastic_hinge::reduced_inertia_at_zero(m),
-                    CORE_TEXT("methods", "From the mechanism's reduced inertia."), 1e-9);
+                    Text::tr("From the mechanism's reduced inertia."), 1e-9);
     rows.at(in_text(after_equation(3)));
     constexpr double tolerance = 1e-5;  // m
-    rows.slip(CORE_TEXT("methods", "ρ₀ of guides 1, ℓ₀/2: maximum with a guide"), "m", "0.1",
-              energy, as_printed,
-              CORE_TEXT("methods",
-                        "To 0.01 mm, and only with the sign of (1), by which spring and mechanism "
-                        "absorb energy together. For constant ω the spring must release it."),
+    rows.slip(Text::tr("ρ₀ of guides 1, ℓ₀/2: maximum with a guide"), "m", "0.1", energy,
+              as_printed,
+              Text::tr("To 0.01 mm, and only with the sign of (1), by which spring and mechanism "
+                       "absorb energy together. For constant ω the spring must release it."),
               tolerance);
 }
 
@@ -168,25 +162,19 @@ void counterweight(PaperRows& rows) {
         const Result result = elastic_hinge::solve(with_counterweight(100.0, distance));
         return result.balancing_mass * elastic_hinge::preset_zotov().gravity;
     };
-    const Text reason = CORE_TEXT("methods", "P₄ ℓ₂ = (P₃ + P₂/2) ℓ, at any speed.");
+    const Text reason = Text::tr("P₄ ℓ₂ = (P₃ + P₂/2) ℓ, at any speed.");
     rows.at(in_text(after_equation(10)));
-    rows.reproduced({CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.05}, "N", "30.833", weight(0.05),
-                    reason);
-    rows.reproduced({CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.1}, "N", "15.4167", weight(0.1),
-                    reason);
-    rows.reproduced({CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.15}, "N", "10.278", weight(0.15),
-                    reason);
+    rows.reproduced({Text::tr("P₄ at ℓ₂ = %1 m"), 0.05}, "N", "30.833", weight(0.05), reason);
+    rows.reproduced({Text::tr("P₄ at ℓ₂ = %1 m"), 0.1}, "N", "15.4167", weight(0.1), reason);
+    rows.reproduced({Text::tr("P₄ at ℓ₂ = %1 m"), 0.15}, "N", "10.278", weight(0.15), reason);
     rows.at(in_text(figure(6)));
-    rows.reproduced(joined(Message{CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.1},
-                           CORE_TEXT("methods", "Fig. 6a")),
-                    "N", "15.4167", weight(0.1), reason);
-    rows.slip(joined(Message{CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.05},
-                     CORE_TEXT("methods", "Fig. 6b")),
-              "N", "30.8330", weight(0.05), rounded_to_decimals(weight(0.05), 3),
-              CORE_TEXT("methods", "The value rounded to three decimals, with a zero added."));
-    rows.reproduced(joined(Message{CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.1},
-                           CORE_TEXT("methods", "Fig. 6c")),
-                    "N", "15.4167", weight(0.1), reason);
+    rows.reproduced(joined(Message{Text::tr("P₄ at ℓ₂ = %1 m"), 0.1}, Text::tr("Fig. 6a")), "N",
+                    "15.4167", weight(0.1), reason);
+    rows.slip(joined(Message{Text::tr("P₄ at ℓ₂ = %1 m"), 0.05}, Text::tr("Fig. 6b")), "N",
+              "30.8330", weight(0.05), rounded_to_decimals(weight(0.05), 3),
+              Text::tr("The value rounded to three decimals, with a zero added."));
+    rows.reproduced(joined(Message{Text::tr("P₄ at ℓ₂ = %1 m"), 0.1}, Text::tr("Fig. 6c")), "N",
+                    "15.4167", weight(0.1), reason);
 }
 
 void stated(PaperRows& rows) {
@@ -200,25 +188,24 @@ void stated(PaperRows& rows) {
     rows.given("P₂", "N", "6.5", input.rod_mass * g);
     rows.given("P₃", "N", "6", input.slider_mass * g);
     rows.given("λ", "", "0.3", input.lambda);
-    rows.given("ω", CORE_TEXT("core", "s⁻¹").english, "100", input.angular_speed);
+    rows.given("ω", Text::tr("s⁻¹").english, "100", input.angular_speed);
     rows.given("g", "m/s²", "9.82", g);
-    rows.given(CORE_TEXT("methods", "guides 2: ρ₀"), "m", "0.09",
-               input.spring->guide_radius_at_zero);
-    const Text chosen = CORE_TEXT("methods", "The paper chooses it as an example.");
+    rows.given(Text::tr("guides 2: ρ₀"), "m", "0.09", input.spring->guide_radius_at_zero);
+    const Text chosen = Text::tr("The paper chooses it as an example.");
     for (const int number : {4, 6}) {
         rows.at(figure(number));
         for (const char* speed : {"100", "300", "500"}) {
-            rows.given({Text{"", "ω = %1"}, speed}, CORE_TEXT("core", "s⁻¹").english, speed,
-                       std::nullopt, chosen);
+            rows.given({Text{"ω = %1"}, speed}, Text::tr("s⁻¹").english, speed, std::nullopt,
+                       chosen);
         }
     }
     rows.at(figure(4));
     for (const char* lambda : {"0.3", "0.4", "0.6", "0.8", "1"}) {
-        rows.given({Text{"", "λ = %1"}, lambda}, "", lambda, std::nullopt, chosen);
+        rows.given({Text{"λ = %1"}, lambda}, "", lambda, std::nullopt, chosen);
     }
     rows.at(in_text(after_equation(10)));
     for (const char* distance : {"0.05", "0.1", "0.15"}) {
-        rows.given({Text{"", "ℓ₂ = %1"}, distance}, "m", distance, std::nullopt, chosen);
+        rows.given({Text{"ℓ₂ = %1"}, distance}, "m", distance, std::nullopt, chosen);
     }
 }
 
@@ -226,9 +213,9 @@ void stated(PaperRows& rows) {
 
 std::vector<ValidationRow> validate_zotov_sviridov() {
     PaperRows rows("elastic-hinge");
-    rows.at(in_text(CORE_TEXT("methods", "introduction")));
-    rows.not_derivable(CORE_TEXT("methods", "flywheel's share of an engine's inertia"), "%", "80",
-                       CORE_TEXT("methods", "Quoted from another paper."));
+    rows.at(in_text(Text::tr("introduction")));
+    rows.not_derivable(Text::tr("flywheel's share of an engine's inertia"), "%", "80",
+                       Text::tr("Quoted from another paper."));
     guide(rows);
     rod_hinge_integral(rows);
     vanishing_integrals(rows);

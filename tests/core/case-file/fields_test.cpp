@@ -271,13 +271,13 @@ TEST(Fields, OneIsListedAsAmongAll) {
 }
 
 TEST(Fields, MessagesKeepTheirPatternAndTheirValues) {
-    const Message message(CORE_TEXT("core", "must be from %1 to %2"), 1.5, Number{3, units::mm});
+    const Message message(Text::tr("must be from %1 to %2"), 1.5, Number{3, units::mm});
     EXPECT_EQ(message.english(), "must be from 1.5 to 3 mm");
     EXPECT_STREQ(message.pattern().english, "must be from %1 to %2");
     EXPECT_EQ(Message("plain").english(), "plain");
     EXPECT_EQ(Message(Number{2, units::gram, -2}).english(), "2.00 g");
     EXPECT_EQ(Message(Number{-0.004, units::none, -2}).english(), "0.00");
-    const Message nested(CORE_TEXT("core", "cannot be read: %1"), message);
+    const Message nested(Text::tr("cannot be read: %1"), message);
     EXPECT_EQ(nested.english(), "cannot be read: must be from 1.5 to 3 mm");
     EXPECT_EQ(joined("a", line_place(4)).english(), "a, line 4");
     const InputError error(table_place(4, 2), message, Number{20.5, units::degree});

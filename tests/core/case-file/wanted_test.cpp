@@ -72,11 +72,11 @@ TEST(Wanted, SentencesThatNoOneWantsAreNotBuilt) {
         ResultJson json(wanted);
         visit_verdict(json, [&] {
             ++built;
-            return Verdict{Severity::note, CORE_TEXT("core", "a")};
+            return Verdict{Severity::note, Text::tr("a")};
         });
         json.texts(result_field::notes, [&] {
             ++built;
-            return std::vector<Message>{CORE_TEXT("core", "b")};
+            return std::vector<Message>{Text::tr("b")};
         });
         json.flag(result_field::feasible, true);
         return json.take();

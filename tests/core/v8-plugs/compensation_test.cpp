@@ -165,7 +165,7 @@ TEST(Compensation, WhatCannotBeMadeIsNotAdvised) {
     const auto advised = [&](const Hindrance& hindrance) {
         return advise(plugs, Crankshaft::standard, 4.3225 * gram, limit, hindrance);
     };
-    const Message why(CORE_TEXT("test", "No cutter is so small."));
+    const Message why(Text::tr("No cutter is so small."));
     // The next in the order of cost, else none.
     const Advice next = advised([&](const Option& option) {
         return option.id == OptionId::steel_machined ? why : Message();

@@ -25,6 +25,7 @@
 #include "scenes/scenes.h"
 #include "text/field_names.h"
 #include "text/language.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
 #include "workshop/older_formats.h"
 
@@ -50,28 +51,26 @@ std::string englishIn(QString text) {
 }
 
 bool isTranslated(const Text& pattern) {
-    static const std::set<std::pair<QString, QString>> known = [] {
-        std::set<std::pair<QString, QString>> texts;
+    static const std::set<QString> known = [] {
+        std::set<QString> texts;
         for (const test::CatalogueEntry& entry : test::readCatalogue(test::russianFile())) {
-            if (entry.finished) {
-                texts.emplace(entry.context, entry.source);
+            if (entry.finished && entry.context == QLatin1String(core_texts)) {
+                texts.insert(entry.source);
             }
         }
         return texts;
     }();
-    return known.contains({QString::fromUtf8(pattern.context), QString::fromUtf8(pattern.english)});
+    return known.contains(QString::fromUtf8(pattern.english));
 }
 
 /// Every sentence in it is a pattern with a translation; what is verbatim is a key, a name or
-/// quoted, and so is what a pattern without a context holds beside its places.
+/// quoted, and so is what a pattern that has none holds beside its places.
 void expectTranslatable(const Message& message) {
     const Text& pattern = message.pattern();
     if (pattern.empty()) {
         EXPECT_EQ(englishIn(QString::fromStdString(message.verbatim())), "") << message.verbatim();
-    } else if (*pattern.context == '\0') {
+    } else if (!isTranslated(pattern)) {
         EXPECT_EQ(englishIn(QString::fromUtf8(pattern.english)), "") << pattern.english;
-    } else {
-        EXPECT_TRUE(isTranslated(pattern)) << pattern.context << ": " << pattern.english;
     }
     for (const Argument& argument : message.arguments()) {
         if (const auto* inner = std::get_if<Message>(&argument)) {
@@ -191,7 +190,7 @@ TEST_F(ErrorText, OfABadTableIsRussian) {
     }
 }
 
-const Text finite = CORE_TEXT("core", "must be a finite number");
+const Text finite = Text::tr("must be a finite number");
 
 TEST_F(ErrorText, KeepsPlaceAndValues) {
     EXPECT_EQ(errorText(InputError("/input/crank_radius_mm", Range::greater_than(0.0).message(),
@@ -225,24 +224,23 @@ TEST(ErrorTextInEnglish, IsWhatCoreSays) {
 
 TEST(ErrorTextInEnglish, SaysPlacesInWords) {
     const FieldNames& names = namesOf("balance-shaft");
-    const Text missing = CORE_TEXT("core", "is required and missing");
+    const Text missing = Text::tr("is required and missing");
     const auto said = [&](const InputError& error) { return names.errorText(error).toStdString(); };
     EXPECT_EQ(said(InputError("/input/torque/torque_Nm/3", missing)),
               "Row 4, torque: is required and missing");
     EXPECT_EQ(said(InputError("/variants/1/input/crank_radius_mm", missing)),
               "Variant 2, crank radius r: is required and missing");
-    EXPECT_EQ(said(InputError(
-                  "/input/reciprocating_masses_kg",
-                  {CORE_TEXT("core", "is required and missing (or %1)"), "reciprocating_mass_kg"})),
-              "Reciprocating masses: is required and missing (or reciprocating mass)");
+    EXPECT_EQ(
+        said(InputError("/input/reciprocating_masses_kg",
+                        {Text::tr("is required and missing (or %1)"), "reciprocating_mass_kg"})),
+        "Reciprocating masses: is required and missing (or reciprocating mass)");
     EXPECT_EQ(
         said(InputError::in_file("/input/torque/csv", "my_trace_mm.csv", InputError({}, missing))),
         "Torque, file my_trace_mm.csv: is required and missing");
-    EXPECT_EQ(
-        said(InputError::unknown_key("/input/crank_radus_mm",
-                                     {CORE_TEXT("core", "is not a known key; the nearest is %1"),
-                                      quoted_list({"crank_radius_mm"})})),
-        "\"crank radus mm\": is not a known key; the nearest is \"crank radius r\"");
+    EXPECT_EQ(said(InputError::unknown_key("/input/crank_radus_mm",
+                                           {Text::tr("is not a known key; the nearest is %1"),
+                                            quoted_list({"crank_radius_mm"})})),
+              "\"crank radus mm\": is not a known key; the nearest is \"crank radius r\"");
     EXPECT_EQ(said(InputError("/version", missing, "{\"a_mm\":1}")),
               "Version: is required and missing, got a group of values");
     EXPECT_EQ(said(InputError("", finite, Number{1.2e200})),

@@ -50,10 +50,10 @@ std::vector<Message> kernelTexts() {
 }
 
 TEST(MethodWords, EnglishStaysAsItIs) {
-    EXPECT_EQ(methodText({CORE_TEXT("methods", "%1 points"), 64}), QStringLiteral("64 points"));
+    EXPECT_EQ(methodText({Text::tr("%1 points"), 64}), QStringLiteral("64 points"));
     EXPECT_EQ(methodText("0.1°"), QStringLiteral("0.1°"));
     EXPECT_EQ(methodText("1e-6"), QStringLiteral("10⁻⁶"));
-    EXPECT_EQ(methodText({CORE_TEXT("methods", "to %1°"), "1e-6"}), QStringLiteral("to 10⁻⁶°"));
+    EXPECT_EQ(methodText({Text::tr("to %1°"), "1e-6"}), QStringLiteral("to 10⁻⁶°"));
     EXPECT_EQ(methodText("P_j1 max, 4.25"), QStringLiteral("P_j1 max, 4.25"));
     EXPECT_EQ(methodText(""), QString());
 }
@@ -83,7 +83,7 @@ TEST(MethodWords, RussianHasNoEnglishLeft) {
         check(methodText(paper.citation));
     }
     EXPECT_EQ(methodText("0.1°"), QStringLiteral("0,1°"));
-    EXPECT_EQ(methodText({CORE_TEXT("methods", "%1 steps"), 7200}), QStringLiteral("7200 шагов"));
+    EXPECT_EQ(methodText({Text::tr("%1 steps"), 7200}), QStringLiteral("7200 шагов"));
 }
 
 TEST(MethodWords, TimesAndErrorsReadWell) {
@@ -100,12 +100,12 @@ TEST(MethodWords, TimesAndErrorsReadWell) {
 }
 
 TEST(MethodWords, StretchesReadWell) {
-    const Message stretches = joined(Message(CORE_TEXT("methods", "%1 to %2"), 0.1, 0.3),
-                                     Message(CORE_TEXT("methods", "from %1"), 0.9));
+    const Message stretches =
+        joined(Message(Text::tr("%1 to %2"), 0.1, 0.3), Message(Text::tr("from %1"), 0.9));
     EXPECT_EQ(methodText(stretches), QStringLiteral("0.1 to 0.3, from 0.9"));
     const InRussian russian;
     EXPECT_EQ(methodText(stretches), QStringLiteral("от 0,1 до 0,3, от 0,9"));
-    EXPECT_EQ(methodText({CORE_TEXT("methods", "up to %1"), Number{300.0, units::rad_per_s, 3}}),
+    EXPECT_EQ(methodText({Text::tr("up to %1"), Number{300.0, units::rad_per_s, 3}}),
               QStringLiteral("до 300\u00A0рад/с"));
 }
 

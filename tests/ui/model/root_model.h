@@ -50,7 +50,7 @@ struct RootScene {
 
 inline void visit_fields(FieldVisitor& visitor, RootScene::Input& input) {
     visitor.number(
-        Field{.key = "crank_radius_mm", .unit = units::none, .label = CORE_TEXT("test", "Square")},
+        Field{.key = "crank_radius_mm", .unit = units::none, .label = Text::tr("Square")},
         input.square);
 }
 

@@ -477,7 +477,7 @@ TEST(NumberList, ReadsNumbersOneAfterTheOther) {
     const Field drills{.key = "drills_mm",
                        .unit = units::mm,
                        .range = Range::greater_than(0, 100),
-                       .label = {"", "&Drills"}};
+                       .label = {"&Drills"}};
     for (const char* typed : {"8 10,5 16", "8; 10.5;16", "8, 10,5, 16", "8; 10.50; 16",
                               " 8mm ;10.5 16 ", "8 mm; 10.5 mm 16"}) {
         EXPECT_EQ(readNumberList(QString::fromUtf8(typed), drills, {}), List({8, 10.5, 16}))

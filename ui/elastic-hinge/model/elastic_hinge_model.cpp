@@ -248,8 +248,7 @@ const GuideProposal& ElasticHingeModel::proposal() const {
                 input().guide_search.value_or(GuideWish{}));
         } else {
             solved().proposal = GuideProposal{};
-            solved().proposal->reason =
-                CORE_TEXT("elastic-hinge", "no spring is given: enter its free length");
+            solved().proposal->reason = Text::tr("no spring is given: enter its free length");
         }
     }
     return *solved().proposal;

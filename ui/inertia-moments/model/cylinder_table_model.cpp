@@ -70,7 +70,7 @@ void setCell(Cylinder& cylinder, int row, int column, const QString& text) {
     if (!isOfRod(column) || !text.isEmpty()) {
         const auto typed = readTypedNumber(text, unit.name).value;
         if (!typed) {
-            reject(CORE_TEXT("core", "must be a number"), quoted_list({text.toStdString()}));
+            reject(Text::tr("must be a number"), quoted_list({text.toStdString()}));
         }
         const auto thousands = readWithThousands(text, unit.name);
         if (thousands && field.range.contains(*thousands / unit.factor)) {
@@ -92,7 +92,7 @@ void setCell(Cylinder& cylinder, int row, int column, const QString& text) {
     } else if (!isOfRod(column) || column == Table::KnuckleRadius || cylinder.articulated) {
         set_field(cylinder, pointerOf(column), value);
     } else if (!text.isEmpty()) {
-        reject(CORE_TEXT("inertia-moments", "must be empty: this rod runs on the crankpin"), {});
+        reject(Text::tr("must be empty: this rod runs on the crankpin"), {});
     }
 }
 

@@ -83,17 +83,16 @@ void CaseBudgetModel::load(const std::optional<OpenCase>& open) {
 
 Verdict CaseBudgetModel::verdict() const {
     if (!open_) {
-        return {Severity::note,
-                CORE_TEXT("methods", "Open a case to see how certain its results are.")};
+        return {Severity::note, Text::tr("Open a case to see how certain its results are.")};
     }
     if (!trouble_.isEmpty()) {
         return {Severity::error, Message(trouble_.toStdString())};
     }
     if (isIncomplete_) {
-        return {Severity::note, CORE_TEXT("methods", "The open case is incomplete: no results.")};
+        return {Severity::note, Text::tr("The open case is incomplete: no results.")};
     }
     if (budget_.empty()) {
-        return {Severity::note, CORE_TEXT("methods", "Solving the case for each change.")};
+        return {Severity::note, Text::tr("Solving the case for each change.")};
     }
     // The first result that more than rounding changes.
     const auto doubted = std::ranges::find_if(budget_, [](const CaseDoubt& doubt) {
@@ -101,7 +100,7 @@ Verdict CaseBudgetModel::verdict() const {
     });
     const CaseDoubt& first = doubted != budget_.end() ? *doubted : budget_.front();
     return {Severity::note,
-            {CORE_TEXT("methods", "%1: %2. Maximum contribution: %3, %4."), first.result.name,
+            {Text::tr("%1: %2. Maximum contribution: %3, %4."), first.result.name,
              valueCell(first.result).text.toStdString(),
              nameOf(first.contributions.front()).toStdString(),
              changeCell(first.contributions.front(), first.result.unit).text.toStdString()}};

@@ -27,7 +27,7 @@ std::size_t indexOf(const List& list, const QString& word, const char* place) {
         }
         known.push_back(list[i].id);
     }
-    throw InputError(place, {CORE_TEXT("core", "must be one of %1"), quoted_list(known)},
+    throw InputError(place, {Text::tr("must be one of %1"), quoted_list(known)},
                      word.toStdString());
 }
 
@@ -60,8 +60,8 @@ void MethodsModel::loadFile(const CaseFile& file, const CaseContext& /*context*/
                             const Json* /*named*/) {
     const Json& input = file.input;
     const std::string place = input.empty() ? "/input" : "/input/" + input.begin().key();
-    throw InputError(
-        place, CORE_TEXT("core", "is not a setting of this page; settings: kernel, sweep, value"));
+    throw InputError(place,
+                     Text::tr("is not a setting of this page; settings: kernel, sweep, value"));
 }
 
 Json MethodsModel::resultJson() const {

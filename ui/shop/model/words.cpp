@@ -29,7 +29,7 @@ QString Words::translate(const char* context, const char* text, const char* comm
 
 QString Words::unit(Unit unit) const {
     const Unit shown = shownAs(unit);
-    return shown.name.empty() ? QString() : translate("core", std::string(shown.name).c_str());
+    return shown.name.empty() ? QString() : translate(core_texts, std::string(shown.name).c_str());
 }
 
 QString Words::message(const Message& message) const {
@@ -96,7 +96,7 @@ QString Words::plain(double si, Unit unit, int decimals) const {
 QString Words::plainWithUnit(double si, const Field& field, int decimals) const {
     const ShownUnit shown = shownUnit(field);
     return withUnit(plain(si / field.unit * shown.factor, std::max(0, decimals + shown.decimals)),
-                    translate("core", std::string(shownAs(field).name).c_str()));
+                    translate(core_texts, std::string(shownAs(field).name).c_str()));
 }
 
 QString Words::plainWithUnit(double si, Unit unit, int decimals) const {

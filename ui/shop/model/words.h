@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "case-file/field.h"
+#include "text/message_text.h"
 #include "text/result_row.h"
 
 class QTranslator;
@@ -23,7 +24,7 @@ class Words {
     /// The text in the language; named as lupdate knows it.
     QString translate(const char* context, const char* text, const char* comment = nullptr) const;
 
-    QString text(const Text& text) const { return translate(text.context, text.english); }
+    QString text(const Text& text) const { return translate(core_texts, text.english); }
     /// A message of core, with the numbers and units of the language.
     QString message(const Message& message) const;
     /// A field's label without the & of its mnemonic: "Crank radius r".

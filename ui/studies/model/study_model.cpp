@@ -37,18 +37,9 @@ Study freshStudy() {
 
 /// Why something does not exist, in the language of the program. Of what a result says in English,
 /// what holds no values is known.
-QString whyText(const Message& why, const QString& scene) {
-    if (why.verbatim().empty()) {
-        return messageText(why);
-    }
-    QString english = QString::fromStdString(why.verbatim());
-    for (const QByteArray& context : {QByteArray("core"), scene.toUtf8(), QByteArray("studies")}) {
-        QString text = QCoreApplication::translate(context.constData(), why.verbatim().c_str());
-        if (text != english) {
-            return text;
-        }
-    }
-    return english;
+QString whyText(const Message& why) {
+    return why.verbatim().empty() ? messageText(why)
+                                  : QCoreApplication::translate(core_texts, why.verbatim().c_str());
 }
 
 /// An input that no form names.
@@ -272,7 +263,7 @@ std::vector<std::pair<QString, std::uint64_t>> StudyModel::rejected() const {
 }
 
 QString StudyModel::reasonText(const Reason& reason) const {
-    const QString why = whyText(reason.why, scene_->sceneName());
+    const QString why = whyText(reason.why);
     return named(reason.where.empty()
                      ? why
                      : QString::fromStdString(reason.where.english()) + QStringLiteral(": ") + why);

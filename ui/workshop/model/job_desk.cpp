@@ -323,10 +323,10 @@ QString JobDesk::openJob(qint64 id, bool isCopy) {
     try {
         const CaseFile file = parse_shown_case(job->form.toStdString());
         if (file.scene != model_->sceneName().toStdString()) {
-            throw InputError("/scene",
-                             {CORE_TEXT("core", "must be one of %1"),
-                              quoted_list({model_->sceneName().toStdString()})},
-                             file.scene);
+            throw InputError(
+                "/scene",
+                {Text::tr("must be one of %1"), quoted_list({model_->sceneName().toStdString()})},
+                file.scene);
         }
         replaceJob(isCopy ? 0 : id, isCopy ? 0 : job->revision,
                    [&] { model_->takeJob(file, isCopy); });

@@ -170,7 +170,7 @@ QString ruleText(const Words& words, const workshop::Input& input, const InputEr
     }
     const QString rule =
         words.message(isMissing ? error.allowed_message()
-                                : Message(CORE_TEXT("core", "%1, got %2"), error.allowed_message(),
+                                : Message(Text::tr("%1, got %2"), error.allowed_message(),
                                           error.found_message()));
     return name.isEmpty() ? rule : name + QStringLiteral(": ") + rule;
 }
