@@ -27,6 +27,12 @@ QString likePattern(QString text) {
 
 }  // namespace
 
+QStringList JournalJob::names() const {
+    QStringList list{engineNumber, crankshaftNumber, customer};
+    list.removeAll(QString());
+    return list;
+}
+
 QString JournalJob::numbers() const {
     QStringList numbers{engineNumber, crankshaftNumber};
     numbers.removeAll(QString());

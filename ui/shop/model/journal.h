@@ -43,6 +43,8 @@ struct JournalJob {
     QDateTime saved;                     ///< UTC
     QByteArray form;                     ///< JSON text, UTF-8
 
+    /// What it is found by, as far as it has that: numbers of engine and crankshaft, customer.
+    QStringList names() const;
     /// Of engine and crankshaft; a dash where it has none.
     QString numbers() const;
 

@@ -2,8 +2,10 @@
 
 #include <QDate>
 #include <QSettings>
+#include <exception>
 
 #include "case-file/case_file.h"
+#include "case-file/field_reader.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/case_document.h"
@@ -19,12 +21,6 @@ namespace {
 
 const QString languageKey = QStringLiteral("workshop/card-language");
 const QString technicianKey = QStringLiteral("workshop/technician");
-
-/// Whether somebody could find the job again.
-bool isNamed(const JournalJob& job) {
-    return !job.engineNumber.isEmpty() || !job.crankshaftNumber.isEmpty() ||
-           !job.customer.isEmpty();
-}
 
 /// Those that live.
 QList<JobDesk*>& desks() {
@@ -99,7 +95,7 @@ void JobDesk::setJob(qint64 id, int revision) {
 }
 
 bool JobDesk::isNameless() const {
-    return jobId_ == 0 && !isNamed(model_->journalEntry()) && model_->hasNumbers();
+    return jobId_ == 0 && model_->journalEntry().names().isEmpty() && model_->hasNumbers();
 }
 
 void JobDesk::missJob(qint64 removed) {
@@ -168,19 +164,12 @@ void JobDesk::takeRestored() {
 }
 
 QStringList JobDesk::wordsOf(const CaseFile& file) {
-    QStringList words;
-    const std::string head(shop::field::job.key);
-    if (file.input.is_object() && file.input.contains(head) && file.input.at(head).is_object()) {
-        for (const Field& field :
-             {shop::field::engine_number, shop::field::crankshaft_number, shop::field::customer}) {
-            const auto found = file.input.at(head).find(std::string(field.key));
-            if (found != file.input.at(head).end() && found->is_string()) {
-                words << QString::fromStdString(found->get<std::string>());
-            }
-        }
+    try {
+        const Json& head = file.input.at(std::string(shop::field::job.key));
+        return entryOf(read_fields<shop::JobHeader>(head, Completeness::as_is)).names();
+    } catch (const std::exception&) {
+        return {};  // of another scene
     }
-    words.removeAll(QString());
-    return words;
 }
 
 bool JobDesk::isSameEngine(const JournalJob& there, const JournalJob& here) const {
@@ -257,7 +246,7 @@ QString JobDesk::saveJob(bool* ok, bool isFinished) {
     if (ok != nullptr) {
         *ok = false;
     }
-    if (jobId_ == 0 && !isNamed(model_->journalEntry()) && !model_->hasNumbers()) {
+    if (jobId_ == 0 && model_->journalEntry().names().isEmpty() && !model_->hasNumbers()) {
         return tr("The sheet is empty: not saved.") + QLatin1Char(' ') + model_->answerLacks();
     }
     if (!openJournal()) {
@@ -268,7 +257,7 @@ QString JobDesk::saveJob(bool* ok, bool isFinished) {
     job.id = jobId_;
     job.revision = jobRevision_;
     job.scene = model_->sceneName();
-    job.isFinished = isFinished && isNamed(job) && model_->answerLacks().isEmpty();
+    job.isFinished = isFinished && !job.names().isEmpty() && model_->answerLacks().isEmpty();
     job.form = formText();
     const Journal::Saved saved = journal_->save(job);
     if (saved == Journal::Saved::No) {
@@ -305,7 +294,7 @@ QString JobDesk::savedText(Journal::Saved saved, const JournalJob& job) const {
         : job.isFinished ? tr("Job %1 saved in the journal.").arg(number)
                          : tr("Job %1 put aside in the journal, unfinished.").arg(number);
     QStringList said{done, model_->answerLacks()};
-    if (!isNamed(job)) {
+    if (job.names().isEmpty()) {
         said << tr("Enter a number of engine or crankshaft, or a customer, to find the job again.");
     }
     said.removeAll(QString());

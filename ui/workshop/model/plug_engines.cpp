@@ -217,29 +217,24 @@ bool WorkshopModel::isShopsTolerance() const {
            input().plugs->tolerance == plug_engines::shopsTolerance();
 }
 
-bool WorkshopModel::canFillNominalMasses() const {
-    if (!hasPlugs() || !plugsInput()->weigh_in) {
-        return false;
+v8_plugs::Engine WorkshopModel::withNominalMasses() const {
+    v8_plugs::Engine engine = plugsInput()->engine;
+    if (const auto& sheet = plugsInput()->weigh_in) {
+        const auto sum = nominal_reciprocating(*sheet);
+        engine.reciprocating_mass = sum ? sum : engine.reciprocating_mass;
+        const auto rotating = nominal_rotating(*sheet);
+        engine.rotating_mass = rotating ? rotating : engine.rotating_mass;
     }
-    const auto differs = [](const std::optional<double>& parts, const std::optional<double>& mass) {
-        return parts && parts != mass;
-    };
-    const WeighIn& sheet = *plugsInput()->weigh_in;
-    const v8_plugs::Engine& engine = input().plugs->engine;
-    return differs(nominal_reciprocating(sheet), engine.reciprocating_mass) ||
-           differs(nominal_rotating(sheet), engine.rotating_mass);
+    return engine;
+}
+
+bool WorkshopModel::canFillNominalMasses() const {
+    return hasPlugs() && withNominalMasses() != plugsInput()->engine;
 }
 
 void WorkshopModel::fillNominalMasses() {
-    const WeighIn sheet = plugsInput()->weigh_in.value();
-    editPlugs(tr("Masses of the nominal parts"), [&](v8_plugs::Input& plugs) {
-        if (const auto sum = nominal_reciprocating(sheet)) {
-            plugs.engine.reciprocating_mass = sum;
-        }
-        if (const auto sum = nominal_rotating(sheet)) {
-            plugs.engine.rotating_mass = sum;
-        }
-    });
+    editPlugs(tr("Masses of the nominal parts"),
+              [filled = withNominalMasses()](v8_plugs::Input& plugs) { plugs.engine = filled; });
 }
 
 // ------------------------------------------------------------------------------------- engines

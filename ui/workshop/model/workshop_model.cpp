@@ -279,10 +279,7 @@ CaseFile WorkshopModel::asNew(const CaseFile& file) const {
 }
 
 QString WorkshopModel::jobName() const {
-    const JournalJob job = JobDesk::entryOf(input().job);
-    return !job.engineNumber.isEmpty()       ? job.engineNumber
-           : !job.crankshaftNumber.isEmpty() ? job.crankshaftNumber
-                                             : job.customer;
+    return JobDesk::entryOf(input().job).names().value(0);
 }
 
 void WorkshopModel::aboutToLoad() {

@@ -335,6 +335,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     QString optionTip(const v8_plugs::Option& option) const;
     /// What the paper prints, or the user keeps, of the present engine; nothing where neither does.
     std::optional<v8_plugs::Engine> keptEngine() const;
+    /// The engine with the nominal masses that follow from its nominal parts.
+    v8_plugs::Engine withNominalMasses() const;
     QString engineNameTrouble(const QString& name) const;
     /// @return an empty string, or what went wrong
     QString changeEngines(const std::function<bool(Journal&)>& change);
