@@ -82,8 +82,7 @@ void JobSheet::buildPlugs() {
         [this] { return model_->hasPlugs(); }, [this](bool on) { model_->setHasPlugs(on); }));
     there->setMinimumHeight(Theme::withText(fieldHeight - 6));
     follow([this, there] { there->setEnabled(model_->hasPlugs() || model_->mayHavePlugs()); });
-    section({});
-    withPlugs(true);
+    plugsSection(true, {});
     engine_ = ordered(new QComboBox(current()));
     engine_->setObjectName(QStringLiteral("engine"));
     engine_->setPlaceholderText(shownText(v8_plugs::field::engine.placeholder));

@@ -67,7 +67,7 @@ QString dayTrouble(const QString& text) {
                                          .arg(text, Words().day(QStringLiteral("2024-05-31")));
 }
 
-JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
+JournalDialog::JournalDialog(Journal* journal, QWidget* parent, const QString& text)
     : QDialog(parent), journal_(journal) {
     setWindowTitle(tr("Journal of jobs"));
     resizeWithText(this, 1120, 560);
@@ -93,7 +93,7 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
         row->addWidget(name);
         row->addWidget(field, stretch);
     };
-    text_ = new QLineEdit(this);
+    text_ = new QLineEdit(text, this);
     text_->setObjectName(QStringLiteral("journal_search"));
     text_->setPlaceholderText(tr("engine or crankshaft number, customer, technician"));
     text_->setClearButtonEnabled(true);
@@ -274,10 +274,6 @@ void JournalDialog::search() {
         : truncated_
             ? tr("The newest %1 jobs; more match. The export has them all.").arg(jobs_.size())
             : tr("Jobs found: %1").arg(jobs_.size()));
-}
-
-void JournalDialog::searchFor(const QString& text) {
-    text_->setText(text);
 }
 
 bool JournalDialog::eventFilter(QObject* watched, QEvent* event) {

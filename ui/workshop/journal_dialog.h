@@ -22,13 +22,12 @@ class JournalDialog : public QDialog {
     Q_OBJECT
 
   public:
-    explicit JournalDialog(Journal* journal, QWidget* parent = nullptr);
+    /// @param text  searched for, as if it were typed
+    explicit JournalDialog(Journal* journal, QWidget* parent = nullptr, const QString& text = {});
 
     /// The job that the user wants, to be copied or opened.
     qint64 chosenId() const { return chosen_; }
     bool isCopy() const { return isCopy_; }
-    /// As if it were typed.
-    void searchFor(const QString& text);
     /// Writes the jobs listed to a CSV file. @return an empty string, or what went wrong
     QString exportTo(const QString& file);
 

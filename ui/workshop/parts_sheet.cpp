@@ -24,8 +24,7 @@ PartsSheet::PartsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
 }
 
 void PartsSheet::buildParts() {
-    section(tr("Parts of one cylinder"));
-    withPlugs(false);
+    plugsSection(false, tr("Parts of one cylinder"));
     for (const bob_weights::PartField& part : bob_weights::part_fields()) {
         const std::string pointer = "/parts_g/" + std::string(part.field.key);
         NumberField* field = number(pointer.c_str());
@@ -40,16 +39,14 @@ void PartsSheet::buildParts() {
             }
         });
     }
-    section(tr("Balance factor"));
-    withPlugs(false);
+    plugsSection(false, tr("Balance factor"));
     doubt(number("/factor/reciprocating_percent"), "share-of-one");
     number("/factor/overbalance_percent");
     line(Theme::smallSize, [this] { return model_->reasonText(); });
 }
 
 void PartsSheet::buildChanges() {
-    section(tr("Parts of one cylinder, heavier than nominal by (negative: lighter)"));
-    withPlugs(true);
+    plugsSection(true, tr("Parts of one cylinder, heavier than nominal by (negative: lighter)"));
     for (const v8_plugs::MassChangeField& each : v8_plugs::mass_change_fields()) {
         NumberField* made = number(
             each.field,
@@ -72,21 +69,15 @@ void PartsSheet::buildChanges() {
                              (!each.repair_only || plugs->process == v8_plugs::Process::repair));
         });
     }
-    section(tr("Nominal masses, for the bob weight"));
-    withPlugs(true);
-    for (const v8_plugs::EngineField& each : v8_plugs::engine_fields()) {
-        if (each.group == v8_plugs::EngineGroup::bob_weight) {
-            number(("/plugs/engine/" + std::string(each.field.key)).c_str());
-        }
-    }
+    plugsSection(true, tr("Nominal masses, for the bob weight"));
+    engineValues(v8_plugs::EngineGroup::bob_weight);
     QPushButton* fill = button(
         "fill_masses", tr("&Fill from the nominal parts"),
         tr("Reciprocating: piston, pin, rings, small end; rotating: big end and shells, by the "
            "nominal masses of the weigh-in sheet."),
         [this] { model_->fillNominalMasses(); });
     follow([this, fill] { fill->setEnabled(model_->canFillNominalMasses()); });
-    section(tr("Limit of the plugs"));
-    withPlugs(true);
+    plugsSection(true, tr("Limit of the plugs"));
     number("/plugs/tolerance_g_mm");
     // Below the field: it must not move while one types.
     QLabel* owner = line(Theme::smallSize, [this] { return model_->toleranceText(); });

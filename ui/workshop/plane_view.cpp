@@ -3,7 +3,6 @@
 #include <QPainter>
 
 #include "model/reference_case.h"
-#include "pictures/figure.h"
 #include "widgets/panel.h"
 #include "workshop/model/workshop_model.h"
 #include "workshop/plane_drawing.h"
@@ -15,7 +14,6 @@ using namespace bob_weights;
 PlaneView::PlaneView(WorkshopModel* model, std::size_t plane, QWidget* parent)
     : ComparedFigure(parent), model_(model), plane_(plane) {
     setObjectName(QStringLiteral("plane_%1").arg(plane + 1));
-    makeFigure(this);
     const auto repaint = [this] {
         setAccessibleName(model_->planeName(plane_));
         setAccessibleDescription(caption());

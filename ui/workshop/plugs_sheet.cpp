@@ -37,23 +37,20 @@ QString shownName(const QString& name) {
 }  // namespace
 
 PlugsSheet::PlugsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(model, parent) {
-    section({});
-    withPlugs(false);
+    plugsSection(false, {});
     line(Theme::baseSize, [this] {
         return model_->mayHavePlugs()
                    ? tr("No plugs: tick “The crankpins have sludge-trap plugs” on the sheet Job.")
                    : tr("Only a V-8 at 90° with two rods on a crankpin has sludge-trap plugs.");
     });
-    section(tr("Crankshaft and present plugs"));
-    withPlugs(true);
-    addValues(v8_plugs::EngineGroup::basic);
+    plugsSection(true, tr("Crankshaft and present plugs"));
+    engineValues(v8_plugs::EngineGroup::basic);
     line(Theme::smallSize, [this] {
         return model_->hasPlugs() ? tr("All plugs are treated as equal: enter the mean mass. Match "
                                        "plugs that differ by more than 0.5 g.")
                                   : QString();
     });
-    section(tr("Sizes of the present plug"));
-    withPlugs(true);
+    plugsSection(true, tr("Sizes of the present plug"));
     addThread();
     for (const char* size :
          {"height_mm", "bore_diameter_mm", "bore_depth_mm", "cutter_diameter_mm", "minimum_wall_mm",
@@ -61,18 +58,15 @@ PlugsSheet::PlugsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
         number((std::string("/plugs/plug/") + size).c_str());
     }
     line(Theme::baseSize, [this] { return model_->plugWeightText(); });
-    section({});
-    withPlugs(true);
+    plugsSection(true, {});
     addPlugs(tr("There are &aluminium plugs"), QStringLiteral("has_aluminium_plug"),
              tr("Options include aluminium plugs instead of steel plugs."),
              v8_plugs::EngineGroup::aluminium_plug, &v8_plugs::Engine::has_aluminium_plug);
-    section({});
-    withPlugs(true);
+    plugsSection(true, {});
     addPlugs(tr("There are plugs of the new &design"), QStringLiteral("has_new_plug"),
              tr("Options include plugs of the new design, for a crankshaft made for them."),
              v8_plugs::EngineGroup::new_plug, &v8_plugs::Engine::has_new_plug);
-    section({});
-    withPlugs(true);
+    plugsSection(true, {});
     addOwnEngineButtons();
     // Below the fields: they must not move while one types.
     QLabel* note = captionLabel({}, this);
@@ -117,15 +111,7 @@ void PlugsSheet::addPlugs(const QString& label, const QString& name, const QStri
         }));
     there->setFont(Theme::font(Theme::baseSize, true));
     there->setMinimumHeight(Theme::withText(fieldHeight - 6));
-    addValues(group);
-}
-
-void PlugsSheet::addValues(v8_plugs::EngineGroup group) {
-    for (const v8_plugs::EngineField& each : v8_plugs::engine_fields()) {
-        if (each.group == group) {
-            number(("/plugs/engine/" + std::string(each.field.key)).c_str());
-        }
-    }
+    engineValues(group);
 }
 
 void PlugsSheet::addOwnEngineButtons() {

@@ -51,8 +51,6 @@ class WeighInSheet : public WorkshopSheet {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    using Rules = shop::MatchingRules;
-
     void addSource();
     void addWeights();
     QLabel* put(int row, int column, const QString& text, int size, bool bold = false);
@@ -64,8 +62,7 @@ class WeighInSheet : public WorkshopSheet {
     void addGoal();
     void addFindings();
     void addTable(std::string_view part, const QString& name);
-    Rules rules() const;
-    void editRules(const QString& name, const std::function<void(Rules&)>& change);
+    shop::MatchingRules rules() const;
 
     WeighInTable table_;
     TroubleLine* trouble_;
@@ -86,7 +83,6 @@ class PlugsSheet : public WorkshopSheet {
     void status(const QString& text);
 
   private:
-    void addValues(v8_plugs::EngineGroup group);
     void addPlugs(const QString& label, const QString& name, const QString& hint,
                   v8_plugs::EngineGroup group, bool v8_plugs::Engine::*member);
     void addThread();

@@ -224,11 +224,6 @@ shop::MatchingRules WeighInSheet::rules() const {
     return sheet ? sheet->matching : shop::MatchingRules();
 }
 
-void WeighInSheet::editRules(const QString& name,
-                             const std::function<void(shop::MatchingRules&)>& change) {
-    model_->editWeights(name, [&](shop::WeighIn& sheet) { change(sheet.matching); });
-}
-
 /// What the parts are placed for, with what that needs.
 void WeighInSheet::addGoal() {
     section({});
@@ -240,7 +235,8 @@ void WeighInSheet::addGoal() {
     numberList(
         shop::field::crankpin_angles, [this] { return rules().crankpin_angles_deg; },
         [this](const QString& name, const std::vector<double>& angles) {
-            editRules(name, [&](Rules& rules) { rules.crankpin_angles_deg = angles; });
+            model_->editWeights(
+                name, [&](shop::WeighIn& sheet) { sheet.matching.crankpin_angles_deg = angles; });
         });
     number("/weigh_in/matching/cylinder_spacing_mm");
     number("/weigh_in/matching/bank_offset_mm");

@@ -220,13 +220,14 @@ void WorkshopPage::buildActions() {
                             const QKeySequence& keys, const QString& tip, auto&& slot) {
         auto* action = new QAction(icon.isEmpty() ? QIcon() : themedIcon(icon), text, this);
         action->setObjectName(name);
-        action->setShortcut(keys);
-        action->setToolTip(tip +
-                           QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText)));
+        if (!keys.isEmpty()) {
+            action->setShortcut(keys);
+            action->setToolTip(
+                tip + QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText)));
+            addAction(action);
+        }
         connect(action, &QAction::triggered, this, slot);
-        addAction(action);
         actions_ << action;
-        return action;
     };
     add(QStringLiteral("save_job"), QStringLiteral("job-done"), tr("&Save job in the journal"),
         QKeySequence(Qt::Key_F2), tr("Save the job in the journal"), [this] { saveJob(true); });
@@ -248,17 +249,12 @@ void WorkshopPage::buildActions() {
         QKeySequence(Qt::CTRL | Qt::Key_D), tr("Write the job card as PDF"),
         [this] { exportCard(); });
     buildCardLanguages();
-    const auto plain = [this](const QString& name, const QString& text, auto slot) {
-        auto* action = new QAction(text, this);
-        action->setObjectName(name);
-        connect(action, &QAction::triggered, this, slot);
-        actions_ << action;
-    };
-    plain(QStringLiteral("shop"), tr("S&hop on the job card…"),
-          [this] { ShopDialog(this).exec(); });
+    add(QStringLiteral("shop"), {}, tr("S&hop on the job card…"), {}, {},
+        [this] { ShopDialog(this).exec(); });
     actions_ << nullptr;
-    plain(QStringLiteral("back_up"), tr("&Back up the journal…"), [this] { backUp(); });
-    plain(QStringLiteral("restore"), tr("&Restore from a backup…"), [this] { restore(); });
+    add(QStringLiteral("back_up"), {}, tr("&Back up the journal…"), {}, {}, [this] { backUp(); });
+    add(QStringLiteral("restore"), {}, tr("&Restore from a backup…"), {}, {},
+        [this] { restore(); });
 }
 
 void WorkshopPage::buildCardLanguages() {
@@ -292,13 +288,9 @@ bool WorkshopPage::eventFilter(QObject* watched, QEvent* event) {
         }
     } else if (event->type() == QEvent::FocusIn &&
                static_cast<QFocusEvent*>(event)->reason() != Qt::ActiveWindowFocusReason) {
-        auto* field = static_cast<QWidget*>(watched);
-        for (QWidget* parent = field->parentWidget(); parent != nullptr;
-             parent = parent->parentWidget()) {
-            if (auto* scroll = qobject_cast<QScrollArea*>(parent)) {
-                scroll->ensureWidgetVisible(field, 0, WorkshopSheet::fieldHeight);
-                break;
-            }
+        if (auto* scroll = qobject_cast<QScrollArea*>(sheets_->currentWidget())) {
+            scroll->ensureWidgetVisible(static_cast<QWidget*>(watched), 0,
+                                        WorkshopSheet::fieldHeight);
         }
     }
     return ScenePage::eventFilter(watched, event);
@@ -335,34 +327,27 @@ void WorkshopPage::focusNext(QWidget* from) {
         entry->selectAll();    // what is typed next takes its place
         return;
     }
-    for (qsizetype sheet = 0; sheet < forms_.size(); ++sheet) {
-        const QList<QWidget*>& order = forms_.at(sheet)->order();
-        const qsizetype at = order.indexOf(from);
-        if (at < 0) {
-            continue;
+    const QList<QWidget*>& order = forms_.at(sheets_->currentIndex())->order();
+    for (QWidget* next : order.mid(order.indexOf(from) + 1)) {
+        // What is typed once is not between what is weighed.
+        const bool isSkipped = isTypedAlone(next) && !isTypedAlone(from);
+        if (!isSkipped && next->isEnabled() && next->isVisibleTo(sheets_)) {
+            next->setFocus(Qt::TabFocusReason);
+            return;
         }
-        for (qsizetype next = at + 1; next < order.size(); ++next) {
-            // What is typed once is not between what is weighed.
-            const bool isSkipped = isTypedAlone(order.at(next)) && !isTypedAlone(from);
-            if (!isSkipped && order.at(next)->isEnabled() && order.at(next)->isVisibleTo(sheets_)) {
-                order.at(next)->setFocus(Qt::TabFocusReason);
-                return;
-            }
-        }
-        // The end of the sheet: on to the next one. The last sheet is not left: nobody fills the
-        // first one after it.
-        int then = static_cast<int>(sheet) + 1;
-        while (then < forms_.size() && !sheets_->isTabVisible(then)) {
-            ++then;  // that of the plugs, where there are none
-        }
-        if (then < forms_.size()) {
-            sheets_->setCurrentIndex(then);
-            nextEntry(*forms_.at(then), false)->setFocus(Qt::TabFocusReason);
-        } else if (entry != nullptr) {
-            Q_EMIT entry->editingFinished();  // what is typed counts, as where it is left
-            entry->selectAll();
-        }
-        return;
+    }
+    // The end of the sheet: on to the next one. The last sheet is not left: nobody fills the first
+    // one after it.
+    int then = sheets_->currentIndex() + 1;
+    while (then < forms_.size() && !sheets_->isTabVisible(then)) {
+        ++then;  // that of the plugs, where there are none
+    }
+    if (then < forms_.size()) {
+        sheets_->setCurrentIndex(then);
+        nextEntry(*forms_.at(then), false)->setFocus(Qt::TabFocusReason);
+    } else if (entry != nullptr) {
+        Q_EMIT entry->editingFinished();  // what is typed counts, as where it is left
+        entry->selectAll();
     }
 }
 
@@ -395,10 +380,6 @@ bool WorkshopPage::rejectedEntriesAreKnown() {
     return continueWithoutRejected(this, tr("Entries not accepted"));
 }
 
-std::optional<bool> WorkshopPage::askToSave() {
-    return leaveJob();
-}
-
 std::optional<bool> WorkshopPage::saveInPlace() {
     return saveJob(true);
 }
@@ -411,7 +392,7 @@ bool WorkshopPage::hasUnsavedJob() {
     return model()->hasChanges() && !desk()->isJournaled();
 }
 
-bool WorkshopPage::leaveJob() {
+std::optional<bool> WorkshopPage::askToSave() {
     if (!hasUnsavedJob()) {
         return true;
     }
@@ -433,7 +414,7 @@ bool WorkshopPage::leaveJob() {
 
 bool WorkshopPage::mayReplaceJob() {
     const bool isAsked = hasUnsavedJob();
-    return leaveJob() && (isAsked || rejectedEntriesAreKnown());
+    return *askToSave() && (isAsked || rejectedEntriesAreKnown());
 }
 
 void WorkshopPage::backUp() {
@@ -588,8 +569,7 @@ void WorkshopPage::showJournal(const QString& search) {
         QMessageBox::warning(this, tr("Journal"), desk()->journalTrouble());
         return;
     }
-    JournalDialog dialog(desk()->journal(), this);
-    dialog.searchFor(search);
+    JournalDialog dialog(desk()->journal(), this, search);
     connect(&dialog, &JournalDialog::removed, desk(), &JobDesk::missJob);
     if (dialog.exec() == QDialog::Accepted) {
         bringJob(dialog.chosenId(), dialog.isCopy());

@@ -73,9 +73,8 @@ class WorkshopPage : public ScenePage {
     void beginSheets();
     void focusNext(QWidget* from);
     bool hasUnsavedJob();
-    /// Asks about an unsaved job. @return false where the user wants to stay
-    bool leaveJob();
-    /// The same, where another job is to come onto the sheet: rejected entries go with this one.
+    /// Asks about an unsaved job and its rejected entries, where another one is to come onto the
+    /// sheet. @return false where the user wants to stay
     bool mayReplaceJob();
     /// Names the rejected entries.
     /// @return false where the user returns to them

@@ -17,6 +17,7 @@
 #include "text/message_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
+#include "v8-plugs/fields.h"
 #include "widgets/mnemonics.h"
 
 namespace ravnoves {
@@ -222,8 +223,16 @@ void WorkshopSheet::doubt(EntryField* field, std::string_view word) {
     });
 }
 
-void WorkshopSheet::withPlugs(bool there) {
-    follow([this, there, made = current()] { made->setVisible(model_->hasPlugs() == there); });
+void WorkshopSheet::plugsSection(bool there, const QString& title) {
+    follow([this, there, made = section(title)] { made->setVisible(model_->hasPlugs() == there); });
+}
+
+void WorkshopSheet::engineValues(v8_plugs::EngineGroup group) {
+    for (const v8_plugs::EngineField& each : v8_plugs::engine_fields()) {
+        if (each.group == group) {
+            number(("/plugs/engine/" + std::string(each.field.key)).c_str());
+        }
+    }
 }
 
 QPushButton* WorkshopSheet::button(const char* name, const QString& label, const QString& tip,

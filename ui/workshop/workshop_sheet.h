@@ -91,8 +91,10 @@ class WorkshopSheet : public Form {
     /// As wide as a text: its words are read whole.
     /// @param width  designed pixels
     QComboBox* wide(QComboBox* box, int width = 290);
-    /// The section that is begun is there with plugs alone, or without them alone.
-    void withPlugs(bool there);
+    /// Begins a section that is there with plugs alone, or without them alone.
+    void plugsSection(bool there, const QString& title);
+    /// The values of a group of the engine with plugs.
+    void engineValues(v8_plugs::EngineGroup group);
     /// A line of buttons.
     QPushButton* button(const char* name, const QString& label, const QString& tip,
                         std::function<void()> press);
