@@ -56,6 +56,24 @@ inline QString textOfPdf(const QString& file) {
     return QString::fromUtf8(reader.readAllStandardOutput());
 }
 
+/// Whether a text has a part, all of them, or begins with one; a failure shows the text.
+inline ::testing::AssertionResult has(const QString& text, const auto& part) {
+    return (text.contains(part) ? ::testing::AssertionSuccess() : ::testing::AssertionFailure())
+           << qPrintable(text);
+}
+inline ::testing::AssertionResult hasAll(const QString& text, const QStringList& parts) {
+    for (const QString& part : parts) {
+        if (!text.contains(part)) {
+            return ::testing::AssertionFailure() << qPrintable(part) << " in " << qPrintable(text);
+        }
+    }
+    return ::testing::AssertionSuccess();
+}
+inline ::testing::AssertionResult begins(const QString& text, const QString& part) {
+    return (text.startsWith(part) ? ::testing::AssertionSuccess() : ::testing::AssertionFailure())
+           << qPrintable(text);
+}
+
 /// A new job of an engine with plugs.
 class PlugsModel : public WorkshopModel {
   public:
@@ -112,6 +130,16 @@ class JobPageTest : public ::testing::Test {
         QTest::keyClick(field, Qt::Key_Return);
     }
     void type(const char* name, const QString& text) { type(find<QWidget>(name), text); }
+    /// Keys on a box, list or button, as one comes to it.
+    void keys(const char* name, std::initializer_list<Qt::Key> pressed) {
+        auto* widget = find<QWidget>(name);
+        show(sheetOf(widget));
+        widget->setFocus();
+        for (const Qt::Key key : pressed) {
+            QTest::keyClick(widget, key);
+        }
+    }
+    void click(const char* name) { QTest::mouseClick(find<QWidget>(name), Qt::LeftButton); }
     void fill(const std::vector<std::pair<const char*, const char*>>& values) {
         for (const auto& [name, text] : values) {
             type(name, QString::fromUtf8(text));
@@ -133,6 +161,11 @@ class JobPageTest : public ::testing::Test {
               {"big_end", "229.8"},
               {"shells", "23.7"},
               {"oil", "4"}});
+    }
+    /// A limit of each plane in place of a grade, as one types it.
+    void typeLimit(const QString& gramMillimetres) {
+        keys("own_limit", {Qt::Key_Space});
+        type("g_mm", gramMillimetres);
     }
     void typeReadings() {
         fill({{"position_1", "60"},

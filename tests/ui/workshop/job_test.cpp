@@ -5,7 +5,6 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QPushButton>
 #include <QScrollArea>
@@ -39,7 +38,7 @@ TEST_F(JobPageTest, ShopCardByKeys) {
     typeShopCard();
     EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
     EXPECT_EQ(label("hang"), u"On each of the 4 crankpins."_s);
-    EXPECT_TRUE(label("factor").contains(u"fully balanced"_s)) << label("factor").toStdString();
+    EXPECT_TRUE(has(label("factor"), u"fully balanced"_s));
     EXPECT_EQ(rowsOf("Bob weight, line by line"), 11) << "8 parts, 2 subtotals, the sum";
     type("reciprocating_percent", u"52"_s);
     EXPECT_EQ(label("headline"), u"Bob weight 1545.0 g"_s) << "994.2 × 1.04 + 511";
@@ -48,12 +47,8 @@ TEST_F(JobPageTest, ShopCardByKeys) {
 TEST_F(CardJobTest, TheEngineBringsItsFactor) {
     type("cylinders", u"6"_s);
     type("pin_split_deg", u"30"_s);
-    EXPECT_TRUE(label("factor").startsWith(u"Balance factor 36.6 %"_s))
-        << label("factor").toStdString();
-    auto* engine = find<QComboBox>("type");
-    show(JobTab);
-    engine->setFocus();
-    QTest::keyClick(engine, Qt::Key_Down);
+    EXPECT_TRUE(begins(label("factor"), u"Balance factor 36.6 %"_s));
+    keys("type", {Qt::Key_Down});
     EXPECT_EQ(model->input().engine.type, EngineType::in_line);
     EXPECT_EQ(model->input().engine.rods_per_pin, 1);
     EXPECT_EQ(model->input().engine.pin_split, 0.0);
@@ -80,10 +75,8 @@ TEST_F(ReadJobTest, NoTextOfTheCardIsDroppedHoweverMuchThereIsToSay) {
         }
     });
     const QString printed = card({QString(600, u'r')});
-    for (const QString& text : {u"note0"_s, u"note899"_s, u"Notes"_s, u"Page 1 of "_s,
-                                u"Correction planes"_s, u"Inspector, signature"_s}) {
-        EXPECT_TRUE(printed.contains(text)) << qPrintable(text);
-    }
+    EXPECT_TRUE(hasAll(printed, {u"note0"_s, u"note899"_s, u"Notes"_s, u"Page 1 of "_s,
+                                 u"Correction planes"_s, u"Inspector, signature"_s}));
     static const QRegularExpression cut(u"\\w…"_s);
     EXPECT_FALSE(cut.match(printed).hasMatch()) << qPrintable(printed);
     EXPECT_GE(printed.count(u'r'), 600);
@@ -109,8 +102,8 @@ TEST_F(ReadJobTest, ASlugIsWholeOnTheCardWithItsMass) {
     EXPECT_EQ(model->holeResults().rows.at(0).at(3).text, adds);
     EXPECT_TRUE(label("hole_note").contains(u"its mass is given with its diameter"_s));
     const QString printed = cardText();
-    EXPECT_TRUE(printed.contains(name)) << qPrintable(printed);
-    EXPECT_TRUE(printed.contains(adds)) << qPrintable(printed);
+    EXPECT_TRUE(has(printed, name));
+    EXPECT_TRUE(has(printed, adds));
     for (const auto& each : onCard.texts) {
         if (each.text.startsWith(u"slug"_s)) {
             EXPECT_GE(each.pixelSize, 24) << "7 points: it is read at the machine";
@@ -119,9 +112,9 @@ TEST_F(ReadJobTest, ASlugIsWholeOnTheCardWithItsMass) {
     }
     static const QRegularExpression cut(u"\\w…"_s);
     EXPECT_FALSE(cut.match(printed).hasMatch()) << qPrintable(printed);
-    EXPECT_TRUE(printed.contains(
-        u"point angle of 118° and a crankshaft density of 7850 kg/m³, slugs of 17500 kg/m³."_s))
-        << qPrintable(printed);
+    EXPECT_TRUE(has(
+        printed,
+        u"point angle of 118° and a crankshaft density of 7850 kg/m³, slugs of 17500 kg/m³."_s));
     // Once drilled, too.
     type("run_1_unbalance_1", u"100"_s);
     EXPECT_EQ(plain(model->drilledResults().rows.at(0).at(1).text), u"Front plane: "_s + name);
@@ -136,13 +129,11 @@ TEST_F(CardJobTest, TheBobWeightOfUnequalCrankpinsIsCalledTheirMean) {
     EXPECT_EQ(label("headline"), u"Mean bob weight 1505.7 g"_s) << "half of 4 g on one of four";
     const QString single =
         u"g: 1505.2 (cylinders 1+5); 1505.2 (2+6); 1507.2 (3+7); 1505.2 (4+8)."_s;
-    EXPECT_TRUE(label("hang").contains(single)) << qPrintable(label("hang"));
+    EXPECT_TRUE(has(label("hang"), single));
     const QString printed = cardText();
-    for (const QString& text : {label("headline"), single, u"Masses of the parts by cylinder, g"_s,
-                                u"Piston 583.90 583.90 587.90 583.90"_s,
-                                u"Cylinders that share a crankpin: 1+5; 2+6; 3+7; 4+8."_s}) {
-        EXPECT_TRUE(printed.contains(text)) << qPrintable(text) << qPrintable(printed);
-    }
+    EXPECT_TRUE(hasAll(printed, {label("headline"), single, u"Masses of the parts by cylinder, g"_s,
+                                 u"Piston 583.90 583.90 587.90 583.90"_s,
+                                 u"Cylinders that share a crankpin: 1+5; 2+6; 3+7; 4+8."_s}));
     // Alike, there is one bob weight.
     model->editWeights(u"Weights"_s,
                        [](WeighIn& sheet) { sheet[shop::Part::piston].mass[2] = 0.5839; });
@@ -170,8 +161,8 @@ TEST_F(CardJobTest, TheCardSaysWhetherPartsAreMovedAndWhatToTakeOffByTheirNumber
         EXPECT_EQ(printed.contains(u"suggested, not yet applied"_s), !isMoved);
         EXPECT_EQ(printed.contains(u"Matched parts: applied"_s), isMoved);
         EXPECT_TRUE(printed.contains(takeOff.columns.front().heading + u"\n1\n2"_s));
-        EXPECT_TRUE(printed.contains(weighed.join(u'\n'))) << qPrintable(printed);
-        EXPECT_TRUE(printed.contains(sets.at(0).texts().join(u'\n'))) << qPrintable(printed);
+        EXPECT_TRUE(has(printed, weighed.join(u'\n')));
+        EXPECT_TRUE(has(printed, sets.at(0).texts().join(u'\n')));
     }
 }
 
@@ -182,25 +173,24 @@ TEST_F(JobPageTest, CrankpinsThatBalanceOneAnotherNeedNoBobWeights) {
     });
     EXPECT_EQ(label("headline"), none);
     for (const QString& said : {label("verdict"), card()}) {
-        EXPECT_TRUE(said.contains(none)) << qPrintable(said);
-        EXPECT_FALSE(said.contains(u"Missing for"_s)) << qPrintable(said);
+        EXPECT_TRUE(has(said, none));
+        EXPECT_FALSE(has(said, u"Missing for"_s));
     }
     typeShopCard();
     const QString weight =
         u"Bob weight "_s + Words().digits(*model->solution().bob_weight, units::gram, 1);
     for (const QString& said : {label("verdict"), label("headline"), card()}) {
-        EXPECT_TRUE(said.contains(none)) << qPrintable(said);
-        EXPECT_FALSE(said.contains(weight)) << qPrintable(said);
+        EXPECT_TRUE(has(said, none));
+        EXPECT_FALSE(has(said, weight));
     }
-    EXPECT_TRUE(label("hang").contains(u"If you use bob weights: "_s)) << qPrintable(label("hang"));
+    EXPECT_TRUE(has(label("hang"), u"If you use bob weights: "_s));
     // What is missing is no reason for a job not to be finished.
     type("piston", QString());
     type("engine_number", u"4"_s);
     save();
     EXPECT_TRUE(jobs().at(0).isFinished);
     model->edit(u"engine"_s, [](workshop::Input& job) { job.engine.cylinders = 5; });
-    EXPECT_TRUE(label("headline").contains(u"Missing for the bob weight: one piston"_s))
-        << qPrintable(label("headline"));
+    EXPECT_TRUE(has(label("headline"), u"Missing for the bob weight: one piston"_s));
 }
 
 TEST_F(JobPageTest, AnUntouchedNewJobTakesTheMachineThatIsKept) {
@@ -284,8 +274,8 @@ TEST_F(CardJobTest, NoPartIsMovedByDoubtedWeights) {
          {std::tuple{0.85, 0.45, u"Weigh again first: piston of cylinder 1."_s},
           std::tuple{0.58, 0.15, u"Weigh again first: rod of cylinder 2."_s}}) {
         weigh(first, bigEnd);
-        EXPECT_FALSE(card().contains(suggested)) << qPrintable(card());
-        EXPECT_TRUE(card().contains(said)) << qPrintable(card());
+        EXPECT_FALSE(has(card(), suggested));
+        EXPECT_TRUE(has(card(), said));
         EXPECT_EQ(label("weigh_in_summary"), said);
         EXPECT_TRUE(isAmber("weigh_in_summary"));
         EXPECT_TRUE(find<QPushButton>("move_parts")->isHidden());
@@ -322,7 +312,7 @@ TEST_F(ReadJobTest, TheCardHasEveryWarningOfThePage) {
     isOnCard();
     type("oil", u"4"_s);  // which stops no reading any more
     const QString printed = cardText();
-    EXPECT_TRUE(printed.contains(u"far outside the planes"_s)) << qPrintable(printed);
+    EXPECT_TRUE(has(printed, u"far outside the planes"_s));
     // As a file may have it.
     Json input = model->inputJson();
     input["correction"]["planes"][1]["position_mm"] = 60;
@@ -371,15 +361,13 @@ TEST_F(ReadJobTest, ReadingsBecomeHoles) {
     // A sector elsewhere: no hole, and the page says what to do.
     type("from_1", u"180"_s);
     type("to_1", u"300"_s);
-    EXPECT_TRUE(label("troubles").contains(u"outside the drilling sector"_s))
-        << label("troubles").toStdString();
+    EXPECT_TRUE(has(label("troubles"), u"outside the drilling sector"_s));
     fill({{"from_2", "20"}, {"to_2", "100"}});
     limitTo(400);
     const QString impossible = u"FAIL: no hole is possible"_s;
     EXPECT_EQ(model->planeResults().rows.last().texts(),
               QStringList({u"Verdict"_s, impossible, impossible}));
-    EXPECT_TRUE(label("verdict").contains(u"No hole is possible."_s))
-        << qPrintable(label("verdict"));
+    EXPECT_TRUE(has(label("verdict"), u"No hole is possible."_s));
     EXPECT_TRUE(card().contains(impossible));
     EXPECT_EQ(verdictText(Words(), model->verdictNow()), impossible) << "in the journal";
     type("slug_diameter_mm", u"20"_s);
@@ -402,10 +390,9 @@ TEST_F(CardJobTest, WeighedPartsGoBeforeTypedOnes) {
           {"mass_rod_big_end_2", "162"},
           {"mass_rod_small_end_1", "230"},
           {"mass_rod_small_end_2", "231"}});
-    EXPECT_TRUE(label("verdict").contains(u"the big end weighs less than the small end"_s))
-        << qPrintable(label("verdict"));
+    EXPECT_TRUE(has(label("verdict"), u"the big end weighs less than the small end"_s));
     EXPECT_EQ(model->takeOffResults().rows.size(), 1) << "the pistons'";
-    QTest::mouseClick(find<QPushButton>("verdict_act"), Qt::LeftButton);
+    click("verdict_act");
     // A mean that is what was typed before stands in its place as any other.
     type("mass_piston_1", u"583.9"_s);
     type("mass_piston_2", u"583.9"_s);
@@ -426,13 +413,8 @@ TEST_F(CardJobTest, PartsAreMatchedByTheRulesOfTheSheet) {
     EXPECT_NE(placing().pistons, asItIs);
     EXPECT_LT(placing().spread, 0.1 * placing().spread_before);
     // Pistons fitted to their bores, rods that face their side.
-    const auto choose = [&](const char* name, Qt::Key key) {
-        auto* box = find<QComboBox>(name);
-        box->setFocus(Qt::TabFocusReason);
-        QTest::keyClick(box, key);
-    };
-    choose("moves_pistons", Qt::Key_End);
-    choose("moves_rods", Qt::Key_Down);
+    keys("moves_pistons", {Qt::Key_End});
+    keys("moves_rods", {Qt::Key_Down});
     EXPECT_EQ(model->input().weigh_in->matching.pistons, shop::SetMoves::stays);
     EXPECT_EQ(model->input().weigh_in->matching.rods, shop::SetMoves::within_bank);
     EXPECT_EQ(placing().pistons, asItIs);
@@ -442,13 +424,13 @@ TEST_F(CardJobTest, PartsAreMatchedByTheRulesOfTheSheet) {
     // What the engine feels; what it lacks is said.
     auto* moves = field("permitted_crankpin_spread");
     EXPECT_FALSE(moves->isVisibleTo(&page));
-    choose("goal", Qt::Key_Down);
+    keys("goal", {Qt::Key_Down});
     EXPECT_TRUE(moves->isVisibleTo(&page));
     EXPECT_TRUE(label("weigh_in_summary").contains(u"is missing"_s));
     type("permitted_crankpin_spread", u"3"_s);
     EXPECT_EQ(placing().goal, shop::MatchingGoal::fewest_moves);
     EXPECT_LE(placing().spread, 3e-3 + 1e-9);
-    choose("goal", Qt::Key_Down);
+    keys("goal", {Qt::Key_Down});
     EXPECT_EQ(rowsOf("Effect of the matching"), 3);
     EXPECT_TRUE(label("weigh_in_summary").contains(u"0°; 90°; 270°; 180°"_s));
     fill({{"cylinder_spacing_mm", "112"},
@@ -475,7 +457,7 @@ TEST_F(CardJobTest, PartsAreMatchedByTheRulesOfTheSheet) {
     }
     EXPECT_TRUE(model->input().weigh_in->piston_sets.empty());
     const QString printed = card();
-    EXPECT_TRUE(printed.contains(u"Rod set from"_s)) << qPrintable(printed);
+    EXPECT_TRUE(has(printed, u"Rod set from"_s));
     const qsizetype placed = printed.indexOf(u"Matched parts"_s);
     const qsizetype takesOff =
         printed.indexOf(u"To match the lightest part, only if moving is not enough: take off, g"_s);
@@ -572,11 +554,7 @@ TEST_F(CardJobTest, MovedPartsOutliveAnotherNumberOfCylinders) {
 }
 
 TEST_F(ReadJobTest, ReadingsHoldForTheirBobWeightAlone) {
-    auto* own = find<QCheckBox>("own_limit");
-    show(MachineTab);
-    own->setFocus();
-    QTest::keyClick(own, Qt::Key_Space);
-    type("g_mm", u"3000"_s);
+    typeLimit(u"3000"_s);
     EXPECT_EQ(verdict(), u"Passes"_s);
     auto* hold = find<QPushButton>("readings_hold");
     EXPECT_FALSE(hold->isVisibleTo(&page));
@@ -586,7 +564,7 @@ TEST_F(ReadJobTest, ReadingsHoldForTheirBobWeightAlone) {
     const QString why =
         u"The readings were taken with another bob weight: 1505.2 g then, 1511.3 g "
         u"now."_s;
-    EXPECT_TRUE(label("verdict").startsWith(u"STOP. "_s + why)) << qPrintable(label("verdict"));
+    EXPECT_TRUE(begins(label("verdict"), u"STOP. "_s + why));
     EXPECT_TRUE(label("other_bob_weight").startsWith(why));
     EXPECT_TRUE(model->holeResults().rows.isEmpty()) << "nothing is to be drilled";
     EXPECT_TRUE(model->planeResults().rows.last().texts().contains(u"another bob weight"_s));
@@ -717,14 +695,12 @@ TEST_F(CardJobTest, AReadingInGramsIsAtTheDrillingRadius) {
     type("unbalance_1", u"35 g"_s);
     EXPECT_NEAR(*model->reading(0, 0, false), 35 * 85 * units::gram_mm, 1e-12);
     EXPECT_EQ(field("unbalance_1")->text(), u"2975"_s);
-    EXPECT_TRUE(field("unbalance_1")->said().startsWith(u"“35 g” at a radius of 85.0"_s))
-        << qPrintable(field("unbalance_1")->said());
+    EXPECT_TRUE(begins(field("unbalance_1")->said(), u"“35 g” at a radius of 85.0"_s));
     // Typed without the unit they would pass, and are asked about.
     limitTo(400);
     fill({{"unbalance_1", "35"}, {"unbalance_2", "20"}});
     EXPECT_EQ(verdict(), u"Passes"_s);
-    EXPECT_TRUE(label("troubles").contains(u"enter them with their unit: 35 g."_s))
-        << qPrintable(label("troubles"));
+    EXPECT_TRUE(has(label("troubles"), u"enter them with their unit: 35 g."_s));
     // So is the limit of a plane.
     type("g_mm", u"5 g"_s);
     EXPECT_NEAR(*model->input().tolerance->plane, 5 * 85 * units::gram_mm, 1e-12);
@@ -770,9 +746,8 @@ TEST_F(ReadJobTest, ReadingsAreOfTheirCrankshaftAlone) {
     EXPECT_EQ(verdict(), u"Passes"_s) << "a number that comes later";
     type("crankshaft_number", u"B"_s);
     EXPECT_EQ(verdict(), u"STOP"_s);
-    EXPECT_TRUE(label("verdict").startsWith(
-        u"STOP. The readings are of another crankshaft: number A then, B now."_s))
-        << qPrintable(label("verdict"));
+    EXPECT_TRUE(begins(label("verdict"),
+                       u"STOP. The readings are of another crankshaft: number A then, B now."_s));
     EXPECT_TRUE(field("unbalance_1")->isDoubtful());
     EXPECT_TRUE(model->holeResults().rows.isEmpty());
     EXPECT_EQ(model->resultJson()["correction"]["read_on"], "A");
@@ -818,10 +793,10 @@ TEST_F(ReadJobTest, WhatIsMissingIsSaidWithItsPlace) {
                  {"grade_mm_s", "6.3", "", u"Sheet 5, permissible residual: "_s}};
     for (const auto& each : cases) {
         type(each.field, QString::fromLatin1(each.wrong));
-        EXPECT_TRUE(label("troubles").contains(each.said)) << qPrintable(label("troubles"));
-        EXPECT_FALSE(label("troubles").contains(u"missing"_s)) << qPrintable(label("troubles"));
+        EXPECT_TRUE(has(label("troubles"), each.said));
+        EXPECT_FALSE(has(label("troubles"), u"missing"_s));
         type(each.field, QString::fromLatin1(each.right));
-        EXPECT_FALSE(label("troubles").contains(each.said)) << qPrintable(label("troubles"));
+        EXPECT_FALSE(has(label("troubles"), each.said));
     }
 }
 
@@ -850,16 +825,13 @@ TEST_F(JobPageTest, AJobWithoutNumbersIsNotSavedAndNoneIsFinishedUnfound) {
 TEST_F(ReadJobTest, LimitsComeByGradeOrByHand) {
     type("customer", u"Smith"_s);
     auto* grades = find<QComboBox>("grade_list");
-    show(MachineTab);
-    grades->setFocus();
     grades->setCurrentIndex(5);
-    QTest::keyClick(grades, Qt::Key_Down);  // G 16
+    keys("grade_list", {Qt::Key_Down});  // G 16
     EXPECT_NEAR(*model->input().tolerance->grade, 16e-3, 1e-12);
     type("rotor_mass_kg", u"32"_s);
     type("service_speed_rpm", u"6000"_s);
     // By hand: 32 kg × 16 mm/s ÷ (6000 · 2π ÷ 60) ÷ 2 = 407.4 g·mm, ÷ 85 mm = 4.79 g.
-    EXPECT_TRUE(label("limits").contains(u"407.4 g·mm (4.79 g at R 85 mm) in each plane"_s))
-        << label("limits").toStdString();
+    EXPECT_TRUE(has(label("limits"), u"407.4 g·mm (4.79 g at R 85 mm) in each plane"_s));
     auto* own = find<QCheckBox>("own_limit");
     show(MachineTab);
     QTest::mouseClick(own, Qt::LeftButton, Qt::NoModifier, {8, own->height() / 2});
@@ -881,8 +853,7 @@ TEST_F(ReadJobTest, LimitsComeByGradeOrByHand) {
     // What was typed into a limit that a grade replaces waits for nobody.
     type("g_mm", u"5 wide"_s);
     EXPECT_FALSE(label("rejected").isEmpty());
-    grades->setFocus();
-    QTest::keyClick(grades, Qt::Key_Down);
+    keys("grade_list", {Qt::Key_Down});
     EXPECT_TRUE(model->input().tolerance->by_grade);
     EXPECT_FALSE(field("g_mm")->isEnabled());
     EXPECT_EQ(field("g_mm")->text() + field("g_mm")->trouble(), QString());
@@ -922,7 +893,7 @@ TEST_F(ReadJobTest, JournalAndCard) {
     EXPECT_FALSE(model->input().correction->readings[0].unbalance);
     EXPECT_EQ(sheets->currentIndex(), 0);
     EXPECT_EQ(page.focusWidget(), find<QWidget>("engine_number"));
-    EXPECT_TRUE(said.contains(u"All else is kept."_s)) << said.toStdString();
+    EXPECT_TRUE(has(said, u"All else is kept."_s));
 }
 
 TEST_F(CardJobTest, AJobWithPlanesIsUnfinishedUntilItIsRead) {
@@ -983,18 +954,18 @@ TEST_F(JobPageTest, ACaseIsProposedByTheNameOfItsJob) {
 
 TEST_F(CardJobTest, WhatContradictsItselfHasNoAnswerOnPageCardAndJournal) {
     type("customer", u"Smith"_s);
-    EXPECT_TRUE(card().contains(u"Bob weight 1505.2 g"_s)) << qPrintable(card());
+    EXPECT_TRUE(has(card(), u"Bob weight 1505.2 g"_s));
     type("cylinders", QString());
     EXPECT_FALSE(field("cylinders")->trouble().isEmpty()) << "it is needed";
     EXPECT_EQ(model->input().engine.cylinders, 8);
     const auto expectNone = [&](const QString& why) {
         EXPECT_FALSE(model->solution().bob_weight);
-        EXPECT_TRUE(label("headline").contains(why)) << qPrintable(label("headline"));
+        EXPECT_TRUE(has(label("headline"), why));
         const QString printed = card();
-        EXPECT_TRUE(printed.contains(label("headline"))) << qPrintable(printed);
+        EXPECT_TRUE(has(printed, label("headline")));
         static const QRegularExpression answer(
             u"Bob weight \\d|Missing for the bob weight|On each of"_s);
-        EXPECT_FALSE(printed.contains(answer)) << qPrintable(printed);
+        EXPECT_FALSE(has(printed, answer));
     };
     Json odd = model->inputJson();
     odd["engine"]["cylinders"] = 7;
@@ -1013,12 +984,11 @@ TEST_F(CardJobTest, WhatContradictsItselfHasNoAnswerOnPageCardAndJournal) {
 TEST_F(JobPageTest, ReadingsAreNotComparedWithAWeightThatIsNotKnown) {
     model->loadInput(bobWeightsJob(), {});
     type("reciprocating_percent", u"10"_s);
-    EXPECT_TRUE(label("verdict").contains(u"another bob weight"_s)) << qPrintable(label("verdict"));
+    EXPECT_TRUE(has(label("verdict"), u"another bob weight"_s));
     type("overbalance_percent", u"-20"_s);
     ASSERT_FALSE(model->solution().bob_weight);
-    EXPECT_FALSE(label("verdict").contains(u"another bob weight"_s))
-        << qPrintable(label("verdict"));
-    EXPECT_FALSE(card().contains(u"another bob weight"_s)) << qPrintable(card());
+    EXPECT_FALSE(has(label("verdict"), u"another bob weight"_s));
+    EXPECT_FALSE(has(card(), u"another bob weight"_s));
 }
 
 TEST_F(CardJobTest, TheNextJobIsNotOfTheFileBeforeIt) {
@@ -1061,8 +1031,7 @@ TEST_F(ReadJobTest, WhatMayBeWrongIsSaidAndMarked) {
     };
     for (const auto& each : cases) {
         type(each.field, QString::fromLatin1(each.wrong));
-        EXPECT_TRUE(label("verdict").startsWith(u"STOP. "_s + each.said))
-            << qPrintable(label("verdict"));
+        EXPECT_TRUE(begins(label("verdict"), u"STOP. "_s + each.said));
         EXPECT_EQ(model->withheld().bob_weight, each.isOfWeight);
         EXPECT_EQ(label("doubtful").startsWith(u"Do not use: bob weight "_s), each.isOfWeight);
         EXPECT_EQ(field(each.field)->isDoubtful(), each.isMarked) << each.field;
@@ -1076,8 +1045,7 @@ TEST_F(ReadJobTest, WhatMayBeWrongIsSaidAndMarked) {
 TEST_F(CardJobTest, WhatIsNotGivenAndWhatIsReadFarOutsideIsSaid) {
     EXPECT_EQ(label("troubles"), QString());
     type("locks", QString());
-    EXPECT_TRUE(card().contains(u"Not given, 0 g is used: locks of one pin."_s))
-        << qPrintable(card());
+    EXPECT_TRUE(has(card(), u"Not given, 0 g is used: locks of one pin."_s));
     EXPECT_TRUE(label("troubles").contains(u"Not given, 0 g is used: locks of one pin."_s));
     type("locks", u"0"_s);
     EXPECT_EQ(label("troubles"), QString()) << "a 0 that is typed is meant";
@@ -1087,7 +1055,7 @@ TEST_F(CardJobTest, WhatIsNotGivenAndWhatIsReadFarOutsideIsSaid) {
     type("read_at_1", u"500"_s);
     type("read_at_2", u"600"_s);
     const QString said = label("troubles");
-    EXPECT_TRUE(said.contains(u"The machine reads far outside the planes"_s)) << qPrintable(said);
+    EXPECT_TRUE(has(said, u"The machine reads far outside the planes"_s));
     EXPECT_TRUE(said.contains(u"2.3 times"_s)) << qPrintable(said) << " (440 + 540) / 420";
     EXPECT_TRUE(cardText().contains(u"far outside"_s));
 }
@@ -1115,9 +1083,8 @@ TEST_F(ReadJobTest, WhatIsZeroNeedsNoAngle) {
     // And has none, in the form and on the card.
     EXPECT_EQ(field("angle_1")->placeholderText(), u"–"_s);
     fill({{"run_1_unbalance_1", "0"}, {"run_1_unbalance_2", "5"}, {"run_1_angle_2", "10"}});
-    EXPECT_TRUE(card().contains(u"Run 1\n0.0\n–\n5.0\n10.0"_s)) << qPrintable(card());
-    EXPECT_TRUE(card().contains(u"Measured\n0.0 g·mm\n5.0 g·mm\nHeavy spot\n–\n10.0°\n"_s))
-        << qPrintable(card());
+    EXPECT_TRUE(has(card(), u"Run 1\n0.0\n–\n5.0\n10.0"_s));
+    EXPECT_TRUE(has(card(), u"Measured\n0.0 g·mm\n5.0 g·mm\nHeavy spot\n–\n10.0°\n"_s));
     type("unbalance_1", u"12"_s);
     EXPECT_EQ(field("angle_1")->placeholderText(), u"required"_s);
 }
@@ -1134,7 +1101,7 @@ TEST_F(CardJobTest, ARejectedDateLeavesTheAnswerUpToDate) {
 TEST_F(CardJobTest, ARejectedEntryMakesTheAnswerStale) {
     type("engine_number", u"53"_s);
     type("piston", u"58x"_s);
-    EXPECT_TRUE(label("rejected").contains(u"One piston"_s)) << qPrintable(label("rejected"));
+    EXPECT_TRUE(has(label("rejected"), u"One piston"_s));
     EXPECT_TRUE(isAmber("headline"));
     EXPECT_TRUE(label("verdict").startsWith(u"Results use the previous value of the red field."_s));
     EXPECT_FALSE(find<QLabel>("headline")->font().bold());
@@ -1156,17 +1123,13 @@ TEST_F(CardJobTest, ARejectedEntryMakesTheAnswerStale) {
 }
 
 TEST_F(ReadJobTest, AnUnbalanceThatGrewByTheDrillingIsNoJobWellDone) {
-    show(MachineTab);
-    QTest::mouseClick(find<QCheckBox>("own_limit"), Qt::LeftButton, Qt::NoModifier, {8, 10});
-    type("g_mm", u"300"_s);
+    typeLimit(u"300"_s);
     typeRun(1, {u"5100"_s, u"75"_s, u"1450"_s, u"210"_s});
     const QString said = label("troubles");
     EXPECT_TRUE(
-        label("verdict").startsWith(u"STOP. Front plane: drilling increased the unbalance to "_s))
-        << qPrintable(label("verdict"));
-    EXPECT_TRUE(said.contains(u"Rear plane: residual 1450.0 g·mm ∠ 210.0° after drilling"_s))
-        << qPrintable(said);
-    EXPECT_TRUE(card().contains(u"drilling increased the unbalance"_s)) << qPrintable(card());
+        begins(label("verdict"), u"STOP. Front plane: drilling increased the unbalance to "_s));
+    EXPECT_TRUE(has(said, u"Rear plane: residual 1450.0 g·mm ∠ 210.0° after drilling"_s));
+    EXPECT_TRUE(has(card(), u"drilling increased the unbalance"_s));
 }
 
 TEST_F(CardJobTest, RunsFollowOneAnother) {
@@ -1179,13 +1142,11 @@ TEST_F(CardJobTest, RunsFollowOneAnother) {
     const int before = place();
     EXPECT_TRUE(field("run_1_unbalance_1")->isEnabled());
     EXPECT_FALSE(field("run_2_unbalance_1")->isEnabled());
-    QTest::mouseClick(find<QCheckBox>("own_limit"), Qt::LeftButton, Qt::NoModifier, {8, 10});
-    type("g_mm", u"300"_s);
+    typeLimit(u"300"_s);
     EXPECT_EQ(rowsOf("Runs of the machine"), 0);
     type("run_1_unbalance_1", u"350"_s);
     EXPECT_FALSE(model->solution().correction) << "its readings are not all there";
-    EXPECT_TRUE(label("troubles").contains(u"Sheet 5, Run 1, Front plane: enter Heavy spot"_s))
-        << qPrintable(label("troubles"));
+    EXPECT_TRUE(has(label("troubles"), u"Sheet 5, Run 1, Front plane: enter Heavy spot"_s));
     fill({{"run_1_angle_1", "80"}, {"run_1_unbalance_2", "120"}, {"run_1_angle_2", "200"}});
     EXPECT_EQ(model->input().correction->earlier_runs.size(), 1u);
     EXPECT_EQ(place(), before);
@@ -1205,10 +1166,8 @@ TEST_F(CardJobTest, RunsFollowOneAnother) {
     typeRun(2, {u"60"_s, u"10"_s, u"20"_s, u"300"_s});
     EXPECT_EQ(model->runResults().rows.at(2).last(), u"PASS"_s);
     const QString printed = card();
-    for (const char* text : {"Run 2", "2600.0", "350.0", "60.0", "300.0 g·mm", "480 mm", "85 mm"}) {
-        EXPECT_TRUE(printed.contains(QString::fromUtf8(text))) << text << '\n'
-                                                               << qPrintable(printed);
-    }
+    EXPECT_TRUE(hasAll(printed, {u"Run 2"_s, u"2600.0"_s, u"350.0"_s, u"60.0"_s, u"300.0 g·mm"_s,
+                                 u"480 mm"_s, u"85 mm"_s}));
     // As a window of 1024 × 700 has it, nothing scrolls sideways.
     test::showAt(page, {915, 560});
     for (const ResultTable* table : page.findChildren<ResultTable*>()) {
@@ -1266,7 +1225,7 @@ TEST_F(ReadJobTest, WhatIsDrilledStaysInSight) {
     const QString corrected = u"Before: the drilled holes were planned from another reading."_s;
     type("angle_1", u"60"_s);
     EXPECT_EQ(shown(), planned);
-    EXPECT_TRUE(label("troubles").contains(corrected)) << qPrintable(label("troubles"));
+    EXPECT_TRUE(has(label("troubles"), corrected));
     EXPECT_TRUE(card().contains(corrected));
     model->loadInput(model->inputJson(), {});
     EXPECT_EQ(shown(), planned);
@@ -1410,7 +1369,7 @@ TEST_F(ReadJobTest, TheNextJobOfAnotherEngineHasNothingOfTheCrankshaftBefore) {
     QString said;
     QObject::connect(&page, &ScenePage::status, &page, [&](const QString& text) { said = text; });
     type("cylinders", u"6"_s);
-    EXPECT_TRUE(said.contains(u"previous crankshaft"_s)) << qPrintable(said);
+    EXPECT_TRUE(has(said, u"previous crankshaft"_s));
     const auto isBlank = [](const Plane& plane) { return plane == Plane{}; };
     const Correction& now = *model->input().correction;
     EXPECT_TRUE(std::all_of(now.planes.begin(), now.planes.end(), isBlank));
@@ -1494,8 +1453,8 @@ TEST_F(JobPageTest, ARotorStaysInKilogramsAndTheCardHasTheSplit) {
     QSettings().clear();
     Preferences::instance().load();
     EXPECT_EQ(mass, u"kg"_s);
-    EXPECT_TRUE(printed.contains(u", 32 kg at"_s)) << qPrintable(printed);
-    EXPECT_TRUE(printed.contains(u"On each of the 6 crankpins"_s)) << qPrintable(printed);
+    EXPECT_TRUE(has(printed, u", 32 kg at"_s));
+    EXPECT_TRUE(has(printed, u"On each of the 6 crankpins"_s));
 }
 
 TEST_F(JobPageTest, DensityIsNeededWithSlugsAlone) {
@@ -1516,29 +1475,23 @@ TEST_F(ReadJobTest, UnbalancesFollowTheirUnit) {
     QSettings().clear();
     Preferences::instance().load();
     EXPECT_TRUE(row.contains(u"102.36"_s) && row.contains(u"g·in"_s)) << qPrintable(row);
-    EXPECT_TRUE(printed.contains(u"Front plane, g·in"_s)) << qPrintable(printed);
-    EXPECT_FALSE(printed.contains(u"g·mm"_s)) << qPrintable(printed);
-    EXPECT_TRUE(limit.contains(u"g·in"_s)) << qPrintable(limit);
+    EXPECT_TRUE(has(printed, u"Front plane, g·in"_s));
+    EXPECT_FALSE(has(printed, u"g·mm"_s));
+    EXPECT_TRUE(has(limit, u"g·in"_s));
 }
 
 TEST_F(ReadJobTest, TheMachineIsSetUpAsItCountsAndShows) {
     const double heavy = (*model->solution().correction)[0].holes.at(0).angle;
-    auto* shows = find<QComboBox>("shows");
-    show(MachineTab);
-    shows->setFocus();
-    QTest::keyClick(shows, Qt::Key_Down);
+    keys("shows", {Qt::Key_Down});
     EXPECT_EQ(model->input().machine.shows, workshop::Machine::Shows::light);
     EXPECT_NEAR((*model->solution().correction)[0].holes.at(0).angle, heavy + pi, 1e-9);
     EXPECT_EQ(field("angle_1")->value(), 75.0) << "as the machine shows it";
     type("zero", u"keyway"_s);
     type("planes", u"left, right"_s);
-    EXPECT_TRUE(model->holeResults().rows.at(0).at(0).text.startsWith(u"Left: "_s))
-        << qPrintable(model->holeResults().rows.at(0).at(0).text);
+    EXPECT_TRUE(begins(model->holeResults().rows.at(0).at(0).text, u"Left: "_s));
     const QString printed = cardText();
-    for (const QString& text : {u"Left"_s, u"0°: keyway."_s, u"shows the light spot"_s}) {
-        EXPECT_TRUE(printed.contains(text)) << qPrintable(text) << qPrintable(printed);
-    }
-    EXPECT_FALSE(printed.contains(u"Front plane"_s)) << qPrintable(printed);
+    EXPECT_TRUE(hasAll(printed, {u"Left"_s, u"0°: keyway."_s, u"shows the light spot"_s}));
+    EXPECT_FALSE(has(printed, u"Front plane"_s));
     EXPECT_EQ(label("convention"), model->machineText());
     EXPECT_GE(printed.count(model->machineText()), 2) << "beside the holes and in the foot";
     const Json kept = model->inputJson();
@@ -1557,7 +1510,7 @@ TEST_F(CardJobTest, ReadingsWithoutAnglesHaveAVerdictAndNoHoles) {
         }
         return texts;
     };
-    EXPECT_FALSE(shown().contains(u"PASS"_s)) << qPrintable(shown());
+    EXPECT_FALSE(has(shown(), u"PASS"_s));
     type("unbalance_1", u"180"_s);
     EXPECT_TRUE(shown().contains(u"FAIL"_s)) << "whatever the other plane reads";
     type("unbalance_1", u"80"_s);
@@ -1570,7 +1523,7 @@ TEST_F(CardJobTest, ReadingsWithoutAnglesHaveAVerdictAndNoHoles) {
     EXPECT_TRUE(jobs().at(0).isFinished);
     type("unbalance_2", u"120"_s);
     EXPECT_EQ(verdict(), u"Fails"_s);
-    EXPECT_TRUE(card().contains(u"FAIL"_s)) << qPrintable(card());
+    EXPECT_TRUE(has(card(), u"FAIL"_s));
 }
 
 TEST_F(ReadJobTest, AFinishedPassIsNotLostToAStopWithoutAWord) {

@@ -113,7 +113,7 @@ TEST_F(PlugsPageTest, ShopStandsOnTheCard) {
     ASSERT_EQ(page.writeCard(file), QString());
     EXPECT_TRUE(textOfPdf(file).contains(u"Номер двигателя"_s));
     EXPECT_TRUE(banner->isVisible());
-    EXPECT_TRUE(banner->text().contains(Shop::kept().logo)) << qPrintable(banner->text());
+    EXPECT_TRUE(has(banner->text(), Shop::kept().logo));
     fileChoosers() = before;
     QSettings().remove(u"workshop"_s);
 }
@@ -121,12 +121,12 @@ TEST_F(PlugsPageTest, ShopStandsOnTheCard) {
 TEST_F(PlugsPageTest, TheCardWithholdsWhatThePageWithholds) {
     ASSERT_FALSE(model->plugsInput()->changes_known());
     const QString printed = card().simplified();
-    EXPECT_TRUE(printed.contains(u"Missing for the bob weight: "_s)) << qPrintable(printed);
-    EXPECT_TRUE(printed.contains(u"changes of mass (sheet 2)"_s)) << qPrintable(printed);
+    EXPECT_TRUE(has(printed, u"Missing for the bob weight: "_s));
+    EXPECT_TRUE(has(printed, u"changes of mass (sheet 2)"_s));
     EXPECT_FALSE(printed.contains(u"nan"_s));
     // Whether a plug does is not known either; the engine has it.
     for (const QString& each : {u"works"_s, u"The method neglects"_s, u"off each of the 8"_s}) {
-        EXPECT_FALSE(printed.contains(each)) << qPrintable(printed);
+        EXPECT_FALSE(has(printed, each));
     }
     type("rod_big_end", u"0"_s);
     ASSERT_TRUE(model->plugs()->advice);

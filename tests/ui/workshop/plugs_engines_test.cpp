@@ -1,7 +1,5 @@
 // The engines to choose from and those of the shop's own.
 
-#include <QCheckBox>
-#include <QComboBox>
 #include <QInputDialog>
 #include <QPushButton>
 
@@ -73,19 +71,15 @@ TEST_F(PlugsPageTest, EngineBringsItsPlugAndItsOwnSheets) {
         dialog->setTextValue(u"Kept"_s);
         dialog->accept();
     });
-    QTest::mouseClick(find<QPushButton>("save_engine"), Qt::LeftButton);
-    auto* engine = find<QComboBox>("engine");
-    show(JobTab);
-    engine->setFocus();
-    QTest::keyClick(engine, Qt::Key_Home);
-    QTest::keyClick(engine, Qt::Key_Down);
+    click("save_engine");
+    keys("engine", {Qt::Key_Home, Qt::Key_Down});
     EXPECT_EQ(model->input().plugs->preset, "6 l");
     EXPECT_EQ(field("height_mm")->value(), 11.0) << "another engine's plug stays";
     EXPECT_FALSE(field("bore_diameter_mm")->value());
     EXPECT_EQ(field("cutter_diameter_mm")->value(), 14.0) << "the cutter is the shop's";
     EXPECT_FALSE(field("nominal_piston")->value());
     EXPECT_EQ(field("mass_piston_1")->value(), 601.0) << "what the scale said stays";
-    QTest::keyClick(engine, Qt::Key_End);
+    keys("engine", {Qt::Key_End});
     EXPECT_EQ(model->input().plugs->engine.name, "Kept");
     EXPECT_EQ(model->input().plugs->plug, plug);
     EXPECT_EQ(field("nominal_piston")->value(), 600.0);

@@ -201,18 +201,14 @@ TEST_F(JobCardTest, EveryNumberIsTheCommandLines) {
 
 TEST_F(JobCardTest, HasTheHeadTheAnswerAndRoomForSignatures) {
     const QString english = cardText(shopsJob(), u"en"_s);
-    for (const QString& text :
-         {u"53-11 № 0042817"_s, u"66-1005015"_s, u"Автобаза № 3"_s, u"Иванов А. П."_s,
-          u"2024-05-31"_s, u"Take 1.83 g off each of the 8 steel plugs."_s,
-          u"Oversize pistons, second repair shells"_s, u"Technician, signature"_s, u"FAIL"_s,
-          u"410.0"_s, u"900.5"_s, u"With the plugs removed"_s}) {
-        EXPECT_TRUE(english.contains(text)) << qPrintable(text) << qPrintable(english);
-    }
+    EXPECT_TRUE(hasAll(english,
+                       {u"53-11 № 0042817"_s, u"66-1005015"_s, u"Автобаза № 3"_s, u"Иванов А. П."_s,
+                        u"2024-05-31"_s, u"Take 1.83 g off each of the 8 steel plugs."_s,
+                        u"Oversize pistons, second repair shells"_s, u"Technician, signature"_s,
+                        u"FAIL"_s, u"410.0"_s, u"900.5"_s, u"With the plugs removed"_s}));
     const QString russian = cardText(shopsJob(), u"ru"_s);
-    for (const QString& text : {u"Снять с каждой из 8 стальных заглушек 1,83 г."_s, u"31.05.2024"_s,
-                                u"Исполнитель, подпись"_s, u"1000,0"_s}) {
-        EXPECT_TRUE(russian.contains(text)) << qPrintable(text) << qPrintable(russian);
-    }
+    EXPECT_TRUE(hasAll(russian, {u"Снять с каждой из 8 стальных заглушек 1,83 г."_s,
+                                 u"31.05.2024"_s, u"Исполнитель, подпись"_s, u"1000,0"_s}));
     // No text of the card stays in English.
     static const QRegularExpression english4(u"[a-z]{4,}"_s);
     auto match = english4.globalMatch(russian);
@@ -282,7 +278,7 @@ TEST_F(JobCardTest, IsInTheUnitsChosen) {
     EXPECT_TRUE(text.contains(u"V-8, 90°"_s)) << "as on the page";
     EXPECT_FALSE(text.contains(u"grams"_s));
     EXPECT_FALSE(text.contains(u"millimetres"_s));
-    EXPECT_TRUE(text.contains(boring)) << qPrintable(text);
+    EXPECT_TRUE(has(text, boring));
     EXPECT_EQ(text.count(depth), 2) << "the same on the drawing";
     // The sizes of the drawing stand within the margin, and apart from each other.
     QVector<QRectF> sizes;
@@ -317,13 +313,12 @@ TEST_F(JobCardTest, AnAnswerByTheMethodAloneIsNoFact) {
                                      : u"Take 8.92…9.10 g off each of the 8 steel plugs."_s),
                   1)
             << qPrintable(text);
-        EXPECT_TRUE(text.contains(u"The method neglects"_s)) << qPrintable(text);
+        EXPECT_TRUE(has(text, u"The method neglects"_s));
         EXPECT_FALSE(text.contains(u"9.46 g each"_s));
         EXPECT_FALSE(text.contains(u"balanced:"_s));
         if (isBored) {  // to 3.84 mm by the method alone: who bores is told the depth that is right
             EXPECT_EQ(text.count(u"3.84"_s), 0) << qPrintable(text);
-            EXPECT_TRUE(text.contains(u"cutter of 20 mm to 3.45 mm from the face."_s))
-                << qPrintable(text);
+            EXPECT_TRUE(has(text, u"cutter of 20 mm to 3.45 mm from the face."_s));
         }
         compare(input, u"en"_s);
     }

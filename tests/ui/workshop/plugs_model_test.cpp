@@ -51,8 +51,7 @@ TEST_F(PlugsModelTest, HalfFilledSheetNamesWhatIsMissing) {
     PlugsModel model;
     // Nothing is known of the parts: no answer, and no option that would do.
     EXPECT_FALSE(model.plugs()->advice);
-    EXPECT_TRUE(model.adviceText().startsWith(u"Missing for the plugs: changes of mass"_s))
-        << qPrintable(model.adviceText());
+    EXPECT_TRUE(begins(model.adviceText(), u"Missing for the plugs: changes of mass"_s));
     EXPECT_FALSE(model.plugs()->option(OptionId::steel_machined));
     EXPECT_EQ(model.shiftText(), QString());
     EXPECT_FALSE(model.inputJson().at("plugs").contains("mass_changes_g"));
@@ -64,13 +63,11 @@ TEST_F(PlugsModelTest, HalfFilledSheetNamesWhatIsMissing) {
     EXPECT_TRUE(model.plugs()->advice);
     EXPECT_FALSE(model.solution().bob_weight);
     EXPECT_TRUE(model.lineResults().rows.isEmpty());
-    EXPECT_TRUE(model.headline().contains(u"reciprocating, one cylinder mⱼ"_s))
-        << qPrintable(model.headline());
+    EXPECT_TRUE(has(model.headline(), u"reciprocating, one cylinder mⱼ"_s));
     EXPECT_TRUE(model.resultJson().contains("error"));
     model.chooseEngine(3);  // 8.32 l: only the crank radius
     EXPECT_FALSE(model.plugs()->advice);
-    EXPECT_TRUE(model.adviceText().startsWith(u"Missing for the plugs: plug radius rₚ"_s))
-        << qPrintable(model.adviceText());
+    EXPECT_TRUE(begins(model.adviceText(), u"Missing for the plugs: plug radius rₚ"_s));
     EXPECT_TRUE(model.engineNote().contains(u"only the crank radius"_s));
     EXPECT_EQ(model.hangText(), QString());
     EXPECT_EQ(model.optionResults().rows.size(), 5);
@@ -105,7 +102,7 @@ TEST_F(PlugsModelTest, PresetsBringThePrintedSizes) {
     model.editPlugs(u"mass"_s, [](auto& input) { input.engine.steel_plug_mass = 27.9e-3; });
     ASSERT_EQ(model.doubts().size(), 1U);
     const QString doubt = Words().message(model.doubts().front().text);
-    EXPECT_TRUE(doubt.contains(u"27.9"_s)) << qPrintable(doubt);
+    EXPECT_TRUE(has(doubt, u"27.9"_s));
     model.editPlugs(u"printed"_s, [&](auto& input) { input = printed; });
     EXPECT_TRUE(isOfThePaper());
     model.chooseEngine(3);  // 8.32 l: none printed
@@ -152,9 +149,8 @@ TEST_F(PlugsModelTest, WhatIsTypedBesideWeightsThatDoNotCountYetIsSaid) {
     });
     ASSERT_TRUE(model.input().plugs->changes_from_weigh_in);
     EXPECT_FALSE(model.plugs()->advice);
-    EXPECT_TRUE(model.notCounted().at(0).startsWith(
-        u"Big end of one rod: the typed 0.50\u00A0g is not used."_s))
-        << qPrintable(model.notCounted().at(0));
+    EXPECT_TRUE(begins(model.notCounted().at(0),
+                       u"Big end of one rod: the typed 0.50\u00A0g is not used."_s));
 }
 
 TEST_F(PlugsModelTest, WeightsReplaceOnlyWhatIsWeighed) {
@@ -205,7 +201,7 @@ TEST_F(PlugsModelTest, WeightsCountFromTheFirstToTheLast) {
 TEST_F(PlugsModelTest, ShiftOfThePlannedBoreIsSaid) {
     PlugsModel model;
     model.loadInput(repairJob(), {});
-    EXPECT_TRUE(model.shiftText().contains(u"1.5 to 2.3"_s)) << qPrintable(model.shiftText());
+    EXPECT_TRUE(has(model.shiftText(), u"1.5 to 2.3"_s));
     EXPECT_FALSE(model.shiftText().contains(u"With the planned bore"_s));
     model.editPlugs(u"plug"_s, [](auto& input) {
         input.plug.emplace();
@@ -216,10 +212,9 @@ TEST_F(PlugsModelTest, ShiftOfThePlannedBoreIsSaid) {
     const Boring& boring = *model.plugs()->boring[0];
     EXPECT_GT(boring.shift, 0.0);
     // By hand: 233.3 mm³ cut 6.24 mm above the middle of 4861 mm³.
-    EXPECT_TRUE(model.shiftText().contains(u"With the planned bore it moves by 0.31\u00A0mm"_s))
-        << qPrintable(model.shiftText());
+    EXPECT_TRUE(has(model.shiftText(), u"With the planned bore it moves by 0.31\u00A0mm"_s));
     // 1.83 g twice, 6.24 mm farther out than counted: beyond the tolerance, so another depth.
-    EXPECT_TRUE(model.shiftText().contains(u"22.9"_s)) << qPrintable(model.shiftText());
+    EXPECT_TRUE(has(model.shiftText(), u"22.9"_s));
     const QStringList said = model.troubles() << Words().message(model.verdictShown()->text);
     EXPECT_EQ(said.filter(u"The method neglects"_s).size(), 1) << "beside the verdict or in it";
     const auto& effect = *model.plugs()->shift_that_matters();

@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QSettings>
-#include <QTabWidget>
 
 #include "core/workshop/support.h"
 #include "fixtures.h"
@@ -113,12 +112,7 @@ TEST_F(PlugsPageTest, PlugsThatComeAndGoKeepPartsAndFactor) {
     model->loadInput(workshop::test::card(), {});
     type("overbalance_percent", u"2"_s);
     const workshop::Input without = model->input();
-    auto* there = find<QCheckBox>("has_plugs");
-    const auto toggle = [&] {
-        show(JobTab);
-        there->setFocus();
-        QTest::keyClick(there, Qt::Key_Space);
-    };
+    const auto toggle = [&] { keys("has_plugs", {Qt::Key_Space}); };
     EXPECT_FALSE(sheets->isTabVisible(PlugsTab));
     EXPECT_TRUE(field("piston")->isVisibleTo(sheets->widget(PartsTab)));
     QWidget* last = fieldsOf(WeighInTab).constLast();
@@ -153,7 +147,7 @@ TEST_F(PlugsPageTest, PlugsThatComeAndGoKeepPartsAndFactor) {
     QTest::keyClick(field("bank_angle_deg"), Qt::Key_Escape);
     toggle();
     type("bank_angle_deg", u"60"_s);
-    EXPECT_FALSE(there->isEnabled());
+    EXPECT_FALSE(find<QCheckBox>("has_plugs")->isEnabled());
     // Those of one job are not in the next.
     type("bank_angle_deg", u"90"_s);
     model->newJob();

@@ -38,14 +38,11 @@ TEST_F(PlugsPageTest, AnswerIsThatOfTheShiftWhereItMatters) {
     });
     EXPECT_TRUE(model->plugs()->shift_that_matters());
     EXPECT_NE(label("advice"), method);
-    EXPECT_TRUE(label("advice").contains(u"off each of the 8 steel plugs"_s))
-        << qPrintable(label("advice"));
-    EXPECT_TRUE(label("boring").startsWith(u"Bore with a cutter of 14"_s))
-        << qPrintable(label("boring"));
-    EXPECT_TRUE(label("troubles").contains(u"The method neglects"_s))
-        << qPrintable(label("troubles"));
+    EXPECT_TRUE(has(label("advice"), u"off each of the 8 steel plugs"_s));
+    EXPECT_TRUE(begins(label("boring"), u"Bore with a cutter of 14"_s));
+    EXPECT_TRUE(has(label("troubles"), u"The method neglects"_s));
     // Nothing below it says that all is well, and what is copied has the warning.
-    EXPECT_FALSE(model->checkText().contains(u"balanced"_s)) << qPrintable(model->checkText());
+    EXPECT_FALSE(has(model->checkText(), u"balanced"_s));
     EXPECT_TRUE(model->optionResults().rows.at(0).constFirst().text.startsWith(u"! "_s));
     EXPECT_TRUE(model->optionResults().rows.at(0).tip.contains(u"By the method only"_s));
     EXPECT_TRUE(page.resultsAsText().contains(u"The method neglects"_s));
@@ -72,7 +69,7 @@ TEST_F(PlugsPageTest, AnswerFollowsTyping) {
     QTest::keyClicks(shells, u"2"_s);
     EXPECT_EQ(label("advice"),
               u"Replace all 8 plugs by aluminium plugs, lightened by 0.38 g each."_s);
-    EXPECT_TRUE(page.resultsAsText().contains(u"5.223"_s)) << qPrintable(page.resultsAsText());
+    EXPECT_TRUE(has(page.resultsAsText(), u"5.223"_s));
 }
 
 TEST_F(PlugsPageTest, NoHeadingOfTheOptionsIsCut) {
@@ -93,8 +90,7 @@ TEST_F(PlugsPageTest, NoHeadingOfTheOptionsIsCut) {
 }
 
 TEST_F(PlugsPageTest, AZeroThatWasTypedIsSomethingThatIsKnown) {
-    EXPECT_TRUE(label("advice").startsWith(u"Missing for the plugs: changes of mass"_s))
-        << qPrintable(label("advice"));
+    EXPECT_TRUE(begins(label("advice"), u"Missing for the plugs: changes of mass"_s));
     EXPECT_EQ(colour("advice"), Theme::instance().mutedText());
     EXPECT_EQ(label("hang"), QString());
     EXPECT_EQ(field("rod_big_end")->value(), std::nullopt);
@@ -153,13 +149,13 @@ TEST_F(PlugsPageTest, APlugThatCannotBeMadeIsNoAnswer) {
         "bore_depth_mm": 14.5})");
     model->loadInput(input, {});
     for (const QString& said : {label("advice"), cardText()}) {
-        EXPECT_TRUE(said.contains(u"no bottom remains"_s)) << qPrintable(said);
-        EXPECT_TRUE(said.contains(u"such a plug cannot be made"_s)) << qPrintable(said);
+        EXPECT_TRUE(has(said, u"no bottom remains"_s));
+        EXPECT_TRUE(has(said, u"such a plug cannot be made"_s));
     }
     EXPECT_EQ(colour("advice"), Theme::instance().error());
     EXPECT_TRUE(label("boring").isEmpty());
     type("bore_depth_mm", u"6"_s);
-    EXPECT_FALSE(label("advice").contains(u"cannot"_s)) << qPrintable(label("advice"));
+    EXPECT_FALSE(has(label("advice"), u"cannot"_s));
 }
 
 TEST_F(PlugsPageTest, SaysWhereThePlugsAreWhileTheBobWeightsHang) {
@@ -175,12 +171,10 @@ TEST_F(PlugsPageTest, SaysWhereThePlugsAreWhileTheBobWeightsHang) {
         model->plugs()->bob_weights[index(model->plugs()->advice->option->id)]->after;
     // About 59 g: two plugs of 25 g at 1.18 times the crank radius.
     EXPECT_GT(after.sum() - after.with_plugs_in(), 55 * gram);
-    EXPECT_TRUE(label("hang").contains(u"With the plugs removed. With the plugs fitted use "_s +
-                                       QString::number(after.with_plugs_in() / gram, 'f', 1)))
-        << qPrintable(label("hang"));
-    EXPECT_TRUE(label("check").contains(u"Big end × 2.445: 2 for two rods, k"_s))
-        << qPrintable(label("check"));
-    EXPECT_TRUE(label("check").contains(u"effect here: 0.22 g"_s)) << qPrintable(label("check"));
+    EXPECT_TRUE(has(label("hang"), u"With the plugs removed. With the plugs fitted use "_s +
+                                       QString::number(after.with_plugs_in() / gram, 'f', 1)));
+    EXPECT_TRUE(has(label("check"), u"Big end × 2.445: 2 for two rods, k"_s));
+    EXPECT_TRUE(has(label("check"), u"effect here: 0.22 g"_s));
 }
 
 TEST_F(PlugsPageTest, PlotsShowLinesLimitsAndToday) {
@@ -274,7 +268,6 @@ TEST(ShiftPlot, ItsWordCoversNoCurvesAndNoMarksHoweverLowTheWindow) {
     EXPECT_GT(shown, 5) << "where there is room";
 }
 
-/// A button that hides when it is pressed gives the focus to whatever comes next.
 TEST_F(PlugsPageTest, ItsKeysWorkWhereverTheFocusIs) {
     QWidget window;
     QVBoxLayout column(&window);

@@ -4,9 +4,7 @@
 #include <QClipboard>
 #include <QDate>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSettings>
-#include <QTabBar>
 #include <map>
 
 #include "job_page_test.h"
@@ -152,12 +150,9 @@ TEST_F(PlugsSheetsTest, TheLimitOfThePlugsIsThePapersTheJobsOrTheShops) {
     EXPECT_TRUE(label("tolerance_owner").contains(u"Nazarov"_s));
     type("tolerance_g_mm", u"1440"_s);
     EXPECT_TRUE(label("tolerance_owner").contains(u"for this job only"_s));
-    auto* keep = find<QPushButton>("keep_tolerance");
-    show(PartsTab);
-    keep->setFocus();
-    QTest::keyClick(keep, Qt::Key_Space);
+    keys("keep_tolerance", {Qt::Key_Space});
     EXPECT_TRUE(label("tolerance_owner").contains(u"Shop limit"_s));
-    EXPECT_FALSE(keep->isVisible());
+    EXPECT_FALSE(find<QPushButton>("keep_tolerance")->isVisible());
     PlugsModel next(model->desk()->journal()->path());
     EXPECT_NEAR(next.input().plugs->tolerance, 1440e-6, 1e-12);
     EXPECT_EQ(PlugsModel().input().plugs->tolerance, v8_plugs::default_tolerance);
@@ -165,19 +160,15 @@ TEST_F(PlugsSheetsTest, TheLimitOfThePlugsIsThePapersTheJobsOrTheShops) {
 }
 
 TEST_F(PlugsSheetsTest, PlugsThatComeBackHaveTheirValues) {
-    QCheckBox* there = find<QCheckBox>("has_new_plug");
-    const auto toggle = [&] {
-        there->setFocus();
-        QTest::keyClick(there, Qt::Key_Space);
-    };
-    show(PlugsTab);
+    const char* there = "has_new_plug";
+    const auto toggle = [&] { keys(there, {Qt::Key_Space}); };
     toggle();
     EXPECT_FALSE(find<QComboBox>("crankshaft")->isEnabled());
     EXPECT_FALSE(field("new_plug_radius_mm")->isEnabled());
     EXPECT_FALSE(model->plugs()->option(OptionId::new_steel_to_steel));
     toggle();
     EXPECT_EQ(model->input().plugs->engine, engine_presets().front());
-    there = find<QCheckBox>("has_aluminium_plug");
+    there = "has_aluminium_plug";
     toggle();
     EXPECT_FALSE(model->input().plugs->engine.has_aluminium_plug);
     EXPECT_EQ(model->input().plugs->engine.aluminium_plug_mass, std::nullopt);

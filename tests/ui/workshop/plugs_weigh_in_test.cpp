@@ -1,7 +1,6 @@
 // The parts that are weighed, and where they go.
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QPushButton>
 #include <map>
 
@@ -61,8 +60,7 @@ TEST_F(PlugsPageTest, WeighInSheetByKeyboard) {
     EXPECT_NEAR(model->plugs()->changes.repair_piston_and_rings, 3.5 * gram, 1e-12);
     EXPECT_FALSE(field("repair_piston_and_rings")->isEnabled());
     EXPECT_NEAR(field("repair_piston_and_rings")->value().value_or(0.0), 3.5, 1e-12);
-    EXPECT_TRUE(label("advice").startsWith(u"Provisional: take 1.48 g off"_s))
-        << qPrintable(label("advice"));
+    EXPECT_TRUE(begins(label("advice"), u"Provisional: take 1.48 g off"_s));
     // The parts change places on the sheet too, once they did on the bench.
     auto* move = find<QPushButton>("move_parts");
     ASSERT_TRUE(move->isVisible());
@@ -79,16 +77,14 @@ TEST_F(PlugsPageTest, WeighInSheetByKeyboard) {
         return rows;
     };
     spreads();
-    move->setFocus();
-    QTest::keyClick(move, Qt::Key_Space);
+    keys("move_parts", {Qt::Key_Space});
     EXPECT_EQ(spread(), wanted);
     EXPECT_EQ(spreads(), excess) << "moved, they were weighed as before";
     EXPECT_EQ(model->solution().placing->moved, 0);
     EXPECT_FALSE(move->isVisible());
     model->history()->undo();
     // What does not count is amber, on the sheet and in the answer.
-    use->setFocus();
-    QTest::keyClick(use, Qt::Key_Space);
+    keys("changes_from_weigh_in", {Qt::Key_Space});
     EXPECT_TRUE(field("repair_piston_and_rings")->isEnabled());
     for (const char* name : {"troubles", "weigh_in_summary"}) {
         EXPECT_TRUE(label(name).contains(u"Weighed masses are not used"_s)) << name;
@@ -115,9 +111,7 @@ TEST_F(PlugsPageTest, NominalMassesAreCheckedAgainstThePartsOrFilledFromThem) {
     EXPECT_TRUE(isAmber("troubles"));
     auto* fill = find<QPushButton>("fill_masses");
     ASSERT_TRUE(fill->isEnabled());
-    show(PartsTab);
-    fill->setFocus();
-    QTest::keyClick(fill, Qt::Key_Space);
+    keys("fill_masses", {Qt::Key_Space});
     EXPECT_NEAR(*field("reciprocating_mass_g")->value(), 1022.0, 1e-9);
     EXPECT_FALSE(label("troubles").contains(u"entered, but"_s));
     EXPECT_FALSE(fill->isEnabled());

@@ -29,13 +29,10 @@ class DrilledTest : public PlugsPageTest {
     /// What is in the front plane after the first run's drilling.
     const bob_weights::Metal& drilled() const { return model->solution().runs.at(0).drilled[0]; }
     void choose(const char* name, auto word) {
-        auto* box = find<QComboBox>(name);
-        show(CorrectionTab);
-        ASSERT_TRUE(box->isVisible());
-        box->setFocus();
-        QTest::keyClick(box, Qt::Key_Home);
+        keys(name, {Qt::Key_Home});
+        ASSERT_TRUE(find<QComboBox>(name)->isVisible());
         for (int step = 0; step < static_cast<int>(word); ++step) {
-            QTest::keyClick(box, Qt::Key_Down);
+            keys(name, {Qt::Key_Down});
         }
     }
     /// As the verdict's doubt tells whether the holes explain what the machine read.
@@ -117,7 +114,7 @@ TEST_F(DrilledTest, AHoleInTheOtherPlaneCountsThereAndIsTakenBackInOneStep) {
     EXPECT_EQ(holesIn(0), there[0] - 1);
     EXPECT_EQ(holesIn(1), there[1] + 1);
     const QString size = u"⌀ %1 mm"_s.arg(hole(0).diameter / units::mm);
-    EXPECT_TRUE(cardText().contains(u"Rear plane: "_s + size)) << qPrintable(cardText());
+    EXPECT_TRUE(has(cardText(), u"Rear plane: "_s + size));
     model->history()->undo();
     EXPECT_EQ(model->input(), before);
     // By the machine's own names.
@@ -167,7 +164,7 @@ TEST_F(DrilledTest, AHoleThatIsThoughtOfSaysWhatItWouldLeaveAndChangesNothing) {
     EXPECT_EQ(label("what_if"), QString());
     type("what_if_angle", u"300"_s);
     const QString said = label("what_if");
-    EXPECT_TRUE(said.startsWith(u"Front plane: residual "_s)) << qPrintable(said);
+    EXPECT_TRUE(begins(said, u"Front plane: residual "_s));
     // Of what is no number nothing is said, and the plan is none the worse.
     type("what_if_angle", u"abc"_s);
     EXPECT_EQ(label("what_if") + label("rejected"), QString());
@@ -179,7 +176,7 @@ TEST_F(DrilledTest, AHoleThatIsThoughtOfSaysWhatItWouldLeaveAndChangesNothing) {
     fill({{"from_1", "10"}, {"to_1", "120"}});
     EXPECT_EQ(label("what_if"), u"The hole is outside the drilling sector."_s);
     type("what_if_angle", u"60"_s);
-    EXPECT_FALSE(label("what_if").contains(u"sector"_s)) << qPrintable(label("what_if"));
+    EXPECT_FALSE(has(label("what_if"), u"sector"_s));
     // By a job that is stopped nothing is thought of either.
     type("run_1_unbalance_1", u"4900"_s);
     EXPECT_EQ(label("what_if"), QString());
@@ -190,7 +187,7 @@ TEST_F(DrilledTest, TheVerdictLeadsToWhatWasDrilledOtherwise) {
     type("run_1_unbalance_1", u"4900"_s);
     ASSERT_TRUE(model->withheld().holes);
     show(JobTab);
-    QTest::mouseClick(find<QPushButton>("verdict_act"), Qt::LeftButton);
+    click("verdict_act");
     EXPECT_EQ(sheets->currentIndex(), CorrectionTab);
     EXPECT_EQ(QApplication::focusWidget(), find<QWidget>("drilled_state_1"));
     // They were drilled on the wrong side: that explains it, and there is a plan again.
