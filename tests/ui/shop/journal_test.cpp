@@ -73,6 +73,21 @@ class OpenJournal : public JournalTest {
     Journal journal{path()};
 };
 
+/// Runs SQL in the file of a journal, as another program would.
+void meddle(const QString& file, const QStringList& statements) {
+    {
+        QSqlDatabase other = QSqlDatabase::addDatabase(u"QSQLITE"_s, u"other"_s);
+        other.setDatabaseName(file);
+        ASSERT_TRUE(other.open());
+        QSqlQuery query(other);
+        for (const QString& statement : statements) {
+            ASSERT_TRUE(query.exec(statement))
+                << qPrintable(statement) << qPrintable(query.lastError().text());
+        }
+    }
+    QSqlDatabase::removeDatabase(u"other"_s);
+}
+
 TEST_F(JournalTest, KeepsEveryValueOfAJob) {
     JournalJob job = exampleJob(u"53-11-0042"_s);
     {
@@ -217,35 +232,25 @@ TEST_F(OpenJournal, WritesAreOnDiskWhenTheCallReturns) {
 }
 
 TEST_F(JournalTest, AFileOfTheFirstVersionOpensAndIsSearched) {
-    {
-        QSqlDatabase old = QSqlDatabase::addDatabase(u"QSQLITE"_s, u"old"_s);
-        old.setDatabaseName(path());
-        ASSERT_TRUE(old.open());
-        QSqlQuery query(old);
-        for (const char* statement :
-             {"CREATE TABLE job (id INTEGER PRIMARY KEY AUTOINCREMENT, revision INTEGER NOT NULL,"
-              " engine_number TEXT NOT NULL, customer TEXT NOT NULL, technician TEXT NOT NULL,"
-              " engine TEXT NOT NULL, job_date TEXT NOT NULL, process TEXT NOT NULL,"
-              " unbalanced_mass_g REAL, recommended TEXT NOT NULL, reduction_g REAL,"
-              " bob_weight_g REAL, saved INTEGER NOT NULL, form TEXT NOT NULL,"
-              " search TEXT NOT NULL)",
-              "CREATE TABLE draft (session TEXT PRIMARY KEY, job_id INTEGER NOT NULL,"
-              " job_revision INTEGER NOT NULL, engine_number TEXT NOT NULL,"
-              " saved INTEGER NOT NULL, form TEXT NOT NULL)",
-              "CREATE TABLE engine (name TEXT PRIMARY KEY, engine_values TEXT NOT NULL)",
-              "INSERT INTO draft VALUES ('gone', 0, 0, '7', 1, '{}')",
-              "INSERT INTO job VALUES (5, 2, '53-11', 'Smith', '', '4.25 l', '2023-05-31',"
-              " 'repair', 4.3, 'steel-machined', 1.8, 2326.5, 1000,"
-              " '{\"input\":{\"job\":{\"crankshaft_number\":\"КВ-9\"},"
-              "\"balancing\":{\"rear_reading_g_mm\":8}}}', '53-11 smith')",
-              "INSERT INTO job VALUES (6, 1, 'torn', '', '', '', '', '', NULL, '', NULL, NULL,"
-              " 2000, 'no form', 'torn')",
-              "PRAGMA user_version = 1"}) {
-            ASSERT_TRUE(query.exec(QString::fromUtf8(statement)))
-                << statement << qPrintable(query.lastError().text());
-        }
-    }
-    QSqlDatabase::removeDatabase(u"old"_s);
+    meddle(path(),
+           {u"CREATE TABLE job (id INTEGER PRIMARY KEY AUTOINCREMENT, revision INTEGER NOT NULL,"
+            " engine_number TEXT NOT NULL, customer TEXT NOT NULL, technician TEXT NOT NULL,"
+            " engine TEXT NOT NULL, job_date TEXT NOT NULL, process TEXT NOT NULL,"
+            " unbalanced_mass_g REAL, recommended TEXT NOT NULL, reduction_g REAL,"
+            " bob_weight_g REAL, saved INTEGER NOT NULL, form TEXT NOT NULL,"
+            " search TEXT NOT NULL)"_s,
+            u"CREATE TABLE draft (session TEXT PRIMARY KEY, job_id INTEGER NOT NULL,"
+            " job_revision INTEGER NOT NULL, engine_number TEXT NOT NULL,"
+            " saved INTEGER NOT NULL, form TEXT NOT NULL)"_s,
+            u"CREATE TABLE engine (name TEXT PRIMARY KEY, engine_values TEXT NOT NULL)"_s,
+            u"INSERT INTO draft VALUES ('gone', 0, 0, '7', 1, '{}')"_s,
+            u"INSERT INTO job VALUES (5, 2, '53-11', 'Smith', '', '4.25 l', '2023-05-31',"
+            " 'repair', 4.3, 'steel-machined', 1.8, 2326.5, 1000,"
+            " '{\"input\":{\"job\":{\"crankshaft_number\":\"КВ-9\"},"
+            "\"balancing\":{\"rear_reading_g_mm\":8}}}', '53-11 smith')"_s,
+            u"INSERT INTO job VALUES (6, 1, 'torn', '', '', '', '', '', NULL, '', NULL, NULL,"
+            " 2000, 'no form', 'torn')"_s,
+            u"PRAGMA user_version = 1"_s});
     for (int times = 0; times < 2; ++times) {  // brought up to date once
         Journal journal(path());
         ASSERT_TRUE(journal.open()) << qPrintable(journal.lastError());
@@ -259,20 +264,6 @@ TEST_F(JournalTest, AFileOfTheFirstVersionOpensAndIsSearched) {
         EXPECT_EQ(journal.search({}).size(), 2);
         EXPECT_EQ(journal.orphanedDrafts().size(), 1);
     }
-}
-
-/// Runs SQL in the file of a journal, as another program would.
-void meddle(const QString& file, const QStringList& statements) {
-    {
-        QSqlDatabase other = QSqlDatabase::addDatabase(u"QSQLITE"_s, u"other"_s);
-        other.setDatabaseName(file);
-        ASSERT_TRUE(other.open());
-        QSqlQuery query(other);
-        for (const QString& statement : statements) {
-            ASSERT_TRUE(query.exec(statement)) << qPrintable(query.lastError().text());
-        }
-    }
-    QSqlDatabase::removeDatabase(u"other"_s);
 }
 
 TEST_F(OpenJournal, OfManyDraftsTheNewestHundredAreLookedAt) {
@@ -409,7 +400,9 @@ TEST_F(JournalTest, ADamagedFileIsReplacedByItsDailyBackup) {
     EXPECT_EQ(journal.restore(journal.offeredBackup())->known, 21) << "none comes twice";
 }
 
-class DamagedJournal : public JournalTest, public ::testing::WithParamInterface<int> {};
+using Damage = void (*)(QByteArray& bytes);
+
+class DamagedJournal : public JournalTest, public ::testing::WithParamInterface<Damage> {};
 
 TEST_P(DamagedJournal, IsSetAsideWithAMessageAndNeverOverwritten) {
     {
@@ -424,22 +417,7 @@ TEST_P(DamagedJournal, IsSetAsideWithAMessageAndNeverOverwritten) {
     }
     QByteArray bytes = test::contentOf(path());
     ASSERT_GT(bytes.size(), 500000);
-    switch (GetParam()) {
-        case 0:  // not a database at all
-            bytes = "This is a letter, not a database. " + QByteArray(5000, 'z');
-            break;
-        case 1:  // the head is lost
-            bytes.replace(0, 4096, QByteArray(4096, '\0'));
-            break;
-        case 2:  // pages in the middle are lost
-            bytes.replace(300000, 40000, QByteArray(40000, '\x5A'));
-            break;
-        case 3:  // the end is lost
-            bytes.truncate(bytes.size() / 2);
-            break;
-        default:
-            FAIL();
-    }
+    GetParam()(bytes);
     test::writeFile(path(), bytes);
     Journal journal(path());
     ASSERT_TRUE(journal.open()) << qPrintable(journal.lastError());
@@ -457,7 +435,12 @@ TEST_P(DamagedJournal, IsSetAsideWithAMessageAndNeverOverwritten) {
     EXPECT_EQ(files(u"second-damaged*"_s).size(), 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, DamagedJournal, ::testing::Values(0, 1, 2, 3));
+constexpr Damage damages[] = {
+    [](QByteArray& bytes) { bytes = "This is a letter, not a database. " + QByteArray(5000, 'z'); },
+    [](QByteArray& bytes) { bytes.replace(0, 4096, QByteArray(4096, '\0')); },  // the head is lost
+    [](QByteArray& bytes) { bytes.replace(300000, 40000, QByteArray(40000, '\x5A')); },
+    [](QByteArray& bytes) { bytes.truncate(bytes.size() / 2); }};
+INSTANTIATE_TEST_SUITE_P(Kinds, DamagedJournal, ::testing::ValuesIn(damages));
 
 TEST_F(OpenJournal, DamageWhileOpenIsNoticedAndTheJobIsSaved) {
     Journal other(path());
