@@ -43,7 +43,7 @@ struct JournalJob {
     QDateTime saved;                     ///< UTC
     QByteArray form;                     ///< JSON text, UTF-8
 
-    /// What it is found by, as far as it has that: numbers of engine and crankshaft, customer.
+    /// Numbers of engine and crankshaft, and customer, as far as it has them: by these it is found.
     QStringList names() const;
     /// Of engine and crankshaft; a dash where it has none.
     QString numbers() const;
