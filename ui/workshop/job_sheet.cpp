@@ -26,15 +26,11 @@ void JobSheet::addJob() {
     text("/job/engine_number");
     text("/job/crankshaft_number");
     text("/job/customer");
-    static const std::string date = "/job/date";
     checked(shop::field::date,
             {[](const QString& typed) { return readDay(typed).toString(Qt::ISODate); }, dayTrouble,
-             [this] {
-                 return QString::fromStdString(
-                     std::get<std::string>(model_->fields(date).front().value));
-             },
+             [this] { return QString::fromStdString(model_->input().job.date); },
              [this](const QString& name, const QString& day) {
-                 model_->editField(date, day.toStdString(), name);
+                 model_->editField("/job/date", day.toStdString(), name);
              },
              [](const QString& day) { return Words().day(day); }, false});
     text("/job/technician");

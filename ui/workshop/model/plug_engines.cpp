@@ -113,13 +113,6 @@ void plug_engines::keepTolerance(double tolerance) {
     QSettings().setValue(toleranceKey, tolerance / field::tolerance.unit);
 }
 
-v8_plugs::Input plug_engines::firstPreset() {
-    workshop::Input job;
-    job.plugs.emplace();
-    takePreset(job, engine_presets().front());
-    return *job.plugs;
-}
-
 bool plug_engines::isSame(const v8_plugs::Input& input, const v8_plugs::Input& named) {
     const v8_plugs::Engine& a = input.engine;
     const v8_plugs::Engine& b = named.engine;
@@ -128,12 +121,6 @@ bool plug_engines::isSame(const v8_plugs::Input& input, const v8_plugs::Input& n
            std::ranges::all_of(engine_fields(), [&](const EngineField& each) {
                return !(b.*each.member) || a.*each.member == b.*each.member;
            });
-}
-
-bool plug_engines::haveSameValues(const v8_plugs::Input& a, const v8_plugs::Input& b) {
-    v8_plugs::Engine renamed = a.engine;
-    renamed.name = b.engine.name;
-    return renamed == b.engine;
 }
 
 v8_plugs::Input plug_engines::nextOf(const v8_plugs::Input& before) {
@@ -175,8 +162,13 @@ void WorkshopModel::setHasPlugs(bool there) {
     std::optional<workshop::Input> before = input();
     edit(tr("Sludge-trap plugs"), [&](workshop::Input& job) {
         if (there) {
-            job.plugs =
-                otherForm_ && otherForm_->plugs ? *otherForm_->plugs : plug_engines::firstPreset();
+            job.plugs = otherForm_ ? otherForm_->plugs : std::nullopt;
+            if (!job.plugs) {
+                workshop::Input first;  // the parts weighed keep their nominal masses
+                first.plugs.emplace();
+                takePreset(first, engine_presets().front());
+                job.plugs = first.plugs;
+            }
             scene().startPlugs(*job.plugs);
             job.parts = {};
             job.factor = {};

@@ -11,12 +11,8 @@ namespace ravnoves::plug_engines {
 double shopsTolerance();
 void keepTolerance(double tolerance);
 
-/// The plugs of the paper's first engine.
-v8_plugs::Input firstPreset();
 /// Whether it is still the engine that was named; what the preset does not know may be filled in.
 bool isSame(const v8_plugs::Input& input, const v8_plugs::Input& named);
-/// Whether the engines' values agree, whatever their names.
-bool haveSameValues(const v8_plugs::Input& a, const v8_plugs::Input& b);
 /// What the next job of the same engine begins with.
 v8_plugs::Input nextOf(const v8_plugs::Input& before);
 /// What the journal keeps of the plugs.
