@@ -236,15 +236,6 @@ class JobPageTest : public ::testing::Test {
         return asked;
     }
 
-    static std::shared_ptr<QString> answer(QMessageBox::StandardButton button) {
-        auto asked = std::make_shared<QString>();
-        whenModal<QMessageBox>([=](QMessageBox* box) {
-            *asked = box->text();
-            QTest::mouseClick(box->button(button), Qt::LeftButton);
-        });
-        return asked;
-    }
-
     int rowsOf(const char* accessibleName) {
         for (const ResultTable* table : page.findChildren<ResultTable*>()) {
             if (table->accessibleName() == QLatin1String(accessibleName)) {

@@ -37,7 +37,7 @@ TEST_F(PlugsPageTest, OwnEnginesByKeyboard) {
     type("steel_plug_mass_g", u"26"_s);
     EXPECT_TRUE(model->ownEngineChanged());
     EXPECT_FALSE(model->engineNote().isEmpty());
-    const auto keepAnd = [&](QMessageBox::StandardButton button) {
+    const auto keepAnd = [&](const QString& button) {
         whenModal<QInputDialog>([button](QInputDialog* dialog) {
             answer(button);
             dialog->setTextValue(u"zmz-66"_s);
@@ -45,12 +45,12 @@ TEST_F(PlugsPageTest, OwnEnginesByKeyboard) {
         });
         QTest::mouseClick(keep, Qt::LeftButton);
     };
-    keepAnd(QMessageBox::No);
+    keepAnd(u"No"_s);
     EXPECT_TRUE(model->ownEngineChanged());
-    keepAnd(QMessageBox::Yes);
+    keepAnd(u"Yes"_s);
     EXPECT_FALSE(model->ownEngineChanged());
     EXPECT_EQ(model->engineNames().size(), 8);
-    answer(QMessageBox::Yes);
+    answer(u"Yes"_s);
     QTest::mouseClick(remove, Qt::LeftButton);
     EXPECT_EQ(model->engineNames().size(), 7);
     EXPECT_FALSE(remove->isEnabled());

@@ -94,7 +94,7 @@ TEST_F(PlugsPageTest, AJobRemovedFromTheJournalIsNoLongerSaved) {
     model->desk()->missJob(model->desk()->jobId() + 1);  // another
     EXPECT_FALSE(model->hasChanges());
     const qint64 id = model->desk()->jobId();
-    answer(QMessageBox::Yes);
+    answer(u"Yes"_s);
     whenModal<JournalDialog>([&](JournalDialog* dialog) {
         test::named<QPushButton>(*dialog, "journal_remove")->click();
         dialog->reject();
@@ -103,7 +103,7 @@ TEST_F(PlugsPageTest, AJobRemovedFromTheJournalIsNoLongerSaved) {
     EXPECT_FALSE(model->desk()->journal()->job(id).has_value());
     EXPECT_EQ(model->desk()->jobId(), 0);
     EXPECT_TRUE(model->hasChanges());
-    answer(QMessageBox::Cancel);  // whether to save it, before the sheet is emptied
+    answer(u"Cancel"_s);  // whether to save it, before the sheet is emptied
     press(Qt::Key_F4);
     EXPECT_EQ(model->input().job.engine_number, "53-11");
 }
@@ -217,18 +217,18 @@ TEST_F(PlugsPageTest, UnsavedJobIsAskedAbout) {
     press(Qt::Key_F4);
     EXPECT_EQ(*asked, u"Save the job “7” in the journal?"_s);
     EXPECT_EQ(model->input().job.engine_number, "7");
-    answer(QMessageBox::Save);
+    answer(u"Save"_s);
     press(Qt::Key_F4);
     EXPECT_TRUE(model->input().job.engine_number.empty());
     EXPECT_EQ(jobs().size(), 1);
     // So does the window that is closed.
     type("engine_number", u"8"_s);
-    answer(QMessageBox::Cancel);
+    answer(u"Cancel"_s);
     EXPECT_EQ(page.askToSave(), false);
-    answer(QMessageBox::Discard);
+    answer(u"Don’t save"_s);
     EXPECT_EQ(page.askToSave(), true);
     EXPECT_EQ(jobs().size(), 1);
-    answer(QMessageBox::Save);
+    answer(u"Save"_s);
     EXPECT_EQ(page.askToSave(), true);
     EXPECT_EQ(jobs().size(), 2);
 }
@@ -322,7 +322,7 @@ TEST_F(PlugsPageTest, JournalDialogExportsWhatItLists) {
     });
     QTest::mouseClick(remove, Qt::LeftButton);
     EXPECT_EQ(jobs().size(), 2);
-    answer(QMessageBox::Yes);
+    answer(u"Yes"_s);
     QTest::mouseClick(remove, Qt::LeftButton);
     EXPECT_EQ(jobs().size(), 1);
     // Days.

@@ -115,11 +115,11 @@ TEST_F(PlugsPageTest, WhatWasRejectedGoesWithItsJob) {
     type("reciprocating_mass_g", u"abc"_s);
     ASSERT_FALSE(field("reciprocating_mass_g")->trouble().isEmpty());
     // Nothing has changed on the sheet, but something was typed.
-    const auto asked = answer(QMessageBox::Cancel);
+    const auto asked = answer(u"Stay"_s);
     press(Qt::Key_F4);
     EXPECT_TRUE(asked->contains(u"abc"_s)) << qPrintable(*asked);
     EXPECT_EQ(field("reciprocating_mass_g")->text(), u"abc"_s);
-    answer(QMessageBox::Ignore);
+    answer(u"Continue"_s);
     press(Qt::Key_F4);
     EXPECT_TRUE(field("reciprocating_mass_g")->trouble().isEmpty());
     EXPECT_EQ(field("reciprocating_mass_g")->text(), QString());
