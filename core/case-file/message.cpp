@@ -34,7 +34,7 @@ std::string fill_pattern(std::string_view pattern, const std::vector<std::string
                            static_cast<std::size_t>(pattern[at + 1] - '1') < values.size();
         if (place) {
             text += values[static_cast<std::size_t>(pattern[++at] - '1')];
-        } else {
+        } else if (pattern[at] != '&') {
             text += pattern[at];
         }
     }

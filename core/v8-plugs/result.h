@@ -75,6 +75,21 @@ struct Result {
         return !plan || !plan->cuts || plan->limit == Boring::Limit::none;
     }
     const std::optional<Option>& option(OptionId id) const { return options[index(id)]; }
+    /// The bore that is right: where the neglected shift matters, the one that counts it. Nothing
+    /// where there is none.
+    std::optional<Boring> right_boring(OptionId id) const {
+        std::optional<Boring> bored = boring[index(id)];
+        const auto& effect = shift[index(id)];
+        if (!bored || !effect || !effect->matters) {
+            return bored;
+        }
+        if (!effect->depth) {
+            return std::nullopt;
+        }
+        bored->deeper += bored->deeper > 0.0 ? *effect->depth - bored->depth : 0.0;
+        bored->depth = *effect->depth;
+        return bored;
+    }
     /// What the neglected shift does to the option that is advised; nothing where it does not
     /// matter.
     const ShiftEffect* shift_that_matters() const {

@@ -185,11 +185,10 @@ void visit_plug_mass(ResultVisitor& visitor, const ResultField& field,
 /// What is to be done, with the bore where there is one.
 Message advice_text(const Input& input, const Result& result) {
     const Advice& advice = *result.advice;
-    Message text = describe(advice, *result.unbalanced_mass, result.engine->crank_radius.value(),
-                            input.tolerance);
+    Message text = plug_work(input, result);
     if (advice.kind == Advice::Kind::option && input.plug) {
-        const auto& boring = result.boring[index(advice.option.value().id)];
-        if (boring && boring->cuts) {
+        if (const auto boring = result.right_boring(advice.option.value().id);
+            boring && boring->cuts) {
             return two_sentences(std::move(text), describe(*boring, input.plug->limits().value()));
         }
     }
@@ -271,6 +270,15 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
             visit_plug_mass(visitor, {"aluminium", Text::tr("Aluminium")}, result.aluminium_plug);
         });
     }
+}
+
+Message plug_work(const Input& input, const Result& result) {
+    const Advice& advice = *result.advice;
+    if (const ShiftEffect* effect = result.shift_that_matters()) {
+        return describe_action(*advice.option, effect->min_reduction, effect->max_reduction);
+    }
+    return describe(advice, *result.unbalanced_mass, result.engine->crank_radius.value(),
+                    input.tolerance);
 }
 
 Verdict verdict_of_plugs(const Input& input, const Result& result) {

@@ -18,6 +18,10 @@ namespace ravnoves::v8_plugs {
 void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result,
                  const std::optional<double>& speed);
 
+/// What is to be taken off the plugs; where the neglected shift of their centre of mass matters, what
+/// counts it.
+Message plug_work(const Input& input, const Result& result);
+
 /// Whether the plugs can compensate, without machine and warnings.
 Verdict verdict_of_plugs(const Input& input, const Result& result);
 

@@ -486,6 +486,10 @@
         <source>maximum each, %1</source>
         <translation>предел для одной, %1</translation>
     </message>
+    <message>
+        <source>only by the method</source>
+        <translation>только по методике</translation>
+    </message>
 </context>
 <context>
     <name>Keys</name>

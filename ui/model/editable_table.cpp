@@ -8,6 +8,16 @@
 
 namespace ravnoves {
 
+namespace {
+
+/// A number, or one with a slip in it: "56O,1" is no heading, which would be passed over.
+bool mayBeNumber(const QString& cell) {
+    const bool isWord = cell.size() > 1 && cell[0].isLetter() && cell[1].isLetter();
+    return !isWord && std::any_of(cell.begin(), cell.end(), [](QChar c) { return c.isDigit(); });
+}
+
+}  // namespace
+
 std::vector<QStringList> readTextTable(const QString& text, EmptyLine empty) {
     std::vector<QStringList> rows;
     for (const QString& line : text.split(QLatin1Char('\n'))) {
@@ -31,7 +41,7 @@ std::vector<QStringList> readTextTable(const QString& text, EmptyLine empty) {
     const bool beginsWithGap =
         empty == EmptyLine::gap && !rows.empty() && rows[0].join(QString()).isEmpty();
     if (rows.size() > 1 && !beginsWithGap &&
-        std::none_of(rows[0].begin(), rows[0].end(), isTypedNumber)) {
+        std::none_of(rows[0].begin(), rows[0].end(), mayBeNumber)) {
         rows.erase(rows.begin());
     }
     return rows;

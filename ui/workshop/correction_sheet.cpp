@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QStandardItemModel>
 #include <algorithm>
 #include <type_traits>
 
@@ -310,12 +311,16 @@ void CorrectionSheet::addHoleRow() {
         holes_->addWidget(widgets[column], at, column);
     }
     followPlanes(plane);
-    follow([this, row, name, widgets] {
+    follow([this, row, name, state, widgets] {
         const DrilledHole* hole = holeAt(model_->input(), row);
         for (QWidget* each : widgets) {
             each->setVisible(hole != nullptr);
         }
         if (hole != nullptr) {
+            // What was measured is in the plan's place: undo alone brings the plan back.
+            qobject_cast<QStandardItemModel*>(state->model())
+                ->item(static_cast<int>(HoleState::as_planned))
+                ->setEnabled(hole->state != HoleState::measured);
             name->setText(model_->drilledName(holePlaces(model_->input())[row].run, *hole));
         }
     });

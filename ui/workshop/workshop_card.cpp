@@ -274,8 +274,11 @@ std::vector<Block> plugBlocks(const Words& words, const WorkshopModel& model) {
             continue;
         }
         const bool works = option->feasible && result.can_be_made(id);
-        const QString verdict = works ? words.translate("JobCard", "works")
-                                      : words.translate("JobCard", "does not work");
+        const auto& shift = result.shift[v8_plugs::index(id)];
+        const QString verdict = !works ? words.translate("JobCard", "does not work")
+                                : shift && shift->matters
+                                    ? words.translate("JobCard", "only by the method")
+                                    : words.translate("JobCard", "works");
         options.table.rows << ResultRow{
             v8_text::optionName(words, id), words.cell(option->required_reduction, units::gram, 3),
             words.cell(option->max_reduction, units::gram, 3),

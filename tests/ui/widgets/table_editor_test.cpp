@@ -23,6 +23,9 @@ TEST(TextTable, PassesOverAHeader) {
     // One line of words alone is no header, and neither is a line with a number in it.
     EXPECT_EQ(read("a\tb\n").size(), 1U);
     EXPECT_EQ(read("a\t1\n2\t3\n").size(), 2U);
+    // Nor one with a slip in it: what follows would move up.
+    EXPECT_EQ(read("56O,1\n562,2\n").size(), 2U);
+    EXPECT_EQ(read("1.562,1\n562,2\n").size(), 2U);
 }
 
 // A message that quotes it would take a minute to be laid out.

@@ -316,6 +316,11 @@ TEST_F(JobCardTest, AnAnswerByTheMethodAloneIsNoFact) {
         EXPECT_TRUE(has(text, u"The method neglects"_s));
         EXPECT_FALSE(text.contains(u"9.46 g each"_s));
         EXPECT_FALSE(text.contains(u"balanced:"_s));
+        EXPECT_TRUE(has(text, u"only by the method"_s));
+        // Banner and result file say the same.
+        const std::string reason = commandLine(input).at("plugs").at("reason").get<std::string>();
+        EXPECT_EQ(reason.find(isBored ? "Take 8.51 g off" : "Take 8.92…9.10 g off"), 0U) << reason;
+        EXPECT_EQ(reason.find("to 3.45 mm") != std::string::npos, isBored) << reason;
         if (isBored) {  // to 3.84 mm by the method alone: who bores is told the depth that is right
             EXPECT_EQ(text.count(u"3.84"_s), 0) << qPrintable(text);
             EXPECT_TRUE(has(text, u"cutter of 20 mm to 3.45 mm from the face."_s));

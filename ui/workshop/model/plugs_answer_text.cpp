@@ -6,6 +6,7 @@
 #include "text/capital.h"
 #include "text/shown_units.h"
 #include "v8-plugs/fields.h"
+#include "v8-plugs/results.h"
 #include "workshop/model/workshop_model.h"
 #include "workshop/plugs/model/v8_text.h"
 
@@ -70,16 +71,7 @@ QString WorkshopModel::adviceText(const Words& words) const {
                                : words.translate("V8", "Missing for the plugs: %1.")
                                      .arg(names.join(QStringLiteral(", ")));
     }
-    QString said;
-    if (const ShiftEffect* effect = plugs()->shift_that_matters()) {
-        // What can be done, not what the method alone would have.
-        said = words.message(describe_action(*plugs()->advice->option, effect->min_reduction,
-                                             effect->max_reduction));
-    } else if (plugs()->unbalanced_mass) {
-        said = words.message(describe(*plugs()->advice, *plugs()->unbalanced_mass,
-                                      plugsInput()->engine.crank_radius.value_or(0.0),
-                                      plugsInput()->tolerance));
-    }
+    const QString said = words.message(plug_work(*plugsInput(), *plugs()));
     return isProvisional() && !said.isEmpty() ? provisional(words, said) : said;
 }
 
@@ -90,21 +82,10 @@ QString WorkshopModel::boringText(const Words& words) const {
 }
 
 QString WorkshopModel::boringText(const Words& words, OptionId option) const {
-    const auto& plan = plugs()->boring[index(option)];
-    const auto& effect = plugs()->shift[index(option)];
-    if (!plan || !plugsInput()->plug) {
-        return {};
-    }
-    Boring bored = *plan;
-    if (effect && effect->matters) {
-        // One depth is said, that which is right.
-        if (!effect->depth) {
-            return {};
-        }
-        bored.deeper += bored.deeper > 0.0 ? *effect->depth - bored.depth : 0.0;
-        bored.depth = *effect->depth;
-    }
-    return words.message(describe(bored, plugsInput()->plug->limits().value()));
+    const auto bored = plugs()->right_boring(option);
+    return bored && plugsInput()->plug
+               ? words.message(describe(*bored, plugsInput()->plug->limits().value()))
+               : QString();
 }
 
 QString WorkshopModel::excessText() const {
