@@ -7,6 +7,7 @@ namespace {
 
 using test::derivative;
 using test::Fifty;
+using test::inertia_at;
 
 /// T and V of the bodies one by one, from their positions alone.
 struct Bodies {
@@ -42,15 +43,6 @@ struct Bodies {
                 m.counterweight_mass * (r * sin(phi) + m.counterweight_distance * sin(psi(phi))));
     }
 };
-
-template <typename Scalar>
-ReducedInertia<Scalar> inertia_at(const Mechanism<Scalar>& m, const Scalar& phi) {
-    using std::cos;
-    using std::sin;
-    const Scalar s = sin(phi);
-    const Scalar c = cos(phi);
-    return reduced_inertia(m, s, c, rod_angle_exact(m.lambda, s, c));
-}
 
 template <typename Scalar>
 EnergyRise<Scalar> rise_at(const Mechanism<Scalar>& m, const Scalar& omega, const Scalar& phi) {

@@ -54,14 +54,16 @@ TEST_P(ElasticHingeSearch, FindsASpringThatGivesWhatWasWanted) {
 INSTANTIATE_TEST_SUITE_P(BothBranches, ElasticHingeSearch,
                          testing::Values(Branch::compressed, Branch::stretched));
 
+/// Of the paper's crank hinge.
+GuideProposal proposal(const GuideWish& wish, Branch branch = Branch::compressed,
+                       double roller = 0.0, double free_length = 0.2) {
+    return search_guide(solve(preset_zotov()).design, Hinge::crank, GuideSign::energy, branch,
+                        free_length, roller, wish);
+}
+
 TEST(ElasticHingeSearchLimits, SmallDiameterForcesMorePreload) {
-    const Result result = solve(preset_zotov());
-    const auto search = [&](double diameter) {
-        return search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::compressed, 0.2,
-                            0.0, GuideWish{1e-3, diameter, {}});
-    };
-    const GuideProposal wide = search(0.25);
-    const GuideProposal narrow = search(0.18);
+    const GuideProposal wide = proposal({1e-3, 0.25, {}});
+    const GuideProposal narrow = proposal({1e-3, 0.18, {}});
     ASSERT_TRUE(wide.found && narrow.found);
     EXPECT_LE(narrow.outer_diameter, 0.18 + 1e-12);
     EXPECT_LT(narrow.spring.stiffness, wide.spring.stiffness);
@@ -69,28 +71,17 @@ TEST(ElasticHingeSearchLimits, SmallDiameterForcesMorePreload) {
 }
 
 TEST(ElasticHingeSearchLimits, TheImpossibleIsRejectedWithASize) {
-    const Result result = solve(preset_zotov());
-    const GuideProposal tight =
-        search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::compressed, 0.2, 0.0,
-                     GuideWish{1e-3, 0.05, {}});
+    const GuideProposal tight = proposal({1e-3, 0.05, {}});
     EXPECT_FALSE(tight.found);
     // The reason names the diameter that would do, to the digits of a drawing.
     const auto needed = std::get<Number>(tight.reason.arguments().at(2));
     const double diameter = needed.value * needed.unit;
-    EXPECT_TRUE(search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::compressed,
-                             0.2, 0.0, GuideWish{1e-3, diameter * (1 + 1e-3), {}})
-                    .found);
-    EXPECT_FALSE(search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::compressed,
-                              0.2, 0.0, GuideWish{1e-3, diameter * (1 - 1e-2), {}})
-                     .found);
-    const GuideProposal bulky =
-        search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::compressed, 0.2, 0.0,
-                     GuideWish{1e-3, 0.5, 0.1985});
+    EXPECT_TRUE(proposal({1e-3, diameter * (1 + 1e-3), {}}).found);
+    EXPECT_FALSE(proposal({1e-3, diameter * (1 - 1e-2), {}}).found);
+    const GuideProposal bulky = proposal({1e-3, 0.5, 0.1985});
     EXPECT_NE(bulky.reason.english().find("it must be at least"), std::string::npos);
     EXPECT_NE(tight.reason.english().find("at least"), std::string::npos) << tight.reason.english();
-    const GuideProposal stretched =
-        search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::stretched, 0.2, 0.01,
-                     GuideWish{1e-3, 0.2, {}, 0.0});
+    const GuideProposal stretched = proposal({1e-3, 0.2, {}, 0.0}, Branch::stretched, 0.01);
     EXPECT_FALSE(stretched.found);
     EXPECT_NE(stretched.reason.english().find("222.2 mm"), std::string::npos)
         << stretched.reason.english();

@@ -319,10 +319,8 @@ TEST(ElasticHingeGuide, MinimumPreloadHoldsNearLocking) {
         const Mechanism<double> m = mechanism_of(input);
         const double square = input.angular_speed * input.angular_speed;
         const auto energy = [&](double phi) {
-            const double s = std::sin(phi);
-            const double c = std::cos(phi);
-            const double inertia = reduced_inertia(m, s, c, rod_angle_exact(lambda, s, c)).value;
-            return 0.5 * inertia * square + potential_amplitude(m) * s;
+            return 0.5 * test::inertia_at(m, phi).value * square +
+                   potential_amplitude(m) * std::sin(phi);
         };
         double maximum = energy(0.0);
         for (const double centre : {0.0, 0.5 * pi, pi, 1.5 * pi}) {

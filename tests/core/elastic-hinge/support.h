@@ -31,6 +31,15 @@ Mechanism<Scalar> with_counterweight(Mechanism<Scalar> mechanism, Scalar distanc
     return mechanism;
 }
 
+template <typename Scalar>
+ReducedInertia<Scalar> inertia_at(const Mechanism<Scalar>& m, const Scalar& phi) {
+    using std::cos;
+    using std::sin;
+    const Scalar s = sin(phi);
+    const Scalar c = cos(phi);
+    return reduced_inertia(m, s, c, rod_angle_exact(m.lambda, s, c));
+}
+
 /// ∫ over one turn of samples that hold both ends, by the trapezoidal rule (spectral here).
 inline double turn_integral(const std::vector<double>& samples) {
     double sum = 0.0;
