@@ -9,7 +9,6 @@
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
-#include "error_of.h"
 #include "example_check.h"
 #include "numerics/constants.h"
 #include "scenes/scenes.h"
@@ -184,19 +183,6 @@ TEST(CaseBudget, HoldsForTheExamplesOfEveryScene) {
         }
     }
     EXPECT_EQ(scenes.size(), scene_solvers().size());
-}
-
-TEST(CaseBudget, IsSaidInTheUnitsOfTheCaseFile) {
-    const std::string text = write_text(case_budget(test::example("tmz-650d"), {}));
-    EXPECT_TRUE(says(text, "/metrics/M_ups/range_Nm")) << text;
-    EXPECT_TRUE(says(text, "/interpolation: periodic-cubic")) << text;
-    EXPECT_TRUE(says(text, "rounding")) << text;
-}
-
-TEST(CaseBudget, ACaseThatIsRejectedIsNamed) {
-    CaseFile shaft = test::example("tmz-650d");
-    shaft.input["crank_radius_mm"] = -1;
-    EXPECT_TRUE(says(test::error_of([&] { case_budget(shaft, {}); }), "/input/crank_radius_mm: "));
 }
 
 }  // namespace

@@ -7,17 +7,6 @@
 namespace ravnoves::methods {
 namespace {
 
-TEST(Measure, QuartilesLieAroundTheMedian) {
-    const Kernel& kernel = kernels().front();
-    const auto problem = kernel.problem(0, kernel.sweeps[0].present);
-    const Timing timing = time_run(problem->prepare(0, 0), problem->outputs(),
-                                   problem->evaluations(), {.batch_seconds = 1e-5});
-    EXPECT_GT(timing.low, 0.0);
-    EXPECT_LE(timing.low, timing.median);
-    EXPECT_LE(timing.median, timing.high);
-    EXPECT_GE(timing.batches, 3);
-}
-
 TEST(Measure, ALongRunGetsFewerBatches) {
     int runs = 0;
     const ravnoves::methods::Run busy = [&](std::span<double> out) {

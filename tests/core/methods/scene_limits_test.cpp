@@ -46,12 +46,6 @@ TEST(SceneLimits, HingeOfARodAsLongAsTheCrank) {
             last = largest;
         }
     }
-    Json locked = write_case(test::example("zotov-energy"));
-    locked["input"]["lambda"] = 1.0;
-    EXPECT_TRUE(says(rejection(locked), "/input/lambda: ")) << rejection(locked);
-    // The series does not know of the locking: it answers, in finite numbers.
-    locked["input"]["kinematics"] = "series";
-    EXPECT_EQ(rejection(locked), "no error");
 }
 
 TEST(SceneLimits, LayoutUpToLocking) {
