@@ -47,6 +47,18 @@ inline Input unit_engine(std::string_view name, double lambda = 0.25) {
     return input;
 }
 
+/// A library layout of an engine as large as a car's.
+inline Input engine_of(std::string_view layout) {
+    Input input;
+    input.crank_radius = 0.045;
+    input.lambda = 0.28;
+    input.angular_speed = 300.0;
+    input.reciprocating_mass = 0.5;
+    input.rotating_mass = 0.8;
+    input.layout = usual_layout(*find_layout(layout), input.crank_radius);
+    return input;
+}
+
 /// An irregular engine: no symmetry hides a mistake.
 inline Input irregular() {
     Input input;
@@ -61,6 +73,33 @@ inline Input irregular() {
                        {0.02, 1.9, 0.0, 4.4},
                        {-0.13, 0.1, 0.03, 5.0}};
     return input;
+}
+
+/// A table on one crankpin: no symmetry hides a mistake, every value of the rods is given.
+inline Input irregular_star() {
+    Input input;
+    input.crank_radius = 0.08;
+    input.lambda = 0.27;
+    input.angular_speed = 220.0;
+    input.reciprocating_mass = 1.4;
+    input.rotating_mass = 1.0;
+    input.reference_position = 0.013;
+    input.cylinders = {{0.02, 0.4, 0.006, 0.0},     {0.02, 0.4 + 1.3, -0.009, 0.0},
+                       {0.01, 0.4 - 1.1, 0.0, 0.0}, {0.03, 0.4 + 2.9, 0.011, 0.0},
+                       {-0.2, 0.9, 0.004, 2.2},     {-0.2, -0.3, 0.002, 2.2}};
+    input.cylinders[0].articulated = ArticulatedRod{0.055, 1.2, 0.22, 3, 0.3};
+    input.cylinders[1].articulated = ArticulatedRod{0.06, {}, {}, 3, 0.0};
+    input.cylinders[3].articulated = ArticulatedRod{0.05, 2.2, 0.26, 0, 0.45};
+    input.cylinders[5].articulated = ArticulatedRod{0.04, {}, {}, 0, 0.2};
+    return input;
+}
+
+/// Forces, moments and the reaction of one are those of the other.
+inline void expect_near(const Wrench& found, const Wrench& expected, double tolerance) {
+    EXPECT_NEAR(std::abs(found.force - expected.force), 0.0, tolerance);
+    EXPECT_NEAR(std::abs(found.moment - expected.moment), 0.0, tolerance);
+    EXPECT_NEAR(found.inertia_roll, expected.inertia_roll, tolerance);
+    EXPECT_NEAR(found.reaction_torque, expected.reaction_torque, tolerance);
 }
 
 /// At its firing angle each piston stands at top dead centre, at even intervals of the cycle: the

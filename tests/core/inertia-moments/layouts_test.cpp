@@ -114,13 +114,7 @@ TEST(KnownLayouts, OpposedPistonsCancelAllForces) {
 
 TEST(LayoutLibrary, EveryLayoutSolvesAndFiresOnceACycle) {
     for (const LayoutSpec& spec : layout_library()) {
-        Input input;
-        input.crank_radius = 0.045;
-        input.lambda = 0.28;
-        input.angular_speed = 300.0;
-        input.reciprocating_mass = 0.5;
-        input.layout = usual_layout(spec, input.crank_radius);
-        const Result result = solve(input);
+        const Result result = solve(test::engine_of(spec.name));
         ASSERT_EQ(result.engine.cylinders.size(), static_cast<std::size_t>(spec.cylinders));
         ASSERT_EQ(result.firing.size(), static_cast<std::size_t>(spec.cylinders)) << spec.name;
         double sum = 0.0;

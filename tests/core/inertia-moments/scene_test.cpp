@@ -7,7 +7,6 @@
 #include "case-file/json.h"
 #include "case-file/result_json.h"
 #include "engines.h"
-#include "error_of.h"
 
 namespace ravnoves::inertia_moments {
 namespace {
@@ -26,12 +25,6 @@ Json table_json() {
         {"axial_position_mm": 40, "bank_angle_deg": 0, "offset_mm": 0, "crankpin_angle_deg": 0},
         {"axial_position_mm": -40, "bank_angle_deg": 0, "offset_mm": 0, "crankpin_angle_deg": 180}
         ]})");
-}
-
-using ravnoves::test::error_of;
-
-std::string error_in(Json input) {
-    return error_of([&] { result_json({}, read_input(input)); });
 }
 
 TEST(CaseIo, WritesWhatItReads) {
@@ -98,30 +91,32 @@ TEST(CaseIo, LayoutAndItsTableAreTheSameEngine) {
 }
 
 TEST(CaseIo, RejectsWithPointerRuleAndFinding) {
+    const Json rod{{"mass_kg", 0.5}, {"centre_from_big_end_mm", -2000}, {"inertia_kg_m2", 0.001}};
+    const struct {
+        const char* pointer;
+        Json value;
+        const char* error;  // its beginning
+    } rows[] = {{"/crank_radius_mm", -46, "/crank_radius_mm: must be greater than 0, got -46"},
+                {"/layout/firing_order",
+                 {1, 2, 4, 5, 5},
+                 "/layout/firing_order: must name each cylinder from 1 to 5 once, got 1-2-4-5-5"},
+                {"/balance_shafts", Json::array({{{"order", 13}}}), "/balance_shafts/0/order"},
+                {"/rod", rod, "/rod/centre_from_big_end_mm"}};
+    for (const auto& [pointer, value, error] : rows) {
+        Json json = vr5_json();
+        json[Json::json_pointer(pointer)] = value;
+        EXPECT_TRUE(test::rejection_of(json).starts_with(std::string("/input") + error)) << error;
+    }
     Json json = vr5_json();
-    json["crank_radius_mm"] = -46;
-    EXPECT_EQ(error_in(json), "/input/crank_radius_mm: must be greater than 0, got -46");
-    json = vr5_json();
-    json["layout"]["firing_order"] = {1, 2, 4, 5, 5};
-    EXPECT_EQ(error_in(json),
-              "/input/layout/firing_order: must name each cylinder from 1 to 5 once, got "
-              "1-2-4-5-5");
-    json = vr5_json();
     json["layout"]["type"] = "library";
     json["layout"].erase("cylinders");
     json["layout"]["name"] = "vr66";
-    EXPECT_NE(error_in(json).find("(the nearest is \"vr"), std::string::npos);
-    json = vr5_json();
+    EXPECT_NE(test::rejection_of(json).find("(the nearest is \"vr"), std::string::npos);
     json.erase("layout");
-    EXPECT_NE(error_in(json).find("/input/cylinders: is required"), std::string::npos);
+    EXPECT_NE(test::rejection_of(json).find("/input/cylinders: is required"), std::string::npos);
     json["cylinders"] = Json::array();
-    EXPECT_NE(error_in(json).find("/input/cylinders: must list from 1"), std::string::npos);
-    json = table_json();
-    json["balance_shafts"] = Json::array({{{"order", 13}}});
-    EXPECT_NE(error_in(json).find("/input/balance_shafts/0/order"), std::string::npos);
-    json = table_json();
-    json["rod"] = {{"mass_kg", 0.5}, {"centre_from_big_end_mm", -200}, {"inertia_kg_m2", 0.001}};
-    EXPECT_NE(error_in(json).find("/input/rod/centre_from_big_end_mm"), std::string::npos);
+    EXPECT_NE(test::rejection_of(json).find("/input/cylinders: must list from 1"),
+              std::string::npos);
 }
 
 TEST(CaseIo, TheRodsLengthStandsForLambda) {
@@ -149,16 +144,17 @@ TEST(CaseIo, TheRodsLengthStandsForLambda) {
     EXPECT_NEAR(longer.rod_length(), 0.16, 1e-15);
     // Exactly one of the two.
     json["lambda"] = 0.265;
-    EXPECT_EQ(error_in(json), "/input/rod_length_mm: must be left out if lambda is given");
+    EXPECT_EQ(test::rejection_of(json),
+              "/input/rod_length_mm: must be left out if lambda is given");
     json.erase("lambda");
     json.erase("rod_length_mm");
-    EXPECT_NE(error_in(json), "no error");
+    EXPECT_NE(test::rejection_of(json), "no error");
     json["rod_length_mm"] = 40;
     json["layout"]["offset_mm"] = 0;
-    EXPECT_EQ(
-        error_in(json).rfind("/input/rod_length_mm: must be greater than the crank radius, 45;", 0),
-        0U)
-        << error_in(json);
+    EXPECT_EQ(test::rejection_of(json).rfind(
+                  "/input/rod_length_mm: must be greater than the crank radius, 45;", 0),
+              0U)
+        << test::rejection_of(json);
 }
 
 TEST(CaseIo, LockingMechanismsAreRejectedWithTheAngle) {
@@ -167,7 +163,7 @@ TEST(CaseIo, LockingMechanismsAreRejectedWithTheAngle) {
     json["layout"]["offset_mm"] = 10;
     // L − R = 5 mm; turning forward the rod lies across at 180° + arcsin((L − e)/R).
     const double forward = 180.0 + std::asin((50.0 - 10.0) / 45.0) / degree;
-    const std::string text = error_in(json);
+    const std::string text = test::rejection_of(json);
     EXPECT_NE(text.find("/input/layout/offset_mm: must be less than 5 in magnitude"),
               std::string::npos)
         << text;
@@ -178,19 +174,21 @@ TEST(CaseIo, LockingMechanismsAreRejectedWithTheAngle) {
 
     json["lambda"] = 1.25;
     json["layout"]["offset_mm"] = 0;
-    EXPECT_NE(error_in(json).find("/input/lambda: must be at most 0.999999996; the mechanism of "
-                                  "cylinder 1 locks with the crank at 53.13°"),
+    EXPECT_NE(test::rejection_of(json).find(
+                  "/input/lambda: must be at most 0.999999996; the mechanism of "
+                  "cylinder 1 locks with the crank at 53.13°"),
               std::string::npos)
-        << error_in(json);
+        << test::rejection_of(json);
 
     json = table_json();
     json["cylinders"][1]["offset_mm"] = -93.4;
-    EXPECT_NE(error_in(json).find("/input/cylinders/1/offset_mm"), std::string::npos);
+    EXPECT_NE(test::rejection_of(json).find("/input/cylinders/1/offset_mm"), std::string::npos);
     json["cylinders"][1]["offset_mm"] = -500;
-    EXPECT_NE(error_in(json).find("is not possible"), std::string::npos) << error_in(json);
+    EXPECT_NE(test::rejection_of(json).find("is not possible"), std::string::npos)
+        << test::rejection_of(json);
     // Just inside the limit it turns.
     json["cylinders"][1]["offset_mm"] = -93.3;
-    EXPECT_EQ(error_in(json), "no error");
+    EXPECT_EQ(test::rejection_of(json), "no error");
 }
 
 /// A layout of the library stays centred whatever its spacing: an even in-line engine or V-8 has no

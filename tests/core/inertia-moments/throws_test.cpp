@@ -14,18 +14,9 @@
 namespace ravnoves::inertia_moments {
 namespace {
 
-constexpr double two_stroke = two_pi;
+using test::engine_of;
 
-Input engine_of(std::string_view layout) {
-    Input input;
-    input.crank_radius = 0.045;
-    input.lambda = 0.28;
-    input.angular_speed = 300.0;
-    input.reciprocating_mass = 0.5;
-    input.rotating_mass = 0.8;
-    input.layout = usual_layout(*find_layout(layout), input.crank_radius);
-    return input;
-}
+constexpr double two_stroke = two_pi;
 
 /// A radial: all cylinders in one plane on one pin.
 Input radial(int count) {

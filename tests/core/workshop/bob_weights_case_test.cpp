@@ -437,56 +437,50 @@ TEST(Tolerance, IsSharedByTheDistances) {
 }
 
 TEST(BadInput, IsNamed) {
-    struct Row {
-        const char* pointer;
-        Json value;
-        const char* error;  // after the place
-    };
-    const Row rows[] = {
-        {"/engine/cylinders", 7, "must be even if two rods share a bob weight, got 7"},
-        {"/engine/type", "w", "must be one of \"v\", \"inline\", \"boxer\", got \"w\""},
-        {"/engine/rods_per_pin", 3, "must be 1 or 2, got 3"},
-        {"/parts_g/piston", -1, "must be from 0 to 1000000, got -1"},
-        {"/correction/planes/1/position_mm", 60, "must differ from the first, got 60"},
-        {"/correction/drill/diameters_mm", Json::array(), "is required and missing"},
-        {"/correction/slug/density_kg_m3", 7000,
-         "must be greater than the crankshaft's 7850, got 7000"},
-        {"/tolerance/rotor_mass_kg", 30, "is not a known key"},
-        {"/machine", Json::object(), "is not a known key"},
-        {"/weigh_in/matching/goal", "best",
-         "must be one of \"least-spread\", \"fewest-moves\", \"least-shaking\", got \"best\""},
-        {"/weigh_in/matching/shells", "anywhere",
-         "must be one of \"with-set\", \"stay\", got \"anywhere\""},
-        {"/weigh_in/matching/crankpin_angles_deg", {0, 90}, "must be a list of 4 angles, got 2"},
-        {"/weigh_in/matching/permitted_spread_g", -1, "must be from 0 to 100000, got -1"},
-        {"/weigh_in/matching/stay", true, "is not a known key"}};
-    const auto input_of = [] {
-        Json input = with_correction();
-        input["correction"]["slug"] = {{"diameter_mm", 25}, {"density_kg_m3", 18'000}};
-        input["tolerance"] = {{"g_mm", 2}};
-        return input;
-    };
-    for (const auto& [pointer, value, error] : rows) {
-        Json input = input_of();
-        if (std::string_view(pointer).starts_with("/weigh_in")) {
-            input["weigh_in"] = {{"piston", {{"mass_g", {1, 2, 3, 4, 5, 6, 7, 8}}}}};
-        }
-        input[Json::json_pointer(pointer)] = value;
-        EXPECT_EQ(error_of(input), std::string("/input") + pointer + ": " + error);
-    }
+    Json input = with_correction();
+    input["correction"]["slug"] = {{"diameter_mm", 25}, {"density_kg_m3", 18'000}};
+    input["tolerance"] = {{"g_mm", 2}};
+    input["weigh_in"] = {{"piston", {{"mass_g", {1, 2, 3, 4, 5, 6, 7, 8}}}}};
     const Json third{{"position_mm", 1}, {"radius_mm", 2}};
-    const std::pair<Changes, const char*> elsewhere[] = {
-        {{{"/engine/type", "inline"}},
-         "/engine/rods_per_pin: must be 1 for cylinders in line, got 2"},
-        {{{"/weigh_in", {{"piston", {{"mass_g", {1, 2, 3, 4, 5, 6, 7, 8}}}}}},
-          {"/weigh_in/matching/bank_offset_mm", 20}},
-         "/weigh_in/matching/cylinder_spacing_mm: is required with the bank offset"},
-        {{{"/correction/planes/-", third}}, "/correction/planes: must be a list of two, got 3"},
-        {{{"/engine/bank_angle_deg", nullptr}}, "/engine/bank_angle_deg: is required and missing"},
-        {{{"/parts_g/big_end", nullptr}}, "/parts_g/big_end: is required and missing"}};
-    for (const auto& [changes, error] : elsewhere) {
-        EXPECT_EQ(error_of(changed(input_of(), changes)), std::string("/input") + error);
-    }
+    workshop::test::expect_rejected(
+        input,
+        {{"/engine/type", "w",
+          "/input/engine/type: must be one of \"v\", \"inline\", \"boxer\", got \"w\""},
+         {"/engine/rods_per_pin", 3, "/input/engine/rods_per_pin: must be 1 or 2, got 3"},
+         {"/parts_g/piston", -1, "/input/parts_g/piston: must be from 0 to 1000000, got -1"},
+         {"/correction/planes/1/position_mm", 60,
+          "/input/correction/planes/1/position_mm: must differ from the first, got 60"},
+         {"/correction/drill/diameters_mm", Json::array(),
+          "/input/correction/drill/diameters_mm: is required and missing"},
+         {"/correction/slug/density_kg_m3", 7000,
+          "/input/correction/slug/density_kg_m3: must be greater than the crankshaft's 7850, got "
+          "7000"},
+         {"/tolerance/rotor_mass_kg", 30, "/input/tolerance/rotor_mass_kg: is not a known key"},
+         {"/machine", Json::object(), "/input/machine: is not a known key"},
+         {"/weigh_in/matching/goal", "best",
+          "/input/weigh_in/matching/goal: must be one of \"least-spread\", \"fewest-moves\", "
+          "\"least-shaking\", got \"best\""},
+         {"/weigh_in/matching/shells", "anywhere",
+          "/input/weigh_in/matching/shells: must be one of \"with-set\", \"stay\", got "
+          "\"anywhere\""},
+         {"/weigh_in/matching/crankpin_angles_deg",
+          {0, 90},
+          "/input/weigh_in/matching/crankpin_angles_deg: must be a list of 4 angles, got 2"},
+         {"/weigh_in/matching/permitted_spread_g", -1,
+          "/input/weigh_in/matching/permitted_spread_g: must be from 0 to 100000, got -1"},
+         {"/weigh_in/matching/stay", true, "/input/weigh_in/matching/stay: is not a known key"},
+         {"/weigh_in/matching/bank_offset_mm", 20,
+          "/input/weigh_in/matching/cylinder_spacing_mm: is required with the bank offset"},
+         {"/engine/type", "inline",
+          "/input/engine/rods_per_pin: must be 1 for cylinders in line, got 2"},
+         {"/correction/planes/-", third, "/input/correction/planes: must be a list of two, got 3"},
+         {"/engine/bank_angle_deg", nullptr,
+          "/input/engine/bank_angle_deg: is required and missing"},
+         {"/parts_g/big_end", nullptr, "/input/parts_g/big_end: is required and missing"}},
+        solved);
+    input.erase("weigh_in");
+    EXPECT_EQ(error_of(changed(input, {{"/engine/cylinders", 7}})),
+              "/input/engine/cylinders: must be even if two rods share a bob weight, got 7");
 }
 
 TEST(HalfFilled, FormsKeepWhatIsThere) {
@@ -617,11 +611,8 @@ TEST(Correction, EarlierHolesStayAndLaterOnesKeepClearOfThem) {
     correction["readings"] = parse_json(R"([{"unbalance_g_mm": 900, "angle_deg": 39},
                                             {"unbalance_g_mm": 100, "angle_deg": 20}])");
     const auto drilled = [&](std::size_t run, std::size_t plane) {
-        return solved(input)
-            .at("correction")
-            .at("runs")[run]
-            .at("planes")[plane]
-            .at("drilled_holes");
+        const Json runs = at(solved(input), "/correction/runs");
+        return runs[run].at("planes")[plane].at("drilled_holes");
     };
     Json after = solved(input).at("correction");
     for (std::size_t plane = 0; plane < 2; ++plane) {
@@ -717,11 +708,7 @@ TEST(Correction, EarlierSlugsAreTakenToo) {
     before.correction->readings[0].angle = 40 * degree;
     BobWeightsCase later = read_input(input);
     later.correction->earlier_runs[0].drilled = planned_holes(solve(before));
-    const Json kept = solved(write_input(later))
-                          .at("correction")
-                          .at("runs")[0]
-                          .at("planes")[0]
-                          .at("drilled_slugs");
+    const Json kept = at(solved(write_input(later)), "/correction/runs/0/planes/0/drilled_slugs");
     ASSERT_EQ(kept.size(), first.at("slugs").size());
     for (const char* key : {"slug_g", "added_g", "added_g_mm"}) {
         EXPECT_NEAR(kept[0].at(key).get<double>(), first.at("slugs")[0].at(key).get<double>(), 1e-6)

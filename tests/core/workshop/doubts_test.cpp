@@ -270,11 +270,7 @@ TEST(Doubts, OfADrillingFindHolesInTheOtherPlane) {
     correction["readings"] = parse_json(R"([{"unbalance_g_mm": 1250, "angle_deg": 40},
                                             {"unbalance_g_mm": 1100, "angle_deg": 220}])");
     const auto expected = [&] {
-        return solved(input)
-            .at("correction")
-            .at("runs")[1]
-            .at("planes")[0]
-            .value("expected", Json());
+        return test::at(solved(input), "/correction/runs/1/planes/0").value("expected", Json());
     };
     EXPECT_TRUE(expected().at("drilling_acted_in_other_plane").get<bool>());
     EXPECT_NE(solved(input).at("verdict").at("text").get<std::string>().find("other plane"),

@@ -183,32 +183,23 @@ TEST(Job, OfASheetHalfFilledSaysWhatIsMissing) {
 
 TEST(Job, RejectsWhatDoesNotGoTogether) {
     EXPECT_EQ(error_of(plugs_card()), "no error");
-    struct Row {
-        const char* pointer;
-        Json value;
-        const char* beginning;  // of the error
-    };
-    const Row rows[] = {
-        {"/parts_g", {{"piston", 500}}, "/input/parts_g: must be left out with plugs"},
-        {"/factor", {{"reciprocating_percent", 40}}, "/input/factor: must be left out with plugs"},
-        {"/engine/bank_angle_deg", 60, "/input/plugs: is allowed only"},
-        {"/engine/cylinders", 6, "/input/plugs: is allowed only"},
-        {"/engine/pin_split_deg", 5, "/input/plugs: is allowed only"},
-        {"/weigh_in/piston/mass_g", std::vector<double>(8, 560.0),
-         "/input/weigh_in/piston/nominal_g: is required and missing"},
-        {"/plugs/engine/max_steel_reduction_g", 40,
-         "/input/plugs/engine/max_steel_reduction_g: must be less than"},
-        {"/plugs/plug/bore_depth_mm", 14, "/input/plugs/plug: must be a possible plug"},
-        {"/plugs/balancing", Json::object(), "/input/plugs/balancing: is not a known key"},
-        {"/plugs/weigh_in", Json::object(), "/input/plugs/weigh_in: "},
-        {"/machine/planes", {"left"}, "/input/machine/planes: must be"},
-        {"/correction/earlier_runs", Json::array({{{"readings", {{{"angle_deg", 1}}}}}}),
-         "/input/correction/earlier_runs/0/readings"}};
-    for (const auto& [pointer, value, beginning] : rows) {
-        Json input = plugs_card();
-        input[Json::json_pointer(pointer)] = value;
-        EXPECT_EQ(error_of(input).substr(0, std::string_view(beginning).size()), beginning);
-    }
+    test::expect_rejected(
+        plugs_card(),
+        {{"/parts_g", {{"piston", 500}}, "/input/parts_g: must be left out with plugs"},
+         {"/factor", {{"reciprocating_percent", 40}}, "/input/factor: must be left out with plugs"},
+         {"/engine/bank_angle_deg", 60, "/input/plugs: is allowed only"},
+         {"/engine/cylinders", 6, "/input/plugs: is allowed only"},
+         {"/engine/pin_split_deg", 5, "/input/plugs: is allowed only"},
+         {"/weigh_in/piston/mass_g", std::vector<double>(8, 560.0),
+          "/input/weigh_in/piston/nominal_g: is required and missing"},
+         {"/plugs/engine/max_steel_reduction_g", 40,
+          "/input/plugs/engine/max_steel_reduction_g: must be less than"},
+         {"/plugs/plug/bore_depth_mm", 14, "/input/plugs/plug: must be a possible plug"},
+         {"/plugs/balancing", Json::object(), "/input/plugs/balancing: is not a known key"},
+         {"/plugs/weigh_in", Json::object(), "/input/plugs/weigh_in: "},
+         {"/machine/planes", {"left"}, "/input/machine/planes: must be"},
+         {"/correction/earlier_runs", Json::array({{{"readings", {{{"angle_deg", 1}}}}}}),
+          "/input/correction/earlier_runs/0/readings"}});
     Json unweighed = plugs_card();
     unweighed["plugs"].erase("mass_changes_g");
     unweighed["plugs"]["mass_changes_from"] = "weigh-in";

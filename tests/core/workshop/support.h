@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +56,20 @@ inline Json changed(Json input, const Changes& changes) {
 /// What a reader, or one that solves what it has read, rejects.
 inline std::string error_of(const Json& input, Json (*solved)(const Json&) = test::solved) {
     return ravnoves::test::error_of([&] { solved(input); });
+}
+
+/// A value at a place below "input", and the beginning of what it is rejected with.
+struct Rejection {
+    const char* pointer;
+    Json value;
+    const char* beginning;
+};
+inline void expect_rejected(const Json& base, std::initializer_list<Rejection> rows,
+                            Json (*solved)(const Json&) = test::solved) {
+    for (const auto& [pointer, value, beginning] : rows) {
+        const std::string error = error_of(changed(base, {{pointer, value}}), solved);
+        EXPECT_TRUE(error.starts_with(beginning)) << error;
+    }
 }
 
 /// Where values differ by more than 1e-9 of their size, or are not there.
