@@ -48,12 +48,18 @@ Widget* named(const QWidget& parent, const char* name) {
     return found;
 }
 
-/// Types over what is in a field and presses Enter.
+/// Types over what is in a field.
 template <typename Field>
-void type(Field* field, const QString& text) {
+void typeOver(Field* field, const QString& text) {
     field->setFocus();
     field->selectAll();
     QTest::keyClicks(field, text);
+}
+
+/// The same, and presses Enter.
+template <typename Field>
+void type(Field* field, const QString& text) {
+    typeOver(field, text);
     QTest::keyClick(field, Qt::Key_Return);
 }
 

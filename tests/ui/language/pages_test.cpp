@@ -24,7 +24,6 @@
 #include "events.h"
 #include "files.h"
 #include "language/catalogue.h"
-#include "methods/methods_page.h"
 #include "model/background_job.h"
 #include "page/scene_page.h"
 #include "scene_tests.h"
@@ -235,14 +234,6 @@ class RussianWindow : public ::testing::Test {
     ~RussianWindow() override { installLanguage(u"en"_s); }
 };
 
-TEST_F(RussianWindow, HasNoEnglishMenu) {
-    MainWindow window;
-    test::showAt(window, {1280, 800});
-    for (const QString& text : englishAmong(textsBelow(window))) {
-        ADD_FAILURE() << "in English: " << text.toStdString();
-    }
-}
-
 TEST_F(RussianWindow, HasNoEnglishFolderInItsFileDialogs) {
     EXPECT_EQ(QAbstractFileIconProvider().type(QFileInfo(QDir::homePath())), u"Папка"_s);
 }
@@ -260,17 +251,6 @@ TEST_F(RussianWindow, HasHelpInRussianOnEveryTopic) {
             << topic.toStdString() << ": combining dots, which stand over the line above";
         EXPECT_GT(text.count(letters), 400) << topic.toStdString();
     }
-}
-
-TEST_F(RussianWindow, SaysWhyAnExportIsRejected) {
-    MethodsPage page;
-    const QString trouble = page.exportTo(u"/dev/null/methods.csv"_s);
-    EXPECT_TRUE(trouble.contains(u"не удалось записать"_s)) << trouble.toStdString();
-}
-
-TEST_F(RussianWindow, WritesNumbersWithAComma) {
-    EXPECT_EQ(QLocale().decimalPoint(), u","_s);
-    EXPECT_EQ(QLocale().toString(1234.5, 'f', 1), u"1234,5"_s);
 }
 
 }  // namespace

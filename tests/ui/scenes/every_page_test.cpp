@@ -43,6 +43,7 @@
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
+#include "widgets/page_columns.h"
 #include "widgets/result_table.h"
 #include "widgets/table_editor.h"
 #include "widgets/value_slider.h"
@@ -218,6 +219,9 @@ TEST_P(EveryPage, NamesAndExplainsEveryInput) {
                     !text.isEmpty())
             << what;
     };
+    for (const EntryField* input : page->findChildren<EntryField*>()) {
+        EXPECT_FALSE(input->whatsThis().isEmpty()) << qPrintable(input->objectName());
+    }
     for (const NumberField* input : page->findChildren<NumberField*>()) {
         EXPECT_TRUE(input->toolTip().contains(u"must be")) << qPrintable(input->objectName());
     }
@@ -560,6 +564,8 @@ TEST_P(EveryPage, WheelChangesNothingWhereNobodyWent) {
         };
         for (QComboBox* input : reachable<QComboBox>()) {
             const int index = input->currentIndex();
+            // A real turn of the wheel would give it the focus first.
+            EXPECT_NE(input->focusPolicy(), Qt::WheelFocus) << qPrintable(input->objectName());
             turn(input);
             input->setFocus(Qt::TabFocusReason);  // a list stays what it is also where one went
             test::turnWheel(input, input->rect().center(), -1);
@@ -585,12 +591,7 @@ TEST_P(EveryPage, ResetsTheZoomOfEveryPlot) {
     EXPECT_FALSE(plots.isEmpty());
     bool zoomed = false;
     for (PlotView* plot : plots) {
-        for (QWidget* each = plot; each != page.get(); each = each->parentWidget()) {
-            auto* stack = qobject_cast<QStackedWidget*>(each->parentWidget());
-            if (stack != nullptr && qobject_cast<QTabWidget*>(stack->parentWidget()) != nullptr) {
-                qobject_cast<QTabWidget*>(stack->parentWidget())->setCurrentWidget(each);
-            }
-        }
+        showTabOf(plot);
         plot->grab();  // it may be below the fold
         test::turnWheel(plot, plot->plotArea().center().toPoint(), 2, Qt::ControlModifier);
         zoomed = zoomed || plot->isZoomed();
@@ -605,9 +606,7 @@ TEST_P(EveryPage, ResetsTheZoomOfEveryPlot) {
 TEST_P(EveryPage, GoesAsAWindowWithAFieldHalfTyped) {
     for (QLineEdit* field : reachable<QLineEdit>()) {
         if (!field->isReadOnly()) {
-            field->setFocus();
-            field->selectAll();
-            QTest::keyClicks(field, u"4"_s);
+            test::typeOver(field, u"4"_s);
             break;
         }
     }

@@ -409,15 +409,6 @@ TEST(VariantsSideBySide, ShowThePresentWithoutItsFile) {
     EXPECT_TRUE(says(dialog, u"Present: "_s));
 }
 
-TEST(VariantsSideBySide, GiveTheirMomentsAUnit) {
-    const auto page = test::makePage("balance-shaft");
-    const VariantTable dialog(page.get(), nullptr);
-    const QString text = dialog.table()->asText();
-    EXPECT_TRUE(text.contains(u"\nrange · Mᵤₚₛ, N·m\t"_s)) << qPrintable(text);
-    EXPECT_TRUE(text.contains(u"\nmin · Mₛ, N·m\t"_s));
-    EXPECT_TRUE(text.contains(u"\nrange · change\t"_s));
-}
-
 TEST(AVariantOfAFile, SaysEverywhereThatTheFileHasChanged) {
     const QTemporaryDir folder;
     const auto page = test::makePage("balance-shaft");

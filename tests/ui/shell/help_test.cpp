@@ -8,7 +8,6 @@
 #include <QWhatsThis>
 
 #include "events.h"
-#include "page/scene_page.h"
 #include "processor_time.h"
 #include "shell/help_pages.h"
 #include "shell/help_window.h"
@@ -145,19 +144,6 @@ QWidget* shownExplanation() {
         }
     }
     return nullptr;
-}
-
-// Every field of every page says what it is.
-TEST(WhatsThisTest, ExplainsEveryFieldOfEveryPage) {
-    for (const SceneInfo& info : sceneList()) {
-        QWidget place;
-        ScenePage* page = info.make(&place);
-        for (const EntryField* field : page->findChildren<EntryField*>()) {
-            EXPECT_FALSE(field->whatsThis().isEmpty())
-                << info.name.toStdString() << ": " << field->accessibleName().toStdString();
-        }
-        delete page;
-    }
 }
 
 TEST(WhatsThisTest, ShiftF1ExplainsWhatHasTheFocus) {

@@ -3,17 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <QClipboard>
-#include <QComboBox>
 #include <QSignalSpy>
-#include <QSlider>
-#include <QVBoxLayout>
 #include <numbers>
 #include <random>
 
-#include "case-file/decimal.h"
 #include "error_of.h"
 #include "events.h"
-#include "pictures/wheel_guard.h"
 #include "processor_time.h"
 #include "text/number_text.h"
 #include "text/typed_number.h"
@@ -116,8 +111,7 @@ TEST_F(NumberFieldTest, RejectsInWordsAndKeepsTheLastValue) {
     EXPECT_TRUE(edited.isEmpty());
     // A valid beginning ("10" of "101") shows its effect, but does not count.
     for (const char* bad : {"nan", "inf", "1e999", "abc", "1 2", "0", "101", "56.7.1"}) {
-        field.selectAll();
-        QTest::keyClicks(&field, QString::fromLatin1(bad));
+        test::typeOver(&field, QString::fromLatin1(bad));
         EXPECT_FALSE(field.trouble().isEmpty()) << bad;
         EXPECT_EQ(field.value(), 46.0) << bad;
     }
@@ -138,8 +132,7 @@ TEST_F(NumberFieldTest, RejectedTextStaysUntilAnotherValueIsSet) {
     QTest::keyClick(&field, Qt::Key_Escape);
     EXPECT_EQ(field.text(), QStringLiteral("46"));
     EXPECT_TRUE(field.trouble().isEmpty());
-    field.selectAll();
-    QTest::keyClicks(&field, QStringLiteral("x"));
+    test::typeOver(&field, QStringLiteral("x"));
     field.setValue(47.0);
     EXPECT_EQ(field.text(), QStringLiteral("47"));
     EXPECT_TRUE(field.trouble().isEmpty());
@@ -156,8 +149,7 @@ TEST_F(NumberFieldTest, ACommaThatMayDivideThousandsIsAskedAbout) {
     EXPECT_EQ(field.value(), 1.2505) << "no thousands";
     // Also where only one of both is allowed.
     field.setRange(Range::between(100, 5000), QStringLiteral("mm"));
-    field.selectAll();
-    QTest::keyClicks(&field, QStringLiteral("3,600"));
+    test::typeOver(&field, QStringLiteral("3,600"));
     EXPECT_TRUE(field.trouble().contains(QStringLiteral("3600 or 3.6")))
         << qPrintable(field.trouble());
     for (const char* plain : {"0,125", "-0,125", "1250", "1.250"}) {
@@ -170,21 +162,8 @@ TEST_F(NumberFieldTest, ACommaThatMayDivideThousandsIsAskedAbout) {
     QLocale::setDefault(english);
 }
 
-TEST_F(NumberFieldTest, EscapeUndoesTheWholeEditing) {
-    QSignalSpy edited(&field, &NumberField::valueEdited);
-    EXPECT_FALSE(field.isEditing());
-    QTest::keyClicks(&field, QStringLiteral("12,5"));
-    EXPECT_EQ(field.value(), 12.5);
-    EXPECT_TRUE(field.isEditing());
-    QTest::keyClick(&field, Qt::Key_Escape);
-    EXPECT_EQ(field.value(), 46.0);
-    EXPECT_EQ(field.text(), QStringLiteral("46"));
-    EXPECT_EQ(edited.last().at(0).value<std::optional<double>>(), 46.0);
-    EXPECT_FALSE(field.isEditing());
-    // Enter ends an editing: Escape after it undoes nothing.
-    field.selectAll();
-    QTest::keyClicks(&field, QStringLiteral("12,50"));
-    QTest::keyClick(&field, Qt::Key_Return);
+TEST_F(NumberFieldTest, EnterEndsAnEditing) {
+    test::type(&field, QStringLiteral("12,50"));
     EXPECT_EQ(field.text(), QStringLiteral("12.5"));
     QTest::keyClick(&field, Qt::Key_Escape);
     EXPECT_EQ(field.value(), 12.5);
@@ -265,19 +244,6 @@ TEST(NumberText, FixedDecimalsAreThoseOfTheLocale) {
     }
 }
 
-class ValueSliderTest : public ::testing::Test {
-  protected:
-    ValueSliderTest()
-        : slider(QStringLiteral("&Angle"), 0, 360, 0.1, 10, 1, QStringLiteral("°")),
-          edited(&slider, &ValueSlider::valueEdited) {
-        slider.setValue(45.0);
-        test::showAt(slider, {500, 40});
-    }
-
-    ValueSlider slider;
-    QSignalSpy edited;
-};
-
 TEST(NumberText, AUnitThatIsTypedIsConverted) {
     const auto typed = [](const char16_t* text, const char16_t* unit) {
         return readTypedNumber(QString::fromUtf16(text), QString::fromUtf16(unit))
@@ -346,97 +312,6 @@ TEST(NumberText, WhatIsTypedToBeComputedIsComputed) {
             << QString::fromUtf16(each.text).toStdString();
     }
     EXPECT_FALSE(readTypedNumber(QStringLiteral("10-8"), {}).value) << "of a list or a scale";
-}
-
-TEST_F(ValueSliderTest, KeysMoveByStepAndPage) {
-    QTest::keyClick(slider.slider(), Qt::Key_Right);
-    EXPECT_DOUBLE_EQ(slider.value(), 45.1);
-    QTest::keyClick(slider.slider(), Qt::Key_PageUp);
-    EXPECT_DOUBLE_EQ(slider.value(), 55.1);
-    QTest::keyClick(slider.slider(), Qt::Key_Home);
-    EXPECT_DOUBLE_EQ(slider.value(), 0.0);
-    QTest::keyClick(slider.slider(), Qt::Key_End);
-    EXPECT_DOUBLE_EQ(slider.value(), 360.0);
-    EXPECT_EQ(edited.size(), 4);
-}
-
-TEST_F(ValueSliderTest, WheelAndGrooveMoveIt) {
-    slider.slider()->setFocus(Qt::TabFocusReason);
-    test::turnWheel(slider.slider(), slider.slider()->rect().center(), 1);
-    EXPECT_GT(slider.value(), 45.0);
-    const double before = slider.value();
-    QTest::mouseClick(slider.slider(), Qt::LeftButton, {},
-                      QPoint(slider.slider()->width() - 10, slider.slider()->height() / 2));
-    EXPECT_GT(slider.value(), before);
-}
-
-TEST_F(ValueSliderTest, WhatIsTypedKeepsItsDecimals) {
-    slider.box()->setFocus();
-    slider.box()->selectAll();
-    QTest::keyClicks(slider.box(), QStringLiteral("10.6257"));
-    QTest::keyClick(slider.box(), Qt::Key_Return);
-    EXPECT_EQ(slider.value(), 10.6257);
-    EXPECT_EQ(slider.box()->text(), QStringLiteral("10.6257"));
-    QTest::keyClick(slider.slider(), Qt::Key_Right);
-    EXPECT_EQ(slider.value(), 10.7);
-    EXPECT_EQ(slider.box()->text(), QStringLiteral("10.7"));
-    slider.setValue(rounded_to_digits(43.25 * std::numbers::pi / 30.0, 12) * 30.0 /
-                    std::numbers::pi);
-    EXPECT_EQ(slider.box()->text(), QStringLiteral("43.25"));
-    slider.setValue(100.0 / 3.0);  // computed
-    EXPECT_EQ(slider.box()->text(), QStringLiteral("33.3"));
-    slider.box()->setFocus();
-    slider.box()->selectAll();
-    QTest::keyClick(slider.box(), Qt::Key_Return);
-    EXPECT_EQ(slider.value(), 100.0 / 3.0);
-}
-
-TEST_F(ValueSliderTest, SettingTheValueSaysNothing) {
-    slider.setValue(100.0);
-    EXPECT_TRUE(edited.isEmpty());
-    EXPECT_NEAR(slider.slider()->value(), 1000, 1);
-}
-
-TEST(WheelGuard, TheWheelChangesOnlyWhereTheUserWent) {
-    guardWheel();
-    QWidget window;
-    auto* column = new QVBoxLayout(&window);
-    auto* first = new QLineEdit;
-    auto* choice = new QComboBox;
-    choice->addItems({QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")});
-    auto* slider = new QSlider(Qt::Horizontal);
-    slider->setFocusPolicy(Qt::StrongFocus);
-    for (QWidget* each : {static_cast<QWidget*>(first), static_cast<QWidget*>(choice),
-                          static_cast<QWidget*>(slider)}) {
-        column->addWidget(each);
-    }
-    test::showAt(window, {300, 200});
-    window.activateWindow();
-    const auto turn = [&] {
-        test::turnWheel(choice, choice->rect().center(), -1);
-        test::turnWheel(slider, slider->rect().center(), 1);
-    };
-    first->setFocus();
-    turn();
-    EXPECT_EQ(choice->currentIndex(), 0);
-    EXPECT_EQ(slider->value(), 0);
-    // A real turn of the wheel would give it the focus first.
-    EXPECT_EQ(choice->focusPolicy(), Qt::StrongFocus);
-    // The focus of a page that came to the front is not the user's.
-    for (QWidget* each : {static_cast<QWidget*>(choice), static_cast<QWidget*>(slider)}) {
-        each->setFocus();
-        turn();
-        EXPECT_EQ(choice->currentIndex(), 0);
-        EXPECT_EQ(slider->value(), 0);
-    }
-    choice->setFocus(Qt::TabFocusReason);
-    turn();
-    EXPECT_EQ(choice->currentIndex(), 0) << "a list that is closed stays as it is";
-    slider->setFocus();
-    QTest::keyClick(slider, Qt::Key_Home);
-    turn();
-    EXPECT_EQ(choice->currentIndex(), 0);
-    EXPECT_GT(slider->value(), 0);
 }
 
 // The box shows a tenth of the unit at least; a soft spring has less.

@@ -18,22 +18,6 @@ namespace {
 
 using namespace Qt::StringLiterals;
 
-class ResultTableTest : public ::testing::Test {
-  protected:
-    ResultTableTest() {
-        const Results results{{u"Quantity"_s, {u"Value, N"_s, u"of this input"_s}},
-                              {force(1.5, u"1.5"_s)}};
-        table.setResults(results);
-        table.showReference(&results, u"A"_s);
-    }
-    static ResultRow force(double value, const QString& shown) {
-        return {{u"Force"_s, {value, shown}}, u"what it is"_s};
-    }
-    void show(const QString& value) { table.setRows({force(value.toDouble(), value)}); }
-
-    ResultTable table;
-};
-
 TEST(ResultTableWithReference, ShowsNamesAndDifferencesWithoutScrolling) {
     ResultTable table;
     const auto sized = [](double size) {
@@ -204,10 +188,17 @@ TEST(WideResultTable, ASlipOfTheKeysLeavesNoScrollBar) {
     EXPECT_FALSE(isTooWide(u"1208.0"_s));
 }
 
-TEST_F(ResultTableTest, EveryCellSaysWhatItIs) {
+TEST(ResultTableWithReference, EveryCellSaysWhatItIs) {
+    ResultTable table;
+    const auto force = [](double value) {
+        return ResultRow{{u"Force"_s, {value, QString::number(value)}}, u"what it is"_s};
+    };
+    const Results results{{u"Quantity"_s, {u"Value, N"_s, u"of this input"_s}}, {force(1.5)}};
+    table.setResults(results);
+    table.showReference(&results, u"A"_s);
     test::showAt(table, {600, 120});
-    show(u"2.5"_s);
-    show(u"3.5"_s);
+    table.setRows({force(2.5)});
+    table.setRows({force(3.5)});
     EXPECT_EQ(table.item(0, 0)->toolTip(), u"what it is"_s);
     const QString tip = table.item(0, 1)->toolTip();
     EXPECT_TRUE(tip.startsWith(u"what it is\nof this input"_s)) << tip.toStdString();

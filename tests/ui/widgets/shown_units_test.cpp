@@ -81,15 +81,11 @@ TEST_F(ShownUnits, OfAFieldIsWhatIsWrittenReadAndRejected) {
     field->setValue(46.0);
     EXPECT_EQ(field->text(), u"1.81102"_s);
     EXPECT_EQ(field->value(), 46.0);
-    field->setFocus();
-    field->selectAll();
-    QTest::keyClicks(field, u"2"_s);
+    test::typeOver(field, u"2"_s);
     EXPECT_EQ(field->value(), 50.8);
-    field->selectAll();
-    QTest::keyClicks(field, u"10"_s);  // the range's end counts
+    test::typeOver(field, u"10"_s);  // the range's end counts
     EXPECT_EQ(field->value(), 254.0);
-    field->selectAll();
-    QTest::keyClicks(field, u"11"_s);
+    test::typeOver(field, u"11"_s);
     EXPECT_EQ(field->trouble().toStdString(),
               "The value must be greater than 0 and at most 10\u00A0in.");
     QTest::keyClick(field, Qt::Key_Escape);
@@ -109,9 +105,7 @@ TEST_F(ShownUnits, OfASliderAreInItsBox) {
     ASSERT_EQ(edited.size(), 1);
     EXPECT_DOUBLE_EQ(edited.front().front().toDouble(), 50.8);
     const auto type = [&](const QString& text) {
-        slider.box()->selectAll();
-        QTest::keyClicks(slider.box(), text);
-        QTest::keyClick(slider.box(), Qt::Key_Return);
+        test::type(slider.box(), text);
         return slider.value();
     };
     EXPECT_DOUBLE_EQ(type(u"1.2 mm"_s), 1.2);

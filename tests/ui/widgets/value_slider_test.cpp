@@ -2,18 +2,21 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QVBoxLayout>
+#include <numbers>
 
+#include "case-file/decimal.h"
 #include "events.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {
 namespace {
 
-class ValueSliderRejection : public ::testing::Test {
+class ValueSliderTest : public ::testing::Test {
   protected:
-    ValueSliderRejection() {
+    ValueSliderTest() {
         auto* column = new QVBoxLayout(&window);
         column->addWidget(&slider);
         column->addWidget(&other);
@@ -21,17 +24,18 @@ class ValueSliderRejection : public ::testing::Test {
         test::showAt(window, {500, 120});
         window.activateWindow();
     }
-    ~ValueSliderRejection() override {
+    ~ValueSliderTest() override {
         slider.setParent(nullptr);
         other.setParent(nullptr);
     }
 
-    ValueSlider slider{QStringLiteral("&Angle"), 0.0, 360.0, 0.1, 10.0, 2, QStringLiteral("°")};
+    ValueSlider slider{QStringLiteral("&Angle"), 0.0, 360.0, 0.1, 10.0, 1, QStringLiteral("°")};
+    QSignalSpy edited{&slider, &ValueSlider::valueEdited};
     QLineEdit other;
     QWidget window;
 };
 
-TEST_F(ValueSliderRejection, SaysWhyUnderTheRowUntilAnotherValueIsGiven) {
+TEST_F(ValueSliderTest, SaysWhyUnderTheRowUntilAnotherValueIsGiven) {
     test::type(slider.box(), QStringLiteral("400"));
     EXPECT_EQ(slider.value(), 45.0);
     EXPECT_TRUE(slider.trouble().contains(QStringLiteral("360"))) << slider.trouble().toStdString();
@@ -45,7 +49,7 @@ TEST_F(ValueSliderRejection, SaysWhyUnderTheRowUntilAnotherValueIsGiven) {
     EXPECT_EQ(slider.trouble(), QString());
 }
 
-TEST_F(ValueSliderRejection, GoesWhenTheSliderMoves) {
+TEST_F(ValueSliderTest, GoesWhenTheSliderMoves) {
     test::type(slider.box(), QStringLiteral("-3"));
     QTest::keyClick(slider.box(), Qt::Key_Tab);
     EXPECT_FALSE(slider.trouble().isEmpty());
@@ -54,7 +58,7 @@ TEST_F(ValueSliderRejection, GoesWhenTheSliderMoves) {
     EXPECT_EQ(slider.trouble(), QString());
 }
 
-TEST_F(ValueSliderRejection, ComesAndGoesWhileNoButtonIsDown) {
+TEST_F(ValueSliderTest, ComesAndGoesWhileNoButtonIsDown) {
     const auto room = [&] { return slider.sizeHint().height(); };
     const int before = room();
     QTest::mousePress(&other, Qt::LeftButton);
@@ -75,25 +79,70 @@ TEST_F(ValueSliderRejection, ComesAndGoesWhileNoButtonIsDown) {
     EXPECT_EQ(room(), before);
 }
 
-TEST_F(ValueSliderRejection, EscapeTakesBackTheTextAndWhatIsSaidOfIt) {
+TEST_F(ValueSliderTest, EscapeTakesBackTheTextAndWhatIsSaidOfIt) {
     const QString before = slider.box()->text();
     test::type(slider.box(), QStringLiteral("400"));
     QTest::keyClick(slider.box(), Qt::Key_Escape);
     EXPECT_EQ(slider.trouble(), QString());
     EXPECT_EQ(slider.box()->text(), before);
-    slider.box()->selectAll();
-    QTest::keyClicks(slider.box(), QStringLiteral("12"));
+    test::typeOver(slider.box(), QStringLiteral("12"));
     EXPECT_EQ(slider.value(), 12.0) << "what is typed shows at once";
     QTest::keyClick(slider.box(), Qt::Key_Escape);
     EXPECT_EQ(slider.value(), 45.0);
 }
 
-TEST_F(ValueSliderRejection, KeepsASliderThatCanBeUsedWhereTheRowIsNarrow) {
+TEST_F(ValueSliderTest, KeepsASliderThatCanBeUsedWhereTheRowIsNarrow) {
     for (const int width : {150, 200, 260, 400}) {
         test::showAt(window, {width, 140});
         EXPECT_GE(slider.slider()->width(), 110) << width;
         EXPECT_FALSE(slider.slider()->geometry().intersects(slider.box()->geometry())) << width;
     }
+}
+
+TEST_F(ValueSliderTest, KeysMoveByStepAndPage) {
+    QTest::keyClick(slider.slider(), Qt::Key_Right);
+    EXPECT_DOUBLE_EQ(slider.value(), 45.1);
+    QTest::keyClick(slider.slider(), Qt::Key_PageUp);
+    EXPECT_DOUBLE_EQ(slider.value(), 55.1);
+    QTest::keyClick(slider.slider(), Qt::Key_Home);
+    EXPECT_DOUBLE_EQ(slider.value(), 0.0);
+    QTest::keyClick(slider.slider(), Qt::Key_End);
+    EXPECT_DOUBLE_EQ(slider.value(), 360.0);
+    EXPECT_EQ(edited.size(), 4);
+}
+
+TEST_F(ValueSliderTest, WheelAndGrooveMoveIt) {
+    slider.slider()->setFocus(Qt::TabFocusReason);
+    test::turnWheel(slider.slider(), slider.slider()->rect().center(), 1);
+    EXPECT_GT(slider.value(), 45.0);
+    const double before = slider.value();
+    QTest::mouseClick(slider.slider(), Qt::LeftButton, {},
+                      QPoint(slider.slider()->width() - 10, slider.slider()->height() / 2));
+    EXPECT_GT(slider.value(), before);
+}
+
+TEST_F(ValueSliderTest, WhatIsTypedKeepsItsDecimals) {
+    test::type(slider.box(), QStringLiteral("10.6257"));
+    EXPECT_EQ(slider.value(), 10.6257);
+    EXPECT_EQ(slider.box()->text(), QStringLiteral("10.6257"));
+    QTest::keyClick(slider.slider(), Qt::Key_Right);
+    EXPECT_EQ(slider.value(), 10.7);
+    EXPECT_EQ(slider.box()->text(), QStringLiteral("10.7"));
+    slider.setValue(rounded_to_digits(43.25 * std::numbers::pi / 30.0, 12) * 30.0 /
+                    std::numbers::pi);
+    EXPECT_EQ(slider.box()->text(), QStringLiteral("43.25"));
+    slider.setValue(100.0 / 3.0);  // computed
+    EXPECT_EQ(slider.box()->text(), QStringLiteral("33.3"));
+    slider.box()->setFocus();
+    slider.box()->selectAll();
+    QTest::keyClick(slider.box(), Qt::Key_Return);
+    EXPECT_EQ(slider.value(), 100.0 / 3.0);
+}
+
+TEST_F(ValueSliderTest, SettingTheValueSaysNothing) {
+    slider.setValue(100.0);
+    EXPECT_TRUE(edited.isEmpty());
+    EXPECT_NEAR(slider.slider()->value(), 1000, 1);
 }
 
 }  // namespace
