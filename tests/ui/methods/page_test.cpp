@@ -96,9 +96,7 @@ TEST_F(MethodsPageTest, NothingIsMeasuredBeforeItIsInFront) {
 TEST_F(MethodsPageTest, EscapeInTheValueBringsTheOldOneBack) {
     auto* value = find<NumberField>("value");
     const QString before = value->text();
-    value->setFocus();
-    value->selectAll();
-    QTest::keyClicks(value, QString::number(model->sweep().at(0.5)));
+    test::typeOver(value, QString::number(model->sweep().at(0.5)));
     EXPECT_NE(model->value(), model->sweep().present);
     QTest::keyClicks(value, QStringLiteral("x"));
     EXPECT_FALSE(value->trouble().isEmpty());
@@ -198,8 +196,7 @@ TEST_F(MethodsPageTest, SliderAndFieldSetTheValue) {
     test::type(field, QStringLiteral("0,001"));
     EXPECT_EQ(model->value(), 0.001);
     EXPECT_EQ(slider->value(), 300);
-    field->selectAll();
-    QTest::keyClicks(field, QStringLiteral("2"));
+    test::typeOver(field, QStringLiteral("2"));
     EXPECT_NE(field->trouble(), QString());
     EXPECT_EQ(model->value(), 0.001);
     QTest::keyClick(field, Qt::Key_Escape);
@@ -231,6 +228,7 @@ TEST_F(MethodsPageTest, MeasuresAgainAndCancels) {
     measure();
     auto* progress = page.findChild<QProgressBar*>();
     EXPECT_FALSE(progress->isVisible());
+    const MethodMeasurement* old = model->shown();
     const QPoint place = find<QPushButton>("measure_again")->pos();
     QTest::mouseClick(find<QPushButton>("measure_again"), Qt::LeftButton);
     EXPECT_TRUE(model->measurements()->isRunning());
@@ -241,6 +239,8 @@ TEST_F(MethodsPageTest, MeasuresAgainAndCancels) {
     QTest::mouseClick(find<QPushButton>("cancel"), Qt::LeftButton);
     EXPECT_FALSE(model->measurements()->isRunning());
     EXPECT_FALSE(find<PlotView>("work_plot")->isFaded());
+    QTest::qWait(200);
+    EXPECT_EQ(model->shown(), old);
     QTest::mouseClick(find<QPushButton>("measure_again"), Qt::LeftButton);
     QSignalSpy progressed(model->measurements(), &BackgroundJob::progress);
     test::waitUntilMeasured(*model);

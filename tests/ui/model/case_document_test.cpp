@@ -62,13 +62,9 @@ TEST_F(CaseDocumentTest, IsNamedByItsFileElseByItsTitle) {
     open(written("nine.case.json", 9.0));
     EXPECT_EQ(document.name(), QStringLiteral("nine.case.json"));
     EXPECT_EQ(model.title(), QStringLiteral("A title"));
+    EXPECT_EQ(model.context().directory, std::filesystem::path(folder.path().toStdString()));
     EXPECT_EQ(document.asOpenCase().file.title, "A title");
     EXPECT_EQ(document.asOpenCase().file.input.at("crank_radius_mm"), 9.0);
-}
-
-TEST_F(CaseDocumentTest, FilesThatTheCaseNamesLieBesideIt) {
-    open(written("nine.case.json", 9.0));
-    EXPECT_EQ(model.context().directory, std::filesystem::path(folder.path().toStdString()));
 }
 
 TEST_F(CaseDocumentTest, NeedsSavingUntilItIsSaved) {
@@ -77,6 +73,10 @@ TEST_F(CaseDocumentTest, NeedsSavingUntilItIsSaved) {
     QSignalSpy saved(&document, &CaseDocument::saved);
     model.set("square", 16.0);
     EXPECT_TRUE(document.needsSaving());
+    model.history()->undo();
+    EXPECT_FALSE(document.needsSaving());
+    EXPECT_TRUE(document.canClose());
+    model.set("square", 16.0);
     EXPECT_TRUE(document.save());
     EXPECT_FALSE(document.needsSaving());
     EXPECT_EQ(saved.size(), 1);
@@ -84,15 +84,6 @@ TEST_F(CaseDocumentTest, NeedsSavingUntilItIsSaved) {
     model.set("square", 25.0);
     open(document.path());
     EXPECT_EQ(model.root(), 4.0);
-}
-
-TEST_F(CaseDocumentTest, UndoneToTheFileItNeedsNoSaving) {
-    open(written("nine.case.json", 9.0));
-    model.set("square", 16.0);
-    model.history()->undo();
-    EXPECT_FALSE(document.needsSaving());
-    EXPECT_TRUE(document.canClose());
-    EXPECT_TRUE(asked.isEmpty());
 }
 
 TEST_F(CaseDocumentTest, ABadFileChangesNothing) {
@@ -140,6 +131,10 @@ TEST_F(CaseDocumentTest, SaysWhatCannotBeWritten) {
 }
 
 TEST_F(CaseDocumentTest, AsksBeforeChangesAreLost) {
+    model.set("square", 9.0);
+    EXPECT_FALSE(document.canClose());
+    EXPECT_EQ(asked, QStringList{QStringLiteral("save, without a file?")});
+    asked.clear();
     open(written("nine.case.json", 9.0));
     model.set("square", 16.0);
     EXPECT_FALSE(document.canClose());
@@ -174,16 +169,6 @@ TEST_F(CaseDocumentTest, SavesWhereThatIsTheAnswer) {
     model.loadDefault();
     open(file("nine.case.json"));
     EXPECT_EQ(model.root(), 4.0);
-}
-
-TEST_F(CaseDocumentTest, TellsWhetherTheCaseHasAFile) {
-    model.set("square", 9.0);
-    EXPECT_FALSE(document.canClose());
-    open(written("nine.case.json", 9.0));
-    model.set("square", 16.0);
-    EXPECT_FALSE(document.canClose());
-    EXPECT_EQ(asked,
-              (QStringList{QStringLiteral("save, without a file?"), QStringLiteral("save?")}));
 }
 
 TEST_F(CaseDocumentTest, WhatIsBeingTypedIsSaved) {
