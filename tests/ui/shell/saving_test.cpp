@@ -133,8 +133,7 @@ TEST_F(SavingTest, TitleAndNotesAreFieldsThatAreSavedAndUndone) {
     ASSERT_NE(dialog, nullptr);
     auto* title = test::named<QLineEdit>(*dialog, "case_title");
     EXPECT_EQ(title->text(), QStringLiteral("TMZ-650D"));
-    title->selectAll();
-    QTest::keyClicks(title, QStringLiteral("My engine"));
+    test::typeOver(title, QStringLiteral("My engine"));
     auto* notes = test::named<QPlainTextEdit>(*dialog, "case_notes");
     QTest::keyClicks(notes, QStringLiteral("Measured on Monday"));
     QTest::keyClick(title, Qt::Key_Return);
@@ -178,9 +177,7 @@ TEST_F(SavingTest, UndoTakesBackARejectedEntryWhereNothingElseIsToUndo) {
     auto* field = test::named<NumberField>(*window.currentPage(), "crank_radius_mm");
     QAction* undo = test::actionOfKeys(window, QKeySequence::Undo);
     const QString shown = field->text();
-    field->setFocus();
-    field->selectAll();
-    QTest::keyClicks(field, QStringLiteral("-7"));
+    test::typeOver(field, QStringLiteral("-7"));
     QTest::keyClick(field, Qt::Key_Tab);
     ASSERT_FALSE(field->trouble().isEmpty());
     QApplication::processEvents();
@@ -501,23 +498,6 @@ TEST_F(SavingTest, GivingUpTheSearchLeavesAllAsItWas) {
     press(Qt::Key_O);
     EXPECT_EQ(asked.size(), 2);
     EXPECT_EQ(model().title(), QStringLiteral("TMZ-650D"));
-}
-
-TEST_F(SavingTest, SourcesOfTorqueOutOfUseStayInTheFile) {
-    const QString path = caseWithTable("a");
-    Json document = read(path);
-    document["kept"] = {{"torque",
-                         {{"cycle",
-                           {{"bore_mm", 95.5},
-                            {"rod_length_mm", 150},
-                            {"compression_ratio", 17},
-                            {"indicated_mean_effective_pressure_bar", 7},
-                            {"combustion_start_deg", 352},
-                            {"combustion_duration_deg", 60}}}}}};
-    write_text_file(fsPath(path), document.dump());
-    ASSERT_EQ(window.openCase(path), QString());
-    ASSERT_EQ(window.documents().current().document->saveTo(path), QString());
-    EXPECT_EQ(read(path).at("kept").at("torque").at("cycle").at("compression_ratio"), 17);
 }
 
 TEST_F(SavingTest, ThePageIsWrittenAsADrawing) {

@@ -45,14 +45,17 @@ class Settings : public ::testing::Test {
     }
 
     SettingsDialog* open() {
-        QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
-        QApplication::processEvents();
+        if (window.findChild<SettingsDialog*>() == nullptr) {
+            QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
+            QApplication::processEvents();
+        }
         auto* dialog = window.findChild<SettingsDialog*>();
         EXPECT_NE(dialog, nullptr);
         return dialog;
     }
     /// Chooses by the keyboard, as a user does.
-    static void choose(SettingsDialog* dialog, const char* name, const QVariant& data) {
+    void choose(const char* name, const QVariant& data) {
+        const SettingsDialog* dialog = open();
         auto* box = test::named<QComboBox>(*dialog, name);
         const int wanted = box->findData(data);
         ASSERT_GE(wanted, 0) << name;
@@ -84,7 +87,7 @@ TEST_F(Settings, UnitsChangeAtOnceAndTheCaseStays) {
     SceneModel* model = window.currentPage()->model();
     const Json before = model->inputJson();
     EXPECT_TRUE(hasLabel(u"mm"_s));
-    choose(open(), "length_unit", static_cast<int>(Preferences::Units::Imperial));
+    choose("length_unit", static_cast<int>(Preferences::Units::Imperial));
     EXPECT_TRUE(hasLabel(u"in"_s));
     EXPECT_FALSE(hasLabel(u"mm"_s));
     EXPECT_EQ(window.currentPage()->model(), model);
@@ -104,8 +107,7 @@ TEST_F(Settings, LanguageChangesAtOnceAndThePageGoesOn) {
     const QString field =
         test::named<NumberField>(*window.currentPage(), "crank_radius_mm")->accessibleName();
 
-    SettingsDialog* dialog = open();
-    choose(dialog, "language", u"ru"_s);
+    choose("language", u"ru"_s);
     QApplication::processEvents();
 
     EXPECT_EQ(currentLanguage(), u"ru"_s);
@@ -118,7 +120,7 @@ TEST_F(Settings, LanguageChangesAtOnceAndThePageGoesOn) {
               field);
     EXPECT_TRUE(onPage<QLineEdit>("crank_radius_mm")->isEnabled());
     // The history is the same: one step back is the value of before.
-    dialog->close();
+    open()->close();
     window.activateWindow();
     QApplication::processEvents();
     ASSERT_TRUE(model->history()->canUndo());
@@ -154,12 +156,10 @@ TEST_F(Settings, TabsAreKeptAlsoAfterTheWindowWasNarrow) {
         return all;
     };
     ASSERT_EQ(now(), chosen);
-    SettingsDialog* dialog = open();
-    choose(dialog, "language", u"ru"_s);
-    choose(dialog, "language", u"en"_s);
+    choose("language", u"ru"_s);
+    choose("language", u"en"_s);
     QApplication::processEvents();
     EXPECT_EQ(now(), chosen);
-    dialog->close();
 }
 
 TEST_F(Settings, TheLanguageInUseIsShown) {
@@ -190,9 +190,7 @@ TEST_F(Settings, EveryPageIsTheSameAfterTheLanguageWasChangedThereAndBack) {
 TEST_F(Settings, AnEditingEndsWithItsValueWhenThePageIsMadeAgain) {
     window.showScene(u"balance-shaft"_s);
     auto* field = onPage<NumberField>("crank_radius_mm");
-    field->setFocus();
-    field->selectAll();
-    QTest::keyClicks(field, u"50"_s);
+    test::typeOver(field, u"50"_s);
     Preferences::instance().setLanguage(u"ru"_s);
     QApplication::processEvents();
     SceneModel* model = window.currentPage()->model();
@@ -240,16 +238,14 @@ TEST_F(Settings, WhatWasChosenBesideTheCaseSurvivesANewPage) {
 TEST_F(Settings, TextGrowsAtOnce) {
     window.showScene(u"balance-shaft"_s);
     const int before = onPage<NumberField>("crank_radius_mm")->font().pixelSize();
-    SettingsDialog* dialog = open();
-    choose(dialog, "text", 150);
+    choose("text", 150);
     QApplication::processEvents();
     EXPECT_EQ(onPage<NumberField>("crank_radius_mm")->font().pixelSize(), qRound(1.5 * before));
     EXPECT_EQ(QSettings().value(u"view/text"_s).toInt(), 150);
 }
 
 TEST_F(Settings, ThemeOfTheMenuAndOfTheSettingsIsOne) {
-    SettingsDialog* dialog = open();
-    choose(dialog, "theme", static_cast<int>(Theme::Mode::Dark));
+    choose("theme", static_cast<int>(Theme::Mode::Dark));
     EXPECT_TRUE(Theme::instance().isDark());
     EXPECT_EQ(QSettings().value(u"view/theme"_s).toInt(), static_cast<int>(Theme::Mode::Dark));
 }
@@ -257,8 +253,7 @@ TEST_F(Settings, ThemeOfTheMenuAndOfTheSettingsIsOne) {
 TEST_F(Settings, DigitsOfResults) {
     const QLocale english(QLocale::English);
     EXPECT_EQ(fixedNumber(1234.5678, 1, english), u"1234.6"_s);
-    SettingsDialog* dialog = open();
-    choose(dialog, "digits", 6);
+    choose("digits", 6);
     QApplication::processEvents();
     EXPECT_EQ(fixedNumber(1234.5678, 1, english), u"1234.57"_s);
     EXPECT_EQ(fixedNumber(0.00123456789, 2, english), u"0.00123457"_s);
@@ -266,7 +261,7 @@ TEST_F(Settings, DigitsOfResults) {
     EXPECT_EQ(fixedNumber(12.0, 0, english), u"12"_s);
     EXPECT_EQ(fixedNumber(0.0, 2, english), u"0.00"_s);
     EXPECT_EQ(fixedNumber(-7.8357568328379722e26, 4, english), u"−7.83576E+26"_s);
-    choose(dialog, "digits", 0);
+    choose("digits", 0);
     EXPECT_EQ(fixedNumber(1234.5678, 1, english), u"1234.6"_s);
 }
 
