@@ -274,11 +274,6 @@ TEST_F(CommandLine, OnlyWhatIsAskedForIsPrintedUnderItsOwnPath) {
                   "case.json")
                   .out,
               some.out);
-    // Each value alone is what it is among all.
-    for (const auto& value : whole.items()) {
-        const Outcome one = run("solve case.json --only /" + value.key());
-        EXPECT_EQ(Json::parse(one.out).at("result"), (Json{{value.key(), value.value()}}));
-    }
     // What lies in something asked for comes with it.
     EXPECT_EQ(Json::parse(run("solve case.json --only /optimum/range,/optimum").out).at("result"),
               (Json{{"optimum", whole["optimum"]}}));
@@ -384,10 +379,12 @@ TEST_F(CommandLine, EveryOptionRejectsNonsense) {
     EXPECT_GE(tried, 3 * 8);
     for (const char* arguments :
          {"solve case.json --only /a --only ''", "study case.json --shard 0/1",
-          "study case.json --shard 2", "study case.json --shard 1/2x",
-          "study case.json --threads 0", "study case.json --threads 1.5",
-          "study --merge a --threads 2", "study --merge a ''", "solve case.json --batch=maybe",
-          "methods --kernel Slider-Crank", "methods case.json", "validate case.json"}) {
+          "study case.json --shard 2", "study case.json --shard 1/2x", "study",
+          "study case.json --shard 4/3", "study case.json --shard 1/1025",
+          "study case.json --merge part", "study case.json --threads 0",
+          "study case.json --threads 1.5", "study --merge a --threads 2", "study --merge a ''",
+          "solve case.json --batch=maybe", "methods --kernel Slider-Crank", "methods case.json",
+          "validate case.json"}) {
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.status, 2) << arguments;
         EXPECT_EQ(outcome.out, "") << arguments;
@@ -399,17 +396,6 @@ TEST_F(CommandLine, SaysItsVersion) {
     const Outcome version = run("--version");
     EXPECT_EQ(version.status, 0);
     EXPECT_EQ(version.out, "ravnoves-cli " RAVNOVES_VERSION "\n");
-}
-
-TEST_F(CommandLine, FindsTheTorqueTableBesideTheCase) {
-    fs::create_directory(folder / "study");
-    write("study/torque.csv", "0;0\n180;100\n360;50,5\n540;-20\n720;0\n");
-    Json beside = example();
-    beside["input"]["torque"] = {{"csv", "torque.csv"}};
-    write("study/case.json", beside.dump());
-    const Outcome outcome = run("solve study/case.json");
-    ASSERT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_EQ(Json::parse(outcome.out).at("result").at("metrics").at("M_up").at("min_Nm"), -100.0);
 }
 
 TEST_F(CommandLine, BadTorqueFilesNameLineAndColumn) {
