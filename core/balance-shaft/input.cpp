@@ -192,16 +192,6 @@ void check_limits(const PlaceLimits& limits) {
 
 }  // namespace
 
-Message TorqueSource::changed_note() const {
-    if (!has_changed()) {
-        return {};
-    }
-    return {Text::tr(
-                "%1 has changed since this case was made: import it again to accept the change, or "
-                "restore the old file."),
-            kind == Kind::csv ? csv.name : trace_file.name};
-}
-
 double Input::reciprocating_mass() const {
     double sum = 0.0;
     for (const NamedMass& part : reciprocating_masses) {

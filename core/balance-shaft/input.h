@@ -86,8 +86,6 @@ struct TorqueSource {
         return (kind == Kind::csv && csv.has_changed()) ||
                (kind == Kind::pressure && trace_file.has_changed());
     }
-    /// Says so; else empty.
-    Message changed_note() const;
     bool operator==(const TorqueSource&) const = default;
 };
 

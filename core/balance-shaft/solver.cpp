@@ -247,8 +247,9 @@ void Solver::Prepared::prepare_notes() {
             base.notes.push_back(assumed_unit_note(trace.unit));
         }
     }
-    if (Message changed = input.torque.changed_note(); !changed.empty()) {
-        base.notes.push_back(std::move(changed));
+    if (const TorqueSource& torque = input.torque; torque.has_changed()) {
+        const bool is_table = torque.kind == TorqueSource::Kind::csv;
+        base.notes.push_back(changed_note((is_table ? torque.csv : torque.trace_file).name));
     }
     if (input.relieved_shaft && input.relieved_shaft->had_bending) {
         base.notes.emplace_back(Text::tr(

@@ -28,4 +28,11 @@ bool is_other_sum(std::string_view kept, std::string_view now) {
                                         [&](char a, char b) { return small(a) == small(b); });
 }
 
+Message changed_note(const std::string& file) {
+    return {Text::tr(
+                "%1 has changed since this case was made: import it again to accept the change, or "
+                "restore the old file."),
+            file};
+}
+
 }  // namespace ravnoves

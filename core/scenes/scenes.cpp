@@ -97,11 +97,6 @@ std::vector<ResultEntry> results_of(const Json& input, const CaseContext& contex
     return list_results(read_whole<read>(input, context));
 }
 
-std::vector<Message> torque_notes(const Json& json, const CaseContext& context) {
-    const Message changed = balance_shaft::read_input(json, context).torque.changed_note();
-    return changed.empty() ? std::vector<Message>() : std::vector{changed};
-}
-
 template <auto presets>
 std::vector<Preset<Json>> written() {
     std::vector<Preset<Json>> list;
@@ -139,7 +134,6 @@ SceneSolver balance_shaft_scene() {
         "balance-shaft", Text::tr("Balance shaft"),
         Text::tr("Position the balance shaft of a single-cylinder engine"));
     made.buildable = "/buildable/at_shaft_angle";
-    made.file_notes = torque_notes;
     return made;
 }
 

@@ -42,9 +42,6 @@ struct SceneSolver {
     std::vector<ResultEntry> (*results)(const Json& input, const CaseContext& context);
     /// Pointer below "result" to whether a case is feasible, yes or no; empty without one.
     std::string_view buildable{};
-    /// Notes on the files that a case names, for any question; null where it names none.
-    /// @throws InputError as solve()
-    std::vector<Message> (*file_notes)(const Json& input, const CaseContext& context) = nullptr;
 };
 
 /// The scenes that have a solver, in the order of the navigation.

@@ -9,6 +9,7 @@
 #include "case-file/sha256.h"
 #include "case-file/text_file.h"
 #include "case-file/wanted.h"
+#include "scenes/case_sources.h"
 #include "scenes/scenes.h"
 #include "studies/law.h"
 #include "studies/study_run.h"
@@ -97,8 +98,8 @@ Problem problem_of(const CaseFile& file, const CaseContext& context, std::string
                     watch = pointers_of(problem.study.watch)] {
         return solver.respond(file.input, context, vary, watch);
     };
-    if (solver.file_notes != nullptr) {
-        problem.file_notes = solver.file_notes(file.input, context);
+    for (const std::string& changed : changed_files(file.input, context)) {
+        problem.file_notes.push_back(changed_note(changed));
     }
     return problem;
 }
