@@ -15,6 +15,13 @@ namespace {
 constexpr std::size_t max_varied = 1000;
 constexpr std::size_t max_watched = 32;
 
+using Spread = Varied::Spread;
+
+/// The spreads that one number says.
+constexpr std::array sizes{std::pair{"plus_minus", Spread::plus_minus},
+                           std::pair{"plus_minus_percent", Spread::plus_minus_percent},
+                           std::pair{"normal_sd", Spread::normal}};
+
 constexpr std::array methods{
     Word{"linear", Text::tr("Linear")},
     Word{"monte-carlo", Text::tr("Monte Carlo")},
@@ -22,18 +29,15 @@ constexpr std::array methods{
     Word{"grid", Text::tr("Grid")},
 };
 
-bool is_pointer(const std::string& text) {
-    try {
-        return !Json::json_pointer(text).empty();
-    } catch (const Json::exception&) {
-        return false;
-    }
-}
-
 void check_pointer(const std::string& key, const std::string& place) {
-    if (!is_pointer(key)) {
-        throw InputError(place, Text::tr("must be a JSON pointer, such as /crank_radius_mm"));
+    try {
+        if (!Json::json_pointer(key).empty()) {
+            return;
+        }
+    } catch (const Json::exception&) {
+        // It is no pointer either.
     }
+    throw InputError(place, Text::tr("must be a JSON pointer, such as /crank_radius_mm"));
 }
 
 std::uint64_t whole(ObjectReader& reader, const char* key, std::uint64_t minimum,
@@ -78,11 +82,7 @@ void reject_former_method(ObjectReader& reader) {
 
 Varied read_varied(const std::string& pointer, ObjectReader reader) {
     Varied varied{.pointer = pointer};
-    using Spread = Varied::Spread;
     constexpr Range positive = Range::greater_than(0.0);
-    constexpr std::array sizes{std::pair{"plus_minus", Spread::plus_minus},
-                               std::pair{"plus_minus_percent", Spread::plus_minus_percent},
-                               std::pair{"normal_sd", Spread::normal}};
     int given = 0;
     for (const auto& [key, spread] : sizes) {
         if (reader.has(key)) {
@@ -249,30 +249,20 @@ Study read_study(const Json& json, bool half_filled) {
 Json write_study(const Study& study) {
     Json vary = Json::object();
     for (const Varied& varied : study.vary) {
-        Json& spread = vary[varied.pointer];
-        switch (varied.spread) {
-            case Varied::Spread::plus_minus:
-                spread["plus_minus"] = varied.size;
-                break;
-            case Varied::Spread::plus_minus_percent:
-                spread["plus_minus_percent"] = varied.size;
-                break;
-            case Varied::Spread::normal:
-                spread["normal_sd"] = varied.size;
-                break;
-            case Varied::Spread::grid:
-                if (varied.steps == 0) {
-                    spread["values"] = varied.values;
-                    break;
-                }
-                [[fallthrough]];
-            case Varied::Spread::uniform:
-                spread["from"] = varied.from;
-                spread["to"] = varied.to;
-                if (varied.steps != 0) {
-                    spread["steps"] = varied.steps;
-                }
-                break;
+        Json& json = vary[varied.pointer];
+        for (const auto& [key, spread] : sizes) {
+            if (varied.spread == spread) {
+                json[key] = varied.size;
+            }
+        }
+        if (varied.spread == Spread::grid && varied.steps == 0) {
+            json["values"] = varied.values;
+        } else if (varied.spread == Spread::grid || varied.spread == Spread::uniform) {
+            json["from"] = varied.from;
+            json["to"] = varied.to;
+            if (varied.steps != 0) {
+                json["steps"] = varied.steps;
+            }
         }
     }
     Json watch = Json::object();

@@ -12,6 +12,7 @@
 #include "case-file/json.h"
 #include "numerics/angle.h"
 #include "numerics/constants.h"
+#include "studies/taylor.h"
 
 namespace ravnoves::studies {
 
@@ -172,11 +173,9 @@ void Tally::add_pair(std::uint64_t sample, std::size_t input, std::span<const do
     const std::size_t cell = input * replicates + sample % replicates;
     ++pair_counts_[cell];
     for (std::size_t w = 0; w < values_.size(); ++w) {
-        const double off = other[w] - y[w];
-        const double period = plan_[w].period;
-        const std::int64_t difference =
-            places(plan_[w], period == 0.0 ? off : std::remainder(off, period), 0x1p23);
-        values_[w].pairs[cell] += difference * difference;
+        const std::int64_t apart =
+            places(plan_[w], difference(other[w], y[w], plan_[w].period), 0x1p23);
+        values_[w].pairs[cell] += apart * apart;
     }
 }
 
@@ -195,13 +194,17 @@ void Tally::add(const Tally& other) {
     add_each(slice_counts_, other.slice_counts_);
     add_each(pair_counts_, other.pair_counts_);
     for (const auto& [kind, more] : other.rejections_) {
-        Rejection& rejection = rejections_[kind];
-        if (rejection.count == 0 || more.first < rejection.first) {
-            rejection.first = more.first;
-            rejection.reason = more.reason;
-        }
-        rejection.count += more.count;
+        rejections_[kind] += more;
     }
+}
+
+Rejection& Rejection::operator+=(const Rejection& more) {
+    if (count == 0 || more.first < first) {
+        first = more.first;
+        reason = more.reason;
+    }
+    count += more.count;
+    return *this;
 }
 
 std::uint64_t count_of(const Rejections& rejections) {
@@ -213,12 +216,7 @@ std::uint64_t count_of(const Rejections& rejections) {
 }
 
 void reject(Rejections& rejections, std::uint64_t sample, const Reason& reason) {
-    Rejection& rejection = rejections[without_numbers(reason.message().english())];
-    if (rejection.count == 0 || sample < rejection.first) {
-        rejection.first = sample;
-        rejection.reason = reason;
-    }
-    ++rejection.count;
+    rejections[without_numbers(reason.message().english())] += {1, sample, reason};
 }
 
 Json write_rejections(const Rejections& rejections) {

@@ -59,6 +59,7 @@ struct Rejection {
     std::uint64_t count = 0;
     std::uint64_t first = 0;  ///< the sample that the reason is of
     Reason reason;
+    Rejection& operator+=(const Rejection& more);
 };
 
 /// By the English reason without its numbers.
