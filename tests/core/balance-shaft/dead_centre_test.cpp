@@ -13,23 +13,14 @@ namespace {
 using test::SyntheticEngine;
 
 /// A trace whose angles count from elsewhere, with noise.
-PressureTrace noisy_trace(const std::vector<double>& pressure, double step_deg, double first_deg,
+PressureTrace noisy_trace(std::vector<double> pressure, double step_deg, double first_deg,
                           double noise, unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> error(0.0, noise);
-    PressureTrace trace;
-    for (std::size_t i = 0; i < pressure.size(); ++i) {
-        trace.crank_angle_deg.push_back(first_deg + static_cast<double>(i) * step_deg);
-        trace.pressure.push_back(std::max(pressure[i] + error(random), 100.0));
+    for (double& value : pressure) {
+        value = std::max(value + error(random), 100.0);
     }
-    trace.crank_angle_deg.push_back(first_deg + static_cast<double>(pressure.size()) * step_deg);
-    trace.pressure.push_back(trace.pressure.front());
-    return trace;
-}
-
-PressureTrace synthetic_trace(const SyntheticEngine& engine, double step_deg, double first_deg,
-                              double noise, unsigned seed) {
-    return noisy_trace(engine.pressure(step_deg), step_deg, first_deg, noise, seed);
+    return test::trace_of(std::move(pressure), step_deg, first_deg);
 }
 
 double error_of_centre(const DeadCentre& found, double first_deg, int strokes) {
@@ -70,7 +61,7 @@ TEST(DeadCentre, IsFoundToHalfADegree) {
 TEST(DeadCentre, KnowsTheLossAngle) {
     SyntheticEngine engine = test::synthetic_engines()[7];
     ASSERT_EQ(std::string(engine.name), "motored diesel, cold");
-    const auto trace = synthetic_trace(engine, 0.1, -360.0, 0.0, 1);
+    const auto trace = test::trace_of(engine.pressure(0.1), 0.1, -360.0);
     const auto highest = std::max_element(trace.pressure.begin(), trace.pressure.end());
     const double peak =
         trace.crank_angle_deg[static_cast<std::size_t>(highest - trace.pressure.begin())];
@@ -85,10 +76,11 @@ TEST(DeadCentre, KnowsTheLossAngle) {
 // Less of the line, more noise: less sure, and it says so.
 TEST(DeadCentre, SaysHowSureItIs) {
     SyntheticEngine engine = test::synthetic_engines().back();
-    const auto sure = find_dead_centre(engine.crank, synthetic_trace(engine, 0.5, 0.0, 1e3, 5));
-    const auto noisy = find_dead_centre(engine.crank, synthetic_trace(engine, 0.5, 0.0, 2e4, 5));
+    const auto pressure = engine.pressure(0.5);
+    const auto sure = find_dead_centre(engine.crank, noisy_trace(pressure, 0.5, 0.0, 1e3, 5));
+    const auto noisy = find_dead_centre(engine.crank, noisy_trace(pressure, 0.5, 0.0, 2e4, 5));
     const auto known =
-        find_dead_centre(engine.crank, synthetic_trace(engine, 0.5, 0.0, 1e3, 5), 10.0);
+        find_dead_centre(engine.crank, noisy_trace(pressure, 0.5, 0.0, 1e3, 5), 10.0);
     ASSERT_TRUE(sure && noisy && known);
     EXPECT_GT(noisy->uncertainty, 1.5 * sure->uncertainty);
     EXPECT_LT(known->uncertainty, sure->uncertainty);
@@ -113,11 +105,7 @@ TEST(DeadCentre, ProposesWholeTurnsWhereTheRestIsUncertain) {
 }
 
 TEST(DeadCentre, IsNoneWithoutACompression) {
-    PressureTrace flat;
-    for (int i = 0; i <= 720; ++i) {
-        flat.crank_angle_deg.push_back(i);
-        flat.pressure.push_back(1e5);
-    }
+    PressureTrace flat = test::trace_of(std::vector(720, 1e5), 1.0);
     EXPECT_FALSE(find_dead_centre({0.046, 0.150, 0.0}, flat));
     flat.pressure.assign(721, 0.0);
     EXPECT_FALSE(find_dead_centre({0.046, 0.150, 0.0}, flat));

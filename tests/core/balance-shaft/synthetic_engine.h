@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "balance-shaft/cylinder_gas.h"
@@ -92,6 +93,18 @@ struct SyntheticEngine {
         return values;
     }
 };
+
+/// A cycle of pressures at equal steps; the last row repeats the first.
+inline PressureTrace trace_of(std::vector<double> pressure, double step_deg,
+                              double first_deg = 0.0) {
+    PressureTrace trace;
+    pressure.push_back(pressure.front());
+    for (std::size_t i = 0; i < pressure.size(); ++i) {
+        trace.crank_angle_deg.push_back(first_deg + static_cast<double>(i) * step_deg);
+    }
+    trace.pressure = std::move(pressure);
+    return trace;
+}
 
 inline std::vector<SyntheticEngine> synthetic_engines() {
     return {

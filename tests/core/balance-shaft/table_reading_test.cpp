@@ -101,16 +101,6 @@ double work_of(const SyntheticEngine& engine, const PressureTrace& trace) {
     return CylinderGas(engine.crank, engine.bore, 1e5, shifted, false).indicated().work;
 }
 
-PressureTrace exact_trace(const SyntheticEngine& engine, double step) {
-    PressureTrace trace;
-    trace.pressure = engine.pressure(step);
-    for (std::size_t i = 0; i <= trace.pressure.size(); ++i) {
-        trace.crank_angle_deg.push_back(step * static_cast<double>(i));
-    }
-    trace.pressure.push_back(trace.pressure.front());
-    return trace;
-}
-
 TEST(TableReading, FilesAsTheyComeHaveTheRightWork) {
     std::mt19937 random(46);
     const auto any = [&](auto... choices) {
@@ -168,7 +158,8 @@ TEST(TableReading, FilesAsTheyComeHaveTheRightWork) {
         ASSERT_NO_THROW(read = parse_pressure_trace(text, proposal.reading));
         EXPECT_EQ(read.cycles, static_cast<std::size_t>(written.cycles));
         EXPECT_EQ(read.strokes, engine.strokes);
-        const double work = work_of(engine, exact_trace(engine, written.step));
+        const double work =
+            work_of(engine, test::trace_of(engine.pressure(written.step), written.step));
         const double scale = std::abs(work) + 0.02 * engine.intake * 6e-4;
         EXPECT_NEAR(work_of(engine, read.trace), work, 1e-3 * scale);
         if (HasFailure()) {
@@ -188,7 +179,8 @@ TEST(TableReading, RowsThatDoNotDivideTheCycleAreAveragedToo) {
     const auto read = parse_pressure_trace(text);
     EXPECT_EQ(read.cycles, 10U);
     EXPECT_EQ(read.strokes, 4);
-    EXPECT_NEAR(work_of(engine, read.trace), work_of(engine, exact_trace(engine, 0.1)), 5.0);
+    EXPECT_NEAR(work_of(engine, read.trace),
+                work_of(engine, test::trace_of(engine.pressure(0.1), 0.1)), 5.0);
     // 28° are few rows, and read as they are.
     std::string coarse = "deg;bar\n";
     for (int i = 0; i < 26; ++i) {
@@ -254,8 +246,8 @@ TEST(TableReading, ACaseNamesColumnsUnitAndGauge) {
     const CaseContext context{folder.path()};
     const Input input = read_input(json, context);
     EXPECT_EQ(input.torque.trace.pressure.size(), 721U);
-    EXPECT_NEAR(work_of(engine, input.torque.trace), work_of(engine, exact_trace(engine, 1.0)),
-                0.5);
+    EXPECT_NEAR(work_of(engine, input.torque.trace),
+                work_of(engine, test::trace_of(engine.pressure(1.0), 1.0)), 0.5);
     EXPECT_EQ(write_input(input).at("torque").at("pressure").at("columns"), Json({5, "cyl1"}));
     EXPECT_EQ(read_input(write_input(input), context), input);
     // Names above units: the name, or both.
@@ -447,7 +439,7 @@ TEST(TableReading, TracesOfFineStepsThatLackTheirLastRowAreClosedNotStretched) {
          {test::synthetic_engines()[0], test::synthetic_engines()[10]}) {
         for (const double step : {1.0, 0.5, 0.25, 0.1}) {
             SCOPED_TRACE(std::string(engine.name) + " " + std::to_string(step));
-            const auto exact = exact_trace(engine, step);
+            const auto exact = test::trace_of(engine.pressure(step), step);
             for (const bool is_closed : {false, true}) {
                 std::string text = file_as(engine, {.step = step});
                 if (is_closed) {
