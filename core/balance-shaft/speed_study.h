@@ -120,7 +120,7 @@ class SpeedStudy {
 
     Message reason_;
     BuildableAngles buildable_;
-    double phase_ = 0.0;  ///< Solver::shaft_phase()
+    double phase_ = 0.0;  ///< of the piston's first order, rad
     bool complete_ = false;
     PeriodicPiecewise gas_;      ///< parts of M_up = gas + ω² inertia, N·m
     PeriodicPiecewise inertia_;  ///< N·m s²
