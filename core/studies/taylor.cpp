@@ -10,10 +10,6 @@ namespace ravnoves::studies {
 
 namespace {
 
-double square_of(double x) {
-    return x * x;
-}
-
 constexpr std::size_t levels = 7;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -109,10 +105,10 @@ std::optional<Taylor::Propagated> Taylor::propagated(std::span<const Law> laws) 
         if (!slopes[j]) {
             return std::nullopt;
         }
-        const double v = square_of(laws[j].deviation);
-        found.shares[j] = square_of(slopes[j]->value) * v;
+        const double v = std::pow(laws[j].deviation, 2);
+        found.shares[j] = std::pow(slopes[j]->value, 2) * v;
         variance += found.shares[j];
-        variance_error += square_of(2.0 * slopes[j]->value * slopes[j]->error * v);
+        variance_error += std::pow(2.0 * slopes[j]->value * slopes[j]->error * v, 2);
     }
     found.deviation = std::sqrt(variance);
     if (variance > 0.0) {
