@@ -128,10 +128,7 @@ TEST(Study, PercentilesKeepToTheContract) {
     Json study = normal_study(1, "monte-carlo", 20'000, 3);
     study["vary"]["/x0"] = {{"from", 0}, {"to", 1}};
     study["watch"]["/y"] = {{"min", 0.5}, {"max", 1.5}};
-    const auto law = [](auto x, auto y) {
-        y[0] = -std::log1p(-x[0]);
-        return true;
-    };
+    const auto law = always([](auto x) { return -std::log1p(-x[0]); });
     const Part part = whole(problem(study, {0.5}, law));
     std::vector<double> values(20'000);
     const CounterRandom random(3);
@@ -182,28 +179,17 @@ std::vector<Known> known_functions() {
     const std::vector<double> shares{0.00908, 0.01675, 0.0014, 0.97277};
     std::vector<Known> all{{"linear", {{"plus_minus", 1}}, shares, shares, linear(shares)},
                            {"linear, normal", {{"normal_sd", 1}}, shares, shares, linear(shares)},
-                           {"Ishigami",
-                            {{"plus_minus", pi}},
-                            {},
-                            {},
-                            [](auto x, auto y) {
-                                y[0] = std::sin(x[0]) + 7.0 * std::pow(std::sin(x[1]), 2) +
+                           {"Ishigami", {{"plus_minus", pi}}, {}, {}, always([](auto x) {
+                                return std::sin(x[0]) + 7.0 * std::pow(std::sin(x[1]), 2) +
                                        0.1 * std::pow(x[2], 4) * std::sin(x[0]);
-                                return true;
-                            }},
-                           {"product with corners",
-                            {{"plus_minus", 2}},
-                            {},
-                            {},
-                            [](auto x, auto y) {
-                                y[0] = (std::abs(x[0]) + 0.0) * (std::abs(x[1]) + 1.0) *
+                            })},
+                           {"product with corners", {{"plus_minus", 2}}, {}, {}, always([](auto x) {
+                                return (std::abs(x[0]) + 0.0) * (std::abs(x[1]) + 1.0) *
                                        (std::abs(x[2]) + 4.5);
-                                return true;
-                            }},
-                           {"product, normal", {{"normal_sd", 1}}, {}, {}, [](auto x, auto y) {
-                                y[0] = std::exp(0.3 * x[0] + 0.5 * x[1] + 0.6 * x[2]);
-                                return true;
-                            }}};
+                            })},
+                           {"product, normal", {{"normal_sd", 1}}, {}, {}, always([](auto x) {
+                                return std::exp(0.3 * x[0] + 0.5 * x[1] + 0.6 * x[2]);
+                            })}};
     const double mixed = 8.0 * std::pow(pi, 8) / 22'500.0;
     const double one = 0.5 * std::pow(1.0 + std::pow(pi, 4) / 50.0, 2);
     const double two = 49.0 / 8.0;
@@ -303,25 +289,13 @@ TEST(Study, SaysWhereTheLinearAnswerFails) {
     const auto note = [](const char* method, const Function& function, double nominal = 0.0) {
         return notes_text(whole(problem(normal_study(1, method, 4096, 1), {nominal}, function)));
     };
-    const auto line = [](auto x, auto y) {
-        y[0] = 5.0 - 2.0 * x[0] + 1e-3 * x[0] * x[0];
-        return true;
-    };
-    const auto jump = [](auto x, auto y) {
-        y[0] = x[0] + (x[0] > 0.7 ? 4.0 : 0.0);
-        return true;
-    };
-    const auto corner = [](auto x, auto y) {
-        y[0] = std::max(x[0], -0.375);
-        return true;
-    };
-    const auto curve = [](auto x, auto y) {
-        y[0] = std::exp(x[0]);
-        return true;
-    };
+    const auto line = always([](auto x) { return 5.0 - 2.0 * x[0] + 1e-3 * x[0] * x[0]; });
+    const auto jump = always([](auto x) { return x[0] + (x[0] > 0.7 ? 4.0 : 0.0); });
+    const auto corner = always([](auto x) { return std::max(x[0], -0.375); });
+    const auto curve = always([](auto x) { return std::exp(x[0]); });
     for (const char* method : {"linear", "monte-carlo", "sobol"}) {
         EXPECT_EQ(note(method, line), "") << method;
-        for (const Function& function : {Function(jump), Function(corner), Function(curve)}) {
+        for (const Function& function : {jump, corner, curve}) {
             EXPECT_EQ(note(method, function).substr(0, 31), "The linear answer fails for /y:")
                 << method;
         }
@@ -344,10 +318,8 @@ TEST(Study, AToleranceBelowTheRoundingHasNoDerivative) {
     for (const double size : {1e-15, 1e-13}) {
         Json study = normal_study(2, "linear", 1, 1);
         study["vary"]["/x0"] = {{"plus_minus", size}};
-        const Part part = whole(problem(study, {46.0, 3.0}, [](auto x, auto y) {
-            y[0] = 2.0 * x[0] + x[1];
-            return true;
-        }));
+        const Part part =
+            whole(problem(study, {46.0, 3.0}, always([](auto x) { return 2.0 * x[0] + x[1]; })));
         const Json linear = write_results(part).at("watched").at("/y").at("linear");
         EXPECT_TRUE(linear.at("derivatives").at("/x0").is_null());
         EXPECT_NEAR(linear.at("derivatives").at("/x1").at("value").get<double>(), 1.0, 1e-9);
@@ -385,10 +357,7 @@ TEST(Study, SaysHowFarItIs) {
 }
 
 TEST(Study, FewSamplesAreCalledFew) {
-    const auto function = [](auto x, auto y) {
-        y[0] = x[0] + 0.3 * x[1] + x[0] * x[1];
-        return true;
-    };
+    const auto function = always([](auto x) { return x[0] + 0.3 * x[1] + x[0] * x[1]; });
     const Part one = whole(problem(normal_study(2, "sobol", 1, 1), {0, 0}, function));
     EXPECT_TRUE(write_results(one).at("watched").at("/y").at("standard_deviation").is_null());
     EXPECT_EQ(notes_text(one), "A standard deviation needs two solved samples.\n");
@@ -565,10 +534,8 @@ TEST(Study, APartNeedsItsChecksum) {
 
 TEST(Study, PartsThatDoNotFitAreNamed) {
     const auto made = [](std::uint64_t shard, std::uint64_t shards, std::uint64_t seed) {
-        const Problem all = problem(normal_study(1, "sobol", 600, seed), {0}, [](auto x, auto y) {
-            y[0] = x[0];
-            return true;
-        });
+        const Problem all =
+            problem(normal_study(1, "sobol", 600, seed), {0}, always([](auto x) { return x[0]; }));
         Part part = begin_part(all, shard, shards, 1);
         run_part(all, part, 1);
         return part;

@@ -12,6 +12,15 @@ namespace ravnoves::studies {
 
 using Function = std::function<bool(std::span<const double> x, std::span<double> y)>;
 
+/// Of one value, which exists for any inputs.
+template <typename Value>
+Function always(Value value) {
+    return [value](auto x, auto y) {
+        y[0] = value(x);
+        return true;
+    };
+}
+
 /// A function in the place of a scene.
 class FunctionResponse final : public Response {
   public:
