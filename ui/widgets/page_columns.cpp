@@ -49,7 +49,8 @@ PageColumns::PageColumns(const Parts& parts, QWidget* parent)
                     2),
       inputsMin_(minWidth(parts.inputs)),
       inputsAlone_(parts.narrowest > 0 ? parts.narrowest : inputsMin_),
-      inputsMax_(parts.inputs->maximumWidth()) {
+      inputsMax_(parts.inputs->maximumWidth()),
+      resultsMax_(parts.results->maximumWidth()) {
     grid_->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     grid_->setSpacing(Theme::space);
     placeTop(false);
@@ -61,7 +62,7 @@ PageColumns::PageColumns(const Parts& parts, QWidget* parent)
     grid_->setColumnStretch(1, parts_.plots != nullptr ? parts_.plotShare : 0);
     grid_->setColumnStretch(2, parts_.resultShare);
     results_->setObjectName(QStringLiteral("results"));
-    results_->setMaximumWidth(parts_.results->maximumWidth());
+    results_->setMaximumWidth(resultsMax_);
     results_->setMinimumWidth(resultsWidth_);
     parts_.results->setMinimumWidth(0);  // as narrow as it can be in a tab
     parts_.results->setMaximumWidth(QWIDGETSIZE_MAX);
@@ -103,50 +104,39 @@ void PageColumns::arrange() {
         return;
     }
     const Fold was = std::exchange(fold_, fold);
-    if ((was == Fold::None) != (fold == Fold::None)) {
-        foldResults(fold != Fold::None);
+    const bool folds = fold != Fold::None;
+    if ((was != Fold::None) != folds) {
+        foldPart(results_, tr("Results"), 2, folds ? 0 : parts_.resultShare);
+        results_->setMinimumWidth(folds ? 0 : resultsWidth_);
+        results_->setMaximumWidth(folds ? QWIDGETSIZE_MAX : resultsMax_);
     }
     if ((was == Fold::Plots) != (fold == Fold::Plots)) {
-        foldPlots(fold == Fold::Plots);
+        foldInputs(fold == Fold::Plots);
     }
     placeTop(fold == Fold::Plots);
 }
 
-void PageColumns::foldResults(bool folded) {
-    if (folded) {
-        grid_->removeWidget(results_);
-        maximum_ = results_->maximumWidth();
-        results_->setMinimumWidth(0);
-        results_->setMaximumWidth(QWIDGETSIZE_MAX);
-        parts_.tabs->addTab(results_, tr("Results"));
+void PageColumns::foldPart(QWidget* part, const QString& title, int column, int share) {
+    if (share == 0) {
+        grid_->removeWidget(part);
+        parts_.tabs->addTab(part, title);
     } else {
-        parts_.tabs->removeTab(parts_.tabs->indexOf(results_));
-        grid_->addWidget(results_, 1, 2);
-        results_->setMinimumWidth(resultsWidth_);
-        results_->setMaximumWidth(maximum_);
-        results_->show();
+        parts_.tabs->removeTab(parts_.tabs->indexOf(part));
+        grid_->addWidget(part, 1, column);
+        part->show();
     }
-    grid_->setColumnStretch(2, folded ? 0 : parts_.resultShare);
+    grid_->setColumnStretch(column, share);
 }
 
-void PageColumns::foldPlots(bool folded) {
-    parts_.inputs->setMaximumWidth(folded ? QWIDGETSIZE_MAX : inputsMax_);
+void PageColumns::foldInputs(bool alone) {
+    parts_.inputs->setMaximumWidth(alone ? QWIDGETSIZE_MAX : inputsMax_);
     if (inputsAlone_ < inputsMin_) {
-        parts_.inputs->setMinimumWidth(folded ? inputsAlone_ : inputsMin_);
+        parts_.inputs->setMinimumWidth(alone ? inputsAlone_ : inputsMin_);
     }
-    grid_->setColumnStretch(0, folded ? 1 : 0);
-    if (parts_.plots == nullptr) {
-        return;
+    grid_->setColumnStretch(0, alone ? 1 : 0);
+    if (parts_.plots != nullptr) {
+        foldPart(parts_.plots, tr("Plots"), 1, alone ? 0 : parts_.plotShare);
     }
-    if (folded) {
-        grid_->removeWidget(parts_.plots);
-        parts_.tabs->addTab(parts_.plots, tr("Plots"));
-    } else {
-        parts_.tabs->removeTab(parts_.tabs->indexOf(parts_.plots));
-        grid_->addWidget(parts_.plots, 1, 1);
-        parts_.plots->show();
-    }
-    grid_->setColumnStretch(1, folded ? 0 : parts_.plotShare);
 }
 
 void PageColumns::resizeEvent(QResizeEvent* event) {
@@ -193,6 +183,7 @@ void FoldingRow::resizeEvent(QResizeEvent* event) {
     const bool folded = event->size().width() < neededUnfolded();
     if (folded != isFolded()) {
         row_->setDirection(folded ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+        Q_EMIT foldChanged(folded);
     }
 }
 

@@ -46,8 +46,10 @@ class PageColumns : public QWidget {
 
     void arrange();
     Fold foldFor(int width) const;
-    void foldResults(bool folded);
-    void foldPlots(bool folded);
+    /// @param share  of its column in the grid; 0: it is a tab
+    void foldPart(QWidget* part, const QString& title, int column, int share);
+    /// @param alone  without plots beside them
+    void foldInputs(bool alone);
     void placeTop(bool overAll);
 
     Parts parts_;
@@ -57,7 +59,7 @@ class PageColumns : public QWidget {
     int inputsMin_;     ///< width that they need
     int inputsAlone_;   ///< … of the inputs alone
     int inputsMax_;
-    int maximum_ = 0;
+    int resultsMax_;
     Fold fold_ = Fold::None;
 };
 
@@ -73,6 +75,9 @@ class FoldingRow : public QWidget {
     void add(QWidget* widget, int share = 1);
     bool isFolded() const;
     QSize minimumSizeHint() const override;
+
+  Q_SIGNALS:
+    void foldChanged(bool folded);
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
