@@ -2,7 +2,6 @@
 
 #include <QLocale>
 #include <QPainter>
-#include <QResizeEvent>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,8 +13,6 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/layouts.h"
-#include "widgets/page_columns.h"
 
 namespace ravnoves {
 
@@ -233,16 +230,20 @@ Figure stabilityFigure(const MethodMeasurement* shown, const Kernel& kernel, con
 
 }  // namespace
 
-MethodPlots::MethodPlots(MethodsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
-    auto* row = new FoldingRow(pairWidth, this);
-    columnIn(this)->addWidget(row);
+MethodPlots::MethodPlots(MethodsModel* model, QWidget* parent)
+    : FoldingRow(pairWidth, parent), model_(model) {
     work_ = new PlotView(tr("Time and error"), this);
     work_->setObjectName(QStringLiteral("work_plot"));
     stability_ = new PlotView(tr("Error along the hard parameter"), this);
     stability_->setObjectName(QStringLiteral("stability_plot"));
     stability_->setPickable(true);
-    row->add(work_);
-    row->add(stability_);
+    add(work_);
+    add(stability_);
+    connect(this, &FoldingRow::foldChanged, this, [this](bool folded) {
+        for (PlotView* plot : {work_, stability_}) {
+            plot->setMinimumHeight(folded ? Theme::withText(foldedHeight) : 0);
+        }
+    });
     connect(stability_, &PlotView::picked, this, [this](double x) {
         if (model_->shown() != nullptr && &model_->shown()->sweep() == &model_->sweep()) {
             model_->setValue(rounded_to_digits(x, 3));
@@ -254,18 +255,6 @@ MethodPlots::MethodPlots(MethodsModel* model, QWidget* parent) : QWidget(parent)
     connect(model, &MethodsModel::shownMethodChanged, this, &MethodPlots::follow);
     connect(model, &MethodsModel::measurementChanged, this, &MethodPlots::follow);
     follow();
-}
-
-void MethodPlots::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    if (const bool folded = event->size().width() < Theme::withText(pairWidth);
-        folded != isFolded_) {
-        isFolded_ = folded;
-        for (PlotView* plot : {work_, stability_}) {
-            plot->setMinimumHeight(folded ? Theme::withText(foldedHeight) : 0);
-        }
-        Q_EMIT foldChanged();
-    }
 }
 
 void MethodPlots::follow() {
@@ -291,7 +280,7 @@ void MethodPlots::follow() {
     }
     stability_->showFigure(figure);
     stability_->setPresentX(isSame ? std::optional(model_->value()) : std::nullopt);
-    const QString text = model_->measurements()->isRunning() ? tr("measuring…") : QString();
+    const QString text = model_->measuring()->isRunning() ? tr("measuring…") : QString();
     work_->setFaded(shown == nullptr || model_->isStale(), text);
     // Errors along the parameter do not depend on its value, so a drag leaves them as they are.
     const bool isOther = shown == nullptr || !isSame;

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <QWidget>
-
 #include "methods/model/methods_model.h"
 #include "plot/plot_view.h"
+#include "widgets/page_columns.h"
 
 namespace ravnoves {
 
@@ -12,7 +11,7 @@ namespace ravnoves {
 ///
 /// Both follow the newest measurement and are dimmed while a newer one is measured. An error of 0,
 /// which has no logarithm, is drawn at the bottom; where a method rejects, its curve has a gap.
-class MethodPlots : public QWidget {
+class MethodPlots : public FoldingRow {
     Q_OBJECT
 
   public:
@@ -21,15 +20,6 @@ class MethodPlots : public QWidget {
     /// Both charts side by side, as SVG or PNG by the file's ending.
     /// @return an empty string, or what went wrong
     QString exportPicture(const QString& path);
-    /// There is no room for the charts side by side: one is above the other, and the page
-    /// scrolls.
-    bool isFolded() const { return isFolded_; }
-
-  Q_SIGNALS:
-    void foldChanged();
-
-  protected:
-    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void follow();
@@ -37,7 +27,6 @@ class MethodPlots : public QWidget {
     MethodsModel* model_;
     PlotView* work_;
     PlotView* stability_;
-    bool isFolded_ = false;
 };
 
 }  // namespace ravnoves

@@ -183,7 +183,7 @@ QWidget* MethodsPage::buildMeasuring() {
     again_->setToolTip(tr("Measure this kernel again, with more repetitions (F5)"));
     connect(again_, &QPushButton::clicked, model_, &MethodsModel::measureAgain);
     auto* progress =
-        new JobProgress(model_->measurements(), tr("Progress of the measurement"), holder);
+        new JobProgress(model_->measuring(), tr("Progress of the measurement"), holder);
     progress->setFixedHeight(progressHeight);
     QPushButton* cancel =
         progress->cancelButton(tr("&Cancel"), tr("Stop measuring and keep the previous results"));
@@ -223,7 +223,6 @@ QWidget* MethodsPage::buildCase() {
     leftOut_ = copyableCaption("left_out", view);
     column->addWidget(leftOut_);
     connect(budget_, &CaseBudgetModel::changed, this, &MethodsPage::showBudget);
-    addBusy([this] { return budget_->isRunning(); });
     return view;
 }
 
@@ -268,9 +267,9 @@ QWidget* MethodsPage::buildResults() {
     table_ = new ResultTable(tr("Methods as measured"), panel);
     table_->setObjectName(QStringLiteral("methods_table"));
     // Further rows never cost a chart; where the page scrolls, the table does not.
-    const auto chooseRows = [this] { table_->setShownRows(plots_->isFolded() ? 0 : 6); };
-    connect(plots_, &MethodPlots::foldChanged, this, chooseRows);
-    chooseRows();
+    const auto chooseRows = [this](bool folded) { table_->setShownRows(folded ? 0 : 6); };
+    connect(plots_, &FoldingRow::foldChanged, this, chooseRows);
+    chooseRows(false);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setColumns(
         {{tr("Method"), tr("Methods for the quantity; the method in use is marked")},

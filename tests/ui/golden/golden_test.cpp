@@ -104,7 +104,7 @@ class PictureTest : public ::testing::Test {
         }
         const methods::StabilityMap* map = still->map.get();
         still->report = methods::make_report(still->work, std::span(&map, 1));
-        Q_EMIT page->viewModel()->measurements()->measured(still);
+        page->viewModel()->show(still);
         tabs->setCurrentIndex(0);
         settle();
     }

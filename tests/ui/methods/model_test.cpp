@@ -136,7 +136,7 @@ TEST(CaseBudgetModel, ShowsEachLeadingResultWithWhatChangesIt) {
 TEST(MethodsModel, MeasuresWhatIsChosenWhenItComesToTheFront) {
     MethodsModel model;
     QApplication::processEvents();
-    EXPECT_FALSE(model.measurements()->isRunning());
+    EXPECT_FALSE(model.measuring()->isRunning());
     EXPECT_EQ(model.shown(), nullptr);
     model.setActive(true);
     waitUntilMeasured(model);
@@ -162,7 +162,7 @@ TEST(MethodsModel, KeepsWhatWasMeasured) {
     EXPECT_EQ(model.shown()->kernel().id, "guide");
     EXPECT_FALSE(model.isStale());
     // Back at once, with nothing to measure.
-    QSignalSpy running(model.measurements(), &MethodMeasurements::runningChanged);
+    QSignalSpy running(model.measuring(), &BackgroundJob::runningChanged);
     model.setKernel(0);
     EXPECT_EQ(model.shown(), first);
     EXPECT_FALSE(model.isStale());
@@ -175,7 +175,7 @@ TEST(MethodsModel, ADragIsMeasuredWhereItEnds) {
     model.setKernel(kernelIndex(model, "moment-range"));
     model.setActive(true);
     waitUntilMeasured(model);
-    QSignalSpy measured(model.measurements(), &MethodMeasurements::measured);
+    QSignalSpy measured(&model, &SceneModel::changed);
     for (int angle = 100; angle <= 140; ++angle) {
         model.setValue(angle);
         EXPECT_TRUE(model.isStale());
@@ -198,7 +198,7 @@ TEST(MethodsModel, EndsCleanlyWhileMeasuring) {
         model.setActive(true);
         model.measureAgain();
         QTest::qWait(400);
-        EXPECT_TRUE(model.measurements()->isRunning());
+        EXPECT_TRUE(model.measuring()->isRunning());
         time.emplace();
     }
     EXPECT_LT(time->seconds(), 3.0);

@@ -84,7 +84,7 @@ class MethodsPageTest : public ::testing::Test {
 };
 
 TEST_F(MethodsPageTest, NothingIsMeasuredBeforeItIsInFront) {
-    EXPECT_FALSE(model->measurements()->isRunning());
+    EXPECT_FALSE(model->measuring()->isRunning());
     EXPECT_TRUE(find<PlotView>("work_plot")->isFaded());
     EXPECT_EQ(page.table()->rowCount(), 0);
     measure();
@@ -231,18 +231,18 @@ TEST_F(MethodsPageTest, MeasuresAgainAndCancels) {
     const MethodMeasurement* old = model->shown();
     const QPoint place = find<QPushButton>("measure_again")->pos();
     QTest::mouseClick(find<QPushButton>("measure_again"), Qt::LeftButton);
-    EXPECT_TRUE(model->measurements()->isRunning());
+    EXPECT_TRUE(model->measuring()->isRunning());
     EXPECT_TRUE(progress->isVisible());
     EXPECT_EQ(find<QPushButton>("measure_again")->pos(), place);  // nothing moved
     EXPECT_TRUE(find<PlotView>("work_plot")->isFaded());
     EXPECT_GT(page.table()->rowCount(), 8);
     QTest::mouseClick(find<QPushButton>("cancel"), Qt::LeftButton);
-    EXPECT_FALSE(model->measurements()->isRunning());
+    EXPECT_FALSE(model->measuring()->isRunning());
     EXPECT_FALSE(find<PlotView>("work_plot")->isFaded());
     QTest::qWait(200);
     EXPECT_EQ(model->shown(), old);
     QTest::mouseClick(find<QPushButton>("measure_again"), Qt::LeftButton);
-    QSignalSpy progressed(model->measurements(), &BackgroundJob::progress);
+    QSignalSpy progressed(model->measuring(), &BackgroundJob::progress);
     test::waitUntilMeasured(*model);
     EXPECT_GT(progressed.count(), 3);
 }
@@ -261,7 +261,7 @@ TEST_F(MethodsPageTest, ExportsCsvAndPictures) {
     EXPECT_TRUE(text.contains("10⁻⁹"));
     const QString png = folder.filePath(QStringLiteral("m.png"));
     ASSERT_EQ(page.exportTo(png), QString());
-    EXPECT_EQ(QImage(png).width(), printedWidth(plots->size()));
+    EXPECT_EQ(QImage(png).width(), qRound(plots->width() * 300.0 / 96.0));
     EXPECT_NE(page.exportTo(QStringLiteral("/dev/null/m.csv")), QString());
     EXPECT_NE(page.exportTo(QStringLiteral("/dev/null/m.svg")), QString());
     EXPECT_NE(page.exportTo(QStringLiteral("/dev/null/m.png")), QString());
@@ -336,9 +336,9 @@ TEST_F(MethodsPageTest, TheValidationReportIsATab) {
 
 TEST_F(MethodsPageTest, TheReportStopsTheMeasurement) {
     page.setActive(true);
-    ASSERT_TRUE(test::comes([&] { return model->measurements()->isRunning(); }));
+    ASSERT_TRUE(test::comes([&] { return model->measuring()->isRunning(); }));
     bringTab("validation");
-    EXPECT_FALSE(model->measurements()->isRunning());
+    EXPECT_FALSE(model->measuring()->isRunning());
     bringTab("charts");
     test::waitUntilMeasured(*model);
 }
@@ -382,10 +382,10 @@ TEST(MethodsInTheWindow, BeginsWithTheCaseThatWasInFront) {
     EXPECT_EQ(table->rowCount(), budget.results().rows.size());
     EXPECT_GT(table->rowCount(), 4);
     EXPECT_EQ(page->resultsAsText(), table->asText());
-    EXPECT_FALSE(page->viewModel()->measurements()->isRunning());
+    EXPECT_FALSE(page->viewModel()->measuring()->isRunning());
     // Closing in the midst of a measurement is clean.
     page->viewModel()->measureAgain();
-    EXPECT_TRUE(page->viewModel()->measurements()->isRunning());
+    EXPECT_TRUE(page->viewModel()->measuring()->isRunning());
     page->model()->history()->setClean();
     ASSERT_TRUE(window.showScene(QStringLiteral("elastic-hinge")));
     window.currentPage()->model()->history()->setClean();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "case-file/case_file.h"
@@ -12,7 +13,9 @@
 
 namespace ravnoves {
 
-using methods::SweepInfo;
+using methods::Kernel;
+using methods::MeasureOptions;
+using methods::StabilityMap;
 
 namespace {
 
@@ -31,25 +34,41 @@ std::size_t indexOf(const List& list, const QString& word, const char* place) {
                      word.toStdString());
 }
 
+/// About a second: by itself, when something was chosen.
+constexpr MeasureOptions quick{.batch_seconds = 1e-4, .batches = 9, .max_seconds = 0.03};
+
+constexpr double workShare = 0.6;  ///< of the progress
+
+/// @param known  null: the errors along the sweep, too, are to be found
+std::shared_ptr<const MethodMeasurement> measured(const Kernel& kernel, std::size_t sweep,
+                                                  double value, const MeasureOptions& options,
+                                                  std::shared_ptr<const StabilityMap> known,
+                                                  const BackgroundJob::Progress& progress) {
+    const double share = known ? 1.0 : workShare;
+    auto work = methods::measure_work(kernel, sweep, value, options,
+                                      [&](double part) { return progress(share * part); });
+    if (!known) {
+        known = std::make_shared<const StabilityMap>(methods::map_stability(
+            kernel, sweep, options,
+            [&](double part) { return progress(workShare + (1.0 - workShare) * part); }));
+    }
+    const StabilityMap* const map = known.get();
+    auto report = methods::make_report(work, std::span(&map, 1));
+    return std::make_shared<const MethodMeasurement>(
+        MethodMeasurement{std::move(work), std::move(known), std::move(report)});
+}
+
 }  // namespace
 
 MethodsModel::MethodsModel(QObject* parent)
-    : SceneModel(parent),
-      choices_(methods::kernels().size()),
-      measurements_(new MethodMeasurements(this)) {
+    : SceneModel(parent), choices_(methods::kernels().size()), measuring_(new BackgroundJob(this)) {
     for (std::size_t i = 0; i < choices_.size(); ++i) {
         choices_[i].method = kernels()[i].chosen_method();
     }
     settle_.setSingleShot(true);
     connect(&settle_, &QTimer::timeout, this, &MethodsModel::measureIfNeeded);
-    connect(measurements_, &MethodMeasurements::measured, this,
-            [this](std::shared_ptr<const MethodMeasurement> measurement) {
-                shown_ = std::move(measurement);
-                Q_EMIT changed();
-            });
-    connect(measurements_, &MethodMeasurements::runningChanged, this,
-            &MethodsModel::measurementChanged);
-    connect(measurements_, &MethodMeasurements::failed, this, &MethodsModel::failed);
+    connect(measuring_, &BackgroundJob::runningChanged, this, &MethodsModel::measurementChanged);
+    connect(measuring_, &BackgroundJob::failed, this, &MethodsModel::failed);
 }
 
 Json MethodsModel::inputJson() const {
@@ -121,9 +140,9 @@ void MethodsModel::setKernel(std::size_t kernel) {
     }
     before_.reset();
     kernel_ = kernel;
-    measurements_->cancel();
-    if (auto known = measurements_->newest(this->kernel())) {
-        shown_ = std::move(known);
+    measuring_->cancel();
+    if (chosen().newest) {
+        shown_ = chosen().newest;
     }
     Q_EMIT kernelChanged();
     Q_EMIT changed();
@@ -137,7 +156,7 @@ void MethodsModel::setSweep(std::size_t sweep) {
     before_.reset();
     chosen().sweep = sweep;
     chosen().value.reset();
-    measurements_->cancel();
+    measuring_->cancel();
     Q_EMIT sweepChanged();
     choiceMoved(0);
 }
@@ -172,8 +191,13 @@ void MethodsModel::setShownMethod(std::size_t method) {
     }
 }
 
+bool MethodsModel::isOfChoice(const MethodMeasurement& measurement) const {
+    const methods::WorkPrecision& work = measurement.work;
+    return work.kernel == &kernel() && work.sweep == sweepIndex() && work.value == value();
+}
+
 bool MethodsModel::isStale() const {
-    return measurements_->isRunning() || (shown_ && !shown_->isOf(kernel(), sweepIndex(), value()));
+    return measuring_->isRunning() || (shown_ && !isOfChoice(*shown_));
 }
 
 void MethodsModel::choiceMoved(int delay) {
@@ -184,22 +208,34 @@ void MethodsModel::choiceMoved(int delay) {
 }
 
 void MethodsModel::measureIfNeeded() {
-    if (!active_) {
-        return;
+    if (active_ && !(shown_ && isOfChoice(*shown_))) {
+        measure(quick);
     }
-    if (!shown_ || !shown_->isOf(kernel(), sweepIndex(), value())) {
-        measurements_->start(kernel(), sweepIndex(), value(), MeasurementEffort::quick);
-    }
+}
+
+void MethodsModel::measure(const MeasureOptions& options) {
+    measuring_->start([this, &kernel = kernel(), sweep = sweepIndex(), value = value(), options,
+                       known = chosen().maps[sweepIndex()]](const auto& progress) {
+        auto measurement = measured(kernel, sweep, value, options, known, progress);
+        return [this, measurement] { show(measurement); };
+    });
+}
+
+void MethodsModel::show(std::shared_ptr<const MethodMeasurement> measurement) {
+    chosen().maps[measurement->work.sweep] = measurement->map;
+    chosen().newest = measurement;
+    shown_ = std::move(measurement);
+    Q_EMIT changed();
 }
 
 void MethodsModel::measureAgain() {
     settle_.stop();
-    measurements_->start(kernel(), sweepIndex(), value(), MeasurementEffort::thorough);
+    measure({});  // as the command line does
 }
 
 void MethodsModel::cancel() {
     settle_.stop();
-    measurements_->cancel();
+    measuring_->cancel();
 }
 
 }  // namespace ravnoves

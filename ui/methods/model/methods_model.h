@@ -1,15 +1,28 @@
 #pragma once
 
 #include <QTimer>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "methods/kernel.h"
-#include "methods/model/method_measurements.h"
+#include "methods/measure.h"
+#include "methods/report.h"
+#include "model/background_job.h"
 #include "model/scene_model.h"
 
 namespace ravnoves {
+
+/// Times and errors of a kernel at one value of one of its hard parameters, and its errors along
+/// that parameter.
+struct MethodMeasurement {
+    methods::WorkPrecision work;
+    std::shared_ptr<const methods::StabilityMap> map;
+    methods::KernelReport report;  ///< both as a table
+
+    const methods::Kernel& kernel() const { return *work.kernel; }
+    const methods::SweepInfo& sweep() const { return kernel().sweeps[work.sweep]; }
+};
 
 /// The state of the page "Methods": the kernel looked at, its hard parameter and value, and the
 /// measurements. It is no case, so it has no file.
@@ -57,10 +70,13 @@ class MethodsModel : public SceneModel {
     std::size_t shownMethod() const { return chosen().method; }
     void setShownMethod(std::size_t method);
 
-    MethodMeasurements* measurements() { return measurements_; }
+    /// The measurement under way, of what is chosen.
+    BackgroundJob* measuring() { return measuring_; }
     /// The measurement shown: the newest of the kernel or, before its first, of the previous
     /// kernel. Null before any.
     const MethodMeasurement* shown() const { return shown_.get(); }
+    /// Shows one of the chosen kernel as its newest.
+    void show(std::shared_ptr<const MethodMeasurement> measurement);
     /// It has another kernel, parameter or value than the chosen one, or a newer one is being
     /// measured.
     bool isStale() const;
@@ -86,17 +102,22 @@ class MethodsModel : public SceneModel {
         std::size_t sweep = 0;
         std::optional<double> value;  ///< empty: the preset's
         std::size_t method = 0;
+        std::shared_ptr<const MethodMeasurement> newest{};
+        /// By sweep: the errors along it do not change.
+        std::map<std::size_t, std::shared_ptr<const methods::StabilityMap>> maps{};
     };
     const Choice& chosen() const { return choices_[kernel_]; }
     Choice& chosen() { return choices_[kernel_]; }
     void choiceMoved(int delay);
+    bool isOfChoice(const MethodMeasurement& measurement) const;
+    void measure(const methods::MeasureOptions& options);
     void measureIfNeeded();
 
     std::size_t kernel_ = 0;
     std::vector<Choice> choices_;
     std::optional<double> before_;  ///< the value before the editing that continues
     bool active_ = false;
-    MethodMeasurements* measurements_;
+    BackgroundJob* measuring_;  ///< cancelled when another kernel or sweep is chosen
     std::shared_ptr<const MethodMeasurement> shown_;
     QTimer settle_;  ///< so that a drag is measured where it ends
 };
