@@ -307,18 +307,15 @@ QString Documents::open(const QString& path, bool locates) {
         bringToFront(*there);
         return {};
     }
-    CaseFile file;
-    QByteArray known;
-    MissingFile missing(this, tr("Open case"), QFileInfo(path).absolutePath());
-    for (bool isMoved = false;; isMoved = true) {
-        try {
-            if (!isMoved) {
-                file = CaseDocument::read(path, &known);
-            }
+    try {
+        QByteArray known;
+        CaseFile file = CaseDocument::read(path, &known);
+        const Json input = file.input;
+        const auto load = [&] {
             put(file, nullptr, [&](CaseDocument& document) {
                 document.open(file, path, known);
                 // Where a file is now, and what an older version has become, is to be saved.
-                if (isMoved || !file.changes.empty()) {
+                if (file.input != input || !file.changes.empty()) {
                     document.model()->history()->resetClean();
                 }
             });
@@ -327,14 +324,16 @@ QString Documents::open(const QString& path, bool locates) {
                 changes << messageText(change);
             }
             Q_EMIT status(changes.join(QLatin1Char(' ')));
-            return {};
-        } catch (const InputError& error) {
-            QString trouble = path + QStringLiteral(": ") + errorText(error);
-            const auto isMoving = locates ? missing.locate(file, error, trouble) : std::nullopt;
-            if (!isMoving.value_or(false)) {
-                return isMoving ? QString() : trouble;
-            }
+        };
+        if (locates) {
+            MissingFile::locate(this, tr("Open case"), path, QFileInfo(path).absolutePath(), file,
+                                load);
+        } else {
+            load();
         }
+        return {};
+    } catch (const InputError& error) {
+        return path + QStringLiteral(": ") + errorText(error);
     }
 }
 
@@ -375,24 +374,19 @@ bool Documents::restore(const RecoveredCase& recovered) {
     }
     CaseFile file = recovered.content;
     const QString title = tr("Unsaved cases");
-    MissingFile missing(
-        this, title,
-        recovered.path.isEmpty() ? QString() : QFileInfo(recovered.path).absolutePath());
-    for (bool isThere = false; !isThere;) {
-        try {
-            put(file, there, [&](CaseDocument& document) { document.restore(file, recovered); });
-            isThere = true;
-        } catch (const InputError& error) {
-            const QString trouble = (recovered.path.isEmpty() ? recovered.file : recovered.path) +
-                                    QStringLiteral(": ") + errorText(error);
-            const auto isMoving = missing.locate(file, error, trouble);
-            if (!isMoving) {
-                QMessageBox::warning(window(), title, trouble);
-            }
-            if (!isMoving.value_or(false)) {
-                return false;
-            }
+    const bool hasPath = !recovered.path.isEmpty();
+    const QString name = hasPath ? recovered.path : recovered.file;
+    const QString folder = hasPath ? QFileInfo(name).absolutePath() : QString();
+    try {
+        if (!MissingFile::locate(this, title, name, folder, file, [&] {
+                put(file, there,
+                    [&](CaseDocument& document) { document.restore(file, recovered); });
+            })) {
+            return false;
         }
+    } catch (const InputError& error) {
+        QMessageBox::warning(window(), title, name + QStringLiteral(": ") + errorText(error));
+        return false;
     }
     return recovery_ == nullptr || recovery_->keep(current_->document);  // or the other copy stays
 }

@@ -2,43 +2,29 @@
 
 #include <QCoreApplication>
 #include <QString>
-#include <optional>
-#include <string>
-#include <utility>
+#include <functional>
 
 class QWidget;
 
 namespace ravnoves {
 
-class InputError;
 struct CaseFile;
 
-/// A file that a case names and that cannot be read: prompts for its present place. One for each
-/// case that is opened, for it remembers the earlier answers.
-class MissingFile {
+/// A file that a case names and that cannot be read.
+struct MissingFile {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::MissingFile)
 
   public:
+    /// Loads a case; where a file that it names cannot be read, prompts for its present place,
+    /// enters that into the case, and tries again.
     /// @param over    parent of the questions
     /// @param title   of the questions: the action
+    /// @param name    of the case, for the fault
     /// @param folder  of the case
-    MissingFile(QWidget* over, QString title, QString folder)
-        : over_(over), title_(std::move(title)), folder_(std::move(folder)) {}
-
-    /// Prompts for the file of the error, and enters the answer into the case.
-    /// @param trouble  the fault, as text
-    /// @return empty for another fault; false after Cancel
-    std::optional<bool> locate(CaseFile& file, const InputError& error, const QString& trouble);
-
-  private:
-    /// @return an empty text where the user gives up
-    QString ask(const QString& trouble) const;
-
-    QWidget* over_;
-    QString title_;
-    QString folder_;
-    std::string where_;  ///< in the case
-    QString name_;       ///< as the case has it
+    /// @return false after Cancel
+    /// @throws InputError of another fault
+    static bool locate(QWidget* over, const QString& title, const QString& name,
+                       const QString& folder, CaseFile& file, const std::function<void()>& load);
 };
 
 }  // namespace ravnoves

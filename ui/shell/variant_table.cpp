@@ -2,9 +2,9 @@
 
 #include <QDialogButtonBox>
 #include <QLabel>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <functional>
 
 #include "model/scene_model.h"
 #include "model/variant_results.h"
@@ -73,12 +73,8 @@ QString VariantTable::exportTo(const QString& path) const {
 }
 
 void VariantTable::saveWithDialog() {
-    const QString path =
-        askSavePath(this, windowTitle(), QStringLiteral("variants.csv"), {csvFormat()});
-    const QString trouble = path.isEmpty() ? QString() : exportTo(path);
-    if (!trouble.isEmpty()) {
-        QMessageBox::warning(this, windowTitle(), trouble);
-    }
+    saveFile(this, windowTitle(), QStringLiteral("variants.csv"), {csvFormat()},
+             std::bind_front(&VariantTable::exportTo, this));
 }
 
 }  // namespace ravnoves
