@@ -357,28 +357,23 @@ bool CaseDocument::save() {
     if (inPlace) {
         return *inPlace;
     }
-    if (!mayBeSaved()) {
+    if (!mayGo(false)) {
         return false;
     }
     if (path_.isEmpty()) {
         return chooseAndSave();
     }
-    if (disk_.check() == FileOnDisk::State::Changed && dialogs_.overwrite) {
-        const DocumentDialogs::Overwrite answer = dialogs_.overwrite(path_);
-        if (answer != DocumentDialogs::Overwrite::Yes) {
-            return answer == DocumentDialogs::Overwrite::Elsewhere && chooseAndSave();
+    if (disk_.check() == FileOnDisk::State::Changed && dialogs_.instead) {
+        const DocumentDialogs::Instead answer = dialogs_.instead(path_, {});
+        if (answer != DocumentDialogs::Instead::Overwrite) {
+            return answer == DocumentDialogs::Instead::Elsewhere && chooseAndSave();
         }
     }
-    const QString trouble = saveTo(path_);
-    if (!trouble.isEmpty()) {
-        return saveElsewhere(trouble);
-    }
-    Q_EMIT saved(path_);
-    return true;
+    return saveAt(path_);
 }
 
 bool CaseDocument::saveAs() {
-    return mayBeSaved() && chooseAndSave();
+    return mayGo(false) && chooseAndSave();
 }
 
 bool CaseDocument::chooseAndSave() {
@@ -391,22 +386,23 @@ bool CaseDocument::chooseAndSave() {
     if (QFileInfo(path).suffix().isEmpty()) {
         path += ending;
     }
+    return saveAt(path);
+}
+
+bool CaseDocument::saveAt(const QString& path) {
     const QString trouble = saveTo(path);
     if (!trouble.isEmpty()) {
-        return saveElsewhere(trouble);
+        return dialogs_.instead(path, trouble) == DocumentDialogs::Instead::Elsewhere &&
+               chooseAndSave();
     }
     Q_EMIT saved(path_);
     return true;
 }
 
-bool CaseDocument::saveElsewhere(const QString& trouble) {
-    return dialogs_.elsewhere(trouble) && chooseAndSave();
-}
-
 bool CaseDocument::canClose() {
     disk_.check();
     if (!needsSaving()) {
-        return !dialogs_.leaveRejected || dialogs_.leaveRejected();
+        return mayGo(true);
     }
     const DocumentDialogs::Answer answer = dialogs_.saveChanges(!path_.isEmpty());
     return answer == DocumentDialogs::Answer::Save ? save()

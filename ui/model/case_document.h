@@ -27,15 +27,13 @@ struct DocumentDialogs {
     std::function<Answer(bool hasFile)> saveChanges;
     /// Where to save; empty where the user wants to stay.
     std::function<QString(const QString& suggestion)> choosePath;
-    /// The case could not be saved; @return true where the user wants to choose another place.
-    std::function<bool(const QString& trouble)> elsewhere;
-    /// The file was changed by others since it was read or written.
-    enum class Overwrite { Yes, Elsewhere, No };
-    std::function<Overwrite(const QString& path)> overwrite{};
-    /// Before saving: entries may be rejected, and are not in the case; @return false to stay.
-    std::function<bool()> continueWithoutRejected{};
-    /// The same before a case is closed of which nothing else is unsaved.
-    std::function<bool()> leaveRejected{};
+    /// The case could not be saved, with the trouble; without one, the file was changed by others
+    /// since it was read or written.
+    enum class Instead { Overwrite, Elsewhere, Stay };
+    std::function<Instead(const QString& path, const QString& trouble)> instead{};
+    /// Before it is saved, or closed with nothing else unsaved: entries may be rejected, and are
+    /// not in the case; @return false to stay.
+    std::function<bool(bool closes)> continueWithoutRejected{};
     /// Saves a case without a file in a place of the page's own: whether it is saved there; nothing
     /// where the page has none.
     std::function<std::optional<bool>()> saveInPlace{};
@@ -129,11 +127,11 @@ class CaseDocument : public QObject {
     void updateNeed();
     void load(const CaseFile& file, const CaseContext& context);
     void take(const CaseFile& file, const CaseContext& context);
-    bool mayBeSaved() const {
-        return !dialogs_.continueWithoutRejected || dialogs_.continueWithoutRejected();
+    bool mayGo(bool closes) const {
+        return !dialogs_.continueWithoutRejected || dialogs_.continueWithoutRejected(closes);
     }
     bool chooseAndSave();
-    bool saveElsewhere(const QString& trouble);
+    bool saveAt(const QString& path);
 
     SceneModel* model_;
     DocumentDialogs dialogs_;

@@ -17,7 +17,7 @@ struct SavingDialogs {
 
 DocumentDialogs savingDialogs(Documents& documents, OpenDocument& document) {
     using Answer = DocumentDialogs::Answer;
-    using Overwrite = DocumentDialogs::Overwrite;
+    using Instead = DocumentDialogs::Instead;
     DocumentDialogs dialogs;
     dialogs.saveChanges = [&](bool hasFile) {
         documents.bringToFront(document);
@@ -55,39 +55,32 @@ DocumentDialogs savingDialogs(Documents& documents, OpenDocument& document) {
         }
         return path;
     };
-    dialogs.elsewhere = [&](const QString& trouble) {
-        QMessageBox box(QMessageBox::Warning, SavingDialogs::tr("Save case"), trouble,
+    dialogs.instead = [&](const QString& path, const QString& trouble) {
+        const bool isChanged = trouble.isEmpty();
+        QMessageBox box(QMessageBox::Warning, SavingDialogs::tr("Save case"),
+                        isChanged
+                            ? SavingDialogs::tr(
+                                  "%1 was changed by another program since it was opened or saved "
+                                  "here. Overwrite it?")
+                                  .arg(path)
+                            : trouble,
                         QMessageBox::Cancel, documents.window());
+        if (isChanged) {
+            box.addButton(SavingDialogs::tr("&Overwrite"), QMessageBox::DestructiveRole);
+        }
         box.setDefaultButton(box.addButton(SavingDialogs::tr("Save as…"), QMessageBox::AcceptRole));
         box.exec();
-        return box.buttonRole(box.clickedButton()) == QMessageBox::AcceptRole;
+        const auto pressed = box.buttonRole(box.clickedButton());
+        return pressed == QMessageBox::AcceptRole        ? Instead::Elsewhere
+               : pressed == QMessageBox::DestructiveRole ? Instead::Overwrite
+                                                         : Instead::Stay;
     };
-    dialogs.overwrite = [&](const QString& path) {
-        QMessageBox box(
-            QMessageBox::Warning, SavingDialogs::tr("Save case"),
-            SavingDialogs::tr("%1 was changed by another program since it was opened or saved "
-                              "here. Overwrite it?")
-                .arg(path),
-            QMessageBox::Cancel, documents.window());
-        QPushButton* over =
-            box.addButton(SavingDialogs::tr("&Overwrite"), QMessageBox::DestructiveRole);
-        QPushButton* elsewhere =
-            box.addButton(SavingDialogs::tr("Save as…"), QMessageBox::AcceptRole);
-        box.setDefaultButton(elsewhere);
-        box.exec();
-        return box.clickedButton() == over        ? Overwrite::Yes
-               : box.clickedButton() == elsewhere ? Overwrite::Elsewhere
-                                                  : Overwrite::No;
-    };
-    dialogs.continueWithoutRejected = [&] {
-        return continueWithoutRejected(document.page, SavingDialogs::tr("Save case"));
-    };
-    dialogs.leaveRejected = [&] {
-        if (rejectedEntries(document.page).isEmpty()) {
-            return true;
+    dialogs.continueWithoutRejected = [&](bool closes) {
+        if (closes && !rejectedEntries(document.page).isEmpty()) {
+            documents.bringToFront(document);
         }
-        documents.bringToFront(document);
-        return continueWithoutRejected(document.page, SavingDialogs::tr("Close case"));
+        return continueWithoutRejected(document.page, closes ? SavingDialogs::tr("Close case")
+                                                             : SavingDialogs::tr("Save case"));
     };
     return dialogs;
 }

@@ -47,9 +47,9 @@ class CaseDocumentTest : public ::testing::Test {
              asked << suggestion;
              return chosen;
          },
-         [this](const QString& trouble) {
+         [this](const QString& /*path*/, const QString& trouble) {
              asked << trouble;
-             return false;
+             return DocumentDialogs::Instead::Stay;
          }}};
 };
 

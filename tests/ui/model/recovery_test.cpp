@@ -289,19 +289,14 @@ class DiskTest : public ::testing::Test {
     QString path = folder.filePath(QStringLiteral("a.case.json"));
     test::RootModel model;
     QStringList asked;
-    DocumentDialogs::Overwrite overwrite = DocumentDialogs::Overwrite::No;
+    DocumentDialogs::Instead instead = DocumentDialogs::Instead::Stay;
     QString chosen;
-    bool goesElsewhere = false;
     CaseDocument document{&model,
                           {[](bool) { return DocumentDialogs::Answer::Stay; },
                            [this](const QString&) { return chosen; },
-                           [this](const QString& trouble) {
-                               asked << trouble;
-                               return std::exchange(goesElsewhere, false);
-                           },
-                           [this](const QString& file) {
-                               asked << file;
-                               return overwrite;
+                           [this](const QString& file, const QString& trouble) {
+                               asked << (trouble.isEmpty() ? file : trouble);
+                               return instead;
                            }}};
 };
 
@@ -353,14 +348,14 @@ TEST_F(DiskTest, SavingOverAChangedFileAsksFirst) {
     EXPECT_FALSE(document.save());
     EXPECT_EQ(asked, QStringList{path});
     EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 25.0);
-    overwrite = DocumentDialogs::Overwrite::Elsewhere;
+    instead = DocumentDialogs::Instead::Elsewhere;
     chosen = folder.filePath(QStringLiteral("mine.case.json"));
     EXPECT_TRUE(document.save());
     EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 25.0);
     EXPECT_EQ(document.path(), chosen);
     test::RootModel other;
     EXPECT_EQ(CaseDocument(&other, {}).saveTo(chosen), QString());
-    overwrite = DocumentDialogs::Overwrite::Yes;
+    instead = DocumentDialogs::Instead::Overwrite;
     EXPECT_TRUE(document.save());
     EXPECT_EQ(CaseDocument::read(chosen).input.at("crank_radius_mm"), 16.0);
 }
@@ -422,7 +417,7 @@ TEST_F(DiskTest, AReadOnlyFileStaysAsItIs) {
     EXPECT_TRUE(asked[0].contains(QStringLiteral("read-only"))) << asked[0].toStdString();
     EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 9.0);
     EXPECT_TRUE(document.needsSaving());
-    goesElsewhere = true;
+    instead = DocumentDialogs::Instead::Elsewhere;
     EXPECT_TRUE(document.save());
     EXPECT_EQ(document.path(), chosen);
     EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 9.0);
