@@ -146,7 +146,7 @@ void HingeInputs::addMotion() {
     section(tr("Motion"));
     addFilled("/motion/turns");
     showAssumed(this, number("/motion/start_speed_rad_s"),
-                [this] { return std::optional(MotionRunner::offSpeed(model_->input())); });
+                [this] { return std::optional(offSpeed(model_->input())); });
     addFilled("/motion/start_angle_deg");
     addFilled("/motion/crank_torque_Nm");
     flag("/motion/with_profile_error");

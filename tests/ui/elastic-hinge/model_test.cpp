@@ -32,7 +32,7 @@ MotionWish turns(double count) {
 
 /// Waits until the worker thread has computed the motions of the present input.
 void waitForMotions(ElasticHingeModel& model) {
-    QSignalSpy running(model.runner(), &MotionRunner::runningChanged);
+    QSignalSpy running(model.runner(), &BackgroundJob::runningChanged);
     while (model.runner()->isRunning()) {
         ASSERT_TRUE(running.wait(20000));
     }

@@ -32,7 +32,7 @@ class ElasticHingePageTest : public test::PageTest<ElasticHingePage> {
     PlotView* plotOf(std::string_view part) { return partPlot(page, part); }
     QPushButton* cancelButton() { return find<QPushButton>("cancel_motion"); }
     void waitForMotions() {
-        QSignalSpy running(model->runner(), &MotionRunner::runningChanged);
+        QSignalSpy running(model->runner(), &BackgroundJob::runningChanged);
         while (model->runner()->isRunning()) {
             ASSERT_TRUE(running.wait(20000));
         }

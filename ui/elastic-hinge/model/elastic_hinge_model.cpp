@@ -95,17 +95,35 @@ template class CaseModel<ElasticHingeScene>;
 
 ElasticHingeModel::ElasticHingeModel(QObject* parent, bool runsJobs)
     : CaseModel({}, parent), runsJobs_(runsJobs) {
-    connect(&runner_, &MotionRunner::computed, this,
-            [this](std::shared_ptr<const HingeMotions> motions) {
-                motions_ = std::move(motions);
-                if (motionAngle_) {  // the crank stays where it was left, in the same turn
-                    const Motion* motion = animatedMotion();
-                    motionTime_ = motion != nullptr ? motion->time_at(*motionAngle_) : std::nullopt;
-                }
-                Q_EMIT motionsChanged();
-                Q_EMIT shownChanged();
-            });
+    constexpr int patienceMs = 150;  // a run older than that makes room for a newer one
+    constexpr int restMs = 120;      // the hand rests: a drag's frames have the machine
+    runner_.setPatience(patienceMs, restMs, true);
+    connect(&runner_, &BackgroundJob::failed, this, [this](const QString& why) {
+        auto none = std::make_shared<HingeMotions>();
+        none->offSpeed = offSpeed(input());
+        none->trouble = why;
+        showMotions(none);
+    });
     taken();
+}
+
+void ElasticHingeModel::taken() {
+    if (runsJobs_) {
+        runner_.start([this, input = input(), result = solved().result](const auto& progress) {
+            auto motions = computeMotions(input, *result, progress);
+            return [this, motions] { showMotions(motions); };
+        });
+    }
+}
+
+void ElasticHingeModel::showMotions(std::shared_ptr<const HingeMotions> motions) {
+    motions_ = std::move(motions);
+    if (motionAngle_) {  // the crank stays where it was left, in the same turn
+        const Motion* motion = animatedMotion();
+        motionTime_ = motion != nullptr ? motion->time_at(*motionAngle_) : std::nullopt;
+    }
+    Q_EMIT motionsChanged();
+    Q_EMIT shownChanged();
 }
 
 Json ElasticHingeModel::resultJson() const {
@@ -402,7 +420,7 @@ Results ElasticHingeModel::quantities() const {
         ripple(tr("Ripple with hinge"), &HingeMotions::crank,
                tr("(ω_max − ω_min) / mean ω with the crank hinge, %")),
         ripple(tr("Ripple from %1")
-                   .arg(withItsUnit(motions_ ? motions_->offSpeed : MotionRunner::offSpeed(input()),
+                   .arg(withItsUnit(motions_ ? motions_->offSpeed : offSpeed(input()),
                                     units::rad_per_s)),
                &HingeMotions::offDesign,
                tr("(ω_max − ω_min) / mean ω after a start away from the design speed")),

@@ -8,8 +8,8 @@
 
 #include "case-file/field.h"
 #include "elastic-hinge/guide_export.h"
+#include "elastic-hinge/model/hinge_motions.h"
 #include "elastic-hinge/model/hinge_parts.h"
-#include "elastic-hinge/model/motion_runner.h"
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/results.h"
 #include "elastic-hinge/solver.h"
@@ -60,7 +60,7 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     const elastic_hinge::Result& result() const { return *solved().result; }
     /// The newest motions that are there; null before the first.
     const HingeMotions* motions() const { return motions_.get(); }
-    MotionRunner* runner() { return &runner_; }
+    BackgroundJob* runner() { return &runner_; }
 
     CrankAngle* crank() { return &crank_; }
     /// Time within the motion that the picture plays, s; nothing while it is turned by hand.
@@ -133,14 +133,12 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     void motionsChanged();
 
   private:
-    void taken() override {
-        if (runsJobs_) {
-            runner_.start(input(), solved().result);
-        }
-    }
+    void taken() override;
+    void showMotions(std::shared_ptr<const HingeMotions> motions);
 
     bool runsJobs_;
-    MotionRunner runner_{this};
+    BackgroundJob runner_{
+        this};  ///< of the motions: they take as long as a hundred frames of a drag
     std::shared_ptr<const HingeMotions> motions_;
     CrankAngle crank_{60.0, 360.0};
     std::optional<double> motionTime_;

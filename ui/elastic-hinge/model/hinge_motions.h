@@ -19,25 +19,11 @@ struct HingeMotions {
     QString trouble;                                 ///< why there are none at all; else empty
 };
 
-/// Computes the motions in a worker thread, the newest wish first, when the hand rests: they take
-/// as long as a hundred frames of a drag. A long run is cancelled when a newer wish is there.
-class MotionRunner : public BackgroundJob {
-    Q_OBJECT
-
-  public:
-    explicit MotionRunner(QObject* parent = nullptr);
-
-    void start(const elastic_hinge::Input& input,
-               std::shared_ptr<const elastic_hinge::Result> result);
-
-    /// The speed of the run that starts away from the design speed.
-    static double offSpeed(const elastic_hinge::Input& input);
-
-  Q_SIGNALS:
-    void computed(std::shared_ptr<const HingeMotions> motions);
-
-  private:
-    double offSpeed_ = 0.0;  ///< of the newest wish
-};
+/// The speed of the run that starts away from the design speed.
+double offSpeed(const elastic_hinge::Input& input);
+/// As many motions as there are before the progress is stopped.
+std::shared_ptr<HingeMotions> computeMotions(const elastic_hinge::Input& input,
+                                             const elastic_hinge::Result& result,
+                                             const BackgroundJob::Progress& progress);
 
 }  // namespace ravnoves

@@ -1,4 +1,4 @@
-#include "elastic-hinge/model/motion_runner.h"
+#include "elastic-hinge/model/hinge_motions.h"
 
 #include <array>
 
@@ -12,14 +12,21 @@ using elastic_hinge::Result;
 
 namespace {
 
-constexpr int patienceMs = 150;  ///< a run older than that makes room for a newer one
-constexpr int restMs = 120;      ///< after which the hand rests: a drag's frames have the machine
 constexpr double offFactor = 1.2;
+
+}  // namespace
+
+double offSpeed(const Input& input) {
+    if (input.motion && input.motion->start_speed) {
+        return *input.motion->start_speed;
+    }
+    return offFactor * input.angular_speed;
+}
 
 std::shared_ptr<HingeMotions> computeMotions(const Input& input, const Result& result,
                                              const BackgroundJob::Progress& progress) {
     auto motions = std::make_shared<HingeMotions>();
-    motions->offSpeed = MotionRunner::offSpeed(input);
+    motions->offSpeed = offSpeed(input);
     if (!result.design->has_exact_kinematics()) {
         return motions;
     }
@@ -57,33 +64,6 @@ std::shared_ptr<HingeMotions> computeMotions(const Input& input, const Result& r
         before += 1.0;
     }
     return motions;
-}
-
-}  // namespace
-
-MotionRunner::MotionRunner(QObject* parent) : BackgroundJob(parent) {
-    setPatience(patienceMs, restMs, true);
-    connect(this, &BackgroundJob::failed, this, [this](const QString& why) {
-        auto motions = std::make_shared<HingeMotions>();
-        motions->offSpeed = offSpeed_;
-        motions->trouble = why;
-        Q_EMIT computed(std::move(motions));
-    });
-}
-
-double MotionRunner::offSpeed(const Input& input) {
-    if (input.motion && input.motion->start_speed) {
-        return *input.motion->start_speed;
-    }
-    return offFactor * input.angular_speed;
-}
-
-void MotionRunner::start(const Input& input, std::shared_ptr<const Result> result) {
-    offSpeed_ = offSpeed(input);
-    BackgroundJob::start([this, input, result = std::move(result)](const Progress& progress) {
-        auto motions = computeMotions(input, *result, progress);
-        return [this, motions] { Q_EMIT computed(motions); };
-    });
 }
 
 }  // namespace ravnoves
