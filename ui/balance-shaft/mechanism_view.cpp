@@ -183,11 +183,14 @@ void MechanismView::paintPicture(QPainter& painter) {
     for (const double side : {-1.0, 1.0}) {
         const double inner = e + side * bore / 2;
         const double outer = e + side * (bore / 2 + wall);
-        drawing::drawBlock(painter, QRectF(map.at(inner, sizes.cylinder_top),
-                                           map.at(outer, sizes.cylinder_bottom)));
+        paintBlock(painter,
+                   QRectF(map.at(inner, sizes.cylinder_top), map.at(outer, sizes.cylinder_bottom)),
+                   0.0);
     }
-    drawing::drawBlock(painter, QRectF(map.at(e - bore / 2 - wall, sizes.cylinder_top + wall),
-                                       map.at(e + bore / 2 + wall, sizes.cylinder_top)));
+    paintBlock(painter,
+               QRectF(map.at(e - bore / 2 - wall, sizes.cylinder_top + wall),
+                      map.at(e + bore / 2 + wall, sizes.cylinder_top)),
+               0.0);
     const double pistonTop = std::min(pose.piston_pin.y + 0.45 * pistonHeight, sizes.cylinder_top);
     painter.setBrush(drawing::brightMetal());
     paintBlock(

@@ -405,7 +405,7 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
             painter.setPen(QPen(theme.text(), 1.0));
             paintLine(painter, at(weight->position, 0), at(weight->position, y));
             painter.setBrush(colours[i]);
-            drawing::drawBlock(painter, weightBlock(at(weight->position, y), radius * scale));
+            paintBlock(painter, weightBlock(at(weight->position, y), radius * scale), 0.0);
         }
     }
 

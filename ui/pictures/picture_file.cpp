@@ -60,8 +60,7 @@ bool drawPdf(QIODevice& out, const QSize& size, const QString& title, const Draw
 
 bool drawPng(QIODevice& out, const QSize& size, const DrawPicture& draw) {
     constexpr double scale = printDots / screenDots;
-    QImage image(printedWidth(size), static_cast<int>(std::lround(size.height() * scale)),
-                 QImage::Format_RGB32);
+    QImage image(size * scale, QImage::Format_RGB32);
     const int dotsPerMetre = static_cast<int>(std::lround(scale * screenDots / units::inch.to_si));
     image.setDotsPerMeterX(dotsPerMetre);
     image.setDotsPerMeterY(dotsPerMetre);
@@ -73,10 +72,6 @@ bool drawPng(QIODevice& out, const QSize& size, const DrawPicture& draw) {
 }
 
 }  // namespace
-
-int printedWidth(const QSize& size) {
-    return static_cast<int>(std::lround(size.width() * printDots / screenDots));
-}
 
 QString writePicture(const QString& path, const QSize& size, const QString& title,
                      const DrawPicture& draw) {

@@ -15,14 +15,11 @@ namespace ravnoves {
 /// Draws a picture; `scale` is its pixels per unit of size.
 using DrawPicture = std::function<void(QPainter& painter, double scale)>;
 
-/// Writes what `draw` draws as PNG, SVG or PDF, by the file's ending; another one is rejected.
+/// Writes what `draw` draws as PNG, SVG or PDF, by the file's ending; another one is rejected. A
+/// PNG prints, with 300 dots to the inch, as large as a screen with 96 shows it.
 /// @return an empty string, or what went wrong
 QString writePicture(const QString& path, const QSize& size, const QString& title,
                      const DrawPicture& draw);
-
-/// Width in pixels of a PNG that prints, with 300 dots to the inch, as large as a screen with 96
-/// shows it.
-int printedWidth(const QSize& size);
 
 /// Prompts for a place to save; `write` writes there.
 /// @param others  formats beside the pictures'

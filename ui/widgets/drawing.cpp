@@ -65,11 +65,6 @@ void drawRod(QPainter& painter, const QPointF& from, const QPointF& to, double w
     paintBar(painter, from, to, 0.5 * (width + edge));
 }
 
-void drawBlock(QPainter& painter, const QRectF& block) {
-    paintPolygon(painter,
-                 {block.topLeft(), block.topRight(), block.bottomRight(), block.bottomLeft()});
-}
-
 QPainterPath weightPath(const QPointF& axis, double angle, double radius, double hubRadius,
                         double half) {
     const double middle = angle / degree;

@@ -43,9 +43,6 @@ void drawBar(QPainter& painter, const QPointF& from, const QPointF& to, double w
 void drawRod(QPainter& painter, const QPointF& from, const QPointF& to, double width,
              const QColor& fill, const QColor& line);
 
-/// A rectangle with the painter's pen and brush.
-void drawBlock(QPainter& painter, const QRectF& block);
-
 /// A counterweight seen along its shaft: the sector of a disc with a hub towards an angle (rad,
 /// counter-clockwise from x), `half` degrees to both sides.
 QPainterPath weightPath(const QPointF& axis, double angle, double radius, double hubRadius,

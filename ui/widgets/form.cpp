@@ -272,14 +272,9 @@ void Form::showAll() {
     }
 }
 
-QStringList Form::rejected() const {
-    QStringList list;
-    for (const EntryField* field : findChildren<EntryField*>()) {
-        if (!field->trouble().isEmpty()) {
-            list << field->accessibleName() + QStringLiteral(": ") + field->trouble();
-        }
-    }
-    return list;
+bool Form::hasRejected() const {
+    return std::ranges::any_of(findChildren<EntryField*>(),
+                               [](const EntryField* field) { return !field->trouble().isEmpty(); });
 }
 
 }  // namespace ravnoves

@@ -71,8 +71,8 @@ class Form : public QWidget {
     /// Calls `show` now and whenever the input changes.
     void follow(std::function<void()> show);
 
-    /// Entries that are rejected now: "Crank radius r, mm: The value must be greater than 0 mm."
-    QStringList rejected() const;
+    /// An entry is rejected now.
+    bool hasRejected() const;
 
   protected:
     SceneModel* model() const { return model_; }

@@ -263,12 +263,6 @@ void ResultTable::showTips() {
     }
 }
 
-void ResultTable::setCellToolTip(int row, int column, const QString& text) {
-    if (QTableWidgetItem* cell = item(row, column)) {
-        cell->setToolTip(text);
-    }
-}
-
 void ResultTable::setSpreads(std::vector<Spread> spreads, const QString& how) {
     if (spreads.empty() && spreads_.empty()) {
         return;

@@ -36,7 +36,6 @@ class ResultTable : public QTableWidget {
     void setResults(const Results& results);
     /// Null where the cell has no number, or two.
     const ResultNumber* numberAt(int row, int column) const;
-    void setCellToolTip(int row, int column, const QString& text);
     /// Shows below its numbers how they differ from those that another input gives, row by row's
     /// key: absolute and in percent. Null removes them.
     void showReference(const Results* results, const QString& name);

@@ -207,9 +207,9 @@ void WorkshopPage::markTab(int tab) {
     // A tab that hides a rejected entry says so, or readings that may not hold.
     const WorkshopSheet* form = forms_.at(tab);
     const Theme& theme = Theme::instance();
-    const QColor colour = !form->rejected().isEmpty() ? theme.error()
-                          : form->isDoubtful()        ? theme.warning()
-                                                      : QColor();
+    const QColor colour = form->hasRejected()  ? theme.error()
+                          : form->isDoubtful() ? theme.warning()
+                                               : QColor();
     if (colour != sheets_->tabBar()->tabTextColor(tab)) {
         sheets_->tabBar()->setTabTextColor(tab, colour);
     }

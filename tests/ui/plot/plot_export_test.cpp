@@ -289,7 +289,7 @@ TEST_F(PlotExportTest, EveryFigureHasTheMenuAndTheKeyboardReachesIt) {
               "\xEF\xBB\xBF"
               "a,1.5\n");
     const QImage picture(file("a.png"));
-    EXPECT_EQ(picture.width(), printedWidth(square.size()));
+    EXPECT_EQ(picture.width(), qRound(square.width() * 300.0 / 96.0));
     EXPECT_EQ(picture.pixelColor(0, 0), picture.pixelColor(15, 15));
     EXPECT_EQ(picture.pixelColor(picture.rect().center()), QColor(Qt::black));
     EXPECT_FALSE(test::contentOf(file("a.svg")).contains("<polyline"));

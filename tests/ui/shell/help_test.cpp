@@ -163,7 +163,7 @@ TEST(WhatsThisTest, AClickExplainsAResult) {
     ResultTable table(&window);
     table.setColumns({u"Criterion"_s, u"Value"_s});
     table.setRows({{u"Range"_s, u"1066.7"_s}});
-    table.setCellToolTip(0, 1, u"Largest less least moment."_s);
+    table.item(0, 1)->setToolTip(u"Largest less least moment."_s);
     table.resize(280, 150);
     test::showAt(window, {300, 200});
     QWhatsThis::enterWhatsThisMode();
