@@ -3,7 +3,6 @@
 #include <QString>
 #include <QStringList>
 #include <functional>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,14 +50,9 @@ struct Notes {
 
 /// What the tolerances do to the numbers of a part: from 5 % to each number, and from it to 95 %.
 struct PartSpread {
-    /// Of a curve, point by point.
-    struct Curve {
-        std::vector<double> below;
-        std::vector<double> above;
-    };
-    std::map<std::string, Curve> curves;  ///< of a figure, by their words
-    std::vector<CellSpread> cells;        ///< of a table
-    QString how;                          ///< they were found
+    plot::Spreads curves;           ///< of a figure
+    std::vector<CellSpread> cells;  ///< of a table
+    QString how;                    ///< they were found
 };
 
 /// What a part shows of one input; nothing where it does not exist.

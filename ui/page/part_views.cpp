@@ -78,23 +78,6 @@ void PartPlot::showReference(const Content* content, const QString& name) {
     PlotView::showReference(content != nullptr ? std::get_if<Figure>(content) : nullptr, name);
 }
 
-void showSpread(PlotView& plot, const PartSpread& spread) {
-    for (int curve = 0; curve < plot.curveCount(); ++curve) {
-        const auto found = spread.curves.find(plot.data().curve(curve).id);
-        const bool isThere = found != spread.curves.end();
-        plot.setSpread(curve, isThere ? found->second.below : std::vector<double>(),
-                       isThere ? found->second.above : std::vector<double>());
-    }
-}
-
-void PartPlot::showSpread(const PartSpread& spread) {
-    ravnoves::showSpread(*this, spread);
-}
-
-void PartPlot::clearSpread(bool /*another*/) {
-    clearSpreads();
-}
-
 namespace {
 
 using TextOfTable = QString (ResultTable::*)() const;

@@ -53,9 +53,6 @@ class PartView {
     bool isReferenceStale_ = true;
 };
 
-/// What the tolerances do to a plot of a part.
-void showSpread(PlotView& plot, const PartSpread& spread);
-
 /// A plot of a figure.
 class PartPlot : public PlotView, public PartView {
     Q_OBJECT
@@ -65,8 +62,8 @@ class PartPlot : public PlotView, public PartView {
 
     /// It shows more than a figure has: none but itself can be drawn.
     virtual bool isDrawing() const { return false; }
-    void showSpread(const PartSpread& spread) override;
-    void clearSpread(bool another) override;
+    void showSpread(const PartSpread& spread) override { setSpreads(spread.curves); }
+    void clearSpread(bool /*another*/) override { setSpreads({}); }
 
   protected:
     void showEvent(QShowEvent* event) override;

@@ -185,14 +185,20 @@ void PlotView::setCurve(int number, std::vector<double> x, std::vector<double> y
     }
 }
 
-void PlotView::setSpread(int number, std::vector<double> below, std::vector<double> above) {
-    PlotCurve& curve = data_.curve(number);
-    if (curve.below == below && curve.above == above) {
+void PlotView::setSpreads(const plot::Spreads& spreads) {
+    bool isOther = false;
+    for (PlotCurve& curve : data_.curves) {
+        const auto found = spreads.find(curve.id);
+        const plot::Spread spread = found != spreads.end() ? found->second : plot::Spread();
+        if (curve.below != spread.below || curve.above != spread.above) {
+            curve.below = spread.below;
+            curve.above = spread.above;
+            curve.stale = isOther = true;
+        }
+    }
+    if (!isOther) {
         return;
     }
-    curve.below = std::move(below);
-    curve.above = std::move(above);
-    curve.stale = true;
     if (spreadItem_ == nullptr) {
         spreadItem_ = new LegendItem(this);
         spreadItem_->setObjectName(QStringLiteral("spread"));
@@ -214,12 +220,6 @@ void PlotView::setSpread(int number, std::vector<double> below, std::vector<doub
         chartChanged();
     }
     curvesChanged();
-}
-
-void PlotView::clearSpreads() {
-    for (int curve = 0; data_.hasSpread() && curve < curveCount(); ++curve) {
-        setSpread(curve, {}, {});
-    }
 }
 
 void PlotView::setPointText(int number, std::function<QString(std::size_t)> text) {

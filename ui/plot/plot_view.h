@@ -57,10 +57,8 @@ class PlotView : public QWidget {
     void setCurveStyle(int curve, const CurveStyle& style);
     void setCurveShown(int curve, bool shown);
     int curveCount() const { return static_cast<int>(data_.curves.size()); }
-    /// Scatter of the curve by the inputs, 5…95 %: amounts below and above each of its points,
-    /// which move with the curve; empty lists remove it.
-    void setSpread(int curve, std::vector<double> below, std::vector<double> above);
-    void clearSpreads();
+    /// The scatter of the curves, which moves with them; those without one have none any more.
+    void setSpreads(const plot::Spreads& spreads);
     /// Reads out a point of the curve, as lines of text; null: no text. In a plot with such texts
     /// the mouse and the arrow keys read points instead of the curves at an x.
     void setPointText(int curve, std::function<QString(std::size_t point)> text);

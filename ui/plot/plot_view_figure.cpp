@@ -131,6 +131,9 @@ void PlotView::showFigure(const Figure& figure) {
     if (figure.presentX) {
         setPresentX(figure.presentX);
     }
+    if (figure.spreads) {
+        setSpreads(*figure.spreads);
+    }
 }
 
 void PlotView::showReference(const Figure* figure, const QString& name) {

@@ -86,7 +86,7 @@ void addFigure(const ScenePage& page, SceneModel& model, const PagePart& part, c
         plot->showReference(std::get_if<Figure>(&*reference), model.referenceCase().name());
     }
     if (spread != nullptr) {
-        showSpread(*plot, *spread);
+        plot->setSpreads(spread->curves);
     }
     constexpr int width = 660;
     constexpr int high = 460;

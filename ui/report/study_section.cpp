@@ -11,9 +11,9 @@
 #include "report/patience.h"
 #include "report/report.h"
 #include "studies/model/result_words.h"
+#include "studies/model/study_figures.h"
 #include "studies/model/study_model.h"
 #include "studies/model/sweep_model.h"
-#include "studies/sweep_view.h"
 #include "studies/tolerance_switch.h"
 #include "studies/tornado_view.h"
 #include "text/message_text.h"
@@ -119,8 +119,8 @@ void addSweep(Report& report, StudyModel& study, const Patience& patience) {
     if (study.scene()->sweepChoice().input.empty() || study.study().watch.empty()) {
         return;
     }
-    const auto view = std::make_shared<SweepView>(&study);
-    SweepModel& model = *view->model();
+    SweepModel model(&study);
+    model.choose(study.scene()->sweepChoice());
     model.setWatched(true);
     waitFor(model, patience);
     model.setWatched(false);
@@ -130,17 +130,22 @@ void addSweep(Report& report, StudyModel& study, const Patience& patience) {
         }
         return;
     }
-    for (PlotView* plot : view->plots()) {
-        const bool isMain = plot == view->plot();
-        plot->resize(660, isMain ? 300 : 180);
-        report.items.push_back(drawingOf(std::shared_ptr<PlotView>(view, plot)));
+    const auto sheet = std::make_shared<QWidget>();
+    QList<PlotView*> plots;
+    for (const Figure& figure : sweepFigures(study, *model.sweep())) {
+        auto* plot = new PlotView({}, sheet.get());
+        plot->showFigure(figure);
+        plot->resize(660, plots.empty() ? 300 : 180);
+        plots << plot;
+        report.items.push_back(drawingOf(std::shared_ptr<PlotView>(sheet, plot)));
     }
+    PlotView::stack(plots);
     const ShownTitle input = study.inputTitle(model.input());
     const auto shown = [&](double x) { return shownFormNumber(input.factor * x, QLocale(), 5); };
     const auto& places = model.sweep()->places;
-    report.say(
-        ReportWords::tr("Sweep, %1 from %2 to %3. %4")
-            .arg(input.text, shown(places.front().x), shown(places.back().x), view->words()));
+    report.say(ReportWords::tr("Sweep, %1 from %2 to %3. %4")
+                   .arg(input.text, shown(places.front().x), shown(places.back().x),
+                        sweepWords(study, model)));
 }
 
 }  // namespace

@@ -7,12 +7,11 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 
 #include "case-file/decimal.h"
 #include "model/background_job.h"
 #include "plot/plot_view.h"
-#include "studies/model/result_words.h"
+#include "studies/model/study_figures.h"
 #include "studies/model/study_model.h"
 #include "studies/model/sweep_model.h"
 #include "text/number_text.h"
@@ -31,27 +30,6 @@ std::string chosen(const QComboBox* box) {
 }
 
 }  // namespace
-
-std::vector<PlotView::Line> limitLines(const StudyModel& study, const std::string& result,
-                                       Qt::Orientation orientation) {
-    std::vector<PlotView::Line> lines;
-    const auto& watch = study.study().watch;
-    const auto watched = std::ranges::find(watch, result, &studies::Watched::pointer);
-    if (watched == watch.end()) {
-        return lines;
-    }
-    for (const auto& [limit, text] : {std::pair(watched->min, SweepView::tr("at least")),
-                                      std::pair(watched->max, SweepView::tr("at most"))}) {
-        if (limit) {
-            lines.push_back({.at = *limit,
-                             .orientation = orientation,
-                             .role = Role::Limit,
-                             .text = text,
-                             .keptAtEdge = true});
-        }
-    }
-    return lines;
-}
 
 SweepView::SweepView(StudyModel* study, QWidget* parent)
     : QWidget(parent), study_(study), model_(new SweepModel(study, this)) {
@@ -98,10 +76,8 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
     auto* progress = new JobProgress(model_->job(), tr("Progress"), this);
     progress->setMaximumHeight(Theme::withText(6));
     plot_ = new PlotView({}, this);
-    plot_->addCurve({.name = tr("mean"), .role = Role::Value, .width = 2.0, .gaps = true});
     column->addWidget(plot_, 2);
     share_ = new PlotView({}, this);
-    share_->addCurve({.name = tr("feasible"), .role = Role::OtherQuantity, .inLegend = false});
     share_->setToolTip(tr("Share of feasible samples."));
     share_->hide();
     column->addWidget(share_, 1);
@@ -128,10 +104,6 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
     showSweep();
 }
 
-QList<PlotView*> SweepView::plots() const {
-    return share_->isHidden() ? QList{plot_} : QList{plot_, share_};
-}
-
 void SweepView::fillChoices() {
     const auto fill = [](QComboBox* box, const std::vector<std::pair<QString, QString>>& entries,
                          const std::string& wanted) {
@@ -142,14 +114,9 @@ void SweepView::fillChoices() {
         }
         box->setCurrentIndex(std::max(box->findData(QString::fromStdString(wanted)), 0));
     };
-    // What scatters is first.
     std::vector<std::pair<QString, QString>> inputs;
-    for (const bool scatters : {true, false}) {
-        for (const StudyModel::Input& input : study_->inputs()) {
-            if (input.varied.has_value() == scatters && !input.isMissing) {
-                inputs.emplace_back(input.name, QString::fromStdString(input.pointer));
-            }
-        }
+    for (const StudyModel::Input* input : model_->inputs()) {
+        inputs.emplace_back(input->name, QString::fromStdString(input->pointer));
     }
     const SweepChoice& kept = study_->scene()->sweepChoice();
     fill(input_, inputs, kept.input);
@@ -201,7 +168,7 @@ void SweepView::showSweep() {
     const bool isFaded = model_->isStale() && sweep != nullptr;
     plot_->setFaded(isFaded, isFaded ? tr("Computing…") : QString());
     share_->setFaded(isFaded);
-    words_->setText(words());
+    words_->setText(sweepWords(*study_, *model_));
     const bool isTaken = sweep != nullptr && sweep->best && !model_->isStale() &&
                          !study_->inputTitle(sweep->input).text.isEmpty();
     take_->setVisible(isTaken);
@@ -213,92 +180,12 @@ void SweepView::showSweep() {
         take_->setText(
             tr("Set t&o %1").arg(shownFormNumber(input.factor * sweep->best->x, QLocale(), 5)));
     }
-    showCurves();
-}
-
-QString SweepView::words() const {
-    return !model_->trouble().isEmpty() ? model_->trouble()
-           : model_->result().empty()   ? tr("Choose a result to watch.")
-           : model_->sweep() == nullptr ? tr("Computing…")
-                                        : bestText();
-}
-
-QString SweepView::bestText() const {
-    const Sweep& sweep = *model_->sweep();
-    const QString few = tr("No value makes 95 % of the samples feasible.");
-    if (!sweep.best) {
-        return few;
+    const std::vector<Figure> figures = sweepFigures(*study_, *sweep);
+    plot_->showFigure(figures.front());
+    share_->setVisible(figures.size() > 1);
+    if (figures.size() > 1) {
+        share_->showFigure(figures.back());
     }
-    const ShownTitle input = study_->inputTitle(sweep.input);
-    const ShownUnit unit = study_->resultName(sweep.result).shown();
-    QString best =
-        tr("Minimum 95th percentile of the absolute value: %1 at %2; %3 of the samples are "
-           "feasible.")
-            .arg(withUnit(shownFormNumber(unit.factor * sweep.best->size, QLocale(), 5), unit.name),
-                 shownFormNumber(input.factor * sweep.best->x, QLocale(), 5),
-                 percentText(sweep.best->built));
-    if (sweep.best->x == sweep.places.front().x || sweep.best->x == sweep.places.back().x) {
-        best += QLatin1Char(' ') + tr("This is an end of the range.");
-    }
-    return sweep.best->built < Sweep::minBuilt ? few + QLatin1Char(' ') + best : best;
-}
-
-void SweepView::showCurves() {
-    const Sweep& sweep = *model_->sweep();
-    const ResultName name = study_->resultName(sweep.result);
-    const ShownTitle input = study_->inputTitle(sweep.input);
-    std::vector<double> x;
-    std::vector<double> mean;
-    std::vector<double> below;
-    std::vector<double> above;
-    std::vector<double> every;
-    std::vector<double> built;
-    for (const Sweep::Place& place : sweep.places) {
-        every.push_back(input.factor * place.x);
-        built.push_back(100.0 * place.built);
-        if (std::isfinite(place.mean)) {
-            x.push_back(every.back());
-            mean.push_back(place.mean);
-            below.push_back(place.mean - place.low);
-            above.push_back(place.high - place.mean);
-        }
-    }
-    const bool scatters = std::any_of(above.begin(), above.end(), [](double a) { return a > 0; });
-    const bool allBuilt =
-        std::all_of(built.begin(), built.end(), [](double b) { return b > 99.9; });
-    plot_->setTitle(name.text);
-    plot_->setXAxis({allBuilt ? input.text : QString(), every.front(), every.back()});
-    plot_->setYAxis(plot::Side::Left, {name.unit});
-    plot_->setCurve(0, x, mean);
-    plot_->setSpread(0, scatters ? below : std::vector<double>(),
-                     scatters ? above : std::vector<double>());
-    share_->setVisible(!allBuilt);
-    share_->setXAxis({input.text, every.front(), every.back()});
-    share_->setYAxis(plot::Side::Left, {tr("feasible, %")});
-    share_->setYRange(plot::Side::Left, 0.0, 100.0);
-    share_->setCurve(0, every, built);
-    std::vector<PlotView::Band> bands;
-    const double nominal = input.factor * sweep.nominal;
-    if (sweep.half > 0.0) {
-        const double half = input.factor * sweep.half;
-        bands.push_back({nominal - half, nominal + half, Role::Present, 0.12, QStringLiteral("±")});
-    }
-    plot_->setBands(std::move(bands));
-    const auto shown = [&](double value) {
-        return shownFormNumber(name.shown().factor * value, QLocale(), 5);
-    };
-    std::vector<PlotView::Mark> marks;
-    if (sweep.nominalResult) {
-        marks.push_back({nominal, *sweep.nominalResult, shown(*sweep.nominalResult)});
-    }
-    if (sweep.best) {
-        const double worst = std::copysign(sweep.best->size, sweep.best->low + sweep.best->high);
-        marks.push_back({input.factor * sweep.best->x, worst,
-                         QStringLiteral("95 %: ") + shown(worst), Role::Best, plot::Side::Left,
-                         true});
-    }
-    plot_->setMarks(std::move(marks));
-    plot_->setLines(limitLines(*study_, sweep.result, Qt::Horizontal));
 }
 
 void SweepView::showEvent(QShowEvent* event) {

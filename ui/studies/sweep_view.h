@@ -2,9 +2,6 @@
 
 #include <QWidget>
 #include <string>
-#include <vector>
-
-#include "plot/plot_view.h"
 
 class QComboBox;
 class QLabel;
@@ -13,12 +10,9 @@ class QPushButton;
 namespace ravnoves {
 
 class NumberField;
+class PlotView;
 class StudyModel;
 class SweepModel;
-
-/// The limits of a watched result, as lines of a plot.
-std::vector<PlotView::Line> limitLines(const StudyModel& study, const std::string& result,
-                                       Qt::Orientation orientation);
 
 /// Sweeps one input while the others scatter: how a result follows it.
 class SweepView : public QWidget {
@@ -29,10 +23,6 @@ class SweepView : public QWidget {
 
     SweepModel* model() const { return model_; }
     PlotView* plot() const { return plot_; }
-    /// It, and the chart of the feasible share where that is shown.
-    QList<PlotView*> plots() const;
-    /// Its finding, in a sentence.
-    QString words() const;
     /// Sweeps to this result, by its pointer.
     void chooseResult(const std::string& result);
 
@@ -47,8 +37,6 @@ class SweepView : public QWidget {
     void keepChoice();
     void choose();
     void showSweep();
-    void showCurves();
-    QString bestText() const;
 
     StudyModel* study_;
     SweepModel* model_;

@@ -29,6 +29,7 @@
 #include "page/scene_page.h"
 #include "plot/plot_view.h"
 #include "studies/model/result_words.h"
+#include "studies/model/study_figures.h"
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"
 #include "studies/sweep_view.h"
@@ -344,6 +345,7 @@ QWidget* ToleranceWindow::makeFound() {
          {QStringLiteral("95 %"), tr("5 % of the samples are larger.")},
          {tr("Within"), tr("Share of the samples within the limits, with its 95 % interval.")}});
     connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
+        histogram_->resetZoom();  // to part of another result
         showChosen();
         const StudyAnswers* answers = model_->answers();
         if (const auto place = static_cast<std::size_t>(row);
@@ -371,8 +373,6 @@ QWidget* ToleranceWindow::makeFound() {
     tornado_ = new TornadoView(tabs_);
     tabs_->addTab(tornado_, tr("Main contributors"));
     histogram_ = new PlotView({}, tabs_);
-    histogram_->addCurve({.name = tr("share"), .shape = plot::Shape::Bars, .inLegend = false});
-    histogram_->setYAxis(plot::Side::Left, {tr("share of the samples, %")});
     tabs_->addTab(histogram_, tr("Histogram"));
     sweep_ = new SweepView(model_, tabs_);
     addScrolledTab(tabs_, sweep_, QStringLiteral("sweep"), tr("Sweep"));
@@ -519,39 +519,14 @@ void ToleranceWindow::showChosen() {
     const auto row = static_cast<std::size_t>(std::max(table_->currentRow(), 0));
     histogram_->setFaded(model_->isStale(), model_->isStale() ? tr("Computing…") : QString());
     tornado_->setFaded(model_->isStale());
-    if (answers == nullptr || row >= answers->values.size()) {
+    const StudyAnswer* value =
+        answers != nullptr && row < answers->values.size() ? &answers->values[row] : nullptr;
+    histogram_->showFigure(histogramFigure(*model_, value));
+    if (value == nullptr) {
         tornado_->setBars({}, {});
-        histogram_->setTitle({});
-        histogram_->setCurve(0, {}, {});
-        histogram_->setLines({});
-        return;
+    } else {
+        showShares(*tornado_, *value, *model_);
     }
-    const StudyAnswer& value = answers->values[row];
-    const ResultName named = model_->resultName(value.pointer);
-    showShares(*tornado_, value, *model_);
-    histogram_->setTitle(named.withUnit());
-    std::vector<double> heights;
-    for (const double height : value.heights) {
-        heights.push_back(100.0 * height);
-    }
-    if (value.middles.size() > 1) {
-        const double step = value.middles[1] - value.middles[0];
-        histogram_->setXAxis(
-            {named.unit, value.middles.front() - step, value.middles.back() + step});
-        histogram_->setCurveStyle(
-            0,
-            {.name = tr("share"), .shape = plot::Shape::Bars, .inLegend = false, .barWidth = step});
-    }
-    histogram_->setCurve(0, value.middles, heights);
-    std::vector<PlotView::Line> lines = limitLines(*model_, value.pointer, Qt::Vertical);
-    if (value.nominal) {
-        lines.insert(lines.begin(), {.at = *value.nominal,
-                                     .orientation = Qt::Vertical,
-                                     .role = Role::Limit,
-                                     .text = tr("nominal"),
-                                     .keptAtEdge = true});
-    }
-    histogram_->setLines(std::move(lines));
 }
 
 void ToleranceWindow::showEvent(QShowEvent* event) {

@@ -49,6 +49,8 @@ struct Figure {
     std::vector<plot::Band> bands = {};
     std::vector<plot::Line> lines = {};
     std::optional<double> presentX = {};  ///< likewise
+    /// Empty: they follow the tolerances of the case.
+    std::optional<plot::Spreads> spreads = {};
 };
 
 }  // namespace ravnoves

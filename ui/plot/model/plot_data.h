@@ -7,6 +7,8 @@
 #include <QString>
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <string>
 
 #include "plot/model/plot_scale.h"
 #include "theme/model/role.h"
@@ -67,6 +69,14 @@ struct Band {
 
     bool operator==(const Band&) const = default;
 };
+
+/// Scatter of a curve by the inputs, 5…95 %: amounts below and above each of its points.
+struct Spread {
+    std::vector<double> below = {};
+    std::vector<double> above = {};
+};
+/// Of the curves with these words.
+using Spreads = std::map<std::string, Spread>;
 
 /// A straight line across the plot.
 struct Line {

@@ -150,7 +150,7 @@ PartSpread PartNumbers::spreadOf(const Figure& figure, std::size_t from,
     PartSpread spread;
     std::size_t at = from;
     for (const Figure::Curve& curve : figure.curves) {
-        PartSpread::Curve found;
+        plot::Spread found;
         double maximum = 0.0;
         double largest = 0.0;
         for (std::size_t i = 0; i < curve.x.size(); ++i, ++at) {

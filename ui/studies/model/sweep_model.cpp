@@ -184,8 +184,30 @@ SweepModel::SweepModel(StudyModel* study, QObject* parent)
     });
 }
 
+std::vector<const StudyModel::Input*> SweepModel::inputs() const {
+    std::vector<const StudyModel::Input*> inputs;
+    for (const bool scatters : {true, false}) {
+        for (const StudyModel::Input& input : study_->inputs()) {
+            if (input.varied.has_value() == scatters && !input.isMissing) {
+                inputs.push_back(&input);
+            }
+        }
+    }
+    return inputs;
+}
+
 void SweepModel::choose(const SweepChoice& choice) {
     choice_ = choice;
+    const auto offered = inputs();
+    if (!offered.empty() &&
+        std::ranges::find(offered, choice.input, &StudyModel::Input::pointer) == offered.end()) {
+        choice_.input = offered.front()->pointer;
+    }
+    const auto& watch = study_->study().watch;
+    if (!watch.empty() &&
+        std::ranges::find(watch, choice.result, &studies::Watched::pointer) == watch.end()) {
+        choice_.result = watch.front().pointer;
+    }
     follow();
 }
 

@@ -9,12 +9,11 @@
 #include <vector>
 
 #include "model/scene_model.h"
-#include "studies/study.h"
+#include "studies/model/study_model.h"
 
 namespace ravnoves {
 
 class BackgroundJob;
-class StudyModel;
 
 /// A result over one input while the other inputs scatter, in the units of their keys.
 struct Sweep {
@@ -55,7 +54,10 @@ class SweepModel : public QObject {
     // Pointers.
     const std::string& input() const { return choice_.input; }
     const std::string& result() const { return choice_.result; }
-    /// @param choice  a missing end is taken from usualEnds()
+    /// What may be swept, what scatters first.
+    std::vector<const StudyModel::Input*> inputs() const;
+    /// @param choice  a removed input or result is replaced by the first, a missing end is taken
+    ///                from usualEnds()
     void choose(const SweepChoice& choice);
     /// From and to, in the unit of the input's key.
     using Ends = std::pair<double, double>;

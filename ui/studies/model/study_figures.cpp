@@ -1,0 +1,155 @@
+#include "studies/model/study_figures.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "studies/model/result_words.h"
+#include "studies/model/study_model.h"
+#include "studies/model/sweep_model.h"
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+namespace {
+
+struct SweepWords {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::SweepView)
+};
+
+struct HistogramWords {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::ToleranceWindow)
+};
+
+plot::Line lineAt(double at, Qt::Orientation orientation, const QString& text) {
+    return {.at = at,
+            .orientation = orientation,
+            .role = Role::Limit,
+            .text = text,
+            .keptAtEdge = true};
+}
+
+/// The limits of a watched result.
+void addLimits(Figure& figure, const StudyModel& study, const std::string& result,
+               Qt::Orientation orientation) {
+    const auto& watch = study.study().watch;
+    const auto watched = std::ranges::find(watch, result, &studies::Watched::pointer);
+    if (watched != watch.end() && watched->min) {
+        figure.lines.push_back(lineAt(*watched->min, orientation, SweepWords::tr("at least")));
+    }
+    if (watched != watch.end() && watched->max) {
+        figure.lines.push_back(lineAt(*watched->max, orientation, SweepWords::tr("at most")));
+    }
+}
+
+QString bestText(const StudyModel& study, const Sweep& sweep) {
+    const QString few = SweepWords::tr("No value makes 95 % of the samples feasible.");
+    if (!sweep.best) {
+        return few;
+    }
+    const ShownTitle input = study.inputTitle(sweep.input);
+    const ShownUnit unit = study.resultName(sweep.result).shown();
+    QString best =
+        SweepWords::tr(
+            "Minimum 95th percentile of the absolute value: %1 at %2; %3 of the samples are "
+            "feasible.")
+            .arg(withUnit(shownFormNumber(unit.factor * sweep.best->size, QLocale(), 5), unit.name),
+                 shownFormNumber(input.factor * sweep.best->x, QLocale(), 5),
+                 percentText(sweep.best->built));
+    if (sweep.best->x == sweep.places.front().x || sweep.best->x == sweep.places.back().x) {
+        best += QLatin1Char(' ') + SweepWords::tr("This is an end of the range.");
+    }
+    return sweep.best->built < Sweep::minBuilt ? few + QLatin1Char(' ') + best : best;
+}
+
+}  // namespace
+
+QString sweepWords(const StudyModel& study, const SweepModel& model) {
+    return !model.trouble().isEmpty() ? model.trouble()
+           : model.result().empty()   ? SweepWords::tr("Choose a result to watch.")
+           : model.sweep() == nullptr ? SweepWords::tr("Computing…")
+                                      : bestText(study, *model.sweep());
+}
+
+std::vector<Figure> sweepFigures(const StudyModel& study, const Sweep& sweep) {
+    const ResultName name = study.resultName(sweep.result);
+    const ShownTitle input = study.inputTitle(sweep.input);
+    Figure result{.title = name.text, .left = {name.unit}};
+    Figure::Curve& mean = result.add(
+        "mean", {.name = SweepWords::tr("mean"), .role = Role::Value, .width = 2.0}, {}, {});
+    plot::Spread spread;
+    Figure share{.left = {SweepWords::tr("feasible, %")}, .leftRange = std::pair(0.0, 100.0)};
+    Figure::Curve& built = share.add(
+        "feasible",
+        {.name = SweepWords::tr("feasible"), .role = Role::OtherQuantity, .inLegend = false}, {},
+        {});
+    for (const Sweep::Place& place : sweep.places) {
+        built.x.push_back(input.factor * place.x);
+        built.y.push_back(100.0 * place.built);
+        if (std::isfinite(place.mean)) {
+            mean.x.push_back(built.x.back());
+            mean.y.push_back(place.mean);
+            spread.below.push_back(place.mean - place.low);
+            spread.above.push_back(place.high - place.mean);
+        }
+    }
+    result.spreads.emplace();
+    if (std::ranges::any_of(spread.above, [](double above) { return above > 0.0; })) {
+        result.spreads->emplace(mean.id, std::move(spread));
+    }
+    share.x = {input.text, built.x.front(), built.x.back()};
+    result.x = share.x;
+    const double nominal = input.factor * sweep.nominal;
+    if (sweep.half > 0.0) {
+        const double half = input.factor * sweep.half;
+        result.bands = {{nominal - half, nominal + half, Role::Present, 0.12, QStringLiteral("±")}};
+    }
+    const auto shown = [&](double value) {
+        return shownFormNumber(name.shown().factor * value, QLocale(), 5);
+    };
+    result.marks.emplace();
+    if (sweep.nominalResult) {
+        result.marks->push_back({nominal, *sweep.nominalResult, shown(*sweep.nominalResult)});
+    }
+    if (sweep.best) {
+        const double worst = std::copysign(sweep.best->size, sweep.best->low + sweep.best->high);
+        result.marks->push_back({input.factor * sweep.best->x, worst,
+                                 QStringLiteral("95 %: ") + shown(worst), Role::Best,
+                                 plot::Side::Left, true});
+    }
+    addLimits(result, study, sweep.result, Qt::Horizontal);
+    if (std::ranges::all_of(built.y, [](double percent) { return percent > 99.9; })) {
+        return {result};
+    }
+    result.x.title.clear();  // it is below the other
+    return {result, share};
+}
+
+Figure histogramFigure(const StudyModel& study, const StudyAnswer* value) {
+    Figure figure{.left = {HistogramWords::tr("share of the samples, %")}};
+    if (value == nullptr) {
+        return figure;
+    }
+    const ResultName name = study.resultName(value->pointer);
+    figure.title = name.withUnit();
+    Figure::Curve& bars = figure.add(
+        "share",
+        {.name = HistogramWords::tr("share"), .shape = plot::Shape::Bars, .inLegend = false},
+        value->middles, value->heights);
+    for (double& height : bars.y) {
+        height *= 100.0;
+    }
+    if (bars.x.size() > 1) {
+        const double step = bars.x[1] - bars.x[0];
+        figure.x = {name.unit, bars.x.front() - step, bars.x.back() + step};
+        bars.style.barWidth = step;
+    }
+    if (value->nominal) {
+        figure.lines.push_back(
+            lineAt(*value->nominal, Qt::Vertical, HistogramWords::tr("nominal")));
+    }
+    addLimits(figure, study, value->pointer, Qt::Vertical);
+    return figure;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "plot/model/figure.h"
+
+namespace ravnoves {
+
+class StudyModel;
+class SweepModel;
+struct StudyAnswer;
+struct Sweep;
+
+/// A result over the input that is swept; below it, where those are not all, the share of feasible
+/// samples.
+std::vector<Figure> sweepFigures(const StudyModel& study, const Sweep& sweep);
+/// The finding of a sweep, or the reason for a missing one, in a sentence.
+QString sweepWords(const StudyModel& study, const SweepModel& model);
+/// How the samples of a result are distributed about its limits. Null: an empty chart.
+Figure histogramFigure(const StudyModel& study, const StudyAnswer* value);
+
+}  // namespace ravnoves
