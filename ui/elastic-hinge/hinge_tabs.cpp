@@ -161,7 +161,7 @@ void HingeTabs::showAngle() {
         plot->setPresentX(model_->crank()->degrees());
     }
     const GuidePicture picture(model_->shownGuide(), model_->exaggeration());
-    std::vector<PlotView::Mark> marks;
+    std::vector<plot::Mark> marks;
     for (const auto& [branch, role] : {std::pair(Branch::compressed, Role::Compressed),
                                        std::pair(Branch::stretched, Role::Stretched)}) {
         if (const auto at = picture.centre(branch, model_->crank()->degrees() * degree)) {

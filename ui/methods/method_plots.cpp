@@ -232,9 +232,9 @@ Figure stabilityFigure(const MethodMeasurement* shown, const Kernel& kernel, con
 
 MethodPlots::MethodPlots(MethodsModel* model, QWidget* parent)
     : FoldingRow(pairWidth, parent), model_(model) {
-    work_ = new PlotView(tr("Time and error"), this);
+    work_ = new PlotView(this);
     work_->setObjectName(QStringLiteral("work_plot"));
-    stability_ = new PlotView(tr("Error along the hard parameter"), this);
+    stability_ = new PlotView(this);
     stability_->setObjectName(QStringLiteral("stability_plot"));
     stability_->setPickable(true);
     add(work_);
@@ -261,11 +261,6 @@ void MethodPlots::follow() {
     const MethodMeasurement* shown = model_->shown();
     const Kernel& kernel = shown != nullptr ? shown->kernel() : model_->kernel();
     const SweepInfo& sweep = shown != nullptr ? shown->sweep() : model_->sweep();
-    for (PlotView* plot : {work_, stability_}) {
-        for (int curve = 0; shown == nullptr && curve < plot->curveCount(); ++curve) {
-            plot->setCurveStyle(curve, {});  // no names of the methods of another kernel
-        }
-    }
     work_->showFigure(workFigure(shown, kernel));
     Figure figure = stabilityFigure(
         shown, kernel, sweep,

@@ -62,7 +62,7 @@ std::vector<PartView*> PartView::below(const QWidget& page, bool seenAlone) {
 }
 
 PartPlot::PartPlot(SceneModel* model, std::string_view id, QWidget* parent)
-    : PlotView({}, parent), PartView(model, id, this) {}
+    : PlotView(parent), PartView(model, id, this) {}
 
 void PartPlot::showEvent(QShowEvent* event) {
     PlotView::showEvent(event);

@@ -17,7 +17,7 @@
 
 namespace ravnoves {
 
-PlotView::PlotView(const QString& title, QWidget* parent)
+PlotView::PlotView(QWidget* parent)
     : QWidget(parent), painter_(std::make_unique<PlotPainter>(data_)) {
     makePlotsAccessible();
     setFocusPolicy(Qt::StrongFocus);
@@ -29,7 +29,6 @@ PlotView::PlotView(const QString& title, QWidget* parent)
         [this](QPainter& painter, const QRectF& target) { renderTo(painter, target); });
     menu_->setData([this](const CsvFormat& format) { return csv(format); });
     menu_->setFirst(tr("Reset zoom"), [this] { resetZoom(); });
-    setTitle(title);
     connect(&Theme::instance(), &Theme::changed, this, &PlotView::chartChanged);
     setPickable(false);
 }
@@ -46,24 +45,6 @@ void PlotView::stack(const QList<PlotView*>& plots) {
         plot->stack_.removeOne(plot);
         plot->chartChanged();
     }
-}
-
-void PlotView::nameReference(const QString& name) {
-    data_.referenceName = name;
-    if (referenceItem_ == nullptr) {
-        referenceItem_ = new LegendItem(this);
-        referenceItem_->setChecked(true);
-        connect(referenceItem_, &LegendItem::toggled, this, [this](bool on) {
-            data_.referenceShown = on;
-            chartChanged();
-            Q_EMIT referenceChanged();
-        });
-    }
-    constexpr int longest = 24;
-    referenceItem_->setName(name.size() > longest ? name.left(longest - 1) + QChar(0x2026) : name);
-    referenceItem_->setAccessibleName(tr("Show reference %1").arg(name));
-    referenceItem_->setToolTip(tr("Show or hide the curves of the reference %1").arg(name));
-    referenceItem_->setSwatch({}, Shape::Line);
 }
 
 QList<LegendItem*> PlotView::shownLegend() const {
@@ -85,102 +66,20 @@ QString PlotView::sentence() const {
     return plotSentence(data_);
 }
 
-void PlotView::setTitle(const QString& title) {
-    if (title == data_.title) {
-        return;
-    }
-    data_.title = title;
-    setAccessibleName(title);
-    chartChanged();
-}
-
-void PlotView::setXAxis(const Axis& axis) {
-    data_.x.setSpec(axis);
-    data_.x.low = axis.min;
-    data_.x.high = axis.max;
-    data_.zoomed = false;
-    data_.makeStale();
-    chartChanged();
-}
-
-void PlotView::setYAxis(Side side, const Axis& axis) {
-    PlotScale& scale = data_.scale(side);
-    scale.setSpec(axis);
-    if (axis.logarithmic) {
-        data_.makeStale();
-        if (!(scale.low > 0.0)) {
-            scale.low = 0.1;
-            scale.high = 1.0;
-        }
-    }
-    chartChanged();
-}
-
-void PlotView::setYRange(Side side, double min, double max) {
-    if (data_.scale(side).fix(min, max)) {
-        chartChanged();
-    }
-}
-
-void PlotView::setEqualScale(bool equal) {
-    data_.equalScale = equal;
-    chartChanged();
-}
-
-int PlotView::addCurve(const CurveStyle& style) {
-    const int number = curveCount();
-    data_.curves.push_back({.shown = style.shown});
-    legend_.push_back(style.inLegend ? new LegendItem(this) : nullptr);
-    if (style.inLegend) {
-        legend_.back()->setChecked(style.shown);
-        connect(legend_.back(), &LegendItem::toggled, this,
-                [this, number](bool on) { setCurveShown(number, on); });
-    }
-    setCurveStyle(number, style);
-    return number;
-}
-
-void PlotView::setCurveStyle(int number, const CurveStyle& style) {
-    PlotCurve& curve = data_.curve(number);
-    curve.style = style;
-    curve.stale = true;
-    if (LegendItem* item = legend_[static_cast<std::size_t>(number)]) {
-        item->setName(style.name);
-        item->setAccessibleName(tr("Show %1").arg(style.name));
-        item->setToolTip(style.toolTip.isEmpty() ? tr("Show or hide %1").arg(style.name)
-                                                 : style.toolTip);
-        item->setSwatch(style.role, style.shape);
-    }
-    showLegend();
-    chartChanged();
-}
-
 void PlotView::showLegend() {
     const auto isThere = [this](std::size_t curve) {
         return !data_.curves[curve].x.empty() ||
                data_.curveOfReference(data_.curves[curve]) != nullptr;
     };
-    // A name without a curve says nothing, but a plot that waits for its data keeps its frame.
+    // A name without a curve says nothing, but a plot that waits for its data has its frame.
     bool any = false;
     for (std::size_t curve = 0; curve < legend_.size(); ++curve) {
         any = any || (legend_[curve] != nullptr && isThere(curve));
     }
     for (std::size_t curve = 0; curve < legend_.size(); ++curve) {
         if (LegendItem* item = legend_[curve]) {
-            item->setVisible(!item->name().isEmpty() && (!any || isThere(curve)));
-        }
-    }
-}
-
-void PlotView::setCurve(int number, std::vector<double> x, std::vector<double> y) {
-    PlotCurve& curve = data_.curve(number);
-    const bool wasEmpty = curve.x.empty();
-    if (curve.set(std::move(x), std::move(y), data_.x, data_.scale(curve.style.side))) {
-        data_.pointRead.reset();
-        curvesChanged();
-        if (wasEmpty != curve.x.empty()) {
-            showLegend();
-            chartChanged();
+            item->setVisible(!item->name().isEmpty() &&
+                             (any ? isThere(curve) : data_.curves[curve].inFigure));
         }
     }
 }
@@ -207,7 +106,7 @@ void PlotView::setSpreads(const plot::Spreads& spreads) {
         spreadItem_->setAccessibleName(tr("Show the tolerance band"));
         spreadItem_->setToolTip(
             tr("Range from 5 % to 95 % of the curve, with the tolerances of the case."));
-        spreadItem_->setSwatch({}, Shape::Bars);
+        spreadItem_->setSwatch({}, plot::Shape::Bars);
         connect(spreadItem_, &LegendItem::toggled, this, [this](bool on) {
             data_.spreadShown = on;
             data_.makeStale();
@@ -220,11 +119,6 @@ void PlotView::setSpreads(const plot::Spreads& spreads) {
         chartChanged();
     }
     curvesChanged();
-}
-
-void PlotView::setPointText(int number, std::function<QString(std::size_t)> text) {
-    data_.pointRead.reset();
-    overlay(data_.curve(number).text, std::move(text));
 }
 
 void PlotView::setCurveShown(int number, bool shown) {
@@ -244,14 +138,6 @@ void PlotView::setCurveShown(int number, bool shown) {
 void PlotView::setImage(const QImage& image, const QRectF& values) {
     data_.image = image;
     data_.imageValues = values;
-    chartChanged();
-}
-
-void PlotView::setBands(std::vector<Band> bands) {
-    if (bands == data_.bands) {
-        return;
-    }
-    data_.bands = std::move(bands);
     chartChanged();
 }
 

@@ -2,10 +2,10 @@
 
 #include <QImage>
 #include <QWidget>
-#include <functional>
+#include <array>
 #include <optional>
 
-#include "plot/model/plot_data.h"
+#include "plot/model/figure.h"
 
 namespace ravnoves {
 
@@ -13,7 +13,6 @@ class FigureMenu;
 class LegendItem;
 class PlotPainter;
 struct CsvFormat;
-struct Figure;
 
 /// One chart: a title, a legend whose entries switch curves, curves over a common x axis with one
 /// or two y axes, marks, a line at the present value, and a cursor that reads the curves.
@@ -31,44 +30,20 @@ class PlotView : public QWidget {
 
   public:
     using Side = plot::Side;
-    using Shape = plot::Shape;
-    using CurveStyle = plot::CurveStyle;
-    using Axis = plot::Axis;
-    using Mark = plot::Mark;
-    using Band = plot::Band;
-    using Line = plot::Line;
 
-    explicit PlotView(const QString& title, QWidget* parent = nullptr);
+    explicit PlotView(QWidget* parent = nullptr);
     ~PlotView() override;
 
-    void setTitle(const QString& title);
-    void setXAxis(const Axis& axis);
-    void setYAxis(Side side, const Axis& axis);
-    /// Keeps a y axis at this interval, with a little room, until it is changed or zoomed.
-    void setYRange(Side side, double min, double max);
-    /// One unit is the same length on both axes (shapes, hodographs).
-    void setEqualScale(bool equal);
-
-    /// @return the curve's number
-    int addCurve(const CurveStyle& style);
-    /// Replaces the curve's data. Points that are not finite are left out. Closed shapes may have x
-    /// in any order; the cursor then reads the nearest point.
-    void setCurve(int curve, std::vector<double> x, std::vector<double> y);
-    void setCurveStyle(int curve, const CurveStyle& style);
+    /// Shows a figure in place of the one before, curve by curve of the same word. What the user
+    /// has done to the plot stays: zoom, and which curves are switched off.
+    void showFigure(const Figure& figure);
+    /// Shows under the curves, dimmed, the same figure's curves of another input. Null: none.
+    void showReference(const Figure* figure, const QString& name);
     void setCurveShown(int curve, bool shown);
     int curveCount() const { return static_cast<int>(data_.curves.size()); }
     /// The scatter of the curves, which moves with them; those without one have none any more.
     void setSpreads(const plot::Spreads& spreads);
-    /// Reads out a point of the curve, as lines of text; null: no text. In a plot with such texts
-    /// the mouse and the arrow keys read points instead of the curves at an x.
-    void setPointText(int curve, std::function<QString(std::size_t point)> text);
-
-    /// A picture under the curves that fills a rectangle of values (a map over x and y); a null
-    /// image removes it. Row 0 of the image is the top.
-    void setImage(const QImage& image, const QRectF& values);
-    void setMarks(std::vector<Mark> marks) { overlay(data_.marks, std::move(marks)); }
-    void setBands(std::vector<Band> bands);
-    void setLines(std::vector<Line> lines) { overlay(data_.lines, std::move(lines)); }
+    void setMarks(std::vector<plot::Mark> marks) { overlay(data_.marks, std::move(marks)); }
     /// The present value of what the x axis shows: a line through the plot with a dot on each
     /// curve; nothing removes it.
     void setPresentX(std::optional<double> x) { overlay(data_.presentX, x, data_.presentX != x); }
@@ -85,12 +60,6 @@ class PlotView : public QWidget {
     static void stack(const QList<PlotView*>& plots);
     /// A click or drag picks x (picked()) instead of panning.
     void setPickable(bool pickable);
-
-    /// Shows a figure in place of the one before, curve by curve of the same word. What the user
-    /// has done to the plot stays: zoom, and which curves are switched off.
-    void showFigure(const Figure& figure);
-    /// Shows under the curves, dimmed, the same figure's curves of another input. Null: none.
-    void showReference(const Figure* figure, const QString& name);
 
     /// The content, for tests and for comparisons of plots.
     const PlotData& data() const { return data_; }
@@ -139,6 +108,9 @@ class PlotView : public QWidget {
     virtual void paintGround(QPainter& /*painter*/) {}
     virtual void paintOverCurves(QPainter& /*painter*/) {}
     virtual void paintTop(QPainter& /*painter*/) {}
+    /// A picture under the curves that fills a rectangle of values (a map over x and y); a null
+    /// image removes it. Row 0 of the image is the top.
+    void setImage(const QImage& image, const QRectF& values);
     /// Repaints the layer over the curves.
     void overCurvesChanged();
     /// What the ground paints is new.
@@ -178,8 +150,10 @@ class PlotView : public QWidget {
         }
     }
     /// The x axis of a figure; where it is only extended, the zoomed section is kept.
-    void showAxis(const Axis& axis);
-    void nameReference(const QString& name);
+    void showX(const plot::Axis& axis);
+    void showY(Side side, const Figure& figure);
+    void showCurve(const Figure::Curve& curve);
+    void showPoints(PlotCurve& drawn, const std::vector<double>& x, const std::vector<double>& y);
     QList<LegendItem*> shownLegend() const;
     /// Entries for curves that are there.
     void showLegend();
@@ -199,7 +173,6 @@ class PlotView : public QWidget {
     void zoom(double factorX, double factorY, const QPointF& about);
     void moveCursor(const QPointF& position);
     void moveCursorTo(double x);
-    void leaveCursor();
     /// Its container can be scrolled.
     bool scrollsWithin() const;
     /// The axis beside a place of the plot; null where none is.
@@ -208,10 +181,9 @@ class PlotView : public QWidget {
     void pick(const QPointF& position);
 
     PlotData data_;
-    std::optional<Axis> shownX_;  ///< of the figure
-    std::optional<Axis> shownLeft_;
-    std::optional<Axis> shownRight_;
-    std::unique_ptr<PlotData> referenceData_;  ///< of the figure's reference
+    std::optional<plot::Axis> shownX_;                 ///< of the figure
+    std::array<std::optional<plot::Axis>, 2> shownY_;  ///< by side
+    std::unique_ptr<PlotData> referenceData_;          ///< of the figure's reference
     std::unique_ptr<PlotPainter> painter_;
     FigureMenu* menu_;
     std::vector<LegendItem*> legend_;  ///< one for each curve, or null

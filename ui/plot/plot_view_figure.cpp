@@ -1,6 +1,7 @@
+#include <algorithm>
 #include <utility>
 
-#include "plot/model/figure.h"
+#include "plot/legend_item.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
 
@@ -61,7 +62,7 @@ PlotData dataOf(const Figure& figure) {
 
 }  // namespace
 
-void PlotView::showAxis(const Axis& axis) {
+void PlotView::showX(const plot::Axis& axis) {
     if (shownX_ == axis) {
         return;
     }
@@ -70,64 +71,119 @@ void PlotView::showAxis(const Axis& axis) {
         return;
     }
     shownX_ = axis;
-    if (data_.zoomed && !isOther) {
-        data_.x.setSpec(axis);  // to be gone back to
-    } else {
-        setXAxis(axis);
+    data_.x.setSpec(axis);
+    if (!data_.zoomed || isOther) {  // else it is to be gone back to
+        data_.x.low = axis.min;
+        data_.x.high = axis.max;
+        data_.zoomed = false;
+        data_.makeStale();
+        chartChanged();
+    }
+}
+
+void PlotView::showY(Side side, const Figure& figure) {
+    PlotScale& scale = data_.scale(side);
+    const plot::Axis& axis = axisOf(figure, side);
+    if (std::optional<plot::Axis>& shown = shownY_.at(static_cast<std::size_t>(side));
+        shown != axis) {
+        shown = axis;
+        scale.setSpec(axis);
+        if (axis.logarithmic) {
+            data_.makeStale();
+            if (!(scale.low > 0.0)) {
+                scale.low = 0.1;
+                scale.high = 1.0;
+            }
+        }
+        chartChanged();
+    }
+    if (const auto& range = rangeOf(figure, side)) {
+        if ((!scale.fixed || !rests(*scale.fixed, *range)) &&
+            scale.fix(range->first, range->second)) {
+            chartChanged();
+        }
+    } else if (std::exchange(scale.fixed, std::nullopt)) {
+        chartChanged();  // it follows its data again
+    }
+}
+
+void PlotView::showCurve(const Figure::Curve& curve) {
+    const auto known = data_.find(curve.id);
+    const std::size_t number = known.value_or(data_.curves.size());
+    if (!known) {
+        data_.curves.push_back({.id = curve.id, .shown = curve.style.shown});
+        LegendItem* item = curve.style.inLegend ? new LegendItem(this) : nullptr;
+        legend_.push_back(item);
+        if (item != nullptr) {
+            item->setChecked(curve.style.shown);
+            connect(item, &LegendItem::toggled, this,
+                    [this, number](bool on) { setCurveShown(static_cast<int>(number), on); });
+        }
+    }
+    PlotCurve& drawn = data_.curves[number];
+    if (!known || drawn.style != curve.style) {
+        drawn.style = curve.style;
+        drawn.stale = true;
+        const QString& name = curve.style.name;
+        const QString& tip = curve.style.toolTip;
+        if (LegendItem* item = legend_[number]) {
+            item->setName(name);
+            item->setAccessibleName(tr("Show %1").arg(name));
+            item->setToolTip(tip.isEmpty() ? tr("Show or hide %1").arg(name) : tip);
+            item->setSwatch(curve.style.role, curve.style.shape);
+        }
+        chartChanged();
+    }
+    drawn.trueX = curve.trueX;
+    drawn.trueY = curve.trueY;
+    showPoints(drawn, curve.x, curve.y);
+    if (curve.text || drawn.text) {
+        data_.pointRead.reset();
+        overlay(drawn.text, textOf(curve, drawn));
+    }
+}
+
+void PlotView::showPoints(PlotCurve& drawn, const std::vector<double>& x,
+                          const std::vector<double>& y) {
+    const bool wasEmpty = drawn.x.empty();
+    if (drawn.set(x, y, data_.x, data_.scale(drawn.style.side))) {
+        data_.pointRead.reset();
+        wasEmpty != drawn.x.empty() ? chartChanged() : curvesChanged();
     }
 }
 
 void PlotView::showFigure(const Figure& figure) {
-    setTitle(figure.title);
-    showAxis(figure.x);
-    for (const Side side : {Side::Left, Side::Right}) {
-        std::optional<Axis>& shown = side == Side::Left ? shownLeft_ : shownRight_;
-        const Axis& axis = axisOf(figure, side);
-        if (shown != axis) {
-            shown = axis;
-            setYAxis(side, axis);
-        }
-        if (const auto& range = rangeOf(figure, side)) {
-            const auto& fixed = data_.scale(side).fixed;
-            if (!fixed || !rests(*fixed, *range)) {
-                setYRange(side, range->first, range->second);
-            }
-        } else if (std::exchange(data_.scale(side).fixed, std::nullopt)) {
-            chartChanged();  // it follows its data again
-        }
+    if (std::exchange(data_.title, figure.title) != figure.title) {
+        setAccessibleName(figure.title);
+        chartChanged();
     }
-    if (data_.equalScale != figure.equalScale) {
-        setEqualScale(figure.equalScale);
+    showX(figure.x);
+    showY(Side::Left, figure);
+    showY(Side::Right, figure);
+    if (std::exchange(data_.equalScale, figure.equalScale) != figure.equalScale) {
+        chartChanged();
     }
-    const auto has = [&](const std::string& id) {
-        return std::any_of(figure.curves.begin(), figure.curves.end(),
-                           [&](const Figure::Curve& curve) { return curve.id == id; });
-    };
-    for (int number = 0; number < curveCount(); ++number) {
-        if (!has(data_.curve(number).id)) {
-            setCurve(number, {}, {});
+    for (PlotCurve& drawn : data_.curves) {
+        const bool isIn =
+            std::ranges::find(figure.curves, drawn.id, &Figure::Curve::id) != figure.curves.end();
+        if (std::exchange(drawn.inFigure, isIn) != isIn) {
+            chartChanged();
+        }
+        if (!isIn) {
+            showPoints(drawn, {}, {});
         }
     }
     for (const Figure::Curve& curve : figure.curves) {
-        const auto known = data_.find(curve.id);
-        const int number = known ? static_cast<int>(*known) : addCurve(curve.style);
-        PlotCurve& drawn = data_.curve(number);
-        drawn.id = curve.id;
-        if (drawn.style != curve.style) {
-            setCurveStyle(number, curve.style);
-        }
-        drawn.trueX = curve.trueX;
-        drawn.trueY = curve.trueY;
-        setCurve(number, curve.x, curve.y);
-        if (curve.text || drawn.text) {
-            setPointText(number, textOf(curve, drawn));
-        }
+        showCurve(curve);
     }
+    showLegend();
     if (figure.marks) {
         setMarks(*figure.marks);
     }
-    setBands(figure.bands);
-    setLines(figure.lines);
+    if (std::exchange(data_.bands, figure.bands) != figure.bands) {
+        chartChanged();
+    }
+    overlay(data_.lines, figure.lines);
     if (figure.presentX) {
         setPresentX(figure.presentX);
     }
@@ -148,7 +204,21 @@ void PlotView::showReference(const Figure* figure, const QString& name) {
     }
     referenceData_ = std::make_unique<PlotData>(dataOf(*figure));
     data_.reference = referenceData_.get();
-    nameReference(name);
+    data_.referenceName = name;
+    if (referenceItem_ == nullptr) {
+        referenceItem_ = new LegendItem(this);
+        referenceItem_->setChecked(true);
+        referenceItem_->setSwatch({}, plot::Shape::Line);
+        connect(referenceItem_, &LegendItem::toggled, this, [this](bool on) {
+            data_.referenceShown = on;
+            chartChanged();
+            Q_EMIT referenceChanged();
+        });
+    }
+    constexpr int longest = 24;
+    referenceItem_->setName(name.size() > longest ? name.left(longest - 1) + QChar(0x2026) : name);
+    referenceItem_->setAccessibleName(tr("Show reference %1").arg(name));
+    referenceItem_->setToolTip(tr("Show or hide the curves of the reference %1").arg(name));
     showLegend();
     chartChanged();
     Q_EMIT referenceChanged();

@@ -69,7 +69,7 @@ void PlotView::mouseMoveEvent(QMouseEvent* event) {
         if (data_.zoomed || moved.manhattanLength() > QApplication::startDragDistance()) {
             data_.pan(moved);
             readPoint(std::nullopt);
-            leaveCursor();
+            setCursorX({});
             chartChanged();
             panFrom_ = event->position();
         }
@@ -111,7 +111,7 @@ void PlotView::moveCursor(const QPointF& position) {
     } else if (plotArea().contains(position)) {
         moveCursorTo(xAt(position.x()));
     } else {
-        leaveCursor();
+        setCursorX({});
     }
 }
 
@@ -120,15 +120,9 @@ void PlotView::moveCursorTo(double x) {
     Q_EMIT cursorMoved(x);
 }
 
-void PlotView::leaveCursor() {
-    if (data_.cursorX) {
-        setCursorX(std::nullopt);
-    }
-}
-
 void PlotView::stopReading() {
     readPoint(std::nullopt);
-    leaveCursor();
+    setCursorX({});
 }
 
 void PlotView::leaveEvent(QEvent* /*event*/) {

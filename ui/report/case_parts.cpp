@@ -80,7 +80,7 @@ void addFigure(const ScenePage& page, SceneModel& model, const PagePart& part, c
     if (isEmpty) {
         return;
     }
-    auto plot = std::make_shared<PlotView>(QString());
+    auto plot = std::make_shared<PlotView>();
     plot->showFigure(figure);
     if (const auto reference = ofReference(model, part)) {
         plot->showReference(std::get_if<Figure>(&*reference), model.referenceCase().name());

@@ -133,7 +133,7 @@ void addSweep(Report& report, StudyModel& study, const Patience& patience) {
     const auto sheet = std::make_shared<QWidget>();
     QList<PlotView*> plots;
     for (const Figure& figure : sweepFigures(study, *model.sweep())) {
-        auto* plot = new PlotView({}, sheet.get());
+        auto* plot = new PlotView(sheet.get());
         plot->showFigure(figure);
         plot->resize(660, plots.empty() ? 300 : 180);
         plots << plot;

@@ -75,9 +75,9 @@ SweepView::SweepView(StudyModel* study, QWidget* parent)
     column->addLayout(choices);
     auto* progress = new JobProgress(model_->job(), tr("Progress"), this);
     progress->setMaximumHeight(Theme::withText(6));
-    plot_ = new PlotView({}, this);
+    plot_ = new PlotView(this);
     column->addWidget(plot_, 2);
-    share_ = new PlotView({}, this);
+    share_ = new PlotView(this);
     share_->setToolTip(tr("Share of feasible samples."));
     share_->hide();
     column->addWidget(share_, 1);

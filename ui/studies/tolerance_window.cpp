@@ -372,7 +372,7 @@ QWidget* ToleranceWindow::makeFound() {
     tabs_->setUsesScrollButtons(true);
     tornado_ = new TornadoView(tabs_);
     tabs_->addTab(tornado_, tr("Main contributors"));
-    histogram_ = new PlotView({}, tabs_);
+    histogram_ = new PlotView(tabs_);
     tabs_->addTab(histogram_, tr("Histogram"));
     sweep_ = new SweepView(model_, tabs_);
     addScrolledTab(tabs_, sweep_, QStringLiteral("sweep"), tr("Sweep"));

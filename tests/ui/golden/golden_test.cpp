@@ -19,7 +19,7 @@
 #include "methods/methods_page.h"
 #include "methods/report.h"
 #include "model/case_document.h"
-#include "plot/plot_view.h"
+#include "page/part_views.h"
 #include "scene_tests.h"
 #include "shell/main_window.h"
 #include "shop/model/journal.h"
@@ -257,17 +257,20 @@ TEST_F(Change, AMovedLabelIsSeen) {
 
 TEST_F(Change, ACurveOfAnotherColourIsSeen) {
     int recoloured = 0;
-    for (PlotView* plot : window->currentPage()->findChildren<PlotView*>()) {
-        for (int curve = 0; plot->isVisible() && curve < plot->curveCount(); ++curve) {
-            const auto style = plot->data().curve(curve).style;
-            if (!plot->data().curve(curve).shown || style.name.isEmpty()) {
+    for (PartPlot* plot : window->currentPage()->findChildren<PartPlot*>()) {
+        const Content content = plot->partModel()->part(plot->id());
+        const auto* figure = std::get_if<Figure>(&content);
+        for (std::size_t i = 0; plot->isVisible() && figure != nullptr && i < figure->curves.size();
+             ++i) {
+            Figure other = *figure;
+            plot::CurveStyle& style = other.curves[i].style;
+            if (!style.shown || style.name.isEmpty()) {
                 continue;  // an edge of something else
             }
-            auto other = style;
-            other.role = Role::Forbidden;
-            plot->setCurveStyle(curve, other);
-            EXPECT_FALSE(now().isSame()) << plot->data().curve(curve).style.name.toStdString();
-            plot->setCurveStyle(curve, style);
+            style.role = Role::Forbidden;
+            plot->showFigure(other);
+            EXPECT_FALSE(now().isSame()) << style.name.toStdString();
+            plot->showFigure(*figure);
             ++recoloured;
         }
     }

@@ -224,12 +224,14 @@ TEST(ClipShape, DoesNotBreakAClosedLineAtItsFirstPoint) {
 
 /// A zoom leaves curves that run far beyond the chart.
 TEST(ClippedSvg, ACurveOfAZoomedPlotStaysInItsChart) {
-    PlotView plot(u"Torque"_s);
-    plot.setXAxis({u"φ, °"_s, 0.0, 720.0, true});
-    plot.addCurve({.name = u"M"_s});
-    plot.setCurve(0, {0.0, 180.0, 360.0, 540.0, 720.0}, {0.0, 500.0, -500.0, 500.0, 0.0});
+    PlotView plot;
+    Figure figure{.title = u"Torque"_s,
+                  .x = {u"φ, °"_s, 0.0, 720.0, true},
+                  .leftRange = std::pair(-50.0, 50.0)};
+    figure.add("M", {.name = u"M"_s}, {0.0, 180.0, 360.0, 540.0, 720.0},
+               {0.0, 500.0, -500.0, 500.0, 0.0});
+    plot.showFigure(figure);
     test::showAt(plot, {300, 200});
-    plot.setYRange(PlotView::Side::Left, -50.0, 50.0);
     QBuffer out;
     out.open(QIODevice::WriteOnly);
     ClippedSvg device(out, plot.size());

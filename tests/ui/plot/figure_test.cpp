@@ -33,7 +33,7 @@ Figure figure(std::vector<Figure::Curve> curves) {
 }
 
 TEST(ShownFigure, CurvesKeepTheirPlaceByWordWhateverComesBetween) {
-    PlotView plot({});
+    PlotView plot;
     plot.showFigure(figure({curve("a", {1, 2, 3}), curve("c", {3, 2, 1})}));
     ASSERT_EQ(plot.curveCount(), 2);
     plot.setCurveShown(1, false);
@@ -50,7 +50,7 @@ TEST(ShownFigure, CurvesKeepTheirPlaceByWordWhateverComesBetween) {
 }
 
 TEST(ShownFigure, GhostsAreOfTheSameWordAndUnit) {
-    PlotView plot({});
+    PlotView plot;
     plot.showFigure(figure({curve("a", {1, 2, 3}), curve("b", {4, 4, 4})}));
     const Figure reference = figure({curve("b", {9, 9, 9}), curve("z", {0, 0, 0})});
     plot.showReference(&reference, u"R"_s);
@@ -67,7 +67,7 @@ TEST(ShownFigure, GhostsAreOfTheSameWordAndUnit) {
 }
 
 TEST(ShownFigure, WhatIsZoomedToStaysWhileTheAxisIsTheSame) {
-    PlotView plot({});
+    PlotView plot;
     plot.resize(400, 300);
     Figure shown = figure({curve("a", {1, 2, 3})});
     plot.showFigure(shown);
@@ -86,7 +86,7 @@ TEST(ShownFigure, WhatIsZoomedToStaysWhileTheAxisIsTheSame) {
 }
 
 TEST(ShownFigure, TablesHaveTheTruePlacesOfWhatIsDrawnOutOfScale) {
-    PlotView plot({});
+    PlotView plot;
     Figure shown = figure({curve("a", {1, 2, 3})});
     shown.curves[0].trueX = {0, 1, 2};
     shown.curves[0].trueY = {1.5, 2.5, 3.5};
@@ -98,7 +98,7 @@ TEST(ShownFigure, TablesHaveTheTruePlacesOfWhatIsDrawnOutOfScale) {
 }
 
 TEST(ShownFigure, AMarkGoesWithItsCurve) {
-    PlotView plot({});
+    PlotView plot;
     plot.resize(400, 300);
     Figure shown = figure({curve("a", {1, 1, 1}), curve("b", {0, 1, 2})});
     plot.showFigure(shown);

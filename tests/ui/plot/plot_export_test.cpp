@@ -10,6 +10,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QProcess>
+#include <QSignalSpy>
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QTemporaryDir>
@@ -30,12 +31,10 @@ namespace {
 class PlotExportTest : public ::testing::Test {
   protected:
     PlotExportTest() {
-        plot.setXAxis({QStringLiteral("φ, °"), 0.0, 720.0, true});
-        plot.setYAxis(PlotView::Side::Left, {QStringLiteral("M, N·m")});
-        const int first = plot.addCurve({.name = QStringLiteral("first")});
-        const int second = plot.addCurve({.name = QStringLiteral("second"), .role = Role::Sum});
-        plot.setCurve(first, {0.0, 360.0, 720.0}, {1.5, 2.5, 1.5});
-        plot.setCurve(second, {0.0, 180.0, 360.0}, {-1.0, -2.0, 1e-3});
+        figure.add("1", {.name = u"first"_s}, {0.0, 360.0, 720.0}, {1.5, 2.5, 1.5});
+        figure.add("2", {.name = u"second"_s, .role = Role::Sum}, {0.0, 180.0, 360.0},
+                   {-1.0, -2.0, 1e-3});
+        plot.showFigure(figure);
         test::showAt(plot, {600, 360});
     }
     QString file(const char* name) const { return folder.filePath(QString::fromUtf8(name)); }
@@ -68,19 +67,9 @@ class PlotExportTest : public ::testing::Test {
         QApplication::processEvents();
     }
 
-    /// As the menu does it.
-    static void savePictureOf(PlotView* of, const QString& path) {
-        const FileChoosers before = fileChoosers();
-        fileChoosers().save = [&](QWidget*, const QString&, const QString&, const QString&,
-                                  QString*) { return path; };
-        savePictureWithDialog(of, {}, {}, {}, [of](const QString& to) {
-            return of->findChild<FigureMenu*>()->write(to, of->title());
-        });
-        fileChoosers() = before;
-    }
-
     QTemporaryDir folder;
-    PlotView plot{QStringLiteral("Torque")};
+    Figure figure{.title = u"Torque"_s, .x = {u"φ, °"_s, 0.0, 720.0, true}, .left = {u"M, N·m"_s}};
+    PlotView plot;
 };
 
 /// The numbers are painted by the steps that the lines were laid out for.
@@ -194,8 +183,8 @@ TEST_F(PlotExportTest, TheDataAreOneTableOverOneX) {
 }
 
 TEST_F(PlotExportTest, ACurveThatComesBackHasAnXOfItsOwn) {
-    const int round = plot.addCurve({.name = QStringLiteral("round")});
-    plot.setCurve(round, {0.0, 1.0, 0.0}, {0.0, 1.0, 2.0});
+    figure.add("3", {.name = u"round"_s}, {0.0, 1.0, 0.0}, {0.0, 1.0, 2.0});
+    plot.showFigure(figure);
     const QStringList lines =
         plot.csv(CsvFormat(QLocale::c())).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     ASSERT_EQ(lines.size(), 5);
@@ -214,7 +203,11 @@ TEST_F(PlotExportTest, PictureAndDataAreCopiedFromTheMenu) {
     EXPECT_EQ(QApplication::clipboard()->image().size(), plot.size() * 2);
 }
 
-TEST_F(PlotExportTest, TheMenuSavesForPrint) {
+TEST_F(PlotExportTest, TheMenuSavesForPrintAndTheStatusBarNamesTheFile) {
+    QMainWindow window;
+    plot.setParent(&window);
+    test::showAt(window, {600, 400});
+    const QSignalSpy said(window.statusBar(), &QStatusBar::messageChanged);
     const FileChoosers before = fileChoosers();
     QString filters;
     fileChoosers().save = [&](QWidget*, const QString&, const QString&, const QString& offered,
@@ -227,15 +220,9 @@ TEST_F(PlotExportTest, TheMenuSavesForPrint) {
     for (const char* suffix : {"*.png", "*.svg", "*.pdf", "*.csv"}) {
         EXPECT_TRUE(filters.contains(QString::fromUtf8(suffix))) << filters.toStdString();
     }
+    EXPECT_TRUE(said.contains(QVariantList{QStringLiteral("Written: Вариант.png")}));
     fileChoosers() = before;
-}
-
-TEST_F(PlotExportTest, TheStatusBarNamesWhatWasWritten) {
-    QMainWindow window;
-    window.setCentralWidget(new QWidget);
-    PlotView inside(QStringLiteral("Torque"), window.centralWidget());
-    savePictureOf(&inside, file("plot.svg"));
-    EXPECT_EQ(window.statusBar()->currentMessage(), QStringLiteral("Written: plot.svg"));
+    plot.setParent(nullptr);
 }
 
 class Square final : public QWidget {

@@ -48,50 +48,31 @@ TEST(PowerText, ReadsAsScienceWritesIt) {
 
 class ScaledPlot : public ::testing::Test {
   protected:
-    ScaledPlot() : plot(QStringLiteral("Errors")) {
-        PlotView::Axis time;
-        time.title = QStringLiteral("time");
-        time.min = 1.0;
-        time.max = 1e6;
-        time.logarithmic = true;
-        plot.setXAxis(time);
-        PlotView::Axis error;
-        error.title = QStringLiteral("error");
-        error.logarithmic = true;
-        plot.setYAxis(PlotView::Side::Left, error);
-        plot.setYRange(PlotView::Side::Left, 1e-16, 1.0);
+    void show() {
+        plot.showFigure(figure);
+        test::showAt(plot, {500, 400});
     }
-    void show() { test::showAt(plot, {500, 400}); }
-    /// Some pixel near a point is neither background nor grid.
-    bool isDrawn(const QPointF& at, int reach = 2) {
-        const QImage image = plot.grab().toImage();
-        for (int dx = -reach; dx <= reach; ++dx) {
-            for (int dy = -reach; dy <= reach; ++dy) {
-                const QColor c = image.pixelColor(at.toPoint() + QPoint(dx, dy));
-                if (c.isValid() && c.lightness() < 170) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
+    Figure figure{
+        .title = QStringLiteral("Errors"),
+        .x = {.title = QStringLiteral("time"), .min = 1.0, .max = 1e6, .logarithmic = true},
+        .left = {.title = QStringLiteral("error"), .logarithmic = true},
+        .leftRange = std::pair(1e-16, 1.0)};
     PlotView plot;
 };
 
 TEST_F(ScaledPlot, ReadsAlongTheLineThatIsDrawn) {
-    const int curve = plot.addCurve({.name = QStringLiteral("a")});
-    plot.setCurve(curve, {1.0, 1e6}, {1.0, 1e-12});
+    figure.add("a", {.name = {}, .width = 4.0}, {1.0, 1e6}, {1.0, 1e-12});
     show();
     // A straight line on both logarithmic axes.
-    EXPECT_NEAR(std::log10(*plot.valueAt(curve, 1e3)), -6.0, 1e-9);
-    EXPECT_TRUE(isDrawn(plot.toPixel(1e3, 1e-6)));
+    EXPECT_NEAR(std::log10(*plot.valueAt(0, 1e3)), -6.0, 1e-9);
+    EXPECT_LT(plot.grab().toImage().pixelColor(plot.toPixel(1e3, 1e-6).toPoint()).lightness(), 170);
 }
 
 TEST_F(ScaledPlot, ArrowsStepFromPointToPoint) {
-    const int curve =
-        plot.addCurve({.name = QStringLiteral("a"), .shape = PlotView::Shape::LineAndPoints});
-    plot.setCurve(curve, {10, 1e3, 1e5}, {1e-2, 1e-6, 1e-12});
-    plot.setPointText(curve, [](std::size_t point) { return QString::number(point); });
+    figure
+        .add("a", {.name = {}, .shape = plot::Shape::LineAndPoints}, {10, 1e3, 1e5},
+             {1e-2, 1e-6, 1e-12})
+        .text = [](std::size_t point) { return QString::number(point); };
     show();
     plot.setFocus();
     const QImage before = plot.grab().toImage();
@@ -110,8 +91,7 @@ TEST_F(ScaledPlot, ArrowsStepFromPointToPoint) {
 }
 
 TEST_F(ScaledPlot, FadesWhileNewerDataAreOnTheWay) {
-    const int curve = plot.addCurve({.name = QStringLiteral("a"), .width = 4.0});
-    plot.setCurve(curve, {1.0, 1e6}, {1e-8, 1e-8});
+    figure.add("a", {.name = {}, .width = 4.0}, {1.0, 1e6}, {1e-8, 1e-8});
     show();
     const QPoint at = plot.toPixel(1e3, 1e-8).toPoint();
     const int clear = plot.grab().toImage().pixelColor(at).saturation();

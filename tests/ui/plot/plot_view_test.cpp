@@ -74,18 +74,19 @@ TEST(Ticks, NeverLeaveAScaleWithOneNumber) {
 
 class PlotViewTest : public ::testing::Test {
   protected:
-    PlotViewTest() : plot(QStringLiteral("Test")) {
-        plot.setXAxis({QStringLiteral("φ, °"), 0.0, 720.0, true});
-        curve = plot.addCurve({.name = QStringLiteral("sine")});
+    PlotViewTest() {
+        figure.title = u"Test"_s;
+        figure.x = {u"φ, °"_s, 0.0, 720.0, true};
         const auto x = ramp(721, 720.0);
-        plot.setCurve(curve, x, sine(x, 100.0));
+        figure.add("sine", {.name = u"sine"_s}, x, sine(x, 100.0));
+        plot.showFigure(figure);
         test::showAt(plot, {600, 400});
     }
 
     QPoint at(double x, double y) const { return plot.toPixel(x, y).toPoint(); }
 
+    Figure figure;
     PlotView plot;
-    int curve = 0;
 };
 
 TEST_F(PlotViewTest, WheelZoomsAboutThePointerAndDoubleClickResets) {
@@ -104,8 +105,8 @@ TEST(PlotViewWheel, APageThatIsScrolledGoesOnOverAPlot) {
     QScrollArea area;
     auto* page = new QWidget;
     auto* column = new QVBoxLayout(page);
-    auto* plot = new PlotView(QStringLiteral("M"));
-    plot->setXAxis({QStringLiteral("φ, °"), 0.0, 360.0});
+    auto* plot = new PlotView;
+    plot->showFigure({.x = {u"φ, °"_s, 0.0, 360.0}});
     plot->setMinimumSize(300, 900);
     column->addWidget(plot);
     area.setWidget(page);
@@ -139,9 +140,9 @@ TEST_F(PlotViewTest, MouseReadsTheCurve) {
     test::movePointer(&plot, at(90, 0));
     ASSERT_FALSE(moved.isEmpty());
     EXPECT_NEAR(moved.last().first().toDouble(), 90.0, 1.0);
-    EXPECT_NEAR(*plot.valueAt(curve, 90.0), 100.0, 1e-9);
-    EXPECT_NEAR(*plot.valueAt(curve, 30.5), 100.0 * std::sin(30.5 * pi / 180), 0.01);
-    EXPECT_FALSE(plot.valueAt(curve, 721.0).has_value());
+    EXPECT_NEAR(*plot.valueAt(0, 90.0), 100.0, 1e-9);
+    EXPECT_NEAR(*plot.valueAt(0, 30.5), 100.0 * std::sin(30.5 * pi / 180), 0.01);
+    EXPECT_FALSE(plot.valueAt(0, 721.0).has_value());
 }
 
 TEST_F(PlotViewTest, PicksOnlyWherePickable) {
@@ -158,26 +159,18 @@ TEST_F(PlotViewTest, LegendSwitchesCurves) {
     auto* button = plot.findChild<LegendItem*>();
     ASSERT_NE(button, nullptr);
     QTest::mouseClick(button, Qt::LeftButton);
-    EXPECT_FALSE(plot.data().curve(curve).shown);
+    EXPECT_FALSE(plot.data().curve(0).shown);
     QTest::mouseClick(button, Qt::LeftButton);
-    EXPECT_TRUE(plot.data().curve(curve).shown);
+    EXPECT_TRUE(plot.data().curve(0).shown);
 }
 
-TEST_F(PlotViewTest, ACurveWithoutANameHasNoLegendEntry) {
-    EXPECT_FALSE(plot.data().curve(curve).style.name.isEmpty());
-    plot.setCurveStyle(curve, {.name = QString()});
-    auto* button = plot.findChild<LegendItem*>();
-    ASSERT_NE(button, nullptr);
-    EXPECT_TRUE(button->isHidden());
-    plot.setCurveStyle(curve, {.name = QStringLiteral("back")});
-    EXPECT_FALSE(button->isHidden());
-}
-
-TEST_F(PlotViewTest, AWiderPlotNeverNeedsMoreRowsForItsLegend) {
-    for (const char* name : {"of the reciprocating parts alone", "left", "with counterweights",
-                             "two-term", "with counterweights and both shafts"}) {
-        plot.setCurve(plot.addCurve({.name = QString::fromLatin1(name)}), {0, 720}, {0, 1});
+TEST_F(PlotViewTest, AWiderPlotNeverNeedsMoreRowsForItsLegendAndCutsNoName) {
+    for (const QString& name :
+         {u"of the reciprocating parts alone"_s, u"left"_s, u"with counterweights"_s, u"two-term"_s,
+          u"with counterweights and both shafts, which is longer than a row"_s}) {
+        figure.add(name.toStdString(), {.name = name}, {0, 720}, {0, 1});
     }
+    plot.showFigure(figure);
     double above = 1e9;
     for (int width = 220; width < 1400; width += 3) {
         plot.resize(width, 400);
@@ -185,22 +178,11 @@ TEST_F(PlotViewTest, AWiderPlotNeverNeedsMoreRowsForItsLegend) {
         const double top = plot.plotArea().top();
         EXPECT_LE(top, above) << width;
         above = top;
-    }
-}
-
-TEST_F(PlotViewTest, NoNameOfALegendIsCut) {
-    for (const char* name : {"of the reciprocating parts alone", "with counterweights",
-                             "with counterweights and both shafts, which is longer than a row"}) {
-        plot.setCurve(plot.addCurve({.name = QString::fromLatin1(name)}), {0, 720}, {0, 1});
-    }
-    for (const int width : {260, 330, 420, 800}) {
-        plot.resize(width, 400);
-        plot.grab();
         for (const LegendItem* item : plot.findChildren<LegendItem*>()) {
             EXPECT_GE(item->height(), item->heightForWidth(item->width()))
                 << width << ' ' << item->name().toStdString();
             EXPECT_LE(item->geometry().right(), width);
-            EXPECT_LT(item->geometry().bottom(), plot.plotArea().top() + 1.0);
+            EXPECT_LT(item->geometry().bottom(), top + 1.0);
         }
     }
 }
@@ -208,7 +190,7 @@ TEST_F(PlotViewTest, NoNameOfALegendIsCut) {
 TEST(PlotView, AVariantsNameInTheLegendIsNoKey) {
     Figure figure;
     figure.add("a", {.name = u"a"_s}, {0.0, 1.0}, {0.0, 1.0});
-    PlotView plot(u"Plot"_s);
+    PlotView plot;
     plot.showFigure(figure);
     plot.showReference(&figure, u"R&D"_s);
     separateMnemonics(&plot);
@@ -218,17 +200,28 @@ TEST(PlotView, AVariantsNameInTheLegendIsNoKey) {
 }
 
 TEST_F(PlotViewTest, TheLegendNamesOnlyCurvesThatAreThere) {
-    const int left = plot.addCurve({.name = QStringLiteral("left")});
-    const auto entries = plot.findChildren<LegendItem*>();
-    EXPECT_TRUE(entries.last()->isHidden());
-    plot.setCurve(left, {0, 720}, {1, 1});
-    EXPECT_FALSE(entries.last()->isHidden());
-    plot.setCurve(left, {}, {});
-    EXPECT_TRUE(entries.last()->isHidden());
+    const auto named = [&] {
+        plot.showFigure(figure);
+        QStringList names;
+        for (const LegendItem* item : plot.findChildren<LegendItem*>()) {
+            if (!item->isHidden()) {
+                names << item->name();
+            }
+        }
+        return names;
+    };
+    figure.add("left", {.name = u"left"_s}, {}, {});
+    EXPECT_EQ(named(), QStringList({u"sine"_s}));
+    figure.curves[1].x = figure.curves[1].y = {0, 720};
+    EXPECT_EQ(named(), QStringList({u"sine"_s, u"left"_s}));
+    figure.curves[0].style.name.clear();
+    EXPECT_EQ(named(), QStringList({u"left"_s}));
     // With no data at all it is the frame of what is to come.
-    plot.setCurve(curve, {}, {});
-    EXPECT_FALSE(entries.first()->isHidden());
-    EXPECT_FALSE(entries.last()->isHidden());
+    figure.curves[0].style.name = u"back"_s;
+    figure.curves[0].x = figure.curves[1].x = {};
+    EXPECT_EQ(named(), QStringList({u"back"_s, u"left"_s}));
+    figure.curves.pop_back();
+    EXPECT_EQ(named(), QStringList({u"back"_s})) << "nothing of a figure that is gone";
 }
 
 QStringList textsOf(PlotView& plot) {
@@ -248,7 +241,8 @@ TEST_F(PlotViewTest, NumbersHaveATrueMinus) {
 }
 
 TEST_F(PlotViewTest, AnAxisKeepsItsUnitHoweverSmallThePlot) {
-    plot.setYAxis(PlotView::Side::Left, {QStringLiteral("first-order force of the rod, N·m")});
+    figure.left.title = u"first-order force of the rod, N·m"_s;
+    plot.showFigure(figure);
     for (const int height : {400, 180, 90}) {
         plot.resize(600, height);
         plot.grab();
@@ -259,20 +253,20 @@ TEST_F(PlotViewTest, AnAxisKeepsItsUnitHoweverSmallThePlot) {
 }
 
 TEST_F(PlotViewTest, LabelsStandBesideTheCurve) {
-    plot.setMarks({{90, 100, QStringLiteral("greatest")}, {180, 0, QStringLiteral("none")}});
-    plot.setLines({{.at = 40.0, .text = QStringLiteral("limit")}});
-    plot.setPresentX(100.0);
+    figure.marks = {{90, 100, u"greatest"_s}, {180, 0, u"none"_s}};
+    figure.lines = {{.at = 40.0, .text = u"limit"_s}};
+    figure.presentX = 100.0;
+    plot.showFigure(figure);
     plot.grab();
     const double present = plot.toPixel(100.0, 0.0).x();
     int found = 0;
     for (const test::PaintedText& each : test::painted(plot).texts) {
-        if (each.text != QStringLiteral("greatest") && each.text != QStringLiteral("none") &&
-            each.text != QStringLiteral("limit")) {
+        if (!QStringList({u"greatest"_s, u"none"_s, u"limit"_s}).contains(each.text)) {
             continue;
         }
         ++found;
         for (double x = 0.0; x <= 720.0; x += 1.0) {
-            EXPECT_FALSE(each.ink.contains(plot.toPixel(x, *plot.valueAt(curve, x))))
+            EXPECT_FALSE(each.ink.contains(plot.toPixel(x, *plot.valueAt(0, x))))
                 << each.text.toStdString() << " at " << x;
         }
         EXPECT_FALSE(each.ink.left() <= present && present <= each.ink.right())
@@ -285,14 +279,15 @@ TEST_F(PlotViewTest, AWordOfABandStandsBesideTheLineOfThePresentValue) {
     const auto inkAt = [&](double present) {
         plot.setPresentX(present);
         for (const test::PaintedText& each : test::painted(plot).texts) {
-            if (each.text == QStringLiteral("forbidden")) {
+            if (each.text == u"forbidden"_s) {
                 return each.ink;
             }
         }
         return QRectF();
     };
     for (const auto& [from, to] : {std::pair(200.0, 520.0), std::pair(300.0, 420.0)}) {
-        plot.setBands({{from, to, Role::Forbidden, 0.16, QStringLiteral("forbidden")}});
+        figure.bands = {{from, to, Role::Forbidden, 0.16, u"forbidden"_s}};
+        plot.showFigure(figure);
         EXPECT_FALSE(inkAt(100.0).isEmpty());
         const QRectF ink = inkAt(360.0);
         const double x = plot.toPixel(360.0, 0.0).x();
@@ -301,20 +296,15 @@ TEST_F(PlotViewTest, AWordOfABandStandsBesideTheLineOfThePresentValue) {
 }
 
 TEST_F(PlotViewTest, ALimitOutOfSightIsReportedAtTheEdge) {
-    plot.setLines({{.at = 900.0,
-                    .orientation = Qt::Vertical,
-                    .text = QStringLiteral("at most"),
-                    .keptAtEdge = true},
-                   {.at = -500.0, .text = QStringLiteral("at least"), .keptAtEdge = true},
-                   {.at = 2000.0, .text = QStringLiteral("not told")}});
-    const QStringList texts = textsOf(plot);
-    const auto has = [&](const QString& start) {
-        return std::ranges::any_of(texts,
-                                   [&](const QString& text) { return text.startsWith(start); });
-    };
-    EXPECT_TRUE(has(QStringLiteral("at most 900")));
-    EXPECT_TRUE(has(QStringLiteral("at least \u2212500")));
-    EXPECT_FALSE(has(QStringLiteral("not told")));
+    figure.lines = {
+        {.at = 900.0, .orientation = Qt::Vertical, .text = u"at most"_s, .keptAtEdge = true},
+        {.at = -500.0, .text = u"at least"_s, .keptAtEdge = true},
+        {.at = 2000.0, .text = u"not told"_s}};
+    plot.showFigure(figure);
+    const QString texts = u'|' + textsOf(plot).join(u'|');
+    EXPECT_TRUE(texts.contains(u"|at most 900"_s));
+    EXPECT_TRUE(texts.contains(u"|at least \u2212500"_s));
+    EXPECT_FALSE(texts.contains(u"|not told"_s));
 }
 
 TEST_F(PlotViewTest, WhatIsReadGoesWhileTheChartIsDragged) {
@@ -332,13 +322,15 @@ TEST_F(PlotViewTest, WhatStandsOverOneAnotherBeginsAtOnePixel) {
     QWidget page;
     page.resize(500, 500);
     std::vector<std::unique_ptr<PlotView>> plots;
+    figure.left.title = u"N·m"_s;
+    const auto show = [&](PlotView& each, double amplitude) {
+        figure.curves[0].y = sine(figure.curves[0].x, amplitude);
+        each.showFigure(figure);
+    };
     for (const double amplitude : {1.0, 123456.0}) {
-        plots.push_back(std::make_unique<PlotView>(QStringLiteral("One"), &page));
+        plots.push_back(std::make_unique<PlotView>(&page));
         plots.back()->setGeometry(0, 250 * static_cast<int>(plots.size() - 1), 500, 250);
-        plots.back()->setXAxis({QStringLiteral("φ, °"), 0.0, 720.0, true});
-        plots.back()->setYAxis(PlotView::Side::Left, {QStringLiteral("N·m")});
-        plots.back()->addCurve({.name = QStringLiteral("M")});
-        plots.back()->setCurve(0, ramp(721, 720.0), sine(ramp(721, 720.0), amplitude));
+        show(*plots.back(), amplitude);
     }
     test::showAt(page, {500, 500});
     EXPECT_NE(plots[0]->plotArea().left(), plots[1]->plotArea().left());
@@ -347,48 +339,53 @@ TEST_F(PlotViewTest, WhatStandsOverOneAnotherBeginsAtOnePixel) {
     EXPECT_EQ(plots[0]->plotArea().left(), plots[1]->plotArea().left());
     EXPECT_EQ(plots[0]->plotArea().right(), plots[1]->plotArea().right());
     // One that grows takes the other with it, and one that goes leaves nothing behind.
-    plots[0]->setCurve(0, ramp(721, 720.0), sine(ramp(721, 720.0), 123456789.0));
+    show(*plots[0], 123456789.0);
     QApplication::processEvents();
     QApplication::processEvents();
     EXPECT_EQ(plots[0]->plotArea().left(), plots[1]->plotArea().left());
     plots.pop_back();
-    plots[0]->setCurve(0, {0, 1}, {0, 1});
+    show(*plots[0], 1.0);
     plots[0]->grab();
 }
 
 TEST_F(PlotViewTest, ChartsBesideEachOtherBeginAtOneHeight) {
     QWidget page;
     page.resize(500, 300);
-    PlotView one(QStringLiteral("One"), &page);
-    PlotView other(QStringLiteral("Other"), &page);
+    PlotView one(&page);
+    PlotView other(&page);
     one.setGeometry(0, 0, 250, 300);
     other.setGeometry(250, 0, 250, 300);
-    one.addCurve({.name = QStringLiteral("a")});
-    for (const char* name : {"a rather long name", "and another one", "and a third"}) {
-        other.addCurve({.name = QString::fromLatin1(name), .role = Role::Sum});
+    one.showFigure(figure);
+    for (const QString& name : {u"a rather long name"_s, u"and another one"_s, u"and a third"_s}) {
+        figure.add(name.toStdString(), {.name = name, .role = Role::Sum}, {0, 720}, {0, 1});
     }
+    other.showFigure(figure);
     test::showAt(page, {500, 300});
     page.grab();
     page.grab();  // the first one's header follows the other's
     EXPECT_EQ(one.plotArea().top(), other.plotArea().top());
     const double beside = one.plotArea().top();
     other.move(250, 20);  // no longer in the row
-    one.setTitle(QStringLiteral("1"));
+    figure.curves.resize(1);
+    figure.title = u"1"_s;
+    one.showFigure(figure);
     page.grab();
     EXPECT_LT(one.plotArea().top(), beside);
 }
 
 TEST_F(PlotViewTest, ATitleTakesLinesRatherThanLoseItsEnd) {
     const double before = plot.plotArea().top();
-    plot.setTitle(
-        QStringLiteral("Moment about the crank with an error of the gears, for several "
-                       "engines, each at its own speed and with its own shaft"));
+    figure.title = QStringLiteral(
+        "Moment about the crank with an error of the gears, for several engines, each at its own "
+        "speed and with its own shaft");
+    plot.showFigure(figure);
     plot.grab();
     EXPECT_GT(plot.plotArea().top(), before + 8.0);
 }
 
 TEST_F(PlotViewTest, NumbersAndStrokesFollowTheText) {
-    plot.setCurveStyle(curve, {.name = QStringLiteral("sine"), .width = 4.0});
+    figure.curves[0].style.width = 4.0;
+    plot.showFigure(figure);
     plot.grab();
     const double gap = plot.plotArea().top() - plot.data().headerHeight;
     const auto inked = [&] {  // pixels of the curve across its highest point
@@ -411,7 +408,9 @@ TEST_F(PlotViewTest, NumbersAndStrokesFollowTheText) {
 }
 
 TEST_F(PlotViewTest, ACurveThatIsAPointIsSeen) {
-    plot.setCurve(curve, {360, 360, 360}, {0, 0, 0});
+    figure.curves[0].x = {360, 360, 360};
+    figure.curves[0].y = {0, 0, 0};
+    plot.showFigure(figure);
     plot.grab();
     const QPoint middle = at(360, 0);
     EXPECT_LT(plot.grab().toImage().pixelColor(middle).lightness(), 180);
@@ -430,56 +429,53 @@ TEST_F(PlotViewTest, KeysZoomMoveAndReset) {
     EXPECT_EQ(moved.size(), 1);
 }
 
+/// The plot before and after the pointer has come to a place where something is read.
+std::pair<QImage, QImage> readAt(PlotView& plot, const QPointF& at) {
+    QTest::mouseMove(&plot, QPoint(2, 2));
+    const QImage before = plot.grab().toImage();
+    QImage after;
+    EXPECT_TRUE(test::pointUntil(
+        &plot, [&] { return at; },
+        [&] {
+            after = plot.grab().toImage();
+            return after != before;
+        }));
+    return {before, after};
+}
+
 /// A read-out with the values of a reference may be wider than its chart, or the whole plot.
 TEST(PlotView, WhatTheCursorReadsIsWithinThePlot) {
-    Figure means;
-    means.title = u"Means"_s;
-    means.x = {u"α, °"_s, 0.0, 360.0};
+    Figure means{.title = u"Means"_s, .x = {u"α, °"_s, 0.0, 360.0}};
     means.add("mean", {.name = u"Mₛ mean (paper)"_s}, {0.0, 360.0}, {-1234.5, 1450.0});
     for (const int width : {190, 230, 320, 480}) {
-        PlotView plot(u"Means"_s);
+        PlotView plot;
         plot.showFigure(means);
         plot.showReference(&means, u"A"_s);
         test::showAt(plot, {width, 220});
         const QRectF area = plot.plotArea();
         for (const double part : {0.05, 0.5, 0.95}) {
-            const QImage before = plot.grab().toImage();
-            const QPointF at(area.left() + part * area.width(), area.center().y());
-            QImage after;
-            ASSERT_TRUE(test::pointUntil(
-                &plot, [&] { return at; },
-                [&] {
-                    after = plot.grab().toImage();
-                    return after != before;
-                }));
+            const auto [before, after] =
+                readAt(plot, {area.left() + part * area.width(), area.center().y()});
             // Nothing of it at the edges: its frame is whole.
             for (int y = static_cast<int>(area.top()); y < after.height(); ++y) {
                 for (const int x : {0, after.width() - 1}) {
                     EXPECT_EQ(before.pixel(x, y), after.pixel(x, y)) << width << ' ' << part;
                 }
             }
-            QTest::mouseMove(&plot, QPoint(2, 2));
         }
     }
 }
 
 TEST(PlotView, OfACurveThatFoldsBackNoXIsRead) {
-    PlotView plot(u"Guide"_s);
-    plot.addCurve({.name = u"ρ"_s});
-    plot.setXAxis({u"x, mm"_s, -1.0, 1.0});
-    test::showAt(plot, {400, 300});
-    const QPoint middle = plot.plotArea().center().toPoint();
+    PlotView plot;
+    Figure figure{.title = u"Guide"_s, .x = {u"x, mm"_s, -1.0, 1.0}};
+    figure.add("rho", {.name = u"ρ"_s}, {}, {0.0, 1.0, 0.0, -1.0});
     const auto shown = [&](std::vector<double> x) {
-        plot.setCurve(0, std::move(x), {0.0, 1.0, 0.0, -1.0});
-        QTest::mouseMove(&plot, QPoint(2, 2));
-        const QImage before = plot.grab().toImage();
-        QImage after;
-        EXPECT_TRUE(test::pointUntil(
-            &plot, [&] { return middle; },
-            [&] {
-                after = plot.grab().toImage();
-                return after != before;
-            }));
+        figure.curves[0].x = std::move(x);
+        plot.showFigure(figure);
+        test::showAt(plot, {400, 300});
+        const QPoint middle = plot.plotArea().center().toPoint();
+        const auto [before, after] = readAt(plot, middle);
         // Beside the cursor's line, where the box stands.
         return after.copy(middle.x() + 14, 0, 60, 300) != before.copy(middle.x() + 14, 0, 60, 300);
     };
@@ -490,9 +486,10 @@ TEST(PlotView, OfACurveThatFoldsBackNoXIsRead) {
 TEST(PlotView, APlotOverAnotherReadsItsX) {
     QWidget page;
     page.resize(400, 400);
-    PlotView upper(u"Order 1"_s, &page);
-    PlotView lower(u"Order 2"_s, &page);
-    lower.setXAxis({u"φ, °"_s, 0.0, 720.0});
+    PlotView upper(&page);
+    PlotView lower(&page);
+    upper.showFigure({.title = u"Order 1"_s});
+    lower.showFigure({.title = u"Order 2"_s, .x = {u"φ, °"_s, 0.0, 720.0}});
     upper.setGeometry(0, 0, 400, 200);
     lower.setGeometry(0, 200, 400, 200);
     upper.stack({&upper, &lower});

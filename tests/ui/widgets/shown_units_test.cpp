@@ -117,12 +117,11 @@ TEST_F(ShownUnits, OfASliderAreInItsBox) {
 
 TEST_F(ShownUnits, OfAPlotAreOnItsAxesInItsSentenceAndInItsTable) {
     QWidget window;
-    PlotView plot(u"Torque"_s, &window);
+    PlotView plot(&window);
     plot.resize(500, 300);
-    plot.setXAxis({u"l, mm"_s, 0.0, 254.0});
-    plot.setYAxis(PlotView::Side::Left, {u"N·m"_s});
-    plot.addCurve({.name = u"M"_s});
-    plot.setCurve(0, {0.0, 254.0}, {0.0, 1.3558179483314004});
+    Figure figure{.title = u"Torque"_s, .x = {u"l, mm"_s, 0.0, 254.0}, .left = {u"N·m"_s}};
+    figure.add("M", {.name = u"M"_s}, {0.0, 254.0}, {0.0, 1.3558179483314004});
+    plot.showFigure(figure);
     plot.grab();
     EXPECT_EQ(plot.data().x.interval(), std::pair(0.0, 254.0));  // data stay
     EXPECT_TRUE(plot.sentence().contains(u"from 0.00 to 10.00\u00A0in"_s))

@@ -106,6 +106,7 @@ struct PlotCurve {
     std::function<QString(std::size_t point)> text = {};
     bool ascending = true;  ///< x never decreases, so the cursor may interpolate
     bool shown = true;
+    bool inFigure = true;                   ///< else of one that was shown before
     bool stale = true;                      ///< `stretches` are of other data
     std::vector<QPolygonF> stretches = {};  ///< the line as drawn, thinned, in pixels
     std::vector<QPolygonF> shades = {};     ///< its spread, likewise
