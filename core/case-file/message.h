@@ -90,7 +90,8 @@ Message table_place(std::size_t line, int column);  ///< "line 4, column 2"
 /// Words in a row: "a", "b", "c".
 Message quoted_list(const std::vector<std::string>& words);
 
-/// Puts values in the places %1, %2 … of a pattern, which may be a label: & before a mnemonic goes.
+/// Puts values in the places %1, %2 … of a pattern, which may be a label: without the & of its
+/// mnemonic.
 std::string fill_pattern(std::string_view pattern, const std::vector<std::string>& values);
 
 }  // namespace ravnoves

@@ -75,8 +75,8 @@ struct Result {
         return !plan || !plan->cuts || plan->limit == Boring::Limit::none;
     }
     const std::optional<Option>& option(OptionId id) const { return options[index(id)]; }
-    /// The bore that is right: where the neglected shift matters, the one that counts it. Nothing
-    /// where there is none.
+    /// The bore to make: where the neglected shift matters, the one that counts it; empty where
+    /// no bore does.
     std::optional<Boring> right_boring(OptionId id) const {
         std::optional<Boring> bored = boring[index(id)];
         const auto& effect = shift[index(id)];

@@ -18,8 +18,8 @@ namespace ravnoves::v8_plugs {
 void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result,
                  const std::optional<double>& speed);
 
-/// What is to be taken off the plugs; where the neglected shift of their centre of mass matters, what
-/// counts it.
+/// The work on the plugs as a sentence; where the neglected shift of their centre of mass matters,
+/// with the mass that counts it.
 Message plug_work(const Input& input, const Result& result);
 
 /// Whether the plugs can compensate, without machine and warnings.

@@ -70,7 +70,7 @@ class MethodsModel : public SceneModel {
     std::size_t shownMethod() const { return chosen().method; }
     void setShownMethod(std::size_t method);
 
-    /// The measurement under way, of what is chosen.
+    /// The measurement under way, of the chosen quantity.
     BackgroundJob* measuring() { return measuring_; }
     /// The measurement shown: the newest of the kernel or, before its first, of the previous
     /// kernel. Null before any.
