@@ -40,7 +40,6 @@ class PlotView : public QWidget {
     /// Shows under the curves, dimmed, the same figure's curves of another input. Null: none.
     void showReference(const Figure* figure, const QString& name);
     void setCurveShown(int curve, bool shown);
-    int curveCount() const { return static_cast<int>(data_.curves.size()); }
     /// The scatter of the curves, which moves with them; those without one have none any more.
     void setSpreads(const plot::Spreads& spreads);
     void setMarks(std::vector<plot::Mark> marks) { overlay(data_.marks, std::move(marks)); }

@@ -572,7 +572,7 @@ TEST_F(ShaftMapTest, WhereNothingCanBeBuiltTheButtonSaysWhy) {
 
 TEST_F(ShaftMapTest, CurvesThatAreReadOutHaveNames) {
     for (const PlotView* chart : {distances, sizes}) {
-        for (int i = 0; i < chart->curveCount(); ++i) {
+        for (int i = 0; i < std::ssize(chart->data().curves); ++i) {
             EXPECT_FALSE(chart->data().curve(i).style.name.isEmpty()) << i;
         }
     }

@@ -146,7 +146,7 @@ TEST_F(ElasticHingePageTest, FamiliesHaveTheCaseAmongThem) {
     for (const char* tab : {"rod-hinge", "side-force", "crank-moment"}) {
         bring(tab);
         for (const PlotView* plot : page.findChildren<PlotView*>()) {
-            for (int i = 0; i < plot->curveCount(); ++i) {
+            for (int i = 0; i < std::ssize(plot->data().curves); ++i) {
                 if (plot->isVisible() &&
                     plot->data().curve(i).style.name == QStringLiteral("this case")) {
                     ++families;
@@ -194,7 +194,7 @@ TEST_F(ElasticHingePageTest, PlotsHoldThePapersFigures) {
     EXPECT_EQ(plotOf("rod-moment-speeds")->data().curve(2).style.name,
               QStringLiteral("500\u00A0rad/s"));
     EXPECT_TRUE(plotOf("rod-moment-speeds")->data().curve(2).shown);
-    EXPECT_EQ(plotOf("rod-moment-speeds")->curveCount(), 3);
+    EXPECT_EQ(std::ssize(plotOf("rod-moment-speeds")->data().curves), 3);
     bring("side-force");
     EXPECT_NEAR(*plotOf("side-force-lambdas")->valueAt(1, 90.0), -9.4746, 1e-3);
     EXPECT_NEAR(*plotOf("side-force-speeds")->valueAt(0, 90.0), -94.746, 1e-2);

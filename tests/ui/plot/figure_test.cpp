@@ -35,10 +35,10 @@ Figure figure(std::vector<Figure::Curve> curves) {
 TEST(ShownFigure, CurvesKeepTheirPlaceByWordWhateverComesBetween) {
     PlotView plot;
     plot.showFigure(figure({curve("a", {1, 2, 3}), curve("c", {3, 2, 1})}));
-    ASSERT_EQ(plot.curveCount(), 2);
+    ASSERT_EQ(std::ssize(plot.data().curves), 2);
     plot.setCurveShown(1, false);
     plot.showFigure(figure({curve("a", {1, 2, 3}), curve("b", {0, 0, 1}), curve("c", {5, 5, 5})}));
-    ASSERT_EQ(plot.curveCount(), 3);
+    ASSERT_EQ(std::ssize(plot.data().curves), 3);
     EXPECT_EQ(plot.data().curve(1).id, "c");
     EXPECT_EQ(*plot.valueAt(1, 1.0), 5.0);
     EXPECT_FALSE(plot.data().curve(1).shown) << "what the user switched off stays off";

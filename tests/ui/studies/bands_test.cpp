@@ -56,7 +56,7 @@ class Bands : public ::testing::Test {
     /// The first plot in front with so many curves at least.
     PlotView* plot(int curves) {
         for (PlotView* each : page->findChildren<PlotView*>()) {
-            if (each->isVisible() && each->curveCount() >= curves) {
+            if (each->isVisible() && std::ssize(each->data().curves) >= curves) {
                 return each;
             }
         }

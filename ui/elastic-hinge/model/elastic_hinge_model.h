@@ -137,8 +137,8 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     void showMotions(std::shared_ptr<const HingeMotions> motions);
 
     bool runsJobs_;
-    BackgroundJob runner_{
-        this};  ///< of the motions: they take as long as a hundred frames of a drag
+    /// Of the motions: they take as long as a hundred frames of a drag.
+    BackgroundJob runner_{this};
     std::shared_ptr<const HingeMotions> motions_;
     CrankAngle crank_{60.0, 360.0};
     std::optional<double> motionTime_;
