@@ -280,6 +280,7 @@ TEST(Fields, MessagesKeepTheirPatternAndTheirValues) {
     const Message nested(Text::tr("cannot be read: %1"), message);
     EXPECT_EQ(nested.english(), "cannot be read: must be from 1.5 to 3 mm");
     EXPECT_EQ(joined("a", line_place(4)).english(), "a, line 4");
+    EXPECT_EQ(joined("a & b", Text{"One p&in"}).english(), "a & b, One pin");  // a label's mnemonic
     const InputError error(table_place(4, 2), message, Number{20.5, units::degree});
     EXPECT_EQ(error.message().english(), "line 4, column 2: must be from 1.5 to 3 mm, got 20.5°");
     EXPECT_EQ(error.message().english(), error.what());

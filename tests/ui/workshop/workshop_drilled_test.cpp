@@ -78,6 +78,14 @@ TEST_F(DrilledTest, AMeasuredAngleAndDepthCount) {
     EXPECT_EQ(find<QComboBox>("drilled_state_1")->currentIndex(),
               static_cast<int>(HoleState::measured));
     EXPECT_NE(plan(), before);
+    // Its plan is typed over: undo brings it back, no word does.
+    const QComboBox* state = find<QComboBox>("drilled_state_1");
+    const auto isOffered = [state](HoleState word) {
+        return (state->model()->flags(state->model()->index(static_cast<int>(word), 0)) &
+                Qt::ItemIsEnabled) != 0;
+    };
+    EXPECT_FALSE(isOffered(HoleState::as_planned));
+    EXPECT_TRUE(isOffered(HoleState::wrong_side));
     // A rejected depth stands where any rejected entry does.
     const double planned = hole(0).depth;
     type("drilled_depth_1", u"5x"_s);
@@ -98,6 +106,7 @@ TEST_F(DrilledTest, AMeasuredAngleAndDepthCount) {
         model->history()->undo();
     }
     EXPECT_EQ(plan(), before);
+    EXPECT_TRUE(isOffered(HoleState::as_planned));
 }
 
 TEST_F(DrilledTest, AHoleInTheOtherPlaneCountsThereAndIsTakenBackInOneStep) {
