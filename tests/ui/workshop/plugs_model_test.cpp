@@ -109,6 +109,19 @@ TEST_F(PlugsModelTest, PresetsBringThePrintedSizes) {
     EXPECT_FALSE(model.input().plugs->plug.value_or(PlugSheet{}).thread);
 }
 
+TEST_F(PlugsModelTest, AGapInAColumnThatDoesNotCountBreaksNoRule) {
+    PlugsModel model;
+    model.loadInput(repairJob(), {});
+    const QStringList before = model.troubles();
+    model.editWeights(u"weigh"_s, [](shop::WeighIn& sheet) {
+        sheet[Part::piston].mass.assign({560 * gram, 562 * gram});
+        sheet.fit(8);
+    });
+    model.editPlugs(u"typed"_s, [](auto& input) { input.changes_from_weigh_in = false; });
+    ASSERT_NE(model.plugs()->hung_weight(), nullptr);
+    EXPECT_EQ(model.troubles(), before + model.notCounted());
+}
+
 TEST_F(PlugsModelTest, ColumnsHalfWeighedAreNamed) {
     PlugsModel model;
     model.editPlugs(u"sizes"_s, [](auto& input) { input.plug.reset(); });

@@ -204,8 +204,8 @@ QString brokenRule(const Words& words, const workshop::Input& input,
         check(input);
     } catch (const InputError& error) {
         // Of a column that is half weighed it is said how far it is.
-        const bool isHalfWeighed =
-            error.where().starts_with("/input/weigh_in/") && error.found().empty();
+        const bool isHalfWeighed = error.where().starts_with("/input/weigh_in/") &&
+                                   (error.found().empty() || error.found() == "null");
         return isHalfWeighed ? QString() : ruleText(words, input, error);
     }
     return {};
