@@ -16,7 +16,6 @@
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
 #include "shell/screenshot.h"
-#include "shell/settings_place.h"
 #include "shop/model/journal.h"
 #include "text/error_text.h"
 #include "text/language.h"
@@ -140,9 +139,8 @@ int main(int argc, char** argv) {
     }
 
     std::optional<QTemporaryDir> noSettings;
-    const QString noFile = ravnoves::noFileForSettings();
-    if (isSilent || !noFile.isEmpty()) {
-        // Nothing of the user's settings may change the picture; and no pipe is waited for.
+    if (isSilent) {
+        // Nothing of the user's settings may change the picture.
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
                            noSettings.emplace().path());
     }
@@ -256,9 +254,6 @@ int main(int argc, char** argv) {
         // With its frame and title it fits the screen, which may be another than last time.
         const QSize room = window.screen()->availableSize() - QSize(16, 48);
         window.resize(window.size().boundedTo(room));
-    }
-    if (!noFile.isEmpty()) {
-        window.statusBar()->showMessage(ravnoves::noFileForSettingsText(noFile), 10'000);
     }
     window.show();
     if (report) {

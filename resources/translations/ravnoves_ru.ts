@@ -1096,13 +1096,6 @@
     </message>
 </context>
 <context>
-    <name>Settings</name>
-    <message>
-        <source>Settings are not saved: %1 is not a file</source>
-        <translation>Настройки не сохраняются: %1 — не файл</translation>
-    </message>
-</context>
-<context>
     <name>Text</name>
     <message>
         <source>is required and missing</source>

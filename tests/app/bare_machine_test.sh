@@ -46,15 +46,6 @@ for home in -uHOME HOME=/proc/none; do
     [ $status = 124 ] || fault "$home: the window ends with $status: $(cat err)"
 done
 
-# A pipe where the settings should be: nothing waits for it. The window has begun its session.
-mkdir -p pipe/.config/Ravnoves
-mkfifo pipe/.config/Ravnoves/Ravnoves.conf
-status=0
-HOME=$folder/pipe timeout 4 "$desktop" --scene workshop >out 2>err || status=$?
-[ $status = 124 ] || fault "a pipe for settings: the window ends with $status: $(cat err)"
-[ -d pipe/.local/share/Ravnoves/Ravnoves/recovery ] || fault "a pipe for settings is waited for"
-[ -p pipe/.config/Ravnoves/Ravnoves.conf ] || fault "the pipe in the place of settings is gone"
-
 # A decimal comma.
 for locale in ru_RU.UTF-8 de_DE.UTF-8; do
     if ! LC_ALL=$locale LOCPATH=$locales locale -k decimal_point 2>/dev/null | grep -q '","'; then
