@@ -347,14 +347,17 @@ std::optional<Table> leftOut(const SceneModel& model) {
             std::find(replaced.begin(), replaced.end(), entry.pointer) != replaced.end()) {
             continue;
         }
-        const QString name = capitalised(fieldName(entry.field));
+        QString assumed;
         if (number != nullptr) {
             const ShownUnit unit = shownUnit(entry.field);
-            table.rows << QStringList{name.toHtmlEscaped(),
-                                      withUnit(numberText(*number, unit), unit.name)};
-        } else if (isEmpty && !entry.field.if_empty.empty()) {
-            table.rows << QStringList{name.toHtmlEscaped(),
-                                      shownText(entry.field.if_empty).toHtmlEscaped()};
+            assumed = withUnit(numberText(*number, unit), unit.name);
+        } else if (isEmpty) {
+            assumed = shownText(entry.field.if_empty).toHtmlEscaped();
+        }
+        const QStringList row{capitalised(fieldName(entry.field)).toHtmlEscaped(), assumed};
+        // Each cylinder of a layout assumes the same.
+        if (!assumed.isEmpty() && !table.rows.contains(row)) {
+            table.rows << row;
         }
     }
     return table.rows.isEmpty() ? std::nullopt : std::optional(std::move(table));
