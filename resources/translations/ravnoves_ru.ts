@@ -15943,10 +15943,6 @@ but no position is feasible</source>
         <translation>Удаление варианта %1</translation>
     </message>
     <message>
-        <source>Swap with variant %1</source>
-        <translation>Обмен с вариантом %1</translation>
-    </message>
-    <message>
         <source>%1 has changed since this variant was kept: its results use the present file.</source>
         <translation>%1 изменился с тех пор, как сохранён этот вариант: его результаты — по текущему файлу.</translation>
     </message>
@@ -17461,10 +17457,6 @@ but no position is feasible</source>
         <translation>&amp;Без эталона</translation>
     </message>
     <message>
-        <source>&amp;Swap with the present</source>
-        <translation>&amp;Обменять с текущим</translation>
-    </message>
-    <message>
         <source>&amp;Rename…</source>
         <translation>&amp;Переименовать…</translation>
     </message>
@@ -17499,10 +17491,6 @@ but no position is feasible</source>
     <message>
         <source>Shows the present input alone; variants are kept</source>
         <translation>Показывает только текущие данные; варианты сохраняются</translation>
-    </message>
-    <message>
-        <source>Exchanges present input and reference</source>
-        <translation>Меняет местами текущие данные и эталон</translation>
     </message>
     <message>
         <source>&amp;Use</source>

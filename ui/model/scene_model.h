@@ -168,8 +168,6 @@ class SceneModel : public QObject {
     void removeVariant(int place);
     // These return an empty string, or why it cannot be done.
     QString renameVariant(int place, const QString& name);
-    /// Present input and variant change places; the name stays where it is.
-    QString swapVariant(int place);
     /// The variant's input becomes the present one.
     QString takeVariant(int place);
     /// Why a variant's input is rejected; empty where it is valid.

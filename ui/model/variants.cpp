@@ -17,14 +17,6 @@ bool isTaken(const QList<Variant>& variants, const QString& name) {
                        [&](const Variant& variant) { return variant.name == name; });
 }
 
-/// Passes on why an input is not taken over; where it is, all fields show it.
-QString announceBroughtIn(SceneModel* model, const QString& why) {
-    if (why.isEmpty()) {
-        Q_EMIT model->broughtIn();
-    }
-    return why;
-}
-
 }  // namespace
 
 Variants variantsOf(const CaseFile& file) {
@@ -101,18 +93,14 @@ void SceneModel::removeVariant(int place) {
     changeVariants(tr("Delete variant %1").arg(name), next, {});
 }
 
-QString SceneModel::swapVariant(int place) {
-    Variants next = variants_;
-    Variant& variant = next.list[place];
-    const std::string input = std::exchange(variant.input, inputJson().dump());
-    return announceBroughtIn(
-        this, changeVariants(tr("Swap with variant %1").arg(variant.name), next, input));
-}
-
 QString SceneModel::takeVariant(int place) {
     const Variant& variant = variants_.list.at(place);
-    return announceBroughtIn(
-        this, changeVariants(tr("Use variant %1").arg(variant.name), variants_, variant.input));
+    const QString why =
+        changeVariants(tr("Use variant %1").arg(variant.name), variants_, variant.input);
+    if (why.isEmpty()) {
+        Q_EMIT broughtIn();
+    }
+    return why;
 }
 
 Json SceneModel::variantInput(int place) const {

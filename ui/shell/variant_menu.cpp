@@ -39,9 +39,6 @@ VariantMenu::VariantMenu(QWidget* parent)
                 dialog->show();
             });
     onReference_ = {
-        add("swap", tr("&Swap with the present"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_X),
-            tr("Exchanges present input and reference"),
-            [this] { say(model_->swapVariant(model_->reference())); }),
         add("take", tr("&Use"), {},
             tr("The reference becomes the present input and remains the reference"),
             [this] { say(model_->takeVariant(model_->reference())); }),

@@ -12,7 +12,7 @@ namespace ravnoves {
 
 class ScenePage;
 
-/// Keeps, chooses, swaps, renames and deletes the variants of the page in front. A menu and a
+/// Keeps, chooses, renames and deletes the variants of the page in front. A menu and a
 /// button of the toolbar that opens it and shows which variant is the reference.
 class VariantMenu : public QMenu {
     Q_OBJECT

@@ -122,17 +122,14 @@ class RandomWalk : public ::testing::Test {
             case 2:
                 if (variants > 0) {
                     const int place = below(variants);
-                    Typed& variant = next.variants[static_cast<std::size_t>(place)];
-                    const Typed present = inUse(next.present);
-                    for (const auto& [pointer, value] : present) {
+                    for (const auto& [pointer, value] : inUse(next.present)) {
                         next.present.erase(pointer);
                     }
-                    next.present.insert(variant.begin(), variant.end());
-                    for (const auto& [pointer, value] : variant) {
+                    for (const auto& [pointer, value] :
+                         next.variants[static_cast<std::size_t>(place)]) {
                         next.present[pointer] = value;
                     }
-                    variant = present;
-                    EXPECT_EQ(model.swapVariant(place), QString());
+                    EXPECT_EQ(model.takeVariant(place), QString());
                 }
                 break;
             case 3:
@@ -227,7 +224,7 @@ TEST_F(RandomWalk, LosesNoTypedNumber) {
         }
     }
     EXPECT_EQ(kinds.size(), 3U) << "each source was in use";
-    EXPECT_GE(maximum, std::size(fields));
+    EXPECT_GE(maximum + 1, std::size(fields)) << "nearly every field was typed in at once";
     while (model.history()->index() > first) {
         model.undo();
         expectAll(model, now().present);

@@ -351,7 +351,7 @@ TEST_F(SavingTest, AnotherStateOfTheCaseEndsWhatWasRejected) {
     isBack();
     model().keepVariant();
     reject("crank_radius_mm", "abc");
-    EXPECT_EQ(model().swapVariant(0), QString());
+    EXPECT_EQ(model().takeVariant(0), QString());
     isBack();
     reject("crank_radius_mm", "abc");
     EXPECT_EQ(window.documents().current().document->reload(), QString());
