@@ -83,12 +83,16 @@ class CaseModel : public SceneModel {
         next.study = study;
         make(name, std::move(next));
     }
+    void changeVariants(const QString& name, const Variants& variants) override {
+        State next = state();
+        next.variants = variants;
+        make(name, std::move(next));
+    }
 
     // In case_model_json.h.
     Json inputJson() const override;
-    QString changeVariants(const QString& name, const Variants& next,
-                           const std::optional<std::string>& input) override;
-    QString inputTrouble(const std::string& input) const override;
+    QString takeVariant(int place) override;
+    QString variantTrouble(int place) const override;
     Json keptJson() const override;
     Json variantInput(int place) const override;
     void loadFile(const CaseFile& file, const CaseContext& context, const Json* named) override;

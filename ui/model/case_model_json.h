@@ -80,25 +80,17 @@ void CaseModel<Scene>::showInput(const Json& json) {
 }
 
 template <typename Scene>
-QString CaseModel<Scene>::changeVariants(const QString& name, const Variants& next,
-                                         const std::optional<std::string>& input) {
-    State after = state();
-    after.variants = next;
-    if (!input) {
-        make(name, std::move(after));
-        return {};
-    }
+QString CaseModel<Scene>::takeVariant(int place) {
+    const Variant& variant = variants().at(place);
     try {
-        after.input = readInput(parse_json(*input), keptJson(), context());
-        retitle(after);
-        if (!(after == state())) {
-            Solved solved = solve(after.input);
-            leaveEditing();
-            push(name, std::move(after), std::move(solved), -1);
-        }
+        State next = state();
+        next.input = readInput(parse_json(variant.input), keptJson(), context());
+        retitle(next);
+        make(SceneModel::tr("Use variant %1").arg(variant.name), std::move(next));
     } catch (const InputError& error) {
         return explain(error);
     }
+    Q_EMIT broughtIn();
     return {};
 }
 
@@ -112,9 +104,10 @@ Json CaseModel<Scene>::variantInput(int place) const {
 }
 
 template <typename Scene>
-QString CaseModel<Scene>::inputTrouble(const std::string& input) const {
+QString CaseModel<Scene>::variantTrouble(int place) const {
     try {
-        solve(withinMemory([&] { return scene_.read(parse_json(input), context()); }));
+        solve(
+            withinMemory([&] { return scene_.read(SceneModel::variantInput(place), context()); }));
     } catch (const InputError& error) {
         return explain(error);
     }

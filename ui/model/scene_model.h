@@ -169,9 +169,9 @@ class SceneModel : public QObject {
     // These return an empty string, or why it cannot be done.
     QString renameVariant(int place, const QString& name);
     /// The variant's input becomes the present one.
-    QString takeVariant(int place);
+    virtual QString takeVariant(int /*place*/) { return {}; }
     /// Why a variant's input is rejected; empty where it is valid.
-    QString variantTrouble(int place) const;
+    virtual QString variantTrouble(int /*place*/) const { return {}; }
     /// The variant's input as the model would write it; a rejected one unchanged.
     virtual Json variantInput(int place) const;
 
@@ -266,14 +266,8 @@ class SceneModel : public QObject {
     const Variants& variantState() const { return variants_; }
     /// Other variants; while they are the same, the reference is kept.
     void setVariants(const Variants& variants);
-    /// One step of the history with other variants and, where one is given, another input.
-    /// @return an empty string, or why the input is rejected; all is as it was then
-    virtual QString changeVariants(const QString& /*name*/, const Variants& /*next*/,
-                                   const std::optional<std::string>& /*input*/) {
-        return {};
-    }
-    /// Why an input is rejected; empty where it is valid.
-    virtual QString inputTrouble(const std::string& /*input*/) const { return {}; }
+    /// Other variants, as one step of the history.
+    virtual void changeVariants(const QString& /*name*/, const Variants& /*next*/) {}
     /// Number of the step that a change of this name belongs to, for InputCommand.
     int stepOf(const QString& name);
     /// The input changes otherwise than by the editing: the next typing is a step of its own.

@@ -63,7 +63,7 @@ void SceneModel::keepVariant(const QString& name) {
     const bool usable = !name.trimmed().isEmpty() && !isTaken(next.list, name.trimmed());
     next.list.push_back({usable ? name.trimmed() : nextVariantName(next.list), inputJson().dump()});
     next.reference = static_cast<int>(next.list.size()) - 1;
-    changeVariants(tr("Keep variant %1").arg(next.list.back().name), next, {});
+    changeVariants(tr("Keep variant %1").arg(next.list.back().name), next);
 }
 
 QString SceneModel::renameVariant(int place, const QString& name) {
@@ -79,7 +79,8 @@ QString SceneModel::renameVariant(int place, const QString& name) {
         return tr("Another variant has the name %1.").arg(trimmed);
     }
     next.list[place].name = trimmed;
-    return changeVariants(tr("Rename variant"), next, {});
+    changeVariants(tr("Rename variant"), next);
+    return {};
 }
 
 void SceneModel::removeVariant(int place) {
@@ -90,25 +91,11 @@ void SceneModel::removeVariant(int place) {
     } else if (next.reference > place) {
         --next.reference;
     }
-    changeVariants(tr("Delete variant %1").arg(name), next, {});
-}
-
-QString SceneModel::takeVariant(int place) {
-    const Variant& variant = variants_.list.at(place);
-    const QString why =
-        changeVariants(tr("Use variant %1").arg(variant.name), variants_, variant.input);
-    if (why.isEmpty()) {
-        Q_EMIT broughtIn();
-    }
-    return why;
+    changeVariants(tr("Delete variant %1").arg(name), next);
 }
 
 Json SceneModel::variantInput(int place) const {
     return parse_json(variants_.list.at(place).input);
-}
-
-QString SceneModel::variantTrouble(int place) const {
-    return inputTrouble(variants_.list.at(place).input);
 }
 
 }  // namespace ravnoves
