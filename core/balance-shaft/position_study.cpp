@@ -1,5 +1,6 @@
 #include "balance-shaft/position_study.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

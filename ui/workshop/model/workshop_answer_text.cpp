@@ -150,7 +150,7 @@ QString ruleText(const Words& words, const workshop::Input& input, const InputEr
         return valueMissing(words, input, run, elements.back(), field);
     }
     const auto group = std::ranges::find_if(
-        groups, [&](const auto& each) { return pointer.starts_with(each.first); });
+        groups, [&at = pointer](const auto& each) { return at.starts_with(each.first); });
     if (isMissing && group != std::end(groups)) {
         QString sheet = words.translate("BobWeights", group->second);
         for (const std::size_t plane : elements) {
