@@ -734,6 +734,10 @@ TEST(BearingPlaces, AreJudgedOnlyWhereBothPlanesAreKnown) {
     input.correction->planes[0].position = 0.06;
     input.correction->planes[1].position = 0.48;
     EXPECT_EQ(places_of_bearings(input), BearingPlaces::reversed);
+    // From the other end, with zero between the planes: the order is the same in both.
+    input.correction->planes[0].position = 0.5;
+    input.correction->planes[1].position = -0.1;
+    EXPECT_EQ(places_of_bearings(input), BearingPlaces::plausible);
 }
 
 }  // namespace
