@@ -44,7 +44,7 @@ PAIRS = [
      lambda took: took["move_shaft/rows:721/cubic:1"],
      lambda took: took["plain_range_sweep"] / 360),
     ("the best α, certain (rival: 360 ranges of samples, Eigen)", "bench-core-balance-shaft",
-     lambda took: took["best_angle/rows:721/cubic:0"], lambda took: took["plain_range_sweep"]),
+     lambda took: took["best_angle/721"], lambda took: took["plain_range_sweep"]),
     ("the best place, certain (rival: Nelder-Mead)", "bench-core-balance-shaft",
      lambda took: took["best_place/721"], lambda took: took["nelder_mead_place/721"]),
     ("map of places (rival: a plain loop)", "bench-core-balance-shaft",
@@ -63,10 +63,10 @@ PAIRS = [
 
 # Program of the benchmarks, its arguments, and what it finds in the environment.
 PROGRAMS = [
-    (["bench-core-growth", "--table"], {}),
-    (["bench-ui-frames", "--table", "--steps", STEPS], {}),
-    (["bench-ui-frames", "--table", "--steps", STEPS, "--size", "1920x1080"], {}),
-    (["bench-ui-frames", "--table", "--steps", STEPS], {"QT_SCALE_FACTOR": "2"}),
+    (["bench-core-growth"], {}),
+    (["bench-ui-frames", "--steps", STEPS], {}),
+    (["bench-ui-frames", "--steps", STEPS, "--size", "1920x1080"], {}),
+    (["bench-ui-frames", "--steps", STEPS], {"QT_SCALE_FACTOR": "2"}),
 ]
 
 

@@ -1,19 +1,13 @@
-/// How the cost of what a user may make large grows with its size: processor times over a range of
-/// sizes, the exponent fitted to them on log axes, and the one that theory gives. Then the most
-/// memory that this process has had, before and after ten times as many cases and samples.
-///
-/// bench-core-growth [NAME | --table]: only what begins with NAME; or the exponents alone, in lines
-/// for table.py.
+/// How the cost of what a user may make large grows with its size: the exponent fitted to processor
+/// times over a range of sizes, on log axes, and the one that theory gives; in lines for table.py.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -129,17 +123,6 @@ Work study_of(int samples) {
     };
 }
 
-Work batch_of(int cases) {
-    return
-        [text = Json::parse(read_text_file(std::string(RAVNOVES_EXAMPLES) + "/tmz-650d.case.json"))
-                    .dump(),
-         wanted = Wanted({"/metrics/M_ups/range_Nm", "/optimum/range"}), cases] {
-            for (int i = 0; i < cases; ++i) {
-                solve_case(parse_case(text), {}, wanted).dump();
-            }
-        };
-}
-
 std::vector<Growth> all_growths() {
     using balance_shaft::Interpolation;
     const auto rows = [](Interpolation interpolation) {
@@ -208,59 +191,18 @@ std::vector<Growth> all_growths() {
     };
 }
 
-/// kB
-long peak_memory() {
-    std::ifstream status("/proc/self/status");
-    std::string word;
-    while (status >> word) {
-        if (word == "VmHWM:") {
-            long kilobytes = 0;
-            status >> kilobytes;
-            return kilobytes;
-        }
-    }
-    return 0;
-}
-
-void print_memory(const std::string& name, const std::function<Work(int size)>& work, int size) {
-    work(size)();
-    const long before = peak_memory();
-    work(10 * size)();
-    std::printf("memory  %-24s peak %ld kB after %d, %ld kB after %d\n", name.c_str(), before, size,
-                peak_memory(), 10 * size);
-}
-
 }  // namespace
 
-int main(int argc, char** argv) {
-    const bool table = argc > 1 && std::string_view(argv[1]) == "--table";
-    const std::string only = argc > 1 && !table ? argv[1] : "";
-    if (!table && std::string("memory").starts_with(only)) {
-        print_memory("cases of a batch", batch_of, 2000);
-        print_memory("samples of a study", study_of, 100'000);
-    }
+int main() {
     for (const Growth& growth : all_growths()) {
-        if (!growth.name.starts_with(only)) {
-            continue;
-        }
         std::vector<std::pair<double, double>> points;
         for (const int size : growth.sizes) {
             points.emplace_back(size, seconds_of(growth.prepare(size)));
         }
-        if (table) {
-            const double exponent = exponent_of(points);
-            std::printf("exponent of cost over %s, %d to %d (rival: theory) | %.2f | %.2f | %.2f\n",
-                        growth.name.c_str(), growth.sizes.front(), growth.sizes.back(), exponent,
-                        growth.theory, exponent / growth.theory);
-            std::fflush(stdout);
-            continue;
-        }
-        std::printf("growth  %-24s exponent %5.2f  theory %4.2f ", growth.name.c_str(),
-                    exponent_of(points), growth.theory);
-        for (const auto& [size, time] : points) {
-            std::printf("  %.0f: %.3g ms", size, 1e3 * time);
-        }
-        std::printf("\n");
+        const double exponent = exponent_of(points);
+        std::printf("exponent of cost over %s, %d to %d (rival: theory) | %.2f | %.2f | %.2f\n",
+                    growth.name.c_str(), growth.sizes.front(), growth.sizes.back(), exponent,
+                    growth.theory, exponent / growth.theory);
         std::fflush(stdout);
     }
     return 0;

@@ -1,25 +1,23 @@
 /// Times the pages' frames: from a change of value to the painted page, in one process without a
-/// display. Each page drags its main slider over 500 steps; median and p95 are printed, of wall
-/// time and of the drawing thread's own processor time (which a busy machine disturbs less), and
-/// what share they are of the rival's just before: a plain window with three QChartView, seven
-/// series of 721 points, antialiased, whose step is `replace()` alone.
+/// display. Each page drags its main slider over 500 steps; the 95th percentile of the drawing
+/// thread's own processor time is printed, and what share it is of the rival's just before: a plain
+/// window with three QChartView, seven series of 721 points, antialiased, whose step is `replace()`
+/// alone. In lines for table.py.
 ///
 /// Then the wheel over the largest plot, the cursor in it and the window's size, likewise; the
 /// plain window's size too.
 ///
-/// bench-ui-frames [PAGE] [--steps N] [--size WxH] [--only GESTURE] [--alone] [--table]
+/// bench-ui-frames [PAGE] [--steps N] [--size WxH] [--only GESTURE] [--alone]
 /// --only: drag, wheel, cursor or resize; --alone: without the rival, for a profile of the page.
 
 #include <QApplication>
 #include <QChart>
 #include <QChartView>
-#include <QElapsedTimer>
 #include <QGridLayout>
 #include <QLineSeries>
 #include <QMouseEvent>
 #include <QProcess>
 #include <QScreen>
-#include <QTabWidget>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -92,11 +90,6 @@ Drag plainWindow() {
             }
         }};
 }
-
-struct Times {
-    double median;
-    double p95;
-};
 
 /// One entry per page: the page and what a step of its slider does.
 std::map<std::string, std::function<Drag()>> drags() {
@@ -176,58 +169,32 @@ double processorMs() {
 struct Options {
     int steps = 500;
     QSize size{1280, 800};
-    bool table = false;  ///< says it in lines for table.py
-    QString only;        ///< gesture
+    QString only;  ///< gesture
 
     bool wants(const char* gesture) const {
         return only.isEmpty() || only == QLatin1String(gesture);
     }
 };
 
-void print(const std::string& name, const Options& options, std::vector<double> wall,
-           std::vector<double> processor, std::optional<Times>& rival) {
-    std::sort(wall.begin(), wall.end());
-    std::sort(processor.begin(), processor.end());
-    const auto at = [](const std::vector<double>& sorted, double share) {
-        return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
-    };
-    const Times own{at(processor, 0.5), at(processor, 0.95)};
-    const bool isRival = !rival;
-    rival = rival.value_or(own);
-    if (options.table) {
-        const double scale = QGuiApplication::primaryScreen()->devicePixelRatio();
-        std::printf("frame p95, %s, %dx%d%s | %.2f ms | %.2f ms | %.2f\n", name.c_str(),
-                    options.size.width(), options.size.height(), scale > 1.0 ? ", scale 2" : "",
-                    own.p95, rival->p95, own.p95 / rival->p95);
-    } else {
-        std::printf(
-            "%-30s wall: median %6.2f p95 %6.2f max %6.2f ms  "
-            "processor: median %6.2f p95 %6.2f ms",
-            name.c_str(), at(wall, 0.5), at(wall, 0.95), at(wall, 1.0), own.median, own.p95);
-        if (!isRival) {
-            std::printf("  share: median %4.2f p95 %4.2f", own.median / rival->median,
-                        own.p95 / rival->p95);
-        }
-        std::printf("\n");
-    }
-}
-
-/// Takes so many steps, each of which is painted, and prints what they took.
+/// Takes so many steps, each of which is painted, and prints the time that 95 of 100 take.
 void time(const std::string& name, const Options& options, const std::function<void(int)>& step,
-          std::optional<Times>& rival) {
-    std::vector<double> wall;
+          std::optional<double>& rival) {
     std::vector<double> processor;
     for (int i = 0; i < options.steps; ++i) {
-        QElapsedTimer timer;
-        timer.start();
         const double before = processorMs();
         step(i);
         // One turn of the loop paints what the change has queued, once.
         QApplication::processEvents();
-        wall.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
         processor.push_back(processorMs() - before);
     }
-    print(name, options, std::move(wall), std::move(processor), rival);
+    std::sort(processor.begin(), processor.end());
+    const double p95 =
+        processor[static_cast<std::size_t>(0.95 * static_cast<double>(processor.size() - 1))];
+    rival = rival.value_or(p95);
+    const double scale = QGuiApplication::primaryScreen()->devicePixelRatio();
+    std::printf("frame p95, %s, %dx%d%s | %.2f ms | %.2f ms | %.2f\n", name.c_str(),
+                options.size.width(), options.size.height(), scale > 1.0 ? ", scale 2" : "", p95,
+                *rival, p95 / *rival);
 }
 
 /// The largest plot to be seen.
@@ -245,7 +212,7 @@ PlotView* largestPlot(QWidget* page) {
 
 /// What the hand does beside dragging: the wheel zooms, the cursor reads, the window is resized.
 void timeGestures(const std::string& name, const Options& options, QWidget* page,
-                  std::optional<Times>& rival) {
+                  std::optional<double>& rival) {
     if (PlotView* plot = largestPlot(page)) {
         const auto place = [plot](int step) {
             const QRectF area = plot->plotArea();
@@ -282,7 +249,7 @@ void timeGestures(const std::string& name, const Options& options, QWidget* page
 }
 
 void run(const std::string& name, const std::function<Drag()>& make, const Options& options,
-         std::optional<Times>& rival) {
+         std::optional<double>& rival) {
     const bool isRival = !rival;
     const Drag drag = make();
     drag.page->resize(options.size);
@@ -301,7 +268,7 @@ void run(const std::string& name, const std::function<Drag()>& make, const Optio
 }
 
 /// The plain window's drag, in a process of its own, which prints what it took.
-Times rivalTimes(QStringList arguments) {
+double rivalTime(QStringList arguments) {
     QProcess process;
     const QString program = QCoreApplication::applicationFilePath();
     arguments.removeFirst();
@@ -309,11 +276,11 @@ Times rivalTimes(QStringList arguments) {
     process.waitForFinished(-1);
     QStringList lines =
         QString::fromUtf8(process.readAllStandardOutput()).trimmed().split(QLatin1Char('\n'));
-    const QStringList numbers = lines.takeLast().split(QLatin1Char(' '));
+    const double p95 = lines.takeLast().toDouble();
     for (const QString& line : lines) {
         std::printf("%s\n", qPrintable(line));
     }
-    return {numbers.value(0).toDouble(), numbers.value(1).toDouble()};
+    return p95;
 }
 
 }  // namespace
@@ -340,22 +307,20 @@ int main(int argc, char** argv) {
             options.only = arguments[++i];
         } else if (arguments[i] == QLatin1String("--alone")) {
             alone = true;
-        } else if (arguments[i] == QLatin1String("--table")) {
-            options.table = true;
         } else if (arguments[i] != QLatin1String("--rival")) {
             only = arguments[i].toStdString();
         }
     }
-    std::optional<Times> rival;
+    std::optional<double> rival;
     if (isRival) {
         run("plain window", plainWindow, options, rival);
-        std::printf("%.6f %.6f\n", rival->median, rival->p95);
+        std::printf("%.6f\n", *rival);
         return 0;
     }
     for (const auto& [name, make] : drags()) {
         if (only.empty() || name.starts_with(only)) {
             // Anew before each page: a shared machine changes its speed within minutes.
-            rival = alone ? Times{1.0, 1.0} : rivalTimes(arguments);
+            rival = alone ? 1.0 : rivalTime(arguments);
             run(name, make, options, rival);
         }
     }
