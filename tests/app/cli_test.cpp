@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <cstdlib>
 #include <string>
 #include <tuple>
 
@@ -117,8 +116,7 @@ TEST_F(CommandLine, NeverWritesTheResultOverAFileThatTheCaseReads) {
 TEST_F(CommandLine, RejectsAnEnvelopeThatIsNotOurs) {
     for (const auto& [pointer, value, start] :
          {std::tuple("/version", Json(2), "must be at most 1"),
-          std::tuple("/scene", Json("balance-shafts"), "must be one of "),
-          std::tuple("/format", Json("something-else"), "must be "),
+          std::tuple("/scene", Json("balance-shafts"), "must be one of \"balance-shaft\""),
           std::tuple("/format", Json("ravnoves-result"), "must be ")}) {
         Json other = example();
         other[Json::json_pointer(pointer)] = value;
@@ -126,48 +124,29 @@ TEST_F(CommandLine, RejectsAnEnvelopeThatIsNotOurs) {
         expect_rejected(run("solve other.json"),
                         "other.json: " + std::string(pointer) + ": " + start);
     }
-    Json stranger = example();
-    stranger["scene"] = "balance-shafts";
-    write("stranger.json", stranger.dump());
-    EXPECT_NE(run("solve stranger.json").err.find("\"balance-shaft\""), std::string::npos);
 }
 
 TEST_F(CommandLine, RejectsFilesThatHoldNoCase) {
     expect_rejected(run("solve missing.json"), "missing.json: cannot be read: ");
     expect_rejected(run("solve ."), ".: must be a file, not a folder");
-    write("empty.json", "");
-    expect_rejected(run("solve empty.json"), "empty.json: is empty");
     write("cut.json", example().dump(2).substr(0, 200));
     expect_rejected(run("solve cut.json"), "cut.json: line ");
-    write("binary.json", std::string("\x7f\x45\x4c\x46\x00\x01\xff\xfe\n\n\0", 11));
-    expect_rejected(run("solve binary.json"), "binary.json: line 1, column 1: ");
     write("list.json", "[1, 2]");
     expect_rejected(run("solve list.json"), "list.json: must be an object, got ");
-    write("huge.json", R"({"format": "ravnoves-case", "version": 1e999})");
-    expect_rejected(run("solve huge.json"), "huge.json: ");
-    write("deep.json", std::string(100000, '[') + std::string(100000, ']'));
-    expect_rejected(run("solve deep.json"), "deep.json: is nested more than 100 levels deep");
 }
 
 // Each of them would be waited for, or read, for ever.
 TEST_F(CommandLine, RejectsPipesAndDevicesAtOnce) {
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
-    write("case.json", example().dump());
     Json piped = example();
-    const std::string not_a_file = "must be a file, not a pipe or a device\n";
     for (const std::string name : {"pipe", "/dev/zero"}) {
-        expect_rejected(run("solve " + name, "", "true | timeout 300 "), name + ": " + not_a_file);
-    }
-    for (const std::string name : {"pipe", "/dev/zero"}) {
+        const std::string said = name + ": must be a file, not a pipe or a device\n";
+        expect_rejected(run("solve " + name, "", "true | timeout 300 "), said);
         piped["input"]["torque"] = {{"csv", name}};
         write("piped.json", piped.dump());
         expect_rejected(run("solve piped.json", "", "timeout 300 "),
-                        "piped.json: /input/torque/csv: " + name + ": " + not_a_file);
+                        "piped.json: /input/torque/csv: " + said);
     }
-    piped["input"]["torque"] = {{"csv", "."}};
-    write("piped.json", piped.dump());
-    expect_rejected(run("solve piped.json"),
-                    "piped.json: /input/torque/csv: .: must be a file, not a folder\n");
 }
 
 TEST_F(CommandLine, ReadsStandardInputAsACase) {
@@ -224,9 +203,6 @@ TEST_F(CommandLine, RejectsAPlaceThatCannotBeWritten) {
     fs::create_directory(folder / "folder");
     expect_rejected(run("solve case.json -o folder"), "folder: cannot be written");
     expect_rejected(run("solve case.json -o /dev/full"), "/dev/full: cannot be written");
-    const std::string unwritten = "ravnoves-cli: standard output cannot be written";
-    expect_rejected(run("--help > /dev/full"), unwritten);
-    expect_rejected(run("solve --help > /dev/full"), unwritten);
     // Nothing half-written stays behind.
     for (const auto& entry : fs::directory_iterator(folder)) {
         EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();
@@ -274,24 +250,14 @@ TEST_F(CommandLine, OnlyWhatIsAskedForIsPrintedUnderItsOwnPath) {
                   "case.json")
                   .out,
               some.out);
-    // What lies in something asked for comes with it.
-    EXPECT_EQ(Json::parse(run("solve case.json --only /optimum/range,/optimum").out).at("result"),
-              (Json{{"optimum", whole["optimum"]}}));
-    EXPECT_EQ(Json::parse(run("solve case.json --only /best_position_buildable/range/range_Nm").out)
-                  .at("result")
-                  .at("best_position_buildable")
-                  .at("range"),
-              (Json{{"range_Nm", whole["best_position_buildable"]["range"]["range_Nm"]}}));
 }
 
 TEST_F(CommandLine, OnlyRejectsWhatTheResultHasNot) {
     write("case.json", example().dump());
     expect_rejected(run("solve case.json --only /relieved_shaft"),
                     "case.json: /result/relieved_shaft: must be a value that the result has\n");
-    for (const char* pointer : {"optimum", "''", "/a~2b"}) {
-        expect_rejected(run(std::string("solve case.json --only ") + pointer),
-                        "--only: must be a JSON pointer below the result");
-    }
+    expect_rejected(run("solve case.json --only optimum"),
+                    "--only: must be a JSON pointer below the result");
     const auto lines = lines_of(
         run("solve --batch --only /no,/such", example().dump() + "\n" + example().dump()).out);
     ASSERT_EQ(lines.size(), 2U);
@@ -327,14 +293,6 @@ TEST_F(CommandLine, BatchReadsNoFilesOfOtherFolders) {
     write("service/case.json", named.dump());
     EXPECT_EQ(run("solve service/case.json").status, 0);
     expect_rejected(run("solve service/case.json --allow-files"), "ravnoves-cli: ");
-}
-
-TEST_F(CommandLine, BatchTakesNoFiles) {
-    expect_rejected(run("solve --batch case.json"), "ravnoves-cli: ");
-    expect_rejected(run("solve --batch -o result.json"), "ravnoves-cli: ");
-    const Outcome empty = run("solve --batch");
-    EXPECT_EQ(empty.status, 0);
-    EXPECT_EQ(empty.out + empty.err, "");
 }
 
 TEST_F(CommandLine, MistakesInTheCommandAreOneLineThatSaysWhatToDo) {
@@ -378,7 +336,8 @@ TEST_F(CommandLine, EveryOptionRejectsNonsense) {
     }
     EXPECT_GE(tried, 3 * 8);
     for (const char* arguments :
-         {"solve case.json --only /a --only ''", "study case.json --shard 0/1",
+         {"solve case.json --only /a --only ''", "solve --batch case.json",
+          "solve --batch -o result.json", "study case.json --shard 0/1",
           "study case.json --shard 2", "study case.json --shard 1/2x", "study",
           "study case.json --shard 4/3", "study case.json --shard 1/1025",
           "study case.json --merge part", "study case.json --threads 0",
@@ -398,40 +357,9 @@ TEST_F(CommandLine, SaysItsVersion) {
     EXPECT_EQ(version.out, "ravnoves-cli " RAVNOVES_VERSION "\n");
 }
 
-TEST_F(CommandLine, BadTorqueFilesNameLineAndColumn) {
-    Json beside = example();
-    beside["input"]["torque"] = {{"csv", "torque.csv"}};
-    write("case.json", beside.dump());
-    const std::string start = "case.json: /input/torque/csv: torque.csv: ";
-    expect_rejected(run("solve case.json"), start + "cannot be read: ");
-    write("torque.csv", "0;0\n180;1,5\n100;2\n720;0\n");
-    expect_rejected(run("solve case.json"), start +
-                                                "line 3, column 1: must be greater than the angle "
-                                                "of the row before, 180, got 100");
-}
-
-// The rod's length, R/λ, was infinite: an internal error.
-TEST_F(CommandLine, RejectsARodWithoutEnd) {
-    Json radial = Json::parse(read_all(fs::path(RAVNOVES_EXAMPLES) / "radial-9.case.json"));
-    radial["input"]["lambda"] = 1e-308;
-    write("radial.json", radial.dump());
-    expect_rejected(run("solve radial.json"),
-                    "radial.json: /input/lambda: must be at least 1e-09, got 1e-308\n");
-}
-
 // Work without end is rejected at the input that asks for it, after some seconds of the processor.
 TEST_F(CommandLine, RejectsCasesThatTakeTooMuchWork) {
     const char* const some_seconds = "ulimit -t 120; ";
-    Json many = example();
-    Json& masses = many["input"]["reciprocating_masses_kg"];
-    masses = Json::object();
-    for (int i = 0; i < 30'000; ++i) {
-        masses["part " + std::to_string(i)] = 1e-5;
-    }
-    write("many.json", many.dump());
-    expect_rejected(run("solve many.json", "", some_seconds),
-                    "many.json: /input/reciprocating_masses_kg: must have at most 1000 names\n");
-
     Json motion = Json::parse(read_all(fs::path(RAVNOVES_EXAMPLES) / "zotov-as-printed.case.json"));
     motion["input"]["kinematics"] = "exact";
     motion["input"]["lambda"] = 0.9999999999999999;
@@ -454,15 +382,6 @@ TEST_F(CommandLine, TakesAnyFileName) {
     write("ТМЗ 650 (копия).json", example().dump());
     EXPECT_EQ(run("solve 'ТМЗ 650 (копия).json' -o 'итог.json'").status, 0);
     EXPECT_TRUE(fs::exists(folder / "итог.json"));
-}
-
-// The decimal point and no locale, whatever the user's locale is.
-TEST_F(CommandLine, DoesNotHeedTheLocale) {
-    write("case.json", example().dump());
-    const std::string plain = run("solve case.json").out;
-    ::setenv("LC_ALL", "ru_RU.UTF-8", 1);
-    EXPECT_TRUE(run("solve case.json").out == plain);
-    ::unsetenv("LC_ALL");
 }
 
 }  // namespace
