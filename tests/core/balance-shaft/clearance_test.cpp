@@ -188,13 +188,10 @@ TEST(BuildableAngles, ThePapersBestAngleIsNotOneOfThem) {
     EXPECT_FALSE(result.buildable.contains(*result.best_range.shaft_angle));
     EXPECT_FALSE(result.is_buildable);  // at 45°
     const Json json = test::written(solver.input());
-    EXPECT_NEAR(json.at("optimum").at("range").at("shaft_angle_deg").get<double>(), 50.65, 0.01);
     const Json& built = json.at("optimum_buildable").at("range");
     EXPECT_NEAR(built.at("shaft_angle_deg").get<double>(),
                 result.buildable.stretches[0].from / degree, 1e-9);
     EXPECT_GT(built.at("range_Nm").get<double>(), result.best_range.value);
-    EXPECT_EQ(json.at("buildable").at("at_shaft_angle"), false);
-    EXPECT_LT(json.at("clearances").at("cylinder_mm").get<double>(), 2.0);
     EXPECT_TRUE(json.at("notes").back().get<std::string>().starts_with(
         "Sizes not given are assumed: swing radius of the shaft 39.3 mm, swing radius of the crank "
         "57.5 mm"));

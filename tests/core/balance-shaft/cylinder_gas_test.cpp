@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "balance-shaft/engine_torque.h"
-#include "balance-shaft/scene.h"
 #include "case-file/json.h"
 #include "test_cases.h"
 
@@ -266,9 +265,6 @@ TEST(ComputedTorque, BadCyclesAreRejected) {
     const auto rejection = [](const std::string& patch) {
         return test::rejection(diesel(), patch);
     };
-    EXPECT_EQ(rejection(R"({"torque": {"cycle": {"compression_ratio": 1}}})"),
-              "/input/torque/cycle/compression_ratio: must be greater than 1 and at most 100, got "
-              "1");
     EXPECT_EQ(rejection(R"({"torque": {"cycle": {"indicated_mean_effective_pressure_bar": 7}}})"),
               "/input/torque/cycle: must have either heat_J or "
               "indicated_mean_effective_pressure_bar, got both");
@@ -288,18 +284,12 @@ TEST(ComputedTorque, BadCyclesAreRejected) {
                           "combustion_duration_deg": 101}}})"),
               "/input/torque/cycle/combustion_duration_deg: must end the combustion before the "
               "bottom dead centre at 540°, got 541°");
-    EXPECT_EQ(rejection(R"({"torque": {"cycle": {"combustion_start_deg": -8}}})"),
-              "/input/torque/cycle/combustion_start_deg: must be from 270 to 450, got -8");
-    EXPECT_EQ(rejection(R"({"cylinder": {"bore": 1}})"),
-              "/input/cylinder/bore: is not a known key; the nearest is \"bore_mm\"");
     EXPECT_EQ(rejection(R"({"cylinder": {"bore_mm": 1e-3}})"),
               "/input/cylinder/bore_mm: must give a displacement from 1e-6 cm³ to 1e9 cm³, "
               "got 7.22566e-08 cm³");
     EXPECT_EQ(rejection(R"({"torque": {"csv": "x.csv"}})"),
               "/input/torque: must have one of: crank_angle_deg with torque_Nm, csv, pressure, "
               "cycle, got more than one of them");
-    EXPECT_EQ(rejection(R"({"torque": {"cycle": null, "cycles": {}}})"),
-              "/input/torque/cycles: is not a known key; the nearest is \"cycle\"");
 }
 
 TEST(ComputedTorque, ExtremeFiniteCyclesGiveNumbersOrWords) {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "balance-shaft/presets.h"
-#include "balance-shaft/scene.h"
 #include "balance-shaft/solver.h"
 #include "case-file/json.h"
 #include "test_cases.h"
@@ -90,25 +89,6 @@ TEST(FlywheelTest, ASteadyTorqueNeedsNone) {
     EXPECT_TRUE(json.at("inertia_kg_m2").is_null());
     EXPECT_TRUE(json.at("fluctuation").is_null());
     EXPECT_TRUE(json.at("excess_work_J").is_number());
-}
-
-TEST(FlywheelTest, ReadWrittenAndRejected) {
-    Json json = write_input(preset_tmz_650d());
-    EXPECT_FALSE(json.contains("flywheel"));
-    json["flywheel"] = {{"fluctuation", 0.02}};
-    const Input input = read_input(json, {});
-    EXPECT_EQ(write_input(input).at("flywheel"), json.at("flywheel"));
-    EXPECT_EQ(*input.flywheel->fluctuation, 0.02);
-    const auto rejection = [&](const std::string& flywheel) {
-        return test::rejection(preset_tmz_650d(), R"({"flywheel": )" + flywheel + "}");
-    };
-    EXPECT_EQ(rejection("{}"),
-              "/input/flywheel: must have either inertia_kg_m2 or fluctuation, got neither");
-    EXPECT_EQ(rejection(R"({"inertia_kg_m2": 1, "fluctuation": 0.1})"),
-              "/input/flywheel: must have either inertia_kg_m2 or fluctuation, got both");
-    EXPECT_EQ(
-        rejection(R"({"inertia_kg_m2": 0})").rfind("/input/flywheel/inertia_kg_m2: must be", 0),
-        0U);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "balance-shaft/presets.h"
-#include "case-file/json.h"
 #include "test_cases.h"
 
 namespace ravnoves::balance_shaft {
@@ -35,11 +34,6 @@ TEST(InertiaCheck, FindsHalfTheInertiaInThePapersTable) {
     EXPECT_NEAR(check.matching_mass, 0.682, 0.001);
     EXPECT_EQ(check.stroke_begin_deg, 0.0);
     EXPECT_EQ(result.notes.front(), check.text);
-    const Json json = written(input).at("inertia_check");
-    EXPECT_EQ(json.at("consistent"), false);
-    EXPECT_EQ(json.at("fitted_m_r2_w2_Nm"), *check.fitted);
-    EXPECT_EQ(json.at("entered_m_r2_w2_Nm"), check.entered);
-    EXPECT_EQ(json.at("fitted_lambda"), check.fitted_lambda);
 }
 
 TEST(InertiaCheck, TheMatchingSpeedMakesTheShaftUseful) {
@@ -149,16 +143,10 @@ TEST(InertiaCheck, FindsTheGasExchangeWhereverTheCycleBegins) {
 }
 
 TEST(InertiaCheck, AComputedTorqueIsNotComparedWithItself) {
-    const Input input = engine(1.3, 0.15);
-    const Result result = solve(input);
-    EXPECT_FALSE(result.inertia_check.consistent);
-    EXPECT_FALSE(result.inertia_check.fitted);
-    EXPECT_GT(result.inertia_check.entered, 0.0);
-    const Json json = written(input).at("inertia_check");
-    EXPECT_TRUE(json.at("consistent").is_null());
-    EXPECT_EQ(json.at("reason"), result.inertia_check.text.english());
-    EXPECT_EQ(json.at("reason"),
-              "The torque is computed from the masses and the speed: no check is necessary.");
+    const InertiaCheck check = solve(engine(1.3, 0.15)).inertia_check;
+    EXPECT_FALSE(check.consistent);
+    EXPECT_FALSE(check.fitted);
+    EXPECT_GT(check.entered, 0.0);
 }
 
 /// C (−s′ s″) − d s′ on a crank of r/L = λ, every 15°, with a wave of a part of C for what a fit

@@ -250,13 +250,6 @@ TEST(OffsetCylinder, AngleSweepMetricsAndGearsFollow) {
                     solver.M_up(137.0 * degree) + solver.M_s(137.0 * degree, alpha), 1e-9);
         EXPECT_NEAR(gear_error(solver, alpha).M_ups[at], result.curves.M_ups[at], 1e-9);
     }
-    // No α is better than the best.
-    for (double alpha = 0.0; alpha < two_pi; alpha += 0.01) {
-        EXPECT_GE(solver.range(alpha), result.best_range.value - 1e-9);
-        EXPECT_GE(solver.rms(alpha), result.best_rms.value - 1e-9);
-    }
-    EXPECT_NEAR(solver.range(*result.best_range.shaft_angle), result.best_range.value, 1e-8);
-    EXPECT_NEAR(solver.rms(*result.best_rms.shaft_angle), result.best_rms.value, 1e-9);
 }
 
 TEST(OffsetCylinder, AMeasuredTableHasTheTermToo) {
@@ -299,11 +292,7 @@ TEST(OffsetCylinder, AMeasuredTableHasTheTermToo) {
                     1e-6);
     }
 
-    const Json json = write_input(table);
-    EXPECT_EQ(json.at("cylinder").at("offset_mm"), 8.0);
-    EXPECT_EQ(read_input(json, {}).cylinder.offset, 8e-3);
-    EXPECT_EQ(write_input(read_input(json, {})), json);
-    Json locked = json;
+    Json locked = write_input(table);
     const double room = 1e3 * (crank.rod_length - crank.crank_radius);
     locked["cylinder"]["offset_mm"] = 0.999 * room;
     EXPECT_NO_THROW(Solver{read_input(locked, {})});
@@ -314,19 +303,13 @@ TEST(OffsetCylinder, AMeasuredTableHasTheTermToo) {
 }
 
 TEST(OffsetCylinder, AnglesCountFromTheTrueDeadCentre) {
-    const Input input = offset_engine();
-    const Result result = solve(input);
+    const Result result = solve(offset_engine());
     // The piston is highest, and the volume least, at φ = 0.
     const auto& volume = result.curves.volume;
     EXPECT_EQ(std::min_element(volume.begin(), volume.end()), volume.begin());
     const auto& pressure = result.curves.pressure;
     const auto peak = std::max_element(pressure.begin(), pressure.end()) - pressure.begin();
     EXPECT_NEAR(result.indicated->peak_pressure_angle / degree, static_cast<double>(peak), 1.0);
-    const Json json = test::written(input);
-    EXPECT_NEAR(json.at("dead_centre_deg").get<double>(), 2.3393, 1e-4);
-    EXPECT_NEAR(json.at("counterweight_lag_deg").get<double>(), 3.1723, 1e-4);
-    EXPECT_NEAR(json.at("crank_only").at("with_shaft_N").get<double>(), 9.17, 0.01);
-    EXPECT_EQ(json.at("curves").at("M_offset_Nm").size(), 721U);
 }
 
 }  // namespace

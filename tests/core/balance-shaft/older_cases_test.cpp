@@ -2,11 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/scene.h"
-#include "case-file/field_index.h"
 #include "case-file/json.h"
 #include "scenes/scenes.h"
 #include "test_cases.h"
@@ -95,46 +92,6 @@ TEST(OlderCases, OfAKeptTorqueTheBoreIsSaid) {
     ASSERT_EQ(file.changes.size(), 1U);
     EXPECT_NE(file.changes[0].english().find("had the bore 88"), std::string::npos);
     EXPECT_EQ(file.kept, Json({{"torque", {{"pressure", {{"csv", "p.csv"}}}}}}));
-}
-
-// 500 edits over all sources of torque: what was typed last stands there at the end of each.
-TEST(EngineRecord, NoEditLosesATypedNumber) {
-    using Kind = TorqueSource::Kind;
-    Input input = preset_tmz_650d();
-    input.torque.trace = {{0, 180, 360, 540, 720}, {1e5, 1e5, 4e6, 2e5, 1e5}};
-    struct Size {
-        const char* place;
-        double low;
-        double high;
-        std::optional<double> typed{};
-    };
-    Size sizes[] = {{"/cylinder/bore_mm", 60, 120},       {"/cylinder/rod_length_mm", 120, 300},
-                    {"/cylinder/offset_mm", -20, 20},     {"/crank_radius_mm", 30, 60},
-                    {"/envelope/cylinder_wall_mm", 3, 9}, {"/rod_mass_kg", 0.5, 2}};
-    std::mt19937 random(46);
-    for (int edit = 0; edit < 500; ++edit) {
-        const auto which = random() % 10;
-        if (which < std::size(sizes)) {
-            Size& size = sizes[which];
-            // Often what stands there by default: it is as much a typed number as any.
-            const bool by_default = random() % 3 == 0 && which < 2;
-            const double by_itself =
-                (which == 0 ? input.effective_bore() : input.effective_rod_length()) / units::mm;
-            const double value = by_default
-                                     ? by_itself
-                                     : std::uniform_real_distribution(size.low, size.high)(random);
-            ASSERT_TRUE(set_field(input, size.place, FieldValue(value)));
-            size.typed = value;
-        } else {
-            take_torque_kind(input, Kind{static_cast<int>(which % 4)}, 30.0);
-        }
-        for (const Size& size : sizes) {
-            if (size.typed) {
-                const auto field = list_fields(input, size.place);
-                EXPECT_NEAR(std::get<double>(field.at(0).value), *size.typed, 1e-9) << size.place;
-            }
-        }
-    }
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include "balance-shaft/presets.h"
 #include "balance-shaft/scene.h"
 #include "case-file/json.h"
-#include "case-file/result_json.h"
 #include "test_cases.h"
 
 namespace ravnoves::balance_shaft {
@@ -114,22 +113,6 @@ TEST(RelievedShaft, BadSizesAreRejectedAndImpossibleOnesAreAResult) {
             EXPECT_EQ(shaft.feasible, shaft.reason.empty());
         }
     }
-}
-
-TEST(RelievedShaft, IsPrintedByACase) {
-    Json json = write_input(preset_tmz_650d());
-    json["relieved_shaft"] = {{"diameter_mm", 52}, {"length_mm", 430}, {"density_kg_m3", 7800}};
-    const Input input = read_input(json, {});
-    EXPECT_EQ(read_input(write_input(input), {}), input);
-    const Json result = result_json({}, read_input(json, {})).at("relieved_shaft");
-    EXPECT_EQ(result.at("feasible"), true);
-    EXPECT_NEAR(result.at("required_unbalance_g_mm").get<double>(), 658.0 * 46.0, 1e-6);
-    EXPECT_NEAR(result.at("unbalance_g_mm").get<double>(), 658.0 * 46.0, 1e-6);
-    json["relieved_shaft"]["diameter_mm"] = 20;
-    const Json thin = result_json({}, read_input(json, {})).at("relieved_shaft");
-    EXPECT_EQ(thin.at("feasible"), false);
-    EXPECT_TRUE(thin.contains("critical_radius_mm"));
-    EXPECT_EQ(solve(preset_tmz_650d()).relieved_shaft.feasible, true);
 }
 
 // Clearances took a half disc of 30 mm, whatever the bar that was found feasible.

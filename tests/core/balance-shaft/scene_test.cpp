@@ -1,18 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "balance-shaft/presets.h"
 #include "balance-shaft/results.h"
 #include "balance-shaft/scene.h"
 #include "balance-shaft/solver.h"
 #include "case-file/field_index.h"
-#include "case-file/field_visitor.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "example_check.h"
-#include "scenes/scenes.h"
 #include "temporary_folder.h"
 #include "test_cases.h"
 
@@ -86,17 +83,13 @@ TEST(BalanceShaftInput, ThePresetIsTheExample) {
     EXPECT_EQ(read_input(example(), {}), preset);
 }
 
-TEST(BalanceShaftInput, EveryFieldRejectsWhatItCannotBe) {
+// Of a range, a kind and a choice the tests of fields have the rest.
+TEST(BalanceShaftInput, WhatCannotBeIsRejected) {
     const std::pair<const char*, const char*> cases[] = {
         {R"({"crank_radius_mm": -46})", "crank_radius_mm: must be greater than 0, got -46"},
-        {R"({"angular_speed_rad_s": 0})", "angular_speed_rad_s: must be greater than 0, got 0"},
-        {R"({"angular_speed_rad_s": null, "speed_rpm": 0})",
-         "speed_rpm: must be greater than 0, got 0"},
         {R"({"speed_rpm": 3600})", "angular_speed_rad_s: must be left out if speed_rpm is given"},
         {R"({"angular_speed_rad_s": null})",
          "speed_rpm: is required and missing (or angular_speed_rad_s)"},
-        {R"({"reciprocating_masses_kg": {"piston": -0.1}})",
-         "reciprocating_masses_kg/piston: must be at least 0, got -0.1"},
         {R"({"reciprocating_masses_kg": {"piston": 0, "pin": 0, "rings": 0,
                           "rod_small_end": 0}})",
          "reciprocating_masses_kg: must add up to more than 0 and to a finite mass, got 0"},
@@ -104,22 +97,9 @@ TEST(BalanceShaftInput, EveryFieldRejectsWhatItCannotBe) {
          "reciprocating_masses_kg: is required and missing (or reciprocating_mass_kg)"},
         {R"({"reciprocating_mass_kg": 1})",
          "reciprocating_mass_kg: must be left out if reciprocating_masses_kg is given"},
-        {R"({"reciprocating_masses_kg": null, "reciprocating_mass_kg": -1})",
-         "reciprocating_mass_kg: must be greater than 0, got -1"},
-        {R"({"counterweight_radius_mm": 0})",
-         "counterweight_radius_mm: must be greater than 0, got 0"},
-        {R"({"counterweight_mass_kg": -1})", "counterweight_mass_kg: must be at least 0, got -1"},
-        {R"({"centre_distance_mm": -1})", "centre_distance_mm: must be at least 0, got -1"},
-        {R"({"shaft_angle_deg": 1e9})",
-         "shaft_angle_deg: must be from -3600 to 3600, got 1000000000"},
-        {R"({"step_deg": 0})", "step_deg: must be from 0.01 to 90, got 0"},
         {R"({"cylinder": {"rod_length_mm": 40}})",
          "cylinder/rod_length_mm: must be greater than the crank radius plus the offset, 46, "
          "got 40"},
-        {R"({"envelope": {"wall_mm": -1}})", "envelope/wall_mm: must be at least 0, got -1"},
-        {R"({"interpolation": "cubic"})",
-         "interpolation: must be one of \"linear\", \"periodic-cubic\", got \"cubic\""},
-        {R"({"crank_radius_mm": "46"})", "crank_radius_mm: must be a number, got \"46\""},
         {R"({"torque": null})", "torque: is required and missing"},
         {R"({"torque": 5})", "torque: must be an object, got 5"},
         {R"({"torque": {"crank_angle_deg": null, "torque_Nm": null}})",
@@ -130,6 +110,14 @@ TEST(BalanceShaftInput, EveryFieldRejectsWhatItCannotBe) {
         {R"({"torque": {"crank_angle_deg": [0, 100, 720],
                                      "torque_Nm": [0, null, 0]}})",
          "torque/torque_Nm/1: must be a number, got null"},
+        {R"({"gears": {"teeth": 40, "shifted_teeth": 40}})",
+         "gears/shifted_teeth: must be less than the teeth, which must be from 6 to 1000, got 40"},
+        {R"({"flywheel": {}})",
+         "flywheel: must have either inertia_kg_m2 or fluctuation, got neither"},
+        {R"({"flywheel": {"inertia_kg_m2": 1, "fluctuation": 0.1}})",
+         "flywheel: must have either inertia_kg_m2 or fluctuation, got both"},
+        {R"({"speed_band": {"from_rpm": 2000, "to_rpm": 1000}})",
+         "speed_band/to_rpm: must be at least the minimum speed of the band, 2000, got 1000"},
         {R"({"place_limits": {"centre_distance_min_mm": 100, "centre_distance_max_mm": 100}})",
          "place_limits/centre_distance_max_mm: must be greater than 100 mm, got 100"},
         {R"({"place_limits": {"shaft_angle_from_deg": 90, "shaft_angle_to_deg": 45}})",
@@ -141,18 +129,10 @@ TEST(BalanceShaftInput, EveryFieldRejectsWhatItCannotBe) {
         {R"({"place_limits": {"shaft_angle_from_deg": 360}})",
          "place_limits/shaft_angle_from_deg: must be less than 360°, got 360"},
         // Sizes that no engine has: each ended in an internal error or in no end at all.
-        {R"({"relieved_shaft": {"diameter_mm": 1e-110, "length_mm": 400}})",
-         "relieved_shaft/diameter_mm: must be from 0.001 to 100000, got 1e-110"},
-        {R"({"relieved_shaft": {"diameter_mm": 50, "length_mm": 1e-300}})",
-         "relieved_shaft/length_mm: must be from 0.001 to 100000, got 1e-300"},
         {R"({"relieved_shaft": {"depth_mm": 1e-110, "length_mm": 400}})",
          "relieved_shaft/depth_mm: must be from 1e-06 to 100000, got 1e-110"},
         {R"({"crank_radius_mm": 1e-300})",
          "crank_radius_mm: must be from 0.001 to 1000000, got 1e-300"},
-        {R"({"crank_radius_mm": 1e-150})",
-         "crank_radius_mm: must be from 0.001 to 1000000, got 1e-150"},
-        {R"({"crank_radius_mm": 1e+20})",
-         "crank_radius_mm: must be from 0.001 to 1000000, got 1e+20"},
         {R"({"centre_distance_mm": 1e20})",
          "centre_distance_mm: must be from 0 to 1000000, got 1e+20"},
         {R"({"angular_speed_rad_s": 1e-300})",
@@ -183,72 +163,6 @@ TEST(BalanceShaftInput, AMassIsAFieldByItsName) {
     EXPECT_TRUE(set_field(input, "/reciprocating_masses_kg/piston", FieldValue(0.6)));
     EXPECT_EQ(input.reciprocating_masses,
               (std::vector<NamedMass>{{"other", 1.2}, {"piston", 0.6}}));
-}
-
-TEST(BalanceShaftInput, NotFiniteValuesOfAProgramAreRejectedToo) {
-    const auto rejection_of = [](const auto& change) {
-        Input input = preset_tmz_650d();
-        change(input);
-        return error_of([&] { solve(input); });
-    };
-    const double nan = std::nan("");
-    EXPECT_EQ(rejection_of([&](Input& i) { i.crank_radius = nan; }),
-              "/input/crank_radius_mm: must be greater than 0, got not a number");
-    EXPECT_EQ(rejection_of([&](Input& i) { i.angular_speed = INFINITY; }),
-              "/input/angular_speed_rad_s: must be greater than 0, got infinity");
-    EXPECT_EQ(rejection_of([&](Input& i) { i.shaft_angle = nan; }),
-              "/input/shaft_angle_deg: must be from -3600 to 3600, got not a number");
-    EXPECT_EQ(rejection_of([&](Input& i) { i.reciprocating_masses[1].mass = nan; }),
-              "/input/reciprocating_masses_kg/pin: must be at least 0, got not a number");
-    EXPECT_EQ(rejection_of([&](Input& i) { i.torque.table.torque[3] = nan; }),
-              "/input/torque/torque_Nm/3: must be from -1000000000000 to 1000000000000, got not a "
-              "number");
-    EXPECT_EQ(rejection_of([&](Input& i) { i.torque.table = {}; }),
-              "/input/torque/crank_angle_deg: must have at least 3 numbers, got 0");
-    EXPECT_EQ(rejection_of([&](Input& i) { i.reciprocating_masses.clear(); }),
-              "/input/reciprocating_masses_kg: must add up to more than 0 and to a finite mass, "
-              "got 0");
-}
-
-TEST(BalanceShaftInput, WhatIsTooLargeIsNamedAtItsOwnPlace) {
-    const auto place_of = [](Input input, const auto& change) {
-        change(input);
-        const std::string error = error_of([&] { check_input(input); });
-        return error.substr(0, error.find(':'));
-    };
-    const Input given = preset_tmz_650d();
-    const Input cycle = test::diesel();
-    Input pressure = cycle;
-    pressure.torque.kind = TorqueSource::Kind::pressure;
-    for (const double size : {1e101, 1e200}) {  // its square is infinite
-        for (const Input& input : {given, cycle, pressure}) {
-            EXPECT_EQ(place_of(input, [&](Input& i) { i.cylinder.rod_length = size; }),
-                      "/input/cylinder/rod_length_mm");
-            EXPECT_EQ(place_of(input, [&](Input& i) { i.cylinder.offset = size; }),
-                      "/input/cylinder/offset_mm");
-            EXPECT_EQ(place_of(input, [&](Input& i) { i.cylinder.bore = size; }),
-                      "/input/cylinder/bore_mm");
-        }
-        EXPECT_EQ(place_of(given, [&](Input& i) { i.counterweight_mass = size; }),
-                  "/input/counterweight_mass_kg");
-        EXPECT_EQ(place_of(given, [&](Input& i) { i.centre_distance = size; }),
-                  "/input/centre_distance_mm");
-        EXPECT_EQ(place_of(given, [&](Input& i) { i.envelope.wall = size; }),
-                  "/input/envelope/wall_mm");
-    }
-    // The default of the rod is made from the crank radius.
-    EXPECT_EQ(place_of(given,
-                       [](Input& i) {
-                           i.cylinder.rod_length.reset();
-                           i.crank_radius = 0.5e100;
-                       }),
-              "/input/crank_radius_mm");
-    EXPECT_EQ(error_of([&] {
-                  Input input = cycle;
-                  input.cylinder.rod_length = 1e101;
-                  check_input(input);
-              }),
-              "/input/cylinder/rod_length_mm: must be from 0.001 to 1000000, got 1e+104");
 }
 
 class CsvBesideTheCase : public testing::Test {

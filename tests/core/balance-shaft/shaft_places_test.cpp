@@ -60,29 +60,6 @@ TEST(ShaftPlacesTest, nothingCanBeBuiltInWhatIsCutOffOrBlocked) {
     EXPECT_GT(cut_off, 1000);
 }
 
-TEST(ShaftPlacesTest, aPolygonIsWhatItsHalfPlanesLeave) {
-    std::mt19937 random(11);
-    std::normal_distribution<double> normal;
-    for (int i = 0; i < 200; ++i) {
-        const PlaceRectangle whole{{0.3, -0.2}, {1.0, 0.7}};
-        PlacePolygon polygon(whole);
-        std::vector<HalfPlane> lines;
-        for (int k = 0; k < 5; ++k) {
-            const Eigen::Vector2d n = Eigen::Vector2d(normal(random), normal(random)).normalized();
-            lines.push_back({n, n.dot(whole.middle) - 0.4 + 0.2 * normal(random)});
-            polygon.cut(lines.back());
-        }
-        const PlaceRectangle box = polygon.size() > 0 ? polygon.box() : PlaceRectangle{};
-        for (int k = 0; k < 50 && polygon.size() > 0; ++k) {
-            const Eigen::Vector2d at = within(polygon, random);
-            EXPECT_TRUE(((at - box.middle).cwiseAbs().array() <= box.half.array() + 1e-12).all());
-            for (const HalfPlane& line : lines) {
-                EXPECT_GE(line.normal.dot(at), line.minimum - 1e-12);
-            }
-        }
-    }
-}
-
 /// What is left out would be taken for what nothing can be built in.
 TEST(ShaftPlacesTest, aPolygonLosesNothingThatItHasNoRoomFor) {
     PlacePolygon polygon({{0.0, 0.0}, {2.0, 2.0}});

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "balance-shaft/angle_search.h"
-#include "case-file/json.h"
 #include "example_check.h"
 #include "numerics/vector_lanes.h"
 #include "scenes/scenes.h"

@@ -311,17 +311,6 @@ TEST(TableReading, ATraceReadsBackAsItIsWritten) {
     EXPECT_EQ(parse_pressure_trace(write_pressure_trace(read.trace)).trace, read.trace);
 }
 
-TEST(TableReading, TheColumnOfValuesCountsFromOne) {
-    TableReading reading;
-    for (const char* angle : {"0", "1"}) {
-        reading.columns = {angle, "0"};
-        const auto proposal = propose_reading("0;1\n360;2\n720;1\n", Measured::torque, reading);
-        ASSERT_EQ(proposal.doubts.size(), 1U);
-        EXPECT_NE(proposal.doubts[0].english().find("columns are numbered from 1"),
-                  std::string::npos);
-    }
-}
-
 // A row that repeats the instant before is none: what is left may be no table.
 TEST(TableReading, RowsAreCountedWithoutThoseThatRepeat) {
     const std::string text = "deg,bar\n0,1\n-360,2\n-720,1\n";

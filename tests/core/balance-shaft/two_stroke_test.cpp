@@ -6,7 +6,6 @@
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/gear_error.h"
 #include "balance-shaft/scene.h"
-#include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "test_cases.h"
 
