@@ -303,24 +303,20 @@ TEST(Doubts, StopWhereUnbalanceVanishesWithoutAHole) {
     EXPECT_TRUE(solved(input).at("doubts").empty()) << solved(input).at("doubts").dump(1);
 }
 
-// One wrong digit or field each, of jobs that nobody doubts.
+// One wrong digit or field each, of jobs that nobody doubts, beside those of the table of doubts.
 TEST(Doubts, StopAtSlipsOfTheKeyboard) {
     struct Slip {
         Json (*base)();
         const char* pointer;
         Json value;
     };
-    const Slip slips[] = {{card, "/parts_g/piston", 5839},
-                          {card, "/parts_g/big_end", 4298},
+    const Slip slips[] = {{card, "/parts_g/big_end", 4298},
                           {card, "/parts_g/pin", 1736},
                           {card, "/parts_g/rings", 695},
                           {card, "/parts_g/locks", 200},
                           {card, "/parts_g/small_end", 17},
-                          {card, "/parts_g/shells", 437},
-                          {card, "/parts_g/oil", 400},
                           {card, "/tolerance/grade_mm_s", 160},
                           {card, "/tolerance/grade_mm_s", 630},
-                          {card, "/tolerance/rotor_mass_kg", 120},
                           {card, "/tolerance/service_speed_rpm", 55},
                           {card, "/tolerance/service_speed_rpm", 320},
                           {card, "/tolerance/service_speed_rpm", 55000},

@@ -448,30 +448,6 @@ TEST(Plan, SaysHowFarADeepenedHoleReachesBeyondTheSector) {
     EXPECT_FALSE(front_of(input).contains("edge_beyond_sector_mm"));
 }
 
-TEST(Plan, AdvisesWhatHelps) {
-    struct Row {
-        double from;
-        double to;
-        double unbalance;
-        const char* advice;
-    };
-    const Row rows[] = {
-        // Across the holes, or without any, no depth helps.
-        {130, 200, 3000, "The opposite side is outside the sector too: widen the sector"},
-        {130, 230, 3000, "Press in heavy metal opposite, or"},
-        {10, 70, 29'000, "The opposite side is outside the sector too: drill deeper or wider"},
-        {10, 230, 29'000, "Press in heavy metal opposite, drill deeper or wider"},
-    };
-    for (const Row& row : rows) {
-        Json input = card();
-        Json& correction = input["correction"];
-        correction["readings"][0] = {{"unbalance_g_mm", row.unbalance}, {"angle_deg", 40}};
-        correction["planes"][0].update({{"from_deg", row.from}, {"to_deg", row.to}});
-        const std::string reason = front_of(input).at("reason");
-        EXPECT_NE(reason.find(row.advice), std::string::npos) << reason;
-    }
-}
-
 TEST(Plan, PressesSlugsInParallelToTheCrankshaft) {
     Json input = card();
     input["tolerance"]["grade_mm_s"] = 6.3;

@@ -4,12 +4,10 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "example_check.h"
-#include "scenes/scenes.h"
 #include "support.h"
 #include "v8-plugs/presets.h"
 #include "workshop/solver.h"
@@ -21,7 +19,6 @@ using workshop::PlugsCase;
 using workshop::read_plugs_case;
 using workshop::write_input;
 using workshop::test::at;
-using workshop::test::difference;
 using workshop::test::number;
 
 constexpr double gram = 1e-3;
@@ -194,43 +191,6 @@ TEST(Result, HasTheMachineWhereItsLimitsAreGiven) {
     EXPECT_FALSE(solved(input).contains("balancing"));
 }
 
-TEST(Result, IsThatOfTheJob) {
-    Json weighed = full_example();
-    weighed["plug"]["height_mm"] = 10;
-    weighed["balancing"].update({{"front_share", 0.4},
-                                 {"front_bobweight_g", 1},
-                                 {"rear_read_of", {{"engine_number", "1"}}}});
-    for (const Json& input : {example(), full_example(), weighed}) {
-        Json was = solved(input);
-        was.erase("verdict");
-        const auto job = workshop::read_as_job("v8-plugs", input);
-        Json is = workshop::test::solved(workshop::write_input(job.value()));
-        const Json& plugs = is.at("doubtful").is_null()
-                                ? is.at("plugs")
-                                : is.at("doubtful").value("plugs", is.at("plugs"));
-        for (const char* key : {"front", "rear"}) {
-            for (Json* each : {&was, &is["plugs"]}) {
-                if (each->contains("balancing")) {
-                    (*each)["balancing"][key].erase("passes");
-                }
-            }
-        }
-        EXPECT_EQ(difference(was, plugs), "") << input.dump();
-        EXPECT_EQ(is.at("bobweights"), 4);
-        const Json& shown = is.at("doubtful").is_null() ? is : is.at("doubtful");
-        if (shown.contains("lines")) {
-            double sum = 0.0;
-            for (const Json& line : shown.at("lines")) {
-                sum += number(line, "/product_g");
-            }
-            EXPECT_NEAR(number(shown, "/bobweight_g"), sum, 1e-9 * sum);
-            EXPECT_EQ(
-                was.at("options").at(was.at("recommended").get<std::string>()).at("bobweight_g"),
-                shown.at("bobweight_g"));
-        }
-    }
-}
-
 TEST(Result, SetsKeepTheNumbersTheyWereWeighedUnder) {
     Json input = full_example();
     input["weigh_in"]["piston_sets"] = {3, 1, 2, 4, 5, 6, 7, 8};
@@ -283,9 +243,7 @@ TEST(Result, NullMeansThatThereIsNoSuchPlug) {
         input["engine"][key] = nullptr;
     }
     const Json result = solved(input);
-    EXPECT_EQ(result.at("recommended"), "steel-machined");
     EXPECT_TRUE(result.at("options").at("new-steel-to-steel").at("maximum_g").is_null());
-    EXPECT_FALSE(result.at("options").at("new-steel-to-steel").at("feasible").get<bool>());
     EXPECT_TRUE(result.at("k_y_new").is_null());
     input["crankshaft"] = "new-plugs";
     EXPECT_NE(error_of(input).find("/input/crankshaft"), std::string::npos);
@@ -357,25 +315,6 @@ TEST(BadInput, EveryEngineValueMissingNegativeOrAbsurd) {
     }
 }
 
-TEST(BadInput, DenormalsGiveFiniteAnswersOrAreRejected) {
-    for (const EngineField& field : engine_fields()) {
-        Json input = example();
-        input["engine"][std::string(field.field.key)] = std::numeric_limits<double>::denorm_min();
-        try {
-            const Json result = solved(input);
-            EXPECT_EQ(result.dump().find("null,\"k"), std::string::npos);
-        } catch (const InputError&) {
-        }
-    }
-    Json input = example();
-    for (const char* key : {"piston", "rod_big_end", "repair_bearing"}) {
-        input["mass_changes_g"][key] = std::numeric_limits<double>::denorm_min();
-    }
-    EXPECT_EQ(error_of(input), "no error");
-    input["mass_changes_g"]["piston"] = 1e300;
-    EXPECT_NE(error_of(input).find("/input/mass_changes_g/piston: must be"), std::string::npos);
-}
-
 TEST(BadInput, NamesTheField) {
     workshop::test::expect_rejected(
         full_example(),
@@ -412,34 +351,6 @@ TEST(BadInput, NamesTheField) {
     input["mass_changes_from"] = "weigh-in";
     EXPECT_NE(error_of(input).find("/input/weigh_in: is required"), std::string::npos);
     EXPECT_EQ(error_of(Json::object()), "/input/engine: is required and missing");
-}
-
-TEST(BadInput, RandomInputsInRangeAlwaysGiveFiniteResults) {
-    std::mt19937 random(9);
-    const auto between = [&](double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(random);
-    };
-    for (int round = 0; round < 300; ++round) {
-        Json input = example();
-        for (const EngineField& field : engine_fields()) {
-            const double low = field.field.range.min;
-            const double high = field.field.range.max;
-            // from the very ends of the range as often as from within
-            const double pick = between(-1, 2);
-            double value = pick < 0 ? low : pick > 1 ? high : low + pick * (high - low);
-            if (!field.field.range.contains(value)) {
-                value = std::nextafter(low, high);
-            }
-            input["engine"][std::string(field.field.key)] = value;
-        }
-        for (const char* side : {"steel", "aluminium"}) {
-            const std::string mass = std::string(side) + "_plug_mass_g";
-            input["engine"]["max_" + std::string(side) + "_reduction_g"] =
-                input["engine"][mass].get<double>() * 0.5;
-        }
-        CaseFile file{"v8-plugs", "", input};
-        EXPECT_NO_THROW(solve_case(file, {})) << input.dump();
-    }
 }
 
 Json six_litres(double repair_piston_g) {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <initializer_list>
 #include <string>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "case-file/json.h"
 #include "case-file/result_json.h"
 #include "error_of.h"
+#include "fixtures.h"
 #include "workshop/input.h"
 #include "workshop/older_formats.h"
 #include "workshop/results.h"
@@ -72,33 +72,13 @@ inline void expect_rejected(const Json& base, std::initializer_list<Rejection> r
     }
 }
 
-/// Where values differ by more than 1e-9 of their size, or are not there.
-inline void compare(const Json& was, const Json& is, const std::string& where,
-                    std::vector<std::string>& found) {
-    if (was.is_structured()) {
-        if (was.type() != is.type() || (was.is_array() && was.size() != is.size())) {
-            found.push_back(where + " was " + was.dump() + ", is " + is.dump());
-            return;
-        }
-        for (const auto& item : was.items()) {
-            const Json::json_pointer at("/" + item.key());
-            compare(item.value(), is.contains(at) ? is.at(at) : Json("nothing"),
-                    where + "/" + item.key(), found);
-        }
-    } else if (was.is_number() && is.is_number()) {
-        const double a = was.get<double>();
-        if (!(std::abs(a - is.get<double>()) <= 1e-9 * std::max(1.0, std::abs(a)))) {
-            found.push_back(where + " was " + was.dump() + ", is " + is.dump());
-        }
-    } else if (was != is) {
-        found.push_back(where + " was " + was.dump() + ", is " + is.dump());
-    }
-}
-
+/// Where values differ by more than rounding, or are not there; "" for nowhere.
 inline std::string difference(const Json& was, const Json& is) {
-    std::vector<std::string> found;
-    compare(was, is, "", found);
-    return found.empty() ? "" : std::to_string(found.size()) + ": " + found.front();
+    if (was.is_array() && was.size() != is.size()) {
+        return "was " + was.dump() + ", is " + is.dump();
+    }
+    const auto found = ravnoves::test::differences("", was, is, {});
+    return found.empty() ? "" : ravnoves::test::first_of(found);
 }
 
 /// A V-8 whose parts nobody doubts.
