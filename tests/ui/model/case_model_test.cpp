@@ -20,14 +20,6 @@ class CaseModelTest : public ::testing::Test {
     QSignalSpy changes{&model, &SceneModel::changed};
 };
 
-TEST_F(CaseModelTest, BeginsWithTheDefault) {
-    EXPECT_EQ(solves(), 1);
-    EXPECT_EQ(model.root(), 2.0);
-    EXPECT_EQ(model.title(), QStringLiteral("Root of four"));
-    EXPECT_TRUE(model.history()->isClean());
-    EXPECT_FALSE(model.history()->canUndo());
-}
-
 TEST_F(CaseModelTest, AChangeIsSolvedOnce) {
     solves();
     EXPECT_EQ(model.set("square", 9.0), QString());
@@ -246,15 +238,6 @@ TEST_F(CaseModelTest, SolvesWithClearVectorRegisters) {
     dirtied([&] { test::RootModel{scene}; });
     EXPECT_EQ(solves(), 8);
     EXPECT_EQ(*scene.dirty, 0);
-}
-
-TEST_F(CaseModelTest, ValuesAreSetByTheirKeys) {
-    model.setByKey(QStringLiteral("crank_radius_mm"), QStringLiteral("9"));
-    EXPECT_EQ(model.root(), 3.0);
-    EXPECT_THROW(model.setByKey(QStringLiteral("crank_radius_mm"), QStringLiteral("nine")),
-                 InputError);
-    EXPECT_THROW(model.setByKey(QStringLiteral("radius"), QStringLiteral("9")), InputError);
-    EXPECT_EQ(model.root(), 3.0);
 }
 
 TEST_F(CaseModelTest, ThePresetsNameGoesWithItsEngine) {

@@ -20,7 +20,6 @@
 #include "model/case_document.h"
 #include "model/root_model.h"
 #include "processor_time.h"
-#include "text/file_path.h"
 
 namespace ravnoves {
 namespace {

@@ -117,16 +117,6 @@ TEST_F(VariantsTest, ChoosingAReferenceIsNoChangeOfTheCase) {
     EXPECT_EQ(model.reference(), 0);
 }
 
-TEST_F(VariantsTest, KeepingSolvesNothing) {
-    test::RootScene scene;
-    test::RootModel counted(scene);
-    *scene.solves = 0;
-    counted.keepVariant();
-    counted.renameVariant(0, QStringLiteral("x"));
-    counted.removeVariant(0);
-    EXPECT_EQ(*scene.solves, 0);
-}
-
 TEST_F(VariantsTest, ANameIsNeededAndOfOneAlone) {
     model.keepVariant();
     model.keepVariant();
