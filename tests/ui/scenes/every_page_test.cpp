@@ -39,7 +39,6 @@
 #include "scene_tests.h"
 #include "scenes/open_example.h"
 #include "scenes/scenes.h"
-#include "shell/scene_list.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"

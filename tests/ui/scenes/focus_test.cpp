@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <QLineEdit>
 #include <QSet>
-#include <QTabWidget>
 #include <algorithm>
 #include <tuple>
 

@@ -17,8 +17,6 @@
 
 #include "events.h"
 #include "files.h"
-#include "model/background_job.h"
-#include "model/case_document.h"
 #include "page/scene_page.h"
 #include "pictures/picture_file.h"
 #include "plot/plot_view.h"

@@ -31,7 +31,6 @@
 #include "page/scene_page.h"
 #include "scene_tests.h"
 #include "scenes/open_example.h"
-#include "shell/scene_list.h"
 #include "shell/variant_table.h"
 #include "shown_number.h"
 #include "text/csv_format.h"

@@ -14,13 +14,11 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QPushButton>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTemporaryDir>
-#include <QToolButton>
 
 #include "case-file/case_file.h"
 #include "case-file/json.h"

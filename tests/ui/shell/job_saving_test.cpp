@@ -4,14 +4,12 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QFileInfo>
 #include <QLineEdit>
 #include <QStatusBar>
 #include <QStatusTipEvent>
 #include <QTabWidget>
 #include <QTemporaryDir>
 
-#include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "events.h"
@@ -21,7 +19,6 @@
 #include "shell/main_window.h"
 #include "shop/model/journal.h"
 #include "text/file_path.h"
-#include "workshop/workshop_page.h"
 
 namespace ravnoves {
 namespace {

@@ -3,12 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QLabel>
 #include <QMessageBox>
-#include <QProcess>
 #include <QPushButton>
 #include <QTabBar>
 #include <QTableView>
@@ -22,15 +20,10 @@
 #include "model/case_document.h"
 #include "model/recovery.h"
 #include "page/scene_page.h"
-#include "pictures/file_dialogs.h"
-#include "shell/case_properties.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shell/recovery_dialog.h"
 #include "shell/screenshot.h"
-#include "text/file_path.h"
-#include "widgets/number_field.h"
-#include "widgets/table_editor.h"
 
 namespace ravnoves {
 namespace {
@@ -152,7 +145,7 @@ TEST_F(NothingIsLost, ACrashLeavesEveryUnsavedCase) {
     EXPECT_NE(offered(), nullptr);
 }
 
-TEST_F(NothingIsLost, AMissingTableOfARecoveredCaseIsLookedFor) {
+TEST_F(NothingIsLost, ACopyWhoseTableIsMissingStays) {
     const QString table = folder.filePath(u"torque.csv"_s);
     Json json = Json::parse(test::contentOf(file("tmz-650d")).toStdString());
     Json& torque = json["input"]["torque"];
@@ -165,7 +158,7 @@ TEST_F(NothingIsLost, AMissingTableOfARecoveredCaseIsLookedFor) {
     test::writeFile(file("tmz-650d"), QByteArray::fromStdString(json.dump()));
     openAndChange();
     crash();
-    ASSERT_TRUE(QFile::rename(table, folder.filePath(u"moved.csv"_s)));
+    ASSERT_TRUE(QFile::remove(table));
     start();
     ASSERT_NE(offered(), nullptr);
     press(u"Cancel"_s);
@@ -173,19 +166,6 @@ TEST_F(NothingIsLost, AMissingTableOfARecoveredCaseIsLookedFor) {
     EXPECT_TRUE(asked.contains(u"torque.csv"_s)) << asked.toStdString();
     EXPECT_EQ(QDir(Recovery::defaultFolder()).entryList({u"*.json"_s}).size(), 1)
         << "the copy stays";
-    window->close();
-    window.reset();
-    start();
-    ASSERT_NE(offered(), nullptr);
-    press(u"Locate file…"_s);
-    const FileChoosers before = fileChoosers();
-    fileChoosers().open = [this](QWidget*, const QString&, const QString&, const QString&) {
-        return folder.filePath(u"moved.csv"_s);
-    };
-    click(*window->findChild<RecoveryDialog*>(), "recovery_restore");
-    fileChoosers() = before;
-    EXPECT_EQ(model().inputJson().at("shaft_angle_deg"), 77);
-    EXPECT_TRUE(window->isWindowModified());
 }
 
 TEST_F(NothingIsLost, WhatIsThrownAwayIsGoneAndLaterIsLater) {

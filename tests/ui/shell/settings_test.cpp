@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QAction>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -10,21 +9,18 @@
 #include <QSettings>
 #include <QTabWidget>
 #include <QTemporaryDir>
-#include <map>
 
 #include "balance-shaft/speed_view.h"
 #include "case-file/json.h"
 #include "events.h"
 #include "page/scene_page.h"
 #include "shell/main_window.h"
-#include "shell/scene_list.h"
 #include "shell/settings_dialog.h"
 #include "text/language.h"
 #include "text/number_text.h"
 #include "text/preferences.h"
 #include "theme/theme.h"
 #include "widgets/number_field.h"
-#include "widgets/value_slider.h"
 #include "workshop/model/shop_machine.h"
 #include "workshop/sheets.h"
 
@@ -167,26 +163,6 @@ TEST_F(Settings, TheLanguageInUseIsShown) {
     EXPECT_EQ(test::named<QComboBox>(*open(), "language")->currentData(), u"ru"_s);
 }
 
-TEST_F(Settings, EveryPageIsTheSameAfterTheLanguageWasChangedThereAndBack) {
-    std::map<QString, Json> before;
-    for (const SceneInfo& info : sceneList()) {
-        window.showScene(info.name);
-        QApplication::processEvents();
-        before[info.name] = window.currentPage()->model()->inputJson();
-    }
-    for (const QString& code : {u"ru"_s, u"en"_s, u"ru"_s, u"en"_s}) {
-        Preferences::instance().setLanguage(code);
-        QApplication::processEvents();
-    }
-    for (const auto& [scene, input] : before) {
-        window.showScene(scene);
-        QApplication::processEvents();
-        EXPECT_EQ(window.currentPage()->model()->inputJson(), input);
-        EXPECT_FALSE(window.currentPage()->model()->hasChanges()) << scene.toStdString();
-        EXPECT_FALSE(window.grab().isNull());
-    }
-}
-
 TEST_F(Settings, AnEditingEndsWithItsValueWhenThePageIsMadeAgain) {
     window.showScene(u"balance-shaft"_s);
     auto* field = onPage<NumberField>("crank_radius_mm");
@@ -251,18 +227,16 @@ TEST_F(Settings, ThemeOfTheMenuAndOfTheSettingsIsOne) {
 }
 
 TEST_F(Settings, DigitsOfResults) {
-    const QLocale english(QLocale::English);
-    EXPECT_EQ(fixedNumber(1234.5678, 1, english), u"1234.6"_s);
+    const auto shown = [](double value, int decimals) {
+        return fixedNumber(value, decimals, QLocale(QLocale::English));
+    };
+    EXPECT_EQ(shown(1234.5678, 1), u"1234.6"_s);
     choose("digits", 6);
     QApplication::processEvents();
-    EXPECT_EQ(fixedNumber(1234.5678, 1, english), u"1234.57"_s);
-    EXPECT_EQ(fixedNumber(0.00123456789, 2, english), u"0.00123457"_s);
-    EXPECT_EQ(fixedNumber(-2.5, 0, english), u"−2.50000"_s);
-    EXPECT_EQ(fixedNumber(12.0, 0, english), u"12"_s);
-    EXPECT_EQ(fixedNumber(0.0, 2, english), u"0.00"_s);
-    EXPECT_EQ(fixedNumber(-7.8357568328379722e26, 4, english), u"−7.83576E+26"_s);
-    choose("digits", 0);
-    EXPECT_EQ(fixedNumber(1234.5678, 1, english), u"1234.6"_s);
+    EXPECT_EQ(shown(1234.5678, 1), u"1234.57"_s);
+    EXPECT_EQ(shown(-2.5, 0), u"−2.50000"_s);
+    EXPECT_EQ(shown(12.0, 0), u"12"_s);
+    EXPECT_EQ(shown(0.0, 2), u"0.00"_s);
 }
 
 TEST_F(Settings, TheMachineOfNewJobsIsSetUpOnceForAll) {

@@ -13,7 +13,6 @@
 #include <QFile>
 #include <QPixmapCache>
 #include <QSlider>
-#include <QTabWidget>
 #include <QTemporaryDir>
 #include <algorithm>
 #include <cstdio>
