@@ -28,9 +28,7 @@ struct MotionSetup {
     double turns = 5.0;          ///< stops after as many turns either way
     double profile_error = 0.0;  ///< ε of waves ε sin(n φ) on the crank's guide, m
     int profile_error_waves = 1;
-    int samples_per_turn = 180;  ///< at least
-    /// What the series of a stretch's time may leave out, as a part of that time: the one that
-    /// motion_choice declares.
+    /// Of the speed that is read between samples, and so of the time.
     double tolerance = 1e-8;
 };
 
@@ -50,7 +48,6 @@ struct Motion {
     /// Largest difference between the work of all moments, the spring's by the slope of its guide,
     /// and what the energies gave for it, against the largest T or change of T.
     double energy_drift = 0.0;
-    std::size_t steps = 0;        ///< stretches that the motion was made of
     std::size_t evaluations = 0;  ///< crank angles at which the mechanism was computed
 
     /// Crank angle (rad) and speed (rad/s) at a time between the samples, by the polynomial of
@@ -66,10 +63,9 @@ using MotionProgress = std::function<bool(double)>;
 
 /// The motion by its energy: T + V + Π − work of the crank's moment is constant and a function of φ
 /// and φ̇² alone, so the speed at every angle is known without integration, and the time is the
-/// integral of dφ/φ̇. That is done stretch by stretch by a Chebyshev series, of which a stretch is
-/// halved until the last terms are below the tolerance; where the crank stops the root of the
-/// energy is factored out. Nothing drifts, and without a moment on the crank the first turn serves
-/// for all.
+/// integral of dφ/φ̇, by Gauss sums from sample to sample. Samples are so close that between them
+/// the speed keeps the energy too. Nothing drifts, and without a moment on the crank the first turn
+/// serves for all.
 ///
 /// The crank's hinge acts through its guide: the spring's moment on a roller at ρ(φ) with slope
 /// ρ′(φ), whatever the crank's speed.

@@ -162,7 +162,7 @@ void visit_motion(ResultVisitor& visitor, const Motion& motion) {
                     Text::tr("(ω_max − ω_min) / mean ω of the free motion.")},
                    motion.ripple);
     visitor.number({"energy_drift", Text::tr("Energy drift")}, motion.energy_drift);
-    visitor.integer({"steps", Text::tr("Steps")}, motion.steps);
+    visitor.integer({"steps", Text::tr("Steps")}, motion.time.size() - 1);
 }
 
 /// Without and, where their guides exist, with hinges.

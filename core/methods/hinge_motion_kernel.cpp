@@ -351,7 +351,7 @@ Kernel hinge_motion_kernel() {
         Text::tr(
             "Ripple is read to parts of a million after up to a thousand turns: an error of 1e-7 "
             "a turn. The energy gives the speed at every angle; only the time is integrated, "
-            "without drift. Adaptive series find the steep places of a turn, also with a moment "
+            "without drift. Adaptive steps find the steep places of a turn, also with a moment "
             "on the crank, from rest and up to a reversal.")};
     definition.methods = {
         integrated({"rk4", Text::tr("Runge-Kutta of order 4, fixed step"),
@@ -364,7 +364,7 @@ Kernel hinge_motion_kernel() {
              Text::tr("the energy drifts by about the tolerance at every turn, without limit"),
              tolerances, false},
             dormand_prince),
-        {{"energy-series", Text::tr("energy, time by Chebyshev series"),
+        {{"energy-series", Text::tr("energy, time by Gauss sums"),
           Text::tr("slower near a standstill; where the crank barely passes a dead point, "
                    "rounding decides"),
           tolerances, false},

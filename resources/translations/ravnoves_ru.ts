@@ -8030,8 +8030,8 @@
         <translation>все эти величины, из таблицы</translation>
     </message>
     <message>
-        <source>energy, time by Chebyshev series</source>
-        <translation>энергия, время чебышёвскими рядами</translation>
+        <source>energy, time by Gauss sums</source>
+        <translation>энергия, время суммами Гаусса</translation>
     </message>
     <message>
         <source>crank angle and speed at nine times of the last turn, off the design speed</source>
@@ -8318,8 +8318,8 @@
         <translation>Направляющая действует своим перепадом, а это могут быть микрометры на радиусе в сто миллиметров: семь знаков перепада. Формуле не нужны ни шаг, ни начальная точка. Без разности почти равных квадратов она точна, пока пружина не отдаст всю энергию.</translation>
     </message>
     <message>
-        <source>Ripple is read to parts of a million after up to a thousand turns: an error of 1e-7 a turn. The energy gives the speed at every angle; only the time is integrated, without drift. Adaptive series find the steep places of a turn, also with a moment on the crank, from rest and up to a reversal.</source>
-        <translation>Неравномерность отсчитывают до миллионных долей после тысячи оборотов: погрешность 1e-7 на оборот. Скорость при каждом угле даёт энергия; интегрируется только время, без ухода. Адаптивные ряды находят крутые места оборота, также при моменте на кривошипе, из покоя и до обратного хода.</translation>
+        <source>Ripple is read to parts of a million after up to a thousand turns: an error of 1e-7 a turn. The energy gives the speed at every angle; only the time is integrated, without drift. Adaptive steps find the steep places of a turn, also with a moment on the crank, from rest and up to a reversal.</source>
+        <translation>Неравномерность отсчитывают до миллионных долей после тысячи оборотов: погрешность 1e-7 на оборот. Скорость при каждом угле даёт энергия; интегрируется только время, без ухода. Адаптивные шаги находят крутые места оборота, также при моменте на кривошипе, из покоя и до обратного хода.</translation>
     </message>
     <message>
         <source>Reports print six digits, and balanced layouts must give zero as a difference of large forces: nine digits. The exact form needs one square root; a series of the same cost has three digits at λ = 0.5 and none near locking. The sines of the nodes are stored: every cylinder and turn needs them.</source>

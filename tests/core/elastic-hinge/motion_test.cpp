@@ -130,7 +130,6 @@ TEST(ElasticHingeMotion, RippleIsThatOfTheEnergyIntegral) {
     MotionSetup setup;
     setup.start_speed = 100.0;
     setup.turns = 1.0;
-    setup.samples_per_turn = 36;
     const Motion motion = simulate(result.design, result.crank_guide, setup);
     EXPECT_NEAR(motion.min_speed, minimum, 1e-7);
     EXPECT_NEAR(motion.max_speed, maximum, 1e-7);
@@ -287,7 +286,7 @@ TEST(ElasticHingeMotion, TheEquationOfMotionSaysTheSame) {
     EXPECT_GE(compared, 18);
 }
 
-/// Whatever it is asked for, a motion ends within a bounded number of stretches.
+/// Whatever it is asked for, a motion ends within a bounded number of angles.
 TEST(ElasticHingeMotion, EndsWhateverItIsAskedFor) {
     for (const double lambda : {0.3, 0.9999, 1.0 - 1e-10}) {
         Input input = preset_zotov();
@@ -304,7 +303,6 @@ TEST(ElasticHingeMotion, EndsWhateverItIsAskedFor) {
                     setup.start_speed = start_speed;
                     setup.start_angle = start_angle;
                     const Motion motion = simulate(result.design, result.crank_guide, setup);
-                    EXPECT_LT(motion.steps, 200'000u);
                     EXPECT_LT(motion.evaluations, 4'000'000u);
                     EXPECT_TRUE(std::ranges::is_sorted(motion.time));
                     EXPECT_TRUE(std::isfinite(motion.time.back()));
@@ -333,7 +331,7 @@ TEST(ElasticHingeMotion, ManyTurnsWithAMoment) {
     setup.tolerance = 1e-12;
     const Motion motion = simulate(result.design, result.crank_guide, setup);
     EXPECT_EQ(motion.end, MotionEnd::completed);
-    EXPECT_LT(motion.steps, 200'000u);
+    EXPECT_LT(motion.evaluations, 10'000'000u);
     const double I = reduced_inertia_at_zero(result.design->mechanism());
     const double square = 1e4 + 2.0 * 0.01 * 5'000.0 * two_pi / I;
     EXPECT_NEAR(motion.speed.back() / std::sqrt(square), 1.0, 1e-10);

@@ -4,27 +4,10 @@
 
 #include <cmath>
 
-#include "numerics/chebyshev.h"
 #include "support.h"
 
 namespace ravnoves::methods {
 namespace {
-
-TEST(ChebyshevSeries, GoesThroughItsPointsAndIntegrates) {
-    const ChebyshevPoints points(24);
-    std::vector<double> values;
-    for (std::size_t j = 0; j < points.size(); ++j) {
-        values.push_back(std::exp(points[j]));
-    }
-    std::vector<double> series(points.size());
-    std::vector<double> integral(points.size() + 1);
-    points.transform(values, series);
-    chebyshev_integral(series, integral);
-    for (const double x : {-1.0, -0.9, 0.0, 0.123, 0.8, 1.0}) {
-        EXPECT_NEAR(chebyshev_value(series, x), std::exp(x), 1e-14);
-        EXPECT_NEAR(chebyshev_value(integral, x), std::exp(x) - std::exp(-1.0), 1e-14);
-    }
-}
 
 TEST(RivalSamples, ErrorsFallAtTheirRates) {
     const auto order = [&](const char* sweep, double value, const char* method) {

@@ -28,6 +28,7 @@ const std::vector<Difference> differences_of_results{
     {"radial/*/remaining/*", "orders are right to 1e-11 of m R ω², by another transform", 1e-5,
      1e-6},
     {"elastic-hinge/*/guide_search/*", "the search keeps a margin of the preload"},
+    {"elastic-hinge/*/steps", "from sample to sample, not stretches with many samples each"},
     {"elastic-hinge/*/energy_drift", "rounding is all that it is", 1e-5, 1e-14},
     {"*/relieved_shaft/sag_mm", "bending of the relieved shaft is not computed"},
     {"*/relieved_shaft/bending_stress_MPa", "bending of the relieved shaft is not computed"},
