@@ -12,14 +12,7 @@ namespace ravnoves::inertia_moments {
 
 namespace {
 
-using Vector = std::complex<double>;
-
 constexpr int scan_samples = 90;  ///< of a turn, when an extremum is looked for
-
-/// Written out: std::complex's product also checks for infinities.
-Vector times(const Vector& a, const Vector& b) {
-    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
 
 /// The root of f between two places where it has different signs.
 template <typename Function>
@@ -51,15 +44,6 @@ double angle_of_maximum(const Function& f, const Slope& slope) {
 std::string rod_pointer(std::size_t cylinder, const Field& field) {
     return "/input/cylinders/" + std::to_string(cylinder) + "/" +
            std::string(field::articulated.key) + "/" + std::string(field.key);
-}
-
-/// "1, 4" of indices.
-std::string numbers_of(const std::vector<std::size_t>& cylinders) {
-    std::string text;
-    for (const std::size_t i : cylinders) {
-        text += (text.empty() ? "" : ", ") + std::to_string(i + 1);
-    }
-    return text;
 }
 
 /// The throw of a cylinder.
@@ -116,16 +100,16 @@ std::size_t master_of(std::span<const Cylinder> cylinders, const Throw& pin, std
 
 }  // namespace
 
-RodSwing<double> ArticulatedCrank::master_swing(double sin_theta, double cos_theta) const {
-    return master.rod_at(sin_theta * master_lead.real() + cos_theta * master_lead.imag(),
-                         cos_theta * master_lead.real() - sin_theta * master_lead.imag());
-}
-
 ArticulatedMotion ArticulatedCrank::at(double sin_theta, double cos_theta) const {
-    const RodSwing<double> swing = master_swing(sin_theta, cos_theta);
+    if (is_plain()) {
+        return {plain().at(sin_theta, cos_theta), {}, {}, {}};
+    }
+    const RodSwing<double> swing =
+        master.rod_at(sin_theta * master_lead.real() + cos_theta * master_lead.imag(),
+                      cos_theta * master_lead.real() - sin_theta * master_lead.imag());
     ArticulatedMotion motion;
     motion.arm = times(knuckle, std::polar(1.0, swing.psi));
-    const Vector turned(-motion.arm.imag(), motion.arm.real());
+    const std::complex<double> turned(-motion.arm.imag(), motion.arm.real());
     motion.darm = swing.dpsi * turned;
     motion.d2arm = swing.d2psi * turned - swing.dpsi * swing.dpsi * motion.arm;
     // The knuckle pin across the axis, and the articulated rod's length along it.
@@ -161,41 +145,35 @@ ArticulatedMotion ArticulatedCrank::two_term_at(double sin_theta, double cos_the
     return motion;
 }
 
-PistonMotion<double> ArticulatedCrank::piston(double theta) const {
-    return at(std::sin(theta), std::cos(theta)).piston;
-}
-
 double ArticulatedCrank::top_dead_centre() const {
-    return angle_of_maximum([&](double theta) { return piston(theta).s; },
-                            [&](double theta) { return piston(theta).ds; });
+    return is_plain() ? plain().top_dead_centre()
+                      : angle_of_maximum([&](double theta) { return at(theta).piston.s; },
+                                         [&](double theta) { return at(theta).piston.ds; });
 }
 
 double ArticulatedCrank::bottom_dead_centre() const {
-    const double angle = angle_of_maximum([&](double theta) { return -piston(theta).s; },
-                                          [&](double theta) { return -piston(theta).ds; });
+    if (is_plain()) {
+        return plain().bottom_dead_centre();
+    }
+    const double angle = angle_of_maximum([&](double theta) { return -at(theta).piston.s; },
+                                          [&](double theta) { return -at(theta).piston.ds; });
     return angle < 0.0 ? angle + two_pi : angle;
 }
 
 double ArticulatedCrank::stroke() const {
-    return piston(top_dead_centre()).s - piston(bottom_dead_centre()).s;
-}
-
-double ArticulatedCrank::across(double theta) const {
-    const double psi = master_swing(std::sin(theta), std::cos(theta)).psi;
-    return std::sin(theta) + times(knuckle, std::polar(1.0, psi)).imag() - offset;
-}
-
-double ArticulatedCrank::across_slope(double theta) const {
-    const RodSwing<double> swing = master_swing(std::sin(theta), std::cos(theta));
-    return std::cos(theta) + swing.dpsi * times(knuckle, std::polar(1.0, swing.psi)).real();
+    return is_plain() ? plain().stroke()
+                      : at(top_dead_centre()).piston.s - at(bottom_dead_centre()).piston.s;
 }
 
 double ArticulatedCrank::reach() const {
+    const auto across = [&](double theta) {
+        return std::sin(theta) + at(theta).arm.imag() - offset;
+    };
     double maximum = 0.0;
     for (const double sign : {1.0, -1.0}) {
-        const double angle =
-            angle_of_maximum([&](double theta) { return sign * across(theta); },
-                             [&](double theta) { return sign * across_slope(theta); });
+        const double angle = angle_of_maximum(
+            [&](double theta) { return sign * across(theta); },
+            [&](double theta) { return sign * (std::cos(theta) + at(theta).darm.imag()); });
         maximum = std::max(maximum, std::abs(across(angle)));
     }
     return maximum;
@@ -227,37 +205,20 @@ std::vector<std::optional<KnuckleRod>> knuckle_rods(std::span<const Cylinder> cy
     return rods;
 }
 
-std::vector<Message> unusual_rod_notes(std::span<const std::optional<KnuckleRod>> rods,
-                                       double rod_length) {
+Message unusual_rod_note(std::span<const std::optional<KnuckleRod>> rods, double rod_length) {
     constexpr double rounding = 1e-9;  // of the length
     std::vector<std::size_t> longer;
-    std::vector<std::size_t> plain;
     for (std::size_t i = 0; i < rods.size(); ++i) {
-        if (!rods[i]) {
-            continue;
-        }
-        if (rods[i]->rod_length > rod_length * (1.0 + rounding)) {
+        if (rods[i] && rods[i]->rod_length > rod_length * (1.0 + rounding)) {
             longer.push_back(i);
-        } else if (rods[i]->knuckle_radius == 0.0 &&
-                   rods[i]->rod_length > rod_length * (1.0 - rounding)) {
-            plain.push_back(i);
         }
     }
-    std::vector<Message> notes;
-    if (!longer.empty()) {
-        notes.emplace_back(
-            Text::tr("The articulated rods of cylinders %1 are longer than the master rod (%2); "
-                     "usual: shorter by about the knuckle radius."),
-            numbers_of(longer),
-            Number{.value = rod_length / units::mm, .unit = units::mm, .digits = 6});
-    }
-    if (!plain.empty()) {
-        notes.emplace_back(
-            Text::tr("The articulated rods of cylinders %1 have a knuckle radius of 0: they move "
-                     "as plain rods on the crankpin."),
-            numbers_of(plain));
-    }
-    return notes;
+    return longer.empty()
+               ? Message()
+               : Message(Text::tr("The articulated rods of cylinders %1 are longer than the master "
+                                  "rod (%2); usual: shorter by about the knuckle radius."),
+                         numbers_of(longer),
+                         Number{.value = rod_length / units::mm, .unit = units::mm, .digits = 6});
 }
 
 void hang_on_masters(std::vector<Cylinder>& cylinders, double crank_radius) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <optional>
@@ -12,6 +13,11 @@
 
 namespace ravnoves::inertia_moments {
 
+/// Written out: std::complex's product also checks for infinities.
+inline std::complex<double> times(const std::complex<double>& a, const std::complex<double>& b) {
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
 /// The motion of a cylinder whose rod hangs on a master rod, by its own crank angle θ, in units of
 /// R. Vectors are complex: along the cylinder's axis + i across it, counter-clockwise.
 struct ArticulatedMotion {
@@ -21,13 +27,13 @@ struct ArticulatedMotion {
     std::complex<double> d2arm;   ///< d²/dθ²
 };
 
-/// The mechanism of a cylinder whose rod hangs on a master rod, in units of R.
+/// The mechanism of a cylinder in units of R, its rod on a master rod or on the crankpin itself.
 ///
 /// The crankpin is at e^{iθ} from the cylinder's axis; the master rod swings by its own
 /// slider-crank, sin ψ = λ(K_m − sin θ_m) with θ_m = θ + β − β_m, and carries the knuckle pin:
 /// q = e^{iθ} + ρ e^{i(ψ + c)}, ρ = r_k/R, c = γ − (β − β_m). The piston pin closes the loop on
-/// its axis, s = Re q + √(l² − (Im q − K)²). Derived from the geometry alone; with ρ = 0 and l = L
-/// it is the plain slider-crank. The tests derive it a second way, by Newton's method in 50 digits.
+/// its axis, s = Re q + √(l² − (Im q − K)²). Derived from the geometry alone; with ρ = 0 it is the
+/// plain slider-crank. The tests derive it a second way, by Newton's method in 50 digits.
 struct ArticulatedCrank {
     SliderCrank<double> master;        ///< {1, 1/λ, K_m}; must not lock
     std::complex<double> master_lead;  ///< e^{i(θ_m − θ)} = e^{i(β − β_m)}
@@ -51,10 +57,9 @@ struct ArticulatedCrank {
     double reach() const;
 
   private:
-    PistonMotion<double> piston(double theta) const;
-    RodSwing<double> master_swing(double sin_theta, double cos_theta) const;
-    double across(double theta) const;        ///< Im q − K
-    double across_slope(double theta) const;  ///< d/dθ
+    bool is_plain() const { return knuckle == 0.0; }
+    SliderCrank<double> plain() const { return {1.0, rod_length, offset}; }
+    ArticulatedMotion at(double theta) const { return at(std::sin(theta), std::cos(theta)); }
 };
 
 /// An articulated rod with all that its input leaves out filled in.
@@ -75,10 +80,8 @@ std::vector<std::optional<KnuckleRod>> knuckle_rods(std::span<const Cylinder> cy
                                                     std::span<const Throw> throws,
                                                     double rod_length);
 
-/// What no engine is built with, in sentences: an articulated rod longer than its master; one whose
-/// knuckle radius is 0, so that it is but a plain rod.
-std::vector<Message> unusual_rod_notes(std::span<const std::optional<KnuckleRod>> rods,
-                                       double rod_length);
+/// What no engine is built with: articulated rods longer than their master. Empty without them.
+Message unusual_rod_note(std::span<const std::optional<KnuckleRod>> rods, double rod_length);
 
 /// The usual knuckle radius of a radial: the pins are close round the crankpin's bearing.
 inline constexpr double usual_knuckle_share = 0.75;  ///< of the crank radius

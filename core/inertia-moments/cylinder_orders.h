@@ -1,6 +1,5 @@
 #pragma once
 
-#include <complex>
 #include <vector>
 
 #include "numerics/harmonics.h"
@@ -8,40 +7,40 @@
 
 namespace ravnoves::inertia_moments {
 
-/// Orders of one cylinder by its own crank angle θ, in units of m_j R ω² (force), m_j R² ω²
-/// (torque) and ΔJ ω² (the rod's couple). [k] is order k; [0] the mean.
-template <typename Scalar>
+/// Orders of what the moving parts of one cylinder do, by its own crank angle θ, in units of m_j R
+/// ω² (forces) and m_j R² ω² (moments). [k] is order k; [0] the mean.
 struct CylinderOrders {
-    std::vector<Harmonic<Scalar>> force;       ///< −s″/R, along the cylinder's axis
-    std::vector<Harmonic<Scalar>> torque;      ///< −s″ s′/R², of that force on the crank
-    std::vector<Harmonic<Scalar>> rod_roll;    ///< −ψ″, moment of the rod's couple
-    std::vector<Harmonic<Scalar>> rod_torque;  ///< −ψ″ ψ′, of that couple on the crank
+    std::vector<Harmonic<double>> along;   ///< force along the cylinder's axis, −s″/R
+    std::vector<Harmonic<double>> across;  ///< counter-clockwise; empty on a rod on the crankpin
+    std::vector<Harmonic<double>> roll;    ///< moment about the crank axis
+    std::vector<Harmonic<double>> torque;  ///< on the crank
 };
 
-/// For a cylinder with an articulated rod also the orders of a mass at its knuckle pin instead of
-/// the crankpin, in units of m_k R ω² and m_k R² ω², without the crankpin's own.
-struct ArticulatedOrders : CylinderOrders<double> {
-    std::vector<Harmonic<double>> knuckle_along;   ///< along the cylinder's axis
-    std::vector<Harmonic<double>> knuckle_across;  ///< across it, counter-clockwise
-    std::vector<Harmonic<double>> knuckle_roll;    ///< moment about the crank axis
-    std::vector<Harmonic<double>> knuckle_torque;  ///< on the crank
-};
-
-/// Exact orders by a discrete Fourier transform.
+/// Exact orders of a cylinder with a rod on the crankpin, by a discrete Fourier transform.
 ///
-/// The force is −m_j s̈; its torque on the crank follows from virtual work, F ds/dφ. For the couple
-/// ΔJ the same with the rod's angle ψ. The samples are s′ and s′²/2, whose derivatives these are:
-/// they are finite up to locking, where s″ is not.
+/// Forces and moments are what momentum, spin and energy lose by θ: −m_j s̈, its moment by the
+/// offset, its torque by virtual work, F ds/dφ; the same of the rod's couple with its angle ψ. The
+/// samples are of those: they are finite up to locking, where s″ is not.
 /// @param crank     in units of R: {1, 1/λ, K}; must not lock
+/// @param couple    of the rod, in units of m_j R²
 /// @param transform its length by transform_length(crank.harmonic_decay(), …)
-/// @param rod       also the rod's couple; else its two lists stay empty
-inline CylinderOrders<double> exact_cylinder_orders(const SliderCrank<double>& crank, int max_order,
-                                                    const UniformTransform<double>& transform,
-                                                    bool rod) {
+inline CylinderOrders exact_cylinder_orders(const SliderCrank<double>& crank, double couple,
+                                            int max_order,
+                                            const UniformTransform<double>& transform) {
     const std::size_t n = transform.size();
-    std::vector<double> rate(n);
-    std::vector<double> half_square(n);
-    const auto minus_derivative = [&](const std::vector<double>& values) {
+    std::vector<double> momentum(n);
+    std::vector<double> spin(n);
+    std::vector<double> energy(n);
+    for (std::size_t j = 0; j < n; ++j) {
+        const double sine = transform.node_sin()[j];
+        const double cosine = transform.node_cos()[j];
+        const double rate = crank.at(sine, cosine).ds;
+        const double swing = couple != 0.0 ? crank.rod_at(sine, cosine).dpsi : 0.0;
+        momentum[j] = rate;
+        spin[j] = couple * swing - crank.offset * rate;
+        energy[j] = 0.5 * (rate * rate + couple * swing * swing);
+    }
+    const auto lost = [&](const std::vector<double>& values) {
         auto orders = transform.orders(values, max_order);
         double k = 0.0;
         for (Harmonic<double>& order : orders) {
@@ -50,49 +49,27 @@ inline CylinderOrders<double> exact_cylinder_orders(const SliderCrank<double>& c
         }
         return orders;
     };
-    const auto sample = [&](const auto& rate_at) {
-        for (std::size_t j = 0; j < n; ++j) {
-            rate[j] = rate_at(transform.node_sin()[j], transform.node_cos()[j]);
-            half_square[j] = 0.5 * rate[j] * rate[j];
-        }
-    };
-    CylinderOrders<double> result;
-    sample([&](double sine, double cosine) { return crank.at(sine, cosine).ds; });
-    result.force = minus_derivative(rate);
-    result.torque = minus_derivative(half_square);
-    if (rod) {
-        sample([&](double sine, double cosine) { return crank.rod_at(sine, cosine).dpsi; });
-        result.rod_roll = minus_derivative(rate);
-        result.rod_torque = minus_derivative(half_square);
-    }
-    return result;
+    return {lost(momentum), {}, lost(spin), lost(energy)};
 }
 
 /// The paper's two-term force cos θ + Kλ sin θ + λ cos 2θ, with the torque that belongs to it: the
 /// product with its own integral (orders 1…4, mean 0). The rod's angle to the same order is
 /// ψ = λ(K − sin θ).
-template <typename Scalar>
-CylinderOrders<Scalar> two_term_cylinder_orders(const Scalar& lambda, const Scalar& relative_offset,
-                                                bool rod) {
-    const Scalar p = relative_offset * lambda;
-    const Scalar quarter = Scalar(1) / Scalar(4);
-    const Scalar zero(0);
-    CylinderOrders<Scalar> result;
-    result.force = {{zero, zero}, {Scalar(1), p}, {lambda, zero}, {zero, zero}, {zero, zero}};
-    // −(cos θ + p sin θ + λ cos 2θ)(sin θ − p cos θ + λ/2 sin 2θ), product by product.
-    result.torque = {{zero, zero},
-                     {p * lambda * quarter, lambda * quarter},
-                     {p, -(Scalar(1) - p * p) / Scalar(2)},
-                     {Scalar(3) * p * lambda * quarter, -Scalar(3) * lambda * quarter},
-                     {zero, -lambda * lambda * quarter}};
-    if (rod) {
-        result.rod_roll = {{zero, zero}, {zero, -lambda}, {zero, zero}, {zero, zero}, {zero, zero}};
-        result.rod_torque = {{zero, zero},
-                             {zero, zero},
-                             {zero, lambda * lambda / Scalar(2)},
-                             {zero, zero},
-                             {zero, zero}};
+inline CylinderOrders two_term_cylinder_orders(double lambda, double relative_offset,
+                                               double couple) {
+    const double p = relative_offset * lambda;
+    CylinderOrders result;
+    result.along = {{0.0, 0.0}, {1.0, p}, {lambda, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
+    for (const Harmonic<double>& order : result.along) {
+        result.roll.push_back({-relative_offset * order.cos, -relative_offset * order.sin});
     }
+    result.roll[1].sin -= couple * lambda;
+    // −(cos θ + p sin θ + λ cos 2θ)(sin θ − p cos θ + λ/2 sin 2θ), product by product.
+    result.torque = {{0.0, 0.0},
+                     {0.25 * p * lambda, 0.25 * lambda},
+                     {p, -0.5 * (1.0 - p * p) + 0.5 * couple * lambda * lambda},
+                     {0.75 * p * lambda, -0.75 * lambda},
+                     {0.0, -0.25 * lambda * lambda}};
     return result;
 }
 

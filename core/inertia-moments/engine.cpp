@@ -2,29 +2,18 @@
 
 #include <cmath>
 
-#include "inertia-moments/fields.h"
+#include "case-file/field_index.h"
 #include "inertia-moments/layouts.h"
 
 namespace ravnoves::inertia_moments {
 
 std::vector<Cylinder> rounded(std::vector<Cylinder> cylinders) {
-    const auto round = [](double& si, const Field& field) {
-        si = ravnoves::rounded(si, field, 12);
-    };
     for (Cylinder& cylinder : cylinders) {
-        round(cylinder.axial_position, field::axial_position);
-        round(cylinder.bank_angle, field::bank_angle);
-        round(cylinder.offset, field::offset);
-        round(cylinder.crankpin_angle, field::crankpin_angle);
-        if (cylinder.articulated) {
-            ArticulatedRod& rod = *cylinder.articulated;
-            round(rod.knuckle_radius, field::knuckle_radius);
-            round(rod.knuckle_mass, field::knuckle_mass);
-            if (rod.knuckle_angle) {
-                round(*rod.knuckle_angle, field::knuckle_angle);
-            }
-            if (rod.rod_length) {
-                round(*rod.rod_length, field::articulated_length);
+        for (const FieldEntry& entry : list_fields(cylinder)) {
+            const bool is_there =
+                cylinder.articulated || !entry.pointer.starts_with("/articulated");
+            if (is_there && entry.place != nullptr) {
+                *entry.place = ravnoves::rounded(*entry.place, entry.field, 12);
             }
         }
     }
@@ -51,29 +40,22 @@ std::optional<Locking> find_locking(double crank_radius, double lambda,
     return std::nullopt;
 }
 
-ArticulatedCrank Engine::articulated(std::size_t cylinder) const {
+ArticulatedCrank Engine::crank(std::size_t cylinder) const {
     const Cylinder& own = cylinders[cylinder];
+    const double offset = own.offset / crank_radius;
+    if (!knuckles[cylinder]) {
+        return {mechanism(own), 1.0, 0.0, 1.0 / lambda, offset};
+    }
     const KnuckleRod& rod = *knuckles[cylinder];
     const Cylinder& master = cylinders[rod.master];
     const double between = own.bank_angle - master.bank_angle;
     return {mechanism(master), std::polar(1.0, between),
             std::polar(rod.knuckle_radius / crank_radius, rod.knuckle_angle - between),
-            rod.rod_length / crank_radius, own.offset / crank_radius};
-}
-
-double Engine::top_dead_centre(std::size_t cylinder) const {
-    return knuckles[cylinder] ? articulated(cylinder).top_dead_centre()
-                              : mechanism(cylinders[cylinder]).top_dead_centre();
-}
-
-double Engine::bottom_dead_centre(std::size_t cylinder) const {
-    return knuckles[cylinder] ? articulated(cylinder).bottom_dead_centre()
-                              : mechanism(cylinders[cylinder]).bottom_dead_centre();
+            rod.rod_length / crank_radius, offset};
 }
 
 double Engine::stroke(std::size_t cylinder) const {
-    const double relative = knuckles[cylinder] ? articulated(cylinder).stroke()
-                                               : mechanism(cylinders[cylinder]).stroke();
+    const double relative = crank(cylinder).stroke();
     // Rods so long that their square overflows move the piston as a Scotch yoke does.
     return crank_radius * (std::isfinite(relative) ? relative : 2.0);
 }

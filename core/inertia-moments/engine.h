@@ -37,7 +37,7 @@ struct Engine {
     double force_unit() const {
         return reciprocating_mass * crank_radius * angular_speed * angular_speed;
     }
-    /// The mechanism of a cylinder with a rod on the crankpin, in units of R.
+    /// The mechanism that a cylinder has with a rod on the crankpin, in units of R.
     SliderCrank<double> mechanism(const Cylinder& cylinder) const {
         return {1.0, 1.0 / lambda, cylinder.offset / crank_radius};
     }
@@ -45,13 +45,11 @@ struct Engine {
     double crank_phase(const Cylinder& cylinder) const {
         return cylinders.front().bank_angle + cylinder.crankpin_angle - cylinder.bank_angle;
     }
-    /// The mechanism of a cylinder with an articulated rod, in units of R.
-    /// @param cylinder  index; knuckles[cylinder] is there
-    ArticulatedCrank articulated(std::size_t cylinder) const;
-    /// θ at top and bottom dead centre, rad, and the stroke, m, of any cylinder by its index.
-    double top_dead_centre(std::size_t cylinder) const;
-    double bottom_dead_centre(std::size_t cylinder) const;
-    double stroke(std::size_t cylinder) const;
+    /// The mechanism of any cylinder by its index, in units of R.
+    ArticulatedCrank crank(std::size_t cylinder) const;
+    /// θ at its top dead centre, rad.
+    double top_dead_centre(std::size_t cylinder) const { return crank(cylinder).top_dead_centre(); }
+    double stroke(std::size_t cylinder) const;  ///< m
 };
 
 /// Every value of the table rounded to 12 digits in its unit, so that a case file keeps it exactly.

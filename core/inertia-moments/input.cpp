@@ -106,7 +106,7 @@ void check_articulated(const Input& input, const Engine& engine) {
                  Number{.value = engine.rotating_mass, .digits = 6}},
                 Number{mass});
         }
-        const ArticulatedCrank crank = engine.articulated(i);
+        const ArticulatedCrank crank = engine.crank(i);
         constexpr double margin = 1e-12;  // nearer, rounding decides whether the crank passes
         const double reach = crank.reach();
         if (!(crank.rod_length - reach > margin * crank.rod_length)) {
@@ -137,12 +137,14 @@ void check_end_webs(const EndWebs& webs) {
 }
 
 void check_throws(const Input& input, const Engine& engine) {
-    if (input.rotating_mass_of_throw && !rods_per_throw(engine.throws)) {
+    const auto kinds = kinds_of_throw(engine.throws);
+    if (input.rotating_mass_of_throw && kinds.size() != 1) {
         throw InputError("/input/rotating_mass_per_throw_kg",
                          {Text::tr("must be given for one cylinder (%1) if the throws carry "
                                    "different numbers of rods"),
                           field::rotating_mass.key},
-                         describe_difference(engine.throws));
+                         {Text::tr("throws with %1 and with %2 rods"),
+                          kinds.front()->cylinders.size(), kinds.back()->cylinders.size()});
     }
 }
 

@@ -38,13 +38,9 @@ struct RotatingPair {
     Harmonic<double> vertical() const {
         return {(forward + backward).imag(), (forward - backward).real()};
     }
-    /// The vector where e^{ikφ} is `turn`, written out: std::complex's product also checks for
-    /// infinities.
+    /// The vector where e^{ikφ} is `turn`.
     Complex along(Complex turn) const {
-        return {(forward.real() + backward.real()) * turn.real() -
-                    (forward.imag() - backward.imag()) * turn.imag(),
-                (forward.imag() + backward.imag()) * turn.real() +
-                    (forward.real() - backward.real()) * turn.imag()};
+        return times(forward, turn) + times(backward, std::conj(turn));
     }
     /// The vector at kφ (rad).
     Complex at(double angle) const { return along(std::polar(1.0, angle)); }
@@ -108,32 +104,22 @@ EngineOrders exact_orders(const Engine& engine, int max_order = highest_order,
 /// the knuckle pin nears the crankpin.
 EngineOrders two_term_orders(const Engine& engine);
 
-/// Forces and moments at one instant.
-struct Wrench {
-    Complex force;                 ///< N
-    Complex moment;                ///< (M_x, M_y), N·m
-    double inertia_roll = 0.0;     ///< N·m
-    double reaction_torque = 0.0;  ///< N·m
-    double roll() const { return inertia_roll + reaction_torque; }
-};
-
-/// The exact reciprocating forces and moments at the crank angle φ (rad), without orders.
-Wrench exact_wrench(const Engine& engine, double crank_angle);
-
-/// The orders added up at φ (rad).
-Wrench sum_of_orders(const EngineOrders& orders, double crank_angle);
-
-/// Forces and moments over one turn, the first angle repeated at its end.
+/// Forces and moments over one turn.
 struct WrenchCurves {
+    /// @param angles  rad
+    explicit WrenchCurves(std::vector<double> angles = {});
+    void add(std::size_t i, Complex force, Complex moment, double inertia, double reaction);
+
     std::vector<double> crank_angle;                           ///< rad, 0…2π
     std::vector<double> force_x, force_y, moment_x, moment_y;  ///< N, N, N·m, N·m
     std::vector<double> inertia_roll, reaction_torque, roll;   ///< N·m
 };
 
-/// Exact curves of the reciprocating parts at `intervals` equal steps.
-WrenchCurves exact_curves(const Engine& engine, std::size_t intervals);
+/// Exact curves of the reciprocating parts, without orders.
+/// @param angles  rad, 0…2π
+WrenchCurves exact_curves(const Engine& engine, std::vector<double> angles);
 
-/// The curves of a sum of orders at `intervals` equal steps.
-WrenchCurves curves_of_orders(const EngineOrders& orders, std::size_t intervals);
+/// The curves with those of a sum of orders.
+WrenchCurves with_orders(WrenchCurves curves, const EngineOrders& orders);
 
 }  // namespace ravnoves::inertia_moments

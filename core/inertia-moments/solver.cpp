@@ -20,25 +20,12 @@ WrenchCurves balanced_curves(const WrenchCurves& curves, const EngineOrders& ord
     // The differences of the orders are what was added, a handful of rotating vectors.
     EngineOrders added;
     for (std::size_t i = 0; i < orders.orders.size(); ++i) {
-        EngineOrder order;
+        EngineOrder& order = added.orders.emplace_back();
         order.order = orders.orders[i].order;
         order.force = remaining.orders[i].force - orders.orders[i].force;
         order.moment = remaining.orders[i].moment - orders.orders[i].moment;
-        added.orders.push_back(order);
     }
-    const auto last = std::find_if(added.orders.rbegin(), added.orders.rend(), [](const auto& o) {
-        return o.force.max() > 0.0 || o.moment.max() > 0.0;
-    });
-    added.orders.erase(last.base(), added.orders.end());
-    WrenchCurves sum = curves;
-    for (std::size_t i = 0; i < sum.crank_angle.size(); ++i) {
-        const Wrench extra = sum_of_orders(added, sum.crank_angle[i]);
-        sum.force_x[i] += extra.force.real();
-        sum.force_y[i] += extra.force.imag();
-        sum.moment_x[i] += extra.moment.real();
-        sum.moment_y[i] += extra.moment.imag();
-    }
-    return sum;
+    return with_orders(curves, added);
 }
 
 /// The orders with the rotating masses added.
@@ -127,7 +114,7 @@ Result solve(const Input& input, bool with_curves) {
         result.firing_trouble = describe_misfit(engine, order, input.cycle());
     }
     result.notes = articulated_rod_notes(engine.throws, engine.cylinders, engine.crank_radius);
-    for (Message& note : unusual_rod_notes(engine.knuckles, input.rod_length())) {
+    if (Message note = unusual_rod_note(engine.knuckles, input.rod_length()); !note.empty()) {
         result.notes.push_back(std::move(note));
     }
     for (Message& note : unusual_engine_notes({input.angular_speed,
@@ -139,8 +126,12 @@ Result solve(const Input& input, bool with_curves) {
     }
     if (with_curves) {
         const double step = input.step.value_or(usual_step);
-        const auto intervals = static_cast<std::size_t>(std::ceil(two_pi / step - 1e-9));
-        result.curves = exact_curves(engine, intervals);
+        const double intervals = std::ceil(two_pi / step - 1e-9);
+        std::vector<double> angles;
+        for (double i = 0.0; i <= intervals; ++i) {
+            angles.push_back(two_pi * i / intervals);
+        }
+        result.curves = exact_curves(engine, std::move(angles));
         result.unbalanced_curves = balanced_curves(result.curves, result.exact, result.unbalanced);
         result.remaining_curves = balanced_curves(result.curves, result.exact, result.remaining);
     }

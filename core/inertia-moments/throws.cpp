@@ -37,6 +37,14 @@ bool shares_pin(const Throw& pin, const Cylinder& cylinder, std::span<const Cyli
 
 }  // namespace
 
+std::string numbers_of(std::span<const std::size_t> cylinders) {
+    std::string text;
+    for (const std::size_t i : cylinders) {
+        text += (text.empty() ? "" : ", ") + std::to_string(i + 1);
+    }
+    return text;
+}
+
 std::vector<Throw> crank_throws(std::span<const Cylinder> cylinders, double crank_radius) {
     std::vector<std::size_t> order(cylinders.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -67,16 +75,12 @@ std::vector<Throw> crank_throws(std::span<const Cylinder> cylinders, double cran
             return shares_pin(each, cylinder, cylinders, crank_radius);
         };
         const auto is_masters = [&](const Throw& each) {
-            return is_own(each) &&
-                   std::any_of(each.cylinders.begin(), each.cylinders.end(),
-                               [&](std::size_t other) { return names(cylinder, other); });
+            return is_own(each) && std::any_of(each.cylinders.begin(), each.cylinders.end(),
+                                               [&](std::size_t on) { return names(cylinder, on); });
         };
-        auto pin = throws.rend();
-        if (rank(i) == 1) {
-            pin = std::find_if(throws.rbegin(), throws.rend(), is_masters);
-        }
+        // The throw behind the others is the nearest.
+        auto pin = std::find_if(throws.rbegin(), throws.rend(), is_masters);
         if (pin == throws.rend()) {
-            // The throw behind the others is the nearest.
             pin = std::find_if(throws.rbegin(), throws.rend(), is_own);
         }
         Throw& own = pin != throws.rend()
@@ -98,13 +102,6 @@ std::vector<Throw> crank_throws(std::span<const Cylinder> cylinders, double cran
     return throws;
 }
 
-std::optional<std::size_t> rods_per_throw(std::span<const Throw> throws) {
-    const bool alike = std::all_of(throws.begin(), throws.end(), [&](const Throw& each) {
-        return each.cylinders.size() == throws.front().cylinders.size();
-    });
-    return alike && !throws.empty() ? std::optional(throws.front().cylinders.size()) : std::nullopt;
-}
-
 std::vector<const Throw*> kinds_of_throw(std::span<const Throw> throws) {
     std::map<std::size_t, const Throw*> kinds;
     for (const Throw& each : throws) {
@@ -118,12 +115,9 @@ std::vector<const Throw*> kinds_of_throw(std::span<const Throw> throws) {
     return found;
 }
 
-Message describe_difference(std::span<const Throw> throws) {
-    const auto [minimum, maximum] = std::minmax_element(
-        throws.begin(), throws.end(),
-        [](const Throw& a, const Throw& b) { return a.cylinders.size() < b.cylinders.size(); });
-    return {Text::tr("throws with %1 and with %2 rods"), minimum->cylinders.size(),
-            maximum->cylinders.size()};
+std::optional<std::size_t> rods_per_throw(std::span<const Throw> throws) {
+    const auto kinds = kinds_of_throw(throws);
+    return kinds.size() == 1 ? std::optional(kinds.front()->cylinders.size()) : std::nullopt;
 }
 
 std::vector<Message> articulated_rod_notes(std::span<const Throw> throws,
@@ -132,34 +126,28 @@ std::vector<Message> articulated_rod_notes(std::span<const Throw> throws,
     std::vector<Message> notes;
     for (const Throw& each : throws) {
         // From the front to the rear: those of one plane follow one another.
-        std::string plane;
-        std::size_t count = 0;
-        std::string widest;
-        std::size_t maximum = 0;
-        double last = 0.0;
+        std::vector<std::size_t> plane;
+        std::vector<std::size_t> widest;
         for (const std::size_t i : each.cylinders) {
             if (cylinders[i].articulated) {
                 continue;
             }
-            const double position = cylinders[i].axial_position;
-            if (count == 0 || std::abs(position - last) > same_plane * crank_radius) {
+            if (!plane.empty() &&
+                std::abs(cylinders[i].axial_position - cylinders[plane.back()].axial_position) >
+                    same_plane * crank_radius) {
                 plane.clear();
-                count = 0;
             }
-            plane += (count == 0 ? "" : ", ") + std::to_string(i + 1);
-            ++count;
-            last = position;
-            if (count > maximum) {
-                maximum = count;
+            plane.push_back(i);
+            if (plane.size() > widest.size()) {
                 widest = plane;
             }
         }
-        if (maximum >= 3) {
+        if (widest.size() >= 3) {
             notes.emplace_back(
                 Text::tr("Cylinders %1 share a crankpin but are computed as plain rods: "
                          "\"Articulated rods\" above the table adds a second order of 5 to 12 % "
                          "and uneven dead centres."),
-                widest);
+                numbers_of(widest));
         }
     }
     return notes;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "case-file/message.h"
@@ -17,6 +18,9 @@ struct Throw {
     double crankpin_angle = 0.0;         ///< κ, rad
 };
 
+/// "1, 4" of indices.
+std::string numbers_of(std::span<const std::size_t> cylinders);
+
 /// The throws, from the front to the rear. Rods share a crankpin where it is at the same angle for
 /// both, their cylinders are in different directions, and they are less than the crank radius apart
 /// along the crank (0 where they are forked, else the width of a big end).
@@ -27,9 +31,6 @@ std::optional<std::size_t> rods_per_throw(std::span<const Throw> throws);
 
 /// One throw for each number of rods, from the fewest to the most: the first with that number.
 std::vector<const Throw*> kinds_of_throw(std::span<const Throw> throws);
-
-/// Why a mass for each throw cannot be shared out: "throws carry from 1 to 2 rods".
-Message describe_difference(std::span<const Throw> throws);
 
 /// What the model leaves out of a radial: three rods or more cannot run on one pin in one plane, so
 /// all but one of them hang on the master rod. One sentence for each throw where none of them is

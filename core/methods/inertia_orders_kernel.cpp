@@ -22,12 +22,12 @@ struct OrdersCase {
     double evaluations() const { return 1.0; }
 };
 
-void put(const CylinderOrders<double>& orders, std::span<double> out) {
+void put(const CylinderOrders& orders, std::span<double> out) {
     std::fill(out.begin(), out.end(), 0.0);
     for (std::size_t k = 0; k < stored; ++k) {
-        if (k < orders.force.size()) {
-            out[2 * k] = orders.force[k].cos;
-            out[2 * k + 1] = orders.force[k].sin;
+        if (k < orders.along.size()) {
+            out[2 * k] = orders.along[k].cos;
+            out[2 * k + 1] = orders.along[k].sin;
         }
         if (k < orders.torque.size()) {
             out[2 * stored + 2 * k] = orders.torque[k].cos;
@@ -45,14 +45,14 @@ Message rejection_of(const OrdersCase& problem) {
 }
 
 /// Orders that fold onto others are not there; they are left zero.
-CylinderOrders<double> transformed(const SliderCrank<double>& crank, std::size_t samples) {
+CylinderOrders transformed(const SliderCrank<double>& crank, std::size_t samples) {
     const UniformTransform<double> transform(samples);
     const int known = std::min(max_order, static_cast<int>(samples) / 2 - 1);
-    return inertia_moments::exact_cylinder_orders(crank, known, transform, false);
+    return inertia_moments::exact_cylinder_orders(crank, 0.0, known, transform);
 }
 
 Method<OrdersCase> method_of(MethodInfo info,
-                             CylinderOrders<double> (*orders)(const OrdersCase&, double setting)) {
+                             CylinderOrders (*orders)(const OrdersCase&, double setting)) {
     return {std::move(info), [orders](const OrdersCase& problem, double setting) -> Run {
                 return [&problem, orders, setting](std::span<double> out) {
                     Message rejection = rejection_of(problem);
@@ -143,7 +143,7 @@ Kernel inertia_orders_kernel() {
              false},
             [](const OrdersCase& problem, double) {
                 return inertia_moments::two_term_cylinder_orders(
-                    problem.crank.lambda(), problem.crank.relative_offset(), false);
+                    problem.crank.lambda(), problem.crank.relative_offset(), 0.0);
             }),
         method_of({"transform",
                    Text::tr("discrete Fourier transform"),

@@ -6346,10 +6346,6 @@
         <translation>должно быть не больше %1 — вращающейся массы одного цилиндра</translation>
     </message>
     <message>
-        <source>The articulated rods of cylinders %1 have a knuckle radius of 0: they move as plain rods on the crankpin.</source>
-        <translation>У прицепных шатунов цилиндров %1 радиус прицепа 0: они движутся как обычные шатуны на шейке.</translation>
-    </message>
-    <message>
         <source>axial position</source>
         <translation>положение вдоль вала</translation>
     </message>

@@ -189,7 +189,8 @@ TEST(Counterweights, ShaftsCancelWhatTheCounterweightsLeave) {
     EXPECT_LT(result.remaining.order(1).force.max(), 1e-10 * result.exact.order(1).force.max());
     EXPECT_LT(result.remaining.order(1).moment.max(), 1e-10 * result.exact.order(1).moment.max());
     for (std::size_t i = 0; i < result.curves.crank_angle.size(); i += 17) {
-        const Wrench sum = sum_of_orders(result.remaining, result.curves.crank_angle[i]);
+        const test::Wrench sum =
+            test::sum_of_orders(result.remaining, result.curves.crank_angle[i]);
         EXPECT_NEAR(result.remaining_curves.force_x[i], sum.force.real(),
                     1e-6 * result.engine.force_unit());
         EXPECT_NEAR(result.remaining_curves.moment_y[i], sum.moment.imag(),

@@ -94,6 +94,29 @@ inline Input irregular_star() {
     return input;
 }
 
+/// Forces and moments at one instant, N and N·m.
+struct Wrench {
+    Complex force, moment;
+    double inertia_roll = 0.0;
+    double reaction_torque = 0.0;
+    double roll() const { return inertia_roll + reaction_torque; }
+};
+
+inline Wrench first_of(const WrenchCurves& curves) {
+    return {{curves.force_x[0], curves.force_y[0]},
+            {curves.moment_x[0], curves.moment_y[0]},
+            curves.inertia_roll[0],
+            curves.reaction_torque[0]};
+}
+
+inline Wrench exact_wrench(const Engine& engine, double crank_angle) {
+    return first_of(exact_curves(engine, {crank_angle}));
+}
+
+inline Wrench sum_of_orders(const EngineOrders& orders, double crank_angle) {
+    return first_of(with_orders(WrenchCurves({crank_angle}), orders));
+}
+
 /// Forces, moments and the reaction of one are those of the other.
 inline void expect_near(const Wrench& found, const Wrench& expected, double tolerance) {
     EXPECT_NEAR(std::abs(found.force - expected.force), 0.0, tolerance);

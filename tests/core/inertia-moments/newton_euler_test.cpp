@@ -102,7 +102,7 @@ TEST(RigidRods, AgreeWithNewtonEuler) {
             for (int i = 0; i < 50; ++i) {
                 const double phi = 0.13 * i;
                 const Loads truth = free_bodies(input, phi);
-                const Wrench wrench = exact_wrench(engine, phi);
+                const test::Wrench wrench = test::exact_wrench(engine, phi);
                 const Complex turn = crankpin_direction(engine) * std::polar(1.0, phi);
                 const Complex force = wrench.force + rotating.force() * turn;
                 const Complex moment =

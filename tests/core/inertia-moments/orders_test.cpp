@@ -9,8 +9,11 @@
 namespace ravnoves::inertia_moments {
 namespace {
 
+using test::exact_wrench;
 using test::irregular;
+using test::sum_of_orders;
 using test::vr5;
+using test::Wrench;
 
 Input single(double crank_radius, double rod_length, double offset) {
     Input input;
@@ -84,6 +87,8 @@ TEST(ExactOrders, SumOverOrdersIsTheTimeCurve) {
     Input with_rod = irregular();
     with_rod.rod = RigidRod{0.5, 0.04, 0.003};
     for (const Input& input : {irregular(), vr5(), with_rod, test::irregular_star()}) {
+        Input with_step = input;
+        with_step.step = 5.0 * degree;
         const Engine engine = make_engine(input);
         const EngineOrders orders = exact_orders(engine, 40, 1e-15);
         const double unit = engine.force_unit();
@@ -97,14 +102,14 @@ TEST(ExactOrders, SumOverOrdersIsTheTimeCurve) {
             sum.inertia_roll += mean_roll;
             test::expect_near(exact_wrench(engine, phi), sum, 1e-12 * unit);
         }
-        const WrenchCurves curves = exact_curves(engine, 72);
+        const WrenchCurves curves = solve(with_step).curves;
         ASSERT_EQ(curves.crank_angle.size(), 73U);
         const Wrench at_50 = exact_wrench(engine, 50.0 * degree);
         EXPECT_NEAR(curves.force_x[10], at_50.force.real(), 1e-13 * unit);
         EXPECT_NEAR(curves.moment_y[10], at_50.moment.imag(), 1e-13 * unit);
         EXPECT_NEAR(curves.roll[10], at_50.roll(), 1e-13 * unit);
         EXPECT_EQ(curves.force_x.front(), curves.force_x.back());
-        const WrenchCurves summed = curves_of_orders(orders, 72);
+        const WrenchCurves summed = with_orders(WrenchCurves(curves.crank_angle), orders);
         EXPECT_NEAR(curves.moment_x[33], summed.moment_x[33], 1e-12 * unit);
     }
 }

@@ -263,11 +263,12 @@ TEST(EnginePlots, OverTheAngleAreTheSumOfAllForces) {
     const std::vector<double>& twoTermForce = curveOf(forces, "vertical-two-term").y;
     for (const std::size_t i : {std::size_t{0}, std::size_t{47}, std::size_t{500}}) {
         const double phi = upright.x[i] * degree;
-        const auto exact = inertia_moments::exact_wrench(result.engine, phi);
+        const auto exact = inertia_moments::exact_curves(result.engine, {phi});
         const double scale = reachOf(upright.y);
-        EXPECT_NEAR(upright.y[i], exact.force.imag(), 1e-9 * scale);
-        const auto twoTerm = inertia_moments::sum_of_orders(result.two_term, phi);
-        EXPECT_NEAR(twoTermForce[i], twoTerm.force.imag(), 1e-9 * scale);
+        EXPECT_NEAR(upright.y[i], exact.force_y[0], 1e-9 * scale);
+        const auto twoTerm =
+            inertia_moments::with_orders(inertia_moments::WrenchCurves({phi}), result.two_term);
+        EXPECT_NEAR(twoTermForce[i], twoTerm.force_y[0], 1e-9 * scale);
     }
     // An in-line four: 4 λ m R ω² of second order, and a little of the fourth.
     EXPECT_FALSE(forces.leftRange);
@@ -280,8 +281,9 @@ TEST(EnginePlots, OverTheAngleAreTheSumOfAllForces) {
     const Figure::Curve& roll = curveOf(moments, "roll");
     ASSERT_EQ(roll.x, upright.x);
     for (const std::size_t i : {std::size_t{47}, std::size_t{500}}) {
-        const auto exact = inertia_moments::exact_wrench(result.engine, roll.x[i] * degree);
-        EXPECT_NEAR(roll.y[i], exact.roll(), 1e-9 * std::abs(exact.roll()));
+        const double exact =
+            inertia_moments::exact_curves(result.engine, {roll.x[i] * degree}).roll[0];
+        EXPECT_NEAR(roll.y[i], exact, 1e-9 * std::abs(exact));
     }
     EXPECT_TRUE(curveOf(moments, "roll-left").y.empty());
     // It has no side force: nothing, not rounding.

@@ -235,8 +235,8 @@ Figure ofAllOrders(const InertiaMomentsModel& model) {
         overCycle(force ? EnginePlots::tr("Forces over φ") : EnginePlots::tr("Moments over φ"),
                   unitTitle(force));
     Course course{.exact = trace(result.unbalanced_curves),
-                  .twoTerm = trace(inertia_moments::curves_of_orders(
-                      result.two_term_unbalanced, result.curves.crank_angle.size() - 1)),
+                  .twoTerm = trace(inertia_moments::with_orders(
+                      WrenchCurves(result.curves.crank_angle), result.two_term_unbalanced)),
                   .left = isBalanced(result, force) ? trace(result.remaining_curves) : Trace()};
     course.angle = anglesOfTwoTurns(course.exact.x.size());
     const QString exact =
