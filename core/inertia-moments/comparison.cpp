@@ -8,21 +8,10 @@ namespace ravnoves::inertia_moments {
 
 namespace {
 
-struct Component {
-    Quantity quantity;
-    Plane plane;
-};
-constexpr std::array components{
-    Component{Quantity::force, Plane::horizontal}, Component{Quantity::force, Plane::vertical},
-    Component{Quantity::moment, Plane::horizontal}, Component{Quantity::moment, Plane::vertical},
-    Component{Quantity::roll, Plane::none}};
-
-Harmonic<double> value_of(const EngineOrder& order, const Component& component) {
-    if (component.quantity == Quantity::roll) {
-        return order.roll();
-    }
-    const RotatingPair& pair = component.quantity == Quantity::force ? order.force : order.moment;
-    return component.plane == Plane::horizontal ? pair.horizontal() : pair.vertical();
+/// Of force, moment (horizontal and vertical) and roll moment.
+std::array<Harmonic<double>, 5> components(const EngineOrder& order) {
+    return {order.force.horizontal(), order.force.vertical(), order.moment.horizontal(),
+            order.moment.vertical(), order.roll()};
 }
 
 }  // namespace
@@ -32,28 +21,28 @@ std::vector<Difference> compare(const EngineOrders& exact, const EngineOrders& t
     std::array<double, 3> largest{};
     std::array<double, 3> scale{};
     for (const EngineOrder& order : exact.orders) {
-        for (const Component& component : components) {
-            const auto q = static_cast<std::size_t>(component.quantity);
-            largest[q] = std::max(largest[q], amplitude(value_of(order, component)));
+        const auto values = components(order);
+        for (std::size_t c = 0; c < values.size(); ++c) {
+            largest[c / 2] = std::max(largest[c / 2], amplitude(values[c]));
         }
         scale[0] = std::max(scale[0], order.force_scale);
         scale[1] = std::max(scale[1], order.moment_scale);
         scale[2] = std::max(scale[2], order.roll_scale);
     }
     std::vector<Difference> differences;
-    differences.reserve(exact.orders.size() * components.size());
     for (const EngineOrder& order : exact.orders) {
-        for (const Component& component : components) {
-            const auto q = static_cast<std::size_t>(component.quantity);
-            const Harmonic<double> right = value_of(order, component);
-            Harmonic<double> short_form;
-            if (order.order <= static_cast<int>(two_term.orders.size())) {
-                short_form = value_of(two_term.order(order.order), component);
-            }
+        const auto values = components(order);
+        const bool has_short = order.order <= static_cast<int>(two_term.orders.size());
+        const auto short_forms =
+            components(has_short ? two_term.order(order.order) : EngineOrder());
+        for (std::size_t c = 0; c < values.size(); ++c) {
+            const std::size_t q = c / 2;
+            const Harmonic<double>& right = values[c];
+            Harmonic<double> short_form = short_forms[c];
             Difference d;
             d.order = order.order;
-            d.quantity = component.quantity;
-            d.plane = component.plane;
+            d.quantity = static_cast<Quantity>(q);
+            d.plane = q == 2 ? Plane::none : static_cast<Plane>(c % 2);
             d.exact = amplitude(right);
             const double floor = zero_share * scale[q];
             d.two_term = amplitude(short_form);

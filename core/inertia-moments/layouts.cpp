@@ -73,31 +73,6 @@ int station_count(Arrangement arrangement, int cylinders) {
     return paired ? (cylinders + 1) / 2 : cylinders;
 }
 
-/// Where cylinder i (from 0) stands: its station, its bank (0 or 1), and within a VR block its row.
-struct Place {
-    int station;
-    int bank;
-    int row;
-};
-
-Place place_of(Arrangement arrangement, int i, int cylinders) {
-    switch (arrangement) {
-        case in_line:
-            return {i, 0, 0};
-        case v:
-            return {i / 2, i % 2, 0};
-        case vr:
-            return {i, i % 2, i % 2};
-        case double_vr: {
-            const int half = cylinders / 2;
-            const int block = i < half ? 0 : 1;
-            const int place = i - block * half;
-            return {place, block, place % 2};
-        }
-    }
-    return {i, 0, 0};
-}
-
 const LayoutSpec& require_layout(std::string_view name) {
     const LayoutSpec* spec = find_layout(name);
     RAVNOVES_DEMAND(spec != nullptr, "a layout's name must be known");
@@ -153,33 +128,22 @@ std::vector<Cylinder> make_cylinders(const Layout& layout, double crank_radius, 
     std::vector<Cylinder> cylinders;
     cylinders.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
-        const Place place = place_of(arrangement, i, count);
-        const double bank = place.bank == 0 ? side : -side;
-        const double row = place.row == 0 ? 1.0 : -1.0;
-        Cylinder cylinder;
-        cylinder.axial_position = first - place.station * layout.spacing;
-        cylinder.bank_angle = bank * layout.bank_angle / 2.0;
-        switch (arrangement) {
-            case in_line:
-                cylinder.offset = layout.offset;
-                break;
-            case v:
-                cylinder.offset = bank * layout.offset;
-                cylinder.axial_position -= place.bank * layout.stagger;
-                break;
-            case vr:
-                cylinder.offset = bank * layout.offset;
-                break;
-            case double_vr:
-                cylinder.bank_angle += row * w_inner_angle / 2.0;
-                cylinder.offset = row * layout.offset;
-                cylinder.axial_position -= place.bank * layout.stagger;
-                break;
+        const bool blocks = arrangement == double_vr;
+        const int stations = station_count(arrangement, count);
+        const int station = blocks ? i % stations : arrangement == v ? i / 2 : i;
+        const int bank = blocks ? i / stations : arrangement == in_line ? 0 : i % 2;
+        const double tilt = bank == 0 ? side : -side;
+        const double row = blocks ? (station % 2 == 0 ? 1.0 : -1.0) : 0.0;
+        Cylinder& cylinder = cylinders.emplace_back();
+        cylinder.axial_position = first - station * layout.spacing;
+        if (arrangement != vr) {
+            cylinder.axial_position -= bank * layout.stagger;
         }
+        cylinder.bank_angle = tilt * layout.bank_angle / 2.0 + row * w_inner_angle / 2.0;
+        cylinder.offset = (blocks ? row : arrangement == in_line ? 1.0 : tilt) * layout.offset;
         if (spec != nullptr && !spec->even_firing_pins) {
             cylinder.crankpin_angle = spec->pins_deg[static_cast<std::size_t>(i)] * degree;
         }
-        cylinders.push_back(cylinder);
     }
     if (spec == nullptr || spec->even_firing_pins) {
         set_even_firing(cylinders, layout.firing_order, crank_radius, lambda, cycle);
