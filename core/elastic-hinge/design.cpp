@@ -13,12 +13,6 @@
 
 namespace ravnoves::elastic_hinge {
 
-namespace {
-
-constexpr int table_samples = 721;
-
-}  // namespace
-
 std::shared_ptr<const AngleGrid> angle_grid(int samples) {
     thread_local std::shared_ptr<const AngleGrid> kept;
     const auto n = static_cast<std::size_t>(std::max(samples, 13));
@@ -41,32 +35,25 @@ std::shared_ptr<const AngleGrid> angle_grid(int samples) {
     return kept;
 }
 
-std::vector<AngleState> turn_states(const Mechanism<double>& mechanism, double static_moment,
-                                    Kinematics kinematics, const AngleGrid& grid,
-                                    bool with_moments) {
-    std::vector<AngleState> states(grid.size());
-    visit_turn(mechanism, static_moment, kinematics, grid, with_moments,
-               [&](std::size_t i, const AngleState& state) { states[i] = state; });
-    return states;
-}
-
-Design::Design(const Input& input, bool with_rod, bool with_moments)
+Design::Design(const Input& input, bool with_rod, bool with_moments, int samples)
     : mechanism_((check_input(input), mechanism_of(input))),
       omega_(input.angular_speed),
       kinematics_(input.kinematics),
-      sharp_(input.lambda > 0.97) {
+      sharp_(input.lambda > 0.97),
+      grid_(angle_grid(samples)),
+      states_(grid_->size()) {
     const bool solved = input.rod_counterweight && !input.rod_counterweight->mass;
     static_moment_ = solved ? 0.0 : mechanism_.static_moment();
     integral_ = elastic_hinge::rod_hinge_integral(mechanism_, static_moment_, kinematics_);
-    states_ = turn_states(mechanism_, static_moment_, kinematics_, *angle_grid(table_samples),
-                          with_moments);
+    visit_turn(mechanism_, static_moment_, kinematics_, *grid_, with_moments,
+               [&](std::size_t i, const AngleState& state) { states_[i] = state; });
     if (has_exact_kinematics() && with_rod) {
         tabulate_work();
-        find_range(Hinge::crank_with_rod);
-        find_range(Hinge::rod);
+        find_range(Hinge::crank_with_rod, true);
+        find_range(Hinge::rod, true);
     }
     if (has_exact_kinematics()) {
-        find_range(Hinge::crank);
+        find_range(Hinge::crank, with_moments);
     }
 }
 
@@ -88,9 +75,7 @@ double Design::work_slope(double phi) const {
 }
 
 void Design::tabulate_work() {
-    const auto kept = angle_grid(table_samples);
-    const AngleGrid& grid = *kept;
-    const std::size_t n = grid.size();
+    const std::size_t n = grid_->size();
     const double step = two_pi / static_cast<double>(n - 1);
     const double mean = rod_hinge_mean();
     std::vector<double> slope(n);
@@ -105,7 +90,7 @@ void Design::tabulate_work() {
     if (sharp_) {
         work_.assign(n, 0.0);
         for (std::size_t i = 0; i + 1 < n; ++i) {
-            work_[i + 1] = work_[i] + integrate_work(grid.angle[i], grid.angle[i + 1]);
+            work_[i + 1] = work_[i] + integrate_work(grid_->angle[i], grid_->angle[i + 1]);
         }
         return;
     }
@@ -179,10 +164,11 @@ Demand Design::demand(Hinge hinge, double phi) const {
     return demand(hinge, phi, state, rise, rod_work(phi));
 }
 
-void Design::find_range(Hinge hinge) {
-    const auto kept = angle_grid(table_samples);
-    const AngleGrid& grid = *kept;
+void Design::find_range(Hinge hinge, bool with_demands) {
+    const AngleGrid& grid = *grid_;
     const std::size_t n = grid.size();
+    std::vector<Demand>& demands = demands_[static_cast<int>(hinge)];
+    demands.reserve(with_demands ? n : 0);
     DemandRange& range = ranges_[static_cast<int>(hinge)];
     const auto take = [&](double phi, double energy) {
         if (energy < range.min) {
@@ -200,6 +186,9 @@ void Design::find_range(Hinge hinge) {
             energy_rise(mechanism_, omega_, grid.sin_phi[i], grid.cos_phi[i], states_[i].inertia);
         const Demand here =
             demand(hinge, grid.angle[i], states_[i], rise, hinge == Hinge::crank ? 0.0 : work_[i]);
+        if (with_demands) {
+            demands.push_back(here);
+        }
         if ((before < 0.0 && here.moment > 0.0) || (before > 0.0 && here.moment < 0.0)) {
             // An extremum of the energy is a zero of the moment, and well conditioned as that.
             std::uintmax_t steps = 60;
@@ -215,10 +204,6 @@ void Design::find_range(Hinge hinge) {
         }
         before = here.moment;
     }
-}
-
-DemandRange Design::range(Hinge hinge) const {
-    return ranges_[static_cast<int>(hinge)];
 }
 
 }  // namespace ravnoves::elastic_hinge

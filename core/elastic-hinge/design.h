@@ -72,10 +72,6 @@ void visit_turn(const Mechanism<double>& mechanism, double static_moment, Kinema
     }
 }
 
-std::vector<AngleState> turn_states(const Mechanism<double>& mechanism, double static_moment,
-                                    Kinematics kinematics, const AngleGrid& grid,
-                                    bool with_moments = true);
-
 /// Which hinge a guide is for.
 enum class Hinge {
     crank,           ///< between frame and crank: gives M; turns through φ
@@ -108,9 +104,11 @@ struct DemandRange {
 class Design {
   public:
     /// @param with_rod  else nothing may be asked of the rod's hinge, nor of the crank's beside it
-    /// @param with_moments  of the states; with_rod needs them
+    /// @param with_moments  of the states, and with demands; with_rod needs them
+    /// @param samples  crank angles of the grid
     /// @throws InputError as check_input()
-    explicit Design(const Input& input, bool with_rod = true, bool with_moments = true);
+    explicit Design(const Input& input, bool with_rod = true, bool with_moments = true,
+                    int samples = 721);
 
     const Mechanism<double>& mechanism() const { return mechanism_; }
     double angular_speed() const { return omega_; }
@@ -136,15 +134,18 @@ class Design {
     /// The same from the known state of that angle (for whole curves).
     Demand demand(Hinge hinge, double phi, const AngleState& state, const EnergyRise<double>& rise,
                   double work) const;
-    DemandRange range(Hinge hinge) const;
+    const DemandRange& range(Hinge hinge) const { return ranges_[static_cast<int>(hinge)]; }
 
-    /// States and rod_work() at the 721 angles of angle_grid(721); the work is empty for λ = 1.
+    /// States and demands at the angles of the grid; no demands for λ = 1 and without moments.
+    const AngleGrid& grid() const { return *grid_; }
     const std::vector<AngleState>& states() const { return states_; }
-    const std::vector<double>& work_table() const { return work_; }
+    const std::vector<Demand>& demands(Hinge hinge) const {
+        return demands_[static_cast<int>(hinge)];
+    }
 
   private:
     void tabulate_work();
-    void find_range(Hinge hinge);
+    void find_range(Hinge hinge, bool with_demands);
     double work_slope(double phi) const;
     double integrate_work(double from, double to) const;
 
@@ -153,8 +154,10 @@ class Design {
     Kinematics kinematics_;
     double static_moment_;
     double integral_;
-    bool sharp_;  ///< λ so near 1 that the table's step is too coarse for interpolation
+    bool sharp_;  ///< λ so near 1 that the grid's step is too coarse for interpolation
+    std::shared_ptr<const AngleGrid> grid_;
     std::vector<AngleState> states_;
+    std::vector<Demand> demands_[3];
     std::vector<double> work_;
     std::function<double(double)> interpolated_work_;
     DemandRange ranges_[3];

@@ -20,56 +20,38 @@ inline constexpr Field masses{
     .key = "masses_kg", .hint = Text::tr("Masses of crank, rod and slider, instead of weights.")};
 
 inline constexpr Range weight_range = Range::between(0, 1e9);  ///< N
-inline constexpr Range mass_range = Range::between(0, 1e8);    ///< kg
-inline constexpr Text crank_hint = Text::tr("The crank is a uniform bar of length r.");
-inline constexpr Text rod_hint = Text::tr("The rod is a uniform bar of length r/λ.");
-inline constexpr Text slider_hint = Text::tr("All parts that move along the slider line.");
 // Together they must be more than 0. The unit of weights is made with gravity, by as_weight().
 inline constexpr Field crank_weight{
     .key = "crank",
     .range = weight_range,
     .label = Text::tr("C&rank P₁"),
     .symbol = "P₁",
-    .hint = crank_hint,
+    .hint = Text::tr("The crank is a uniform bar of length r."),
 };
 inline constexpr Field rod_weight{
     .key = "rod",
     .range = weight_range,
     .label = Text::tr("Ro&d P₂"),
     .symbol = "P₂",
-    .hint = rod_hint,
+    .hint = Text::tr("The rod is a uniform bar of length r/λ."),
 };
 inline constexpr Field slider_weight{
     .key = "slider",
     .range = weight_range,
     .label = Text::tr("S&lider P₃"),
     .symbol = "P₃",
-    .hint = slider_hint,
+    .hint = Text::tr("All parts that move along the slider line."),
 };
-inline constexpr Field crank_mass{
-    .key = "crank",
-    .unit = units::kg,
-    .range = mass_range,
-    .label = Text::tr("C&rank m₁"),
-    .symbol = "m₁",
-    .hint = crank_hint,
-};
-inline constexpr Field rod_mass{
-    .key = "rod",
-    .unit = units::kg,
-    .range = mass_range,
-    .label = Text::tr("Ro&d m₂"),
-    .symbol = "m₂",
-    .hint = rod_hint,
-};
-inline constexpr Field slider_mass{
-    .key = "slider",
-    .unit = units::kg,
-    .range = mass_range,
-    .label = Text::tr("S&lider m₃"),
-    .symbol = "m₃",
-    .hint = slider_hint,
-};
+constexpr Field as_mass(Field weight, Text label, std::string_view symbol) {
+    weight.unit = units::kg;
+    weight.range = Range::between(0, 1e8);
+    weight.label = label;
+    weight.symbol = symbol;
+    return weight;
+}
+inline constexpr Field crank_mass = as_mass(crank_weight, Text::tr("C&rank m₁"), "m₁");
+inline constexpr Field rod_mass = as_mass(rod_weight, Text::tr("Ro&d m₂"), "m₂");
+inline constexpr Field slider_mass = as_mass(slider_weight, Text::tr("S&lider m₃"), "m₃");
 inline constexpr Field gravity{
     .key = "gravity_m_s2",
     .range = Range::between(1e-3, 1e3),

@@ -111,6 +111,17 @@ double Spring::preload() const {
     return std::abs(0.5 * free_length - guide_radius_at_zero);
 }
 
+double Spring::start_radius(Branch branch) const {
+    const bool given = (guide_radius_at_zero < 0.5 * free_length) == (branch == Branch::compressed);
+    return given ? guide_radius_at_zero : free_length - guide_radius_at_zero;
+}
+
+double guide_radius(const Spring& spring, Branch branch, double q) {
+    const double d0 = spring.preload();
+    const double change = q == 0.0 ? 0.0 : q / (d0 + std::sqrt(d0 * d0 - q));
+    return spring.start_radius(branch) + (branch == Branch::compressed ? change : -change);
+}
+
 double GuidePoint::curvature() const {
     const double square = radius * radius + slope * slope;
     return (square + slope * slope - radius * second) / (square * std::sqrt(square));
@@ -128,19 +139,12 @@ PlanePoint offset_point(const GuidePoint& point, double distance) {
 
 GuideShape::GuideShape(std::shared_ptr<const Design> design, Hinge hinge, const Spring& spring,
                        GuideSign sign)
-    : design_(std::move(design)),
-      hinge_(hinge),
-      spring_{spring.stiffness, spring.free_length, spring.guide_radius_at_zero} {
+    : design_(std::move(design)), hinge_(hinge), spring_(spring) {
     const bool reversed = sign == GuideSign::as_printed && hinge != Hinge::rod;
     scale_ = (reversed ? -0.5 : 0.5) / spring.stiffness;
     const double preload = spring.preload();
     rounding_ = 8.0 * std::numeric_limits<double>::epsilon() * preload *
                 (preload + 0.5 * spring.free_length);
-}
-
-Branch GuideShape::branch() const {
-    return spring_.radius_at_zero > 0.5 * spring_.free_length ? Branch::stretched
-                                                              : Branch::compressed;
 }
 
 std::pair<GuidePoint, GuidePoint> GuideShape::both(const Demand& demand) const {
@@ -178,37 +182,15 @@ double GuideShape::energy(double radius) const {
     return 0.5 * spring_.stiffness * change * change;
 }
 
-double GuideShape::min_given_out() const {
+DemandRange GuideShape::given_out() const {
     const DemandRange range = design_->range(hinge_);
-    return scale_ > 0.0 ? scale_ * range.min : scale_ * range.max;
-}
-
-double GuideShape::max_given_out() const {
-    const DemandRange range = design_->range(hinge_);
-    return scale_ > 0.0 ? scale_ * range.max : scale_ * range.min;
-}
-
-double GuideShape::max_angle() const {
-    const DemandRange range = design_->range(hinge_);
-    return scale_ > 0.0 ? range.max_angle : range.min_angle;
+    return scale_ > 0.0 ? DemandRange{scale_ * range.min, scale_ * range.max, range.min_angle,
+                                      range.max_angle}
+                        : DemandRange{scale_ * range.max, scale_ * range.min, range.max_angle,
+                                      range.min_angle};
 }
 
 namespace {
-
-/// Of the hinge over a turn, N·m.
-/// @param step  of the demands, rad
-double largest_moment(const Design& design, Hinge hinge, const std::vector<Demand>& demands,
-                      double step) {
-    const auto hinge_moment = [](const Demand& demand) {
-        return std::abs(demand.moment * demand.dpolar);
-    };
-    Maximum largest;
-    for (std::size_t i = 0; i < demands.size(); ++i) {
-        largest.take(hinge_moment(demands[i]), step * static_cast<double>(i));
-    }
-    largest.sharpen([&](double phi) { return hinge_moment(design.demand(hinge, phi)); }, step);
-    return largest.value;
-}
 
 /// Why there is no guide where the preload is too small.
 Message preload_reason(const Guide& guide) {
@@ -226,30 +208,10 @@ Message preload_reason(const Guide& guide) {
     return reason;
 }
 
-/// What the waves of the input's profile error do.
-/// @param moment      the hinge's largest, N·m
-/// @param deflection  the spring's largest |ℓ₀/2 − ρ|, m
-/// @param steepest    largest ρ′² + (n d)², m²
-ProfileError profile_error(const Input& input, const Spring& spring, double moment,
-                           double deflection, double steepest) {
-    const double amplitude = input.profile_error;
-    const double waves = input.profile_error_waves;
-    ProfileError error;
-    error.amplitude = amplitude;
-    error.waves = input.profile_error_waves;
-    // Π = 2c (d + η)²: its error is 2c (2 d η + η²), that of the moment the derivative of it.
-    error.torque =
-        4.0 * spring.stiffness * amplitude * (std::sqrt(steepest) + 0.5 * waves * amplitude);
-    error.energy = 2.0 * spring.stiffness * amplitude * (2.0 * deflection + amplitude);
-    error.relative = moment > 0.0 ? error.torque / moment : 0.0;
-    return error;
-}
-
 }  // namespace
 
 Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
-                 const std::optional<Spring>& spring, const Input& input,
-                 const std::vector<Demand>& demands) {
+                 const std::optional<Spring>& spring, const Input& input, bool by_angle) {
     Guide guide;
     guide.hinge = hinge;
     if (!design->has_exact_kinematics()) {
@@ -270,24 +232,23 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     guide.branch = shape->branch();
     guide.preload = spring->preload();
 
-    const double maximum = std::max(shape->max_given_out(), 0.0);
-    const double minimum = std::min(shape->min_given_out(), 0.0);
-    guide.minimum_preload = std::sqrt(maximum);
-    guide.worst_angle = shape->max_angle();
+    const DemandRange given_out = shape->given_out();
+    guide.minimum_preload = std::sqrt(given_out.max);
+    guide.worst_angle = given_out.max_angle;
     const double square = guide.preload * guide.preload;
     if (square > 0.0) {
-        guide.minimum_stiffness = spring->stiffness * (maximum / square);
+        guide.minimum_stiffness = spring->stiffness * (given_out.max / square);
     }
-    const std::size_t n = demands.size();
-    const double step = two_pi / static_cast<double>(std::max<std::size_t>(n, 2) - 1);
-    guide.largest_moment = largest_moment(shape->design(), hinge, demands, step);
-
-    const bool exists = maximum <= square + shape->rounding();
-    const double lowest = std::sqrt(std::max(square - maximum, 0.0));
-    const double highest = std::sqrt(square - minimum);
+    const bool exists = given_out.max <= square + shape->rounding();
+    const double lowest = std::sqrt(std::max(square - given_out.max, 0.0));
+    const double highest = std::sqrt(square - given_out.min);
     guide.smallest_deflection = lowest;
     const double half_length = 0.5 * spring->free_length;
 
+    // Where it ends is seen angle by angle.
+    const auto& demands = shape->design().demands(hinge);
+    const std::size_t n = by_angle || !exists ? shape->design().grid().size() : 0;
+    const double step = shape->design().grid().angle[1];
     guide.polar_angle.resize(n);
     guide.radius_compressed.resize(n);
     guide.radius_stretched.resize(n);
@@ -295,6 +256,10 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     BranchScan stretched(*shape, Branch::stretched, input.roller_radius);
     const bool fits = half_length > highest;  // a compressed spring keeps a length
     const double waves = input.profile_error_waves;
+    const auto hinge_moment = [](const Demand& demand) {
+        return std::abs(demand.moment * demand.dpolar);
+    };
+    Maximum largest_moment;
     // ρ′² + (n d)², what waves on the profile work by.
     const auto wave_effect = [&](const GuidePoint& outer) {
         const double slope = std::isfinite(outer.slope) ? outer.slope : 0.0;
@@ -304,9 +269,10 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     Maximum steepest_error;
     bool missing = false;
     for (std::size_t i = 0; i < n; ++i) {
-        const Demand& demand = demands[i];
         const double phi = step * static_cast<double>(i);
+        const Demand demand = demands.empty() ? shape->design().demand(hinge, phi) : demands[i];
         const auto [inner, outer] = shape->both(demand);
+        largest_moment.take(hinge_moment(demand), phi);
         guide.polar_angle[i] = demand.polar_angle;
         guide.radius_stretched[i] = outer.radius;
         guide.radius_compressed[i] = inner.radius > 0.0 ? inner.radius : nothing;
@@ -326,6 +292,10 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
         }
     }
 
+    largest_moment.sharpen(
+        [&](double phi) { return hinge_moment(shape->design().demand(hinge, phi)); }, step);
+    guide.largest_moment = largest_moment.value;
+
     if (!exists) {
         guide.problem = GuideProblem::preload_too_small;
         if (!missing) {
@@ -337,7 +307,7 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
 
     steepest_error.sharpen(
         [&](double phi) { return wave_effect(shape->at(Branch::stretched, phi)); }, step);
-    guide.relief = highest + lowest > 0.0 ? (maximum - minimum) / (highest + lowest) : 0.0;
+    guide.relief = highest + lowest > 0.0 ? given_out.span() / (highest + lowest) : 0.0;
     guide.spring_travel = 2.0 * guide.relief;
     guide.largest_spring_force = 2.0 * spring->stiffness * highest;
     guide.smallest_spring_force = 2.0 * spring->stiffness * lowest;
@@ -346,8 +316,15 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
         guide.compressed = compressed.finish(half_length - highest, half_length - lowest, step);
     }
 
-    guide.error =
-        profile_error(input, *spring, guide.largest_moment, highest, steepest_error.value);
+    // Π = 2c (d + η)²: its error is 2c (2 d η + η²), that of the moment the derivative of it.
+    const double amplitude = input.profile_error;
+    const double force = 2.0 * spring->stiffness * amplitude;
+    guide.error.amplitude = amplitude;
+    guide.error.waves = input.profile_error_waves;
+    guide.error.torque = force * (2.0 * std::sqrt(steepest_error.value) + waves * amplitude);
+    guide.error.energy = force * (2.0 * highest + amplitude);
+    guide.error.relative =
+        guide.largest_moment > 0.0 ? guide.error.torque / guide.largest_moment : 0.0;
 
     if (guide.branch == Branch::compressed && !fits) {
         guide.problem = GuideProblem::radius_not_positive;

@@ -7,7 +7,6 @@
 
 #include "case-file/message.h"
 #include "elastic-hinge/design.h"
-#include "elastic-hinge/guide_formula.h"
 #include "elastic-hinge/input.h"
 
 namespace ravnoves::elastic_hinge {
@@ -33,6 +32,12 @@ struct PlanePoint {
 /// that a roller of that radius touches.
 PlanePoint offset_point(const GuidePoint& point, double distance);
 
+/// (3), ρ = ℓ₀/2 ∓ √(ℓ₀²/4 − B) with B = ℓ₀ρ₀ − ρ₀² + q, without cancellation:
+/// ρ = ρ₀ ± q / (d₀ + √(d₀² − q)), m.
+/// @param q  energy that the spring gives out since φ = 0, divided by 2c, m²; at most the square of
+/// the preload d₀, else the guide does not exist there (not a number)
+double guide_radius(const Spring& spring, Branch branch, double q);
+
 /// The guide as a function of the crank angle: equation (3) for one hinge, one spring.
 ///
 /// Owns its design; const members may run in several threads.
@@ -45,9 +50,12 @@ class GuideShape {
 
     Hinge hinge() const { return hinge_; }
     const Design& design() const { return *design_; }
-    const GuideSpring<double>& spring() const { return spring_; }
+    const Spring& spring() const { return spring_; }
     /// The branch of ρ₀.
-    Branch branch() const;
+    Branch branch() const {
+        return spring_.guide_radius_at_zero > 0.5 * spring_.free_length ? Branch::stretched
+                                                                        : Branch::compressed;
+    }
 
     /// At a crank angle in rad, any; the radius is not a number where the spring would have to
     /// give out more than it stores.
@@ -59,26 +67,19 @@ class GuideShape {
     std::pair<GuidePoint, GuidePoint> both(const Demand& demand) const;
     /// What (3) calls B − ℓ₀ρ₀ + ρ₀²: energy given out / 2c, m².
     double given_out(const Demand& demand) const { return scale_ * demand.energy; }
-    /// Half the change of the spring's length, m.
-    double deflection(const Demand& demand) const {
-        return guide_deflection(spring_, given_out(demand));
-    }
+    /// The same over the turn.
+    DemandRange given_out() const;
     /// Energy in the spring at a radius, ½ c (ℓ₀ − 2ρ)², J.
     double energy(double radius) const;
 
     /// Negative rounding of preload² − given_out(), m²: a preload of exactly the minimum makes a
     /// guide.
     double rounding() const { return rounding_; }
-    /// Minimum and maximum of given_out() over the turn, m².
-    double min_given_out() const;
-    double max_given_out() const;
-    /// The crank angle of the maximum, rad.
-    double max_angle() const;
 
   private:
     std::shared_ptr<const Design> design_;
     Hinge hinge_;
-    GuideSpring<double> spring_;
+    Spring spring_;
     double scale_;     ///< ± 1 / (2c), m²/J
     double rounding_;  ///< of preload² − energy given out, m²
 };
@@ -151,10 +152,9 @@ struct Guide {
     }
 };
 
-/// Builds the guide at the given demands (over one turn, both ends included); without them only
-/// what their range tells.
+/// Builds the guide.
+/// @param by_angle  else only what the range of the demands tells
 Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
-                 const std::optional<Spring>& spring, const Input& input,
-                 const std::vector<Demand>& demands);
+                 const std::optional<Spring>& spring, const Input& input, bool by_angle);
 
 }  // namespace ravnoves::elastic_hinge

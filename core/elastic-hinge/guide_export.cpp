@@ -99,15 +99,6 @@ class ClosedPolyline {
     std::vector<PlanePoint> result_;
 };
 
-std::vector<DxfDocument::Point> in_millimetres(const std::vector<PlanePoint>& points) {
-    std::vector<DxfDocument::Point> result;
-    result.reserve(points.size());
-    for (const PlanePoint& point : points) {
-        result.push_back({point.x / units::mm, point.y / units::mm});
-    }
-    return result;
-}
-
 std::vector<std::string> note_lines(const Guide& guide, const GuideDrawing& drawing) {
     std::vector<std::string> lines;
     if (!drawing.title.empty()) {
@@ -141,24 +132,16 @@ std::vector<std::string> note_lines(const Guide& guide, const GuideDrawing& draw
 
 GuideOutline guide_outline(const Guide& guide, const GuideDrawing& drawing) {
     check_drawing(guide, drawing);
-    const GuideShape& shape = *guide.shape;
-    const double offset = offset_of(drawing);
-    GuideOutline outline;
-    outline.roller_path =
-        ClosedPolyline(
-            [&](double phi) {
-                return in_guide_axes(offset_point(shape.at(drawing.branch, phi), 0.0), drawing);
-            },
-            drawing.chord_tolerance)
+    const auto line_at = [&](double offset) {
+        return ClosedPolyline(
+                   [&](double phi) {
+                       const GuidePoint point = guide.shape->at(drawing.branch, phi);
+                       return in_guide_axes(offset_point(point, offset), drawing);
+                   },
+                   drawing.chord_tolerance)
             .points();
-    outline.profile =
-        ClosedPolyline(
-            [&](double phi) {
-                return in_guide_axes(offset_point(shape.at(drawing.branch, phi), offset), drawing);
-            },
-            drawing.chord_tolerance)
-            .points();
-    return outline;
+    };
+    return {line_at(0.0), line_at(offset_of(drawing))};
 }
 
 std::string guide_dxf(const Guide& guide, const GuideDrawing& drawing) {
@@ -171,9 +154,10 @@ std::string guide_dxf(const Guide& guide, const GuideDrawing& drawing) {
     double reach = 0.0;
     for (const auto& [points, layer] :
          {std::pair{&outline.profile, "PROFILE"}, std::pair{&outline.roller_path, "ROLLER_PATH"}}) {
-        std::vector<DxfDocument::Point> line = in_millimetres(*points);
-        for (const DxfDocument::Point& point : line) {
-            reach = std::max(reach, std::hypot(point.x, point.y));
+        std::vector<DxfDocument::Point> line;
+        for (const PlanePoint& point : *points) {
+            line.push_back({point.x / units::mm, point.y / units::mm});
+            reach = std::max(reach, std::hypot(line.back().x, line.back().y));
         }
         dxf.polyline(std::move(line), closed, layer);
     }

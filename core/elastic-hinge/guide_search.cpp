@@ -45,27 +45,30 @@ double deflection_with_margin(const GuideWish& wish, double max_share) {
 
 }  // namespace
 
-GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hinge, GuideSign sign,
-                           Branch branch, double free_length, double roller_radius,
-                           const GuideWish& wish) {
+GuideProposal search_guide(const std::shared_ptr<const Design>& design, const Input& input,
+                           Branch branch) {
     GuideProposal proposal;
     proposal.branch = branch;
-    proposal.smallest_spring_length = wish.shortest(free_length);
     const auto reject = [&](Message reason) {
         proposal.reason = std::move(reason);
         return proposal;
     };
+    if (!input.spring) {
+        return reject(Text::tr("no spring is given: enter its free length"));
+    }
     if (!design->has_exact_kinematics()) {
         return reject(Text::tr("at λ = 1 the mechanism locks: no guide"));
     }
-    const DemandRange range = design->range(hinge);
+    const DemandRange& range = design->range(Hinge::crank);
     const double span = range.span();
     if (!(span > 0.0)) {
         return reject(Text::tr("the hinge releases no energy: its guide is a circle"));
     }
-    const bool reversed = sign == GuideSign::as_printed && hinge != Hinge::rod;
-    const double max_energy = reversed ? -range.min : range.max;
+    const double max_energy = input.guide_sign == GuideSign::as_printed ? -range.min : range.max;
 
+    const GuideWish wish = input.guide_search.value_or(GuideWish{});
+    const double free_length = input.spring->free_length;
+    const double roller_radius = input.roller_radius;
     const double relief = wish.relief;
     const double half = 0.5 * free_length;
     const double limit = 0.5 * wish.outer_diameter - roller_radius;  // of the roller centre's path
@@ -111,7 +114,7 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         return spring;
     };
     const auto follows = [&](double minimum) {
-        const GuideShape shape(design, hinge, spring_for(minimum), sign);
+        const GuideShape shape(design, Hinge::crank, spring_for(minimum), input.guide_sign);
         const auto roller = largest_roller(shape, branch);
         return !roller || roller_radius <= *roller;
     };
@@ -154,17 +157,19 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
     return proposal;
 }
 
-bool meets_wish(const Guide& guide, double free_length, double roller_radius,
-                const GuideWish& wish) {
+bool meets_wish(const Guide& guide, const Input& input) {
     if (!guide.feasible) {
         return false;
     }
+    const GuideWish wish = input.guide_search.value_or(GuideWish{});
+    const double free_length = input.spring->free_length;
     constexpr double rounding = 1e-6;  // m
     const double shortest = guide.branch == Branch::compressed
                                 ? free_length - 2.0 * (guide.smallest_deflection + guide.relief)
                                 : free_length + 2.0 * guide.smallest_deflection;
     return guide.relief >= wish.relief - rounding &&
-           2.0 * (roller_radius + guide.summary().max_radius) <= wish.outer_diameter + rounding &&
+           2.0 * (input.roller_radius + guide.summary().max_radius) <=
+               wish.outer_diameter + rounding &&
            shortest >= wish.shortest(free_length) - rounding &&
            guide.preload - guide.minimum_preload >= wish.preload_margin - rounding &&
            !guide.summary().undercut;

@@ -17,12 +17,12 @@ struct GuideProposal {
     Spring spring;                        ///< the free length that was given, with new c and ρ₀
     double relief = 0.0;                  ///< m
     double outer_diameter = 0.0;          ///< of profile and rollers together, m
-    double smallest_spring_length = 0.0;  ///< of the proposal, or that was allowed, m
+    double smallest_spring_length = 0.0;  ///< m
     double largest_spring_force = 0.0;    ///< N
     double largest_spring_energy = 0.0;   ///< J
 };
 
-/// Finds c and ρ₀ for a wanted relief.
+/// Finds c and ρ₀ of the crank's hinge for the relief that the input wishes.
 ///
 /// With d = |ℓ₀/2 − ρ| between d_min and d_min + relief and the energy span ΔE that the hinge has
 /// to give out, c = ΔE / (2 relief (2 d_min + relief)): one free number, d_min, is left. The search
@@ -30,16 +30,11 @@ struct GuideProposal {
 /// preload at the weakest place and the wanted margin of the preload over the smallest one, fits
 /// into the outer diameter, keeps the spring longer than its smallest length and lets the roller
 /// follow without undercut.
-/// @param free_length    ℓ₀, m
-/// @param roller_radius  m, ≥ 0
-GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hinge, GuideSign sign,
-                           Branch branch, double free_length, double roller_radius,
-                           const GuideWish& wish);
+/// @param design  of the input
+GuideProposal search_guide(const std::shared_ptr<const Design>& design, const Input& input,
+                           Branch branch);
 
-/// Whether a guide already meets the wish, to a micrometre.
-/// @param free_length    ℓ₀ of its spring, m
-/// @param roller_radius  m, ≥ 0
-bool meets_wish(const Guide& guide, double free_length, double roller_radius,
-                const GuideWish& wish);
+/// Whether the input's guide already meets its wish, to a micrometre.
+bool meets_wish(const Guide& guide, const Input& input);
 
 }  // namespace ravnoves::elastic_hinge

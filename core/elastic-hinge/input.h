@@ -26,6 +26,12 @@ enum class GuideSign {
     as_printed,  ///< Π = const + (T + V), the paper's (1): drawable, keeps no speed constant
 };
 
+/// On which side of its free length the spring works.
+enum class Branch {
+    compressed,  ///< ρ < ℓ₀/2: minus in (3); the guide is outside the rollers
+    stretched,   ///< ρ > ℓ₀/2: plus in (3); the guide is inside the rollers
+};
+
 /// The spring of one hinge; the paper's to begin with.
 struct Spring {
     double stiffness = 2e7;              ///< c, N/m
@@ -33,6 +39,7 @@ struct Spring {
     double guide_radius_at_zero = 0.09;  ///< ρ₀ at φ = 0, m; below ℓ₀/2 compressed, above stretched
 
     double preload() const;  ///< |ℓ₀/2 − ρ₀|, m: half the change of the spring's length at φ = 0
+    double start_radius(Branch branch) const;  ///< at φ = 0 on a branch, m
     bool operator==(const Spring&) const = default;
 };
 

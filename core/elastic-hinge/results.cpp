@@ -216,12 +216,9 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
         visitor.numbers(key::guide_radius_compressed, result.rod_guide.radius_compressed);
         visitor.numbers(key::guide_radius_stretched, result.rod_guide.radius_stretched);
     });
-    if (input.guide_search) {
-        visitor.object({"guide_search", Text::tr("Proposed guide")}, [&] {
-            GuideProposal none;
-            none.reason = Text::tr("no spring is given: enter its free length");
-            visit_proposal(visitor, result.proposal.value_or(none));
-        });
+    if (result.proposal) {
+        visitor.object({"guide_search", Text::tr("Proposed guide")},
+                       [&] { visit_proposal(visitor, *result.proposal); });
     }
     visitor.object(key::side_force, [&] {
         const double with = result.largest_side_force_with;

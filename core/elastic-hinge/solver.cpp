@@ -1,6 +1,7 @@
 #include "elastic-hinge/solver.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -34,82 +35,69 @@ bool all_finite(const std::vector<double>& values) {
     return sum == 0.0;
 }
 
-bool all_finite(const MechanismCurves& curves) {
-    for (const auto* list :
-         {&curves.reduced_inertia, &curves.crank_moment, &curves.rod_hinge_moment,
-          &curves.rod_hinge_moment_potential, &curves.side_force_without_hinge,
-          &curves.side_force_with_hinge, &curves.crank_moment_with_rod_hinge}) {
-        if (!all_finite(*list)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 [[noreturn]] void reject_extreme() {
     throw InputError(
         "/input",
         Text::tr("has values whose result exceeds the range of numbers; enter realistic values"));
 }
 
-void resize(MechanismCurves& curves, std::size_t n, bool exact) {
-    curves.rod_hinge_moment.resize(n);
-    curves.rod_hinge_moment_potential.resize(n);
-    curves.side_force_without_hinge.resize(n);
-    curves.side_force_with_hinge.resize(n);
-    curves.reduced_inertia.resize(exact ? n : 0);
-    curves.crank_moment.resize(exact ? n : 0);
-    curves.crank_moment_with_rod_hinge.resize(exact ? n : 0);
+/// The curves of one mechanism at one speed.
+/// @param visit_states  calls its argument as visit_turn() does
+template <typename VisitStates>
+MechanismCurves curves_of(const Mechanism<double>& mechanism, const AngleGrid& grid, double omega,
+                          double mean, const VisitStates& visit_states) {
+    using Curves = MechanismCurves;
+    constexpr std::array of_any{&Curves::rod_hinge_moment, &Curves::rod_hinge_moment_potential,
+                                &Curves::side_force_without_hinge, &Curves::side_force_with_hinge};
+    constexpr std::array of_exact{&Curves::reduced_inertia, &Curves::crank_moment,
+                                  &Curves::crank_moment_with_rod_hinge};
+    Curves curves;
+    const bool exact = mechanism.lambda < 1.0;
+    for (const auto list : of_any) {
+        (curves.*list).resize(grid.size());
+    }
+    for (const auto list : of_exact) {
+        (curves.*list).resize(exact ? grid.size() : 0);
+    }
+    const double square = omega * omega;
+    const double lever = mechanism.lambda / mechanism.crank_radius;
+    const double weight = potential_amplitude(mechanism);
+    visit_states([&](std::size_t i, const AngleState& state) {
+        const double moment = state.moment.weight + square * state.moment.inertia;
+        const double arm = lever / state.cos_psi;
+        curves.rod_hinge_moment[i] = moment;
+        curves.rod_hinge_moment_potential[i] = moment - mean;
+        curves.side_force_without_hinge[i] =
+            -(state.moment.weight + square * state.moment.true_inertia) * arm;
+        curves.side_force_with_hinge[i] = -mean * arm;
+        if (exact) {
+            const double crank = 0.5 * square * state.inertia.slope + weight * grid.cos_phi[i];
+            curves.reduced_inertia[i] = state.inertia.value;
+            curves.crank_moment[i] = crank;
+            curves.crank_moment_with_rod_hinge[i] =
+                crank + (moment - mean) * (1.0 + state.exact.dpsi);
+        }
+    });
+    const auto check = [&](const auto& lists) {
+        for (const auto list : lists) {
+            if (!all_finite(curves.*list)) {
+                reject_extreme();
+            }
+        }
+    };
+    check(of_any);
+    check(of_exact);
+    return curves;
 }
 
-/// The curves of one mechanism at one speed, filled angle by angle.
-class CurveWriter {
-  public:
-    CurveWriter(MechanismCurves& curves, const Mechanism<double>& mechanism, const AngleGrid& grid,
-                double omega, double mean)
-        : curves_(curves),
-          grid_(grid),
-          exact_(mechanism.lambda < 1.0),
-          square_(omega * omega),
-          mean_(mean),
-          lever_(mechanism.lambda / mechanism.crank_radius),
-          weight_(exact_ ? potential_amplitude(mechanism) : 0.0) {
-        resize(curves, grid.size(), exact_);
-    }
-
-    void put(std::size_t i, const AngleState& state) {
-        const double moment = state.moment.weight + square_ * state.moment.inertia;
-        const double arm = lever_ / state.cos_psi;
-        curves_.rod_hinge_moment[i] = moment;
-        curves_.rod_hinge_moment_potential[i] = moment - mean_;
-        curves_.side_force_without_hinge[i] =
-            -(state.moment.weight + square_ * state.moment.true_inertia) * arm;
-        curves_.side_force_with_hinge[i] = -mean_ * arm;
-        if (exact_) {
-            const double crank = 0.5 * square_ * state.inertia.slope + weight_ * grid_.cos_phi[i];
-            curves_.reduced_inertia[i] = state.inertia.value;
-            curves_.crank_moment[i] = crank;
-            curves_.crank_moment_with_rod_hinge[i] =
-                crank + (moment - mean_) * (1.0 + state.exact.dpsi);
-        }
-    }
-
-  private:
-    MechanismCurves& curves_;
-    const AngleGrid& grid_;
-    bool exact_;
-    double square_;
-    double mean_;
-    double lever_;  ///< 1/ℓ
-    double weight_;
-};
-
-void fill(MechanismCurves& curves, const Mechanism<double>& mechanism,
-          const std::vector<AngleState>& states, const AngleGrid& grid, double omega, double mean) {
-    CurveWriter writer(curves, mechanism, grid, omega, mean);
-    for (std::size_t i = 0; i < states.size(); ++i) {
-        writer.put(i, states[i]);
-    }
+MechanismCurves curves_at_speed(const Design& design, double omega) {
+    const std::vector<AngleState>& states = design.states();
+    return curves_of(design.mechanism(), design.grid(), omega, design.rod_hinge_mean(),
+                     [&](const auto& put) {
+                         for (std::size_t i = 0; i < states.size(); ++i) {
+                             put(i, states[i]);
+                         }
+                     });
 }
 
 /// The curves for another λ (the counterweight solved again, where it is).
@@ -118,104 +106,100 @@ MechanismCurves curves_at_lambda(Input input, double lambda, const AngleGrid& gr
     const Mechanism<double> mechanism = mechanism_of(input);
     const bool solved = input.rod_counterweight && !input.rod_counterweight->mass;
     const double static_moment = solved ? 0.0 : mechanism.static_moment();
-    const double mean = rod_hinge_integral(mechanism, static_moment, input.kinematics) / two_pi;
-    MechanismCurves curves;
-    CurveWriter writer(curves, mechanism, grid, input.angular_speed, mean);
-    visit_turn(mechanism, static_moment, input.kinematics, grid, true,
-               [&](std::size_t i, const AngleState& state) { writer.put(i, state); });
-    return curves;
+    return curves_of(mechanism, grid, input.angular_speed,
+                     rod_hinge_integral(mechanism, static_moment, input.kinematics) / two_pi,
+                     [&](const auto& put) {
+                         visit_turn(mechanism, static_moment, input.kinematics, grid, true, put);
+                     });
 }
 
 /// Where the paper's series and the exact kinematics part.
-void compare_kinematics(const Input& input, const Design& design,
-                        const std::vector<AngleState>& states, const AngleGrid& grid,
-                        Result& result) {
+void compare_kinematics(const Input& input, const Design& design, Result& result) {
     const Mechanism<double>& mechanism = design.mechanism();
+    const AngleGrid& grid = design.grid();
     const bool exact = design.has_exact_kinematics();
     const double square = input.angular_speed * input.angular_speed;
     const std::size_t n = grid.size();
+    const auto moment_of = [&](const RodAngle<double>& rod, double s, double c) {
+        return rod_hinge_moment(mechanism, design.static_moment(), s, c, rod);
+    };
+    // At φ or at −φ, whichever is worse.
+    const auto difference = [&](const RodHingeMoment<double>& a, const RodHingeMoment<double>& b) {
+        return std::abs(a.weight - b.weight) + square * std::abs(a.inertia - b.inertia);
+    };
     Maximum cosine_error;
     Maximum moment_error;
     result.other_rod_hinge_moment.resize(exact ? n : 0);
     for (std::size_t i = 0; 2 * i < n; ++i) {
         const double s = grid.sin_phi[i];
         const double c = grid.cos_phi[i];
+        const AngleState& state = design.states()[i];
         const auto series = rod_angle_series(mechanism.lambda, s, c);
-        cosine_error.take(
-            std::abs(series.cos_psi - (exact ? states[i].exact.cos_psi : std::abs(c))),
-            grid.angle[i]);
+        cosine_error.take(std::abs(series.cos_psi - (exact ? state.exact.cos_psi : std::abs(c))),
+                          grid.angle[i]);
         if (exact) {
             const auto other =
-                rod_hinge_moment(mechanism, design.static_moment(), s, c,
-                                 input.kinematics == Kinematics::series ? states[i].exact : series);
+                moment_of(input.kinematics == Kinematics::series ? state.exact : series, s, c);
             result.other_rod_hinge_moment[i] = other.weight + square * other.inertia;
             result.other_rod_hinge_moment[n - 1 - i] = other.weight - square * other.inertia;
-            // At φ or at −φ, whichever is worse.
-            moment_error.take(std::abs(other.weight - states[i].moment.weight) +
-                                  square * std::abs(other.inertia - states[i].moment.inertia),
-                              grid.angle[i]);
+            moment_error.take(difference(other, state.moment), grid.angle[i]);
         }
     }
-    const double step = grid.angle[1] - grid.angle[0];
-    const auto error_of_cosine = [&](double phi) {
-        const double s = std::sin(phi);
-        const double c = std::cos(phi);
-        return std::abs(rod_angle_series(mechanism.lambda, s, c).cos_psi -
-                        rod_angle_exact(mechanism.lambda, s, c).cos_psi);
-    };
-    const auto error_of_moment = [&](double phi) {
-        const double s = std::sin(phi);
-        const double c = std::cos(phi);
-        const auto one = rod_hinge_moment(mechanism, design.static_moment(), s, c,
-                                          rod_angle_exact(mechanism.lambda, s, c));
-        const auto other = rod_hinge_moment(mechanism, design.static_moment(), s, c,
-                                            rod_angle_series(mechanism.lambda, s, c));
-        return std::abs(other.weight - one.weight) + square * std::abs(other.inertia - one.inertia);
-    };
     if (exact) {
-        cosine_error.sharpen(error_of_cosine, step);
-        moment_error.sharpen(error_of_moment, step);
+        const auto errors = [&](double phi) {
+            const double s = std::sin(phi);
+            const double c = std::cos(phi);
+            const auto series = rod_angle_series(mechanism.lambda, s, c);
+            const auto rod = rod_angle_exact(mechanism.lambda, s, c);
+            return std::pair(std::abs(series.cos_psi - rod.cos_psi),
+                             difference(moment_of(series, s, c), moment_of(rod, s, c)));
+        };
+        cosine_error.sharpen([&](double phi) { return errors(phi).first; }, grid.angle[1]);
+        moment_error.sharpen([&](double phi) { return errors(phi).second; }, grid.angle[1]);
         result.series_moment_error = moment_error.value;
     }
     result.series_error = cosine_error.value;
     result.series_error_angle = cosine_error.place;
 }
 
-void find_largest_side_forces(const Input& input, const Design& design, const AngleGrid& grid,
-                              bool hinge_is_true, Result& result) {
-    const Mechanism<double>& mechanism = design.mechanism();
-    const double square = input.angular_speed * input.angular_speed;
+void find_side_forces(const Input& input, const Design& design, Result& result) {
+    const std::vector<double>& angles = design.grid().angle;
+    const double omega = input.angular_speed;
     const double mean = design.rod_hinge_mean();
-    struct Forces {
-        double without, with, by_newton_euler;
+    const double lever = design.mechanism().lambda / design.mechanism().crank_radius;
+    const auto cosine = [&](double phi) {
+        return rod_angle(input.kinematics, design.mechanism().lambda, std::sin(phi), std::cos(phi))
+            .cos_psi;
     };
-    const auto at = [&](double phi) {
-        const double s = std::sin(phi);
-        const double c = std::cos(phi);
-        const auto rod = rod_angle(input.kinematics, mechanism.lambda, s, c);
-        const auto chosen = rod_hinge_moment(mechanism, design.static_moment(), s, c, rod);
-        const double lever = mechanism.lambda / mechanism.crank_radius;
-        Forces forces{-(chosen.weight + square * chosen.true_inertia) * lever / rod.cos_psi,
-                      -mean * lever / rod.cos_psi, 0.0};
-        if (!result.side_force_true.empty()) {
-            const auto exact_rod = rod_angle_exact(mechanism.lambda, s, c);
-            const auto moment =
-                rod_hinge_moment(mechanism, design.static_moment(), s, c, exact_rod);
-            forces.by_newton_euler = (chosen.weight + square * chosen.inertia - mean -
-                                      (moment.weight + square * moment.true_inertia)) *
-                                     lever / exact_rod.cos_psi;
-        }
-        return forces;
+    const auto moment = [&](double phi) { return design.rod_moment(std::sin(phi), std::cos(phi)); };
+    result.largest_side_force_without =
+        largest(result.curves.side_force_without_hinge, angles, [&](double phi) {
+            const auto at = moment(phi);
+            return (at.weight + omega * omega * at.true_inertia) * lever / cosine(phi);
+        });
+    result.largest_side_force_with =
+        largest(result.curves.side_force_with_hinge, angles,
+                [&](double phi) { return mean * lever / cosine(phi); });
+    if (!design.has_exact_kinematics()) {
+        return;
+    }
+    if (input.kinematics == Kinematics::exact &&
+        (design.mechanism().counterweight_mass == 0.0 ||
+         design.mechanism().counterweight_inertia == CounterweightInertia::newton_euler)) {
+        result.side_force_true = result.curves.side_force_with_hinge;
+        result.largest_side_force_true = result.largest_side_force_with;
+        return;
+    }
+    const auto by_newton_euler = [&](double phi, double hinge_moment) {
+        return side_force(design.mechanism(), phi, omega, 0.0, hinge_moment);
     };
-    result.largest_side_force_without = largest(result.curves.side_force_without_hinge, grid.angle,
-                                                [&](double phi) { return at(phi).without; });
-    result.largest_side_force_with = largest(result.curves.side_force_with_hinge, grid.angle,
-                                             [&](double phi) { return at(phi).with; });
-    result.largest_side_force_true =
-        hinge_is_true && !result.side_force_true.empty()
-            ? result.largest_side_force_with
-            : largest(result.side_force_true, grid.angle,
-                      [&](double phi) { return at(phi).by_newton_euler; });
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        result.side_force_true.push_back(
+            by_newton_euler(angles[i], result.curves.rod_hinge_moment_potential[i]));
+    }
+    result.largest_side_force_true = largest(result.side_force_true, angles, [&](double phi) {
+        return by_newton_euler(phi, moment(phi).value(omega) - mean);
+    });
 }
 
 void add_notes(const Input& input, Result& result) {
@@ -270,117 +254,49 @@ void check_finite(const Guide& guide) {
 
 Result solve(const Input& input, const SolveOptions& options) {
     Result result;
-    const bool with_moments =
-        options.with_rod_guides || options.with_curves || !options.speeds.empty();
-    result.design = std::make_shared<const Design>(input, options.with_rod_guides, with_moments);
+    const bool with_moments = options.with_rod_guides || options.with_curves ||
+                              options.with_profiles || !options.speeds.empty();
+    result.design = std::make_shared<const Design>(input, options.with_rod_guides, with_moments,
+                                                   options.samples);
     const Design& design = *result.design;
     const Mechanism<double>& mechanism = design.mechanism();
-    const bool exact = design.has_exact_kinematics();
-    const double omega = input.angular_speed;
-
-    const auto kept = angle_grid(options.samples);
-    const AngleGrid& grid = *kept;
-    const std::size_t n = grid.size();
-    result.crank_angle_deg = grid.angle_deg;
+    result.crank_angle_deg = design.grid().angle_deg;
     result.rod_hinge_integral = design.rod_hinge_integral();
-    const double mean = design.rod_hinge_mean();
     result.has_counterweight = input.rod_counterweight.has_value();
     result.counterweight_mass = mechanism.counterweight_mass;
     result.balancing_mass = result.has_counterweight ? mechanism.balancing_mass() : 0.0;
-    if (!std::isfinite(mean) || !std::isfinite(result.balancing_mass)) {
+    if (!std::isfinite(design.rod_hinge_mean()) || !std::isfinite(result.balancing_mass)) {
         reject_extreme();
     }
-
-    std::vector<AngleState> other_states;
-    if (n != design.states().size()) {
-        other_states = turn_states(mechanism, design.static_moment(), input.kinematics, grid);
-    }
-    const std::vector<AngleState>& states = other_states.empty() ? design.states() : other_states;
     if (options.with_curves) {
-        fill(result.curves, mechanism, states, grid, omega, mean);
-        compare_kinematics(input, design, states, grid, result);
+        result.curves = curves_at_speed(design, input.angular_speed);
+        compare_kinematics(input, design, result);
+        find_side_forces(input, design, result);
     }
     for (const double speed : options.speeds) {
-        result.by_speed.push_back({speed, {}});
-        fill(result.by_speed.back().curves, mechanism, states, grid, speed, mean);
-    }
-    if (!options.with_profiles) {
-        result.crank_guide = make_guide(result.design, Hinge::crank, input.spring, input, {});
-    }
-    const bool by_angle = options.with_profiles || !result.crank_guide.feasible;
-    const bool rod_guides = exact && options.with_rod_guides;
-    std::vector<Demand> crank_demand(exact && by_angle ? n : 0);
-    std::vector<Demand> crank_with_rod_demand(rod_guides ? n : 0);
-    std::vector<Demand> rod_demand(rod_guides ? n : 0);
-    for (std::size_t i = 0; i < crank_demand.size(); ++i) {
-        const EnergyRise<double> rise =
-            energy_rise(mechanism, omega, grid.sin_phi[i], grid.cos_phi[i], states[i].inertia);
-        const double phi = grid.angle[i];
-        crank_demand[i] = design.demand(Hinge::crank, phi, states[i], rise, 0.0);
-        if (rod_guides) {
-            const double work =
-                other_states.empty() ? design.work_table()[i] : design.rod_work(phi);
-            crank_with_rod_demand[i] =
-                design.demand(Hinge::crank_with_rod, phi, states[i], rise, work);
-            rod_demand[i] = design.demand(Hinge::rod, phi, states[i], rise, work);
-        }
-    }
-
-    const bool with_forces = exact && options.with_curves;
-    const bool hinge_is_true =
-        input.kinematics == Kinematics::exact &&
-        (mechanism.counterweight_mass == 0.0 ||
-         mechanism.counterweight_inertia == CounterweightInertia::newton_euler);
-    if (with_forces && hinge_is_true) {
-        result.side_force_true = result.curves.side_force_with_hinge;
-    } else if (with_forces) {
-        const double square = omega * omega;
-        result.side_force_true.resize(n);
-        for (std::size_t i = 0; i < n; ++i) {
-            const auto moment = rod_hinge_moment(mechanism, design.static_moment(), grid.sin_phi[i],
-                                                 grid.cos_phi[i], states[i].exact);
-            result.side_force_true[i] = (result.curves.rod_hinge_moment_potential[i] -
-                                         (moment.weight + square * moment.true_inertia)) *
-                                        mechanism.lambda /
-                                        (mechanism.crank_radius * states[i].exact.cos_psi);
-        }
+        result.by_speed.push_back({speed, curves_at_speed(design, speed)});
     }
     for (const double lambda : options.lambdas) {
         if (lambda < 1.0 || input.kinematics == Kinematics::series) {
-            result.by_lambda.push_back({lambda, curves_at_lambda(input, lambda, grid)});
+            result.by_lambda.push_back({lambda, curves_at_lambda(input, lambda, design.grid())});
         }
     }
-    if (!all_finite(result.curves) || !all_finite(result.side_force_true)) {
+    if (!all_finite(result.side_force_true)) {
         reject_extreme();
     }
-    for (const auto* family : {&result.by_speed, &result.by_lambda}) {
-        for (const FamilyMember& member : *family) {
-            if (!all_finite(member.curves)) {
-                reject_extreme();
-            }
-        }
-    }
-    if (options.with_curves) {
-        find_largest_side_forces(input, design, grid, hinge_is_true, result);
-    }
-
-    if (by_angle) {
-        result.crank_guide =
-            make_guide(result.design, Hinge::crank, input.spring, input, crank_demand);
-    }
+    result.crank_guide =
+        make_guide(result.design, Hinge::crank, input.spring, input, options.with_profiles);
     check_finite(result.crank_guide);
     if (options.with_rod_guides) {
         const auto& rod_spring = input.rod_hinge_spring ? input.rod_hinge_spring : input.spring;
-        result.crank_guide_with_rod = make_guide(result.design, Hinge::crank_with_rod, input.spring,
-                                                 input, crank_with_rod_demand);
-        result.rod_guide = make_guide(result.design, Hinge::rod, rod_spring, input, rod_demand);
+        result.crank_guide_with_rod =
+            make_guide(result.design, Hinge::crank_with_rod, input.spring, input, true);
+        result.rod_guide = make_guide(result.design, Hinge::rod, rod_spring, input, true);
         check_finite(result.crank_guide_with_rod);
         check_finite(result.rod_guide);
     }
-    if (input.guide_search && input.spring) {
-        result.proposal =
-            search_guide(result.design, Hinge::crank, input.guide_sign, result.crank_guide.branch,
-                         input.spring->free_length, input.roller_radius, *input.guide_search);
+    if (input.guide_search) {
+        result.proposal = search_guide(result.design, input, result.crank_guide.branch);
     }
     add_notes(input, result);
     return result;

@@ -4,7 +4,7 @@
 
 #include "case-file/input_error.h"
 #include "elastic-hinge/energy.h"
-#include "elastic-hinge/guide_formula.h"
+#include "elastic-hinge/guide.h"
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/solver.h"
 #include "methods/definition.h"
@@ -16,7 +16,7 @@ namespace ravnoves::methods {
 namespace {
 
 using elastic_hinge::Branch;
-using elastic_hinge::GuideSpring;
+using elastic_hinge::Spring;
 
 constexpr std::size_t intervals = 360;
 
@@ -35,10 +35,7 @@ struct GuideCase {
                             : two_pi * static_cast<double>(i) / static_cast<double>(intervals);
     }
 
-    GuideSpring<double> spring() const {
-        return {input.spring->stiffness, input.spring->free_length,
-                input.spring->guide_radius_at_zero};
-    }
+    const Spring& spring() const { return *input.spring; }
     elastic_hinge::EnergyRise<double> rise(double phi) const {
         const elastic_hinge::Mechanism<double> mechanism = mechanism_of(input);
         const double s = std::sin(phi);
@@ -80,7 +77,7 @@ Method<GuideCase> closed_form(MethodInfo info, const Radius& radius) {
 struct Slope {
     explicit Slope(const GuideCase& of) : guide(of), spring(of.spring()) {}
     const GuideCase& guide;
-    GuideSpring<double> spring;
+    Spring spring;
 
     double start() const { return spring.start_radius(Branch::compressed); }
     double operator()(double rho, double phi) const {
@@ -251,10 +248,10 @@ Kernel guide_kernel() {
                       "relief or a small preload"),
              {{"(3)", 0}},
              false},
-            [](const GuideSpring<double>& spring, double q) {
+            [](const Spring& spring, double q) {
                 // ρ = ℓ₀/2 − √(ℓ₀²/4 − B), B = ℓ₀ρ₀ − ρ₀² + q
                 const double l = spring.free_length;
-                const double rho = spring.radius_at_zero;
+                const double rho = spring.guide_radius_at_zero;
                 return l / 2.0 - std::sqrt(l * l / 4.0 - (l * rho - rho * rho + q));
             }),
         closed_form({"closed-form",
@@ -263,7 +260,7 @@ Kernel guide_kernel() {
                               "energy; beyond that no guide exists"),
                      {{Text::tr("free of cancellation"), 0}},
                      false},
-                    [](const GuideSpring<double>& spring, double q) {
+                    [](const Spring& spring, double q) {
                         return guide_radius(spring, Branch::compressed, q);
                     }),
         {{"rk4", Text::tr("Runge-Kutta of order 4"),

@@ -13,10 +13,9 @@ TEST_P(ElasticHingeSearch, FindsASpringThatGivesWhatWasWanted) {
             Input input = preset_zotov();
             input.guide_sign = sign;
             input.roller_radius = 0.008;
-            const Result before = solve(input);
             const GuideWish wish{relief, 0.24, {}};
-            const GuideProposal found = search_guide(before.design, Hinge::crank, sign, GetParam(),
-                                                     0.2, input.roller_radius, wish);
+            input.guide_search = wish;
+            const GuideProposal found = search_guide(solve(input).design, input, GetParam());
             ASSERT_TRUE(found.found) << found.reason.english();
             input.spring = found.spring;
             const Guide guide = solve(input).crank_guide;
@@ -31,7 +30,8 @@ TEST_P(ElasticHingeSearch, FindsASpringThatGivesWhatWasWanted) {
                         1e-9 * found.largest_spring_force);
             // Its guide is what was wished, and not what asks for more.
             const auto meets = [&](const GuideWish& other) {
-                return meets_wish(guide, 0.2, input.roller_radius, other);
+                input.guide_search = other;
+                return meets_wish(guide, input);
             };
             EXPECT_TRUE(meets(wish));
             const double margin = guide.preload - guide.minimum_preload;
@@ -57,8 +57,11 @@ INSTANTIATE_TEST_SUITE_P(BothBranches, ElasticHingeSearch,
 /// Of the paper's crank hinge.
 GuideProposal proposal(const GuideWish& wish, Branch branch = Branch::compressed,
                        double roller = 0.0, double free_length = 0.2) {
-    return search_guide(solve(preset_zotov()).design, Hinge::crank, GuideSign::energy, branch,
-                        free_length, roller, wish);
+    Input input = preset_zotov();
+    input.guide_search = wish;
+    input.roller_radius = roller;
+    input.spring->free_length = free_length;
+    return search_guide(std::make_shared<const Design>(input), input, branch);
 }
 
 TEST(ElasticHingeSearchLimits, SmallDiameterForcesMorePreload) {
@@ -88,11 +91,9 @@ TEST(ElasticHingeSearchLimits, TheImpossibleIsRejectedWithASize) {
 }
 
 TEST(ElasticHingeSearchLimits, ABigRollerGetsASmootherGuideOrNone) {
-    const Result result = solve(preset_zotov());
     for (const Branch branch : {Branch::compressed, Branch::stretched}) {
         const auto search = [&](double roller) {
-            return search_guide(result.design, Hinge::crank, GuideSign::energy, branch, 0.06,
-                                roller, GuideWish{16e-3, 0.4, 0.02});
+            return proposal(GuideWish{16e-3, 0.4, 0.02}, branch, roller, 0.06);
         };
         const GuideProposal small = search(1e-4);
         ASSERT_TRUE(small.found) << small.reason.english();
@@ -122,10 +123,7 @@ TEST(ElasticHingeSearchLimits, AHingeWithoutWorkHasNoGuideToShape) {
     input.masses_as_weights = false;
     input.gravity = 0.0;
     input.angular_speed = 0.0;
-    const Result result = solve(input);
-    EXPECT_FALSE(search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::compressed,
-                              0.2, 0.0, GuideWish{})
-                     .found);
+    EXPECT_FALSE(search_guide(solve(input).design, input, Branch::compressed).found);
 }
 
 }  // namespace

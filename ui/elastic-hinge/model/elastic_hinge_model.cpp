@@ -27,7 +27,6 @@ using elastic_hinge::Guide;
 using elastic_hinge::GuideProblem;
 using elastic_hinge::GuideProposal;
 using elastic_hinge::GuideSign;
-using elastic_hinge::GuideWish;
 using elastic_hinge::Hinge;
 using elastic_hinge::Input;
 using elastic_hinge::Motion;
@@ -259,15 +258,8 @@ void ElasticHingeModel::setGravity(double gravity) {
 const GuideProposal& ElasticHingeModel::proposal() const {
     if (!solved().proposal) {
         clear_vector_state();
-        if (input().spring) {
-            solved().proposal = elastic_hinge::search_guide(
-                result().design, Hinge::crank, input().guide_sign, result().crank_guide.branch,
-                input().spring->free_length, input().roller_radius,
-                input().guide_search.value_or(GuideWish{}));
-        } else {
-            solved().proposal = GuideProposal{};
-            solved().proposal->reason = Text::tr("no spring is given: enter its free length");
-        }
+        solved().proposal =
+            elastic_hinge::search_guide(result().design, input(), result().crank_guide.branch);
     }
     return *solved().proposal;
 }
@@ -301,9 +293,7 @@ QString ElasticHingeModel::proposalText() const {
 }
 
 bool ElasticHingeModel::meetsWish() const {
-    return input().spring && elastic_hinge::meets_wish(
-                                 result().crank_guide, input().spring->free_length,
-                                 input().roller_radius, input().guide_search.value_or(GuideWish{}));
+    return elastic_hinge::meets_wish(result().crank_guide, input());
 }
 
 void ElasticHingeModel::takeProposal() {
