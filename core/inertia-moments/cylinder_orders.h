@@ -16,6 +16,13 @@ struct CylinderOrders {
     std::vector<Harmonic<double>> torque;  ///< on the crank
 };
 
+inline std::vector<Harmonic<double>> scaled(std::vector<Harmonic<double>> orders, double factor) {
+    for (Harmonic<double>& order : orders) {
+        order = {factor * order.cos, factor * order.sin};
+    }
+    return orders;
+}
+
 /// Exact orders of a cylinder with a rod on the crankpin, by a discrete Fourier transform.
 ///
 /// Forces and moments are what momentum, spin and energy lose by θ: −m_j s̈, its moment by the
@@ -49,7 +56,9 @@ inline CylinderOrders exact_cylinder_orders(const SliderCrank<double>& crank, do
         }
         return orders;
     };
-    return {lost(momentum), {}, lost(spin), lost(energy)};
+    CylinderOrders result{lost(momentum), {}, {}, lost(energy)};
+    result.roll = couple != 0.0 ? lost(spin) : scaled(result.along, -crank.offset);
+    return result;
 }
 
 /// The paper's two-term force cos θ + Kλ sin θ + λ cos 2θ, with the torque that belongs to it: the
@@ -60,9 +69,7 @@ inline CylinderOrders two_term_cylinder_orders(double lambda, double relative_of
     const double p = relative_offset * lambda;
     CylinderOrders result;
     result.along = {{0.0, 0.0}, {1.0, p}, {lambda, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
-    for (const Harmonic<double>& order : result.along) {
-        result.roll.push_back({-relative_offset * order.cos, -relative_offset * order.sin});
-    }
+    result.roll = scaled(result.along, -relative_offset);
     result.roll[1].sin -= couple * lambda;
     // −(cos θ + p sin θ + λ cos 2θ)(sin θ − p cos θ + λ/2 sin 2θ), product by product.
     result.torque = {{0.0, 0.0},
