@@ -179,37 +179,35 @@ double ArticulatedCrank::reach() const {
     return maximum;
 }
 
-std::vector<std::optional<KnuckleRod>> knuckle_rods(std::span<const Cylinder> cylinders,
-                                                    std::span<const Throw> throws,
-                                                    double rod_length) {
-    std::vector<std::optional<KnuckleRod>> rods(cylinders.size());
+void complete_rods(std::vector<Cylinder>& cylinders, std::span<const Throw> throws,
+                   double rod_length) {
     for (std::size_t i = 0; i < cylinders.size(); ++i) {
-        if (!cylinders[i].articulated) {
+        Cylinder& cylinder = cylinders[i];
+        if (!cylinder.articulated) {
             continue;
         }
-        const ArticulatedRod& given = *cylinders[i].articulated;
-        KnuckleRod& rod = rods[i].emplace();
-        rod.master = master_of(cylinders, throw_of(throws, i), i);
-        rod.knuckle_radius = given.knuckle_radius;
+        ArticulatedRod& rod = *cylinder.articulated;
+        const std::size_t number = master_of(cylinders, throw_of(throws, i), i);
+        const Cylinder& master = cylinders[number];
         if (!(rod.knuckle_radius < rod_length)) {
             throw InputError(rod_pointer(i, field::knuckle_radius),
                              {Text::tr("must be less than %1, the length of the master rod"),
                               Number{.value = rod_length / units::mm, .digits = 6}},
-                             Number{from_si(field::knuckle_radius, given.knuckle_radius)});
+                             Number{from_si(field::knuckle_radius, rod.knuckle_radius)});
         }
-        const double between = cylinders[i].bank_angle - cylinders[rod.master].bank_angle;
-        rod.knuckle_angle = given.knuckle_angle.value_or(between);
-        rod.rod_length = given.rod_length.value_or(rod_length - given.knuckle_radius);
-        rod.knuckle_mass = given.knuckle_mass;
+        rod.master = static_cast<int>(number) + 1;
+        rod.knuckle_angle = rod.knuckle_angle.value_or(cylinder.bank_angle - master.bank_angle);
+        rod.rod_length = rod.rod_length.value_or(rod_length - rod.knuckle_radius);
+        cylinder.crankpin_angle = master.crankpin_angle;
     }
-    return rods;
 }
 
-Message unusual_rod_note(std::span<const std::optional<KnuckleRod>> rods, double rod_length) {
+Message unusual_rod_note(std::span<const Cylinder> cylinders, double rod_length) {
     constexpr double rounding = 1e-9;  // of the length
     std::vector<std::size_t> longer;
-    for (std::size_t i = 0; i < rods.size(); ++i) {
-        if (rods[i] && rods[i]->rod_length > rod_length * (1.0 + rounding)) {
+    for (std::size_t i = 0; i < cylinders.size(); ++i) {
+        const auto& rod = cylinders[i].articulated;
+        if (rod && *rod->rod_length > rod_length * (1.0 + rounding)) {
             longer.push_back(i);
         }
     }

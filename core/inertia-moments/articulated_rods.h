@@ -62,26 +62,17 @@ struct ArticulatedCrank {
     ArticulatedMotion at(double theta) const { return at(std::sin(theta), std::cos(theta)); }
 };
 
-/// An articulated rod with all that its input leaves out filled in.
-struct KnuckleRod {
-    std::size_t master = 0;       ///< index of the cylinder whose rod carries it
-    double knuckle_radius = 0.0;  ///< r_k, m
-    double knuckle_angle = 0.0;   ///< γ, rad, counter-clockwise from the master rod's axis
-    double rod_length = 0.0;      ///< l, m
-    double knuckle_mass = 0.0;    ///< kg
-};
-
-/// The articulated rods by cylinder; empty for rods on the crankpin itself. Left out are: the
-/// master, where one plain rod alone runs on the same pin; γ, the difference of the bank angles;
-/// l, the master rod's length less r_k.
+/// Fills in what the input leaves out of articulated rods: the master, where one plain rod alone
+/// runs on the same pin; γ, the difference of the bank angles; l, the master rod's length less r_k.
+/// Their crankpin is that of the master, whatever rounding left in the table.
 /// @throws InputError at the cylinder's field: a master that is not there, is itself articulated or
 /// runs on another pin, or that must be named; a knuckle radius of a rod's length
-std::vector<std::optional<KnuckleRod>> knuckle_rods(std::span<const Cylinder> cylinders,
-                                                    std::span<const Throw> throws,
-                                                    double rod_length);
+void complete_rods(std::vector<Cylinder>& cylinders, std::span<const Throw> throws,
+                   double rod_length);
 
 /// What no engine is built with: articulated rods longer than their master. Empty without them.
-Message unusual_rod_note(std::span<const std::optional<KnuckleRod>> rods, double rod_length);
+/// @param cylinders  completed
+Message unusual_rod_note(std::span<const Cylinder> cylinders, double rod_length);
 
 /// The usual knuckle radius of a radial: the pins are close round the crankpin's bearing.
 inline constexpr double usual_knuckle_share = 0.75;  ///< of the crank radius

@@ -43,15 +43,15 @@ std::optional<Locking> find_locking(double crank_radius, double lambda,
 ArticulatedCrank Engine::crank(std::size_t cylinder) const {
     const Cylinder& own = cylinders[cylinder];
     const double offset = own.offset / crank_radius;
-    if (!knuckles[cylinder]) {
+    if (!own.articulated) {
         return {mechanism(own), 1.0, 0.0, 1.0 / lambda, offset};
     }
-    const KnuckleRod& rod = *knuckles[cylinder];
-    const Cylinder& master = cylinders[rod.master];
+    const ArticulatedRod& rod = *own.articulated;
+    const Cylinder& master = cylinders[static_cast<std::size_t>(rod.master) - 1];
     const double between = own.bank_angle - master.bank_angle;
     return {mechanism(master), std::polar(1.0, between),
-            std::polar(rod.knuckle_radius / crank_radius, rod.knuckle_angle - between),
-            rod.rod_length / crank_radius, offset};
+            std::polar(rod.knuckle_radius / crank_radius, *rod.knuckle_angle - between),
+            *rod.rod_length / crank_radius, offset};
 }
 
 double Engine::stroke(std::size_t cylinder) const {
@@ -87,14 +87,7 @@ Engine reduce(const Input& input) {
         cylinder.crankpin_angle = wrap_turn(cylinder.crankpin_angle);
     }
     engine.throws = crank_throws(engine.cylinders, engine.crank_radius);
-    engine.knuckles = knuckle_rods(engine.cylinders, engine.throws, input.rod_length());
-    for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
-        if (engine.knuckles[i]) {
-            // One crankpin, whatever rounding left in the table.
-            engine.cylinders[i].crankpin_angle =
-                engine.cylinders[engine.knuckles[i]->master].crankpin_angle;
-        }
-    }
+    complete_rods(engine.cylinders, engine.throws, input.rod_length());
     engine.rotating_mass = input.rotating_mass;
     if (input.rotating_mass_of_throw) {
         engine.rotating_mass /= static_cast<double>(rods_per_throw(engine.throws).value_or(1));

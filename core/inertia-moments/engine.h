@@ -24,10 +24,8 @@ struct Engine {
     /// and the torque only.
     double rod_couple_inertia = 0.0;
     double reference_position = 0.0;  ///< m
-    std::vector<Cylinder> cylinders;
-    std::vector<Throw> throws;  ///< the crankpins with their rods
-    /// By cylinder; empty for a rod on the crankpin itself.
-    std::vector<std::optional<KnuckleRod>> knuckles;
+    std::vector<Cylinder> cylinders;  ///< their articulated rods complete
+    std::vector<Throw> throws;        ///< the crankpins with their rods
 
     /// kg on a crankpin, at the radius R
     double mass_on(const Throw& pin) const {
@@ -77,7 +75,7 @@ std::optional<Locking> find_locking(double crank_radius, double lambda,
 Message describe(const Locking& locking);
 
 /// Reduces the input to the engine, checking the master rods only.
-/// @throws InputError as knuckle_rods()
+/// @throws InputError as complete_rods()
 Engine reduce(const Input& input);
 
 /// The engine of a checked input.

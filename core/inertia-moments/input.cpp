@@ -87,8 +87,8 @@ void check_locking(const Input& input, const std::vector<Cylinder>& cylinders) {
 
 /// What joins articulated rods with the rest: a rod as a rigid body, the rotating mass, locking.
 void check_articulated(const Input& input, const Engine& engine) {
-    for (std::size_t i = 0; i < engine.knuckles.size(); ++i) {
-        if (!engine.knuckles[i]) {
+    for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
+        if (!engine.cylinders[i].articulated) {
             continue;
         }
         if (input.rod) {
@@ -98,7 +98,7 @@ void check_articulated(const Input& input, const Engine& engine) {
                           "articulated rods differ in mass, so enter their shares in the masses"),
                  i + 1});
         }
-        const double mass = engine.knuckles[i]->knuckle_mass;
+        const double mass = engine.cylinders[i].articulated->knuckle_mass;
         if (!(mass <= engine.rotating_mass)) {
             throw InputError(
                 "/input/cylinders/" + std::to_string(i) + "/articulated/knuckle_mass_kg",
@@ -112,13 +112,13 @@ void check_articulated(const Input& input, const Engine& engine) {
         if (!(crank.rod_length - reach > margin * crank.rod_length)) {
             const bool given = input.cylinders[i].articulated->rod_length.has_value();
             const Field& field = given ? field::articulated_length : field::knuckle_radius;
-            const KnuckleRod& rod = *engine.knuckles[i];
+            const ArticulatedRod& rod = *engine.cylinders[i].articulated;
             throw InputError(
                 "/input/cylinders/" + std::to_string(i) + "/articulated/" + std::string(field.key),
                 {Text::tr("must leave the articulated rod longer than %1, the distance of its "
                           "knuckle pin from the cylinder's axis"),
                  Number{.value = reach * engine.crank_radius / units::mm, .digits = 6}},
-                Number{.value = from_si(field, given ? rod.rod_length : rod.knuckle_radius),
+                Number{.value = from_si(field, given ? *rod.rod_length : rod.knuckle_radius),
                        .digits = 6});
         }
     }

@@ -69,9 +69,8 @@ struct Parts {
 };
 
 Parts parts_of(const Engine& engine, std::size_t cylinder) {
-    const auto& knuckle = engine.knuckles[cylinder];
-    return {engine.crank(cylinder),
-            knuckle ? knuckle->knuckle_mass / engine.reciprocating_mass : 0.0,
+    const auto& rod = engine.cylinders[cylinder].articulated;
+    return {engine.crank(cylinder), rod ? rod->knuckle_mass / engine.reciprocating_mass : 0.0,
             engine.rod_couple_inertia /
                 (engine.reciprocating_mass * engine.crank_radius * engine.crank_radius)};
 }
@@ -193,7 +192,7 @@ EngineOrders exact_orders(const Engine& engine, int max_order, double accuracy) 
     std::vector<UniformTransform<double>> doubling;  // for articulated rods
     return add_up(engine, max_order, [&](std::size_t i) {
         const Parts parts = parts_of(engine, i);
-        if (!engine.knuckles[i]) {
+        if (!engine.cylinders[i].articulated) {
             const SliderCrank<double>& crank = parts.crank.master;
             const std::size_t samples =
                 transform_length(crank.harmonic_decay(), max_order, accuracy);
@@ -208,7 +207,8 @@ EngineOrders exact_orders(const Engine& engine, int max_order, double accuracy) 
                 "/input/cylinders/" + std::to_string(i) + "/articulated/knuckle_radius_mm",
                 Text::tr("must keep the articulated rod farther from locking: its exact orders "
                          "are not accurate enough"),
-                Number{from_si(field::knuckle_radius, engine.knuckles[i]->knuckle_radius)});
+                Number{from_si(field::knuckle_radius,
+                               engine.cylinders[i].articulated->knuckle_radius)});
         }
         return *std::move(orders);
     });
@@ -219,7 +219,7 @@ EngineOrders two_term_orders(const Engine& engine) {
     static const UniformTransform<double> four_orders(4 * highest_two_term_order);
     return add_up(engine, highest_two_term_order, [&](std::size_t i) {
         const Parts parts = parts_of(engine, i);
-        if (!engine.knuckles[i]) {
+        if (!engine.cylinders[i].articulated) {
             return two_term_cylinder_orders(engine.lambda, parts.crank.offset, parts.couple);
         }
         CylinderOrders orders = articulated_orders(

@@ -19,7 +19,7 @@ std::vector<CylinderPose> engine_pose(const Engine& engine, double crank_angle) 
         pose.axis_foot = pose.axis_direction * Complex(0.0, cylinder.offset);
         pose.crankpin = pose.axis_direction * std::polar(radius, theta);
         pose.rod_foot = pose.crankpin + pose.axis_direction * radius * motion.arm;
-        pose.articulated = engine.knuckles[i].has_value();
+        pose.articulated = cylinder.articulated.has_value();
         pose.piston_pin = pose.axis_foot + pose.axis_direction * radius * motion.piston.s;
         const auto place = [&](double angle) {
             return radius * crank.at(std::sin(angle), std::cos(angle)).piston.s;

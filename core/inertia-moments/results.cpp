@@ -123,8 +123,8 @@ void visit_throws(ResultVisitor& visitor, const Engine& engine) {
 /// With what their input leaves out filled in.
 void visit_articulated_rods(ResultVisitor& visitor, const Engine& engine) {
     std::vector<std::size_t> cylinders;
-    for (std::size_t i = 0; i < engine.knuckles.size(); ++i) {
-        if (engine.knuckles[i]) {
+    for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
+        if (engine.cylinders[i].articulated) {
             cylinders.push_back(i);
         }
     }
@@ -133,10 +133,9 @@ void visit_articulated_rods(ResultVisitor& visitor, const Engine& engine) {
     }
     visitor.list(
         {"articulated_rods", Text::tr("Articulated rods")}, cylinders.size(), [&](std::size_t i) {
-            const auto& rod = *engine.knuckles[cylinders[i]];
+            const auto& rod = *engine.cylinders[cylinders[i]].articulated;
             visitor.integer(key::cylinder, static_cast<long long>(cylinders[i]) + 1);
-            visitor.integer({"master", Text::tr("master cylinder"), 0},
-                            static_cast<long long>(rod.master) + 1);
+            visitor.integer({"master", Text::tr("master cylinder"), 0}, rod.master);
             visitor.number({"knuckle_radius_mm", Text::tr("knuckle radius"), 2},
                            rod.knuckle_radius);
             visitor.number({"knuckle_angle_deg", Text::tr("knuckle angle"), 2}, rod.knuckle_angle);

@@ -114,7 +114,7 @@ Result solve(const Input& input, bool with_curves) {
         result.firing_trouble = describe_misfit(engine, order, input.cycle());
     }
     result.notes = articulated_rod_notes(engine.throws, engine.cylinders, engine.crank_radius);
-    if (Message note = unusual_rod_note(engine.knuckles, input.rod_length()); !note.empty()) {
+    if (Message note = unusual_rod_note(engine.cylinders, input.rod_length()); !note.empty()) {
         result.notes.push_back(std::move(note));
     }
     for (Message& note : unusual_engine_notes({input.angular_speed,

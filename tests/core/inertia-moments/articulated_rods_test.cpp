@@ -301,7 +301,7 @@ TEST(ArticulatedRods, DeadCentresAreThoseOfThePiston) {
     const Input input = test::irregular_star();
     const Engine engine = make_engine(input);
     for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
-        if (!engine.knuckles[i]) {
+        if (!engine.cylinders[i].articulated) {
             continue;
         }
         const ArticulatedCrank crank = engine.crank(i);
@@ -390,13 +390,13 @@ TEST(ArticulatedRods, EveryPresetRadialFiresEveryOtherCylinder) {
             EXPECT_EQ((next - here + count) % count, 2) << count;
         }
         // All rods but the master's hang on it, at pins that stand apart round the crankpin.
-        EXPECT_FALSE(result.engine.knuckles[0].has_value());
+        EXPECT_FALSE(result.engine.cylinders[0].articulated.has_value());
         for (std::size_t i = 1; i < input.cylinders.size(); ++i) {
-            ASSERT_TRUE(result.engine.knuckles[i].has_value()) << count;
-            EXPECT_EQ(result.engine.knuckles[i]->master, 0U);
-            const double radius = result.engine.knuckles[i]->knuckle_radius;
+            ASSERT_TRUE(result.engine.cylinders[i].articulated.has_value()) << count;
+            EXPECT_EQ(result.engine.cylinders[i].articulated->master, 1);
+            const double radius = result.engine.cylinders[i].articulated->knuckle_radius;
             EXPECT_NEAR(radius / input.crank_radius, usual_knuckle_share, 0.025) << count;
-            EXPECT_LE(result.engine.knuckles[i]->knuckle_mass, input.rotating_mass);
+            EXPECT_LE(result.engine.cylinders[i].articulated->knuckle_mass, input.rotating_mass);
         }
     }
 }
@@ -576,8 +576,8 @@ TEST(ArticulatedRods, HangOnTheFirstCylinderOfEachThrow) {
         EXPECT_EQ(input.cylinders[i].articulated.has_value(), i % 2 == 1);
     }
     const Result result = solve(input);
-    EXPECT_EQ(result.engine.knuckles[5]->master, 4U);
-    EXPECT_NEAR(result.engine.knuckles[5]->knuckle_angle, -pi / 2.0, 1e-12);
+    EXPECT_EQ(result.engine.cylinders[5].articulated->master, 5);
+    EXPECT_NEAR(*result.engine.cylinders[5].articulated->knuckle_angle, -pi / 2.0, 1e-12);
     // Its crank balances the second order all the same, and the first is that of plain rods; what
     // changes is the fourth.
     const double unit = result.engine.force_unit();

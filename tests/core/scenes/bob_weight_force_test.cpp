@@ -49,7 +49,6 @@ Throw random_throw(std::mt19937& random, bob_weights::EngineType type, int rods,
     } else {
         engine.cylinders = {{0.0, 0.0, 0.0, 0.0}};
     }
-    engine.knuckles.resize(engine.cylinders.size());
     return made;
 }
 

@@ -247,7 +247,7 @@ TEST_F(InertiaMomentsPageTest, ArticulatedRodsAreEditedInTheTable) {
     CylinderTableModel* table = cylinders();
     table->removeRowRange(2, 1);
     ASSERT_EQ(model->input().cylinders.size(), 4U);
-    EXPECT_EQ(model->result().engine.knuckles[3]->master, 0U);
+    EXPECT_EQ(model->result().engine.cylinders[3].articulated->master, 1);
     table->removeRowRange(0, 1);
     EXPECT_EQ(model->input().cylinders.size(), 4U);
     EXPECT_TRUE(trouble.last().at(0).toString().contains(QStringLiteral("master rod")));

@@ -152,34 +152,20 @@ std::optional<double> CylinderTableModel::valueAt(int row, int column) const {
         return column == Stroke ? strokes_[i].second : strokes_[i].first;
     }
     const Cylinder& cylinder = engine.cylinders[i];
-    const Field& field = fieldOf(column);
     std::optional<double> value = given(cylinder, column);
     if (!value && cylinder.articulated) {
-        const auto& rod = *engine.knuckles[i];
-        switch (column) {
-            case KnuckleAngle:
-                value = from_si(field, rod.knuckle_angle);
-                break;
-            case RodLength:
-                value = from_si(field, rod.rod_length);
-                break;
-            case Master:
-                value = static_cast<double>(rod.master) + 1.0;
-                break;
-            default:
-                value = 0.0;
-                break;
-        }
+        value = 0.0;
     }
-    return value ? std::optional(*value * shownUnit(field.unit).factor) : std::nullopt;
+    return value ? std::optional(*value * shownUnit(fieldOf(column).unit).factor) : std::nullopt;
 }
 
 bool CylinderTableModel::isUsual(int row, int column) const {
     if (column >= TopDeadCentre) {
         return true;
     }
-    const Cylinder& cylinder = model_->result().engine.cylinders[static_cast<std::size_t>(row)];
-    return cylinder.articulated && !given(cylinder, column);
+    const auto& table = model_->input().cylinders;  // empty for a layout, which has plain rods
+    const auto i = static_cast<std::size_t>(row);
+    return i < table.size() && table[i].articulated && !given(table[i], column);
 }
 
 void CylinderTableModel::say(const QString& why) {
