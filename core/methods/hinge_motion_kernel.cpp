@@ -364,10 +364,12 @@ Kernel hinge_motion_kernel() {
              Text::tr("the energy drifts by about the tolerance at every turn, without limit"),
              tolerances, false},
             dormand_prince),
-        {{"energy-series", Text::tr("energy, time by Gauss sums"),
+        {{"energy-series",
+          Text::tr("energy, time by Gauss sums"),
           Text::tr("slower near a standstill; where the crank barely passes a dead point, "
                    "rounding decides"),
-          tolerances, false},
+          {{"1e-5", 1e-5}, {"1e-8", 1e-8}},
+          false},
          energy_series},
     };
     constexpr double off_design = 0.8;
