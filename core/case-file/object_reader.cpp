@@ -27,13 +27,15 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
-double checked_number(const Json& value, const std::string& pointer, const Range& range) {
+/// @param place  gives the JSON pointer, where it is needed
+template <typename Place>
+double checked_number(const Json& value, const Range& range, const Place& place) {
     if (!value.is_number()) {
-        throw InputError(pointer, Text::tr("must be a number"), show(value));
+        throw InputError(place(), Text::tr("must be a number"), show(value));
     }
     const double number = value.get<double>();
     if (!range.contains(number)) {
-        throw InputError(pointer, range.message(), Number{number});
+        throw InputError(place(), range.message(), Number{number});
     }
     return number;
 }
@@ -184,11 +186,7 @@ void ObjectReader::reject_mistyped(std::string_view key) const {
 }
 
 double ObjectReader::number(std::string_view key, const Range& range) {
-    const Json& value = require(key);
-    if (value.is_number() && range.contains(value.get<double>())) {
-        return value.get<double>();
-    }
-    return checked_number(value, pointer_to(key), range);
+    return checked_number(require(key), range, [&] { return pointer_to(key); });
 }
 
 std::optional<double> ObjectReader::optional_number(std::string_view key, const Range& range) {
@@ -243,10 +241,8 @@ std::vector<double> ObjectReader::numbers(std::string_view key, const Range& ran
     std::vector<double> values;
     values.reserve(array.size());
     for (const Json& element : array) {
-        if (!element.is_number() || !range.contains(element.get<double>())) {
-            checked_number(element, pointer_to(key) + "/" + std::to_string(values.size()), range);
-        }
-        values.push_back(element.get<double>());
+        values.push_back(checked_number(
+            element, range, [&] { return pointer_to(key) + "/" + std::to_string(values.size()); }));
     }
     return values;
 }

@@ -18,17 +18,10 @@ Json json_of(double si, const Unit& unit) {
 Json json_of(std::monostate /*nothing*/, const Unit& /*unit*/) {
     return nullptr;
 }
-Json json_of(long long count, const Unit& /*unit*/) {
-    return count;
-}
-Json json_of(bool flag, const Unit& /*unit*/) {
-    return flag;
-}
-Json json_of(int number, const Unit& /*unit*/) {
-    return number;
-}
-Json json_of(std::string_view word, const Unit& /*unit*/) {
-    return word;
+/// Of counts, words, yes and no.
+template <typename Value>
+Json json_of(Value value, const Unit& /*unit*/) {
+    return value;
 }
 Json json_of(const Message& text, const Unit& /*unit*/) {
     return text.english();
