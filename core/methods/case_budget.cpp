@@ -14,7 +14,6 @@
 #include "methods/plain_text.h"
 #include "numerics/constants.h"
 #include "scenes/scenes.h"
-#include "studies/law.h"
 #include "studies/study.h"
 
 namespace ravnoves::methods {

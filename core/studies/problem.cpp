@@ -11,7 +11,6 @@
 #include "case-file/wanted.h"
 #include "scenes/case_sources.h"
 #include "scenes/scenes.h"
-#include "studies/law.h"
 #include "studies/study_run.h"
 
 namespace ravnoves::studies {

@@ -1,7 +1,9 @@
 #include "studies/study.h"
 
 #include <array>
+#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
@@ -46,14 +48,11 @@ std::uint64_t whole(ObjectReader& reader, const char* key, std::uint64_t minimum
         return usual;
     }
     const Json& value = reader.raw(key);
-    std::uint64_t number = maximum + 1;
-    if (value.is_number_integer() && value.get<std::int64_t>() >= 0) {
-        number = value.get<std::uint64_t>();
-    } else if (value.is_number_float() && value.get<double>() >= 0.0 &&
-               value.get<double>() < 9.2e18 &&
-               std::floor(value.get<double>()) == value.get<double>()) {
-        number = static_cast<std::uint64_t>(value.get<double>());  // 1e6
-    }
+    const double size = value.is_number() ? value.get<double>() : -1.0;
+    const bool is_whole = size >= 0.0 && size < 1e19 && std::floor(size) == size;
+    const std::uint64_t number = !is_whole                 ? maximum + 1
+                                 : value.is_number_float() ? static_cast<std::uint64_t>(size)
+                                                           : value.get<std::uint64_t>();
     if (number < minimum || number > maximum) {
         throw InputError(reader.pointer_to(key),
                          {Text::tr("must be a whole number from %1 to %2"), std::to_string(minimum),
@@ -63,22 +62,13 @@ std::uint64_t whole(ObjectReader& reader, const char* key, std::uint64_t minimum
     return number;
 }
 
-/// Methods of older cases.
-void reject_former_method(ObjectReader& reader) {
-    // The library compares a value with a text by a copy that may not fail.
-    const auto* const text = reader.raw("method").get_ptr<const std::string*>();
-    const std::string_view method = text != nullptr ? std::string_view(*text) : std::string_view();
-    if (method == "second-order") {
-        throw InputError(reader.pointer_to("method"),
-                         Text::tr("must be \"linear\" or \"sobol\": second-order studies are no "
-                                  "longer supported"));
-    }
-    if (method == "latin-hypercube") {
-        throw InputError(reader.pointer_to("method"),
-                         Text::tr("must be \"sobol\" or \"monte-carlo\": Latin hypercubes are no "
-                                  "longer supported"));
-    }
-}
+/// Methods of older cases, and what is said of them.
+constexpr std::array former_methods{
+    Word{"second-order", Text::tr("must be \"linear\" or \"sobol\": second-order studies are no "
+                                  "longer supported")},
+    Word{"latin-hypercube", Text::tr("must be \"sobol\" or \"monte-carlo\": Latin hypercubes are "
+                                     "no longer supported")},
+};
 
 Varied read_varied(const std::string& pointer, ObjectReader reader) {
     Varied varied{.pointer = pointer};
@@ -182,6 +172,34 @@ void check_grid(const Study& study, bool method_is_given) {
 
 }  // namespace
 
+double Law::at(double u) const {
+    if (!normal) {
+        return low + (high - low) * u;
+    }
+    using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+    return mean - deviation * std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * u, Policy());
+}
+
+Law law_of(const Varied& varied, double nominal) {
+    Law law;
+    if (varied.spread == Spread::normal) {
+        const double size = varied.size;
+        return {true, nominal, size, nominal - 3.0 * size, nominal + 3.0 * size};
+    }
+    law.low = varied.from;
+    law.high = varied.to;
+    if (varied.spread == Spread::plus_minus || varied.spread == Spread::plus_minus_percent) {
+        const bool percent = varied.spread == Spread::plus_minus_percent;
+        const double half = percent ? std::abs(nominal) * varied.size / 100.0 : varied.size;
+        law.low = nominal - half;
+        law.high = nominal + half;
+    }
+    const double width = law.high - law.low;
+    law.mean = law.low + 0.5 * width;
+    law.deviation = width / std::sqrt(12.0);
+    return law;
+}
+
 std::span<const Word> method_words() {
     return methods;
 }
@@ -236,7 +254,11 @@ Study read_study(const Json& json, bool half_filled) {
     const bool is_grid = !study.vary.empty() && study.vary.front().spread == Varied::Spread::grid;
     study.method = is_grid ? Method::grid : Method::sobol;
     if (given) {
-        reject_former_method(reader);
+        for (const Word& former : former_methods) {
+            if (reader.raw("method") == former.word) {
+                throw InputError(reader.pointer_to("method"), former.label);
+            }
+        }
         study.method = static_cast<Method>(reader.choice("method", method_words()));
     }
     study.samples = whole(reader, "samples", 1, max_samples, study.samples);

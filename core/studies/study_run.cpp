@@ -79,21 +79,10 @@ class Worker {
         set_inputs();
         return response_->evaluate(x_, y);
     }
-    const Reason& reason() const { return response_->reason(); }
-
     void count(Block& block) {
         const std::uint64_t sample = block.done++;
-        const FirstSamples* first = part_.first.get();
-        if (first != nullptr && sample < first->reasons.size()) {
-            if (!first->reasons[sample].empty()) {
-                tally.reject(sample, first->reasons[sample]);
-                return;
-            }
-            sampler_.point(sample, u_);
-            std::copy_n(first->values.begin() + static_cast<std::ptrdiff_t>(sample * y_.size()),
-                        y_.size(), y_.begin());
-        } else if (!solve(sample, y_)) {
-            tally.reject(sample, reason());
+        if (!solve(sample, y_)) {
+            tally.reject(sample, response_->reason());
             return;
         }
         tally.add(block, sample, u_, y_);
@@ -116,7 +105,7 @@ class Worker {
             rest /= values.size();
         }
         if (!response_->evaluate(x_, y_)) {
-            tally.reject(point, reason());
+            tally.reject(point, response_->reason());
         }
         row.assign(x_.begin(), x_.end());
         for (const double value : y_) {
@@ -192,22 +181,22 @@ CountingPlan counting_plan(const Watched& watched, std::optional<double> nominal
     return plan;
 }
 
+/// The watched values of the first samples, one after the other; of samples that are rejected none.
 /// @return nothing where it was stopped
-std::shared_ptr<FirstSamples> take_first(const Problem& problem, const Part& part, int threads,
-                                         const std::function<bool(double done)>& keep_going) {
+std::optional<std::vector<std::vector<double>>> take_first(
+    const Problem& problem, const Part& part, int threads,
+    const std::function<bool(double done)>& keep_going) {
     const std::uint64_t count = first_samples_of(part.study);
-    const std::size_t watched = part.study.watch.size();
-    auto first = std::make_shared<FirstSamples>();
-    first->values.resize(count * watched);
-    first->reasons.resize(count);
+    std::vector<std::vector<double>> samples(count);
     Workers workers = make_workers(problem, part, threads, count);
     std::atomic<std::uint64_t> next{0};
     std::atomic<bool> stopped{false};
-    const auto work = [&](std::size_t i) {
+    run_workers(workers.size(), [&](std::size_t i) {
         auto reported = Clock::now();
+        std::vector<double> y(part.study.watch.size());
         for (std::uint64_t k = next++; k < count && !stopped; k = next++) {
-            if (!workers[i]->solve(k, std::span(first->values).subspan(k * watched, watched))) {
-                first->reasons[k] = workers[i]->reason();
+            if (workers[i]->solve(k, y)) {
+                samples[k] = y;
             }
             constexpr auto often = std::chrono::milliseconds(50);
             if (i == 0 && keep_going && Clock::now() - reported > often) {
@@ -216,20 +205,9 @@ std::shared_ptr<FirstSamples> take_first(const Problem& problem, const Part& par
                     !keep_going(static_cast<double>(k) / static_cast<double>(count + part.size()));
             }
         }
-    };
-    run_workers(workers.size(), work, [&] { stopped = true; });
-    return stopped ? nullptr : first;
-}
-
-/// The values of the first samples that were solved.
-std::vector<double> values_of(const FirstSamples& first, std::size_t watched, std::size_t count) {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < first.reasons.size(); ++i) {
-        if (first.reasons[i].empty()) {
-            values.push_back(first.values[i * count + watched]);
-        }
-    }
-    return values;
+    });
+    std::erase_if(samples, [](const std::vector<double>& y) { return y.empty(); });
+    return stopped ? std::nullopt : std::optional(std::move(samples));
 }
 
 /// How far true samples lie from the expansions that stand for them.
@@ -283,12 +261,15 @@ bool make_basis(const Problem& problem, Part& part, int threads,
         }
         expand_about_means();
     }
-    part.first = take_first(problem, part, threads, keep_going);
-    if (part.first == nullptr) {
+    const auto first = take_first(problem, part, threads, keep_going);
+    if (!first) {
         return false;
     }
     for (std::size_t w = 0; w < watched; ++w) {
-        const std::vector<double> values = values_of(*part.first, w, watched);
+        std::vector<double> values;
+        for (const std::vector<double>& sample : *first) {
+            values.push_back(sample[w]);
+        }
         const double period = period_of(study.watch[w].pointer, values);
         basis.plan.push_back(counting_plan(study.watch[w], basis.nominal[w], values, period));
         periods.push_back(period);
@@ -361,14 +342,13 @@ void run_part(const Problem& problem, Part& part, int threads,
     while (open != part.blocks.end()) {
         const auto end = Clock::now() + stretch;
         std::atomic<std::ptrdiff_t> next{open - part.blocks.begin()};
-        std::atomic<bool> stopped{false};
-        const auto work = [&](std::size_t i) {
+        run_workers(workers.size(), [&](std::size_t i) {
             Worker& worker = *workers[i];
             worker.tally = Tally(part.basis.plan, part.study.vary.size());
             for (auto b = next++; b < std::ssize(part.blocks); b = next++) {
                 Block& block = part.blocks[static_cast<std::size_t>(b)];
                 while (is_open(block)) {
-                    if (stopped || Clock::now() > end) {
+                    if (Clock::now() > end) {
                         return;
                     }
                     if (grid) {
@@ -378,8 +358,7 @@ void run_part(const Problem& problem, Part& part, int threads,
                     }
                 }
             }
-        };
-        run_workers(workers.size(), work, [&] { stopped = true; });
+        });
         for (const auto& worker : workers) {
             part.tally.add(worker->tally);
         }
@@ -428,7 +407,6 @@ void PartMerger::add(Part part, const std::string& name) {
         whole_ = part;
         whole_->blocks = blocks_of(part.study, 1, 1);
         whole_->rows.resize(part.study.method == Method::grid ? whole_->size() : 0);
-        whole_->first.reset();
     } else {
         whole_->tally.add(part.tally);
     }

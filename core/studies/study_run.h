@@ -10,7 +10,6 @@
 
 #include "case-file/case_context.h"
 #include "case-file/message.h"
-#include "studies/law.h"
 #include "studies/study.h"
 #include "studies/tally.h"
 #include "studies/taylor.h"
@@ -59,12 +58,6 @@ struct Basis {
     Rejections rejections;
 };
 
-/// The watched values of a study's first samples, from which the basis was made.
-struct FirstSamples {
-    std::vector<double> values;   ///< row by row
-    std::vector<Reason> reasons;  ///< empty where solved
-};
-
 /// A row of a grid's table; a value that does not exist is empty.
 using Row = std::vector<std::optional<double>>;
 
@@ -79,7 +72,6 @@ struct Part {
     Tally tally{};
     std::vector<Row> rows{};  ///< of a grid, by point from the first block's first one
     std::vector<Message> file_notes{};
-    std::shared_ptr<const FirstSamples> first{};  ///< not written
 
     std::uint64_t size() const;  ///< samples
     std::uint64_t done() const;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "case-file/response.h"
-#include "studies/law.h"
+#include "studies/study.h"
 
 namespace ravnoves::studies {
 

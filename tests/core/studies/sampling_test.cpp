@@ -7,11 +7,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "case-file/json.h"
 #include "case-file/sha256.h"
-#include "studies/law.h"
 #include "studies/sampler.h"
+#include "studies/study.h"
 #include "studies/tally.h"
+#include "studies/taylor.h"
 
 namespace ravnoves::studies {
 namespace {
@@ -140,18 +140,12 @@ TEST(Sha256, GivesThePublishedDigests) {
               "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-TEST(Tally, TakesAPairOfAnglesByTheShorterWay) {
-    const auto pairs = [](double period, double one, double two) {
-        Tally tally({{.low = -256.0, .width = 0.0078125, .centre = 0.0, .period = period}}, 1);
-        tally.add_pair(0, 0, std::span(&one, 1), std::span(&two, 1));
-        return tally.write().at("values").at(0).at("pairs").dump();
-    };
-    const std::string two_degrees = pairs(0.0, -1.0, 1.0);
-    EXPECT_EQ(two_degrees, "[0,65536]");  // (2/2⁻⁷)²
-    EXPECT_EQ(pairs(360.0, 359.0, 1.0), two_degrees);
-    EXPECT_EQ(pairs(360.0, 1.0, 359.0), two_degrees);
-    EXPECT_EQ(pairs(360.0, 179.0, -179.0), two_degrees);
-    EXPECT_NE(pairs(0.0, 179.0, -179.0), two_degrees);
+TEST(Difference, OfAnglesIsTheShorterWay) {
+    EXPECT_EQ(difference(1.0, -1.0, 0.0), 2.0);
+    EXPECT_EQ(difference(1.0, 359.0, 360.0), 2.0);
+    EXPECT_EQ(difference(359.0, 1.0, 360.0), -2.0);
+    EXPECT_EQ(difference(-179.0, 179.0, 360.0), 2.0);
+    EXPECT_EQ(difference(-179.0, 179.0, 0.0), -358.0);
 }
 
 TEST(Tally, BarsHoldAllSamples) {

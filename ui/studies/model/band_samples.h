@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "case-file/json.h"
-#include "studies/law.h"
 #include "studies/sampler.h"
 #include "studies/study.h"
 

@@ -83,7 +83,7 @@ class Sweeper {
         // One core stays free for the window.
         const auto threads =
             static_cast<std::size_t>(std::max(2U, std::thread::hardware_concurrency()) - 1);
-        studies::run_workers(threads, work, [&] { stopped = true; });
+        studies::run_workers(threads, work);
         std::vector<Sweep::Place> all;
         for (std::size_t k = 0; k < values.size() && !stopped; ++k) {
             all.push_back(placeOf(values[k], found[k],
