@@ -1,4 +1,4 @@
-// How parts and results of a study are written, and parts read again.
+// How results of a study are written.
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +20,6 @@ struct adl_serializer<std::optional<double>> {
     static void to_json(ravnoves::Json& json, const std::optional<double>& value) {
         json = value ? ravnoves::Json(*value) : ravnoves::Json();
     }
-    static void from_json(const ravnoves::Json& json, std::optional<double>& value) {
-        value = json.is_null() ? std::nullopt : std::optional(json.get<double>());
-    }
 };
 
 }  // namespace nlohmann
@@ -32,107 +29,7 @@ namespace ravnoves::studies {
 namespace {
 
 constexpr std::string_view study_format = "ravnoves-study";
-constexpr std::string_view part_format = "ravnoves-study-part";
 constexpr int study_version = 1;
-constexpr int part_version = 2;
-
-Json write_files(const Origin& origin) {
-    Json files = Json::object();
-    for (const auto& [name, sum] : origin.files_sha256) {
-        files[name] = sum;
-    }
-    return files;
-}
-
-Json write_basis(const Basis& basis) {
-    Json json = {{"laws", Json::array()},
-                 {"values", Json::array()},
-                 {"distances", basis.distances},
-                 {"refused", write_rejections(basis.rejections)}};
-    for (const Law& law : basis.laws) {
-        json["laws"].push_back({law.normal, law.mean, law.deviation, law.low, law.high});
-    }
-    for (std::size_t w = 0; w < basis.nominal.size(); ++w) {
-        Json value = {{"nominal", basis.nominal[w]}};
-        if (w < basis.plan.size()) {
-            const CountingPlan& plan = basis.plan[w];
-            const Taylor& expansion = basis.expansions[w];
-            Json slopes = Json::array();
-            for (const auto& slope : expansion.slopes) {
-                slopes.push_back(slope ? Json::array({slope->value, slope->error}) : Json(nullptr));
-            }
-            value["expansion"] = expansion.value;
-            value["slopes"] = std::move(slopes);
-            value["plan"] = {plan.low, plan.width, plan.centre, plan.period};
-        }
-        json["values"].push_back(std::move(value));
-    }
-    return json;
-}
-
-Basis read_basis(const Json& json, const Study& study) {
-    Basis basis;
-    basis.distances = json.at("distances").get<std::vector<double>>();
-    basis.rejections = read_rejections(json.at("refused"));
-    const bool grid = study.method == Method::grid;
-    for (std::size_t j = 0; j < study.vary.size() && !grid; ++j) {
-        const Json& law = json.at("laws").at(j);
-        basis.laws.push_back({law.at(0).get<bool>(), law.at(1).get<double>(),
-                              law.at(2).get<double>(), law.at(3).get<double>(),
-                              law.at(4).get<double>()});
-    }
-    for (std::size_t w = 0; w < study.watch.size(); ++w) {
-        const Json& value = json.at("values").at(w);
-        basis.nominal.push_back(value.at("nominal").get<std::optional<double>>());
-        if (grid) {
-            continue;
-        }
-        Taylor expansion{.value = value.at("expansion").get<std::optional<double>>(), .slopes = {}};
-        for (std::size_t j = 0; j < study.vary.size(); ++j) {
-            const Json& slope = value.at("slopes").at(j);
-            expansion.slopes.emplace_back();
-            if (!slope.is_null()) {
-                expansion.slopes.back() = {slope.at(0).get<double>(), slope.at(1).get<double>()};
-            }
-        }
-        basis.expansions.push_back(std::move(expansion));
-        const Json& plan = value.at("plan");
-        basis.plan.push_back({plan.at(0).get<double>(), plan.at(1).get<double>(),
-                              plan.at(2).get<double>(), plan.at(3).get<double>(),
-                              study.watch[w].min, study.watch[w].max});
-    }
-    if (!grid) {
-        basis.distances.resize(study.watch.size());
-    }
-    return basis;
-}
-
-Json write_block(const Block& block) {
-    Json json = {block.done - block.from};
-    for (const Sums& each : block.sums) {
-        json.push_back(each.n == 0.0
-                           ? Json(nullptr)
-                           : Json{each.n, each.sum, each.squares, each.versines, each.sines});
-    }
-    return json;
-}
-
-void read_block(const Json& json, Block& block) {
-    block.done = block.from +
-                 std::min(static_cast<std::uint64_t>(whole_of(json.at(0))), block.to - block.from);
-    for (std::size_t i = 0; i < block.sums.size(); ++i) {
-        const Json& from = json.at(i + 1);
-        if (!from.is_null()) {
-            block.sums[i] = {from.at(0).get<double>(), from.at(1).get<double>(),
-                             from.at(2).get<double>(), from.at(3).get<double>(),
-                             from.at(4).get<double>()};
-        }
-    }
-}
-
-std::string sum_of(const Json& part) {
-    return sha256(json_text(part, JsonLayout::one_line));
-}
 
 Json write_linear(const Study& study, const Taylor& expansion, std::span<const Law> laws) {
     Json derivatives = Json::object();
@@ -233,10 +130,6 @@ std::optional<double> vague_sensitivities(const Statistics& found) {
 
 }  // namespace
 
-bool same_basis(const Basis& one, const Basis& other) {
-    return write_basis(one) == write_basis(other);
-}
-
 std::vector<Note> noted(const Part& part) {
     std::vector<Note> notes;
     for (const Message& note : part.file_notes) {
@@ -287,92 +180,6 @@ std::vector<Note> noted(const Part& part) {
     return notes;
 }
 
-Json write_part(const Part& part) {
-    Json json = {{"format", part_format},
-                 {"version", part_version},
-                 {"program", part.origin.program},
-                 {"scene", part.origin.scene},
-                 {"title", part.origin.title},
-                 {"case_sha256", part.origin.case_sha256},
-                 {"files_sha256", write_files(part.origin)},
-                 {"shard", part.shard},
-                 {"shards", part.shards},
-                 {"study", write_study(part.study)},
-                 {"basis", write_basis(part.basis)},
-                 {"blocks", Json::array()},
-                 {"counts", part.tally.write()},
-                 {"rows", part.rows},
-                 {"file_notes", Json::array()}};
-    for (const Block& block : part.blocks) {
-        json["blocks"].push_back(write_block(block));
-    }
-    for (const Message& note : part.file_notes) {
-        json["file_notes"].push_back(note.english());
-    }
-    json["sha256"] = sum_of(json);
-    return json;
-}
-
-Part read_part(Json json) {
-    ObjectReader reader(json, "");
-    constexpr Word formats[]{{part_format}};
-    reader.choice("format", formats);
-    if (reader.raw("version") != part_version) {
-        throw InputError("/version",
-                         {Text::tr("must be %1; run the parts of other versions again"),
-                          std::to_string(part_version)},
-                         show(json["version"]));
-    }
-    const std::string sum = reader.text("sha256");
-    json.erase("sha256");
-    if (sum != sum_of(json)) {
-        throw InputError(
-            "/sha256",
-            Text::tr("is not the checksum of the part: the part was changed; run it again"));
-    }
-    try {
-        Part part;
-        part.origin = {json.at("scene").get<std::string>(),
-                       json.at("title").get<std::string>(),
-                       json.at("case_sha256").get<std::string>(),
-                       {},
-                       json.at("program").get<std::string>()};
-        for (const auto& [name, file_sum] : json.at("files_sha256").items()) {
-            part.origin.files_sha256.emplace_back(name, file_sum.get<std::string>());
-        }
-        part.study = read_study(json.at("study"));
-        part.shards = std::clamp<std::uint64_t>(
-            static_cast<std::uint64_t>(whole_of(json.at("shards"))), 1, max_blocks);
-        part.shard = std::clamp<std::uint64_t>(
-            static_cast<std::uint64_t>(whole_of(json.at("shard"))), 1, part.shards);
-        part.basis = read_basis(json.at("basis"), part.study);
-        part.blocks = blocks_of(part.study, part.shard, part.shards);
-        for (std::size_t b = 0; b < part.blocks.size(); ++b) {
-            part.blocks[b].sums.resize(part.basis.plan.size() * replicates);
-            read_block(json.at("blocks").at(b), part.blocks[b]);
-        }
-        part.tally = Tally::read(json.at("counts"), part.basis.plan, part.study.vary.size());
-        auto solved = static_cast<double>(part.tally.solved() * part.basis.plan.size());
-        for (const Block& block : part.blocks) {
-            for (const Sums& each : block.sums) {
-                solved -= each.n;
-            }
-        }
-        if (solved != 0.0) {
-            throw InputError("/counts", not_ours);
-        }
-        for (std::uint64_t i = 0; part.study.method == Method::grid && i < part.size(); ++i) {
-            part.rows.push_back(json.at("rows").at(i).get<Row>());
-        }
-        for (const Json& note : json.at("file_notes")) {
-            part.file_notes.emplace_back(note.get<std::string>());
-        }
-        return part;
-    } catch (const Json::exception&) {
-        throw InputError("", not_ours);
-    }
-}
-
 std::vector<Rejection> rejections_of(const Part& part) {
     const bool linear = part.study.method == Method::linear;
     std::vector<Rejection> list;
@@ -394,8 +201,8 @@ Json write_results(const Part& part) {
                  {"scene", part.origin.scene},
                  {"title", part.origin.title},
                  {"case_sha256", part.origin.case_sha256}};
-    if (!part.origin.files_sha256.empty()) {
-        json["files_sha256"] = write_files(part.origin);
+    for (const auto& [name, sum] : part.origin.files_sha256) {
+        json["files_sha256"][name] = sum;
     }
     json["method"] = method_words()[static_cast<std::size_t>(study.method)].word;
     json["samples"] = samples;

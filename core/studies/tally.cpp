@@ -8,8 +8,6 @@
 #include <tuple>
 #include <utility>
 
-#include "case-file/input_error.h"
-#include "case-file/json.h"
 #include "numerics/angle.h"
 #include "numerics/constants.h"
 #include "studies/taylor.h"
@@ -41,27 +39,6 @@ void add_each(Counts& sums, const Counts& others) {
     }
 }
 
-/// Those that are not 0, each behind its place.
-Json write_counts(const std::vector<std::int64_t>& counts) {
-    Json list = Json::array();
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        if (counts[i] != 0) {
-            list.push_back(i);
-            list.push_back(counts[i]);
-        }
-    }
-    return list;
-}
-
-void read_counts(const Json& list, std::vector<std::int64_t>& counts) {
-    for (std::size_t i = 0; i < list.size(); i += 2) {
-        const auto place = static_cast<std::size_t>(whole_of(list.at(i)));
-        if (place < counts.size()) {
-            counts[place] = whole_of(list.at(i + 1));
-        }
-    }
-}
-
 /// A value with its standard error by what it is without each replicate in turn (jackknife).
 /// @param of  the value without the replicate of that number
 template <typename Of>
@@ -79,6 +56,19 @@ Estimate jackknife(const Of& of) {
         variance += (n - 1.0) / n * square(value - mean);
     }
     return {of(replicates), student * std::sqrt(variance)};
+}
+
+/// The 95 % interval of a share by Wilson's score: near its nominal coverage on average for any
+/// share, and never empty at 0 or 1.
+std::pair<double, double> wilson_interval(std::uint64_t hits, std::uint64_t count) {
+    constexpr double z = 1.959963984540054;
+    const auto n = static_cast<double>(count);
+    const double share = static_cast<double>(hits) / n;
+    const double middle = (share + z * z / (2.0 * n)) / (1.0 + z * z / n);
+    const double half =
+        z / (1.0 + z * z / n) * std::sqrt(share * (1.0 - share) / n + z * z / (4.0 * n * n));
+    return {hits == 0 ? 0.0 : std::max(middle - half, 0.0),
+            hits == count ? 1.0 : std::min(middle + half, 1.0)};
 }
 
 /// The sums of all replicates but one.
@@ -217,31 +207,6 @@ std::uint64_t count_of(const Rejections& rejections) {
 
 void reject(Rejections& rejections, std::uint64_t sample, const Reason& reason) {
     rejections[without_numbers(reason.message().english())] += {1, sample, reason};
-}
-
-Json write_rejections(const Rejections& rejections) {
-    Json list = Json::array();
-    for (const auto& [kind, rejection] : rejections) {
-        list.push_back({{"reason", rejection.reason.message().english()},
-                        {"count", rejection.count},
-                        {"first", rejection.first}});
-    }
-    return list;
-}
-
-std::int64_t whole_of(const Json& json) {
-    return json.get_ref<const Json::number_integer_t&>();
-}
-
-Rejections read_rejections(const Json& json) {
-    Rejections rejections;
-    for (const Json& each : json) {
-        const auto text = each.at("reason").get<std::string>();
-        rejections[without_numbers(text)] = {static_cast<std::uint64_t>(whole_of(each.at("count"))),
-                                             static_cast<std::uint64_t>(whole_of(each.at("first"))),
-                                             {{}, text}};
-    }
-    return rejections;
 }
 
 /// Within a bin the values are taken to lie evenly.
@@ -442,53 +407,6 @@ std::vector<std::uint64_t> Tally::histogram(std::size_t watched, double from, do
     return counts;
 }
 
-Json Tally::write() const {
-    Json json = {{"solved", solved_},
-                 {"refused", write_rejections(rejections_)},
-                 {"slice_counts", write_counts(slice_counts_)},
-                 {"pair_counts", write_counts(pair_counts_)},
-                 {"values", Json::array()}};
-    for (const Value& value : values_) {
-        json["values"].push_back({{"bins", write_counts(value.bins)},
-                                  {"min", value.min},
-                                  {"max", value.max},
-                                  {"within", value.within},
-                                  {"slices", write_counts(value.slices)},
-                                  {"pairs", write_counts(value.pairs)}});
-    }
-    return json;
-}
-
-Tally Tally::read(const Json& json, std::vector<CountingPlan> plan, std::size_t inputs) {
-    Tally tally(std::move(plan), inputs);
-    tally.solved_ = static_cast<std::uint64_t>(whole_of(json.at("solved")));
-    tally.rejections_ = read_rejections(json.at("refused"));
-    read_counts(json.at("slice_counts"), tally.slice_counts_);
-    read_counts(json.at("pair_counts"), tally.pair_counts_);
-    for (std::size_t w = 0; w < tally.values_.size(); ++w) {
-        const Json& from = json.at("values").at(w);
-        Value& value = tally.values_[w];
-        read_counts(from.at("bins"), value.bins);
-        value.min = from.at("min").get<double>();
-        value.max = from.at("max").get<double>();
-        value.within = whole_of(from.at("within"));
-        read_counts(from.at("slices"), value.slices);
-        read_counts(from.at("pairs"), value.pairs);
-        // Each solved sample is in one bin, and lies within the limits or not.
-        std::uint64_t counted = 0;
-        bool holds = value.within >= 0 && (tally.solved_ == 0 || value.min <= value.max) &&
-                     static_cast<std::uint64_t>(value.within) <= tally.solved_;
-        for (const std::int64_t bin : value.bins) {
-            holds = holds && bin >= 0 && static_cast<std::uint64_t>(bin) <= tally.solved_;
-            counted += static_cast<std::uint64_t>(bin);
-        }
-        if (!holds || counted != tally.solved_) {
-            throw InputError("/counts", not_ours);
-        }
-    }
-    return tally;
-}
-
 std::string without_numbers(const std::string& text) {
     const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
     const auto is_of_word = [](char c) {
@@ -506,17 +424,6 @@ std::string without_numbers(const std::string& text) {
         at = after;
     }
     return plain;
-}
-
-std::pair<double, double> wilson_interval(std::uint64_t hits, std::uint64_t count) {
-    constexpr double z = 1.959963984540054;
-    const auto n = static_cast<double>(count);
-    const double share = static_cast<double>(hits) / n;
-    const double middle = (share + z * z / (2.0 * n)) / (1.0 + z * z / n);
-    const double half =
-        z / (1.0 + z * z / n) * std::sqrt(share * (1.0 - share) / n + z * z / (4.0 * n * n));
-    return {hits == 0 ? 0.0 : std::max(middle - half, 0.0),
-            hits == count ? 1.0 : std::min(middle + half, 1.0)};
 }
 
 }  // namespace ravnoves::studies

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "case-file/json_fwd.h"
 #include "case-file/response.h"
 #include "studies/sampler.h"
 
@@ -66,11 +65,6 @@ struct Rejection {
 using Rejections = std::map<std::string, Rejection>;
 std::uint64_t count_of(const Rejections& rejections);
 void reject(Rejections& rejections, std::uint64_t sample, const Reason& reason);
-Json write_rejections(const Rejections& rejections);
-/// A whole number of a part. A float beyond its range would have no conversion.
-/// @throws Json::exception  where it is another kind of value
-std::int64_t whole_of(const Json& json);
-Rejections read_rejections(const Json& json);
 
 /// Sums of solved samples of one watched value, about the plan's centre.
 struct Sums {
@@ -96,6 +90,8 @@ struct Block {
 
 /// Of a part that this program did not write, or not so.
 inline constexpr Text not_ours = Text::tr("was not written by this program");
+
+class PartValues;
 
 /// Whole numbers that samples add up to, whatever their order. 65536 bins of each watched value are
 /// fixed beforehand; their places serve the sensitivities too.
@@ -126,9 +122,8 @@ class Tally {
     std::vector<std::uint64_t> histogram(std::size_t watched, double from, double to,
                                          std::size_t bars) const;
 
-    Json write() const;
-    /// @throws Json::exception or InputError where it is not what write() writes
-    static Tally read(const Json& json, std::vector<CountingPlan> plan, std::size_t inputs);
+    /// @throws InputError where the values that are read are none of a tally
+    void pass(PartValues& values);
 
   private:
     using Counts = std::vector<std::int64_t>;
@@ -158,9 +153,5 @@ class Tally {
 
 /// The text with its numbers left out: rejections of one kind read the same.
 std::string without_numbers(const std::string& text);
-
-/// The 95 % interval of a share by Wilson's score: near its nominal coverage on average for any
-/// share, and never empty at 0 or 1.
-std::pair<double, double> wilson_interval(std::uint64_t hits, std::uint64_t count);
 
 }  // namespace ravnoves::studies

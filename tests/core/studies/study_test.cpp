@@ -509,13 +509,6 @@ TEST(Study, ACharacterThatWasChangedIsRejectedOrMeansNothing) {
     }
 }
 
-TEST(Study, AReasonMayBeOfAnyLength) {
-    Json part = written_part("sobol", true);
-    part["counts"]["refused"] = Json::array(
-        {{{"reason", "has " + std::string(1'000'000, '1')}, {"count", 0}, {"first", 0}}});
-    EXPECT_EQ(error_of([&] { read_part(signed_part(part)); }), "no error");
-}
-
 TEST(Study, RejectionsOfOneKindReadTheSameWithoutNumbers) {
     for (const auto& [text, plain] :
          {std::pair("/x0: must be at most 2.5, got -3.1e-7", "/x0: must be at most #, got #"),
@@ -523,11 +516,12 @@ TEST(Study, RejectionsOfOneKindReadTheSameWithoutNumbers) {
           std::pair("1-2 e5 - nan 1e+", "#-# e5 - nan #e+")}) {
         EXPECT_EQ(without_numbers(text), plain);
     }
+    EXPECT_EQ(without_numbers("has " + std::string(1'000'000, '1')), "has #");
 }
 
 TEST(Study, APartNeedsItsChecksum) {
     EXPECT_EQ(error_of([&] {
-                  read_part({{"format", "ravnoves-study-part"}, {"version", 2}});
+                  read_part({{"format", "ravnoves-study-part"}, {"version", 3}});
               }),
               "/sha256: is required and missing");
 }
