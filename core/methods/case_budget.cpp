@@ -1,18 +1,21 @@
 #include "methods/case_budget.h"
 
 #include <algorithm>
+#include <array>
 #include <cfenv>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "balance-shaft/dead_centre.h"
+#include "balance-shaft/scene.h"
 #include "case-file/case_file.h"
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "methods/case_questions.h"
 #include "methods/plain_text.h"
 #include "numerics/constants.h"
+#include "numerics/demand.h"
 #include "scenes/scenes.h"
 #include "studies/study.h"
 
@@ -36,16 +39,57 @@ class RoundingMode {
     int before_;
 };
 
+/// What an answer of a scene leads with, below "result".
+struct Leading {
+    std::string_view scene;
+    std::vector<std::string_view> results;
+    /// Below "input" the word that chooses a method rather than an engine.
+    std::string_view choice{};
+};
+
+const Leading& leading_of(std::string_view scene) {
+    static const std::array all{
+        Leading{
+            "balance-shaft",
+            {"/metrics/M_ups/range_Nm", "/metrics/M_ups/rms_Nm", "/optimum/range/shaft_angle_deg",
+             "/optimum/range/range_Nm", "/moment_amplitude_Nm", "/flywheel/excess_work_J"},
+            "/interpolation"},
+        Leading{"elastic-hinge",
+                {"/guide/minimum_preload_mm", "/guide/relief_mm", "/rod_hinge_moment_integral_J",
+                 "/counterweight_weight_N", "/rod_hinge_guide/relief_mm",
+                 "/side_force/largest_with_hinge_N"},
+                "/kinematics"},
+        Leading{"workshop",
+                {"/bobweight_g", "/plugs/options/steel-machined/required_reduction_g",
+                 "/correction/planes/0/unbalance_g_mm", "/correction/planes/1/unbalance_g_mm",
+                 "/correction/planes/0/remaining_g_mm", "/correction/planes/1/remaining_g_mm"}},
+        Leading{"v8-plugs", {"/options/steel-machined/required_reduction_g", "/k_y"}},
+        Leading{"bob-weights",
+                {"/bobweight_g", "/correction/planes/0/unbalance_g_mm",
+                 "/correction/planes/1/unbalance_g_mm", "/correction/planes/0/remaining_g_mm",
+                 "/correction/planes/1/remaining_g_mm", "/permissible_rotor_g_mm"}},
+        Leading{"inertia-moments",
+                {"/exact/order_1/force_N/forward/amplitude",
+                 "/exact/order_1/force_N/backward/amplitude",
+                 "/exact/order_1/moment_Nm/forward/amplitude",
+                 "/exact/order_1/moment_Nm/backward/amplitude",
+                 "/exact/order_2/force_N/forward/amplitude",
+                 "/exact/order_2/force_N/backward/amplitude",
+                 "/exact/order_2/moment_Nm/forward/amplitude",
+                 "/exact/order_2/moment_Nm/backward/amplitude"}},
+    };
+    const auto* const found = std::ranges::find(all, scene, &Leading::scene);
+    RAVNOVES_DEMAND(found != all.end(), "every scene says what its answers lead with");
+    return *found;
+}
+
 /// One case and the changes that are made to it.
 class Question {
   public:
     Question(const CaseFile& file, const CaseContext& context)
-        : file_(file),
-          context_(context),
-          solver_(scene_solver(file.scene)),
-          questions_(questions_of(file.scene)) {
+        : file_(file), context_(context), solver_(scene_solver(file.scene)) {
         const auto entries = solver_.results(file.input, context);
-        for (const std::string_view leading : questions_.leading) {
+        for (const std::string_view leading : leading_results(file.scene)) {
             const auto found = std::find_if(
                 entries.begin(), entries.end(),
                 [&](const ResultEntry& entry) { return entry.pointer == leading && entry.si; });
@@ -67,33 +111,30 @@ class Question {
     }
 
     void ask_choices() {
-        for (const FieldEntry& entry : questions_.fields(file_.input)) {
-            const auto& choices = questions_.choices;
-            if (std::find(choices.begin(), choices.end(), entry.pointer) == choices.end()) {
+        for (const FieldEntry& entry : solver_.fields(file_.input)) {
+            if (entry.pointer != leading_of(file_.scene).choice) {
                 continue;
             }
-            const auto* const now = std::get_if<int>(&entry.value);
-            for (std::size_t i = 0; i < entry.field.words.size(); ++i) {
-                if (now == nullptr || i != static_cast<std::size_t>(*now)) {
-                    const std::string word(entry.field.words[i].word);
-                    add({Kind::choice, entry.pointer, word}, {solved(with(entry.pointer, word))});
-                }
+            for (const Word& each : entry.field.words) {  // the present one changes nothing
+                const std::string word(each.word);
+                add({Kind::choice, entry.pointer, word}, {solved(with(entry.pointer, word))});
             }
         }
     }
 
+    /// Of a result that has an approximate form beside the exact one.
     void ask_approximation() {
-        if (questions_.approximate.empty()) {
-            return;
-        }
+        constexpr std::string_view exact = "/exact";
+        const std::string approximate = "/two_term";
         std::vector<std::string> pointers = pointers_;
         for (std::string& pointer : pointers) {
-            if (pointer.starts_with(questions_.exact)) {
-                pointer.replace(0, questions_.exact.size(), questions_.approximate);
+            if (pointer.starts_with(exact)) {
+                pointer.replace(0, exact.size(), approximate);
             }
         }
-        add({Kind::approximate, std::string(questions_.approximate)},
-            {solved(file_.input, pointers)});
+        if (pointers != pointers_) {
+            add({Kind::approximate, approximate}, {solved(file_.input, pointers)});
+        }
     }
 
     void ask_tolerances() {
@@ -101,14 +142,11 @@ class Question {
         if (!file_.study.is_null()) {
             all = studies::read_study(file_.study, true).vary;
         }
-        for (const studies::Varied& measured : questions_.measured
-                                                   ? questions_.measured(file_.input, context_)
-                                                   : std::vector<studies::Varied>()) {
-            if (std::ranges::find(all, measured.pointer, &studies::Varied::pointer) == all.end()) {
-                add({Kind::tolerance, measured.pointer},
-                    {solved(with(measured.pointer, measured.from)),
-                     solved(with(measured.pointer, measured.to))});
-            }
+        const auto phase = phase_of_trace();
+        if (phase &&
+            std::ranges::find(all, phase->pointer, &studies::Varied::pointer) == all.end()) {
+            add({Kind::tolerance, phase->pointer}, {solved(with(phase->pointer, phase->from)),
+                                                    solved(with(phase->pointer, phase->to))});
         }
         for (const studies::Varied& varied : all) {
             const Pointer place(varied.pointer);
@@ -147,6 +185,21 @@ class Question {
     }
 
   private:
+    /// The phase of a pressure trace, as its compression line tells the dead centre.
+    std::optional<studies::Varied> phase_of_trace() const {
+        if (file_.scene != "balance-shaft") {
+            return std::nullopt;
+        }
+        const balance_shaft::Input read = balance_shaft::read_input(file_.input, context_);
+        const auto centre = find_dead_centre(read);
+        if (!centre) {
+            return std::nullopt;
+        }
+        return studies::Varied{.pointer = "/torque/pressure/crank_angle_shift_deg",
+                               .from = (read.torque.trace_shift - centre->uncertainty) / degree,
+                               .to = (read.torque.trace_shift + centre->uncertainty) / degree};
+    }
+
     Json with(const std::string& pointer, Json value) const {
         Json input = file_.input;
         input[Pointer(pointer)] = std::move(value);
@@ -189,13 +242,16 @@ class Question {
     const CaseFile& file_;
     const CaseContext& context_;
     const SceneSolver& solver_;
-    const CaseQuestions& questions_;
     std::vector<CaseDoubt> budget_;
     std::vector<std::string> pointers_;
     Values nominal_;
 };
 
 }  // namespace
+
+std::span<const std::string_view> leading_results(std::string_view scene) {
+    return leading_of(scene).results;
+}
 
 std::string Contribution::english() const {
     switch (kind) {

@@ -97,6 +97,11 @@ std::vector<ResultEntry> results_of(const Json& input, const CaseContext& contex
     return list_results(read_whole<read>(input, context));
 }
 
+template <typename Input>
+std::vector<FieldEntry> fields_in(const Json& input) {
+    return list_fields(read_fields<Input>(input, Completeness::as_is));
+}
+
 template <auto presets>
 std::vector<Preset<Json>> written() {
     std::vector<Preset<Json>> list;
@@ -118,7 +123,8 @@ SceneSolver scene(std::string_view name, Text title = {}, Text summary = {}) {
             .left_out = left_out,
             .presets = written<presets>,
             .respond = respond<Input, read, check, Results>,
-            .results = results_of<read>};
+            .results = results_of<read>,
+            .fields = fields_in<Input>};
 }
 
 /// Of a format that the workshop reads: nobody begins in it.

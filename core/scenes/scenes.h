@@ -10,6 +10,7 @@
 #include "bibliography/formula.h"
 #include "case-file/case_context.h"
 #include "case-file/case_file.h"
+#include "case-file/field_index.h"
 #include "case-file/json_fwd.h"
 #include "case-file/preset.h"
 #include "case-file/response.h"
@@ -40,6 +41,8 @@ struct SceneSolver {
                                          std::span<const std::string> watched);
     /// The single numbers of its result, with their names. @throws InputError as solve()
     std::vector<ResultEntry> (*results)(const Json& input, const CaseContext& context);
+    /// The fields of an "input", for their names and words; their places are no longer valid.
+    std::vector<FieldEntry> (*fields)(const Json& input);
     /// Pointer below "result" to whether a case is feasible, yes or no; empty without one.
     std::string_view buildable{};
 };

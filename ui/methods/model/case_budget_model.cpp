@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "case-file/input_error.h"
-#include "methods/case_questions.h"
 #include "plot/model/ticks.h"
 #include "scenes/scenes.h"
 #include "text/message_text.h"
@@ -70,8 +69,7 @@ void CaseBudgetModel::load(const std::optional<OpenCase>& open) {
             }
             return [this, budget = std::move(budget)] {
                 budget_ = budget;
-                names_ = FieldNames(
-                    {methods::questions_of(open_->file.scene).fields(open_->file.input)});
+                names_ = FieldNames({scene_solver(open_->file.scene).fields(open_->file.input)});
                 Q_EMIT changed();
             };
         });

@@ -6,7 +6,7 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "methods/case_questions.h"
+#include "methods/case_budget.h"
 #include "model/background_job.h"
 #include "model/input_differences.h"
 #include "model/scene_model.h"
@@ -174,7 +174,7 @@ std::vector<std::string> StudyModel::results() const {
     // What an answer leads with is first.
     auto next = found.begin();
     for (const std::string_view leading :
-         methods::questions_of(scene_->sceneName().toStdString()).leading) {
+         methods::leading_results(scene_->sceneName().toStdString())) {
         if (const auto at = std::find(next, found.end(), leading); at != found.end()) {
             next = std::rotate(next, at, at + 1);
         }
