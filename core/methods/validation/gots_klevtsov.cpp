@@ -114,7 +114,8 @@ void table_2(const Engine& engine, PaperRows& rows) {
     rows.at(table(2));
     double phi = 0.0;
     for (std::size_t i = 0; i < gots_klevtsov::table_2.size(); ++i) {
-        rows.given({Text{"Mᵢ(φ = %1°)"}, phi}, "N·m", gots_klevtsov::table_2_torque[i],
+        rows.given({Text{"Mᵢ(φ = %1°)"}, phi}, "N·m",
+                   gots_klevtsov::opposite(gots_klevtsov::table_2[i]),
                    engine.solver.input().torque.table.torque.at(i));
         rows.given({Text{"Mᵤₚ(φ = %1°)"}, phi}, "N·m", gots_klevtsov::table_2[i], engine.M_up(phi),
                    Text::tr("Mᵤₚ = −Mᵢ, the program's input."));
@@ -145,7 +146,7 @@ void table_3(const Engine& engine, PaperRows& rows) {
         rows.at(table(3));
         for (std::size_t k = 0; k < table_3_columns; ++k) {
             const double alpha = table_3_step * static_cast<double>(k);
-            const std::string_view printed = gots_klevtsov::table_3(i, k);
+            const std::string printed = gots_klevtsov::table_3(i, k);
             if (k + 1 < table_3_columns) {
                 rows.reproduced({Text{"Mₛ(φ = %1°, α = %2°)"}, phi, alpha}, "N·m", printed,
                                 engine.M_s(phi, alpha), reason, scatter);

@@ -6,6 +6,7 @@
 
 #include "bibliography/bibliography.h"
 #include "case-file/decimal.h"
+#include "case-file/field.h"
 #include "methods/plain_text.h"
 #include "methods/validation/rows.h"
 
@@ -18,20 +19,12 @@ Paper paper(std::string_view scene, std::string_view key) {
     return {scene, entry.cited_as, citation(entry)};
 }
 
-struct VerdictWords {
-    std::string_view id;
-    Text title;
+/// In the order of the enumeration.
+constexpr Word verdict_words[]{
+    {"reproduced", Text::tr("reproduced")}, {"artefact", Text::tr("artefact")},
+    {"slip", Text::tr("misprint")},         {"not-derivable", Text::tr("not derivable")},
+    {"given", Text::tr("given")},           {"differs", Text::tr("differs")},
 };
-
-const VerdictWords& words_of(Verdict verdict) {
-    // In the order of the enumeration.
-    static constexpr VerdictWords words[] = {
-        {"reproduced", Text::tr("reproduced")}, {"artefact", Text::tr("artefact")},
-        {"slip", Text::tr("misprint")},         {"not-derivable", Text::tr("not derivable")},
-        {"given", Text::tr("given")},           {"differs", Text::tr("differs")},
-    };
-    return words[static_cast<std::size_t>(verdict)];
-}
 
 bool is_in_minutes(const ValidationRow& row) {
     return row.printed_text.find("′") != std::string::npos;
@@ -63,11 +56,11 @@ std::size_t number_of(const std::string& reason, std::vector<std::string>& reaso
 }  // namespace
 
 std::string_view verdict_id(Verdict verdict) {
-    return words_of(verdict).id;
+    return verdict_words[static_cast<std::size_t>(verdict)].word;
 }
 
 Text verdict_title(Verdict verdict) {
-    return words_of(verdict).title;
+    return verdict_words[static_cast<std::size_t>(verdict)].label;
 }
 
 std::span<const Paper> papers() {
@@ -113,16 +106,11 @@ std::string ValidationRow::difference_text() const {
            " %";
 }
 
-std::size_t ValidationReport::count(Verdict verdict) const {
-    return static_cast<std::size_t>(
-        std::count_if(rows.begin(), rows.end(),
-                      [&](const ValidationRow& row) { return row.verdict == verdict; }));
-}
-
 std::size_t ValidationReport::count(Verdict verdict, std::string_view scene) const {
-    return static_cast<std::size_t>(std::count_if(
-        rows.begin(), rows.end(),
-        [&](const ValidationRow& row) { return row.verdict == verdict && row.scene == scene; }));
+    return static_cast<std::size_t>(
+        std::count_if(rows.begin(), rows.end(), [&](const ValidationRow& row) {
+            return row.verdict == verdict && (scene.empty() || row.scene == scene);
+        }));
 }
 
 std::string ValidationReport::summary() const {

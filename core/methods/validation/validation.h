@@ -73,8 +73,8 @@ struct ValidationRow {
 struct ValidationReport {
     std::vector<ValidationRow> rows;  ///< by paper, in the order of the print
 
-    std::size_t count(Verdict verdict) const;
-    std::size_t count(Verdict verdict, std::string_view scene) const;
+    /// @param scene  of one paper; empty: of all
+    std::size_t count(Verdict verdict, std::string_view scene = {}) const;
     /// "430 printed numbers: 370 reproduced, …": one line, without a full stop.
     std::string summary() const;
 };
