@@ -24,8 +24,7 @@ struct ShaftAngles {
     }
 };
 
-/// The α with the smallest range. The range at an α is prepared as the scene prepares it.
-using AngleCase = TorqueCase<1>;
+// The α with the smallest range. The range at an α is prepared as the scene prepares it.
 
 using Search = double (*)(const ShaftAngles& extrema, double setting);
 
@@ -59,8 +58,8 @@ double cutting_planes(const ShaftAngles& extrema, double) {
     return balance_shaft::minimise_range(extrema.plane, extrema.amplitude).alpha;
 }
 
-Method<AngleCase> method_of(MethodInfo info, Search search) {
-    return {std::move(info), [search](const AngleCase& cycle, double setting) -> Run {
+Method<TorqueCycle> method_of(MethodInfo info, Search search) {
+    return {std::move(info), [search](const TorqueCycle& cycle, double setting) -> Run {
                 const ShaftAngles extrema{MomentPlane(cycle.interpolant()), cycle.amplitude};
                 return [search, setting, extrema](std::span<double> out) {
                     out[0] = search(extrema, setting);
@@ -69,21 +68,21 @@ Method<AngleCase> method_of(MethodInfo info, Search search) {
             }};
 }
 
-std::vector<Expected> reference(const AngleCase& cycle) {
+std::vector<Expected> reference(const TorqueCycle& cycle) {
     return {{0, TorqueReference(cycle).min_range(), cycle.size()}};
 }
 
 /// By how much the range at the angle found exceeds the smallest one.
-double measure(const AngleCase& cycle, std::span<const double> out,
+double measure(const TorqueCycle& cycle, std::span<const double> out,
                const std::vector<Expected>& reference) {
-    const Real50 range = TorqueReference(cycle).range(Real50(out[0]));
+    const Real50 range = TorqueReference(cycle).range(Real50(out[0])).range;
     return static_cast<double>(abs(Real50(range - reference[0].value))) / reference[0].scale;
 }
 
 }  // namespace
 
 Kernel best_angle_kernel() {
-    Definition<AngleCase> definition;
+    Definition<TorqueCycle> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "best-angle";
     kernel.title = Text::tr("Best shaft angle");
@@ -102,25 +101,22 @@ Kernel best_angle_kernel() {
         method_of({"scan",
                    Text::tr("scan"),
                    Text::tr("limited by its step, for any table"),
-                   {{"30°", 30}, {"5°", 5}, {"1°", 1}, {"0.1°", 0.1}},
-                   false},
+                   {{"30°", 30}, {"5°", 5}, {"1°", 1}, {"0.1°", 0.1}}},
                   scan),
         method_of({"brent",
                    Text::tr("Brent's method"),
                    Text::tr("finds one of several minima, and on a kink its parabolas do not help"),
                    {{Text::tr("one start"), 0},
                     counted(Text::tr("from a scan of %1°"), 30),
-                    counted(Text::tr("from a scan of %1°"), 10)},
-                   false},
+                    counted(Text::tr("from a scan of %1°"), 10)}},
                   brent),
         method_of({"cutting-planes",
                    Text::tr("cutting planes"),
                    Text::tr("exact: the bounds prove that no angle is better"),
-                   {{Text::tr("exact"), 0}},
-                   false},
+                   {{Text::tr("exact"), 0}}},
                   cutting_planes),
     };
-    definition.sweeps = torque_sweeps<AngleCase>(
+    definition.sweeps = torque_sweeps(
         {"amplitude", "second-minimum", "peak-width", "spline-rows", "irregular-rows"});
     definition.reference = reference;
     definition.measure = measure;

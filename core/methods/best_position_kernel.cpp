@@ -13,9 +13,8 @@ namespace {
 using balance_shaft::MomentPlane;
 using Place = Eigen::Vector2d;
 
-/// The place (a, b) of the shaft, in N·m of its moment, with the smallest range. The range at a
-/// place is prepared as the scene prepares it.
-using PlaceCase = TorqueCase<2>;
+// The place (a, b) of the shaft, in N·m of its moment, with the smallest range. The range at a
+// place is prepared as the scene prepares it.
 
 using Search = Place (*)(const MomentPlane& plane, double setting);
 
@@ -47,8 +46,8 @@ Place cutting_planes(const MomentPlane& plane, double) {
     return balance_shaft::minimise_range(plane).place;
 }
 
-Method<PlaceCase> method_of(MethodInfo info, Search search) {
-    return {std::move(info), [search](const PlaceCase& cycle, double setting) -> Run {
+Method<TorqueCycle> method_of(MethodInfo info, Search search) {
+    return {std::move(info), [search](const TorqueCycle& cycle, double setting) -> Run {
                 return [search, setting,
                         plane = MomentPlane(cycle.interpolant())](std::span<double> out) {
                     const Place found = search(plane, setting);
@@ -60,7 +59,7 @@ Method<PlaceCase> method_of(MethodInfo info, Search search) {
 }
 
 /// Where the first order of the moments vanishes: the best place for the RMS.
-Run first_order(const PlaceCase& cycle, double) {
+Run first_order(const TorqueCycle& cycle, double) {
     return [moment = cycle.interpolant()](std::span<double> out) {
         const FourierPair order = moment.fourier(degree);
         out[0] = -order.a;
@@ -69,21 +68,22 @@ Run first_order(const PlaceCase& cycle, double) {
     };
 }
 
-std::vector<Expected> reference(const PlaceCase& cycle) {
+std::vector<Expected> reference(const TorqueCycle& cycle) {
     return {{0, TorqueReference(cycle).min_range_of_all(), cycle.size()}};
 }
 
 /// By how much the range at the place found exceeds the smallest one.
-double measure(const PlaceCase& cycle, std::span<const double> out,
+double measure(const TorqueCycle& cycle, std::span<const double> out,
                const std::vector<Expected>& reference) {
-    const Real50 range = TorqueReference(cycle).range(Real50(out[0]), Real50(out[1]));
+    const Real50 range = TorqueReference(cycle).range(Real50(out[0]), Real50(out[1])).range;
     return static_cast<double>(abs(Real50(range - reference[0].value))) / reference[0].scale;
 }
 
 }  // namespace
 
 Kernel best_position_kernel() {
-    Definition<PlaceCase> definition;
+    Definition<TorqueCycle> definition;
+    definition.outputs = 2;
     Kernel& kernel = definition.kernel;
     kernel.id = "best-position";
     kernel.title = Text::tr("Best place of the shaft");
@@ -101,21 +101,19 @@ Kernel best_position_kernel() {
         {{"first-order",
           Text::tr("place without first order"),
           Text::tr("the optimum of the RMS, not of the range"),
-          {{Text::tr("closed form"), 0}},
-          false},
+          {{Text::tr("closed form"), 0}}},
          first_order},
         method_of({"grid", Text::tr("grid"), Text::tr("limited by its step, at a quadratic cost"),
-                   counted(Text::tr("%1 a side"), {21, 81, 201}), false},
+                   counted(Text::tr("%1 a side"), {21, 81, 201})},
                   grid),
         method_of({"cutting-planes",
                    Text::tr("cutting planes"),
                    Text::tr("exact: the planes prove that no place is better"),
-                   {{Text::tr("exact"), 0}},
-                   false},
+                   {{Text::tr("exact"), 0}}},
                   cutting_planes),
     };
     definition.sweeps =
-        torque_sweeps<PlaceCase>({"second-minimum", "peak-width", "spline-rows", "irregular-rows"});
+        torque_sweeps({"second-minimum", "peak-width", "spline-rows", "irregular-rows"});
     definition.reference = reference;
     definition.measure = measure;
     return make_kernel(std::move(definition));

@@ -11,64 +11,55 @@ namespace ravnoves::methods {
 
 namespace {
 
-/// Mean of M_ups, its RMS about the mean, and the first order of M_up, a cos φ + b sin φ: with it
-/// the RMS at every other α follows from the one at this.
-using MeanCase = TorqueCase<4>;
+// Mean of M_ups, its RMS about the mean, and the first order of M_up, a cos φ + b sin φ: with it
+// the RMS at every other α follows from the one at this.
 
-/// Sums over weighted values of M_ups and M_up.
-struct Sums {
-    double weight = 0.0, mean = 0.0, square = 0.0, cosine = 0.0, sine = 0.0;
-
-    void add(double w, double table, double shaft, double cos_phi, double sin_phi) {
-        const double value = table + shaft;
-        weight += w;
-        mean += w * value;
-        square += w * value * value;
-        cosine += w * table * cos_phi;
-        sine += w * table * sin_phi;
-    }
-    void put(std::span<double> out) const {
-        const double centre = mean / weight;
-        out[0] = centre;
-        out[1] = std::sqrt(std::max(square / weight - centre * centre, 0.0));
-        out[2] = 2.0 * cosine / weight;
-        out[3] = 2.0 * sine / weight;
-    }
-};
-
-/// Takes values of a cycle at any angle into sums.
-class Nodes {
+/// Sums over weighted values of M_ups and M_up at any angles of a cycle.
+class Sums {
   public:
-    explicit Nodes(const TorqueCycle& cycle)
+    explicit Sums(const TorqueCycle& cycle)
         : x_(cycle.amplitude * std::sin(cycle.alpha)),
           y_(cycle.amplitude * std::cos(cycle.alpha)) {}
-    void add(double weight, double angle_deg, double table, Sums& sums) const {
+
+    void add(double weight, double angle_deg, double table) {
         const double c = std::cos(angle_deg * degree);
         const double s = std::sin(angle_deg * degree);
-        sums.add(weight, table, x_ * c + y_ * s, c, s);
+        const double value = table + (x_ * c + y_ * s);
+        weight_ += weight;
+        mean_ += weight * value;
+        square_ += weight * value * value;
+        cosine_ += weight * table * c;
+        sine_ += weight * table * s;
+    }
+    void put(std::span<double> out) const {
+        const double centre = mean_ / weight_;
+        out[0] = centre;
+        out[1] = std::sqrt(std::max(square_ / weight_ - centre * centre, 0.0));
+        out[2] = 2.0 * cosine_ / weight_;
+        out[3] = 2.0 * sine_ / weight_;
     }
 
   private:
     double x_;  ///< A sin α
     double y_;  ///< A cos α
+    double weight_ = 0.0, mean_ = 0.0, square_ = 0.0, cosine_ = 0.0, sine_ = 0.0;
 };
 
 /// A rule of equally spaced nodes: weight(i) of node i = 0…n.
 template <typename Weight>
-Method<MeanCase> node_rule(MethodInfo info, const Weight& weight) {
+Method<TorqueCycle> node_rule(MethodInfo info, const Weight& weight) {
     info.settings = {counted(Text::tr("%1 steps"), 12),  {Text::tr("24 steps"), 24},
                      counted(Text::tr("%1 steps"), 48),  {Text::tr("144 steps"), 144},
                      counted(Text::tr("%1 steps"), 720), counted(Text::tr("%1 steps"), 7200)};
-    return {std::move(info), [weight](const MeanCase& cycle, double steps) -> Run {
+    return {std::move(info), [weight](const TorqueCycle& cycle, double steps) -> Run {
                 return
                     [&cycle, weight, n = static_cast<std::size_t>(steps)](std::span<double> out) {
                         const auto moment = cycle.interpolant();
-                        const Nodes nodes(cycle);
-                        Sums sums;
+                        Sums sums(cycle);
                         for (std::size_t i = 0; i <= n; ++i) {
                             const double angle =
                                 cycle_deg * static_cast<double>(i) / static_cast<double>(n);
-                            nodes.add(weight(i, n), angle, moment(angle), sums);
+                            sums.add(weight(i, n), angle, moment(angle));
                         }
                         sums.put(out);
                         return Message();
@@ -76,18 +67,17 @@ Method<MeanCase> node_rule(MethodInfo info, const Weight& weight) {
             }};
 }
 
-Run gauss_legendre(const MeanCase& cycle, double panels) {
+Run gauss_legendre(const TorqueCycle& cycle, double panels) {
     return [&cycle, panels](std::span<double> out) {
         using Gauss = boost::math::quadrature::gauss<double, 10>;
         const auto moment = cycle.interpolant();
-        const Nodes nodes(cycle);
-        Sums sums;
+        Sums sums(cycle);
         const double half = cycle_deg / panels / 2.0;
         for (double k = 0.0; k < panels; ++k) {
             for (std::size_t i = 0; i < Gauss::abscissa().size(); ++i) {
                 for (const double sign : {-1.0, 1.0}) {
                     const double angle = half * (2.0 * k + 1.0 + sign * Gauss::abscissa()[i]);
-                    nodes.add(Gauss::weights()[i], angle, moment(angle), sums);
+                    sums.add(Gauss::weights()[i], angle, moment(angle));
                 }
             }
         }
@@ -97,7 +87,7 @@ Run gauss_legendre(const MeanCase& cycle, double panels) {
 }
 
 /// As the scene computes them: integrals of the pieces, and the shaft's moment in closed form.
-Run exact(const MeanCase& cycle, double) {
+Run exact(const TorqueCycle& cycle, double) {
     return [&cycle](std::span<double> out) {
         const auto moment = cycle.interpolant();
         const double amplitude = cycle.amplitude;
@@ -113,7 +103,7 @@ Run exact(const MeanCase& cycle, double) {
     };
 }
 
-std::vector<Expected> reference(const MeanCase& cycle) {
+std::vector<Expected> reference(const TorqueCycle& cycle) {
     const auto means = TorqueReference(cycle).means();
     return {{0, means.mean, cycle.size()},
             {1, means.rms, cycle.size()},
@@ -124,7 +114,8 @@ std::vector<Expected> reference(const MeanCase& cycle) {
 }  // namespace
 
 Kernel cycle_mean_kernel() {
-    Definition<MeanCase> definition;
+    Definition<TorqueCycle> definition;
+    definition.outputs = 4;
     Kernel& kernel = definition.kernel;
     kernel.id = "cycle-mean";
     kernel.title = Text::tr("Cycle mean and RMS");
@@ -169,12 +160,11 @@ Kernel cycle_mean_kernel() {
           Text::tr("exact integral of the interpolant"),
           Text::tr("exact for the interpolated table; the table does not show the engine between "
                    "its rows"),
-          {{Text::tr("pieces"), 0}},
-          false},
+          {{Text::tr("pieces"), 0}}},
          exact},
     };
-    definition.sweeps = torque_sweeps<MeanCase>(
-        {"shaft-angle", "pure-sine", "peak-width", "spline-rows", "irregular-rows"});
+    definition.sweeps =
+        torque_sweeps({"shaft-angle", "pure-sine", "peak-width", "spline-rows", "irregular-rows"});
     definition.reference = reference;
     return make_kernel(std::move(definition));
 }

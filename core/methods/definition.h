@@ -34,53 +34,25 @@ struct Sweep {
     std::function<Case(double)> make;
 };
 
-/// All that a kernel's file has to say. Case needs outputs() and evaluations().
+/// All that a kernel's file has to say.
 template <typename Case>
 struct Definition {
     Kernel kernel;  ///< without methods, sweeps and problem
+    std::size_t outputs = 1;
+    double (*evaluations)(const Case&) = [](const Case&) { return 1.0; };
     std::vector<Method<Case>> methods;
     std::vector<Sweep<Case>> sweeps;
     std::function<std::vector<Expected>(const Case&)> reference;
     /// In the place of the largest |out − expected| / scale, where the error is something else.
     std::function<double(const Case&, std::span<const double>, const std::vector<Expected>&)>
-        measure;
-};
-
-template <typename Case>
-class ProblemOf final : public Problem {
-  public:
-    ProblemOf(std::shared_ptr<const Definition<Case>> definition, Case instance)
-        : definition_(std::move(definition)), case_(std::move(instance)) {}
-
-    std::size_t outputs() const override { return case_.outputs(); }
-    double evaluations() const override { return case_.evaluations(); }
-    Run prepare(std::size_t method, std::size_t setting) const override {
-        const Method<Case>& chosen = definition_->methods.at(method);
-        return chosen.prepare(case_, chosen.info.settings.at(setting).value);
-    }
-    double error(std::span<const double> out) const override {
-        if (definition_->measure) {
-            return definition_->measure(case_, out, reference());
-        }
-        Real50 worst(0);
-        for (const Expected& expected : reference()) {
-            const Real50 error = abs(Real50(out[expected.index] - expected.value)) / expected.scale;
-            worst = std::max(worst, error);
-        }
-        return static_cast<double>(worst);
-    }
-
-  private:
-    const std::vector<Expected>& reference() const {
-        if (!reference_) {
-            reference_ = definition_->reference(case_);
-        }
-        return *reference_;
-    }
-
-    std::shared_ptr<const Definition<Case>> definition_;
-    Case case_;
-    mutable std::optional<std::vector<Expected>> reference_;
+        measure =
+            [](const Case&, std::span<const double> out, const std::vector<Expected>& reference) {
+                Real50 worst(0);
+                for (const auto& [index, value, scale] : reference) {
+                    worst = std::max(worst, Real50(abs(Real50(out[index] - value)) / scale));
+                }
+                return static_cast<double>(worst);
+            };
 };
 
 /// The kernel of a definition.
@@ -94,8 +66,20 @@ Kernel make_kernel(Definition<Case> definition) {
         kernel.sweeps.push_back(sweep.info);
     }
     kernel.problem = [shared = std::make_shared<const Definition<Case>>(std::move(definition))](
-                         std::size_t sweep, double value) -> std::unique_ptr<Problem> {
-        return std::make_unique<ProblemOf<Case>>(shared, shared->sweeps.at(sweep).make(value));
+                         std::size_t sweep, double value) -> Problem {
+        const auto of = std::make_shared<const Case>(shared->sweeps.at(sweep).make(value));
+        return {shared->outputs, shared->evaluations(*of),
+                [shared, of](std::size_t method, std::size_t setting) {
+                    const Method<Case>& chosen = shared->methods.at(method);
+                    return chosen.prepare(*of, chosen.info.settings.at(setting).value);
+                },
+                [shared, of, reference = std::optional<std::vector<Expected>>()](
+                    std::span<const double> out) mutable {
+                    if (!reference) {
+                        reference = shared->reference(*of);
+                    }
+                    return shared->measure(*of, out, *reference);
+                }};
     };
     return kernel;
 }

@@ -26,8 +26,6 @@ struct GuideCase {
     std::size_t hardest = 0;
     double hardest_angle = 0.0;  ///< rad
 
-    std::size_t outputs() const { return intervals + 1; }
-    double evaluations() const { return static_cast<double>(outputs()); }
     /// Whole degrees, but for the one next to the angle where most energy has been given out:
     /// there the guide is hardest to compute, so that angle itself takes its place.
     double angle(std::size_t i) const {
@@ -225,6 +223,8 @@ std::function<GuideCase(double)> paper_with(const Change& change) {
 Kernel guide_kernel() {
     using elastic_hinge::preset_zotov;
     Definition<GuideCase> definition;
+    definition.outputs = intervals + 1;
+    definition.evaluations = [](const GuideCase&) { return intervals + 1.0; };
     Kernel& kernel = definition.kernel;
     kernel.id = "guide";
     kernel.title = Text::tr("Guide of the elastic hinge");
@@ -246,8 +246,7 @@ Kernel guide_kernel() {
              Text::tr("closed form as printed"),
              Text::tr("a difference of nearly equal squares: it loses the digits of a small "
                       "relief or a small preload"),
-             {{"(3)", 0}},
-             false},
+             {{"(3)", 0}}},
             [](const Spring& spring, double q) {
                 // ρ = ℓ₀/2 − √(ℓ₀²/4 − B), B = ℓ₀ρ₀ − ρ₀² + q
                 const double l = spring.free_length;
@@ -258,8 +257,7 @@ Kernel guide_kernel() {
                      Text::tr("closed form"),
                      Text::tr("half of the digits remain where the spring releases all its "
                               "energy; beyond that no guide exists"),
-                     {{Text::tr("free of cancellation"), 0}},
-                     false},
+                     {{Text::tr("free of cancellation"), 0}}},
                     [](const Spring& spring, double q) {
                         return guide_radius(spring, Branch::compressed, q);
                     }),
@@ -270,8 +268,7 @@ Kernel guide_kernel() {
         {{"dormand-prince",
           Text::tr("Dormand-Prince with step control"),
           Text::tr("its steps shrink to 0 where ρ approaches ℓ₀/2"),
-          {{"1e-6", 1e-6}, {"1e-8", 1e-8}, {"1e-10", 1e-10}, {"1e-12", 1e-12}},
-          false},
+          {{"1e-6", 1e-6}, {"1e-8", 1e-8}, {"1e-10", 1e-10}, {"1e-12", 1e-12}}},
          dormand_prince},
     };
     const GuideCase paper{preset_zotov()};

@@ -38,8 +38,6 @@ struct MotionCase {
     Real50 before;         ///< of all of them but the last, s
     std::shared_ptr<const elastic_hinge::Result> solved;
 
-    std::size_t outputs() const { return 2 * static_cast<std::size_t>(parts); }
-    double evaluations() const { return turns; }
     double seconds_of_turn() const { return seconds / turns; }  ///< on an average
     /// Of the outputs 2 (part − 1) and 2 (part − 1) + 1; part = 1…parts.
     double time(int part) const {
@@ -337,6 +335,8 @@ Kernel hinge_motion_kernel() {
     const std::vector<Setting> tolerances{
         {"1e-5", 1e-5}, {"1e-8", 1e-8}, {"1e-11", 1e-11}, {"1e-13", 1e-13}};
     Definition<MotionCase> definition;
+    definition.outputs = 2 * std::size_t{MotionCase::parts};
+    definition.evaluations = [](const MotionCase& motion) { return motion.turns; };
     Kernel& kernel = definition.kernel;
     kernel.id = "hinge-motion";
     kernel.title = Text::tr("Motion with a hinge");
@@ -362,14 +362,13 @@ Kernel hinge_motion_kernel() {
         integrated(
             {"dormand-prince", Text::tr("Dormand-Prince with step control"),
              Text::tr("the energy drifts by about the tolerance at every turn, without limit"),
-             tolerances, false},
+             tolerances},
             dormand_prince),
         {{"energy-series",
           Text::tr("energy, time by Gauss sums"),
           Text::tr("slower near a standstill; where the crank barely passes a dead point, "
                    "rounding decides"),
-          {{"1e-5", 1e-5}, {"1e-8", 1e-8}},
-          false},
+          {{"1e-5", 1e-5}, {"1e-8", 1e-8}}},
          energy_series},
     };
     constexpr double off_design = 0.8;
@@ -382,15 +381,12 @@ Kernel hinge_motion_kernel() {
           Spacing::logarithmic, 0.05, 20.0, off_design},
          [=](double share) { return make_motion(paper_lambda, share, 5.0); }},
         {{"turns", Text::tr("turns"), units::none, 1.0, 300.0, Spacing::logarithmic, 1.0, 300.0,
-          5.0},
+          5.0, 5},
          [=](double turns) { return make_motion(paper_lambda, off_design, turns); }},
-    };
-    definition.sweeps.back().info.points = 5;
-    definition.sweeps.push_back(
         {{"crank-torque", Text::tr("moment on the crank, 5 turns"), units::N_m, 1e-3, 1e2,
-          Spacing::logarithmic, 1e-3, 1e2, 0.5},
-         [=](double torque) { return make_motion(paper_lambda, off_design, 5.0, torque); }});
-    definition.sweeps.back().info.points = 9;
+          Spacing::logarithmic, 1e-3, 1e2, 0.5, 9},
+         [=](double torque) { return make_motion(paper_lambda, off_design, 5.0, torque); }},
+    };
     definition.reference = reference;
     return make_kernel(std::move(definition));
 }

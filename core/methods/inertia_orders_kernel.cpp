@@ -14,13 +14,9 @@ using inertia_moments::CylinderOrders;
 constexpr int max_order = inertia_moments::highest_order;
 constexpr std::size_t stored = max_order + 1;  // the mean among them
 
-/// Orders 0…12 of force and torque of one cylinder, in units of m R ω² and m R² ω².
-struct OrdersCase {
-    SliderCrank<double> crank{1.0, 1.0, 0.0};  ///< in units of R
-
-    std::size_t outputs() const { return 4 * stored; }
-    double evaluations() const { return 1.0; }
-};
+// Orders 0…12 of force and torque of one cylinder, in units of m R ω² and m R² ω², of lengths in
+// units of R.
+using Crank = SliderCrank<double>;
 
 void put(const CylinderOrders& orders, std::span<double> out) {
     std::fill(out.begin(), out.end(), 0.0);
@@ -37,10 +33,9 @@ void put(const CylinderOrders& orders, std::span<double> out) {
 }
 
 /// What the scene says where there is nothing to compare with.
-Message rejection_of(const OrdersCase& problem) {
-    const auto locking =
-        inertia_moments::find_locking(problem.crank.crank_radius, problem.crank.lambda(),
-                                      {{0.0, 0.0, problem.crank.offset, 0.0}});
+Message rejection_of(const Crank& crank) {
+    const auto locking = inertia_moments::find_locking(crank.crank_radius, crank.lambda(),
+                                                       {{0.0, 0.0, crank.offset, 0.0}});
     return locking ? inertia_moments::describe(*locking) : Message();
 }
 
@@ -51,13 +46,12 @@ CylinderOrders transformed(const SliderCrank<double>& crank, std::size_t samples
     return inertia_moments::exact_cylinder_orders(crank, 0.0, known, transform);
 }
 
-Method<OrdersCase> method_of(MethodInfo info,
-                             CylinderOrders (*orders)(const OrdersCase&, double setting)) {
-    return {std::move(info), [orders](const OrdersCase& problem, double setting) -> Run {
-                return [&problem, orders, setting](std::span<double> out) {
-                    Message rejection = rejection_of(problem);
+Method<Crank> method_of(MethodInfo info, CylinderOrders (*orders)(const Crank&, double setting)) {
+    return {std::move(info), [orders](const Crank& crank, double setting) -> Run {
+                return [&crank, orders, setting](std::span<double> out) {
+                    Message rejection = rejection_of(crank);
                     if (rejection.empty()) {
-                        put(orders(problem, setting), out);
+                        put(orders(crank, setting), out);
                     }
                     return rejection;
                 };
@@ -67,8 +61,8 @@ Method<OrdersCase> method_of(MethodInfo info,
 /// −s″ and −s″ s′ times cosines and sines, integrated over both halves of the turn from one of the
 /// rod's farthest swings to the other by the double exponential rule: its nodes crowd at the ends
 /// of the halves, where a mechanism near locking has its peaks.
-std::vector<Expected> reference(const OrdersCase& problem) {
-    if (!rejection_of(problem).empty()) {
+std::vector<Expected> reference(const Crank& crank) {
+    if (!rejection_of(crank).empty()) {
         return {};
     }
     const Real50& half_pi = boost::math::constants::half_pi<Real50>();
@@ -82,7 +76,7 @@ std::vector<Expected> reference(const OrdersCase& problem) {
             const Real50 spread = cosh(inner);
             const Real50 theta = half_pi * (middle + tanh(inner));
             const Real50 weight = half_pi * half_pi * cosh(t) / (spread * spread) * step;
-            const auto motion = reference_piston(problem.crank, theta);
+            const auto motion = reference_piston(crank, theta);
             const Real50 force = -motion.d2s * weight;
             const Real50 torque = force * motion.ds;
             const Real50 c1 = cos(theta);
@@ -117,9 +111,8 @@ std::vector<Expected> reference(const OrdersCase& problem) {
 }  // namespace
 
 Kernel inertia_orders_kernel() {
-    constexpr double vr5_lambda = 0.265;
-    constexpr double vr5_offset = 12.5 / 45.0;
-    Definition<OrdersCase> definition;
+    Definition<Crank> definition;
+    definition.outputs = 4 * stored;
     Kernel& kernel = definition.kernel;
     kernel.id = "inertia-orders";
     kernel.title = Text::tr("Inertia orders");
@@ -139,11 +132,10 @@ Kernel inertia_orders_kernel() {
              Text::tr("two-term closed form"),
              Text::tr(
                  "leaves λ³/4 in order 2 and all of the higher orders: three digits at λ = 0.25"),
-             {{Text::tr("closed form"), 0}},
-             false},
-            [](const OrdersCase& problem, double) {
-                return inertia_moments::two_term_cylinder_orders(
-                    problem.crank.lambda(), problem.crank.relative_offset(), 0.0);
+             {{Text::tr("closed form"), 0}}},
+            [](const Crank& crank, double) {
+                return inertia_moments::two_term_cylinder_orders(crank.lambda(),
+                                                                 crank.relative_offset(), 0.0);
             }),
         method_of({"transform",
                    Text::tr("discrete Fourier transform"),
@@ -154,38 +146,22 @@ Kernel inertia_orders_kernel() {
                     {Text::tr("32 points"), 32},
                     {Text::tr("64 points"), 64},
                     counted(Text::tr("%1 points"), 128),
-                    counted(Text::tr("%1 points"), 512)},
-                   false},
-                  [](const OrdersCase& problem, double samples) {
-                      return transformed(problem.crank, static_cast<std::size_t>(samples));
+                    counted(Text::tr("%1 points"), 512)}},
+                  [](const Crank& crank, double samples) {
+                      return transformed(crank, static_cast<std::size_t>(samples));
                   }),
         method_of(
             {"transform-by-accuracy",
              Text::tr("Fourier transform of sufficient length"),
              Text::tr("the number of points grows as 1/√(1 − λ(1 + K)); nearer to locking than "
                       "4·10⁻⁹ the module rejects the mechanism"),
-             {{"1e-4", 1e-4}, {"1e-8", 1e-8}, {"1e-13", 1e-13}},
-             false},
-            [](const OrdersCase& problem, double accuracy) {
-                return transformed(problem.crank, transform_length(problem.crank.harmonic_decay(),
-                                                                   max_order, accuracy));
+             {{"1e-4", 1e-4}, {"1e-8", 1e-8}, {"1e-13", 1e-13}}},
+            [](const Crank& crank, double accuracy) {
+                return transformed(crank,
+                                   transform_length(crank.harmonic_decay(), max_order, accuracy));
             }),
     };
-    // Both go beyond what the scene takes.
-    constexpr double nearest = 1e-9;
-    definition.sweeps = {
-        {{"locking", Text::tr("distance from locking, 1 − λ"), units::none, nearest, 0.99,
-          Spacing::logarithmic, 5e-9, 0.99, 1.0 - vr5_lambda},
-         [](double gap) {
-             return OrdersCase{{1.0, 1.0 / (1.0 - gap), 0.0}};
-         }},
-        {{"offset", Text::tr("distance from locking by the offset, 1 − λ(1 + K), λ = 0.265"),
-          units::none, nearest, 1.0 - vr5_lambda, Spacing::logarithmic, 5e-9, 1.0 - vr5_lambda,
-          1.0 - vr5_lambda * (1.0 + vr5_offset)},
-         [](double gap) {
-             return OrdersCase{{1.0, 1.0 / vr5_lambda, (1.0 - gap) / vr5_lambda - 1.0}};
-         }},
-    };
+    definition.sweeps = slider_crank_sweeps(1e-9, 5e-9);  // beyond what the scene takes
     definition.reference = reference;
     return make_kernel(std::move(definition));
 }

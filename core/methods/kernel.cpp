@@ -55,11 +55,6 @@ std::size_t Kernel::find_setting(std::size_t method, std::string_view label) con
         "setting");
 }
 
-std::size_t Kernel::find_sweep(std::string_view wanted) const {
-    return index_of(
-        sweeps, wanted, [](const SweepInfo& s) { return s.id; }, "sweep");
-}
-
 std::vector<Setting> counted(Text label, std::initializer_list<double> values) {
     std::vector<Setting> settings;
     for (const double value : values) {
@@ -93,7 +88,7 @@ const Kernel* find_kernel(std::string_view id) {
 }
 
 Result evaluate(const Problem& problem, std::size_t method, std::size_t setting) {
-    std::vector<double> out(problem.outputs(), 0.0);
+    std::vector<double> out(problem.outputs, 0.0);
     Result result;
     result.rejection = problem.prepare(method, setting)(out);
     if (result.rejected()) {

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -80,19 +79,17 @@ struct MethodChoice {
 /// @return empty, or why there are no numbers, as a clause ("the mechanism locks")
 using Run = std::function<Message(std::span<double> out)>;
 
-/// One problem of a kernel. Const members may run in one thread at a time (the reference is made
-/// when it is first asked for).
-class Problem {
-  public:
-    virtual ~Problem() = default;
-    virtual std::size_t outputs() const = 0;
+/// One problem of a kernel, for one thread at a time.
+struct Problem {
+    std::size_t outputs;
     /// How many evaluations one run makes; times are given per evaluation.
-    virtual double evaluations() const = 0;
+    double evaluations;
     /// The method made ready for this problem: what the scene prepares once is prepared here. The
     /// run lives no longer than the problem.
-    virtual Run prepare(std::size_t method, std::size_t setting) const = 0;
-    /// Largest error of the outputs against 50 digits, in the kernel's measure.
-    virtual double error(std::span<const double> out) const = 0;
+    std::function<Run(std::size_t method, std::size_t setting)> prepare;
+    /// Largest error of the outputs against 50 digits, in the kernel's measure. The reference is
+    /// made when it is first asked for.
+    std::function<double(std::span<const double> out)> error;
 };
 
 /// A quantity that scenes compute, with all the methods that could compute it.
@@ -106,11 +103,10 @@ struct Kernel {
     MethodChoice choice;
     std::vector<MethodInfo> methods;
     std::vector<SweepInfo> sweeps;  ///< the first is the one that charts begin with
-    std::function<std::unique_ptr<Problem>(std::size_t sweep, double value)> problem;
+    std::function<Problem(std::size_t sweep, double value)> problem;
 
     std::size_t find_method(std::string_view id) const;  ///< that must be there
     std::size_t find_setting(std::size_t method, std::string_view label) const;  ///< likewise
-    std::size_t find_sweep(std::string_view id) const;                           ///< likewise
     std::size_t chosen_method() const { return find_method(choice.method); }
     std::size_t chosen_setting() const { return find_setting(chosen_method(), choice.setting); }
 };

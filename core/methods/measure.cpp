@@ -37,9 +37,10 @@ double quantile(const std::vector<double>& sorted, double q) {
 
 }  // namespace
 
-Timing time_run(const Run& run, std::size_t outputs, double evaluations,
+Timing time_run(const Problem& problem, std::size_t method, std::size_t setting,
                 const MeasureOptions& options) {
-    std::vector<double> out(outputs, 0.0);
+    const Run run = problem.prepare(method, setting);
+    std::vector<double> out(problem.outputs, 0.0);
     std::size_t repeats = 1;
     double warm = seconds_of(run, out, repeats);
     while (warm < options.batch_seconds) {
@@ -56,13 +57,13 @@ Timing time_run(const Run& run, std::size_t outputs, double evaluations,
     times.reserve(static_cast<std::size_t>(batches));
     for (int batch = 0; batch < batches; ++batch) {
         times.push_back(1e9 * seconds_of(run, out, repeats) /
-                        (static_cast<double>(repeats) * evaluations));
+                        (static_cast<double>(repeats) * problem.evaluations));
     }
     std::sort(times.begin(), times.end());
     return {quantile(times, 0.5), quantile(times, 0.25), quantile(times, 0.75), batches};
 }
 
-std::optional<double> WorkPrecision::order(std::size_t method) const {
+std::optional<double> KernelReport::order(std::size_t method) const {
     const MethodInfo& info = kernel->methods[method];
     if (!info.has_order) {
         return std::nullopt;
@@ -72,8 +73,8 @@ std::optional<double> WorkPrecision::order(std::size_t method) const {
     constexpr double rounding = 1e-13;
     constexpr double too_coarse = 0.05;
     std::vector<double> slopes;
-    const WorkPoint* last = nullptr;
-    for (const WorkPoint& point : points) {
+    const MethodRow* last = nullptr;
+    for (const MethodRow& point : rows) {
         if (point.method != method || point.result.rejected() || point.result.error < rounding ||
             point.result.error > too_coarse) {
             continue;
@@ -92,25 +93,26 @@ std::optional<double> WorkPrecision::order(std::size_t method) const {
     return slopes[slopes.size() / 2];
 }
 
-WorkPrecision measure_work(const Kernel& kernel, std::size_t sweep, double value,
-                           const MeasureOptions& options, const Progress& progress) {
-    WorkPrecision work{&kernel, sweep, value, {}};
-    const auto problem = kernel.problem(sweep, value);
+KernelReport measure_work(const Kernel& kernel, std::size_t sweep, double value,
+                          const MeasureOptions& options, const Progress& progress) {
+    KernelReport report{&kernel, sweep, value, {}};
+    const Problem problem = kernel.problem(sweep, value);
     std::size_t total = 0;
     for (const MethodInfo& method : kernel.methods) {
         total += method.settings.size();
     }
     for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
         for (std::size_t setting = 0; setting < kernel.methods[method].settings.size(); ++setting) {
-            tell(progress, static_cast<double>(work.points.size()) / static_cast<double>(total));
-            WorkPoint point{method, setting, {}, evaluate(*problem, method, setting)};
-            point.timing = time_run(problem->prepare(method, setting), problem->outputs(),
-                                    problem->evaluations(), options);
-            work.points.push_back(std::move(point));
+            tell(progress, static_cast<double>(report.rows.size()) / static_cast<double>(total));
+            const Result result = evaluate(problem, method, setting);
+            report.rows.push_back(
+                {method, setting, time_run(problem, method, setting, options), result,
+                 method == kernel.chosen_method() && setting == kernel.chosen_setting(),
+                 !result.rejected() && result.error <= kernel.choice.tolerance});
         }
     }
     tell(progress, 1.0);
-    return work;
+    return report;
 }
 
 std::vector<StabilityCurve::Span> StabilityCurve::failing(double tolerance) const {
@@ -128,13 +130,6 @@ std::vector<StabilityCurve::Span> StabilityCurve::failing(double tolerance) cons
     return spans;
 }
 
-const StabilityCurve* StabilityMap::chosen() const {
-    const auto found = std::find_if(curves.begin(), curves.end(), [&](const StabilityCurve& c) {
-        return c.method == kernel->chosen_method() && c.setting == kernel->chosen_setting();
-    });
-    return found == curves.end() ? nullptr : &*found;
-}
-
 StabilityMap map_stability(const Kernel& kernel, std::size_t sweep, const MeasureOptions& options,
                            const Progress& progress) {
     StabilityMap map{&kernel, sweep, {}, {}};
@@ -149,28 +144,20 @@ StabilityMap map_stability(const Kernel& kernel, std::size_t sweep, const Measur
         tell(progress, static_cast<double>(i) / static_cast<double>(map.values.size()));
         const auto problem = kernel.problem(sweep, map.values[i]);
         for (StabilityCurve& curve : map.curves) {
-            curve.results.push_back(evaluate(*problem, curve.method, curve.setting));
+            curve.results.push_back(evaluate(problem, curve.method, curve.setting));
         }
     }
     tell(progress, 1.0);
     return map;
 }
 
-Text failing_nowhere() {
-    return Text::tr("nowhere");
-}
-
-Text failing_everywhere() {
-    return Text::tr("everywhere");
-}
-
 Message failing_text(const StabilityMap& map, const StabilityCurve& curve, double tolerance) {
     const auto spans = curve.failing(tolerance);
     if (spans.empty()) {
-        return failing_nowhere();
+        return failing_nowhere;
     }
     if (spans.front().first == 0 && spans.front().last + 1 == map.values.size()) {
-        return failing_everywhere();
+        return failing_everywhere;
     }
     const SweepInfo& sweep = map.kernel->sweeps[map.sweep];
     const auto number = [&](std::size_t i) { return Number{map.values[i], sweep.unit, 3}; };

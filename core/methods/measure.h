@@ -31,33 +31,49 @@ struct MeasureOptions {
     std::size_t sweep_points = 0;  ///< of a stability curve; 0: as many as its sweep says
 };
 
-/// Times a prepared run: as many runs per batch as a batch needs, one batch to warm up.
-Timing time_run(const Run& run, std::size_t outputs, double evaluations,
+/// Times a method, prepared once: as many runs per batch as a batch needs, one batch to warm up.
+Timing time_run(const Problem& problem, std::size_t method, std::size_t setting,
                 const MeasureOptions& options = {});
 
-/// One method with one setting on one problem.
-struct WorkPoint {
-    std::size_t method = 0;
-    std::size_t setting = 0;
-    Timing timing;  ///< ns per evaluation
-    Result result;
+/// Where a method exceeds the scene's tolerance along one hard parameter.
+struct Failing {
+    std::size_t sweep = 0;  ///< in Kernel::sweeps
+    Message where;          ///< as failing_text()
 };
 
-/// A kernel's methods on the problem of one value of a sweep.
-struct WorkPrecision {
+/// One line of a kernel's table: a method with one setting, as measured.
+struct MethodRow {
+    std::size_t method = 0;   ///< in Kernel::methods
+    std::size_t setting = 0;  ///< in MethodInfo::settings
+    Timing timing;            ///< ns per evaluation
+    Result result;            ///< error at the measured value, or the reason for none
+    bool in_use = false;      ///< the scene's method and setting
+    bool holds = false;       ///< its error at the measured value is within the scene's tolerance
+    /// Along every hard parameter that was mapped, in the kernel's order. The stability curves are
+    /// of the method's finest setting (or the one in use), so only that row has them.
+    std::vector<Failing> fails{};
+};
+
+/// A kernel's methods on the problem of one value of a sweep, as measured on this machine.
+struct KernelReport {
     const Kernel* kernel = nullptr;
     std::size_t sweep = 0;
     double value = 0.0;
-    std::vector<WorkPoint> points;  ///< by method, then by setting
+    std::vector<MethodRow> rows;  ///< by method, then by setting
 
+    const MethodInfo& method(const MethodRow& row) const { return kernel->methods[row.method]; }
+    const Message& setting(const MethodRow& row) const {
+        return method(row).settings[row.setting].label;
+    }
     /// Order of convergence found for a method: the slope of log error over log value between its
     /// settings, above rounding; empty where it has none.
     std::optional<double> order(std::size_t method) const;
 };
 
+/// Times and errors.
 /// @throws Cancelled
-WorkPrecision measure_work(const Kernel& kernel, std::size_t sweep, double value,
-                           const MeasureOptions& options = {}, const Progress& progress = {});
+KernelReport measure_work(const Kernel& kernel, std::size_t sweep, double value,
+                          const MeasureOptions& options = {}, const Progress& progress = {});
 
 /// The error of one method and setting along a sweep.
 struct StabilityCurve {
@@ -78,7 +94,6 @@ struct StabilityMap {
     std::size_t sweep = 0;
     std::vector<double> values;
     std::vector<StabilityCurve> curves;  ///< the last setting of every method, and the chosen one
-    const StabilityCurve* chosen() const;
 };
 
 /// Errors of every method along a sweep: each with its finest setting, the scene's with its own.
@@ -87,8 +102,8 @@ StabilityMap map_stability(const Kernel& kernel, std::size_t sweep,
                            const MeasureOptions& options = {}, const Progress& progress = {});
 
 /// What failing_text() says of a method that fails at no value, and at every value.
-Text failing_nowhere();
-Text failing_everywhere();
+inline constexpr Text failing_nowhere = Text::tr("nowhere");
+inline constexpr Text failing_everywhere = Text::tr("everywhere");
 
 /// Where a method stops being trustworthy along a sweep, as a clause: "everywhere", "from λ = 0.2",
 /// "λ = 0.2 to 0.3" or "nowhere".

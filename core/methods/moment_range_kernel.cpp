@@ -12,8 +12,7 @@ namespace ravnoves::methods {
 
 namespace {
 
-/// Range of M_ups at one α. What does not depend on α is prepared, as the scene prepares it.
-using RangeCase = TorqueCase<1>;
+// Range of M_ups at one α. What does not depend on α is prepared, as the scene prepares it.
 
 /// M_up and the sines at equally spaced nodes: two multiplications and additions per node and α.
 class Nodes {
@@ -51,7 +50,7 @@ class Nodes {
     Eigen::ArrayXd moment_, cos_, sin_;
 };
 
-Run prepare_nodes(const RangeCase& cycle, double step_deg) {
+Run prepare_nodes(const TorqueCycle& cycle, double step_deg) {
     return [nodes = Nodes(cycle, step_deg)](std::span<double> out) {
         out[0] = nodes.range();
         return Message();
@@ -59,7 +58,7 @@ Run prepare_nodes(const RangeCase& cycle, double step_deg) {
 }
 
 /// The largest value of each piece by Brent's method.
-Run prepare_brent(const RangeCase& cycle, double bits) {
+Run prepare_brent(const TorqueCycle& cycle, double bits) {
     return [&cycle, moment = cycle.interpolant(),
             bits = static_cast<int>(bits)](std::span<double> out) {
         double range = 0.0;
@@ -83,7 +82,7 @@ Run prepare_brent(const RangeCase& cycle, double bits) {
     };
 }
 
-Run prepare_exact(const RangeCase& cycle, double) {
+Run prepare_exact(const TorqueCycle& cycle, double) {
     return [plane = balance_shaft::MomentPlane(cycle.interpolant()),
             shaft = balance_shaft::shaft_at(cycle.amplitude, cycle.alpha)](std::span<double> out) {
         out[0] = plane.range(shaft);
@@ -91,14 +90,14 @@ Run prepare_exact(const RangeCase& cycle, double) {
     };
 }
 
-std::vector<Expected> reference(const RangeCase& cycle) {
-    return {{0, TorqueReference(cycle).range(Real50(cycle.alpha)), cycle.size()}};
+std::vector<Expected> reference(const TorqueCycle& cycle) {
+    return {{0, TorqueReference(cycle).range(Real50(cycle.alpha)).range, cycle.size()}};
 }
 
 }  // namespace
 
 Kernel moment_range_kernel() {
-    Definition<RangeCase> definition;
+    Definition<TorqueCycle> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "moment-range";
     kernel.title = Text::tr("Range of Mᵤₚₛ");
@@ -116,24 +115,21 @@ Kernel moment_range_kernel() {
         {{"nodes",
           Text::tr("maximum and minimum node"),
           Text::tr("cuts off an extremum between the nodes and misses a narrow peak"),
-          {{"30°", 30}, {"15°", 15}, {"5°", 5}, {"1°", 1}, {"0.1°", 0.1}},
-          false},
+          {{"30°", 30}, {"15°", 15}, {"5°", 5}, {"1°", 1}, {"0.1°", 0.1}}},
          prepare_nodes},
         {{"brent",
           Text::tr("Brent's method between the rows"),
           Text::tr("finds only one of two extrema on long straight pieces"),
-          {counted(Text::tr("to %1 bits"), 8), counted(Text::tr("to %1 bits"), 24)},
-          false},
+          {counted(Text::tr("to %1 bits"), 8), counted(Text::tr("to %1 bits"), 24)}},
          prepare_brent},
         {{"exact",
           Text::tr("exact extrema of the pieces"),
           Text::tr("exact for the interpolated table"),
-          {{Text::tr("pieces"), 0}},
-          false},
+          {{Text::tr("pieces"), 0}}},
          prepare_exact},
     };
-    definition.sweeps = torque_sweeps<RangeCase>(
-        {"shaft-angle", "peak-width", "amplitude", "spline-rows", "irregular-rows"});
+    definition.sweeps =
+        torque_sweeps({"shaft-angle", "peak-width", "amplitude", "spline-rows", "irregular-rows"});
     definition.reference = reference;
     return make_kernel(std::move(definition));
 }

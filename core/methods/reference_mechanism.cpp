@@ -14,6 +14,24 @@ PistonMotion<Real50> reference_piston(const SliderCrank<double>& crank, const Re
     return {x + ahead, dx + dahead, -x + d2ahead};
 }
 
+std::vector<Sweep<SliderCrank<double>>> slider_crank_sweeps(double nearest, double scene_nearest) {
+    constexpr double lambda = 0.265;
+    constexpr double offset = 12.5 / 45.0;
+    return {
+        {{"locking", Text::tr("distance from locking, 1 − λ"), units::none, nearest, 0.99,
+          Spacing::logarithmic, scene_nearest, 0.99, 1.0 - lambda},
+         [](double gap) {
+             return SliderCrank<double>{1.0, 1.0 / (1.0 - gap), 0.0};
+         }},
+        {{"offset", Text::tr("distance from locking by the offset, 1 − λ(1 + K), λ = 0.265"),
+          units::none, nearest, 1.0 - lambda, Spacing::logarithmic, scene_nearest, 1.0 - lambda,
+          1.0 - lambda * (1.0 + offset)},
+         [](double gap) {
+             return SliderCrank<double>{1.0, 1.0 / lambda, (1.0 - gap) / lambda - 1.0};
+         }},
+    };
+}
+
 ReferenceBars::ReferenceBars(const elastic_hinge::Input& input)
     : crank_mass_(input.crank_mass),
       rod_mass_(input.rod_mass),

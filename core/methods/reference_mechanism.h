@@ -1,6 +1,7 @@
 #pragma once
 
 #include "elastic-hinge/input.h"
+#include "methods/definition.h"
 #include "numerics/real50.h"
 #include "numerics/slider_crank.h"
 
@@ -11,6 +12,12 @@ namespace ravnoves::methods {
 /// s, s′, s″ of the piston pin from (s − x)² + y² = L², x = R cos θ, y = R sin θ − e, and from what
 /// differentiating that once and twice gives. The mechanism must not lock.
 PistonMotion<Real50> reference_piston(const SliderCrank<double>& crank, const Real50& theta);
+
+/// The distance from locking of a mechanism in units of R, as the paper's VR5 has it: by λ without
+/// an offset, and by the offset.
+/// @param nearest        of the sweeps
+/// @param scene_nearest  that the scene answers for
+std::vector<Sweep<SliderCrank<double>>> slider_crank_sweeps(double nearest, double scene_nearest);
 
 /// The elastic-hinge scene's mechanism, without counterweight.
 class ReferenceBars {

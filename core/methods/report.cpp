@@ -14,34 +14,6 @@ constexpr int shown_digits = 3;
 constexpr std::size_t text_width = 110;
 constexpr std::size_t table_width = 140;
 
-/// The curve of that method and setting; null where the map has another setting.
-const StabilityCurve* curve_of(const StabilityMap& map, std::size_t method, std::size_t setting) {
-    const auto found =
-        std::find_if(map.curves.begin(), map.curves.end(), [&](const StabilityCurve& curve) {
-            return curve.method == method && curve.setting == setting;
-        });
-    return found == map.curves.end() ? nullptr : &*found;
-}
-
-MethodRow make_row(const WorkPrecision& work, std::span<const StabilityMap* const> maps,
-                   const WorkPoint& point) {
-    const Kernel& kernel = *work.kernel;
-    MethodRow row;
-    row.method = point.method;
-    row.setting = point.setting;
-    row.timing = point.timing;
-    row.result = point.result;
-    row.order = work.order(point.method);
-    row.in_use = point.method == kernel.chosen_method() && point.setting == kernel.chosen_setting();
-    row.holds = !point.result.rejected() && point.result.error <= kernel.choice.tolerance;
-    for (const StabilityMap* const map : maps) {
-        if (const StabilityCurve* const curve = curve_of(*map, point.method, point.setting)) {
-            row.fails.push_back({map->sweep, failing_text(*map, *curve, kernel.choice.tolerance)});
-        }
-    }
-    return row;
-}
-
 std::string digits(double value) {
     return format_number(value, shown_digits);
 }
@@ -51,22 +23,21 @@ std::string plain_digits(double value) {
     return format_number(rounded_to_digits(value, shown_digits));
 }
 
-std::string optional_number(const std::optional<double>& value) {
-    return value ? format_number(*value) : "";
-}
-
 std::string value_with_unit(const SweepInfo& sweep, double value) {
     return Message(Number{value, sweep.unit, shown_digits}).english();
 }
 
 }  // namespace
 
-KernelReport make_report(const WorkPrecision& work, std::span<const StabilityMap* const> maps) {
-    KernelReport report{work.kernel, work.sweep, work.value, {}};
-    for (const WorkPoint& point : work.points) {
-        report.rows.push_back(make_row(work, maps, point));
+void add_failing(KernelReport& report, const StabilityMap& map) {
+    for (const StabilityCurve& curve : map.curves) {
+        for (MethodRow& row : report.rows) {
+            if (row.method == curve.method && row.setting == curve.setting) {
+                row.fails.push_back(
+                    {map.sweep, failing_text(map, curve, map.kernel->choice.tolerance)});
+            }
+        }
     }
-    return report;
 }
 
 Verdict verdict(const KernelReport& report) {
@@ -100,28 +71,19 @@ Verdict verdict(const KernelReport& report) {
 KernelReport measure_kernel(const Kernel& kernel, const MeasureOptions& options,
                             const Progress& progress) {
     // The times and each of the maps take about as long.
-    const double share = 1.0 / static_cast<double>(kernel.sweeps.size() + 1);
-    const auto part_from = [&](std::size_t done) -> Progress {
-        if (!progress) {
-            return {};
-        }
-        return [&progress, share, done](double part) {
-            return progress(std::min(share * (static_cast<double>(done) + part), 1.0));
+    const auto parts = static_cast<double>(kernel.sweeps.size() + 1);
+    const auto part_from = [&](double done) {
+        return [&progress, parts, done](double part) {
+            return !progress || progress((done + part) / parts);
         };
     };
-    std::vector<StabilityMap> maps;
-    std::vector<const StabilityMap*> listed;
-    maps.reserve(kernel.sweeps.size());
+    KernelReport report =
+        measure_work(kernel, 0, kernel.sweeps.front().present, options, part_from(0.0));
     for (std::size_t sweep = 0; sweep < kernel.sweeps.size(); ++sweep) {
-        maps.push_back(map_stability(kernel, sweep, options, part_from(sweep)));
-        listed.push_back(&maps.back());
+        add_failing(report, map_stability(kernel, sweep, options,
+                                          part_from(1.0 + static_cast<double>(sweep))));
     }
-    const WorkPrecision work = measure_work(kernel, 0, kernel.sweeps.front().present, options,
-                                            part_from(kernel.sweeps.size()));
-    if (progress) {
-        progress(1.0);
-    }
-    return make_report(work, listed);
+    return report;
 }
 
 Message failing_summary(const Kernel& kernel, const MethodRow& row, SweepName name) {
@@ -131,8 +93,8 @@ Message failing_summary(const Kernel& kernel, const MethodRow& row, SweepName na
     const Message& first = row.fails.front().where;
     const bool alike = std::all_of(row.fails.begin(), row.fails.end(),
                                    [&](const Failing& failing) { return failing.where == first; });
-    const Message nowhere(failing_nowhere());
-    const Message everywhere(failing_everywhere());
+    const Message nowhere(failing_nowhere);
+    const Message everywhere(failing_everywhere);
     if (alike && (first == nowhere || first == everywhere)) {
         return first;
     }
@@ -171,6 +133,7 @@ std::string write_text(const KernelReport& report) {
                         {"order", true},
                         {"not trustworthy"}});
     for (const MethodRow& row : report.rows) {
+        const auto order = report.order(row.method);
         table.add({row.in_use  ? "●"
                    : row.holds ? "+"
                                : "",
@@ -178,7 +141,7 @@ std::string write_text(const KernelReport& report) {
                    plain_digits(row.timing.median),
                    plain_digits(row.timing.low) + "…" + plain_digits(row.timing.high),
                    row.result.rejected() ? "refused" : digits(row.result.error),
-                   row.order ? format_number(*row.order, 2) : "",
+                   order ? format_number(*order, 2) : "",
                    failing_summary(kernel, row, SweepName::id).english()});
     }
     const std::string tolerance = digits(kernel.choice.tolerance);
@@ -211,13 +174,14 @@ std::string write_csv(std::span<const KernelReport> reports) {
     for (const KernelReport& report : reports) {
         const Kernel& kernel = *report.kernel;
         for (const MethodRow& row : report.rows) {
+            const auto order = report.order(row.method);
             text += csv_line(
                 {kernel.id, kernel.sweeps[report.sweep].id, format_number(report.value),
                  report.method(row).id, report.setting(row).english(), row.in_use ? "yes" : "no",
                  format_number(kernel.choice.tolerance), format_number(row.timing.median),
                  format_number(row.timing.low), format_number(row.timing.high),
                  row.result.rejected() ? "" : format_number(row.result.error),
-                 optional_number(row.order), row.holds ? "yes" : "no",
+                 order ? format_number(*order) : "", row.holds ? "yes" : "no",
                  failing_summary(kernel, row, SweepName::id).english(),
                  row.result.rejection.english(), report.method(row).limits.english});
         }

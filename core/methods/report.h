@@ -1,53 +1,15 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "case-file/verdict.h"
 #include "methods/measure.h"
 
 namespace ravnoves::methods {
 
-/// Where a method exceeds the scene's tolerance along one hard parameter.
-struct Failing {
-    std::size_t sweep = 0;  ///< in Kernel::sweeps
-    Message where;          ///< as failing_text()
-};
-
-/// One line of a kernel's table: a method with one setting, as measured.
-struct MethodRow {
-    std::size_t method = 0;   ///< in Kernel::methods
-    std::size_t setting = 0;  ///< in MethodInfo::settings
-    Timing timing;            ///< ns per evaluation
-    Result result;            ///< error at the measured value, or the reason for none
-    /// Order of convergence found over the method's settings; the same in all its rows.
-    std::optional<double> order;
-    bool in_use = false;  ///< the scene's method and setting
-    bool holds = false;   ///< its error at the measured value is within the scene's tolerance
-    /// Along every hard parameter that was mapped, in the kernel's order. The stability curves are
-    /// of the method's finest setting (or the one in use), so only that row has them.
-    std::vector<Failing> fails;
-};
-
-/// A kernel as measured on this machine.
-struct KernelReport {
-    const Kernel* kernel = nullptr;
-    std::size_t sweep = 0;  ///< at whose value times and errors were taken
-    double value = 0.0;
-    std::vector<MethodRow> rows;
-
-    const MethodInfo& method(const MethodRow& row) const { return kernel->methods[row.method]; }
-    const Message& setting(const MethodRow& row) const {
-        return method(row).settings[row.setting].label;
-    }
-};
-
-/// The table of what has been measured.
-/// @param maps  of the same kernel, each of another sweep
-KernelReport make_report(const WorkPrecision& work, std::span<const StabilityMap* const> maps);
+/// Adds where along a map's sweep the methods of a report fail.
+void add_failing(KernelReport& report, const StabilityMap& map);
 
 /// Measures a kernel at the present value of its first sweep, and its errors along every sweep.
 /// @throws Cancelled

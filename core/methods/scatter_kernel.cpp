@@ -32,8 +32,6 @@ struct ScatterCase {
     Kind kind = Kind::amplitude;
     double size = 0.01;
 
-    std::size_t outputs() const { return 2 * seeds; }
-    double evaluations() const { return static_cast<double>(seeds); }
     std::size_t inputs() const {
         constexpr std::array<std::size_t, 3> counts{4, 3, 2};
         return counts[static_cast<std::size_t>(kind)];
@@ -169,6 +167,8 @@ double measure(const ScatterCase&, std::span<const double> out,
 
 Kernel scatter_kernel() {
     Definition<ScatterCase> definition;
+    definition.outputs = 2 * seeds;
+    definition.evaluations = [](const ScatterCase&) { return static_cast<double>(seeds); };
     Kernel& kernel = definition.kernel;
     kernel.id = "scatter";
     kernel.title = Text::tr("Uncertain inputs");
@@ -189,8 +189,7 @@ Kernel scatter_kernel() {
         {{"linear",
           Text::tr("slopes at the nominal"),
           Text::tr("does not include anything away from the nominal: a jump, a corner, a curve"),
-          {{Text::tr("differences"), 0}},
-          false},
+          {{Text::tr("differences"), 0}}},
          linear},
         sampled({"monte-carlo", Text::tr("Monte Carlo"),
                  Text::tr("converges always, but a digit needs a hundred times the samples"),

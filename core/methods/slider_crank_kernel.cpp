@@ -9,22 +9,15 @@ namespace ravnoves::methods {
 
 namespace {
 
-/// s, s′, s″ of one mechanism at equally spaced angles of one turn, in units of R.
-struct Turn {
-    static constexpr std::size_t points = 720;
+// s, s′, s″ of one mechanism at equally spaced angles of one turn, in units of R.
+constexpr std::size_t points = 720;
 
-    SliderCrank<double> crank{1.0, 1.0, 0.0};
+double angle(std::size_t i) {
+    return two_pi * static_cast<double>(i) / static_cast<double>(points);
+}
 
-    std::size_t outputs() const { return 3 * points; }
-    double evaluations() const { return static_cast<double>(points); }
-    static double angle(std::size_t i) {
-        return two_pi * static_cast<double>(i) / static_cast<double>(points);
-    }
-};
-
-Message rejection_of(const Turn& turn) {
-    return turn.crank.locks() ? Text::tr("the mechanism locks: the crank cannot make a turn")
-                              : Text{};
+Message rejection_of(const SliderCrank<double>& crank) {
+    return crank.locks() ? Text::tr("the mechanism locks: the crank cannot make a turn") : Text{};
 }
 
 template <typename Scalar>
@@ -66,34 +59,34 @@ PistonMotion<double> by_series(const SliderCrank<double>& crank, int terms, doub
             -r * cos_theta + l * (d2f * dw * dw + df * d2w)};
 }
 
-Run prepare_series(const Turn& turn, double terms) {
-    return [turn, terms = static_cast<int>(terms),
-            nodes = UniformTransform<double>(Turn::points)](std::span<double> out) {
-        for (std::size_t i = 0; i < Turn::points; ++i) {
-            put(out, i, by_series(turn.crank, terms, nodes.node_sin()[i], nodes.node_cos()[i]));
+Run prepare_series(const SliderCrank<double>& mechanism, double terms) {
+    return [mechanism, terms = static_cast<int>(terms),
+            nodes = UniformTransform<double>(points)](std::span<double> out) {
+        for (std::size_t i = 0; i < points; ++i) {
+            put(out, i, by_series(mechanism, terms, nodes.node_sin()[i], nodes.node_cos()[i]));
         }
-        return rejection_of(turn);
+        return rejection_of(mechanism);
     };
 }
 
 template <typename Scalar>
-Run prepare_exact(const Turn& turn) {
-    return [turn](std::span<double> out) {
-        const auto crank = in<Scalar>(turn.crank);
-        for (std::size_t i = 0; i < Turn::points; ++i) {
-            put(out, i, crank.at(static_cast<Scalar>(Turn::angle(i))));
+Run prepare_exact(const SliderCrank<double>& mechanism) {
+    return [mechanism](std::span<double> out) {
+        const auto crank = in<Scalar>(mechanism);
+        for (std::size_t i = 0; i < points; ++i) {
+            put(out, i, crank.at(static_cast<Scalar>(angle(i))));
         }
-        return rejection_of(turn);
+        return rejection_of(mechanism);
     };
 }
 
 template <typename Scalar>
-Run prepare_table(const Turn& turn) {
-    const UniformTransform<double> nodes(Turn::points);
+Run prepare_table(const SliderCrank<double>& mechanism) {
+    const UniformTransform<double> nodes(points);
     std::vector<Scalar> sine(nodes.node_sin().begin(), nodes.node_sin().end());
     std::vector<Scalar> cosine(nodes.node_cos().begin(), nodes.node_cos().end());
-    return [crank = in<Scalar>(turn.crank), sine = std::move(sine), cosine = std::move(cosine),
-            rejection = rejection_of(turn)](std::span<double> out) {
+    return [crank = in<Scalar>(mechanism), sine = std::move(sine), cosine = std::move(cosine),
+            rejection = rejection_of(mechanism)](std::span<double> out) {
         for (std::size_t i = 0; i < sine.size(); ++i) {
             put(out, i, crank.at(sine[i], cosine[i]));
         }
@@ -106,9 +99,9 @@ std::vector<std::size_t> probes() {
     std::vector<std::size_t> list;
     constexpr std::size_t spread = 36;
     for (std::size_t k = 0; k < spread; ++k) {
-        list.push_back(k * Turn::points / spread);
+        list.push_back(k * points / spread);
     }
-    for (const std::size_t quarter : {Turn::points / 4, 3 * Turn::points / 4}) {
+    for (const std::size_t quarter : {points / 4, 3 * points / 4}) {
         for (std::size_t k = 1; k <= 3; ++k) {
             list.push_back(quarter + k);
             list.push_back(quarter - k);
@@ -117,15 +110,15 @@ std::vector<std::size_t> probes() {
     return list;
 }
 
-std::vector<Expected> reference(const Turn& turn) {
-    const Real50 step = boost::math::constants::two_pi<Real50>() / Real50(Turn::points);
+std::vector<Expected> reference(const SliderCrank<double>& mechanism) {
+    const Real50 step = boost::math::constants::two_pi<Real50>() / Real50(points);
     std::vector<Expected> list;
-    if (turn.crank.locks()) {
+    if (mechanism.locks()) {
         return list;
     }
     double scale[3] = {1.0, 1.0, 1.0};
     for (const std::size_t i : probes()) {
-        const auto motion = reference_piston(turn.crank, step * Real50(i));
+        const auto motion = reference_piston(mechanism, step * Real50(i));
         const Real50 values[3] = {motion.s, motion.ds, motion.d2s};
         for (std::size_t k = 0; k < 3; ++k) {
             list.push_back({3 * i + k, values[k], 1.0});
@@ -141,10 +134,10 @@ std::vector<Expected> reference(const Turn& turn) {
 }  // namespace
 
 Kernel slider_crank_kernel() {
-    constexpr double vr5_lambda = 0.265;  // of the paper's VR5
-    constexpr double vr5_offset = 12.5 / 45.0;
     const std::vector<Setting> precision{{Text::tr("float"), 0}, {Text::tr("double"), 1}};
-    Definition<Turn> definition;
+    Definition<SliderCrank<double>> definition;
+    definition.outputs = 3 * points;
+    definition.evaluations = [](const SliderCrank<double>&) { return static_cast<double>(points); };
     Kernel& kernel = definition.kernel;
     kernel.id = "slider-crank";
     kernel.title = Text::tr("Slider-crank kinematics");
@@ -168,37 +161,24 @@ Kernel slider_crank_kernel() {
            {Text::tr("3 terms"), 3},
            {Text::tr("4 terms"), 4},
            counted(Text::tr("%1 terms"), 6),
-           counted(Text::tr("%1 terms"), 10)},
-          false},
+           counted(Text::tr("%1 terms"), 10)}},
          prepare_series},
         {{"exact", Text::tr("exact"),
           Text::tr("in float the angle itself has seven digits; near locking the error "
                    "grows as the rounding divided by 1 − λ(1 + K)"),
-          precision, false},
-         [](const Turn& turn, double wide) {
-             return wide > 0.0 ? prepare_exact<double>(turn) : prepare_exact<float>(turn);
+          precision},
+         [](const SliderCrank<double>& mechanism, double wide) {
+             return wide > 0.0 ? prepare_exact<double>(mechanism) : prepare_exact<float>(mechanism);
          }},
         {{"exact-table", Text::tr("exact, sines kept"),
           Text::tr("near locking the error grows as the rounding divided by 1 − λ(1 + K): nine "
                    "digits remain at 1 − λ(1 + K) = 10⁻⁶"),
-          precision, false},
-         [](const Turn& turn, double wide) {
-             return wide > 0.0 ? prepare_table<double>(turn) : prepare_table<float>(turn);
+          precision},
+         [](const SliderCrank<double>& mechanism, double wide) {
+             return wide > 0.0 ? prepare_table<double>(mechanism) : prepare_table<float>(mechanism);
          }},
     };
-    definition.sweeps = {
-        {{"locking", Text::tr("distance from locking, 1 − λ"), units::none, 1e-6, 0.99,
-          Spacing::logarithmic, 1e-6, 0.99, 1.0 - vr5_lambda},
-         [](double gap) {
-             return Turn{{1.0, 1.0 / (1.0 - gap), 0.0}};
-         }},
-        {{"offset", Text::tr("distance from locking by the offset, 1 − λ(1 + K), λ = 0.265"),
-          units::none, 1e-6, 1.0 - vr5_lambda, Spacing::logarithmic, 1e-6, 1.0 - vr5_lambda,
-          1.0 - vr5_lambda * (1.0 + vr5_offset)},
-         [](double gap) {
-             return Turn{{1.0, 1.0 / vr5_lambda, (1.0 - gap) / vr5_lambda - 1.0}};
-         }},
-    };
+    definition.sweeps = slider_crank_sweeps(1e-6, 1e-6);
     definition.reference = reference;
     return make_kernel(std::move(definition));
 }

@@ -7,7 +7,6 @@
 #include "balance-shaft/presets.h"
 #include "balance-shaft/solver.h"
 #include "numerics/constants.h"
-#include "numerics/demand.h"
 
 namespace ravnoves::methods {
 
@@ -135,7 +134,7 @@ TorqueCycle two_minima_cycle(double share) {
     });
 }
 
-Sweep<TorqueCycle> torque_sweep(std::string_view id) {
+std::vector<Sweep<TorqueCycle>> torque_sweeps(std::initializer_list<std::string_view> ids) {
     static const std::vector<Sweep<TorqueCycle>> sweeps = [] {
         const TorqueCycle paper = paper_cycle();
         const auto paper_with = [&](double TorqueCycle::*member, double unit) {
@@ -169,10 +168,12 @@ Sweep<TorqueCycle> torque_sweep(std::string_view id) {
               by_decades, 6.0, 400.0, 48.0},
              irregular_cycle}};
     }();
-    const auto found = std::find_if(sweeps.begin(), sweeps.end(),
-                                    [&](const auto& sweep) { return sweep.info.id == id; });
-    RAVNOVES_DEMAND(found != sweeps.end(), "a torque's sweep must be known");
-    return *found;
+    std::vector<Sweep<TorqueCycle>> chosen;
+    for (const std::string_view id : ids) {
+        chosen.push_back(
+            *std::ranges::find(sweeps, id, [](const auto& each) { return each.info.id; }));
+    }
+    return chosen;
 }
 
 }  // namespace ravnoves::methods

@@ -29,13 +29,6 @@ struct TorqueCycle {
     double size() const;
 };
 
-/// A kernel's case: a cycle and the number of its outputs.
-template <std::size_t count>
-struct TorqueCase : TorqueCycle {
-    std::size_t outputs() const { return count; }
-    double evaluations() const { return 1.0; }
-};
-
 /// The paper's engine: Table 2 at 376.8 rad/s with its shaft.
 TorqueCycle paper_cycle();
 /// The paper's shaft beside a tipping moment of 0: M_ups is a pure sine.
@@ -44,19 +37,7 @@ TorqueCycle pure_sine_cycle(double alpha_deg);
 /// its size that makes one of them better.
 TorqueCycle two_minima_cycle(double share);
 
-/// The hard parameter of torques with that id.
-Sweep<TorqueCycle> torque_sweep(std::string_view id);
-
-/// The angles of a kernel whose case is such a cycle.
-template <typename Case>
-std::vector<Sweep<Case>> torque_sweeps(std::initializer_list<std::string_view> ids) {
-    std::vector<Sweep<Case>> sweeps;
-    for (const std::string_view id : ids) {
-        Sweep<TorqueCycle> sweep = torque_sweep(id);
-        sweeps.push_back(
-            {sweep.info, [make = sweep.make](double value) { return Case{make(value)}; }});
-    }
-    return sweeps;
-}
+/// The hard parameters of torques with those ids.
+std::vector<Sweep<TorqueCycle>> torque_sweeps(std::initializer_list<std::string_view> ids);
 
 }  // namespace ravnoves::methods

@@ -166,7 +166,7 @@ std::vector<TorqueReference::Candidate> TorqueReference::candidates(double a, do
     return found;
 }
 
-TorqueReference::Range TorqueReference::range_with_slopes(const Real50& a, const Real50& b) const {
+TorqueReference::Range TorqueReference::range(const Real50& a, const Real50& b) const {
     const Real50& degree = exact_degree();
     Range sum{Real50(0), Real50(0), Real50(0)};
     for (const double sign : {1.0, -1.0}) {
@@ -206,13 +206,9 @@ TorqueReference::Range TorqueReference::range_with_slopes(const Real50& a, const
     return sum;
 }
 
-Real50 TorqueReference::range(const Real50& a, const Real50& b) const {
-    return range_with_slopes(a, b).range;
-}
-
-TorqueReference::Range TorqueReference::range_at(const Real50& alpha) const {
+TorqueReference::Range TorqueReference::range(const Real50& alpha) const {
     const Real50 amplitude(amplitude_);
-    return range_with_slopes(amplitude * sin(alpha), amplitude * cos(alpha));
+    return range(amplitude * sin(alpha), amplitude * cos(alpha));
 }
 
 double TorqueReference::plain_range(double alpha) const {
@@ -236,7 +232,7 @@ Real50 TorqueReference::min_range() const {
     }
     const double steepest = 2.0 * std::abs(amplitude_) * two_pi / angles;  // over one step
     const double best = *std::min_element(scan.begin(), scan.end());
-    Real50 minimum = range(Real50(0));
+    Real50 minimum = range(Real50(0)).range;
     for (int i = 0; i < angles; ++i) {
         const auto at = [&](int k) {
             return scan[static_cast<std::size_t>((k + angles) % angles)];
@@ -251,7 +247,7 @@ Real50 TorqueReference::min_range() const {
         constexpr int halvings = 100;
         for (int k = 0; k < halvings; ++k) {
             const Real50 alpha = (from + to) / 2;
-            const Range here = range_at(alpha);
+            const Range here = range(alpha);
             minimum = std::min(minimum, here.range);
             (here.by_cos * cos(alpha) < here.by_sin * sin(alpha) ? from : to) = alpha;
         }
@@ -263,7 +259,7 @@ Real50 TorqueReference::min_range_of_all() const {
     // The range is convex in a and b, and no best place is farther than the range without shaft.
     Real50 a(0);
     Real50 b(0);
-    Range here = range_with_slopes(a, b);
+    Range here = range(a, b);
     Real50 minimum = here.range;
     Real50 aa = here.range * here.range;  // the ellipse's matrix
     Real50 ab(0);
@@ -283,7 +279,7 @@ Real50 TorqueReference::min_range_of_all() const {
         aa = (4 * aa - 8 * step_a * step_a / square / 3) / 3;
         ab = (4 * ab - 8 * step_a * step_b / square / 3) / 3;
         bb = (4 * bb - 8 * step_b * step_b / square / 3) / 3;
-        here = range_with_slopes(a, b);
+        here = range(a, b);
         minimum = std::min(minimum, here.range);
     }
     return minimum;

@@ -24,10 +24,15 @@ class TorqueReference {
         Real50 first_cos, first_sin;  ///< first order of M_up
     };
     Means means() const;
+    /// A range, and how it changes with a and b.
+    struct Range {
+        Real50 range;
+        Real50 by_cos, by_sin;
+    };
     /// Of M_up + a cos φ + b sin φ.
-    Real50 range(const Real50& a, const Real50& b) const;
+    Range range(const Real50& a, const Real50& b) const;
     /// Of M_up + A sin(φ + α).
-    Real50 range(const Real50& alpha) const { return range_at(alpha).range; }
+    Range range(const Real50& alpha) const;
     Real50 min_range() const;         ///< over all α
     Real50 min_range_of_all() const;  ///< over all a and b
 
@@ -56,17 +61,9 @@ class TorqueReference {
         double t;       ///< °
         double height;  ///< value times the sign of the search, N·m
     };
-    /// A range, and how it changes with a and b.
-    struct Range {
-        Real50 range;
-        Real50 by_cos, by_sin;
-    };
-
     /// The places that come within a billionth of the size to the largest of ±(M + a cos + b sin).
     std::vector<Candidate> candidates(double a, double b, double sign) const;
     double plain_range(double alpha) const;
-    Range range_with_slopes(const Real50& a, const Real50& b) const;
-    Range range_at(const Real50& alpha) const;
 
     double amplitude_;
     double size_;  ///< that errors are relative to

@@ -18,10 +18,10 @@ namespace ravnoves {
 
 using methods::Kernel;
 using methods::MethodInfo;
+using methods::MethodRow;
 using methods::Result;
 using methods::StabilityCurve;
 using methods::SweepInfo;
-using methods::WorkPoint;
 
 namespace {
 
@@ -70,7 +70,7 @@ std::pair<double, double> decadesOf(const MethodMeasurement* shown) {
             high = std::max(high, drawn(result));
         }
     };
-    for (const WorkPoint& point : shown->work.points) {
+    for (const MethodRow& point : shown->report.rows) {
         take(point.result);
     }
     for (const StabilityCurve& curve : shown->map->curves) {
@@ -112,7 +112,7 @@ Figure overErrors(const MethodMeasurement* shown, const Kernel& kernel, plot::Sh
     return figure;
 }
 
-QString pointText(const Kernel& kernel, const WorkPoint& point) {
+QString pointText(const Kernel& kernel, const MethodRow& point) {
     const MethodInfo& method = kernel.methods[point.method];
     return QStringList{shownText(method.title) + QStringLiteral(", ") +
                            methodText(method.settings[point.setting].label),
@@ -120,9 +120,8 @@ QString pointText(const Kernel& kernel, const WorkPoint& point) {
                            .arg(timeText(point.timing.median), timeText(point.timing.low),
                                 timeText(point.timing.high)),
                        MethodPlots::tr("error %1").arg(resultText(point.result)),
-                       point.result.error <= kernel.choice.tolerance
-                           ? MethodPlots::tr("within the tolerance")
-                           : MethodPlots::tr("beyond the tolerance")}
+                       point.holds ? MethodPlots::tr("within the tolerance")
+                                   : MethodPlots::tr("beyond the tolerance")}
         .join(QLatin1Char('\n'));
 }
 
@@ -139,7 +138,7 @@ Figure workFigure(const MethodMeasurement* shown, const Kernel& kernel) {
     }
     figure.title = MethodPlots::tr("%1: time and error").arg(shownText(kernel.title));
     const auto [fastest, slowest] = std::ranges::minmax(
-        shown->work.points, {}, [](const WorkPoint& point) { return point.timing.median; });
+        shown->report.rows, {}, [](const MethodRow& point) { return point.timing.median; });
     constexpr double room = 1.7;
     figure.x.title = MethodPlots::tr("time: %1").arg(shownText(kernel.evaluation));
     figure.x.min = fastest.timing.median / room;
@@ -148,14 +147,14 @@ Figure workFigure(const MethodMeasurement* shown, const Kernel& kernel) {
     for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
         Figure::Curve& curve = figure.curves[method];
         QStringList texts;
-        for (const WorkPoint& point : shown->work.points) {
+        for (const MethodRow& point : shown->report.rows) {
             if (point.method != method || point.result.rejected()) {
                 continue;
             }
             curve.x.push_back(point.timing.median);
             curve.y.push_back(drawn(point.result));
             texts << pointText(kernel, point);
-            if (method == kernel.chosen_method() && point.setting == kernel.chosen_setting()) {
+            if (point.in_use) {
                 figure.marks->push_back({.x = curve.x.back(),
                                          .y = curve.y.back(),
                                          .text = MethodPlots::tr("in use"),

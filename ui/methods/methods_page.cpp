@@ -51,16 +51,15 @@ QLabel* labelFor(const QString& text, QWidget* buddy, QWidget* parent) {
     return label;
 }
 
-ResultRow cells(const Kernel& kernel, const MethodRow& row) {
-    const methods::MethodInfo& method = kernel.methods[row.method];
+ResultRow cells(const methods::KernelReport& report, const MethodRow& row) {
+    const methods::MethodInfo& method = report.method(row);
     QString title = shownText(method.title);
     if (row.in_use) {
         title = MethodsPage::tr("%1 (in use)").arg(title);
     }
-    const bool first = row.setting == 0;
-    return {title, methodText(method.settings[row.setting].label),
-            nanosecondsText(row.timing.median), resultText(row.result),
-            first && row.order ? QLocale().toString(*row.order, 'f', 1) : QString()};
+    const auto order = row.setting == 0 ? report.order(row.method) : std::nullopt;
+    return {title, methodText(report.setting(row)), nanosecondsText(row.timing.median),
+            resultText(row.result), order ? QLocale().toString(*order, 'f', 1) : QString()};
 }
 
 /// As a sentence begins; a symbol (s′, ρ) stays as it is.
@@ -386,7 +385,7 @@ void MethodsPage::showTable() {
     const methods::KernelReport& report = shown->report;
     ResultRows rows;
     for (const MethodRow& row : report.rows) {
-        rows << cells(kernel, row);
+        rows << cells(report, row);
     }
     const QSignalBlocker quiet(table_);
     table_->setRows(rows);

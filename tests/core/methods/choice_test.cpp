@@ -69,7 +69,7 @@ TEST_P(EveryKernel, TheMethodInUseHoldsItsTolerance) {
         for (const double value : scene_values(info, points_of(kernel, info))) {
             const auto problem = kernel.problem(sweep, value);
             const Result result =
-                evaluate(*problem, kernel.chosen_method(), kernel.chosen_setting());
+                evaluate(problem, kernel.chosen_method(), kernel.chosen_setting());
             EXPECT_EQ(result.rejection.english(), "") << info.id << " = " << value;
             EXPECT_LE(result.error, kernel.choice.tolerance) << info.id << " = " << value;
         }
@@ -86,7 +86,7 @@ TEST_P(EveryKernel, BeyondItsRangeTheProgramSaysSo) {
             }
             const auto problem = kernel.problem(sweep, value);
             const Result result =
-                evaluate(*problem, kernel.chosen_method(), kernel.chosen_setting());
+                evaluate(problem, kernel.chosen_method(), kernel.chosen_setting());
             EXPECT_TRUE(result.rejected() || result.error <= kernel.choice.tolerance)
                 << info.id << " = " << value << ": error " << result.error;
         }
@@ -101,9 +101,7 @@ TEST_P(EveryKernel, NothingCheaperWouldHaveHeld) {
     const std::size_t setting_in_use = kernel.chosen_setting();
     const auto problem = kernel.problem(0, kernel.sweeps[0].present);
     const auto cost = [&](std::size_t method, std::size_t setting) {
-        return time_run(problem->prepare(method, setting), problem->outputs(),
-                        problem->evaluations(), {.batch_seconds = 5e-5, .batches = 5})
-            .low;
+        return time_run(problem, method, setting, {.batch_seconds = 5e-5, .batches = 5}).low;
     };
     double cost_in_use = cost(in_use, setting_in_use);
     struct Candidate {
@@ -129,7 +127,7 @@ TEST_P(EveryKernel, NothingCheaperWouldHaveHeld) {
             const auto hard = kernel.problem(sweep, value);
             for (Candidate& candidate : cheaper) {
                 if (!candidate.failed) {
-                    const Result result = evaluate(*hard, candidate.method, candidate.setting);
+                    const Result result = evaluate(hard, candidate.method, candidate.setting);
                     candidate.failed = result.rejected() || result.error > kernel.choice.tolerance;
                 }
             }

@@ -4,20 +4,27 @@
 
 #include <cmath>
 
+#include "support.h"
+
 namespace ravnoves::methods {
 namespace {
 
 TEST(Measure, ALongRunGetsFewerBatches) {
     int runs = 0;
-    const ravnoves::methods::Run busy = [&](std::span<double> out) {
-        ++runs;
-        for (int i = 0; i < 20'000; ++i) {
-            out[0] += std::sqrt(static_cast<double>(i));
-        }
-        return std::string();
-    };
+    const Problem problem{1,
+                          1.0,
+                          [&](std::size_t, std::size_t) -> ravnoves::methods::Run {
+                              return [&](std::span<double> out) {
+                                  ++runs;
+                                  for (int i = 0; i < 20'000; ++i) {
+                                      out[0] += std::sqrt(static_cast<double>(i));
+                                  }
+                                  return Message();
+                              };
+                          },
+                          {}};
     const Timing timing =
-        time_run(busy, 1, 1.0, {.batch_seconds = 1e-6, .batches = 1000, .max_seconds = 1e-9});
+        time_run(problem, 0, 0, {.batch_seconds = 1e-6, .batches = 1000, .max_seconds = 1e-9});
     EXPECT_EQ(timing.batches, 3);
     EXPECT_GE(runs, 4);  // one to warm up
 }
@@ -28,7 +35,7 @@ TEST(Measure, FindsTheOrdersOfTheory) {
     const auto order = [&](const char* kernel_id, const char* sweep, double value,
                            const char* method) {
         const Kernel& kernel = *find_kernel(kernel_id);
-        const auto work = measure_work(kernel, kernel.find_sweep(sweep), value, quick);
+        const auto work = measure_work(kernel, find_sweep(kernel, sweep), value, quick);
         return work.order(kernel.find_method(method)).value_or(0.0);
     };
     // The error of the end counted twice falls as 1/nodes.

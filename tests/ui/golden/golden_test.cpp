@@ -97,13 +97,11 @@ class PictureTest : public ::testing::Test {
         ASSERT_TRUE(test::comes(measured));
         settle();
         auto still = std::make_shared<MethodMeasurement>(*page->viewModel()->shown());
-        for (methods::WorkPoint& point : still->work.points) {
+        for (methods::MethodRow& point : still->report.rows) {
             const double time = 20.0 * static_cast<double>(point.method + 1) *
                                 std::exp2(2.0 * static_cast<double>(point.setting));
             point.timing = {time, 0.9 * time, 1.2 * time, 9};
         }
-        const methods::StabilityMap* map = still->map.get();
-        still->report = methods::make_report(still->work, std::span(&map, 1));
         page->viewModel()->show(still);
         tabs->setCurrentIndex(0);
         settle();

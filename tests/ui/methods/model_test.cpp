@@ -184,7 +184,7 @@ TEST(MethodsModel, ADragIsMeasuredWhereItEnds) {
     EXPECT_EQ(measured.count(), 0);
     EXPECT_NE(model.shown(), nullptr);
     ASSERT_TRUE(measured.wait(20000));
-    EXPECT_EQ(model.shown()->work.value, 140.0);
+    EXPECT_EQ(model.shown()->report.value, 140.0);
     EXPECT_EQ(measured.count(), 1);
 }
 
@@ -194,7 +194,7 @@ TEST(MethodsModel, EndsCleanlyWhileMeasuring) {
     {
         MethodsModel model;
         model.setKernel(kernelIndex(model, "hinge-motion"));
-        model.setSweep(model.kernel().find_sweep("turns"));
+        model.setViewOption(QStringLiteral("sweep"), QStringLiteral("turns"));
         model.setActive(true);
         model.measureAgain();
         QTest::qWait(400);

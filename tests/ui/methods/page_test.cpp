@@ -114,7 +114,7 @@ TEST_F(MethodsPageTest, EveryPointIsDrawn) {
     const auto [fast, slow] = plot->data().x.interval();
     std::size_t drawn = 0;
     const QString csv = find<PlotView>("work_plot")->dataAsCsv();
-    for (const auto& point : shown.work.points) {
+    for (const auto& point : shown.report.rows) {
         EXPECT_GT(point.timing.median, fast);
         EXPECT_LT(point.timing.median, slow);
         if (point.result.error > 0.0) {
@@ -123,7 +123,7 @@ TEST_F(MethodsPageTest, EveryPointIsDrawn) {
         }
         drawn += csv.contains(CsvFormat().number(point.timing.median)) ? 1 : 0;
     }
-    EXPECT_EQ(drawn, shown.work.points.size());
+    EXPECT_EQ(drawn, shown.report.rows.size());
 }
 
 /// However many rows a kernel's table has, they scroll, and the charts keep their room.
@@ -145,12 +145,12 @@ TEST_F(MethodsPageTest, ALongTableLeavesTheChartsTheirRoom) {
 
 TEST_F(MethodsPageTest, WhatIsRejectedIsInTheTableAlone) {
     choose("kernel", 5);
-    model->setSweep(model->kernel().find_sweep("speed"));
+    model->setViewOption(QStringLiteral("sweep"), QStringLiteral("speed"));
     model->setValue(1e4);  // the spring stores too little
     measure();
     const QString csv = find<PlotView>("work_plot")->dataAsCsv();
     int row = 0;
-    for (const auto& point : model->shown()->work.points) {
+    for (const auto& point : model->shown()->report.rows) {
         EXPECT_TRUE(point.result.rejected());
         EXPECT_FALSE(csv.contains(CsvFormat().number(point.timing.median)));
         EXPECT_EQ(page.table()->item(row++, 3)->text(), QStringLiteral("rejected"));

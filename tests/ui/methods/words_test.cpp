@@ -41,7 +41,7 @@ std::vector<Message> kernelTexts() {
                 }
                 const auto problem = kernel.problem(i, value);
                 for (std::size_t m = 0; m < kernel.methods.size(); ++m) {
-                    texts.push_back(methods::evaluate(*problem, m, 0).rejection);
+                    texts.push_back(methods::evaluate(problem, m, 0).rejection);
                 }
             }
         }

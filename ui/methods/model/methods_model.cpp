@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
 
 #include "case-file/case_file.h"
@@ -45,17 +44,16 @@ std::shared_ptr<const MethodMeasurement> measured(const Kernel& kernel, std::siz
                                                   std::shared_ptr<const StabilityMap> known,
                                                   const BackgroundJob::Progress& progress) {
     const double share = known ? 1.0 : workShare;
-    auto work = methods::measure_work(kernel, sweep, value, options,
-                                      [&](double part) { return progress(share * part); });
+    auto report = methods::measure_work(kernel, sweep, value, options,
+                                        [&](double part) { return progress(share * part); });
     if (!known) {
         known = std::make_shared<const StabilityMap>(methods::map_stability(
             kernel, sweep, options,
             [&](double part) { return progress(workShare + (1.0 - workShare) * part); }));
     }
-    const StabilityMap* const map = known.get();
-    auto report = methods::make_report(work, std::span(&map, 1));
+    add_failing(report, *known);
     return std::make_shared<const MethodMeasurement>(
-        MethodMeasurement{std::move(work), std::move(known), std::move(report)});
+        MethodMeasurement{std::move(known), std::move(report)});
 }
 
 }  // namespace
@@ -192,8 +190,8 @@ void MethodsModel::setShownMethod(std::size_t method) {
 }
 
 bool MethodsModel::isOfChoice(const MethodMeasurement& measurement) const {
-    const methods::WorkPrecision& work = measurement.work;
-    return work.kernel == &kernel() && work.sweep == sweepIndex() && work.value == value();
+    const methods::KernelReport& report = measurement.report;
+    return report.kernel == &kernel() && report.sweep == sweepIndex() && report.value == value();
 }
 
 bool MethodsModel::isStale() const {
@@ -222,7 +220,7 @@ void MethodsModel::measure(const MeasureOptions& options) {
 }
 
 void MethodsModel::show(std::shared_ptr<const MethodMeasurement> measurement) {
-    chosen().maps[measurement->work.sweep] = measurement->map;
+    chosen().maps[measurement->report.sweep] = measurement->map;
     chosen().newest = measurement;
     shown_ = std::move(measurement);
     Q_EMIT changed();

@@ -16,12 +16,11 @@ namespace ravnoves {
 /// Times and errors of a kernel at one value of one of its hard parameters, and its errors along
 /// that parameter.
 struct MethodMeasurement {
-    methods::WorkPrecision work;
     std::shared_ptr<const methods::StabilityMap> map;
-    methods::KernelReport report;  ///< both as a table
+    methods::KernelReport report;
 
-    const methods::Kernel& kernel() const { return *work.kernel; }
-    const methods::SweepInfo& sweep() const { return kernel().sweeps[work.sweep]; }
+    const methods::Kernel& kernel() const { return *report.kernel; }
+    const methods::SweepInfo& sweep() const { return kernel().sweeps[report.sweep]; }
 };
 
 /// The state of the page "Methods": the kernel looked at, its hard parameter and value, and the
