@@ -10714,16 +10714,20 @@ but no position is feasible</source>
         <source>does not fit</source>
         <translation>нет места</translation>
     </message>
+    <message>
+        <source>Cycle</source>
+        <translation>Цикл</translation>
+    </message>
+    <message>
+        <source>Flywheel</source>
+        <translation>Маховик</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BalanceShaftPage</name>
     <message>
         <source>Engine</source>
         <translation>Двигатель</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Частота</translation>
     </message>
     <message>
         <source>ω</source>
@@ -10762,78 +10766,6 @@ but no position is feasible</source>
         <translation>Угол вала &amp;α</translation>
     </message>
     <message>
-        <source>Moments</source>
-        <translation>Моменты</translation>
-    </message>
-    <message>
-        <source>Cycle</source>
-        <translation>Цикл</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Габарит</translation>
-    </message>
-    <message>
-        <source>Orders</source>
-        <translation>Порядки</translation>
-    </message>
-    <message>
-        <source>φ, °</source>
-        <translation>φ, °</translation>
-    </message>
-    <message>
-        <source>α, °</source>
-        <translation>α, °</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
-    </message>
-    <message>
-        <source>Moments over the cycle</source>
-        <translation>Моменты за цикл</translation>
-    </message>
-    <message>
-        <source>Moment of the balance shaft, P₁ l sin(α + φ), (4)</source>
-        <translation>Момент балансирного вала, P₁ l sin(α + φ), (4)</translation>
-    </message>
-    <message>
-        <source>Moment on the mounts, Mᵤₚ + Mₛ, (5)</source>
-        <translation>Момент на опорах, Mᵤₚ + Mₛ, (5)</translation>
-    </message>
-    <message>
-        <source>Range and RMS over α</source>
-        <translation>Размах и СКЗ от α</translation>
-    </message>
-    <message>
-        <source>Range of Mᵤₚₛ, max − min</source>
-        <translation>Размах Mᵤₚₛ, максимум минус минимум</translation>
-    </message>
-    <message>
-        <source>RMS</source>
-        <translation>СКЗ</translation>
-    </message>
-    <message>
-        <source>RMS of Mᵤₚₛ about its mean</source>
-        <translation>Среднее квадратическое отклонение Mᵤₚₛ от среднего</translation>
-    </message>
-    <message>
-        <source>Mean of 25 nodes, the end counted twice</source>
-        <translation>Среднее по 25 узлам, конец учтён дважды</translation>
-    </message>
-    <message>
-        <source>Means over α</source>
-        <translation>Средние от α</translation>
-    </message>
-    <message>
-        <source>Cycle mean of Mₛ</source>
-        <translation>Среднее Mₛ за цикл</translation>
-    </message>
-    <message>
-        <source>Cycle mean of Mᵤₚₛ</source>
-        <translation>Среднее Mᵤₚₛ за цикл</translation>
-    </message>
-    <message>
         <source>Crank angle of the picture; 0 is top dead centre</source>
         <translation>Угол поворота кривошипа на рисунке; 0 — верхняя мёртвая точка</translation>
     </message>
@@ -10844,26 +10776,6 @@ but no position is feasible</source>
     <message>
         <source>Forces, masses and sizes</source>
         <translation>Силы, массы и размеры</translation>
-    </message>
-    <message>
-        <source>Forces</source>
-        <translation>Силы</translation>
-    </message>
-    <message>
-        <source>Relief</source>
-        <translation>Лыска</translation>
-    </message>
-    <message>
-        <source>Flywheel</source>
-        <translation>Маховик</translation>
-    </message>
-    <message>
-        <source>Map</source>
-        <translation>Карта</translation>
-    </message>
-    <message>
-        <source>Tipping moment: the reaction to the engine torque</source>
-        <translation>Опрокидывающий момент: реакция на момент двигателя</translation>
     </message>
     <message>
         <source>&amp;Use the best feasible α</source>
@@ -10902,56 +10814,8 @@ but no position is feasible</source>
         <translation>Сдвинуть диаграмму на &amp;360°</translation>
     </message>
     <message>
-        <source>Node mean of Mᵤₚ plus node mean of Mₛ</source>
-        <translation>Среднее Mᵤₚ по узлам плюс среднее Mₛ по узлам</translation>
-    </message>
-    <message>
         <source>Reciprocating mass: the sum of the parts.</source>
         <translation>Возвратно-поступательная масса: сумма частей.</translation>
-    </message>
-    <message>
-        <source>without shaft (Mᵤₚ)</source>
-        <translation>без вала (Mᵤₚ)</translation>
-    </message>
-    <message>
-        <source>shaft (Mₛ)</source>
-        <translation>вал (Mₛ)</translation>
-    </message>
-    <message>
-        <source>with shaft (Mᵤₚₛ)</source>
-        <translation>с валом (Mᵤₚₛ)</translation>
-    </message>
-    <message>
-        <source>range (ΔMᵤₚₛ)</source>
-        <translation>размах (ΔMᵤₚₛ)</translation>
-    </message>
-    <message>
-        <source>shaft (Mₛₘ)</source>
-        <translation>вал (Mₛₘ)</translation>
-    </message>
-    <message>
-        <source>with shaft (Mᵤₚₛₘ)</source>
-        <translation>с валом (Mᵤₚₛₘ)</translation>
-    </message>
-    <message>
-        <source>shaft, paper (Mₛₘ)</source>
-        <translation>вал, статья (Mₛₘ)</translation>
-    </message>
-    <message>
-        <source>with shaft, paper (Mᵤₚₛₘ)</source>
-        <translation>с валом, статья (Mᵤₚₛₘ)</translation>
-    </message>
-    <message>
-        <source>Design</source>
-        <translation>Подбор</translation>
-    </message>
-    <message>
-        <source>Analysis</source>
-        <translation>Анализ</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Деталь</translation>
     </message>
     <message>
         <source>Best place on the &amp;map</source>
@@ -11216,93 +11080,6 @@ but no position is feasible</source>
     <message>
         <source>moment</source>
         <translation>момент</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::CycleView</name>
-    <message>
-        <source>Engine torque and its parts</source>
-        <translation>Крутящий момент и его части</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
-    </message>
-    <message>
-        <source>gas</source>
-        <translation>газы</translation>
-    </message>
-    <message>
-        <source>−(p − p₀) A s′</source>
-        <translation>−(p − p₀) A s′</translation>
-    </message>
-    <message>
-        <source>inertia</source>
-        <translation>инерция</translation>
-    </message>
-    <message>
-        <source>−mⱼ ω² s′ s″</source>
-        <translation>−mⱼ ω² s′ s″</translation>
-    </message>
-    <message>
-        <source>Cylinder pressure</source>
-        <translation>Давление в цилиндре</translation>
-    </message>
-    <message>
-        <source>bar</source>
-        <translation>бар</translation>
-    </message>
-    <message>
-        <source>p</source>
-        <translation>p</translation>
-    </message>
-    <message>
-        <source>Indicator diagram, p–V</source>
-        <translation>Индикаторная диаграмма p–V</translation>
-    </message>
-    <message>
-        <source>Work, pressures and power of the cycle</source>
-        <translation>Работа, давления и мощность цикла</translation>
-    </message>
-    <message>
-        <source>Cycle</source>
-        <translation>Цикл</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Значение</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Ед.</translation>
-    </message>
-    <message>
-        <source>V without clearance, cm³</source>
-        <translation>V без камеры сгорания, см³</translation>
-    </message>
-    <message>
-        <source>offset</source>
-        <translation>дезаксаж</translation>
-    </message>
-    <message>
-        <source>engine torque</source>
-        <translation>момент двигателя</translation>
-    </message>
-    <message>
-        <source>Gas plus inertia</source>
-        <translation>Газы и инерция вместе</translation>
-    </message>
-    <message>
-        <source>e mⱼ ω² s″: part of Mᵤₚ due to the offset cylinder</source>
-        <translation>e mⱼ ω² s″: добавка дезаксиального цилиндра к Mᵤₚ</translation>
-    </message>
-    <message>
-        <source>The torque is a table. A pressure trace or a computed cycle shows gas and inertia torque, pressure and indicator diagram.</source>
-        <translation>Крутящий момент задан таблицей. Индикаторная диаграмма или расчётный цикл показывают моменты сил газов и инерции, давление и диаграмму p–V.</translation>
-    </message>
-    <message>
-        <source>&amp;Compute a cycle of the same load</source>
-        <translation>&amp;Рассчитать цикл той же нагрузки</translation>
     </message>
 </context>
 <context>
@@ -11836,65 +11613,6 @@ but no position is feasible</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::EnvelopeView</name>
-    <message>
-        <source>Overall size over α</source>
-        <translation>Габарит от α</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>мм</translation>
-    </message>
-    <message>
-        <source>width</source>
-        <translation>ширина</translation>
-    </message>
-    <message>
-        <source>height</source>
-        <translation>высота</translation>
-    </message>
-    <message>
-        <source>ΔMᵤₚₛ, N·m</source>
-        <translation>ΔMᵤₚₛ, Н·м</translation>
-    </message>
-    <message>
-        <source>present α</source>
-        <translation>текущий α</translation>
-    </message>
-    <message>
-        <source>width × height, cm²</source>
-        <translation>ширина × высота, см²</translation>
-    </message>
-    <message>
-        <source>The shaft clears cylinder, crank and rod</source>
-        <translation>Вал не задевает цилиндр, кривошип и шатун</translation>
-    </message>
-    <message>
-        <source>Range and overall size, α along the curve</source>
-        <translation>Размах и габарит, вдоль кривой меняется α</translation>
-    </message>
-    <message>
-        <source>all α</source>
-        <translation>все α</translation>
-    </message>
-    <message>
-        <source>feasible</source>
-        <translation>допустимо</translation>
-    </message>
-    <message>
-        <source>Pareto-optimal</source>
-        <translation>по Парето</translation>
-    </message>
-    <message>
-        <source>Feasible and Pareto-optimal in size and range</source>
-        <translation>Допустимо и оптимально по Парето: габарит и размах</translation>
-    </message>
-    <message>
-        <source>Size of the box around cylinder, crank and shaft circles, gears and wall; click a chart to set α.</source>
-        <translation>Габарит вокруг цилиндра, окружностей кривошипа и вала, шестерён и стенки; щелчок по графику задаёт α.</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::Fields</name>
     <message>
         <source>Empty: %1.</source>
@@ -11999,53 +11717,6 @@ but no position is feasible</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::FlywheelView</name>
-    <message>
-        <source>Excess energy over the cycle</source>
-        <translation>Избыточная энергия за цикл</translation>
-    </message>
-    <message>
-        <source>J</source>
-        <translation>Дж</translation>
-    </message>
-    <message>
-        <source>E</source>
-        <translation>E</translation>
-    </message>
-    <message>
-        <source>Excess work, fluctuation and moment of inertia</source>
-        <translation>Избыточная работа, неравномерность и момент инерции</translation>
-    </message>
-    <message>
-        <source>Flywheel</source>
-        <translation>Маховик</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Значение</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Ед.</translation>
-    </message>
-    <message>
-        <source>fastest, %1 J</source>
-        <translation>быстрее всего, %1 Дж</translation>
-    </message>
-    <message>
-        <source>slowest, %1 J</source>
-        <translation>медленнее всего, %1 Дж</translation>
-    </message>
-    <message>
-        <source>Work of the engine torque minus work of its mean</source>
-        <translation>Работа крутящего момента за вычетом работы его среднего</translation>
-    </message>
-    <message>
-        <source>The load equals the mean torque; J excludes piston and rod, whose inertia is part of the torque.</source>
-        <translation>Нагрузка равна среднему моменту; J не включает поршень и шатун, их инерция входит в момент.</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::ForcePlot</name>
     <message>
         <source>First-order force</source>
@@ -12078,160 +11749,6 @@ but no position is feasible</source>
     <message>
         <source>Residual with counterweights for this bob weight</source>
         <translation>Остаток с противовесами под этот груз</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::ForcesModel</name>
-    <message>
-        <source>on crank, κ mⱼ r</source>
-        <translation>на кривошипе, κ mⱼ r</translation>
-    </message>
-    <message>
-        <source>Static moment of the counterweight on the crank</source>
-        <translation>Статический момент противовеса на коленчатом валу</translation>
-    </message>
-    <message>
-        <source>phase error</source>
-        <translation>ошибка фазы</translation>
-    </message>
-    <message>
-        <source>range</source>
-        <translation>размах</translation>
-    </message>
-    <message>
-        <source>RMS</source>
-        <translation>СКЗ</translation>
-    </message>
-    <message>
-        <source>play, ±</source>
-        <translation>зазор, ±</translation>
-    </message>
-    <message>
-        <source>range in play</source>
-        <translation>размах с зазором</translation>
-    </message>
-    <message>
-        <source>360° k / z</source>
-        <translation>360° k / z</translation>
-    </message>
-    <message>
-        <source>ΔMᵤₚₛ, correct timing → k teeth out</source>
-        <translation>ΔMᵤₚₛ, верная установка → сдвиг на k зубьев</translation>
-    </message>
-    <message>
-        <source>RMS of Mᵤₚₛ, correct timing → k teeth out</source>
-        <translation>СКЗ Mᵤₚₛ, верная установка → сдвиг на k зубьев</translation>
-    </message>
-    <message>
-        <source>Angle of the shaft within the play, to either side: play / l</source>
-        <translation>Угол вала в пределах зазора, в каждую сторону: зазор / l</translation>
-    </message>
-    <message>
-        <source>Minimum and maximum ΔMᵤₚₛ within the play</source>
-        <translation>Минимум и максимум ΔMᵤₚₛ в пределах зазора</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::ForcesView</name>
-    <message>
-        <source>Force on the engine</source>
-        <translation>Сила на двигатель</translation>
-    </message>
-    <message>
-        <source>across, kN</source>
-        <translation>поперёк, кН</translation>
-    </message>
-    <message>
-        <source>First and second order without a shaft</source>
-        <translation>Первый и второй порядок без балансирного вала</translation>
-    </message>
-    <message>
-        <source>First order without a shaft: an ellipse</source>
-        <translation>Первый порядок без балансирного вала: эллипс</translation>
-    </message>
-    <message>
-        <source>with shaft</source>
-        <translation>с валом</translation>
-    </message>
-    <message>
-        <source>Forces with and without a shaft</source>
-        <translation>Силы с валом и без вала</translation>
-    </message>
-    <message>
-        <source>Force</source>
-        <translation>Сила</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Значение</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Ед.</translation>
-    </message>
-    <message>
-        <source>Mᵤₚₛ with gear error</source>
-        <translation>Mᵤₚₛ с ошибкой зацепления</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
-    </message>
-    <message>
-        <source>play, low</source>
-        <translation>зазор, низ</translation>
-    </message>
-    <message>
-        <source>play</source>
-        <translation>зазор</translation>
-    </message>
-    <message>
-        <source>k teeth out</source>
-        <translation>сдвиг k</translation>
-    </message>
-    <message>
-        <source>Shaft k teeth out</source>
-        <translation>Вал сдвинут на k зубьев</translation>
-    </message>
-    <message>
-        <source>Effect of gear error and play</source>
-        <translation>Действие ошибки зацепления и зазора</translation>
-    </message>
-    <message>
-        <source>Gears</source>
-        <translation>Шестерни</translation>
-    </message>
-    <message>
-        <source>Balanced on the crank alone</source>
-        <translation>Уравновешено только кривошипом</translation>
-    </message>
-    <message>
-        <source>along, kN</source>
-        <translation>вдоль, кН</translation>
-    </message>
-    <message>
-        <source>With the shaft the first order is a point; the second order along the cylinder remains</source>
-        <translation>С валом первый порядок — точка; остаётся второй порядок вдоль цилиндра</translation>
-    </message>
-    <message>
-        <source>Band due to the play of the gears</source>
-        <translation>Полоса из-за зазора в зацеплении</translation>
-    </message>
-    <message>
-        <source>correct</source>
-        <translation>верно</translation>
-    </message>
-    <message>
-        <source>Correct timing</source>
-        <translation>Верная установка</translation>
-    </message>
-    <message>
-        <source>without shaft, 1st + 2nd order</source>
-        <translation>без вала, 1-й + 2-й порядок</translation>
-    </message>
-    <message>
-        <source>without shaft, 1st order</source>
-        <translation>без вала, 1-й порядок</translation>
     </message>
 </context>
 <context>
@@ -14732,77 +14249,6 @@ but no position is feasible</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::OrdersView</name>
-    <message>
-        <source>Order spectrum of the moment</source>
-        <translation>Спектр порядков момента</translation>
-    </message>
-    <message>
-        <source>order (per turn of the crank)</source>
-        <translation>порядок (за оборот вала)</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
-    </message>
-    <message>
-        <source>Without a shaft</source>
-        <translation>Без балансирного вала</translation>
-    </message>
-    <message>
-        <source>With the shaft at the present α</source>
-        <translation>С балансирным валом при текущем α</translation>
-    </message>
-    <message>
-        <source>Order spectrum</source>
-        <translation>Спектр порядков</translation>
-    </message>
-    <message>
-        <source>Order</source>
-        <translation>Порядок</translation>
-    </message>
-    <message>
-        <source>Mᵤₚ, N·m</source>
-        <translation>Mᵤₚ, Н·м</translation>
-    </message>
-    <message>
-        <source>phase, °</source>
-        <translation>фаза, °</translation>
-    </message>
-    <message>
-        <source>Mᵤₚₛ, N·m</source>
-        <translation>Mᵤₚₛ, Н·м</translation>
-    </message>
-    <message>
-        <source>Multiple of the crank speed</source>
-        <translation>Кратность частоте вращения вала</translation>
-    </message>
-    <message>
-        <source>Fourier amplitude of the moment without a shaft</source>
-        <translation>Амплитуда Фурье момента без вала</translation>
-    </message>
-    <message>
-        <source>Fourier amplitude with the shaft at the present α</source>
-        <translation>Амплитуда Фурье с валом при текущем α</translation>
-    </message>
-    <message>
-        <source>Phase of the moment to the left: amplitude × sin(kφ + phase)</source>
-        <translation>Фаза момента слева: амплитуда × sin(kφ + фаза)</translation>
-    </message>
-    <message>
-        <source>A shaft at crank speed changes only order 1; the RMS is minimal where the shaft opposes it.</source>
-        <translation>Вал, вращающийся со скоростью коленчатого, меняет только порядок 1; СКЗ минимально, где вал ему противоположен.</translation>
-    </message>
-    <message>
-        <source>without shaft (Mᵤₚ)</source>
-        <translation>без вала (Mᵤₚ)</translation>
-    </message>
-    <message>
-        <source>with shaft (Mᵤₚₛ)</source>
-        <translation>с валом (Mᵤₚₛ)</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::PageColumns</name>
     <message>
         <source>Results</source>
@@ -15242,10 +14688,6 @@ but no position is feasible</source>
         <translation>Искомый размер</translation>
     </message>
     <message>
-        <source>Feasible.</source>
-        <translation>Осуществимо.</translation>
-    </message>
-    <message>
         <source>Shaft with a relieved middle</source>
         <translation>Вал с лыской в средней части</translation>
     </message>
@@ -15276,18 +14718,6 @@ but no position is feasible</source>
     <message>
         <source>Sizes and masses of the shaft</source>
         <translation>Размеры и массы вала</translation>
-    </message>
-    <message>
-        <source>Shaft</source>
-        <translation>Вал</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Значение</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Ед.</translation>
     </message>
     <message>
         <source>Export drawing</source>
@@ -16200,28 +15630,8 @@ but no position is feasible</source>
 <context>
     <name>ravnoves::ShaftMapPlot</name>
     <message>
-        <source>y, mm</source>
-        <translation>y, мм</translation>
-    </message>
-    <message>
-        <source>x, mm</source>
-        <translation>x, мм</translation>
-    </message>
-    <message>
         <source>computing…</source>
         <translation>вычисляется…</translation>
-    </message>
-    <message>
-        <source>Change in range vs. no shaft, %</source>
-        <translation>Изменение размаха относительно схемы без вала, %</translation>
-    </message>
-    <message>
-        <source>Change in RMS vs. no shaft, %</source>
-        <translation>Изменение СКЗ относительно схемы без вала, %</translation>
-    </message>
-    <message>
-        <source>Change in weighted sum vs. no shaft, %</source>
-        <translation>Изменение взвешенной суммы относительно схемы без вала, %</translation>
     </message>
     <message>
         <source>Drag the shaft, or double-click its new place. Arrow keys: 0.1 mm, with Shift 1 mm.</source>
@@ -16287,92 +15697,12 @@ but no position is feasible</source>
         <translation>Границы для оси вала</translation>
     </message>
     <message>
-        <source>l, mm</source>
-        <translation>l, мм</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
-    </message>
-    <message>
-        <source>width × height, cm²</source>
-        <translation>ширина × высота, см²</translation>
-    </message>
-    <message>
-        <source>At its best α</source>
-        <translation>При своём лучшем α</translation>
-    </message>
-    <message>
-        <source>size</source>
-        <translation>габарит</translation>
-    </message>
-    <message>
-        <source>Width × height of the box, right axis</source>
-        <translation>Ширина × высота габарита, правая ось</translation>
-    </message>
-    <message>
-        <source>by this criterion</source>
-        <translation>по этому критерию</translation>
-    </message>
-    <message>
-        <source>present place</source>
-        <translation>текущее место</translation>
-    </message>
-    <message>
         <source>Over l</source>
         <translation>По l</translation>
     </message>
     <message>
         <source>Pareto</source>
         <translation>Парето</translation>
-    </message>
-    <message>
-        <source>change, %</source>
-        <translation>изменение, %</translation>
-    </message>
-    <message>
-        <source>Best α of each l; thick: feasible</source>
-        <translation>Лучший α при каждом l; толсто: допустимо</translation>
-    </message>
-    <message>
-        <source>min. range</source>
-        <translation>мин. размах</translation>
-    </message>
-    <message>
-        <source>min. RMS</source>
-        <translation>мин. СКЗ</translation>
-    </message>
-    <message>
-        <source>min. range, feasible</source>
-        <translation>мин. размах, допустимо</translation>
-    </message>
-    <message>
-        <source>min. RMS, feasible</source>
-        <translation>мин. СКЗ, допустимо</translation>
-    </message>
-    <message>
-        <source>Range and size</source>
-        <translation>Размах и габарит</translation>
-    </message>
-    <message>
-        <source>RMS and size</source>
-        <translation>СКЗ и габарит</translation>
-    </message>
-    <message>
-        <source>Weighted sum and size</source>
-        <translation>Взвешенная сумма и габарит</translation>
-    </message>
-    <message>
-        <source>Pareto-optimal</source>
-        <translation>по Парето</translation>
-    </message>
-    <message>
-        <source>Pareto-optimal in range, RMS and size</source>
-        <translation>Оптимально по Парето: размах, СКЗ, габарит</translation>
-    </message>
-    <message>
-        <source>Pareto-optimal in this criterion and size</source>
-        <translation>Оптимально по Парето: этот критерий и габарит</translation>
     </message>
     <message>
         <source>Distance from crank axis to shaft axis; α is kept.</source>
@@ -16404,6 +15734,537 @@ but no position is feasible</source>
     </message>
 </context>
 <context>
+    <name>ravnoves::ShaftParts</name>
+    <message>
+        <source>Moments over the cycle</source>
+        <translation>Моменты за цикл</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>Н·м</translation>
+    </message>
+    <message>
+        <source>without shaft (Mᵤₚ)</source>
+        <translation>без вала (Mᵤₚ)</translation>
+    </message>
+    <message>
+        <source>Tipping moment: the reaction to the engine torque</source>
+        <translation>Опрокидывающий момент: реакция на момент двигателя</translation>
+    </message>
+    <message>
+        <source>shaft (Mₛ)</source>
+        <translation>вал (Mₛ)</translation>
+    </message>
+    <message>
+        <source>Moment of the balance shaft, P₁ l sin(α + φ), (4)</source>
+        <translation>Момент балансирного вала, P₁ l sin(α + φ), (4)</translation>
+    </message>
+    <message>
+        <source>with shaft (Mᵤₚₛ)</source>
+        <translation>с валом (Mᵤₚₛ)</translation>
+    </message>
+    <message>
+        <source>Moment on the mounts, Mᵤₚ + Mₛ, (5)</source>
+        <translation>Момент на опорах, Mᵤₚ + Mₛ, (5)</translation>
+    </message>
+    <message>
+        <source>Range and RMS over α</source>
+        <translation>Размах и СКЗ от α</translation>
+    </message>
+    <message>
+        <source>range (ΔMᵤₚₛ)</source>
+        <translation>размах (ΔMᵤₚₛ)</translation>
+    </message>
+    <message>
+        <source>Range of Mᵤₚₛ, max − min</source>
+        <translation>Размах Mᵤₚₛ, максимум минус минимум</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>СКЗ</translation>
+    </message>
+    <message>
+        <source>RMS of Mᵤₚₛ about its mean</source>
+        <translation>Среднее квадратическое отклонение Mᵤₚₛ от среднего</translation>
+    </message>
+    <message>
+        <source>Means over α</source>
+        <translation>Средние от α</translation>
+    </message>
+    <message>
+        <source>shaft (Mₛₘ)</source>
+        <translation>вал (Mₛₘ)</translation>
+    </message>
+    <message>
+        <source>Cycle mean of Mₛ</source>
+        <translation>Среднее Mₛ за цикл</translation>
+    </message>
+    <message>
+        <source>with shaft (Mᵤₚₛₘ)</source>
+        <translation>с валом (Mᵤₚₛₘ)</translation>
+    </message>
+    <message>
+        <source>Cycle mean of Mᵤₚₛ</source>
+        <translation>Среднее Mᵤₚₛ за цикл</translation>
+    </message>
+    <message>
+        <source>shaft, paper (Mₛₘ)</source>
+        <translation>вал, статья (Mₛₘ)</translation>
+    </message>
+    <message>
+        <source>Mean of 25 nodes, the end counted twice</source>
+        <translation>Среднее по 25 узлам, конец учтён дважды</translation>
+    </message>
+    <message>
+        <source>with shaft, paper (Mᵤₚₛₘ)</source>
+        <translation>с валом, статья (Mᵤₚₛₘ)</translation>
+    </message>
+    <message>
+        <source>Node mean of Mᵤₚ plus node mean of Mₛ</source>
+        <translation>Среднее Mᵤₚ по узлам плюс среднее Mₛ по узлам</translation>
+    </message>
+    <message>
+        <source>Overall size over α</source>
+        <translation>Габарит от α</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>ширина</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>высота</translation>
+    </message>
+    <message>
+        <source>Range and overall size, α along the curve</source>
+        <translation>Размах и габарит, вдоль кривой меняется α</translation>
+    </message>
+    <message>
+        <source>width × height, cm²</source>
+        <translation>ширина × высота, см²</translation>
+    </message>
+    <message>
+        <source>ΔMᵤₚₛ, N·m</source>
+        <translation>ΔMᵤₚₛ, Н·м</translation>
+    </message>
+    <message>
+        <source>all α</source>
+        <translation>все α</translation>
+    </message>
+    <message>
+        <source>feasible</source>
+        <translation>допустимо</translation>
+    </message>
+    <message>
+        <source>The shaft clears cylinder, crank and rod</source>
+        <translation>Вал не задевает цилиндр, кривошип и шатун</translation>
+    </message>
+    <message>
+        <source>Pareto-optimal</source>
+        <translation>по Парето</translation>
+    </message>
+    <message>
+        <source>Feasible and Pareto-optimal in size and range</source>
+        <translation>Допустимо и оптимально по Парето: габарит и размах</translation>
+    </message>
+    <message>
+        <source>present α</source>
+        <translation>текущий α</translation>
+    </message>
+    <message>
+        <source>Best α over speed</source>
+        <translation>Лучший α от частоты</translation>
+    </message>
+    <message>
+        <source>n, min⁻¹</source>
+        <translation>n, мин⁻¹</translation>
+    </message>
+    <message>
+        <source>α, °</source>
+        <translation>α, °</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>размах</translation>
+    </message>
+    <message>
+        <source>α of the minimum range at each speed</source>
+        <translation>α минимального размаха при каждой частоте</translation>
+    </message>
+    <message>
+        <source>α of the minimum RMS at each speed</source>
+        <translation>α минимального СКЗ при каждой частоте</translation>
+    </message>
+    <message>
+        <source>best compromise %1°</source>
+        <translation>лучший компромисс %1°</translation>
+    </message>
+    <message>
+        <source>Map over α and speed</source>
+        <translation>Карта по α и частоте</translation>
+    </message>
+    <message>
+        <source>best α</source>
+        <translation>лучший α</translation>
+    </message>
+    <message>
+        <source>x, mm</source>
+        <translation>x, мм</translation>
+    </message>
+    <message>
+        <source>y, mm</source>
+        <translation>y, мм</translation>
+    </message>
+    <message>
+        <source>Best α of each l; thick: feasible</source>
+        <translation>Лучший α при каждом l; толсто: допустимо</translation>
+    </message>
+    <message>
+        <source>l, mm</source>
+        <translation>l, мм</translation>
+    </message>
+    <message>
+        <source>min. range</source>
+        <translation>мин. размах</translation>
+    </message>
+    <message>
+        <source>At its best α</source>
+        <translation>При своём лучшем α</translation>
+    </message>
+    <message>
+        <source>min. RMS</source>
+        <translation>мин. СКЗ</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>габарит</translation>
+    </message>
+    <message>
+        <source>Width × height of the box, right axis</source>
+        <translation>Ширина × высота габарита, правая ось</translation>
+    </message>
+    <message>
+        <source>min. range, feasible</source>
+        <translation>мин. размах, допустимо</translation>
+    </message>
+    <message>
+        <source>min. RMS, feasible</source>
+        <translation>мин. СКЗ, допустимо</translation>
+    </message>
+    <message>
+        <source>Range and size</source>
+        <translation>Размах и габарит</translation>
+    </message>
+    <message>
+        <source>RMS and size</source>
+        <translation>СКЗ и габарит</translation>
+    </message>
+    <message>
+        <source>Weighted sum and size</source>
+        <translation>Взвешенная сумма и габарит</translation>
+    </message>
+    <message>
+        <source>change, %</source>
+        <translation>изменение, %</translation>
+    </message>
+    <message>
+        <source>Pareto-optimal in range, RMS and size</source>
+        <translation>Оптимально по Парето: размах, СКЗ, габарит</translation>
+    </message>
+    <message>
+        <source>by this criterion</source>
+        <translation>по этому критерию</translation>
+    </message>
+    <message>
+        <source>Pareto-optimal in this criterion and size</source>
+        <translation>Оптимально по Парето: этот критерий и габарит</translation>
+    </message>
+    <message>
+        <source>present place</source>
+        <translation>текущее место</translation>
+    </message>
+    <message>
+        <source>Engine torque and its parts</source>
+        <translation>Крутящий момент и его части</translation>
+    </message>
+    <message>
+        <source>gas</source>
+        <translation>газы</translation>
+    </message>
+    <message>
+        <source>−(p − p₀) A s′</source>
+        <translation>−(p − p₀) A s′</translation>
+    </message>
+    <message>
+        <source>inertia</source>
+        <translation>инерция</translation>
+    </message>
+    <message>
+        <source>−mⱼ ω² s′ s″</source>
+        <translation>−mⱼ ω² s′ s″</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>дезаксаж</translation>
+    </message>
+    <message>
+        <source>e mⱼ ω² s″: part of Mᵤₚ due to the offset cylinder</source>
+        <translation>e mⱼ ω² s″: добавка дезаксиального цилиндра к Mᵤₚ</translation>
+    </message>
+    <message>
+        <source>engine torque</source>
+        <translation>момент двигателя</translation>
+    </message>
+    <message>
+        <source>Gas plus inertia</source>
+        <translation>Газы и инерция вместе</translation>
+    </message>
+    <message>
+        <source>Cylinder pressure</source>
+        <translation>Давление в цилиндре</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>бар</translation>
+    </message>
+    <message>
+        <source>Indicator diagram, p–V</source>
+        <translation>Индикаторная диаграмма p–V</translation>
+    </message>
+    <message>
+        <source>V without clearance, cm³</source>
+        <translation>V без камеры сгорания, см³</translation>
+    </message>
+    <message>
+        <source>Order spectrum of the moment</source>
+        <translation>Спектр порядков момента</translation>
+    </message>
+    <message>
+        <source>order (per turn of the crank)</source>
+        <translation>порядок (за оборот вала)</translation>
+    </message>
+    <message>
+        <source>Without a shaft</source>
+        <translation>Без балансирного вала</translation>
+    </message>
+    <message>
+        <source>With the shaft at the present α</source>
+        <translation>С балансирным валом при текущем α</translation>
+    </message>
+    <message>
+        <source>phase, °</source>
+        <translation>фаза, °</translation>
+    </message>
+    <message>
+        <source>Phase of the moment to the left: amplitude × sin(kφ + phase)</source>
+        <translation>Фаза момента слева: амплитуда × sin(kφ + фаза)</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Порядок</translation>
+    </message>
+    <message>
+        <source>Multiple of the crank speed</source>
+        <translation>Кратность частоте вращения вала</translation>
+    </message>
+    <message>
+        <source>Mᵤₚ, N·m</source>
+        <translation>Mᵤₚ, Н·м</translation>
+    </message>
+    <message>
+        <source>Fourier amplitude of the moment without a shaft</source>
+        <translation>Амплитуда Фурье момента без вала</translation>
+    </message>
+    <message>
+        <source>Mᵤₚₛ, N·m</source>
+        <translation>Mᵤₚₛ, Н·м</translation>
+    </message>
+    <message>
+        <source>Fourier amplitude with the shaft at the present α</source>
+        <translation>Амплитуда Фурье с валом при текущем α</translation>
+    </message>
+    <message>
+        <source>Excess energy over the cycle</source>
+        <translation>Избыточная энергия за цикл</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation>Дж</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>Work of the engine torque minus work of its mean</source>
+        <translation>Работа крутящего момента за вычетом работы его среднего</translation>
+    </message>
+    <message>
+        <source>fastest, %1 J</source>
+        <translation>быстрее всего, %1 Дж</translation>
+    </message>
+    <message>
+        <source>slowest, %1 J</source>
+        <translation>медленнее всего, %1 Дж</translation>
+    </message>
+    <message>
+        <source>Force on the engine</source>
+        <translation>Сила на двигатель</translation>
+    </message>
+    <message>
+        <source>across, kN</source>
+        <translation>поперёк, кН</translation>
+    </message>
+    <message>
+        <source>along, kN</source>
+        <translation>вдоль, кН</translation>
+    </message>
+    <message>
+        <source>without shaft, 1st + 2nd order</source>
+        <translation>без вала, 1-й + 2-й порядок</translation>
+    </message>
+    <message>
+        <source>First and second order without a shaft</source>
+        <translation>Первый и второй порядок без балансирного вала</translation>
+    </message>
+    <message>
+        <source>without shaft, 1st order</source>
+        <translation>без вала, 1-й порядок</translation>
+    </message>
+    <message>
+        <source>First order without a shaft: an ellipse</source>
+        <translation>Первый порядок без балансирного вала: эллипс</translation>
+    </message>
+    <message>
+        <source>with shaft</source>
+        <translation>с валом</translation>
+    </message>
+    <message>
+        <source>With the shaft the first order is a point; the second order along the cylinder remains</source>
+        <translation>С валом первый порядок — точка; остаётся второй порядок вдоль цилиндра</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Сила</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Ед.</translation>
+    </message>
+    <message>
+        <source>on crank, κ mⱼ r</source>
+        <translation>на кривошипе, κ mⱼ r</translation>
+    </message>
+    <message>
+        <source>Static moment of the counterweight on the crank</source>
+        <translation>Статический момент противовеса на коленчатом валу</translation>
+    </message>
+    <message>
+        <source>Mᵤₚₛ with gear error</source>
+        <translation>Mᵤₚₛ с ошибкой зацепления</translation>
+    </message>
+    <message>
+        <source>play, low</source>
+        <translation>зазор, низ</translation>
+    </message>
+    <message>
+        <source>play</source>
+        <translation>зазор</translation>
+    </message>
+    <message>
+        <source>Band due to the play of the gears</source>
+        <translation>Полоса из-за зазора в зацеплении</translation>
+    </message>
+    <message>
+        <source>correct</source>
+        <translation>верно</translation>
+    </message>
+    <message>
+        <source>Correct timing</source>
+        <translation>Верная установка</translation>
+    </message>
+    <message>
+        <source>k teeth out</source>
+        <translation>сдвиг k</translation>
+    </message>
+    <message>
+        <source>Shaft k teeth out</source>
+        <translation>Вал сдвинут на k зубьев</translation>
+    </message>
+    <message>
+        <source>Gears</source>
+        <translation>Шестерни</translation>
+    </message>
+    <message>
+        <source>phase error</source>
+        <translation>ошибка фазы</translation>
+    </message>
+    <message>
+        <source>360° k / z</source>
+        <translation>360° k / z</translation>
+    </message>
+    <message>
+        <source>ΔMᵤₚₛ, correct timing → k teeth out</source>
+        <translation>ΔMᵤₚₛ, верная установка → сдвиг на k зубьев</translation>
+    </message>
+    <message>
+        <source>RMS of Mᵤₚₛ, correct timing → k teeth out</source>
+        <translation>СКЗ Mᵤₚₛ, верная установка → сдвиг на k зубьев</translation>
+    </message>
+    <message>
+        <source>play, ±</source>
+        <translation>зазор, ±</translation>
+    </message>
+    <message>
+        <source>Angle of the shaft within the play, to either side: play / l</source>
+        <translation>Угол вала в пределах зазора, в каждую сторону: зазор / l</translation>
+    </message>
+    <message>
+        <source>range in play</source>
+        <translation>размах с зазором</translation>
+    </message>
+    <message>
+        <source>Minimum and maximum ΔMᵤₚₛ within the play</source>
+        <translation>Минимум и максимум ΔMᵤₚₛ в пределах зазора</translation>
+    </message>
+    <message>
+        <source>Shaft</source>
+        <translation>Вал</translation>
+    </message>
+    <message>
+        <source>Feasible.</source>
+        <translation>Осуществимо.</translation>
+    </message>
+    <message>
+        <source>φ, °</source>
+        <translation>φ, °</translation>
+    </message>
+    <message>
+        <source>Change in range vs. no shaft, %</source>
+        <translation>Изменение размаха относительно схемы без вала, %</translation>
+    </message>
+    <message>
+        <source>Change in RMS vs. no shaft, %</source>
+        <translation>Изменение СКЗ относительно схемы без вала, %</translation>
+    </message>
+    <message>
+        <source>Change in weighted sum vs. no shaft, %</source>
+        <translation>Изменение взвешенной суммы относительно схемы без вала, %</translation>
+    </message>
+    <message>
+        <source>p</source>
+        <translation>p</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::ShaftRow</name>
     <message>
         <source>Shaft %1</source>
@@ -16420,6 +16281,105 @@ but no position is feasible</source>
     <message>
         <source>Shaft %1: %2</source>
         <translation>Вал %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ShaftTabs</name>
+    <message>
+        <source>Design</source>
+        <translation>Подбор</translation>
+    </message>
+    <message>
+        <source>Moments</source>
+        <translation>Моменты</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Карта</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Частота</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Габарит</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Анализ</translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation>Цикл</translation>
+    </message>
+    <message>
+        <source>Orders</source>
+        <translation>Порядки</translation>
+    </message>
+    <message>
+        <source>Flywheel</source>
+        <translation>Маховик</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Силы</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Деталь</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>Лыска</translation>
+    </message>
+    <message>
+        <source>The torque is a table. A pressure trace or a computed cycle shows gas and inertia torque, pressure and indicator diagram.</source>
+        <translation>Крутящий момент задан таблицей. Индикаторная диаграмма или расчётный цикл показывают моменты сил газов и инерции, давление и диаграмму p–V.</translation>
+    </message>
+    <message>
+        <source>&amp;Compute a cycle of the same load</source>
+        <translation>&amp;Рассчитать цикл той же нагрузки</translation>
+    </message>
+    <message>
+        <source>Work, pressures and power of the cycle</source>
+        <translation>Работа, давления и мощность цикла</translation>
+    </message>
+    <message>
+        <source>Size of the box around cylinder, crank and shaft circles, gears and wall; click a chart to set α.</source>
+        <translation>Габарит вокруг цилиндра, окружностей кривошипа и вала, шестерён и стенки; щелчок по графику задаёт α.</translation>
+    </message>
+    <message>
+        <source>A shaft at crank speed changes only order 1; the RMS is minimal where the shaft opposes it.</source>
+        <translation>Вал, вращающийся со скоростью коленчатого, меняет только порядок 1; СКЗ минимально, где вал ему противоположен.</translation>
+    </message>
+    <message>
+        <source>Order spectrum</source>
+        <translation>Спектр порядков</translation>
+    </message>
+    <message>
+        <source>Excess work, fluctuation and moment of inertia</source>
+        <translation>Избыточная работа, неравномерность и момент инерции</translation>
+    </message>
+    <message>
+        <source>The load equals the mean torque; J excludes piston and rod, whose inertia is part of the torque.</source>
+        <translation>Нагрузка равна среднему моменту; J не включает поршень и шатун, их инерция входит в момент.</translation>
+    </message>
+    <message>
+        <source>Balanced on the crank alone</source>
+        <translation>Уравновешено только кривошипом</translation>
+    </message>
+    <message>
+        <source>Forces with and without a shaft</source>
+        <translation>Силы с валом и без вала</translation>
+    </message>
+    <message>
+        <source>Gears</source>
+        <translation>Шестерни</translation>
+    </message>
+    <message>
+        <source>Effect of gear error and play</source>
+        <translation>Действие ошибки зацепления и зазора</translation>
     </message>
 </context>
 <context>
@@ -16534,10 +16494,6 @@ but no position is feasible</source>
 <context>
     <name>ravnoves::SpeedMapPlot</name>
     <message>
-        <source>Map over α and speed</source>
-        <translation>Карта по α и частоте</translation>
-    </message>
-    <message>
         <source>α, °</source>
         <translation>α, °</translation>
     </message>
@@ -16556,6 +16512,10 @@ but no position is feasible</source>
     <message>
         <source>α %1°, n %2: %3</source>
         <translation>α %1°, n %2: %3</translation>
+    </message>
+    <message>
+        <source>Blue: smaller with the shaft; orange: larger; thick line: no change; shaded: does not fit. Click to set α and, with a computed torque, the speed.</source>
+        <translation>Синее: с валом меньше; оранжевое: больше; толстая линия: без изменений; затенено: не помещается. Щелчок задаёт α, а при вычисленном моменте и частоту.</translation>
     </message>
 </context>
 <context>
@@ -16652,34 +16612,6 @@ but no position is feasible</source>
         <translation>Отмена</translation>
     </message>
     <message>
-        <source>Best α over speed</source>
-        <translation>Лучший α от частоты</translation>
-    </message>
-    <message>
-        <source>α, °</source>
-        <translation>α, °</translation>
-    </message>
-    <message>
-        <source>n, min⁻¹</source>
-        <translation>n, мин⁻¹</translation>
-    </message>
-    <message>
-        <source>best α</source>
-        <translation>лучший α</translation>
-    </message>
-    <message>
-        <source>α of the minimum range at each speed</source>
-        <translation>α минимального размаха при каждой частоте</translation>
-    </message>
-    <message>
-        <source>α of the minimum RMS at each speed</source>
-        <translation>α минимального СКЗ при каждой частоте</translation>
-    </message>
-    <message>
-        <source>best compromise %1°</source>
-        <translation>лучший компромисс %1°</translation>
-    </message>
-    <message>
         <source>Apply</source>
         <translation>Применить</translation>
     </message>
@@ -16694,10 +16626,6 @@ but no position is feasible</source>
     <message>
         <source>The load can be changed for a computed cycle (Torque tab).</source>
         <translation>Нагрузку можно менять для расчётного цикла (вкладка «Момент»).</translation>
-    </message>
-    <message>
-        <source>Blue: smaller with the shaft; orange: larger; thick line: no change; shaded: does not fit. Click to set α and, with a computed torque, the speed.</source>
-        <translation>Синее: с валом меньше; оранжевое: больше; толстая линия: без изменений; затенено: не помещается. Щелчок задаёт α, а при вычисленном моменте и частоту.</translation>
     </message>
     <message>
         <source>Progress</source>

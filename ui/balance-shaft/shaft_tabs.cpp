@@ -32,18 +32,18 @@ ShaftTabs::ShaftTabs(BalanceShaftModel* model, QWidget* parent)
     const auto add = [this](QWidget* view, const char* name, const QString& title) {
         addScrolledTab(this, view, QString::fromLatin1(name), title);
     };
-    beginGroup(MomentWords::tr("Design"));
-    add(buildMoments(), "moments", MomentWords::tr("Moments"));
-    add(new ShaftMapView(model_, this), "map", MomentWords::tr("Map"));
-    add(new SpeedView(model_, this), "speed", MomentWords::tr("Speed"));
-    add(buildSize(), "envelope", MomentWords::tr("Size"));
-    beginGroup(MomentWords::tr("Analysis"));
-    add(buildCycle(), "cycle", MomentWords::tr("Cycle"));
-    add(buildOrders(), "orders", MomentWords::tr("Orders"));
-    add(buildFlywheel(), "flywheel", MomentWords::tr("Flywheel"));
-    add(buildForces(), "forces", MomentWords::tr("Forces"));
-    beginGroup(MomentWords::tr("Part"));
-    add(new RelievedShaftView(model_, this), "relieved", MomentWords::tr("Relief"));
+    beginGroup(tr("Design"));
+    add(buildMoments(), "moments", tr("Moments"));
+    add(new ShaftMapView(model_, this), "map", tr("Map"));
+    add(new SpeedView(model_, this), "speed", tr("Speed"));
+    add(buildSize(), "envelope", tr("Size"));
+    beginGroup(tr("Analysis"));
+    add(buildCycle(), "cycle", tr("Cycle"));
+    add(buildOrders(), "orders", tr("Orders"));
+    add(buildFlywheel(), "flywheel", tr("Flywheel"));
+    add(buildForces(), "forces", tr("Forces"));
+    beginGroup(tr("Part"));
+    add(new RelievedShaftView(model_, this), "relieved", tr("Relief"));
 }
 
 PartPlot* ShaftTabs::addPlot(std::string_view part, QWidget* parent) {
@@ -91,14 +91,14 @@ QWidget* ShaftTabs::buildCycle() {
     auto* stack = new QStackedLayout(holder);
     auto* empty = new QWidget(holder);
     QVBoxLayout* emptyColumn = columnIn(empty, Theme::space);
-    auto* hint = new QLabel(
-        CycleWords::tr("The torque is a table. A pressure trace or a computed cycle shows gas and "
-                       "inertia torque, pressure and indicator diagram."),
-        empty);
+    auto* hint =
+        new QLabel(tr("The torque is a table. A pressure trace or a computed cycle shows gas and "
+                      "inertia torque, pressure and indicator diagram."),
+                   empty);
     hint->setAlignment(Qt::AlignCenter);
     hint->setWordWrap(true);
     hint->setMargin(Theme::margin * 3);
-    auto* compute = new QPushButton(CycleWords::tr("&Compute a cycle of the same load"), empty);
+    auto* compute = new QPushButton(tr("&Compute a cycle of the same load"), empty);
     compute->setObjectName(QStringLiteral("compute_cycle"));
     connect(compute, &QPushButton::clicked, model_,
             [this] { model_->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle); });
@@ -114,9 +114,8 @@ QWidget* ShaftTabs::buildCycle() {
     grid->addWidget(addCyclePlot("torque", plots), 0, 0, 1, 2);
     grid->addWidget(addCyclePlot("pressure", plots), 1, 0);
     grid->addWidget(addPlot("indicator", plots), 1, 1);
-    grid->addWidget(
-        addTable("cycle", CycleWords::tr("Work, pressures and power of the cycle"), plots), 2, 0, 1,
-        2);
+    grid->addWidget(addTable("cycle", tr("Work, pressures and power of the cycle"), plots), 2, 0, 1,
+                    2);
     grid->setRowStretch(0, 3);
     grid->setRowStretch(1, 3);
     stack->addWidget(plots);
@@ -144,8 +143,8 @@ QWidget* ShaftTabs::buildSize() {
     column->addWidget(range, 3);
     for (PartPlot* plot : {sizes, range}) {
         plot->setToolTip(
-            SizeWords::tr("Size of the box around cylinder, crank and shaft circles, "
-                          "gears and wall; click a chart to set α."));
+            tr("Size of the box around cylinder, crank and shaft circles, "
+               "gears and wall; click a chart to set α."));
     }
     return holder;
 }
@@ -156,10 +155,10 @@ QWidget* ShaftTabs::buildOrders() {
     column->addWidget(addPlot("orders", holder), 3);
     auto* panel = new Panel(holder);
     QVBoxLayout* inside = columnIn(panel, -1, tableMargins);
-    inside->addWidget(captionLabel(OrderWords::tr("A shaft at crank speed changes only order 1; "
-                                                  "the RMS is minimal where the shaft opposes it."),
+    inside->addWidget(captionLabel(tr("A shaft at crank speed changes only order 1; "
+                                      "the RMS is minimal where the shaft opposes it."),
                                    panel));
-    auto* table = new PartTable(model_, "order-table", OrderWords::tr("Order spectrum"), panel);
+    auto* table = new PartTable(model_, "order-table", tr("Order spectrum"), panel);
     table->setShownRows(5);
     inside->addWidget(table);
     column->addWidget(panel, 2);
@@ -175,8 +174,8 @@ QWidget* ShaftTabs::buildFlywheel() {
     auto* formPanel = new Panel(lower);
     columnIn(formPanel)->addWidget(buildFlywheelForm(formPanel));
     lower->add(formPanel);
-    QWidget* answer = addTable(
-        "flywheel", FlywheelWords::tr("Excess work, fluctuation and moment of inertia"), lower);
+    QWidget* answer =
+        addTable("flywheel", tr("Excess work, fluctuation and moment of inertia"), lower);
     static_cast<QVBoxLayout*>(answer->layout())->addStretch();
     lower->add(answer);
     column->addWidget(lower, 2);
@@ -185,7 +184,7 @@ QWidget* ShaftTabs::buildFlywheel() {
 
 Form* ShaftTabs::buildFlywheelForm(QWidget* parent) {
     auto* form = new Form(model_, parent);
-    FormSection* section = form->section(FlywheelWords::tr("Flywheel"));
+    FormSection* section = form->section(tr("Flywheel"));
     for (const auto& [given, value] :
          {std::pair(&field::flywheel_inertia, &FlywheelTarget::inertia),
           std::pair(&field::fluctuation, &FlywheelTarget::fluctuation)}) {
@@ -204,10 +203,9 @@ Form* ShaftTabs::buildFlywheelForm(QWidget* parent) {
             return given == &field::fluctuation ? wheel.fluctuation : wheel.inertia;
         });
     }
-    section->addWide(
-        captionLabel(FlywheelWords::tr("The load equals the mean torque; J excludes piston and "
-                                       "rod, whose inertia is part of the torque."),
-                     form));
+    section->addWide(captionLabel(tr("The load equals the mean torque; J excludes piston and "
+                                     "rod, whose inertia is part of the torque."),
+                                  form));
     form->column()->addStretch();
     return form;
 }
@@ -231,16 +229,16 @@ QWidget* ShaftTabs::buildForces() {
         tables->add(answer);
     };
     auto* crank = new Form(model_, holder);  // without a shaft
-    FormSection* balanced = crank->section(ForceWords::tr("Balanced on the crank alone"));
+    FormSection* balanced = crank->section(tr("Balanced on the crank alone"));
     balanced->addWide(new FieldSlider(model_, "/crank_share", {0.0, 1.0, 0.01, 0.1, 2}, crank));
     crank->column()->addStretch();
-    add(0, crank, "force-locus", "forces", ForceWords::tr("Forces with and without a shaft"));
+    add(0, crank, "force-locus", "forces", tr("Forces with and without a shaft"));
     auto* gears = new Form(model_, holder);
-    gears->section(ForceWords::tr("Gears"));
+    gears->section(tr("Gears"));
     for (const char* place : {"/gears/teeth", "/gears/shifted_teeth", "/gears/backlash_mm"}) {
         gears->number(place);
     }
-    add(1, gears, "gear-moment", "gears", ForceWords::tr("Effect of gear error and play"));
+    add(1, gears, "gear-moment", "gears", tr("Effect of gear error and play"));
     grid->addWidget(tables, 2, 0, 1, 2);
     grid->setRowStretch(1, 1);
     constexpr int chartHeight = 230;  ///< designed pixels with which their curves are read

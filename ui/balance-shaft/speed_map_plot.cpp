@@ -25,11 +25,10 @@ SpeedMapPlot::SpeedMapPlot(BalanceShaftModel* model, QWidget* parent)
 }
 
 void SpeedMapPlot::showMap() {
-    setToolTip(map() == nullptr
-                   ? QString()
-                   : SpeedWords::tr("Blue: smaller with the shaft; orange: larger; thick line: no "
-                                    "change; shaded: does not fit. Click to set α and, with a "
-                                    "computed torque, the speed."));
+    setToolTip(map() == nullptr ? QString()
+                                : tr("Blue: smaller with the shaft; orange: larger; thick line: no "
+                                     "change; shaded: does not fit. Click to set α and, with a "
+                                     "computed torque, the speed."));
     setImage(map() == nullptr ? QImage() : changeImage(*map()),
              map() == nullptr ? QRectF() : map()->where);
 }

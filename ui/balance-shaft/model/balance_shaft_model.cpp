@@ -402,7 +402,7 @@ Results BalanceShaftModel::quantities() const {
 
 Results BalanceShaftModel::cycle() const {
     namespace key = balance_shaft::result_field;
-    Results results{{CycleWords::tr("Cycle"), CycleWords::tr("Value"), CycleWords::tr("Unit")}};
+    Results results{{tr("Cycle"), tr("Value"), tr("Unit")}};
     if (!result().indicated) {
         return results;
     }
@@ -435,8 +435,7 @@ Results BalanceShaftModel::flywheel() const {
     if (!wheel.fluctuation) {
         swing[1] = QStringLiteral("–");
     }
-    Results results{
-        {FlywheelWords::tr("Flywheel"), FlywheelWords::tr("Value"), FlywheelWords::tr("Unit")}};
+    Results results{{tr("Flywheel"), tr("Value"), tr("Unit")}};
     results.rows = {
         shownRow(key::excess_work, wheel.excess_work),
         shownRow(key::fluctuation, wheel.fluctuation),

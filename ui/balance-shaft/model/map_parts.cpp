@@ -1,24 +1,23 @@
-// Where the shaft goes: the plots of the map of its places.
+// Where the shaft goes: the plots of the map of its places, and of the band of speeds.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "balance-shaft/model/shaft_map_model.h"
 #include "balance-shaft/model/shaft_map_text.h"
+#include "balance-shaft/model/speed_study_model.h"
+#include "text/number_text.h"
 #include "text/shown_units.h"
 
-namespace ravnoves {
-
-namespace shaft_parts {
-
-namespace {
+namespace ravnoves::shaft_parts {
 
 using Kind = PlaceCriterion::Kind;
 using Measure = double ShaftMap::Criteria::*;
 using Place = std::optional<ShaftMap::Place>;
+
+namespace {
 
 /// Null: none is there.
 const ShaftMap* mapOf(const BalanceShaftModel& model) {
@@ -37,13 +36,15 @@ std::vector<double> valuesOf(const Places& places, Measure measure, double unit 
     return values;
 }
 
+}  // namespace
+
 Figure places(const BalanceShaftModel& model) {
     const ShaftMap* map = mapOf(model);
     const double view = map != nullptr ? map->view / units::mm : 100.0;
     Figure figure;
     figure.title = changeTitle(model.placeCriterion().kind);
-    figure.x = {.title = PlacesWords::tr("x, mm"), .min = -view, .max = view};
-    figure.left = {.title = PlacesWords::tr("y, mm")};
+    figure.x = {.title = ShaftParts::tr("x, mm"), .min = -view, .max = view};
+    figure.left = {.title = ShaftParts::tr("y, mm")};
     figure.leftRange = std::pair(-view, view);
     figure.equalScale = true;
     if (map == nullptr) {
@@ -68,10 +69,10 @@ Figure places(const BalanceShaftModel& model) {
 
 Figure distances(const BalanceShaftModel& model) {
     Figure figure;
-    figure.title = MapWords::tr("Best α of each l; thick: feasible");
-    figure.x = {.title = MapWords::tr("l, mm"), .min = 0.0, .max = 200.0};
-    figure.left = {.title = MapWords::tr("N·m")};
-    figure.right = {.title = MapWords::tr("width × height, cm²")};
+    figure.title = ShaftParts::tr("Best α of each l; thick: feasible");
+    figure.x = {.title = ShaftParts::tr("l, mm"), .min = 0.0, .max = 200.0};
+    figure.left = {.title = ShaftParts::tr("N·m")};
+    figure.right = {.title = ShaftParts::tr("width × height, cm²")};
     figure.presentX = model.input().centre_distance / units::mm;
     figure.marks.emplace();
     const ShaftMap* map = mapOf(model);
@@ -80,26 +81,23 @@ Figure distances(const BalanceShaftModel& model) {
     }
     figure.x.max = map->view / units::mm;
     const ShaftMap::Distances& of = map->distances;
-    std::vector<double> x;
-    for (const double distance : of.distance) {
-        x.push_back(distance / units::mm);
-    }
+    const std::vector<double> x = inUnit(of.distance, units::mm);
     const auto add = [&](const char* id, plot::CurveStyle style, std::vector<double> values) {
         figure.add(id, std::move(style), x, std::move(values));
     };
     constexpr Measure range = &ShaftMap::Criteria::range;
     constexpr Measure rms = &ShaftMap::Criteria::rms;
     add("range",
-        {.name = MapWords::tr("min. range"),
+        {.name = ShaftParts::tr("min. range"),
          .role = Role::Range,
          .width = 1.2,
-         .toolTip = MapWords::tr("At its best α")},
+         .toolTip = ShaftParts::tr("At its best α")},
         valuesOf(of.range, range));
     add("RMS",
-        {.name = MapWords::tr("min. RMS"),
+        {.name = ShaftParts::tr("min. RMS"),
          .role = Role::Rms,
          .width = 1.2,
-         .toolTip = MapWords::tr("At its best α")},
+         .toolTip = ShaftParts::tr("At its best α")},
         valuesOf(of.rms, rms));
     // The size of where a click goes.
     const bool byRms = model.placeCriterion().kind == Kind::Rms;
@@ -109,20 +107,20 @@ Figure distances(const BalanceShaftModel& model) {
         best.push_back(built ? built : byRms ? of.rms[i] : of.range[i]);
     }
     add("size",
-        {.name = MapWords::tr("size"),
+        {.name = ShaftParts::tr("size"),
          .role = Role::OtherQuantity,
          .side = plot::Side::Right,
          .width = 1.2,
-         .toolTip = MapWords::tr("Width × height of the box, right axis")},
+         .toolTip = ShaftParts::tr("Width × height of the box, right axis")},
         valuesOf(best, &ShaftMap::Criteria::size, units::cm2.to_si));
     const auto addBuilt = [&](const char* id, const QString& name, Role role,
                               const std::vector<Place>& built, Measure measure) {
         add(id, {.name = name, .role = role, .width = 3.4, .inLegend = false, .gaps = true},
             valuesOf(built, measure));
     };
-    addBuilt("range-built", MapWords::tr("min. range, feasible"), Role::Range, of.rangeBuilt,
+    addBuilt("range-built", ShaftParts::tr("min. range, feasible"), Role::Range, of.rangeBuilt,
              range);
-    addBuilt("RMS-built", MapWords::tr("min. RMS, feasible"), Role::Rms, of.rmsBuilt, rms);
+    addBuilt("RMS-built", ShaftParts::tr("min. RMS, feasible"), Role::Rms, of.rmsBuilt, rms);
     // Both axes from 0, on one line.
     const auto fromZero = [&](plot::Side side) {
         double maximum = 0.0;
@@ -154,17 +152,17 @@ Figure front(const BalanceShaftModel& model) {
     Figure figure;
     switch (model.placeCriterion().kind) {
         case Kind::Range:
-            figure.title = MapWords::tr("Range and size");
+            figure.title = ShaftParts::tr("Range and size");
             break;
         case Kind::Rms:
-            figure.title = MapWords::tr("RMS and size");
+            figure.title = ShaftParts::tr("RMS and size");
             break;
         case Kind::Both:
-            figure.title = MapWords::tr("Weighted sum and size");
+            figure.title = ShaftParts::tr("Weighted sum and size");
             break;
     }
-    figure.x = {.title = MapWords::tr("width × height, cm²"), .min = 0.0, .max = 1.0};
-    figure.left = {.title = MapWords::tr("change, %")};
+    figure.x = {.title = ShaftParts::tr("width × height, cm²"), .min = 0.0, .max = 1.0};
+    figure.left = {.title = ShaftParts::tr("change, %")};
     const ShaftMapModel* places = model.shaftMap();
     if (mapOf(model) == nullptr || !places->change({})) {
         return figure;
@@ -197,48 +195,123 @@ Figure front(const BalanceShaftModel& model) {
     figure.x.max = std::max(high, area) + pad;
     Figure::Curve& shown =
         figure.add("front",
-                   {.name = MapWords::tr("Pareto-optimal"),
+                   {.name = ShaftParts::tr("Pareto-optimal"),
                     .role = Role::Neutral,
                     .shape = plot::Shape::Rings,
-                    .toolTip = MapWords::tr("Pareto-optimal in range, RMS and size")},
+                    .toolTip = ShaftParts::tr("Pareto-optimal in range, RMS and size")},
                    std::move(all.x), std::move(all.y));
     shown.text = [places, positions = std::move(positions)](std::size_t point) {
         return shaft_map_text::placeLines(*places, positions[point], 1).join(QLatin1Char('\n'));
     };
     figure.add("efficient",
-               {.name = MapWords::tr("by this criterion"),
+               {.name = ShaftParts::tr("by this criterion"),
                 .role = Role::Best,
                 .shape = plot::Shape::Points,
-                .toolTip = MapWords::tr("Pareto-optimal in this criterion and size")},
+                .toolTip = ShaftParts::tr("Pareto-optimal in this criterion and size")},
                std::move(efficient.x), std::move(efficient.y));
     figure.add("present",
-               {.name = MapWords::tr("present place"),
+               {.name = ShaftParts::tr("present place"),
                 .role = Role::Present,
                 .shape = result.is_buildable ? plot::Shape::Points : plot::Shape::Rings},
                {area}, {change(now)});
     return figure;
 }
 
-Notes bestPlace(const BalanceShaftModel& model) {
-    const ShaftMapModel* map = model.shaftMap();
-    return map != nullptr ? Notes::of(Severity::note, shaft_map_text::best(*map)) : Notes();
+namespace {
+
+/// Null: nothing is solved.
+const SpeedStudyModel* solvedOf(const BalanceShaftModel& model) {
+    const SpeedStudyModel* study = model.speedStudy();
+    return study != nullptr && study->isSolved() ? study : nullptr;
 }
 
-constexpr std::array mapMakers{
-    PartMaker<BalanceShaftModel>{{.id = "places", .tab = "map", .hasBand = false}, made<places>},
-    PartMaker<BalanceShaftModel>{{.id = "best-place", .tab = "map", .hasBand = false},
-                                 made<bestPlace>},
-    PartMaker<BalanceShaftModel>{{.id = "distances", .tab = "map", .hasBand = false},
-                                 made<distances>},
-    PartMaker<BalanceShaftModel>{{.id = "front", .tab = "map", .hasBand = false}, made<front>},
+/// The speeds that are seen, min⁻¹.
+std::pair<double, double> speedsOf(const BalanceShaftModel& model) {
+    if (const SpeedStudyModel* study = solvedOf(model)) {
+        const QRectF& where = study->map().where;
+        return {where.top(), where.bottom()};
+    }
+    const balance_shaft::SpeedBand band = SpeedStudyModel::bandOf(model.input());
+    return {band.from / units::rpm, band.to / units::rpm};
+}
+
+/// Curves of an angle over speed: broken where the angle passes 0, which is no jump.
+struct Broken {
+    std::vector<double> speed;
+    std::vector<double> angle;
 };
+
+Broken brokenAtZero(const std::vector<double>& speed, const std::vector<double>& angle) {
+    Broken broken;
+    for (std::size_t i = 0; i < speed.size(); ++i) {
+        if (i > 0 && std::abs(angle[i] - angle[i - 1]) > 180.0) {
+            broken.speed.push_back(speed[i]);
+            broken.angle.push_back(std::numeric_limits<double>::quiet_NaN());
+        }
+        broken.speed.push_back(speed[i]);
+        broken.angle.push_back(angle[i]);
+    }
+    return broken;
+}
+
+bool isByRange(const BalanceShaftModel& model) {
+    return model.speedCriterion() == BalanceShaftModel::Criterion::range;
+}
 
 }  // namespace
 
-}  // namespace shaft_parts
-
-ShaftPartMakers mapParts() {
-    return shaft_parts::mapMakers;
+Figure bestAngles(const BalanceShaftModel& model) {
+    const auto [lowest, highest] = speedsOf(model);
+    Figure figure;
+    figure.title = ShaftParts::tr("Best α over speed");
+    figure.x = {.title = ShaftParts::tr("n, min⁻¹"), .min = lowest, .max = highest};
+    figure.left = {.title = ShaftParts::tr("α, °")};
+    figure.leftRange = std::pair(0.0, 360.0);
+    const SpeedStudyModel* study = solvedOf(model);
+    if (study == nullptr) {
+        return figure;
+    }
+    const auto curves = study->curves();
+    const auto add = [&](const char* id, const QString& name, Role role, const QString& tip,
+                         const std::vector<double>& angles) {
+        Broken broken = brokenAtZero(curves.speed, angles);
+        figure.add(id, {.name = name, .role = role, .width = 1.8, .toolTip = tip, .gaps = true},
+                   std::move(broken.speed), std::move(broken.angle));
+    };
+    add("range", ShaftParts::tr("range"), Role::Range,
+        ShaftParts::tr("α of the minimum range at each speed"), curves.rangeAngle);
+    add("RMS", ShaftParts::tr("RMS"), Role::Rms,
+        ShaftParts::tr("α of the minimum RMS at each speed"), curves.rmsAngle);
+    const double best = study->bestCompromiseDeg();
+    figure.lines = {
+        {.at = best,
+         .role = Role::Best,
+         .text = ShaftParts::tr("best compromise %1°").arg(fixedNumber(best, 1, QLocale()))}};
+    figure.bands = unbuildableBands(study->buildable(), Qt::Vertical);
+    return figure;
 }
 
-}  // namespace ravnoves
+Figure speedMap(const BalanceShaftModel& model) {
+    Figure figure;
+    figure.title = ShaftParts::tr("Map over α and speed");
+    figure.x = {.title = ShaftParts::tr("α, °"), .min = 0.0, .max = 360.0, .degrees = true};
+    figure.left = {.title = ShaftParts::tr("n, min⁻¹")};
+    figure.leftRange = speedsOf(model);
+    figure.presentX = model.shaftAngleDeg();
+    const SpeedStudyModel* study = solvedOf(model);
+    if (study == nullptr) {
+        return figure;
+    }
+    figure.title =
+        changeTitle(isByRange(model) ? PlaceCriterion::Kind::Range : PlaceCriterion::Kind::Rms);
+    figure.bands = unbuildableBands(study->buildable());
+    const auto curves = study->curves();
+    Broken line =
+        brokenAtZero(curves.speed, isByRange(model) ? curves.rangeAngle : curves.rmsAngle);
+    figure.add("best",
+               {.name = ShaftParts::tr("best α"), .role = Role::Best, .width = 2.0, .gaps = true},
+               std::move(line.angle), std::move(line.speed));
+    return figure;
+}
+
+}  // namespace ravnoves::shaft_parts

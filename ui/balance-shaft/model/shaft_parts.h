@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "balance-shaft/clearance.h"
 #include "balance-shaft/model/place_criterion.h"
@@ -11,6 +12,11 @@
 namespace ravnoves {
 
 class BalanceShaftModel;
+
+/// The words of the parts.
+struct ShaftParts {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::ShaftParts)
+};
 
 /// What the page of the balance shaft shows.
 std::span<const PagePart> shaftParts();
@@ -24,47 +30,37 @@ std::vector<plot::Band> unbuildableBands(const balance_shaft::BuildableAngles& b
 Figure overCycle(const BalanceShaftModel& model, const QString& title, const QString& unit);
 /// A figure over α, with the infeasible angles and the shaft's.
 Figure overAngle(const BalanceShaftModel& model, const QString& title, const QString& unit);
+std::vector<double> inUnit(std::vector<double> values, const Unit& unit);
 
 /// Of a map of changes, in percent.
 QString changeTitle(PlaceCriterion::Kind criterion);
 
-// The words of the tabs, by which translations know them.
-struct MomentWords {
-    Q_DECLARE_TR_FUNCTIONS(ravnoves::BalanceShaftPage)
-};
-struct CycleWords {
-    Q_DECLARE_TR_FUNCTIONS(ravnoves::CycleView)
-};
-struct SizeWords {
-    Q_DECLARE_TR_FUNCTIONS(ravnoves::EnvelopeView)
-};
-struct OrderWords {
-    Q_DECLARE_TR_FUNCTIONS(ravnoves::OrdersView)
-};
-struct FlywheelWords {
-    Q_DECLARE_TR_FUNCTIONS(ravnoves::FlywheelView)
-};
-struct ForceWords {
-    Q_DECLARE_TR_FUNCTIONS(ravnoves::ForcesView)
-};
-struct MapWords {
-    Q_DECLARE_TR_FUNCTIONS(ravnoves::ShaftMapView)
-};
-struct PlacesWords {
-    Q_DECLARE_TR_FUNCTIONS(ravnoves::ShaftMapPlot)
-};
-struct SpeedWords {
-    Q_DECLARE_TR_FUNCTIONS(ravnoves::SpeedView)
-};
-
-// What makes them, by tab, in the order of the page.
-using ShaftPartMakers = std::span<const PartMaker<BalanceShaftModel>>;
-ShaftPartMakers momentParts();  ///< of the figures beside the tabs
-ShaftPartMakers mapParts();
-ShaftPartMakers cycleParts();
-ShaftPartMakers speedParts();
-ShaftPartMakers sizeParts();
-ShaftPartMakers orderParts();  ///< and the flywheel's
-ShaftPartMakers forceParts();  ///< and the relieved shaft's
-
 }  // namespace ravnoves
+
+/// What makes the parts, by tab.
+namespace ravnoves::shaft_parts {
+
+Figure moments(const BalanceShaftModel& model);
+Figure range(const BalanceShaftModel& model);
+Figure means(const BalanceShaftModel& model);
+Figure places(const BalanceShaftModel& model);
+Figure distances(const BalanceShaftModel& model);
+Figure front(const BalanceShaftModel& model);
+Figure torque(const BalanceShaftModel& model);
+Figure pressure(const BalanceShaftModel& model);
+Figure indicator(const BalanceShaftModel& model);
+Figure bestAngles(const BalanceShaftModel& model);
+Figure speedMap(const BalanceShaftModel& model);
+Figure sizes(const BalanceShaftModel& model);
+Figure rangeOverSize(const BalanceShaftModel& model);
+Figure orders(const BalanceShaftModel& model);
+Results orderTable(const BalanceShaftModel& model);
+Figure energy(const BalanceShaftModel& model);
+Figure forceLocus(const BalanceShaftModel& model);
+Figure gearMoment(const BalanceShaftModel& model);
+Results forces(const BalanceShaftModel& model);
+Results gears(const BalanceShaftModel& model);
+Results relief(const BalanceShaftModel& model);
+Notes reliefVerdict(const BalanceShaftModel& model);
+
+}  // namespace ravnoves::shaft_parts
