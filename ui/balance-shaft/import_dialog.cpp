@@ -6,9 +6,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -24,6 +22,7 @@
 #include "theme/theme.h"
 #include "widgets/dialog_size.h"
 #include "widgets/form_section.h"
+#include "widgets/job_progress.h"
 #include "widgets/layouts.h"
 
 namespace ravnoves {
@@ -38,6 +37,12 @@ constexpr std::array separatorsInOrder{';', ',', '\t', ' '};
 /// Of what a combo box lists from its first entry.
 int placeOf(const std::optional<bool>& choice) {
     return choice ? static_cast<int>(*choice) : -1;
+}
+
+template <typename List, typename Value>
+int placeIn(const List& list, const std::optional<Value>& value) {
+    const auto found = std::find(list.begin(), list.end(), value);
+    return found == list.end() ? -1 : static_cast<int>(found - list.begin());
 }
 
 }  // namespace
@@ -68,15 +73,9 @@ ImportDialog::ImportDialog(ImportModel* model, const QString& title, QWidget* pa
     shift_->setObjectName(QStringLiteral("import_shift"));
     explain(shift_, tr("Add this shift to the crank angles of the trace."));
     column->addWidget(shift_);
-    progress_ = new QProgressBar(this);
-    progress_->setRange(0, 100);
-    progress_->setTextVisible(false);
-    progress_->setAccessibleName(tr("Reading the file"));
-    QSizePolicy keepsItsPlace = progress_->sizePolicy();
-    keepsItsPlace.setRetainSizeWhenHidden(true);
-    progress_->setSizePolicy(keepsItsPlace);
-    progress_->setFixedHeight(Theme::space);
-    column->addWidget(progress_);
+    auto* progress = new JobProgress(model_->job(), tr("Reading the file"), this);
+    progress->setFixedHeight(Theme::space);
+    column->addWidget(progress);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     import_ = buttons->addButton(tr("I&mport"), QDialogButtonBox::AcceptRole);
     import_->setObjectName(QStringLiteral("import_accept"));
@@ -85,26 +84,41 @@ ImportDialog::ImportDialog(ImportModel* model, const QString& title, QWidget* pa
     connect(buttons, &QDialogButtonBox::accepted, this, &ImportDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(this, &QDialog::rejected, model_->job(), &BackgroundJob::cancel);
-    connect(model_->job(), &BackgroundJob::progress, progress_,
-            [this](double part) { progress_->setValue(static_cast<int>(100.0 * part)); });
     connect(shift_, &QCheckBox::clicked, model_, &ImportModel::setShifted);
-    connectSettings();
     connect(model_, &ImportModel::changed, this, &ImportDialog::showFile);
     showFile();
-    separator_->setFocus();
+    findChild<QComboBox*>()->setFocus();
     resizeWithText(this, 760, 620);
 }
 
 QComboBox* ImportDialog::addChoice(FormSection* section, const char* name, const QString& label,
-                                   const QString& hint, const QStringList& choices) {
+                                   const QString& hint, const std::function<QStringList()>& words,
+                                   const std::function<int()>& read,
+                                   const std::function<void(int)>& decide) {
     auto* box = new QComboBox(section);
     box->setObjectName(QLatin1String(name));
-    box->addItems(choices);
     box->setPlaceholderText(tr("from the file"));
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(18);
     section->addWidget(label, box, {}, hint);
+    connect(box, &QComboBox::activated, this, decide);
+    settings_.push_back([=] {
+        box->clear();
+        box->addItems(words());
+        box->setCurrentIndex(read());
+    });
     return box;
+}
+
+QStringList ImportDialog::columns() const {
+    QStringList columns;
+    for (int column = 0; column < model_->columns(); ++column) {
+        const QString heading = model_->heading(column);
+        columns << (heading.isEmpty()
+                        ? tr("column %1").arg(column + 1)
+                        : QString::number(column + 1) + QStringLiteral(": ") + heading);
+    }
+    return columns;
 }
 
 QWidget* ImportDialog::buildSettings() {
@@ -114,89 +128,97 @@ QWidget* ImportDialog::buildSettings() {
     auto* meaning = new FormSection({}, settings);
     row->addWidget(layout, 1, Qt::AlignTop);
     row->addWidget(meaning, 1, Qt::AlignTop);
-    separator_ = addChoice(layout, "import_separator", tr("&Separator"),
-                           tr("Character between the columns."),
-                           {tr("semicolon"), tr("comma"), tr("tab"), tr("blanks")});
-    decimal_ = addChoice(layout, "import_decimal", tr("&Decimal sign"),
-                         tr("Decimal sign of the numbers."), {tr("point"), tr("comma")});
-    decimal_->setPlaceholderText(tr("choose"));  // where the numbers leave it open
-    header_ = new QSpinBox(layout);
-    header_->setObjectName(QStringLiteral("import_header_lines"));
-    header_->setRange(0, 999);
-    layout->addWidget(tr("&Header lines"), header_, {},
+    const auto fixed = [](const QStringList& words) { return [words] { return words; }; };
+    const auto decideBy = [this](auto change) {
+        return [this, change](int place) {
+            TableReading decided = model_->decided();
+            change(decided, place);
+            model_->decide(decided);
+        };
+    };
+    addChoice(
+        layout, "import_separator", tr("&Separator"), tr("Character between the columns."),
+        fixed({tr("semicolon"), tr("comma"), tr("tab"), tr("blanks")}),
+        [this] { return placeIn(separatorsInOrder, model_->reading().layout.separator); },
+        decideBy([](TableReading& decided, int place) {
+            decided = {};  // all else was of other columns
+            decided.layout.separator = separatorsInOrder.at(static_cast<std::size_t>(place));
+        }));
+    addChoice(
+        layout, "import_decimal", tr("&Decimal sign"), tr("Decimal sign of the numbers."),
+        fixed({tr("point"), tr("comma")}), [this] { return placeOf(model_->decimalComma()); },
+        decideBy(
+            [](TableReading& decided, int place) { decided.layout.decimal_comma = place == 1; }))
+        ->setPlaceholderText(tr("choose"));  // where the numbers leave it open
+    auto* header = new QSpinBox(layout);
+    header->setObjectName(QStringLiteral("import_header_lines"));
+    header->setRange(0, 999);
+    layout->addWidget(tr("&Header lines"), header, {},
                       tr("Lines above the first row, without empty lines and comments (#)."));
-    cycle_ = addChoice(layout, "import_cycle", tr("C&ycle"),
-                       tr("Length of a cycle. Several cycles in the file are averaged."),
-                       {tr("360° (two-stroke)"), tr("720° (four-stroke)")});
-    angle_ = addChoice(meaning, "import_angle", tr("Crank &angle"),
-                       tr("Column of the crank angle. Without one, the rows are equal steps over "
-                          "one cycle."),
-                       {});
-    angleUnit_ = addChoice(meaning, "import_angle_unit", tr("Angles i&n"),
-                           tr("Unit of the crank angle."), {tr("degrees"), tr("radians")});
+    connect(header, &QSpinBox::valueChanged, this, decideBy([](TableReading& decided, int lines) {
+                decided.layout.header_lines = static_cast<std::size_t>(lines);
+            }));
+    settings_.push_back([this, header] {
+        const QSignalBlocker blocker(header);
+        header->setValue(model_->headerLines());
+    });
+    addChoice(
+        layout, "import_cycle", tr("C&ycle"),
+        tr("Length of a cycle. Several cycles in the file are averaged."),
+        fixed({tr("360° (two-stroke)"), tr("720° (four-stroke)")}),
+        [this] { return model_->reading().strokes.value_or(0) / 2 - 1; },
+        decideBy([](TableReading& decided, int place) { decided.strokes = 2 + 2 * place; }));
+    addChoice(
+        meaning, "import_angle", tr("Crank &angle"),
+        tr("Column of the crank angle. Without one, the rows are equal steps over one cycle."),
+        [this] { return QStringList{tr("none: equal steps")} + columns(); },
+        [this] { return model_->column(0).value_or(-1) + 1; },
+        [this](int place) {
+            model_->decideColumn(0, place > 0 ? std::optional(place - 1) : std::nullopt);
+        });
+    addChoice(
+        meaning, "import_angle_unit", tr("Angles i&n"), tr("Unit of the crank angle."),
+        fixed({tr("degrees"), tr("radians")}),
+        [this] { return placeOf(model_->reading().in_radians); },
+        decideBy([](TableReading& decided, int place) { decided.in_radians = place == 1; }));
     const bool isPressure = model_->what() == Measured::pressure;
-    value_ = addChoice(
+    addChoice(
         meaning, "import_value", isPressure ? tr("&Pressure") : tr("&Torque"),
         isPressure ? tr("Column of the cylinder pressure.") : tr("Column of the engine torque."),
-        {});
-    QStringList units;
-    for (const Unit& unit : units_of(model_->what())) {
-        units << unitText(unit.name);
+        [this] { return columns(); }, [this] { return model_->column(1).value_or(-1); },
+        [this](int place) { model_->decideColumn(1, place); });
+    const std::vector<Unit> units = units_of(model_->what());
+    QStringList names;
+    for (const Unit& unit : units) {
+        names << unitText(unit.name);
     }
-    unit_ = addChoice(meaning, "import_unit", tr("&Unit"),
-                      isPressure ? tr("Unit of the pressure.") : tr("Unit of the torque."), units);
+    addChoice(
+        meaning, "import_unit", tr("&Unit"),
+        isPressure ? tr("Unit of the pressure.") : tr("Unit of the torque."), fixed(names),
+        [this, units] { return placeIn(units, model_->reading().unit); },
+        decideBy([units](TableReading& decided, int place) {
+            decided.unit = units.at(static_cast<std::size_t>(place));
+        }));
     if (isPressure) {
-        gauge_ =
-            addChoice(meaning, "import_gauge", tr("Pressure &is"),
-                      tr("Gauge pressure is relative to the atmosphere: 1.01325 bar is added."),
-                      {tr("absolute"), tr("gauge")});
+        addChoice(
+            meaning, "import_gauge", tr("Pressure &is"),
+            tr("Gauge pressure is relative to the atmosphere: 1.01325 bar is added."),
+            fixed({tr("absolute"), tr("gauge")}),
+            [this] { return placeOf(model_->reading().gauge); },
+            decideBy([](TableReading& decided, int place) { decided.gauge = place == 1; }));
     }
     return settings;
 }
 
-void ImportDialog::connectSettings() {
-    const auto decideBy = [this](QComboBox* box, auto change) {
-        connect(box, &QComboBox::activated, this, [this, change](int place) {
-            TableReading decided = model_->decided();
-            change(decided, place);
-            model_->decide(decided);
-        });
-    };
-    decideBy(separator_, [](TableReading& decided, int place) {
-        decided = {};  // all else was of other columns
-        decided.layout.separator = separatorsInOrder.at(static_cast<std::size_t>(place));
-    });
-    decideBy(decimal_,
-             [](TableReading& decided, int place) { decided.layout.decimal_comma = place == 1; });
-    connect(header_, &QSpinBox::valueChanged, this, [this](int lines) {
-        TableReading decided = model_->decided();
-        decided.layout.header_lines = static_cast<std::size_t>(lines);
-        model_->decide(decided);
-    });
-    decideBy(cycle_, [](TableReading& decided, int place) { decided.strokes = 2 + 2 * place; });
-    decideBy(angleUnit_, [](TableReading& decided, int place) { decided.in_radians = place == 1; });
-    decideBy(unit_, [what = model_->what()](TableReading& decided, int place) {
-        decided.unit = units_of(what).at(static_cast<std::size_t>(place));
-    });
-    if (gauge_ != nullptr) {
-        decideBy(gauge_, [](TableReading& decided, int place) { decided.gauge = place == 1; });
-    }
-    connect(angle_, &QComboBox::activated, this, [this](int place) {
-        model_->decideColumn(0, place > 0 ? std::optional(place - 1) : std::nullopt);
-    });
-    connect(value_, &QComboBox::activated, this,
-            [this](int place) { model_->decideColumn(1, place); });
-}
-
 void ImportDialog::showFile() {
-    const bool isRunning = model_->job()->isRunning();
-    progress_->setVisible(isRunning);
     import_->setEnabled(model_->isReady());
-    if (isRunning) {
+    if (model_->job()->isRunning()) {
         return;  // what is shown is of the settings before
     }
     showLines();
-    showSettings();
+    for (const auto& show : settings_) {
+        show();
+    }
     const QString trouble = model_->troubleText();
     colourText(understood_, trouble.isEmpty() ? &Theme::text : &Theme::error);
     understood_->setText(trouble.isEmpty() ? model_->understoodText() : trouble);
@@ -246,42 +268,6 @@ void ImportDialog::showLines() {
     const int first = std::max(0, model_->headerLines() - 2);
     if (QTableWidgetItem* item = preview_->item(first, marked[1].value_or(0))) {
         preview_->scrollToItem(item, QAbstractItemView::PositionAtTop);
-    }
-}
-
-void ImportDialog::showSettings() {
-    const TableReading& reading = model_->reading();
-    const auto separator = std::find(separatorsInOrder.begin(), separatorsInOrder.end(),
-                                     reading.layout.separator.value_or('\0'));
-    separator_->setCurrentIndex(separator == separatorsInOrder.end()
-                                    ? -1
-                                    : static_cast<int>(separator - separatorsInOrder.begin()));
-    decimal_->setCurrentIndex(placeOf(model_->decimalComma()));
-    {
-        const QSignalBlocker blocker(header_);
-        header_->setValue(model_->headerLines());
-    }
-    cycle_->setCurrentIndex(reading.strokes ? *reading.strokes / 2 - 1 : -1);
-    angleUnit_->setCurrentIndex(placeOf(reading.in_radians));
-    QStringList columns;
-    for (int column = 0; column < model_->columns(); ++column) {
-        const QString heading = model_->heading(column);
-        columns << (heading.isEmpty()
-                        ? tr("column %1").arg(column + 1)
-                        : QString::number(column + 1) + QStringLiteral(": ") + heading);
-    }
-    value_->clear();
-    value_->addItems(columns);
-    value_->setCurrentIndex(model_->column(1).value_or(-1));
-    columns.prepend(tr("none: equal steps"));
-    angle_->clear();
-    angle_->addItems(columns);
-    angle_->setCurrentIndex(model_->column(0).value_or(-1) + 1);
-    const std::vector<Unit> all = units_of(model_->what());
-    const auto unit = std::find(all.begin(), all.end(), reading.unit.value_or(units::none));
-    unit_->setCurrentIndex(unit == all.end() ? -1 : static_cast<int>(unit - all.begin()));
-    if (gauge_ != nullptr) {
-        gauge_->setCurrentIndex(placeOf(reading.gauge));
     }
 }
 

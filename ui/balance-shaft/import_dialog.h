@@ -1,13 +1,13 @@
 #pragma once
 
 #include <QDialog>
+#include <functional>
+#include <vector>
 
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QProgressBar;
 class QPushButton;
-class QSpinBox;
 class QTableWidget;
 
 namespace ravnoves {
@@ -29,28 +29,22 @@ class ImportDialog : public QDialog {
 
   private:
     QWidget* buildSettings();
+    /// @param words  of the entries
+    /// @param read, decide  the place of the one that applies, and of one that is chosen
     QComboBox* addChoice(FormSection* section, const char* name, const QString& label,
-                         const QString& hint, const QStringList& choices);
-    void connectSettings();
+                         const QString& hint, const std::function<QStringList()>& words,
+                         const std::function<int()>& read, const std::function<void(int)>& decide);
+    /// What the columns of the file are called.
+    QStringList columns() const;
     void showFile();
     void showLines();
-    void showSettings();
 
     ImportModel* model_;
     QTableWidget* preview_ = nullptr;
-    QComboBox* separator_ = nullptr;
-    QComboBox* decimal_ = nullptr;
-    QSpinBox* header_ = nullptr;
-    QComboBox* cycle_ = nullptr;
-    QComboBox* angle_ = nullptr;
-    QComboBox* angleUnit_ = nullptr;
-    QComboBox* value_ = nullptr;
-    QComboBox* unit_ = nullptr;
-    QComboBox* gauge_ = nullptr;  ///< null for torque
+    std::vector<std::function<void()>> settings_;  ///< each shows what applies
     QLabel* understood_ = nullptr;
     QLabel* doubts_ = nullptr;
     QCheckBox* shift_ = nullptr;
-    QProgressBar* progress_ = nullptr;
     QPushButton* import_ = nullptr;
 };
 
