@@ -13,7 +13,6 @@
 namespace ravnoves {
 
 using balance_shaft::FrontView;
-using balance_shaft::Input;
 namespace field = balance_shaft::field;
 
 void BalanceShaftPage::addEngine(Form* form) {

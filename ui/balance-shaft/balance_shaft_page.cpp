@@ -1,11 +1,8 @@
 #include "balance-shaft/balance_shaft_page.h"
 
-#include <QComboBox>
 #include <QGridLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QPushButton>
-#include <QSlider>
 #include <QTabWidget>
 
 #include "balance-shaft/mechanism_view.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <QColor>
-#include <QPainterPath>
 #include <QPolygonF>
 #include <QRectF>
 #include <vector>

@@ -2,7 +2,6 @@
 
 #include <QPainter>
 #include <algorithm>
-#include <cmath>
 
 #include "balance-shaft/change_colours.h"
 #include "balance-shaft/model/shaft_map_text.h"

@@ -4,7 +4,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedLayout>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -2,8 +2,6 @@
 
 #include "widgets/page_columns.h"
 
-class QVBoxLayout;
-
 namespace ravnoves {
 
 class BalanceShaftModel;

@@ -16,7 +16,6 @@ namespace ravnoves {
 
 class BalanceShaftModel;
 class Form;
-class FormSection;
 class TorqueTableEditor;
 class TroubleLine;
 

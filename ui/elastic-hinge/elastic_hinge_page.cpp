@@ -1,10 +1,8 @@
 #include "elastic-hinge/elastic_hinge_page.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QSlider>
 #include <QTabWidget>
 
 #include "elastic-hinge/guide_export_form.h"
@@ -16,7 +14,6 @@
 #include "page/part_views.h"
 #include "page/rejected_verdict.h"
 #include "theme/theme.h"
-#include "widgets/apart.h"
 #include "widgets/field_slider.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"

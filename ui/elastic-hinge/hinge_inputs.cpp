@@ -1,6 +1,5 @@
 #include "elastic-hinge/hinge_inputs.h"
 
-#include <QCheckBox>
 #include <QVBoxLayout>
 
 #include "elastic-hinge/fields.h"

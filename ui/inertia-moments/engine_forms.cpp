@@ -5,7 +5,6 @@
 #include <QGridLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "inertia-moments/fields.h"
 #include "inertia-moments/model/inertia_moments_model.h"

@@ -1,7 +1,6 @@
 #include "inertia-moments/shaft_view.h"
 
 #include <QKeyEvent>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
@@ -9,7 +8,6 @@
 
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "pictures/figure.h"
-#include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"

@@ -11,7 +11,6 @@
 
 #include "../../core/balance-shaft/synthetic_engine.h"
 #include "balance-shaft/balance_shaft_page.h"
-#include "balance-shaft/engine_torque.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/import_model.h"
 #include "balance-shaft/torque_source_editor.h"

@@ -1,12 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
-#include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QScrollBar>
 #include <QSlider>
-#include <QTableView>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,6 @@
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "case-file/text_file.h"
 #include "inertia-moments/model/cylinder_table_model.h"
 #include "inertia-moments/model/engine_parts.h"
 #include "model/input_differences.h"

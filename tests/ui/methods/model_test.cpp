@@ -4,8 +4,6 @@
 
 #include <QApplication>
 #include <QSignalSpy>
-#include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "case-file/input_error.h"

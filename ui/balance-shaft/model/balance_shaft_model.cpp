@@ -11,7 +11,6 @@
 #include "balance-shaft/model/shaft_map_model.h"
 #include "balance-shaft/model/speed_study_model.h"
 #include "balance-shaft/result_fields.h"
-#include "balance-shaft/results.h"
 #include "balance-shaft/scene.h"
 #include "case-file/result_json.h"
 #include "model/background_job.h"
@@ -30,7 +29,6 @@ using balance_shaft::GasCycle;
 using balance_shaft::Input;
 using balance_shaft::MomentMetrics;
 using balance_shaft::Optimum;
-using balance_shaft::Solver;
 
 namespace {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <QStringList>
-#include <QVector>
 #include <optional>
 #include <utility>
 

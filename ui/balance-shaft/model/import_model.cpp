@@ -23,7 +23,6 @@ namespace ravnoves {
 
 using balance_shaft::DeadCentre;
 using balance_shaft::Measured;
-using balance_shaft::ParsedPressureTrace;
 using balance_shaft::TableReading;
 
 ImportModel::ImportModel(Measured what, const SliderCrank<double>& crank, QObject* parent)

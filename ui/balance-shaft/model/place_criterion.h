@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "balance-shaft/position_study.h"
 
 namespace ravnoves {

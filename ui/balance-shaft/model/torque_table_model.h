@@ -2,7 +2,6 @@
 
 #include <QString>
 #include <map>
-#include <optional>
 #include <string>
 #include <utility>
 

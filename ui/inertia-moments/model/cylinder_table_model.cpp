@@ -18,7 +18,6 @@
 
 namespace ravnoves {
 
-using inertia_moments::ArticulatedRod;
 using inertia_moments::Cylinder;
 using inertia_moments::Input;
 namespace field = inertia_moments::field;

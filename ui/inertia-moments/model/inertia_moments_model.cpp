@@ -1,6 +1,5 @@
 #include "inertia-moments/model/inertia_moments_model.h"
 
-#include <QLocale>
 #include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
@@ -8,7 +7,6 @@
 #include "case-file/result_json.h"
 #include "inertia-moments/fields.h"
 #include "inertia-moments/input.h"
-#include "inertia-moments/results.h"
 #include "model/case_model_json.h"
 #include "text/message_text.h"
 #include "text/shown_units.h"
@@ -20,7 +18,6 @@ using inertia_moments::Cylinder;
 using inertia_moments::Direction;
 using inertia_moments::Input;
 using inertia_moments::Layout;
-using inertia_moments::Result;
 using inertia_moments::Shaft;
 namespace field = inertia_moments::field;
 

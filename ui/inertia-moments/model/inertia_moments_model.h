@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QStringList>
-#include <QVector>
 #include <optional>
 #include <utility>
 

@@ -20,7 +20,6 @@ using inertia_moments::EngineOrder;
 using inertia_moments::Plane;
 using inertia_moments::Quantity;
 using inertia_moments::RotatingPair;
-using inertia_moments::Shaft;
 using inertia_moments::ShaftDesign;
 
 namespace {
