@@ -11968,52 +11968,8 @@ but no position is feasible</source>
 <context>
     <name>ravnoves::HingePlots</name>
     <message>
-        <source>&amp;Guides</source>
-        <translation>&amp;Направляющие</translation>
-    </message>
-    <message>
-        <source>R&amp;od hinge</source>
-        <translation>Шату&amp;н</translation>
-    </message>
-    <message>
-        <source>Sid&amp;e force</source>
-        <translation>Бо&amp;ковая сила</translation>
-    </message>
-    <message>
-        <source>Crank &amp;moment</source>
-        <translation>&amp;Момент</translation>
-    </message>
-    <message>
-        <source>Mo&amp;tion</source>
-        <translation>&amp;Движение</translation>
-    </message>
-    <message>
         <source>φ, °</source>
         <translation>φ, °</translation>
-    </message>
-    <message>
-        <source>crank, for M</source>
-        <translation>кривошип, для M</translation>
-    </message>
-    <message>
-        <source>crank, for M₁</source>
-        <translation>кривошип, для M₁</translation>
-    </message>
-    <message>
-        <source>rod, for M₁₂</source>
-        <translation>шатун, для M₁₂</translation>
-    </message>
-    <message>
-        <source>&amp;Relief ×</source>
-        <translation>Перепа&amp;д ×</translation>
-    </message>
-    <message>
-        <source>a&amp;uto</source>
-        <translation>а&amp;вто</translation>
-    </message>
-    <message>
-        <source>Choose the factor by the relief</source>
-        <translation>Выбрать увеличение по перепаду</translation>
     </message>
     <message>
         <source>x, mm</source>
@@ -12152,14 +12108,6 @@ but no position is feasible</source>
         <translation>вне расчёта</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Отмена</translation>
-    </message>
-    <message>
-        <source>Stop computing the motion</source>
-        <translation>Прекратить расчёт движения</translation>
-    </message>
-    <message>
         <source>Guides, to scale</source>
         <translation>Направляющие в масштабе</translation>
     </message>
@@ -12192,32 +12140,12 @@ but no position is feasible</source>
         <translation>M₁* при нескольких ω</translation>
     </message>
     <message>
-        <source>&amp;Guide</source>
-        <translation>&amp;Направляющая</translation>
-    </message>
-    <message>
         <source>this case</source>
         <translation>эта задача</translation>
     </message>
     <message>
         <source>At the λ and ω of the case</source>
         <translation>При λ и ω задачи</translation>
-    </message>
-    <message>
-        <source>Guide shown</source>
-        <translation>Показанная направляющая</translation>
-    </message>
-    <message>
-        <source>Hinge between frame and crank alone (M), or with the rod&apos;s hinge (M₁), or hinge between crank and rod, over θ = φ + ψ</source>
-        <translation>Шарнир между стойкой и кривошипом один (M) или с шарниром шатуна (M₁), либо шарнир между кривошипом и шатуном, по θ = φ + ψ</translation>
-    </message>
-    <message>
-        <source>Enlargement of the guide&apos;s relief; 1 is to scale</source>
-        <translation>Увеличение перепада направляющей; 1 — в масштабе</translation>
-    </message>
-    <message>
-        <source>Progress of the motion</source>
-        <translation>Ход расчёта движения</translation>
     </message>
     <message>
         <source>Profile for the roller: path of its centre, offset by its radius</source>
@@ -12250,6 +12178,81 @@ but no position is feasible</source>
     <message>
         <source>with hinge (M₁)</source>
         <translation>с шарниром (M₁)</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::HingeTabs</name>
+    <message>
+        <source>R&amp;od hinge</source>
+        <translation>Шату&amp;н</translation>
+    </message>
+    <message>
+        <source>Sid&amp;e force</source>
+        <translation>Бо&amp;ковая сила</translation>
+    </message>
+    <message>
+        <source>Crank &amp;moment</source>
+        <translation>&amp;Момент</translation>
+    </message>
+    <message>
+        <source>&amp;Guides</source>
+        <translation>&amp;Направляющие</translation>
+    </message>
+    <message>
+        <source>crank, for M</source>
+        <translation>кривошип, для M</translation>
+    </message>
+    <message>
+        <source>crank, for M₁</source>
+        <translation>кривошип, для M₁</translation>
+    </message>
+    <message>
+        <source>rod, for M₁₂</source>
+        <translation>шатун, для M₁₂</translation>
+    </message>
+    <message>
+        <source>Guide shown</source>
+        <translation>Показанная направляющая</translation>
+    </message>
+    <message>
+        <source>Hinge between frame and crank alone (M), or with the rod&apos;s hinge (M₁), or hinge between crank and rod, over θ = φ + ψ</source>
+        <translation>Шарнир между стойкой и кривошипом один (M) или с шарниром шатуна (M₁), либо шарнир между кривошипом и шатуном, по θ = φ + ψ</translation>
+    </message>
+    <message>
+        <source>&amp;Guide</source>
+        <translation>&amp;Направляющая</translation>
+    </message>
+    <message>
+        <source>&amp;Relief ×</source>
+        <translation>Перепа&amp;д ×</translation>
+    </message>
+    <message>
+        <source>Enlargement of the guide&apos;s relief; 1 is to scale</source>
+        <translation>Увеличение перепада направляющей; 1 — в масштабе</translation>
+    </message>
+    <message>
+        <source>a&amp;uto</source>
+        <translation>а&amp;вто</translation>
+    </message>
+    <message>
+        <source>Choose the factor by the relief</source>
+        <translation>Выбрать увеличение по перепаду</translation>
+    </message>
+    <message>
+        <source>Mo&amp;tion</source>
+        <translation>&amp;Движение</translation>
+    </message>
+    <message>
+        <source>Progress of the motion</source>
+        <translation>Ход расчёта движения</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Отмена</translation>
+    </message>
+    <message>
+        <source>Stop computing the motion</source>
+        <translation>Прекратить расчёт движения</translation>
     </message>
 </context>
 <context>

@@ -25,7 +25,6 @@ using elastic_hinge::Guide;
 using elastic_hinge::GuidePoint;
 using elastic_hinge::MechanismPose;
 using elastic_hinge::Motion;
-using elastic_hinge::PlanePoint;
 
 namespace {
 
@@ -99,10 +98,11 @@ HingeMechanismView::HingeMechanismView(ElasticHingeModel* model, QWidget* parent
                           "the crank; Space plays the computed motion."),
                        parent),
       model_(model) {
-    connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
+    for (const auto signal :
+         {&SceneModel::changed, &SceneModel::viewChanged, &SceneModel::shownChanged}) {
+        connect(model_, signal, this, qOverload<>(&QWidget::update));
+    }
     followReference(model_);
-    connect(model_, &ElasticHingeModel::viewChanged, this, qOverload<>(&QWidget::update));
-    connect(model_, &ElasticHingeModel::motionsChanged, this, qOverload<>(&QWidget::update));
 }
 
 double HingeMechanismView::slowness() const {
@@ -125,8 +125,7 @@ void HingeMechanismView::play(double seconds) {
 
 void HingeMechanismView::turnTo(double degrees) {
     setPlaying(false);
-    model_->setMotionTime(std::nullopt);
-    model_->crank()->turnTo(degrees);
+    MechanismPicture::turnTo(degrees);
 }
 
 drawing::Frame HingeMechanismView::frame() const {

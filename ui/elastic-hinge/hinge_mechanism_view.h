@@ -17,7 +17,6 @@ class HingeMechanismView : public MechanismPicture {
   public:
     explicit HingeMechanismView(ElasticHingeModel* model, QWidget* parent = nullptr);
 
-    /// Leaves the motion and turns the crank.
     void turnTo(double degrees) override;
 
     QSize sizeHint() const override { return {300, 210}; }

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "elastic-hinge/model/guide_picture.h"
-#include "elastic-hinge/model/hinge_parts.h"
+#include "page/mechanism_picture.h"
 #include "page/part_views.h"
 #include "theme/theme.h"
 #include "widgets/job_progress.h"
@@ -29,11 +29,10 @@ HingeTabs::HingeTabs(ElasticHingeModel* model, QWidget* parent)
     setMinimumWidth(Theme::withText(minimum));
     setDocumentMode(true);
     addGuides();
-    addAnglePlots(addTab("rod-hinge", HingePlots::tr("R&od hinge")),
-                  {"rod-moment", "rod-moment-speeds"});
-    addAnglePlots(addTab("side-force", HingePlots::tr("Sid&e force")),
+    addAnglePlots(addTab("rod-hinge", tr("R&od hinge")), {"rod-moment", "rod-moment-speeds"});
+    addAnglePlots(addTab("side-force", tr("Sid&e force")),
                   {"side-force-lambdas", "side-force-speeds"});
-    addAnglePlots(addTab("crank-moment", HingePlots::tr("Crank &moment")),
+    addAnglePlots(addTab("crank-moment", tr("Crank &moment")),
                   {"crank-moment", "crank-moment-speeds"});
     addMotion();
     for (const auto signal : {&SceneModel::changed, &SceneModel::viewChanged}) {
@@ -64,11 +63,7 @@ PartPlot* HingeTabs::addPlot(QVBoxLayout* column, std::string_view part, int sha
 
 PartPlot* HingeTabs::addAnglePlot(QVBoxLayout* column, std::string_view part, int share) {
     PartPlot* plot = addPlot(column, part, share);
-    connect(plot, &PlotView::cursorMoved, model_, [this](double phi) {
-        model_->setMotionTime(std::nullopt);
-        model_->crank()->turnTo(phi);
-    });
-    anglePlots_.push_back(plot);
+    showCrankAngle(plot, model_->crank());
     return plot;
 }
 
@@ -81,7 +76,7 @@ void HingeTabs::addAnglePlots(QVBoxLayout* column, std::initializer_list<std::st
 }
 
 void HingeTabs::addGuides() {
-    QVBoxLayout* column = addTab("guides", HingePlots::tr("&Guides"));
+    QVBoxLayout* column = addTab("guides", tr("&Guides"));
     buildGuideBar(addBar(column));
     guides_ = addPlot(column, "guides", 5);
     addAnglePlot(column, "relief", 3);
@@ -99,31 +94,30 @@ void HingeTabs::buildGuideBar(QHBoxLayout* bar) {
     QHBoxLayout* row = addPart(0);
     hingeChoice_ = new QComboBox(this);
     hingeChoice_->setObjectName(QStringLiteral("guide_shown"));
-    hingeChoice_->addItems({HingePlots::tr("crank, for M"), HingePlots::tr("crank, for M₁"),
-                            HingePlots::tr("rod, for M₁₂")});
-    hingeChoice_->setAccessibleName(HingePlots::tr("Guide shown"));
+    hingeChoice_->addItems({tr("crank, for M"), tr("crank, for M₁"), tr("rod, for M₁₂")});
+    hingeChoice_->setAccessibleName(tr("Guide shown"));
     hingeChoice_->setToolTip(
-        HingePlots::tr("Hinge between frame and crank alone (M), or with the rod's hinge (M₁), or "
-                       "hinge between crank and rod, over θ = φ + ψ"));
+        tr("Hinge between frame and crank alone (M), or with the rod's hinge (M₁), or "
+           "hinge between crank and rod, over θ = φ + ψ"));
     connect(hingeChoice_, &QComboBox::activated, this,
             [this](int index) { model_->setShownHinge(static_cast<Hinge>(index)); });
-    auto* label = new QLabel(HingePlots::tr("&Guide"), this);
+    auto* label = new QLabel(tr("&Guide"), this);
     label->setBuddy(hingeChoice_);
     row->addWidget(label);
     row->addWidget(hingeChoice_, 1);
     row = addPart(1);
     constexpr Range factors = ElasticHingeModel::exaggerationField.range;
-    exaggeration_ = new ValueSlider(HingePlots::tr("&Relief ×"), factors.min, factors.max, 1.0,
-                                    10.0, 0, {}, this);
+    exaggeration_ =
+        new ValueSlider(tr("&Relief ×"), factors.min, factors.max, 1.0, 10.0, 0, {}, this);
     exaggeration_->setLogarithmic(12, 2);
     exaggeration_->slider()->setObjectName(QStringLiteral("exaggeration_slider"));
-    exaggeration_->setHint(HingePlots::tr("Enlargement of the guide's relief; 1 is to scale"));
+    exaggeration_->setHint(tr("Enlargement of the guide's relief; 1 is to scale"));
     connect(exaggeration_, &ValueSlider::valueEdited, this,
             [this](double factor) { model_->setExaggeration(factor); });
     row->addWidget(exaggeration_, 1);
-    automatic_ = new QCheckBox(HingePlots::tr("a&uto"), this);
+    automatic_ = new QCheckBox(tr("a&uto"), this);
     automatic_->setObjectName(QStringLiteral("exaggeration_auto"));
-    automatic_->setToolTip(HingePlots::tr("Choose the factor by the relief"));
+    automatic_->setToolTip(tr("Choose the factor by the relief"));
     connect(automatic_, &QCheckBox::clicked, this, [this](bool on) {
         model_->setExaggeration(on ? std::nullopt : std::optional(model_->exaggeration()));
     });
@@ -131,7 +125,7 @@ void HingeTabs::buildGuideBar(QHBoxLayout* bar) {
 }
 
 void HingeTabs::addMotion() {
-    QVBoxLayout* column = addTab("motion", HingePlots::tr("Mo&tion"));
+    QVBoxLayout* column = addTab("motion", tr("Mo&tion"));
     QHBoxLayout* bar = addBar(column);
     bar->addWidget(new PartText(model_, "motions", bar->parentWidget()), 1);
     addProgress(bar);
@@ -139,12 +133,11 @@ void HingeTabs::addMotion() {
 }
 
 void HingeTabs::addProgress(QHBoxLayout* bar) {
-    auto* progress = new JobProgress(model_->runner(), HingePlots::tr("Progress of the motion"),
-                                     bar->parentWidget());
+    auto* progress =
+        new JobProgress(model_->runner(), tr("Progress of the motion"), bar->parentWidget());
     progress->setFixedWidth(Theme::withText(110));
     bar->addWidget(progress);
-    QPushButton* cancel = progress->cancelButton(HingePlots::tr("Cancel"),
-                                                 HingePlots::tr("Stop computing the motion"));
+    QPushButton* cancel = progress->cancelButton(tr("Cancel"), tr("Stop computing the motion"));
     cancel->setObjectName(QStringLiteral("cancel_motion"));
     bar->addWidget(cancel);
 }
@@ -157,9 +150,6 @@ void HingeTabs::showView() {
 }
 
 void HingeTabs::showAngle() {
-    for (PartPlot* plot : anglePlots_) {
-        plot->setPresentX(model_->crank()->degrees());
-    }
     const GuidePicture picture(model_->shownGuide(), model_->exaggeration());
     std::vector<plot::Mark> marks;
     for (const auto& [branch, role] : {std::pair(Branch::compressed, Role::Compressed),

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QTabWidget>
-#include <vector>
 
 #include "elastic-hinge/model/elastic_hinge_model.h"
 
@@ -43,7 +42,6 @@ class HingeTabs : public QTabWidget {
     QComboBox* hingeChoice_ = nullptr;
     QCheckBox* automatic_ = nullptr;
     ValueSlider* exaggeration_ = nullptr;
-    std::vector<PartPlot*> anglePlots_;
 };
 
 }  // namespace ravnoves

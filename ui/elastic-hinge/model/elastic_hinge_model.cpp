@@ -26,7 +26,6 @@ using elastic_hinge::Branch;
 using elastic_hinge::Guide;
 using elastic_hinge::GuideProblem;
 using elastic_hinge::GuideProposal;
-using elastic_hinge::GuideSign;
 using elastic_hinge::Hinge;
 using elastic_hinge::Input;
 using elastic_hinge::Motion;
@@ -103,6 +102,11 @@ ElasticHingeModel::ElasticHingeModel(QObject* parent, bool runsJobs)
         none->trouble = why;
         showMotions(none);
     });
+    connect(&crank_, &CrankAngle::changed, this, [this] {
+        if (!isPlayed_) {
+            leaveMotion();
+        }
+    });
     taken();
 }
 
@@ -121,7 +125,6 @@ void ElasticHingeModel::showMotions(std::shared_ptr<const HingeMotions> motions)
         const Motion* motion = animatedMotion();
         motionTime_ = motion != nullptr ? motion->time_at(*motionAngle_) : std::nullopt;
     }
-    Q_EMIT motionsChanged();
     Q_EMIT shownChanged();
 }
 
@@ -131,7 +134,6 @@ Json ElasticHingeModel::resultJson() const {
 
 bool ElasticHingeModel::setViewOption(const QString& key, const QString& value) {
     if (key == QLatin1String("crank_angle_deg")) {
-        setMotionTime(std::nullopt);
         crank_.turnTo(readNumber(key, value));
     } else if (key == QLatin1String("exaggeration")) {
         setExaggeration(value == QLatin1String("auto") ? std::nullopt
@@ -160,21 +162,26 @@ void ElasticHingeModel::takeView(const SceneModel& other) {
 
 // ------------------------------------------------------------------------------------- pictures
 
-void ElasticHingeModel::setMotionTime(std::optional<double> seconds) {
+void ElasticHingeModel::setMotionTime(double seconds) {
+    leaveMotion();
     motionTime_ = seconds;
-    motionAngle_.reset();
-    const Motion* motion = animatedMotion();
-    if (seconds && motion != nullptr) {
-        motionAngle_ = motion->angle_at(*seconds);
+    if (const Motion* motion = animatedMotion()) {
+        motionAngle_ = motion->angle_at(seconds);
+        isPlayed_ = true;
         crank_.turnTo(*motionAngle_ / degree);
+        isPlayed_ = false;
     }
+}
+
+void ElasticHingeModel::leaveMotion() {
+    motionTime_.reset();
+    motionAngle_.reset();
 }
 
 void ElasticHingeModel::setAnimated(Animated animated) {
     if (animated != animated_) {
         animated_ = animated;
-        motionTime_.reset();
-        motionAngle_.reset();
+        leaveMotion();
         Q_EMIT viewChanged();
     }
 }
@@ -321,10 +328,6 @@ void ElasticHingeModel::takeMinimumPreload() {
 }
 
 // --------------------------------------------------------------------------------------- answer
-
-Verdict ElasticHingeModel::verdict() const {
-    return elastic_hinge::verdict(input(), result());
-}
 
 Results ElasticHingeModel::quantities() const {
     const ResultCell none(QStringLiteral("–"));

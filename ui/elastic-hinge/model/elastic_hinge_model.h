@@ -1,7 +1,5 @@
 #pragma once
 
-#include <QStringList>
-#include <QVector>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -63,9 +61,9 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     BackgroundJob* runner() { return &runner_; }
 
     CrankAngle* crank() { return &crank_; }
-    /// Time within the motion that the picture plays, s; nothing while it is turned by hand.
+    /// Time within the motion that the picture plays, s; nothing where the crank was turned since.
     std::optional<double> motionTime() const { return motionTime_; }
-    void setMotionTime(std::optional<double> seconds);
+    void setMotionTime(double seconds);
     Animated animated() const { return animated_; }
     void setAnimated(Animated animated);
     /// The motion that the picture plays; null without one.
@@ -103,7 +101,7 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
         return result().largest_side_force_with <= 1e-9 * result().largest_side_force_without;
     }
 
-    Verdict verdict() const;
+    Verdict verdict() const { return elastic_hinge::verdict(input(), result()); }
     std::optional<Verdict> verdictShown() const override { return verdict(); }
     std::vector<const char*> designInputs() const override {
         return {"/crank_radius_mm", "/lambda", "/angular_speed_rad_s"};
@@ -129,11 +127,9 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     /// @return an empty string, or the fault
     QString exportGuide(const QString& path) const;
 
-  Q_SIGNALS:
-    void motionsChanged();
-
   private:
     void taken() override;
+    void leaveMotion();
     void showMotions(std::shared_ptr<const HingeMotions> motions);
 
     bool runsJobs_;
@@ -141,6 +137,7 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     BackgroundJob runner_{this};
     std::shared_ptr<const HingeMotions> motions_;
     CrankAngle crank_{60.0, 360.0};
+    bool isPlayed_ = false;  ///< the motion turns the crank
     std::optional<double> motionTime_;
     /// Where the crank was left in the motion, rad; a motion that stops before has no time for it.
     std::optional<double> motionAngle_;
