@@ -7,6 +7,8 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "balance-shaft/engine_torque.h"
@@ -32,18 +34,10 @@ namespace field = balance_shaft::field;
 
 namespace {
 
-enum Page { TablePage = 0, PressurePage = 1, CyclePage = 2 };
+using Kind = TorqueSource::Kind;
 
-int pageOf(TorqueSource::Kind kind) {
-    switch (kind) {
-        case TorqueSource::Kind::pressure:
-            return PressurePage;
-        case TorqueSource::Kind::cycle:
-            return CyclePage;
-        default:
-            return TablePage;
-    }
-}
+enum Page { TablePage, PressurePage };
+constexpr std::array pages{Kind::table, Kind::pressure, Kind::cycle};
 
 }  // namespace
 
@@ -83,9 +77,7 @@ TorqueSourceEditor::TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent
             showForm(page);
             return;
         }
-        trouble_->say(model_->setTorqueKind(page == TablePage      ? TorqueSource::Kind::table
-                                            : page == PressurePage ? TorqueSource::Kind::pressure
-                                                                   : TorqueSource::Kind::cycle));
+        trouble_->say(model_->setTorqueKind(pages.at(static_cast<std::size_t>(page))));
         showInput();
     });
     connect(model_, &SceneModel::changed, this, [this] {
@@ -105,24 +97,22 @@ QWidget* TorqueSourceEditor::buildNoTable() {
     auto* buttons = new QWidget(noTable_);
     QHBoxLayout* row = rowIn(buttons, Theme::gap);
     column->addWidget(buttons);
-    auto* import = new QPushButton(tr("Impo&rt file…"), noTable_);
-    import->setObjectName(QStringLiteral("import_table"));
-    row->addWidget(import);
-    connect(import, &QPushButton::clicked, this, [this] { table_->importWithDialog(); });
-    auto* paste = new QPushButton(tr("&Paste"), noTable_);
-    paste->setObjectName(QStringLiteral("paste_table"));
-    row->addWidget(paste);
-    connect(paste, &QPushButton::clicked, this, [this] { table_->paste(); });
-    auto* take = new QPushButton(tr("Use as table"), noTable_);
-    take->setObjectName(QStringLiteral("take_computed_torque"));
-    take->setToolTip(
-        tr("Make a table of the computed torque, a row per step. The table does not follow speed "
-           "and masses."));
-    row->addWidget(take);
-    connect(take, &QPushButton::clicked, this, [this] {
-        trouble_->say(model_->tabulateTorque());
-        showInput();
-    });
+    const auto add = [&](const char* name, const QString& text, const auto& act) {
+        auto* button = new QPushButton(text, noTable_);
+        button->setObjectName(QLatin1String(name));
+        row->addWidget(button);
+        connect(button, &QPushButton::clicked, this, act);
+        return button;
+    };
+    add("import_table", tr("Impo&rt file…"), [this] { table_->importWithDialog(); });
+    add("paste_table", tr("&Paste"), [this] { table_->paste(); });
+    add("take_computed_torque", tr("Use as table"),
+        [this] {
+            trouble_->say(model_->tabulateTorque());
+            showInput();
+        })
+        ->setToolTip(tr("Make a table of the computed torque, a row per step. The table does not "
+                        "follow speed and masses."));
     return noTable_;
 }
 
@@ -174,13 +164,6 @@ void TorqueSourceEditor::showCheck() {
     checkText_->setText(messageText(check.text));
 }
 
-void TorqueSourceEditor::addNumbers(Form* form, const std::string& parent,
-                                    std::initializer_list<Field> fields) {
-    for (const Field& field : fields) {
-        form->number((parent + "/" + std::string(field.key)).c_str());
-    }
-}
-
 QWidget* TorqueSourceEditor::buildPressure() {
     auto* form = new Form(model_);
     FormSection* file = form->section({});
@@ -193,7 +176,7 @@ QWidget* TorqueSourceEditor::buildPressure() {
     trace_ = captionLabel({}, form);
     trace_->setObjectName(QStringLiteral("trace_file"));
     file->addWide(trace_);
-    addNumbers(form, "/torque/pressure", {field::trace_shift});
+    form->number("/torque/pressure/crank_angle_shift_deg");
     QLabel* doubts = captionLabel({}, form);  // the results are on another tab of a small page
     doubts->setObjectName(QStringLiteral("trace_doubts"));
     colourText(doubts, &Theme::warning);
@@ -203,12 +186,12 @@ QWidget* TorqueSourceEditor::buildPressure() {
     connect(move, &QPushButton::clicked, model_, &BalanceShaftModel::moveTraceByTurn);
     file->addWide(move);
     form->follow([this, doubts, move] {
-        const bool isOfTrace = model_->input().torque.kind == TorqueSource::Kind::pressure;
+        const bool isOfTrace = model_->input().torque.kind == Kind::pressure;
         showOrHide(doubts, isOfTrace ? model_->doubtsText() : QString());
         move->setVisible(model_->result().trace_is_a_turn_off);
     });
     form->section(tr("Cylinder"));
-    addNumbers(form, "/torque/pressure", {field::crankcase_pressure});
+    form->number("/torque/pressure/crankcase_pressure_bar");
     form->column()->addStretch();
     connect(import, &QPushButton::clicked, this, [this] {
         const QString path = askOpenPath(this, tr("Import pressure trace"), {}, tablesFilter());
@@ -220,18 +203,22 @@ QWidget* TorqueSourceEditor::buildPressure() {
 }
 
 QWidget* TorqueSourceEditor::buildCycle() {
-    const char* place = "/torque/cycle";
     auto* form = new Form(model_);
+    const auto addNumbers = [form](std::initializer_list<const char*> places) {
+        for (const char* place : places) {
+            form->number(place);
+        }
+    };
     form->section({})->addWide(
         captionLabel(tr("A plain cycle: constant pressures for gas exchange, polytropic "
                         "compression, one Wiebe heat release, polytropic expansion."),
                      form));
     form->section(tr("Cylinder"));
-    addNumbers(form, place, {field::crankcase_pressure});
+    form->number("/torque/cycle/crankcase_pressure_bar");
     form->section(tr("Gas exchange and compression"));
-    addNumbers(form, place,
-               {field::compression_ratio, field::intake_pressure, field::exhaust_pressure,
-                field::polytropic_compression, field::polytropic_expansion});
+    addNumbers({"/torque/cycle/compression_ratio", "/torque/cycle/intake_pressure_bar",
+                "/torque/cycle/exhaust_pressure_bar", "/torque/cycle/polytropic_compression",
+                "/torque/cycle/polytropic_expansion"});
     NumberField* ports = form->number(
         field::ports_open, [this] { return model_->input().torque.cycle.ports_open; },
         [this](std::optional<double> value) {
@@ -258,7 +245,8 @@ QWidget* TorqueSourceEditor::buildCycle() {
                                           : std::optional(cycle->imep / units::bar);
         });
     }
-    addNumbers(form, place, {field::combustion_start, field::combustion_duration, field::wiebe_m});
+    addNumbers({"/torque/cycle/combustion_start_deg", "/torque/cycle/combustion_duration_deg",
+                "/torque/cycle/wiebe_m"});
     form->column()->addStretch();
     return scrolled(form, this);
 }
@@ -287,7 +275,7 @@ void TorqueSourceEditor::showForm(int page) {
     forms_->setCurrentIndex(page);
     const TorqueSource& torque = model_->input().torque;
     noTable_->setVisible(page == TablePage && torque.is_computed());
-    const bool isWithoutTrace = page == PressurePage && torque.kind != TorqueSource::Kind::pressure;
+    const bool isWithoutTrace = page == PressurePage && torque.kind != Kind::pressure;
     noTrace_->say(!isWithoutTrace        ? QString()
                   : torque.is_computed() ? tr("No pressure trace yet; the computed cycle is used.")
                                          : tr("No pressure trace yet; the table is used."));
@@ -309,7 +297,8 @@ bool TorqueSourceEditor::isEmpty(int page) const {
 }
 
 void TorqueSourceEditor::showInput() {
-    const int page = pageOf(model_->input().torque.kind);
+    const auto* of = std::find(pages.begin(), pages.end(), model_->input().torque.kind);
+    const int page = of == pages.end() ? TablePage : static_cast<int>(of - pages.begin());
     if (std::exchange(given_, page) != page) {
         awaited_.reset();
     }

@@ -1,11 +1,8 @@
 #pragma once
 
 #include <QWidget>
-#include <initializer_list>
 #include <optional>
 #include <string>
-
-#include "case-file/field.h"
 
 class QComboBox;
 class QLabel;
@@ -36,8 +33,6 @@ class TorqueSourceEditor : public QWidget {
   private:
     QWidget* buildPressure();
     QWidget* buildCycle();
-    static void addNumbers(Form* form, const std::string& parent,
-                           std::initializer_list<Field> fields);
     void showInput();
     void showCheck();
     QWidget* buildCheck();

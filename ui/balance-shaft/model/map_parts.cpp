@@ -51,18 +51,13 @@ Figure places(const BalanceShaftModel& model) {
         return figure;
     }
     for (const ShaftMapModel::Marker& marker : model.shaftMap()->markers()) {
-        const bool byRange = marker.criterion == Kind::Range;
-        const bool byRms = marker.criterion == Kind::Rms;
-        figure.add(std::string(byRange ? "range"
-                               : byRms ? "RMS"
-                                       : "sum") +
-                       (marker.isBuildable ? "" : "-free"),
-                   {.name = marker.name(),
-                    .role = byRange ? Role::Range
-                            : byRms ? Role::Rms
-                                    : Role::Best,
-                    .shape = marker.isBuildable ? plot::Shape::Points : plot::Shape::Rings},
-                   {marker.position.x / units::mm}, {marker.position.y / units::mm});
+        const auto id = PlaceCriterion::of<std::string>(marker.criterion, "range", "RMS", "sum");
+        figure.add(
+            id + (marker.isBuildable ? "" : "-free"),
+            {.name = marker.name(),
+             .role = PlaceCriterion::of(marker.criterion, Role::Range, Role::Rms, Role::Best),
+             .shape = marker.isBuildable ? plot::Shape::Points : plot::Shape::Rings},
+            {marker.position.x / units::mm}, {marker.position.y / units::mm});
     }
     return figure;
 }
@@ -150,17 +145,9 @@ Figure distances(const BalanceShaftModel& model) {
 
 Figure front(const BalanceShaftModel& model) {
     Figure figure;
-    switch (model.placeCriterion().kind) {
-        case Kind::Range:
-            figure.title = ShaftParts::tr("Range and size");
-            break;
-        case Kind::Rms:
-            figure.title = ShaftParts::tr("RMS and size");
-            break;
-        case Kind::Both:
-            figure.title = ShaftParts::tr("Weighted sum and size");
-            break;
-    }
+    figure.title =
+        PlaceCriterion::of(model.placeCriterion().kind, ShaftParts::tr("Range and size"),
+                           ShaftParts::tr("RMS and size"), ShaftParts::tr("Weighted sum and size"));
     figure.x = {.title = ShaftParts::tr("width × height, cm²"), .min = 0.0, .max = 1.0};
     figure.left = {.title = ShaftParts::tr("change, %")};
     const ShaftMapModel* places = model.shaftMap();

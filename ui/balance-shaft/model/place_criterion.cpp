@@ -14,7 +14,7 @@ bool PlaceCriterion::judges(const Study& study) {
 }
 
 double PlaceCriterion::rangeShare() const {
-    return kind == Kind::Range ? 1.0 : kind == Kind::Rms ? 0.0 : weight;
+    return of(kind, 1.0, 0.0, weight);
 }
 
 double PlaceCriterion::rangeWeight(const Study& study) const {
@@ -37,9 +37,7 @@ double PlaceCriterion::change(const Study& study, double range, double rms) cons
 }
 
 double PlaceCriterion::valueOf(const Study& study, const Criteria& criteria) const {
-    return kind == Kind::Range ? criteria.range
-           : kind == Kind::Rms ? criteria.rms
-                               : change(study, criteria.range, criteria.rms);
+    return of(kind, criteria.range, criteria.rms, change(study, criteria.range, criteria.rms));
 }
 
 PlaceCriterion::Position PlaceCriterion::shortened(const Study& study, const Position& exact,

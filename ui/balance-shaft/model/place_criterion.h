@@ -18,6 +18,12 @@ struct PlaceCriterion {
 
     bool operator==(const PlaceCriterion&) const = default;
 
+    /// Of what there is for each kind.
+    template <typename Value>
+    static Value of(Kind kind, const Value& range, const Value& rms, const Value& both) {
+        return kind == Kind::Range ? range : kind == Kind::Rms ? rms : both;
+    }
+
     /// Whether the engine without a shaft has anything to be judged against.
     static bool judges(const Study& study);
     /// Change against the engine without a shaft as a fraction: −0.1 is 10 % less; where it

@@ -24,8 +24,6 @@ constexpr double roomAround = 1.25;
 
 void findObstacles(ShaftMap& map, const std::function<bool(double)>& progress) {
     const balance_shaft::PositionMap& field = map.field;
-    map.obstacleColumns = obstacleColumns;
-    map.obstacles.reserve(obstacleColumns * obstacleRows);
     std::vector<double> blocked;
     const double stepX = (field.right - field.left) / (obstacleColumns - 1);
     const double stepY = (field.top - field.bottom) / (obstacleRows - 1);
@@ -37,10 +35,8 @@ void findObstacles(ShaftMap& map, const std::function<bool(double)>& progress) {
             return;
         }
         for (std::size_t column = 0; column < obstacleColumns; ++column) {
-            const Obstacle found =
-                map.study.obstacle(place(static_cast<double>(column), static_cast<double>(row)));
-            map.obstacles.push_back(found);
-            blocked.push_back(found == Obstacle::none ? 0.0 : 1.0);
+            const auto at = place(static_cast<double>(column), static_cast<double>(row));
+            blocked.push_back(map.study.obstacle(at) == Obstacle::none ? 0.0 : 1.0);
         }
     }
     // The boundary between two places by bisection: the lines are as smooth as what they follow.

@@ -30,9 +30,6 @@ struct ShaftMap {
     balance_shaft::PositionStudy study;
     double view = 0.0;  ///< half of the square that is shown first
     balance_shaft::PositionMap field = {};
-    /// Element row × columns + column of a grid over the same rectangle.
-    std::vector<balance_shaft::Obstacle> obstacles = {};
-    std::size_t obstacleColumns = 0;
     /// Infeasible places: closed lines, to be filled by the odd-even rule.
     std::vector<QPolygonF> blocked = {};
     balance_shaft::BestPositions best = {};

@@ -28,14 +28,11 @@ Input withoutPlace(Input input) {
 }  // namespace
 
 QString ShaftMapModel::Marker::name() const {
-    switch (criterion) {
-        case Criterion::Range:
-            return isBuildable ? tr("best by range") : tr("min. range, ignoring clearance");
-        case Criterion::Rms:
-            return isBuildable ? tr("best by RMS") : tr("min. RMS, ignoring clearance");
-        default:
-            return isBuildable ? tr("best by sum") : tr("min. sum, ignoring clearance");
-    }
+    return isBuildable ? PlaceCriterion::of(criterion, tr("best by range"), tr("best by RMS"),
+                                            tr("best by sum"))
+                       : PlaceCriterion::of(criterion, tr("min. range, ignoring clearance"),
+                                            tr("min. RMS, ignoring clearance"),
+                                            tr("min. sum, ignoring clearance"));
 }
 
 ShaftMapModel::ShaftMapModel(BalanceShaftModel* model)

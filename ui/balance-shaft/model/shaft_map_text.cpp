@@ -10,10 +10,8 @@
 
 namespace ravnoves::shaft_map_text {
 
-using balance_shaft::Obstacle;
 using balance_shaft::PositionStudy;
 using Criteria = ShaftMapModel::Criteria;
-using Criterion = ShaftMapModel::Criterion;
 using Marker = ShaftMapModel::Marker;
 using Position = ShaftMapModel::Position;
 
@@ -36,21 +34,12 @@ QString whereText(const Position& position) {
         .arg(mm(position.centre_distance(), 2), degrees(position.shaft_angle(), 2));
 }
 
-QString criterionName(Criterion criterion) {
-    return criterion == Criterion::Range ? ShaftMapModel::tr("range")
-           : criterion == Criterion::Rms ? ShaftMapModel::tr("RMS")
-                                         : ShaftMapModel::tr("weighted sum");
-}
-
 /// By the criterion, with its change.
 QString valueText(const ShaftMapModel& map, const Criteria& criteria) {
     const QString change = signedPercentText(map.change(criteria).value_or(0.0));
-    return map.criterion() == Criterion::Both
-               ? change
-               : QStringLiteral("%1 (%2)").arg(
-                     newtonMetres(map.criterion() == Criterion::Range ? criteria.range
-                                                                      : criteria.rms),
-                     change);
+    const QString both = QStringLiteral("%1 (%2)");
+    return PlaceCriterion::of(map.criterion(), both.arg(newtonMetres(criteria.range), change),
+                              both.arg(newtonMetres(criteria.rms), change), change);
 }
 
 }  // namespace
@@ -71,7 +60,9 @@ QString best(const ShaftMapModel& map) {
     QString text =
         ShaftMapModel::tr(
             "Best place, the smallest box with the %1 within 1 % of its minimum: %2 at %3, box %4.")
-            .arg(criterionName(map.criterion()), value(best->criteria), whereText(best->position),
+            .arg(PlaceCriterion::of(map.criterion(), ShaftMapModel::tr("range"),
+                                    ShaftMapModel::tr("RMS"), ShaftMapModel::tr("weighted sum")),
+                 value(best->criteria), whereText(best->position),
                  shownNumber(best->criteria.size, units::cm2, 0));
     if (balance_shaft::sign_as_shown(map.change(best->criteria).value_or(0.0)) > 0) {
         text += QLatin1Char(' ') + ShaftMapModel::tr("Worse than without a shaft.");
@@ -136,7 +127,7 @@ QString reason(const ShaftMapModel& map, const Position& position) {
 
 QString fieldCsv(const ShaftMapModel& map, const CsvFormat& format) {
     const ShaftMap* const places = map.map();
-    if (places == nullptr || places->obstacles.empty()) {
+    if (places == nullptr) {
         return {};
     }
     const balance_shaft::PositionMap& field = places->field;
@@ -145,23 +136,20 @@ QString fieldCsv(const ShaftMapModel& map, const CsvFormat& format) {
                                 shownTitle(ShaftMapModel::tr("y, mm")).text, range.text,
                                 shownTitle(ShaftMapModel::tr("RMS, N·m")).text,
                                 ShaftMapModel::tr("feasible")});
-    const std::size_t columns = places->obstacleColumns;
-    const std::size_t rows = places->obstacles.size() / columns;
-    const std::size_t stride = (field.columns - 1) / (columns - 1);
-    for (std::size_t row = 0; row < rows; ++row) {
-        for (std::size_t column = 0; column < columns; ++column) {
-            const std::size_t element = stride * (row * field.columns + column);
-            const auto along = [](double from, double to, std::size_t i, std::size_t count) {
-                return (from +
-                        (to - from) * static_cast<double>(i) / static_cast<double>(count - 1)) /
-                       shownAs(units::mm);
-            };
-            const bool built = places->obstacles[row * columns + column] == Obstacle::none;
-            text += format.line({format.number(along(field.left, field.right, column, columns)),
-                                 format.number(along(field.bottom, field.top, row, rows)),
+    const auto along = [](double from, double to, std::size_t i, std::size_t count) {
+        return from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1);
+    };
+    constexpr std::size_t step = 2;
+    for (std::size_t row = 0; row < field.rows; row += step) {
+        for (std::size_t column = 0; column < field.columns; column += step) {
+            const std::size_t element = row * field.columns + column;
+            const Position at{along(field.left, field.right, column, field.columns),
+                              along(field.bottom, field.top, row, field.rows)};
+            text += format.line({format.number(at.x / shownAs(units::mm)),
+                                 format.number(at.y / shownAs(units::mm)),
                                  format.number(range.factor * field.range[element]),
                                  format.number(range.factor * field.rms[element]),
-                                 QString::number(built ? 1 : 0)});
+                                 QString::number(map.isBuildable(at) ? 1 : 0)});
         }
     }
     return text;

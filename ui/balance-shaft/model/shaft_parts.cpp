@@ -115,14 +115,9 @@ std::vector<double> inUnit(std::vector<double> values, const Unit& unit) {
 }
 
 QString changeTitle(PlaceCriterion::Kind criterion) {
-    switch (criterion) {
-        case PlaceCriterion::Kind::Range:
-            return ShaftParts::tr("Change in range vs. no shaft, %");
-        case PlaceCriterion::Kind::Rms:
-            return ShaftParts::tr("Change in RMS vs. no shaft, %");
-        default:
-            return ShaftParts::tr("Change in weighted sum vs. no shaft, %");
-    }
+    return PlaceCriterion::of(criterion, ShaftParts::tr("Change in range vs. no shaft, %"),
+                              ShaftParts::tr("Change in RMS vs. no shaft, %"),
+                              ShaftParts::tr("Change in weighted sum vs. no shaft, %"));
 }
 
 }  // namespace ravnoves
