@@ -12628,60 +12628,24 @@ but no position is feasible</source>
         <translation>Сумма −m a всех поступательных масс, точно: со всеми порядками</translation>
     </message>
     <message>
-        <source>vertical (My)</source>
-        <translation>вертик. (My)</translation>
+        <source>vertical (%1)</source>
+        <translation>вертик. (%1)</translation>
     </message>
     <message>
-        <source>vertical (Fy)</source>
-        <translation>вертик. (Fy)</translation>
+        <source>horiz. (%1)</source>
+        <translation>гориз. (%1)</translation>
     </message>
     <message>
-        <source>horiz. (Mx)</source>
-        <translation>гориз. (Mx)</translation>
+        <source>2-term (%1)</source>
+        <translation>2 члена (%1)</translation>
     </message>
     <message>
-        <source>horiz. (Fx)</source>
-        <translation>гориз. (Fx)</translation>
-    </message>
-    <message>
-        <source>2-term (My)</source>
-        <translation>2 члена (My)</translation>
-    </message>
-    <message>
-        <source>2-term (Fy)</source>
-        <translation>2 члена (Fy)</translation>
-    </message>
-    <message>
-        <source>2-term (Mx)</source>
-        <translation>2 члена (Mx)</translation>
-    </message>
-    <message>
-        <source>2-term (Fx)</source>
-        <translation>2 члена (Fx)</translation>
-    </message>
-    <message>
-        <source>residual (My)</source>
-        <translation>остаток (My)</translation>
-    </message>
-    <message>
-        <source>residual (Fy)</source>
-        <translation>остаток (Fy)</translation>
-    </message>
-    <message>
-        <source>residual (Mx)</source>
-        <translation>остаток (Mx)</translation>
-    </message>
-    <message>
-        <source>residual (Fx)</source>
-        <translation>остаток (Fx)</translation>
+        <source>residual (%1)</source>
+        <translation>остаток (%1)</translation>
     </message>
     <message>
         <source>roll (Mz)</source>
         <translation>опрокид. (Mz)</translation>
-    </message>
-    <message>
-        <source>residual (Mz)</source>
-        <translation>остаток (Mz)</translation>
     </message>
     <message>
         <source>1st order</source>

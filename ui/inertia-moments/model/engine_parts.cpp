@@ -110,32 +110,27 @@ struct Course {
 
 /// @param tips  of the upright and the level component of each
 void addCourse(Figure& figure, bool force, Course course, const std::array<QString, 6>& tips) {
-    const auto add = [&](const char* id, const QString& name, Role role, double width,
+    const auto add = [&](const char* id, const QString& name, QChar axis, Role role, double width,
                          const QString& tip, const std::vector<double>& values) {
         if (isSomething(values)) {
             figure.leftRange.reset();
         }
-        figure.add(id, {.name = name, .role = role, .width = width, .toolTip = tip},
+        const QString symbol = QString(QChar(force ? u'F' : u'M')) + axis;
+        figure.add(id, {.name = name.arg(symbol), .role = role, .width = width, .toolTip = tip},
                    values.empty() ? values : course.angle, values);
     };
     figure.leftRange = std::pair(-1.0, 1.0);  // a flat chart, not rounding
-    const auto named = [&](const QString& moment, const QString& ofForce) {
-        return force ? ofForce : moment;
-    };
-    add("vertical", named(EnginePlots::tr("vertical (My)"), EnginePlots::tr("vertical (Fy)")),
-        Role::Vertical, 2.8, tips[0], course.exact.y);
-    add("horizontal", named(EnginePlots::tr("horiz. (Mx)"), EnginePlots::tr("horiz. (Fx)")),
-        Role::Horizontal, 2.8, tips[1], course.exact.x);
-    add("vertical-two-term", named(EnginePlots::tr("2-term (My)"), EnginePlots::tr("2-term (Fy)")),
-        Role::TwoTermVertical, 1.4, tips[2], course.twoTerm.y);
-    add("horizontal-two-term",
-        named(EnginePlots::tr("2-term (Mx)"), EnginePlots::tr("2-term (Fx)")),
-        Role::TwoTermHorizontal, 1.4, tips[3], course.twoTerm.x);
-    add("vertical-left", named(EnginePlots::tr("residual (My)"), EnginePlots::tr("residual (Fy)")),
-        Role::ResidualVertical, 2.2, tips[4], course.left.y);
-    add("horizontal-left",
-        named(EnginePlots::tr("residual (Mx)"), EnginePlots::tr("residual (Fx)")),
-        Role::ResidualHorizontal, 2.2, tips[5], course.left.x);
+    const QString twoTerm = EnginePlots::tr("2-term (%1)");
+    const QString left = EnginePlots::tr("residual (%1)");
+    add("vertical", EnginePlots::tr("vertical (%1)"), u'y', Role::Vertical, 2.8, tips[0],
+        course.exact.y);
+    add("horizontal", EnginePlots::tr("horiz. (%1)"), u'x', Role::Horizontal, 2.8, tips[1],
+        course.exact.x);
+    add("vertical-two-term", twoTerm, u'y', Role::TwoTermVertical, 1.4, tips[2], course.twoTerm.y);
+    add("horizontal-two-term", twoTerm, u'x', Role::TwoTermHorizontal, 1.4, tips[3],
+        course.twoTerm.x);
+    add("vertical-left", left, u'y', Role::ResidualVertical, 2.2, tips[4], course.left.y);
+    add("horizontal-left", left, u'x', Role::ResidualHorizontal, 2.2, tips[5], course.left.x);
 }
 
 /// The moments (or forces) of one order, as the paper's Fig. 6 shows them.
@@ -214,7 +209,7 @@ void addRoll(Figure& figure, const Result& result) {
         isChanged = isChanged || isAbove(left[i] - alone[i]);
     }
     add("roll-left",
-        {.name = EnginePlots::tr("residual (Mz)"),
+        {.name = EnginePlots::tr("residual (%1)").arg(QStringLiteral("Mz")),
          .role = Role::ResidualRoll,
          .width = 2.8,
          .toolTip = EnginePlots::tr("With rotating masses, and with the counterweights and shafts "

@@ -85,18 +85,9 @@ ResultCell percent(double share) {
 constexpr QChar wideSpace(0x2002);
 
 QString componentName(const Difference& d) {
-    const QString order = QString::number(d.order) + wideSpace;
-    switch (d.quantity) {
-        case Quantity::force:
-            return order +
-                   (d.plane == Plane::horizontal ? QStringLiteral("Fx") : QStringLiteral("Fy"));
-        case Quantity::moment:
-            return order +
-                   (d.plane == Plane::horizontal ? QStringLiteral("Mx") : QStringLiteral("My"));
-        case Quantity::roll:
-            break;
-    }
-    return order + QStringLiteral("Mz");
+    const char axis = d.quantity == Quantity::roll ? 'z' : d.plane == Plane::horizontal ? 'x' : 'y';
+    return QString::number(d.order) + wideSpace +
+           QLatin1Char(d.quantity == Quantity::force ? 'F' : 'M') + QLatin1Char(axis);
 }
 
 QString componentTip(const Difference& d) {
