@@ -144,12 +144,4 @@ void BalanceShaftPage::doVerdictAct() {
     }
 }
 
-SceneModel* BalanceShaftPage::model() {
-    return model_;
-}
-
-QList<QAction*> BalanceShaftPage::sceneActions() {
-    return {playAction_, best_[0].action, best_[1].action};
-}
-
 }  // namespace ravnoves

@@ -2,8 +2,7 @@
 
 #include <array>
 
-#include "balance-shaft/envelope.h"
-#include "balance-shaft/speed_study.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "page/scene_page.h"
 
 class QGridLayout;
@@ -12,7 +11,6 @@ class QTabWidget;
 
 namespace ravnoves {
 
-class BalanceShaftModel;
 class Form;
 
 /// The balance-shaft page: inputs, α slider, tabs, picture, results.
@@ -22,9 +20,11 @@ class BalanceShaftPage : public ScenePage {
   public:
     explicit BalanceShaftPage(QWidget* parent = nullptr, SceneModel* kept = nullptr);
 
-    SceneModel* model() override;
+    SceneModel* model() override { return model_; }
     BalanceShaftModel* viewModel() { return model_; }
-    QList<QAction*> sceneActions() override;
+    QList<QAction*> sceneActions() override {
+        return {playAction_, best_[0].action, best_[1].action};
+    }
 
   private:
     QTabWidget* buildInputs();
@@ -41,7 +41,7 @@ class BalanceShaftPage : public ScenePage {
     BalanceShaftModel* model_;
     /// The two ways to the best α of a criterion.
     struct Best {
-        balance_shaft::SpeedStudy::Criterion criterion;
+        BalanceShaftModel::Criterion criterion;
         QPushButton* button;
         QAction* action;
     };

@@ -22,6 +22,7 @@ namespace ravnoves {
 using balance_shaft::Envelope;
 using balance_shaft::FrontView;
 using balance_shaft::MechanismPose;
+using balance_shaft::ShaftPosition;
 using balance_shaft::Vector2;
 
 namespace {
@@ -113,8 +114,7 @@ void MechanismView::paintGhost(QPainter& painter, const drawing::Frame& map) con
     const Envelope& envelope = model.result().envelope;
     const double alpha = model.input().shaft_angle;
     const QPointF crank = map.at(0, 0);
-    const QPointF shaft =
-        map.at(sizes.centre_distance * std::sin(alpha), sizes.centre_distance * std::cos(alpha));
+    const QPointF shaft = map.at(ShaftPosition::at(sizes.centre_distance, alpha));
     painter.setPen(ghostPen());
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(
@@ -280,8 +280,7 @@ void MechanismView::mousePressEvent(QMouseEvent* event) {
     const drawing::Frame map = frame();
     const FrontView& sizes = model_->solver().front_view();
     const double alpha = model_->input().shaft_angle;
-    const QPointF shaft =
-        map.at(sizes.centre_distance * std::sin(alpha), sizes.centre_distance * std::cos(alpha));
+    const QPointF shaft = map.at(ShaftPosition::at(sizes.centre_distance, alpha));
     const QPointF away = event->position() - shaft;
     if (std::hypot(away.x(), away.y()) < sizes.shaft_swing_radius * map.pixelsPerUnit) {
         held_ = map;

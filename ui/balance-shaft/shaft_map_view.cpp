@@ -82,14 +82,15 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
 QWidget* ShaftMapView::buildBar() {
     auto* bar = new Panel(this);
     QVBoxLayout* column = columnIn(bar, Theme::gap, barMargins);
-    distance_ = new FieldSlider(
-        model_, "/centre_distance_mm", {0.0, 200.0, 0.1, 10.0, 2}, bar,
-        {.label = tr("Distance &l"),
-         .hint = tr("Distance from crank axis to shaft axis; α is kept."),
-         .name = QStringLiteral("place_distance_mm"),
-         // A new range is a new layout of the page: not at every step.
-         .ends = [this] { return std::pair(0.0, std::ceil(map_->largestDistance() / units::mm)); },
-         .write = [this](double value) { map_->setDistance(value * units::mm); }});
+    distance_ =
+        new FieldSlider(model_, "/centre_distance_mm", {0.0, 200.0, 0.1, 10.0, 2}, bar,
+                        {.label = tr("Distance &l"),
+                         .hint = tr("Distance from crank axis to shaft axis; α is kept."),
+                         .name = QStringLiteral("place_distance_mm"),
+                         // A new range is a new layout of the page: not at every step.
+                         .ends = [this] {
+                             return std::pair(0.0, std::ceil(map_->largestDistance() / units::mm));
+                         }});
     column->addWidget(distance_);
 
     auto* row = new QHBoxLayout;

@@ -48,14 +48,6 @@ ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
     showAnimated();
 }
 
-SceneModel* ElasticHingePage::model() {
-    return model_;
-}
-
-QList<QAction*> ElasticHingePage::sceneActions() {
-    return {playAction_};
-}
-
 QWidget* ElasticHingePage::buildSliders() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel, Theme::gap, panelMargins);

@@ -15,9 +15,9 @@ class ElasticHingePage : public ScenePage {
   public:
     explicit ElasticHingePage(QWidget* parent = nullptr, SceneModel* kept = nullptr);
 
-    SceneModel* model() override;
+    SceneModel* model() override { return model_; }
     ElasticHingeModel* viewModel() { return model_; }
-    QList<QAction*> sceneActions() override;
+    QList<QAction*> sceneActions() override { return {playAction_}; }
 
   private:
     QWidget* buildInputs();

@@ -83,15 +83,10 @@ void GuideExportForm::showGuide() {
     const bool possible = branch.exists && !branch.undercut;
     dxf_->setEnabled(possible);
     csv_->setEnabled(possible);
-    if (!branch.exists) {
-        note_->setText(tr("This guide is not feasible; see the verdict."));
-    } else if (branch.undercut) {
-        note_->setText(tr("The roller undercuts this guide."));
-    } else {
-        note_->setText(
-            tr("The profile is offset from the path of the roller's centre by the "
-               "roller's radius."));
-    }
+    note_->setText(!branch.exists    ? tr("This guide is not feasible; see the verdict.")
+                   : branch.undercut ? tr("The roller undercuts this guide.")
+                                     : tr("The profile is offset from the path of the roller's "
+                                          "centre by the roller's radius."));
 }
 
 void GuideExportForm::ask(const QString& suffix) {

@@ -47,10 +47,6 @@ class FiringOrderField final : public ValueEntry<std::vector<int>> {
     InertiaMomentsModel* model_;
 };
 
-void fillUp(Form* form) {
-    qobject_cast<QVBoxLayout*>(form->layout())->addStretch();
-}
-
 }  // namespace
 
 EngineForm::EngineForm(InertiaMomentsModel* model) : Form(model), model_(model) {
@@ -72,7 +68,7 @@ EngineForm::EngineForm(InertiaMomentsModel* model) : Form(model), model_(model) 
     number("/reciprocating_mass_kg");
     addRotatingMass();
     addRod();
-    fillUp(this);
+    column()->addStretch();
     follow([this, sizes, deadCentre, first] {
         showLayout();
         first->setPlaceholderText(
@@ -241,7 +237,7 @@ BalancingForm::BalancingForm(InertiaMomentsModel* model) : Form(model) {
         target->setDigits(7);
         target->setOptional(false);
     }
-    fillUp(this);
+    column()->addStretch();
     follow([weights, webs] { webs->setVisible(weights->isChecked()); });
 }
 

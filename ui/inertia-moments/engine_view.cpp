@@ -67,22 +67,17 @@ const inertia_moments::Counterweight* sideWeight(const InertiaMomentsModel& mode
 QRectF frontBounds(const InertiaMomentsModel& model, const InertiaMomentsModel* ghost) {
     const Engine& engine = model.result().engine;
     const double radius = engine.crank_radius;
-    double left = -1.25 * radius;
-    double right = 1.25 * radius;
-    double top = 1.25 * radius;
-    double bottom = -1.25 * radius;
+    const double around = 1.25 * radius;
+    QPolygonF corners{QPointF(-around, -around), QPointF(around, around)};
     for (const CylinderPose& pose : inertia_moments::engine_pose(engine, 0.0)) {
         for (const double side : {-pistonHalf, pistonHalf}) {
             const Complex corner =
                 pose.axis_foot +
                 pose.axis_direction * Complex(pose.top + crownHeight * radius, side * radius);
-            left = std::min(left, corner.real());
-            right = std::max(right, corner.real());
-            top = std::max(top, corner.imag());
-            bottom = std::min(bottom, corner.imag());
+            corners << QPointF(corner.real(), corner.imag());
         }
     }
-    const QRectF bounds(left, bottom, right - left, top - bottom);
+    const QRectF bounds = corners.boundingRect();
     return ghost != nullptr ? bounds.united(frontBounds(*ghost, nullptr)) : bounds;
 }
 
@@ -90,19 +85,17 @@ QRectF frontBounds(const InertiaMomentsModel& model, const InertiaMomentsModel* 
 std::pair<double, double> sideBounds(const InertiaMomentsModel& model) {
     const Engine& engine = model.result().engine;
     const auto& input = model.input();
-    std::pair<double, double> bounds(input.reference_position, input.reference_position);
-    const auto hold = [&bounds](double z) {
-        bounds = {std::min(bounds.first, z), std::max(bounds.second, z)};
-    };
+    std::vector<double> places{input.reference_position};
     for (const Cylinder& cylinder : engine.cylinders) {
-        hold(cylinder.axial_position);
+        places.push_back(cylinder.axial_position);
     }
     if (input.end_webs && input.end_webs->enabled) {
-        hold(input.end_webs->front_position);
-        hold(input.end_webs->rear_position);
+        places.insert(places.end(),
+                      {input.end_webs->front_position, input.end_webs->rear_position});
     }
+    const auto [first, last] = std::ranges::minmax(places);
     const double margin = 0.8 * engine.crank_radius;
-    return {bounds.first - margin, bounds.second + margin};
+    return {first - margin, last + margin};
 }
 
 QRectF weightBlock(const QPointF& centre, double radiusPixels) {

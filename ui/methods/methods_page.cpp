@@ -132,14 +132,6 @@ MethodsPage::MethodsPage(QWidget* parent, SceneModel* kept)
     showRunning();
 }
 
-SceneModel* MethodsPage::model() {
-    return model_;
-}
-
-QList<QAction*> MethodsPage::sceneActions() {
-    return {againAction_, exportAction_};
-}
-
 QWidget* MethodsPage::buildChoice() {
     auto* panel = new Panel(this);
     QVBoxLayout* column =
@@ -177,17 +169,17 @@ QWidget* MethodsPage::buildMeasuring() {
     QVBoxLayout* column = columnIn(holder, Theme::gap);
     auto* row = new QHBoxLayout;
     row->setSpacing(Theme::space);
-    again_ = new QPushButton(tr("&Measure again"), holder);
-    again_->setObjectName(QStringLiteral("measure_again"));
-    again_->setToolTip(tr("Measure this kernel again, with more repetitions (F5)"));
-    connect(again_, &QPushButton::clicked, model_, &MethodsModel::measureAgain);
+    auto* again = new QPushButton(tr("&Measure again"), holder);
+    again->setObjectName(QStringLiteral("measure_again"));
+    again->setToolTip(tr("Measure this kernel again, with more repetitions (F5)"));
+    connect(again, &QPushButton::clicked, model_, &MethodsModel::measureAgain);
     auto* progress =
         new JobProgress(model_->measuring(), tr("Progress of the measurement"), holder);
     progress->setFixedHeight(progressHeight);
     QPushButton* cancel =
         progress->cancelButton(tr("&Cancel"), tr("Stop measuring and keep the previous results"));
     cancel->setObjectName(QStringLiteral("cancel"));
-    row->addWidget(again_, 1);
+    row->addWidget(again, 1);
     row->addWidget(cancel);
     column->addLayout(row);
     column->addWidget(progress);

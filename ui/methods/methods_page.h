@@ -5,7 +5,6 @@
 
 class QComboBox;
 class QLabel;
-class QPushButton;
 class QTabWidget;
 class QToolButton;
 class QVBoxLayout;
@@ -27,9 +26,9 @@ class MethodsPage : public ScenePage {
   public:
     explicit MethodsPage(QWidget* parent = nullptr, SceneModel* kept = nullptr);
 
-    SceneModel* model() override;
+    SceneModel* model() override { return model_; }
     MethodsModel* viewModel() { return model_; }
-    QList<QAction*> sceneActions() override;
+    QList<QAction*> sceneActions() override { return {againAction_, exportAction_}; }
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
     void setActive(bool active) override;
@@ -70,7 +69,6 @@ class MethodsPage : public ScenePage {
     QComboBox* sweeps_ = nullptr;
     ValueSlider* value_ = nullptr;  ///< of the hard parameter that is chosen
     QVBoxLayout* valuePlace_ = nullptr;
-    QPushButton* again_ = nullptr;
     QLabel* words_ = nullptr;
     QTabWidget* tabs_ = nullptr;
     OpenCases openCases_;

@@ -77,30 +77,30 @@ QWidget* ValidationView::buildTable() {
 QWidget* ValidationView::buildFilters() {
     auto* holder = new QWidget(this);
     QHBoxLayout* row = rowIn(holder);
-    papers_ = new QComboBox(holder);
-    papers_->setObjectName(QStringLiteral("paper_filter"));
-    papers_->setAccessibleName(tr("Paper"));
-    papers_->setToolTip(tr("Show the numbers of one paper only"));
-    papers_->addItem(tr("All papers"));
-    papers_->addItems(model_->paperTitles());
-    for (int i = 0; i < papers_->count() - 1; ++i) {
-        papers_->setItemData(i + 1,
-                             methodText(methods::papers()[static_cast<std::size_t>(i)].citation),
-                             Qt::ToolTipRole);
+    auto* papers = new QComboBox(holder);
+    papers->setObjectName(QStringLiteral("paper_filter"));
+    papers->setAccessibleName(tr("Paper"));
+    papers->setToolTip(tr("Show the numbers of one paper only"));
+    papers->addItem(tr("All papers"));
+    papers->addItems(model_->paperTitles());
+    for (int i = 0; i < papers->count() - 1; ++i) {
+        papers->setItemData(i + 1,
+                            methodText(methods::papers()[static_cast<std::size_t>(i)].citation),
+                            Qt::ToolTipRole);
     }
-    connect(papers_, &QComboBox::activated, this, [this](int index) {
+    connect(papers, &QComboBox::activated, this, [this](int index) {
         model_->setPaper(index == 0 ? std::nullopt
                                     : std::optional(static_cast<std::size_t>(index - 1)));
     });
-    verdicts_ = new QComboBox(holder);
-    verdicts_->setObjectName(QStringLiteral("verdict_filter"));
-    verdicts_->setAccessibleName(tr("Verdict"));
-    verdicts_->setToolTip(tr("Show the numbers with one verdict only"));
-    verdicts_->addItem(tr("All verdicts"));
+    auto* verdicts = new QComboBox(holder);
+    verdicts->setObjectName(QStringLiteral("verdict_filter"));
+    verdicts->setAccessibleName(tr("Verdict"));
+    verdicts->setToolTip(tr("Show the numbers with one verdict only"));
+    verdicts->addItem(tr("All verdicts"));
     for (const methods::Verdict verdict : methods::all_verdicts) {
-        verdicts_->addItem(verdictTitle(verdict));
+        verdicts->addItem(verdictTitle(verdict));
     }
-    connect(verdicts_, &QComboBox::activated, this, [this](int index) {
+    connect(verdicts, &QComboBox::activated, this, [this](int index) {
         model_->setVerdict(index == 0 ? std::nullopt
                                       : std::optional(methods::all_verdicts[index - 1]));
     });
@@ -111,7 +111,7 @@ QWidget* ValidationView::buildFilters() {
         QApplication::clipboard()->setText(asCsv());
         Q_EMIT status(tr("Report copied as CSV"));
     });
-    for (QComboBox* box : {papers_, verdicts_}) {
+    for (QComboBox* box : {papers, verdicts}) {
         constexpr int letters = 5;
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(letters);
@@ -123,9 +123,9 @@ QWidget* ValidationView::buildFilters() {
         row->addWidget(label);
         row->addWidget(field, 1);
     };
-    addLabelled(tr("&Paper"), papers_);
+    addLabelled(tr("&Paper"), papers);
     row->addSpacing(Theme::space);
-    addLabelled(tr("Ver&dict"), verdicts_);
+    addLabelled(tr("Ver&dict"), verdicts);
     row->addStretch();
     row->addWidget(copy);
     return holder;

@@ -4,7 +4,6 @@
 
 #include "methods/model/validation_model.h"
 
-class QComboBox;
 class QLabel;
 
 namespace ravnoves {
@@ -36,8 +35,6 @@ class ValidationView : public QWidget {
     void showReason();
 
     ValidationModel* model_;
-    QComboBox* papers_ = nullptr;
-    QComboBox* verdicts_ = nullptr;
     QLabel* counts_ = nullptr;
     ResultTable* table_ = nullptr;
     QLabel* reason_ = nullptr;

@@ -68,11 +68,10 @@ Json BalanceShaftModel::resultJson() const {
 }
 
 bool BalanceShaftModel::setViewOption(const QString& key, const QString& value) {
-    if (key == QLatin1String("crank_angle_deg")) {
-        crank_.turnTo(readNumber(key, value));
-    } else {
+    if (key != QLatin1String("crank_angle_deg")) {
         return false;
     }
+    crank_.turnTo(readNumber(key, value));
     return true;
 }
 
@@ -288,12 +287,9 @@ const balance_shaft::EnvelopeStudy& BalanceShaftModel::envelopeStudy() const {
 }
 
 double BalanceShaftModel::mass(const std::string& name) const {
-    for (const balance_shaft::NamedMass& part : input().reciprocating_masses) {
-        if (part.name == name) {
-            return part.mass;
-        }
-    }
-    return 0.0;
+    const auto& parts = input().reciprocating_masses;
+    const auto part = std::ranges::find(parts, name, &balance_shaft::NamedMass::name);
+    return part != parts.end() ? part->mass : 0.0;
 }
 
 double BalanceShaftModel::otherMasses() const {

@@ -4,11 +4,9 @@
 #include <cmath>
 #include <functional>
 
-#include "balance-shaft/fields.h"
 #include "model/background_job.h"
 #include "numerics/constants.h"
 #include "numerics/units.h"
-#include "text/message_text.h"
 
 namespace ravnoves {
 
@@ -225,11 +223,6 @@ void ShaftMapModel::goToBest() {
     if (const Marker* marker = best()) {
         goTo(marker->position);
     }
-}
-
-void ShaftMapModel::setDistance(double metres) {
-    model_->drag(fieldName(balance_shaft::field::centre_distance),
-                 [&](Input& input) { input.centre_distance = metres; });
 }
 
 void ShaftMapModel::goToDistance(double metres) {

@@ -89,7 +89,6 @@ class ShaftMapModel : public QObject {
     /// Moves it as a step of its own.
     void goTo(const Position& position, Parts parts = Exact);
     void goToBest();
-    void setDistance(double metres);
     /// Moves to this centre distance, at the best α of the criterion there: of the feasible ones
     /// where there are any.
     void goToDistance(double metres);

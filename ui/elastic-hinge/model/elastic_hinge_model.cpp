@@ -210,15 +210,9 @@ void ElasticHingeModel::setShownHinge(Hinge hinge) {
 }
 
 const Guide& ElasticHingeModel::guideOf(Hinge hinge) const {
-    switch (hinge) {
-        case Hinge::crank:
-            return result().crank_guide;
-        case Hinge::crank_with_rod:
-            return result().crank_guide_with_rod;
-        case Hinge::rod:
-            break;
-    }
-    return result().rod_guide;
+    return hinge == Hinge::crank            ? result().crank_guide
+           : hinge == Hinge::crank_with_rod ? result().crank_guide_with_rod
+                                            : result().rod_guide;
 }
 
 double ElasticHingeModel::exaggeration() const {

@@ -38,13 +38,8 @@ int radialCount(const QString& name) {
 }
 
 std::pair<double, double> extent(const std::vector<Cylinder>& cylinders, double Cylinder::*member) {
-    double low = cylinders.front().*member;
-    double high = low;
-    for (const Cylinder& cylinder : cylinders) {
-        low = std::min(low, cylinder.*member);
-        high = std::max(high, cylinder.*member);
-    }
-    return {low, high};
+    const auto ends = std::ranges::minmax_element(cylinders, {}, member);
+    return {(*ends.min).*member, (*ends.max).*member};
 }
 
 }  // namespace
