@@ -11,7 +11,6 @@
 #include "balance-shaft/model/shaft_map_model.h"
 #include "balance-shaft/model/speed_study_model.h"
 #include "balance-shaft/result_fields.h"
-#include "balance-shaft/scene.h"
 #include "case-file/result_json.h"
 #include "model/background_job.h"
 #include "model/case_model_json.h"
@@ -40,22 +39,6 @@ QString number(double value, int decimals) {
 
 QString BalanceShaftScene::defaultTitle() {
     return presetTitle(balance_shaft::presets().front().title);
-}
-
-Input BalanceShaftScene::read(const Json& input, const CaseContext& context) {
-    return balance_shaft::read_input(input, context);
-}
-
-Json BalanceShaftScene::write(const Input& input) {
-    return balance_shaft::write_input(input);
-}
-
-void BalanceShaftScene::keep(Input& input, const Json& kept, const CaseContext& context) {
-    balance_shaft::read_kept(kept, context, input);
-}
-
-Json BalanceShaftScene::kept(const Input& input) {
-    return balance_shaft::write_kept(input);
 }
 
 template class CaseModel<BalanceShaftScene>;

@@ -10,6 +10,7 @@
 #include "balance-shaft/model/shaft_parts.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/results.h"
+#include "balance-shaft/scene.h"
 #include "balance-shaft/solver.h"
 #include "balance-shaft/speed_study.h"
 #include "model/case_model.h"
@@ -33,10 +34,12 @@ struct BalanceShaftScene {
     };
     static Input defaultInput() { return balance_shaft::preset_tmz_650d(); }
     static QString defaultTitle();
-    static Input read(const Json& input, const CaseContext& context);
-    static Json write(const Input& input);
-    static void keep(Input& input, const Json& kept, const CaseContext& context);
-    static Json kept(const Input& input);
+    static constexpr auto read = &balance_shaft::read_input;
+    static constexpr auto write = &balance_shaft::write_input;
+    static constexpr auto kept = &balance_shaft::write_kept;
+    static void keep(Input& input, const Json& json, const CaseContext& context) {
+        balance_shaft::read_kept(json, context, input);
+    }
     /// Its shaft may be elsewhere.
     static bool isSameEngine(Input a, const Input& b) {
         a.shaft_angle = b.shaft_angle;

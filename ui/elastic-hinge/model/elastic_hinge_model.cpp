@@ -9,7 +9,6 @@
 #include "case-file/input_error.h"
 #include "case-file/result_json.h"
 #include "elastic-hinge/fields.h"
-#include "elastic-hinge/input.h"
 #include "elastic-hinge/results.h"
 #include "model/case_model_json.h"
 #include "numerics/vector_state.h"
@@ -69,14 +68,6 @@ ResultCell preloadUp(double length) {
 
 QString ElasticHingeScene::defaultTitle() {
     return messageText(elastic_hinge::presets().front().title);
-}
-
-Input ElasticHingeScene::read(const Json& input, const CaseContext& /*context*/) {
-    return elastic_hinge::read_input(input);
-}
-
-Json ElasticHingeScene::write(const Input& input) {
-    return elastic_hinge::write_input(input);
 }
 
 ElasticHingeScene::Solved ElasticHingeScene::solve(Input input) {

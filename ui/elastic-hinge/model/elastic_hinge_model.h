@@ -6,6 +6,7 @@
 
 #include "case-file/field.h"
 #include "elastic-hinge/guide_export.h"
+#include "elastic-hinge/input.h"
 #include "elastic-hinge/model/hinge_motions.h"
 #include "elastic-hinge/model/hinge_parts.h"
 #include "elastic-hinge/presets.h"
@@ -26,8 +27,10 @@ struct ElasticHingeScene {
     };
     static Input defaultInput() { return elastic_hinge::preset_zotov(); }
     static QString defaultTitle();
-    static Input read(const Json& input, const CaseContext& context);
-    static Json write(const Input& input);
+    static Input read(const Json& input, const CaseContext& /*context*/) {
+        return elastic_hinge::read_input(input);
+    }
+    static constexpr auto write = &elastic_hinge::write_input;
     /// With the families of curves, and without the search for a guide.
     static Solved solve(Input input);
 };

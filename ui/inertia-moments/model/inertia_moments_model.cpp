@@ -6,7 +6,6 @@
 
 #include "case-file/result_json.h"
 #include "inertia-moments/fields.h"
-#include "inertia-moments/input.h"
 #include "model/case_model_json.h"
 #include "text/message_text.h"
 #include "text/shown_units.h"
@@ -43,14 +42,6 @@ std::pair<double, double> extent(const std::vector<Cylinder>& cylinders, double 
 }
 
 }  // namespace
-
-Input InertiaMomentsScene::read(const Json& input, const CaseContext& /*context*/) {
-    return inertia_moments::read_input(input);
-}
-
-Json InertiaMomentsScene::write(const Input& input) {
-    return inertia_moments::write_input(input);
-}
 
 template class CaseModel<InertiaMomentsScene>;
 

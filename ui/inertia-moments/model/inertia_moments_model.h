@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "inertia-moments/input.h"
 #include "inertia-moments/model/engine_parts.h"
 #include "inertia-moments/presets.h"
 #include "inertia-moments/results.h"
@@ -20,8 +21,10 @@ struct InertiaMomentsScene {
     using Solved = inertia_moments::Result;
     static Input defaultInput() { return inertia_moments::preset_vw_vr5(); }
     static QString defaultTitle() { return QStringLiteral("Volkswagen VR5"); }
-    static Input read(const Json& input, const CaseContext& context);
-    static Json write(const Input& input);
+    static Input read(const Json& input, const CaseContext& /*context*/) {
+        return inertia_moments::read_input(input);
+    }
+    static constexpr auto write = &inertia_moments::write_input;
     static Solved solve(const Input& input) { return inertia_moments::solve(input); }
 };
 
