@@ -3,7 +3,9 @@
 #include <QComboBox>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSlider>
+#include <QTableView>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
