@@ -30,8 +30,9 @@ void ShaftMapLabels::keepFreeCircle(const QPointF& middle, double radius) {
     circles_.emplace_back(middle, radius);
 }
 
-bool ShaftMapLabels::add(const QRectF& box, const QString& text, bool isBold, bool overCircles) {
-    const auto isOn = [&box](const std::pair<QPointF, double>& circle) {
+void ShaftMapLabels::add(const std::vector<QRectF>& boxes, const QString& text, bool isBold,
+                         bool overCircles) {
+    const auto isOn = [](const QRectF& box, const std::pair<QPointF, double>& circle) {
         const auto& [middle, radius] = circle;
         const QPointF closest(std::clamp(middle.x(), box.left(), box.right()),
                               std::clamp(middle.y(), box.top(), box.bottom()));
@@ -40,14 +41,22 @@ bool ShaftMapLabels::add(const QRectF& box, const QString& text, bool isBold, bo
         return QLineF(middle, closest).length() < radius &&
                radius < std::hypot(farthest.x(), farthest.y());
     };
-    const bool free = std::none_of(labels_.begin(), labels_.end(),
-                                   [&](const Label& other) { return other.box.intersects(box); }) &&
-                      (overCircles || std::none_of(circles_.begin(), circles_.end(), isOn));
-    if (!free || !area_.adjusted(2, 2, -2, -2).contains(box)) {
-        return false;
+    const auto fits = [&](const QRectF& box) {
+        return area_.adjusted(2, 2, -2, -2).contains(box) &&
+               std::ranges::none_of(labels_,
+                                    [&](const Label& other) { return other.box.intersects(box); });
+    };
+    const auto isFree = [&](const QRectF& box) {
+        return fits(box) && std::ranges::none_of(
+                                circles_, [&](const auto& circle) { return isOn(box, circle); });
+    };
+    auto box = std::ranges::find_if(boxes, isFree);
+    if (box == boxes.end() && overCircles) {
+        box = std::ranges::find_if(boxes, fits);
     }
-    labels_.push_back({box, text, isBold});
-    return true;
+    if (box != boxes.end()) {
+        labels_.push_back({*box, text, isBold});
+    }
 }
 
 void ShaftMapLabels::addMarkers(const ShaftMapModel& map, const PlaceScale& scale) {
@@ -61,21 +70,14 @@ void ShaftMapLabels::addMarkers(const ShaftMapModel& map, const PlaceScale& scal
         const QString text = signedPercentText(*change);
         const QSizeF size(metrics.horizontalAdvance(text) + 6.0, metrics.height());
         const double away = markerRadius() + 2.0;
-        const std::array corners{
-            QPointF(away, -size.height() / 2),
-            QPointF(-away - size.width(), -size.height() / 2),
-            QPointF(-size.width() / 2, -away - size.height()),
-            QPointF(-size.width() / 2, away),
-            QPointF(away, -size.height() - 2),
-            QPointF(away, 2),
-        };
-        // Any that fits does.
-        const auto fits = [&](bool overCircles) {
-            return std::any_of(corners.begin(), corners.end(), [&](const QPointF& corner) {
-                return add(QRectF(at + corner, size), text, true, overCircles);
-            });
-        };
-        static_cast<void>(fits(false) || fits(true));
+        std::vector<QRectF> boxes;
+        for (const QPointF& corner :
+             {QPointF(away, -size.height() / 2), QPointF(-away - size.width(), -size.height() / 2),
+              QPointF(-size.width() / 2, -away - size.height()), QPointF(-size.width() / 2, away),
+              QPointF(away, -size.height() - 2), QPointF(away, 2)}) {
+            boxes.emplace_back(at + corner, size);
+        }
+        add(boxes, text, true, true);
     }
 }
 
@@ -101,24 +103,24 @@ void ShaftMapLabels::addContours(const ChangeContours& field, const std::vector<
         const QString text = withUnit(levelText(contours[i].level), unitText("%"));
         const QSizeF size(metrics.horizontalAdvance(text) + 6.0, metrics.height() - 1.0);
         const bool isZero = contours[i].level == 0.0;
-        const auto fits = [&](bool overCircles) {
-            return std::any_of(turns.begin(), turns.end(), [&](double turn) {
-                const QPointF ray(std::cos(turn * degree), std::sin(turn * degree));
-                double nearest = 0.98;  // cosine to the ray
-                std::optional<QPointF> at;
-                for (const QPointF& point : lines[i]) {
-                    const QPointF to = point - centre;
-                    const double along = QPointF::dotProduct(to, ray) / std::hypot(to.x(), to.y());
-                    if (along > nearest) {
-                        nearest = along;
-                        at = point;
-                    }
+        std::vector<QRectF> boxes;
+        for (const double turn : turns) {
+            const QPointF ray(std::cos(turn * degree), std::sin(turn * degree));
+            double nearest = 0.98;  // cosine to the ray
+            std::optional<QPointF> at;
+            for (const QPointF& point : lines[i]) {
+                const QPointF to = point - centre;
+                const double along = QPointF::dotProduct(to, ray) / std::hypot(to.x(), to.y());
+                if (along > nearest) {
+                    nearest = along;
+                    at = point;
                 }
-                return at && add(QRectF(*at - QPointF(size.width(), size.height()) / 2.0, size),
-                                 text, isZero, overCircles);
-            });
-        };
-        static_cast<void>(fits(false) || (isZero && fits(true)));
+            }
+            if (at) {
+                boxes.emplace_back(*at - QPointF(size.width(), size.height()) / 2.0, size);
+            }
+        }
+        add(boxes, text, isZero, isZero);
     }
 }
 

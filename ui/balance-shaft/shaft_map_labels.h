@@ -40,8 +40,9 @@ class ShaftMapLabels {
         bool isBold = false;
     };
 
-    /// @return whether there is room for it
-    bool add(const QRectF& box, const QString& text, bool isBold, bool overCircles);
+    /// In the first of the boxes that has room.
+    /// @param overCircles  where none has, over circles
+    void add(const std::vector<QRectF>& boxes, const QString& text, bool isBold, bool overCircles);
 
     QRectF area_;
     std::vector<std::pair<QPointF, double>> circles_;  ///< middle and radius

@@ -45,18 +45,14 @@ ShaftTabs::ShaftTabs(BalanceShaftModel* model, QWidget* parent)
     add(new RelievedShaftView(model_, this), "relieved", tr("Relief"));
 }
 
-PartPlot* ShaftTabs::addPlot(std::string_view part, QWidget* parent) {
-    return new PartPlot(model_, part, parent);
-}
-
 PartPlot* ShaftTabs::addCyclePlot(std::string_view part, QWidget* parent) {
-    PartPlot* plot = addPlot(part, parent);
+    PartPlot* plot = new PartPlot(model_, part, parent);
     showCrankAngle(plot, model_->crank());
     return plot;
 }
 
 PartPlot* ShaftTabs::addAnglePlot(std::string_view part, QWidget* parent) {
-    PartPlot* plot = addPlot(part, parent);
+    PartPlot* plot = new PartPlot(model_, part, parent);
     plot->setPickable(true);
     connect(plot, &PlotView::picked, model_, &BalanceShaftModel::pickShaftAngleDeg);
     return plot;
@@ -112,7 +108,7 @@ QWidget* ShaftTabs::buildCycle() {
     grid->setSpacing(Theme::space);
     grid->addWidget(addCyclePlot("torque", plots), 0, 0, 1, 2);
     grid->addWidget(addCyclePlot("pressure", plots), 1, 0);
-    grid->addWidget(addPlot("indicator", plots), 1, 1);
+    grid->addWidget(new PartPlot(model_, "indicator", plots), 1, 1);
     grid->addWidget(addTable("cycle", tr("Work, pressures and power of the cycle"), plots), 2, 0, 1,
                     2);
     grid->setRowStretch(0, 3);
@@ -131,7 +127,7 @@ QWidget* ShaftTabs::buildSize() {
     QVBoxLayout* column = columnIn(holder, Theme::space, tabMargins);
     PartPlot* sizes = addAnglePlot("sizes", holder);
     column->addWidget(sizes, 2);
-    PartPlot* range = addPlot("range-over-size", holder);
+    PartPlot* range = new PartPlot(model_, "range-over-size", holder);
     range->setPickable(true);
     connect(range, &PlotView::pickedAt, this, [this, range](double area, double moment) {
         // Of the whole turn: its end is its beginning.
@@ -151,7 +147,7 @@ QWidget* ShaftTabs::buildSize() {
 QWidget* ShaftTabs::buildOrders() {
     auto* holder = new QWidget(this);
     QVBoxLayout* column = columnIn(holder, Theme::space, tabMargins);
-    column->addWidget(addPlot("orders", holder), 3);
+    column->addWidget(new PartPlot(model_, "orders", holder), 3);
     auto* panel = new Panel(holder);
     QVBoxLayout* inside = columnIn(panel, -1, tableMargins);
     inside->addWidget(captionLabel(tr("A shaft at crank speed changes only order 1; "
@@ -221,7 +217,7 @@ QWidget* ShaftTabs::buildForces() {
         auto* panel = new Panel(holder);
         columnIn(panel, -1)->addWidget(form);
         grid->addWidget(panel, 0, column);
-        grid->addWidget(addPlot(plot, holder), 1, column);
+        grid->addWidget(new PartPlot(model_, plot, holder), 1, column);
         grid->setColumnStretch(column, 1);
         QWidget* answer = addTable(table, name, tables);
         static_cast<QVBoxLayout*>(answer->layout())->addStretch();

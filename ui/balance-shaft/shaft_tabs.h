@@ -17,7 +17,6 @@ class ShaftTabs : public FittedTabs {
     explicit ShaftTabs(BalanceShaftModel* model, QWidget* parent = nullptr);
 
   private:
-    PartPlot* addPlot(std::string_view part, QWidget* parent);
     /// Over φ, whose cursor turns the crank.
     PartPlot* addCyclePlot(std::string_view part, QWidget* parent);
     /// Over α, where a click moves the shaft.

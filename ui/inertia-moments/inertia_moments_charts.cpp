@@ -47,17 +47,12 @@ void InertiaMomentsCharts::addOrders() {
     QVBoxLayout* both = columnIn(orders);
     QList<PlotView*> plots;
     for (const char* part : {"order-1", "order-2"}) {
-        plots << addAnglePlot(part, orders);
+        plots << new PartPlot(model_, part, orders);
+        showCrankAngle(plots.last(), model_->crank());
         both->addWidget(plots.last());
     }
     PlotView::stack(plots);
     add(orders, "first-orders", tr("Orders 1, 2"));
-}
-
-PartPlot* InertiaMomentsCharts::addAnglePlot(const char* part, QWidget* parent) {
-    auto* plot = new PartPlot(model_, part, parent);
-    showCrankAngle(plot, model_->crank());
-    return plot;
 }
 
 std::array<PartPlot*, 2> InertiaMomentsCharts::addPair(const char* left, const char* right,

@@ -24,7 +24,6 @@ class InertiaMomentsCharts : public FittedTabs {
     /// Two beside each other, or below one another.
     std::array<PartPlot*, 2> addPair(const char* left, const char* right, const char* name,
                                      const QString& title);
-    PartPlot* addAnglePlot(const char* part, QWidget* parent);
     /// Where the vectors are now, on their hodographs.
     void showCursor();
 

@@ -84,18 +84,9 @@ void SpeedStudyModel::need() {
         return;
     }
     wanted_ = input;
-    if (solvedInput_ == input) {
-        job_->cancel();  // of an input that was there in between
-        trouble_.clear();
-        Q_EMIT model_->shownChanged();
-        return;
-    }
     job_->start([this, input, range = band()](const BackgroundJob::Progress& progress) {
         auto result = std::make_shared<Study>(studyOf(input, range, progress));
-        return [this, result, input] {
-            solvedInput_ = input;
-            take(std::move(*result), {});
-        };
+        return [this, result] { take(std::move(*result), {}); };
     });
 }
 
@@ -108,9 +99,6 @@ void SpeedStudyModel::cancel() {
 void SpeedStudyModel::take(Study study, const QString& trouble) {
     study_ = std::move(study);
     trouble_ = trouble;
-    if (!trouble.isEmpty()) {
-        solvedInput_.reset();
-    }
     showCriterion();
     Q_EMIT model_->shownChanged();
 }

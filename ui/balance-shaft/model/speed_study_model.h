@@ -103,7 +103,6 @@ class SpeedStudyModel : public QObject {
     QString trouble_;                             ///< why the last run gave nothing
     int seen_ = -1;                               ///< solution of the model
     std::optional<balance_shaft::Input> wanted_;  ///< the solved input, or the next one
-    std::optional<balance_shaft::Input> solvedInput_;
 };
 
 }  // namespace ravnoves

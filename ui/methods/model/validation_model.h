@@ -29,9 +29,7 @@ class ValidationModel : public QObject {
 
     /// Index in methods::papers(); empty: all of them.
     void setPaper(std::optional<std::size_t> paper);
-    std::optional<std::size_t> paper() const { return paper_; }
     void setVerdict(std::optional<methods::Verdict> verdict);
-    std::optional<methods::Verdict> verdict() const { return verdict_; }
 
     /// The rows that pass the filters, also in the user's words and decimal sign, the verdict last.
     const std::vector<const methods::ValidationRow*>& rows() const { return rows_; }
