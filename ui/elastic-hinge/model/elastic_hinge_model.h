@@ -99,11 +99,6 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     /// Gives the crank's guide the preload that it needs.
     void takeMinimumPreload();
 
-    /// True where a counterweight by (10) leaves rounding only of the side force.
-    bool sideForceVanishes() const {
-        return result().largest_side_force_with <= 1e-9 * result().largest_side_force_without;
-    }
-
     Verdict verdict() const { return elastic_hinge::verdict(input(), result()); }
     std::optional<Verdict> verdictShown() const override { return verdict(); }
     std::vector<const char*> designInputs() const override {

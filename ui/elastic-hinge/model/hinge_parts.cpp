@@ -191,13 +191,13 @@ Figure rodMomentSpeeds(const ElasticHingeModel& model) {
 }
 
 Figure sideForceLambdas(const ElasticHingeModel& model) {
+    const Result& result = model.result();
     Figure figure =
         overTurn(HingePlots::tr("Side force with rod hinge, several λ"), HingePlots::tr("N"));
-    addFamily(figure, model.result(), model.result().by_lambda,
-              &MechanismCurves::side_force_with_hinge, "lambda-", [](double lambda) {
-                  return QStringLiteral("λ = ") + formNumber(lambda, QLocale(), 5);
-              });
-    if (model.sideForceVanishes()) {
+    addFamily(
+        figure, result, result.by_lambda, &MechanismCurves::side_force_with_hinge, "lambda-",
+        [](double lambda) { return QStringLiteral("λ = ") + formNumber(lambda, QLocale(), 5); });
+    if (result.largest_side_force_with <= 1e-9 * result.largest_side_force_without) {
         figure.leftRange = std::pair(-1.0, 1.0);  // a flat line at 0, not its rounding enlarged
     }
     return figure;
