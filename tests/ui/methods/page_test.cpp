@@ -12,7 +12,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
-#include <QTabBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -25,61 +24,28 @@
 #include "methods/model/method_words.h"
 #include "methods/validation_view.h"
 #include "methods_support.h"
+#include "page_fixture.h"
 #include "pictures/picture_file.h"
 #include "shell/main_window.h"
 #include "text/csv_format.h"
 #include "theme/theme.h"
-#include "widgets/number_field.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
 namespace {
 
-class MethodsPageTest : public ::testing::Test {
+class MethodsPageTest : public test::PageTest<MethodsPage> {
   protected:
-    MethodsPageTest() {
-        test::showAt(page, {1176, 712});
-        page.activateWindow();
-        tabs->setCurrentIndex(1);
-        model = page.viewModel();
-    }
+    MethodsPageTest() { tabs->setCurrentIndex(1); }
 
-    template <typename Widget>
-    Widget* find(const char* name) {
-        return test::named<Widget>(page, name);
-    }
     void measure() {
         page.setActive(true);
         test::waitUntilMeasured(*model);
         QApplication::processEvents();
     }
-    /// Chooses an entry as a person does: focus, then keys.
-    void choose(const char* name, int index) {
-        auto* combo = find<QComboBox>(name);
-        ASSERT_LT(index, combo->count());
-        combo->setFocus();
-        while (combo->currentIndex() < index) {
-            QTest::keyClick(combo, Qt::Key_Down);
-        }
-        while (combo->currentIndex() > index) {
-            QTest::keyClick(combo, Qt::Key_Up);
-        }
-    }
-    void bringTab(const char* name) {
-        for (int i = 0; i < tabs->count(); ++i) {
-            if (tabs->widget(i)->objectName() == QLatin1String(name)) {
-                QTest::mouseClick(tabs->tabBar(), Qt::LeftButton, {},
-                                  tabs->tabBar()->tabRect(i).center());
-            }
-        }
-        QApplication::processEvents();
-        ASSERT_EQ(tabs->currentWidget()->objectName(), QLatin1String(name));
-    }
 
-    MethodsPage page;
     QTabWidget* tabs = page.findChild<QTabWidget*>({}, Qt::FindDirectChildrenOnly);
     MethodPlots* plots = page.findChild<MethodPlots*>();
-    MethodsModel* model = nullptr;
     QTemporaryDir folder;
 };
 
@@ -94,7 +60,7 @@ TEST_F(MethodsPageTest, NothingIsMeasuredBeforeItIsInFront) {
 
 /// A value that was typed and given up leaves nothing behind.
 TEST_F(MethodsPageTest, EscapeInTheValueBringsTheOldOneBack) {
-    auto* value = find<NumberField>("value");
+    auto* value = field("value");
     const QString before = value->text();
     test::typeOver(value, QString::number(model->sweep().at(0.5)));
     EXPECT_NE(model->value(), model->sweep().present);
@@ -160,14 +126,14 @@ TEST_F(MethodsPageTest, WhatIsRejectedIsInTheTableAlone) {
     }
 }
 
-TEST_F(MethodsPageTest, KernelAndParameterAreChosenByKeys) {
+TEST_F(MethodsPageTest, KernelAndParameterAreChosen) {
     measure();
     choose("kernel", 5);
     EXPECT_EQ(model->kernel().id, "guide");
     EXPECT_EQ(find<QComboBox>("sweep")->count(), static_cast<int>(model->kernel().sweeps.size()));
     choose("sweep", 4);
     EXPECT_EQ(model->sweep().id, "locking");
-    EXPECT_EQ(find<NumberField>("value")->text(), QStringLiteral("0.7"));
+    EXPECT_EQ(field("value")->text(), QStringLiteral("0.7"));
     EXPECT_TRUE(find<QLabel>("words")->text().contains(QStringLiteral("relief")));
     // The charts of the kernel before stay, pale, until the new ones are there.
     EXPECT_TRUE(find<PlotView>("work_plot")->isFaded());
@@ -192,14 +158,14 @@ TEST_F(MethodsPageTest, SliderAndFieldSetTheValue) {
     EXPECT_TRUE(find<PlotView>("work_plot")->isFaded());
     EXPECT_FALSE(find<PlotView>("stability_plot")->isFaded());
 
-    auto* field = find<NumberField>("value");
-    test::type(field, QStringLiteral("0,001"));
+    NumberField* value = field("value");
+    test::type(value, QStringLiteral("0,001"));
     EXPECT_EQ(model->value(), 0.001);
     EXPECT_EQ(slider->value(), 300);
-    test::typeOver(field, QStringLiteral("2"));
-    EXPECT_NE(field->trouble(), QString());
+    test::typeOver(value, QStringLiteral("2"));
+    EXPECT_NE(value->trouble(), QString());
     EXPECT_EQ(model->value(), 0.001);
-    QTest::keyClick(field, Qt::Key_Escape);
+    QTest::keyClick(value, Qt::Key_Escape);
     slider->setFocus(Qt::TabFocusReason);
     test::turnWheel(slider, QPoint(20, y), -1);
     EXPECT_LT(model->value(), 0.001);
@@ -297,7 +263,7 @@ TEST_F(MethodsPageTest, ANarrowPageScrollsAsAWhole) {
 
 TEST_F(MethodsPageTest, TheValidationReportIsATab) {
     measure();
-    bringTab("validation");
+    bring("validation");
     ValidationView* view = page.findChild<ValidationView*>();
     ASSERT_TRUE(test::comes([&] { return view->viewModel()->report() != nullptr; }));
     const auto& report = *view->viewModel()->report();
@@ -337,9 +303,9 @@ TEST_F(MethodsPageTest, TheValidationReportIsATab) {
 TEST_F(MethodsPageTest, TheReportStopsTheMeasurement) {
     page.setActive(true);
     ASSERT_TRUE(test::comes([&] { return model->measuring()->isRunning(); }));
-    bringTab("validation");
+    bring("validation");
     EXPECT_FALSE(model->measuring()->isRunning());
-    bringTab("charts");
+    bring("charts");
     test::waitUntilMeasured(*model);
 }
 
