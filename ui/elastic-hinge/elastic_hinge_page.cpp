@@ -15,7 +15,6 @@
 #include "page/rejected_verdict.h"
 #include "theme/theme.h"
 #include "widgets/field_slider.h"
-#include "widgets/form_section.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
@@ -96,16 +95,11 @@ QWidget* ElasticHingePage::buildInputs() {
 
     forms_ = new QTabWidget(holder);
     forms_->setDocumentMode(true);
-    const auto addForm = [this](QWidget* form, const QString& name, const QString& title) {
-        auto* scroll = scrolled(form, forms_);
-        scroll->setObjectName(name);
-        forms_->addTab(scroll, title);
-    };
-    addForm(new HingeInputs(model_), QStringLiteral("inputs"), tr("Inputs"));
-    addForm(new GuideSearchForm(model_), QStringLiteral("search"), tr("Search"));
+    addScrolledTab(forms_, new HingeInputs(model_), QStringLiteral("inputs"), tr("Inputs"));
+    addScrolledTab(forms_, new GuideSearchForm(model_), QStringLiteral("search"), tr("Search"));
     auto* exports = new GuideExportForm(model_);
     connect(exports, &GuideExportForm::status, this, &ScenePage::status);
-    addForm(exports, QStringLiteral("export"), tr("Export"));
+    addScrolledTab(forms_, exports, QStringLiteral("export"), tr("Export"));
     column->addWidget(forms_, 1);
     return holder;
 }

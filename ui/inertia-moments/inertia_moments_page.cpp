@@ -45,13 +45,11 @@ QTabWidget* InertiaMomentsPage::makeInputs() {
     auto* inputs = new QTabWidget(this);
     inputs->setDocumentMode(true);
     inputs->setFixedWidth(PageColumns::inputsWidth());
-    const auto add = [inputs](QWidget* view, const char* name, const QString& title) {
-        view->setObjectName(QLatin1String(name));
-        inputs->addTab(view, title);
-    };
-    add(scrolled(new EngineForm(model_), inputs), "engine", tr("Engine"));
-    add(new CylinderEditor(model_, inputs), "cylinders", tr("Cylinders"));
-    add(scrolled(new BalancingForm(model_), inputs), "balancing", tr("Balancing"));
+    addScrolledTab(inputs, new EngineForm(model_), QStringLiteral("engine"), tr("Engine"));
+    auto* cylinders = new CylinderEditor(model_, inputs);
+    cylinders->setObjectName(QStringLiteral("cylinders"));
+    inputs->addTab(cylinders, tr("Cylinders"));
+    addScrolledTab(inputs, new BalancingForm(model_), QStringLiteral("balancing"), tr("Balancing"));
     return inputs;
 }
 

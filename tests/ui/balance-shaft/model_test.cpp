@@ -136,19 +136,19 @@ TEST(SpeedStudyModel, AnswersForTheInputThatIsThere) {
     };
     ASSERT_TRUE(solve());
     ASSERT_TRUE(study.isSolved());
-    const SpeedStudyModel::Curves curves = study.curves();
-    ASSERT_EQ(curves.speed.size(), 5U);
-    EXPECT_NEAR(curves.speed.front(), 2000.0, 1e-9);
-    EXPECT_NEAR(curves.speed.back(), 4000.0, 1e-9);
+    const auto points = study.points();
+    ASSERT_EQ(points.size(), 5U);
+    EXPECT_NEAR(points.front().angular_speed, 2000.0 * units::rpm, 1e-9);
+    EXPECT_NEAR(points.back().angular_speed, 4000.0 * units::rpm, 1e-9);
     // The map is the criterion against the engine without a shaft: solved alone at one place.
     const ChangeContours map = study.map();  // a copy: it goes with the criterion
     ASSERT_EQ(map.changes.size(), 5U * map.columns);
     auto input = model.input();
-    input.angular_speed = curves.speed[2] * units::rpm;
+    input.angular_speed = points[2].angular_speed;
     const balance_shaft::Solver alone(input);
     const double change = alone.range(100.0 * degree) / alone.result().M_up.range - 1.0;
     EXPECT_NEAR(map.changes[2 * map.columns + 100], change, 1e-9);
-    EXPECT_NEAR(study.changeAt(100.0, curves.speed[2]), change, 1e-9);
+    EXPECT_NEAR(study.changeAt(100.0, points[2].angular_speed / units::rpm), change, 1e-9);
     for (std::size_t row = 0; row < 5; ++row) {  // 360° is 0°
         EXPECT_EQ(map.changes[row * map.columns], map.changes[(row + 1) * map.columns - 1]);
     }
@@ -169,7 +169,7 @@ TEST(SpeedStudyModel, AnswersForTheInputThatIsThere) {
     EXPECT_TRUE(study.job()->isRunning());
     model.history()->undo();
     ASSERT_TRUE(solve());
-    EXPECT_NEAR(study.curves().speed.back(), 4000.0, 1e-9);
+    EXPECT_NEAR(study.points().back().angular_speed, 4000.0 * units::rpm, 1e-9);
     EXPECT_EQ(study.answer(), answer);
 
     // A table that does not fit its masses: a reason, and nothing to show.

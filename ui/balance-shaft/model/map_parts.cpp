@@ -8,6 +8,7 @@
 #include "balance-shaft/model/shaft_map_model.h"
 #include "balance-shaft/model/shaft_map_text.h"
 #include "balance-shaft/model/speed_study_model.h"
+#include "numerics/constants.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 
@@ -222,23 +223,27 @@ std::pair<double, double> speedsOf(const BalanceShaftModel& model) {
     return {band.from / units::rpm, band.to / units::rpm};
 }
 
-/// Curves of an angle over speed: broken where the angle passes 0, which is no jump.
-struct Broken {
-    std::vector<double> speed;
-    std::vector<double> angle;
+struct Curve {
+    std::vector<double> speed;  ///< min⁻¹
+    std::vector<double> angle;  ///< °
 };
 
-Broken brokenAtZero(const std::vector<double>& speed, const std::vector<double>& angle) {
-    Broken broken;
-    for (std::size_t i = 0; i < speed.size(); ++i) {
-        if (i > 0 && std::abs(angle[i] - angle[i - 1]) > 180.0) {
-            broken.speed.push_back(speed[i]);
-            broken.angle.push_back(std::numeric_limits<double>::quiet_NaN());
+/// Best α over speed: of the feasible ones, of all where none is. It is broken where the angle
+/// passes 0, which is no jump.
+Curve bestOverSpeed(const SpeedStudyModel& study, bool byRange) {
+    Curve curve;
+    for (const balance_shaft::SpeedStudy::Point& point : study.points()) {
+        const double best = byRange ? point.buildable_range_angle.value_or(point.best_range_angle)
+                                    : point.buildable_rms_angle.value_or(point.best_rms_angle);
+        const double angle = best / degree;
+        if (!curve.angle.empty() && std::abs(angle - curve.angle.back()) > 180.0) {
+            curve.speed.push_back(point.angular_speed / units::rpm);
+            curve.angle.push_back(std::numeric_limits<double>::quiet_NaN());
         }
-        broken.speed.push_back(speed[i]);
-        broken.angle.push_back(angle[i]);
+        curve.speed.push_back(point.angular_speed / units::rpm);
+        curve.angle.push_back(angle);
     }
-    return broken;
+    return curve;
 }
 
 bool isByRange(const BalanceShaftModel& model) {
@@ -258,17 +263,15 @@ Figure bestAngles(const BalanceShaftModel& model) {
     if (study == nullptr) {
         return figure;
     }
-    const auto curves = study->curves();
-    const auto add = [&](const char* id, const QString& name, Role role, const QString& tip,
-                         const std::vector<double>& angles) {
-        Broken broken = brokenAtZero(curves.speed, angles);
+    const auto add = [&](const char* id, const QString& name, Role role, const QString& tip) {
+        Curve curve = bestOverSpeed(*study, role == Role::Range);
         figure.add(id, {.name = name, .role = role, .width = 1.8, .toolTip = tip, .gaps = true},
-                   std::move(broken.speed), std::move(broken.angle));
+                   std::move(curve.speed), std::move(curve.angle));
     };
     add("range", ShaftParts::tr("range"), Role::Range,
-        ShaftParts::tr("α of the minimum range at each speed"), curves.rangeAngle);
+        ShaftParts::tr("α of the minimum range at each speed"));
     add("RMS", ShaftParts::tr("RMS"), Role::Rms,
-        ShaftParts::tr("α of the minimum RMS at each speed"), curves.rmsAngle);
+        ShaftParts::tr("α of the minimum RMS at each speed"));
     const double best = study->bestCompromiseDeg();
     figure.lines = {
         {.at = best,
@@ -292,9 +295,7 @@ Figure speedMap(const BalanceShaftModel& model) {
     figure.title =
         changeTitle(isByRange(model) ? PlaceCriterion::Kind::Range : PlaceCriterion::Kind::Rms);
     figure.bands = unbuildableBands(study->buildable());
-    const auto curves = study->curves();
-    Broken line =
-        brokenAtZero(curves.speed, isByRange(model) ? curves.rangeAngle : curves.rmsAngle);
+    Curve line = bestOverSpeed(*study, isByRange(model));
     figure.add("best",
                {.name = ShaftParts::tr("best α"), .role = Role::Best, .width = 2.0, .gaps = true},
                std::move(line.angle), std::move(line.speed));

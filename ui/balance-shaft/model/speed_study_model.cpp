@@ -103,18 +103,6 @@ void SpeedStudyModel::take(Study study, const QString& trouble) {
     Q_EMIT model_->shownChanged();
 }
 
-SpeedStudyModel::Curves SpeedStudyModel::curves() const {
-    Curves curves;
-    for (const SpeedStudy::Point& point : study_.study->points()) {
-        curves.speed.push_back(point.angular_speed / units::rpm);
-        curves.rangeAngle.push_back(point.buildable_range_angle.value_or(point.best_range_angle) /
-                                    degree);
-        curves.rmsAngle.push_back(point.buildable_rms_angle.value_or(point.best_rms_angle) /
-                                  degree);
-    }
-    return curves;
-}
-
 ChangeContours SpeedStudyModel::mapOf(const SpeedStudy::Map& studied) const {
     const auto& points = study_.study->points();
     const std::size_t angles = studied.shaft_angle_deg.size();

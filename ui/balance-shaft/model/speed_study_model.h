@@ -23,12 +23,6 @@ class SpeedStudyModel : public QObject {
 
   public:
     using Criterion = balance_shaft::SpeedStudy::Criterion;
-    /// Best α at each speed: of the feasible ones, of all where none is.
-    struct Curves {
-        std::vector<double> speed;       ///< min⁻¹
-        std::vector<double> rangeAngle;  ///< °
-        std::vector<double> rmsAngle;    ///< °
-    };
     /// Change of the criterion against the engine without a shaft at the same speed, or the high
     /// speeds would drown the rest: over α in ° and the speed in min⁻¹.
     const ChangeContours& map() const { return *map_; }
@@ -57,7 +51,9 @@ class SpeedStudyModel : public QObject {
 
     // Of the solved study.
     const balance_shaft::BuildableAngles& buildable() const { return study_.study->buildable(); }
-    Curves curves() const;
+    const std::vector<balance_shaft::SpeedStudy::Point>& points() const {
+        return study_.study->points();
+    }
     /// α that is the best compromise by the criterion, °.
     double bestCompromiseDeg() const { return among(study_.best).shaft_angle / degree; }
     void goToBestCompromise();
