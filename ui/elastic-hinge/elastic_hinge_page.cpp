@@ -5,8 +5,6 @@
 #include <QLabel>
 #include <QTabWidget>
 
-#include "elastic-hinge/guide_export_form.h"
-#include "elastic-hinge/guide_search_form.h"
 #include "elastic-hinge/hinge_inputs.h"
 #include "elastic-hinge/hinge_mechanism_view.h"
 #include "elastic-hinge/hinge_tabs.h"

@@ -3,6 +3,8 @@
 #include "elastic-hinge/model/elastic_hinge_model.h"
 #include "widgets/form.h"
 
+class QPushButton;
+
 namespace ravnoves {
 
 /// The form with the inputs that have no slider.
@@ -29,6 +31,41 @@ class HingeInputs : public Form {
     void addFilled(const char* pointer) { number(pointer)->setOptional(false); }
 
     ElasticHingeModel* model_;
+};
+
+/// Search for a spring whose guide has a wanted relief within a wanted size.
+class GuideSearchForm : public Form {
+    Q_OBJECT
+
+  public:
+    explicit GuideSearchForm(ElasticHingeModel* model, QWidget* parent = nullptr);
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+
+  private:
+    std::function<void()> showAnswer_;
+};
+
+/// Export of a guide for the machine shop.
+class GuideExportForm : public Form {
+    Q_OBJECT
+
+  public:
+    explicit GuideExportForm(ElasticHingeModel* model, QWidget* parent = nullptr);
+
+  Q_SIGNALS:
+    /// A line for the status bar.
+    void status(const QString& text);
+
+  private:
+    void showGuide();
+    void ask(const QString& suffix);
+
+    ElasticHingeModel* model_;
+    QLabel* note_;
+    QPushButton* dxf_;
+    QPushButton* csv_;
 };
 
 }  // namespace ravnoves
