@@ -1,6 +1,7 @@
 #include "balance-shaft/relieved_shaft_view.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QPainterPath>
@@ -13,6 +14,7 @@
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "model/reference_case.h"
+#include "page/compared_figure.h"
 #include "page/part_views.h"
 #include "page/rejected_entries.h"
 #include "pictures/file_dialogs.h"
@@ -90,7 +92,24 @@ QPainterPath sideOf(const RelievedShaft& shaft) {
     return side;
 }
 
-}  // namespace
+/// Section and side view of a shaft with a relieved middle, to scale, with its main sizes; dashed,
+/// the reference's.
+class RelievedShaftDrawing : public ComparedFigure {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::RelievedShaftDrawing)
+
+  public:
+    RelievedShaftDrawing(BalanceShaftModel* model, QWidget* parent);
+
+    QSize sizeHint() const override { return {600, 220}; }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    void follow();
+
+    BalanceShaftModel* model_;
+};
 
 RelievedShaftDrawing::RelievedShaftDrawing(BalanceShaftModel* model, QWidget* parent)
     : ComparedFigure(parent), model_(model) {
@@ -207,6 +226,8 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
                          QStringLiteral("b ") + mm(own.length));
 }
 
+}  // namespace
+
 RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     QVBoxLayout* column = columnIn(this, Theme::space, tabMargins);
@@ -242,7 +263,16 @@ QWidget* RelievedShaftView::buildForm() {
     column->addWidget(form, 1);
     export_ = new QPushButton(tr("E&xport drawing (DXF)…"), panel);
     export_->setToolTip(tr("Section and side view, real size, for the machine shop"));
-    connect(export_, &QPushButton::clicked, this, &RelievedShaftView::chooseFile);
+    connect(export_, &QPushButton::clicked, this, [this] {
+        if (continueWithoutRejected(this, tr("Export drawing"))) {
+            saveFile(this, tr("Export drawing"), QStringLiteral("balance-shaft.dxf"), {dxfFormat()},
+                     [this](const QString& path) {
+                         return writeFile(path, [this] {
+                             return relieved_shaft_dxf(model_->result().relieved_shaft, {});
+                         });
+                     });
+        }
+    });
     auto* row = new QHBoxLayout;
     row->setContentsMargins(Theme::margin, 0, Theme::margin, 0);
     row->addWidget(export_);
@@ -312,18 +342,6 @@ void RelievedShaftView::showFeasible() {
     const bool isFeasible = model_->result().relieved_shaft.feasible;
     colourText(verdict_, isFeasible ? &Theme::text : &Theme::warning);
     export_->setEnabled(isFeasible);
-}
-
-void RelievedShaftView::chooseFile() {
-    if (!continueWithoutRejected(this, tr("Export drawing"))) {
-        return;
-    }
-    saveFile(this, tr("Export drawing"), QStringLiteral("balance-shaft.dxf"), {dxfFormat()},
-             [this](const QString& path) {
-                 return writeFile(path, [this] {
-                     return balance_shaft::relieved_shaft_dxf(model_->result().relieved_shaft, {});
-                 });
-             });
 }
 
 }  // namespace ravnoves

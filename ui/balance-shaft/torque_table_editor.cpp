@@ -30,7 +30,14 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, QWidget* parent)
         tr("Engine torque over one cycle, 720° (two-stroke 360°). Paste a whole table from a "
            "spreadsheet, or type."));
     addTool(QStringLiteral("import"), tr("Import CSV file…"), [this] { importWithDialog(); });
-    addTool(QStringLiteral("export"), tr("Export CSV file…"), [this] { exportWithDialog(); });
+    addTool(QStringLiteral("export"), tr("Export CSV file…"), [this] {
+        saveFile(this, tr("Export torque table"), QStringLiteral("torque.csv"), {csvFormat()},
+                 [this](const QString& path) {
+                     return writeFile(path, [this] {
+                         return balance_shaft::write_torque_table(model_->input().torque.table);
+                     });
+                 });
+    });
     connect(model_, &SceneModel::changed, this, [this] {
         if (trouble().isEmpty()) {
             say({}, false);  // what was said was of the table before
@@ -49,15 +56,6 @@ void TorqueTableEditor::importWithDialog() {
     if (!path.isEmpty()) {
         importFile(path);
     }
-}
-
-void TorqueTableEditor::exportWithDialog() {
-    saveFile(this, tr("Export torque table"), QStringLiteral("torque.csv"), {csvFormat()},
-             [this](const QString& path) {
-                 return writeFile(path, [this] {
-                     return balance_shaft::write_torque_table(model_->input().torque.table);
-                 });
-             });
 }
 
 void TorqueTableEditor::importFile(const QString& path) {

@@ -22,8 +22,6 @@ class TorqueTableEditor : public TableEditor {
     void paste() override;
 
   private:
-    void exportWithDialog();
-
     BalanceShaftModel* model_;
     TorqueTableModel* table_;
 };
