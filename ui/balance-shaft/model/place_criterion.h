@@ -18,7 +18,7 @@ struct PlaceCriterion {
 
     bool operator==(const PlaceCriterion&) const = default;
 
-    /// Of what there is for each kind.
+    /// The value of a kind, of one for each.
     template <typename Value>
     static Value of(Kind kind, const Value& range, const Value& rms, const Value& both) {
         return kind == Kind::Range ? range : kind == Kind::Rms ? rms : both;
