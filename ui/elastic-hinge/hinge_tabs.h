@@ -14,8 +14,7 @@ namespace ravnoves {
 class PartPlot;
 class ValueSlider;
 
-/// The plots of the elastic-hinge page, two to a tab: guides, rod hinge, side force, crank moment,
-/// motion.
+/// The plots of the elastic-hinge page, by tabs.
 class HingeTabs : public QTabWidget {
     Q_OBJECT
 

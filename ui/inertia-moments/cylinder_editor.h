@@ -10,8 +10,7 @@ namespace ravnoves {
 class CylinderTableModel;
 class InertiaMomentsModel;
 
-/// The cylinder table with its tools: edit, add, remove, copy, paste, even firing, articulated
-/// rods.
+/// The cylinder table, with even firing and articulated rods beside its tools.
 class CylinderEditor : public TableEditor {
     Q_OBJECT
 

@@ -9,8 +9,7 @@ namespace ravnoves {
 class InertiaMomentsModel;
 class PartPlot;
 
-/// The tabs of plots: moments of orders 1 and 2 over φ, hodographs, amplitudes by order, roll
-/// moment, shafts, counterweights, firing order, forces and moments of all orders over φ.
+/// The tabs of plots, and of the pictures of firing order, shafts and counterweights.
 class InertiaMomentsCharts : public FittedTabs {
     Q_OBJECT
 

@@ -29,7 +29,7 @@ struct InertiaMomentsScene {
 };
 
 /// The state of the inertia-moments page: input, the solver's result, the crank angle of the
-/// picture, which tabs are in front.
+/// picture. What changes the input returns as edit().
 ///
 /// A change costs one solve (some tens of microseconds), so every slider changes the input itself.
 class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
@@ -66,12 +66,10 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     /// Turns a layout into the table of its cylinders, which can then be edited one by one.
     void makeTable();
     /// Sets the crankpins of the table for even firing in its firing order.
-    /// @return an empty string, or why it cannot be done
     QString setEvenFiring();
     bool hasArticulatedRods() const;
     /// Hangs the rods of each crankpin on the rod of its first cylinder, with the usual knuckle
     /// radius, or returns them to their crankpins.
-    /// @return an empty string, or the obstacle
     QString setArticulatedRods(bool on);
     /// The input's editable table: its layout's, where it has one.
     std::vector<inertia_moments::Cylinder>& tableOf(Input& input) const;
@@ -84,7 +82,6 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     static std::vector<int> readOrder(const QString& text);
     /// Why this cannot be the firing order; empty where it can. A table may have none.
     QString orderTrouble(const std::vector<int>& order) const;
-    /// @return an empty string, or the fault
     QString setFiringOrder(const std::vector<int>& order);
 
     // --------------------------------------------------------------- throws
@@ -92,7 +89,6 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     /// True where rods share a crankpin: the masses of a throw and of a cylinder differ.
     bool hasSharedPins() const;
     /// Gives the rotating mass for a throw or for a cylinder; the engine is unchanged.
-    /// @return an empty string, or the obstacle
     QString setRotatingMassOfThrow(bool ofThrow);
     /// "1.6 kg, rods: 2", from the lightest to the heaviest throw where they differ.
     QString throwMassText() const;
@@ -108,7 +104,6 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
 
     /// λ or the rod's length (m) is given, the other one follows; with nothing it is the other way
     /// round.
-    /// @return an empty string, or why it cannot be
     QString setRodRatio(std::optional<double> ratio);
     QString setRodLength(std::optional<double> length);
 
