@@ -1,6 +1,10 @@
 #include "theme/theme.h"
 
 #include <QApplication>
+#include <QDBusConnection>
+#include <QDBusMessage>
+#include <QDBusReply>
+#include <QDBusVariant>
 #include <QFontDatabase>
 #include <QHash>
 #include <QIcon>
@@ -19,7 +23,6 @@
 #include <utility>
 
 #include "text/text_width.h"
-#include "theme/desktop_colour_scheme.h"
 #include "theme/icons.h"
 
 namespace ravnoves {
@@ -122,6 +125,7 @@ class ProgramStyle : public QProxyStyle {
                   QStyleHintReturn* returned) const override {
         switch (hint) {
             case SH_TabBar_PreferNoArrows:  // all tabs are seen, shortened where they must be
+            case SH_Menu_Scrollable:
                 return 1;
             case SH_TabBar_ElideMode:
                 return Qt::ElideRight;
@@ -311,6 +315,30 @@ class ProgramStyle : public QProxyStyle {
     }
 };
 
+/// What the desktop's portal says, color-scheme 1 being dark: Qt 6.4 does not tell, its
+/// QStyleHints::colorScheme() came with 6.5. Without an answer what the platform's palette says.
+bool isDesktopDark() {
+    const bool isPaletteDark = QApplication::palette().color(QPalette::Window).lightness() < 128;
+    if (QGuiApplication::platformName() == QLatin1String("offscreen") ||
+        qEnvironmentVariableIsEmpty("DBUS_SESSION_BUS_ADDRESS")) {
+        return isPaletteDark;
+    }
+    QDBusMessage call = QDBusMessage::createMethodCall(
+        QStringLiteral("org.freedesktop.portal.Desktop"),
+        QStringLiteral("/org/freedesktop/portal/desktop"),
+        QStringLiteral("org.freedesktop.portal.Settings"), QStringLiteral("Read"));
+    call << QStringLiteral("org.freedesktop.appearance") << QStringLiteral("color-scheme");
+    constexpr int patienceMs = 200;  // the window waits for it
+    const QDBusReply<QDBusVariant> reply =
+        QDBusConnection::sessionBus().call(call, QDBus::Block, patienceMs);
+    if (!reply.isValid()) {
+        return isPaletteDark;
+    }
+    const QVariant value = reply.value().variant();  // the number is in a second variant
+    return (value.canConvert<QDBusVariant>() ? value.value<QDBusVariant>().variant() : value)
+               .toUInt() == 1;
+}
+
 QString bundledFamily() {
     static const QString family = [] {
         const int id =
@@ -339,25 +367,13 @@ void Theme::install(Mode mode) {
     }
     QApplication::setFont(font());
     mode_ = mode;
-    watchDesktop();
+    desktopDark_ = isDesktopDark();
     apply();
 }
 
 void Theme::setMode(Mode mode) {
     mode_ = mode;
     apply();
-}
-
-void Theme::watchDesktop() {
-    auto* scheme = new DesktopColourScheme(this);
-    connect(scheme, &DesktopColourScheme::darkChanged, this, [this](bool dark) {
-        desktopDark_ = dark;
-        if (mode_ == Mode::System) {
-            apply();
-        }
-    });
-    // What the platform's own palette says holds until the desktop answers.
-    desktopDark_ = QApplication::palette().color(QPalette::Window).lightness() < 128;
 }
 
 void Theme::setTextScale(double scale) {

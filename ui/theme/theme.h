@@ -13,8 +13,8 @@ namespace ravnoves {
 
 /// The look of the program: palette, colours of curves, type and spacing scale.
 ///
-/// One instance for the application. It follows the desktop's light or dark setting until the user
-/// chooses one; changed() tells custom-painted widgets to repaint.
+/// One instance for the application. It is light or dark as the desktop was at the start, until the
+/// user chooses; changed() tells custom-painted widgets to repaint.
 class Theme : public QObject {
     Q_OBJECT
 
@@ -80,7 +80,6 @@ class Theme : public QObject {
   private:
     Theme() = default;
     void apply();
-    void watchDesktop();
 
     Mode mode_ = Mode::System;
     bool dark_ = false;
