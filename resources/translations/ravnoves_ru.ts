@@ -16835,10 +16835,6 @@ but no position is feasible</source>
         <translation>Наблюдаемые результаты</translation>
     </message>
     <message>
-        <source>Watch a result</source>
-        <translation>Наблюдать результат</translation>
-    </message>
-    <message>
         <source>M&amp;ethod</source>
         <translation>&amp;Метод</translation>
     </message>

@@ -42,7 +42,6 @@
 #include "widgets/job_progress.h"
 #include "widgets/layouts.h"
 #include "widgets/page_columns.h"
-#include "widgets/pick_box.h"
 #include "widgets/result_table.h"
 #include "widgets/table_editor.h"
 
@@ -112,15 +111,8 @@ ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     connect(model_, &StudyModel::changed, this, &ToleranceWindow::showStudy);
     connect(model_, &StudyModel::answered, this, &ToleranceWindow::showAnswers);
     connect(&Theme::instance(), &Theme::changed, this, &ToleranceWindow::showAnswers);
-    // All results take longer than a frame: not at each step of a slider.
-    constexpr int restMs = 400;
-    rest_.setSingleShot(true);
-    rest_.setInterval(restMs);
-    connect(&rest_, &QTimer::timeout, this, &ToleranceWindow::fillWatchable);
-    connect(model_->scene(), &SceneModel::changed, &rest_, qOverload<>(&QTimer::start));
     addKeys();
     connect(page, &QObject::destroyed, this, &QWidget::close);
-    fillWatchable();
     showStudy();
     showAnswers();
 }
@@ -223,13 +215,18 @@ QWidget* ToleranceWindow::makeInputs() {
                    tr("Remove the tolerances of the selected inputs"), {ScatterTable::Scatter});
     column->addWidget(inputs_, 3);
     column->addWidget(headingLabel(tr("Results to watch"), holder));
-    watchable_ = new PickBox(tr("Watch a result…"), holder);
+    watchable_ = new QPushButton(tr("Watch a result…"), holder);
     watchable_->setObjectName(QStringLiteral("watchable"));
-    watchable_->setAccessibleName(tr("Watch a result"));
-    watchable_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    watchable_->setMinimumContentsLength(12);
-    connect(watchable_, &PickBox::picked, this,
-            [this](const QVariant& pointer) { watch(pointer.toString().toStdString()); });
+    watchable_->setAutoDefault(false);
+    auto* results = new QMenu(watchable_);
+    connect(results, &QMenu::aboutToShow, this, [this, results] {
+        results->clear();
+        for (const std::string& pointer : model_->results()) {
+            results->addAction(model_->resultName(pointer).withUnit(), this,
+                               [this, pointer] { watch(pointer); });
+        }
+    });
+    watchable_->setMenu(results);
     column->addWidget(watchable_);
     watched_ = edit(new WatchTable(model_), tr("Results to watch"),
                     tr("Remove the selected results"), {WatchTable::Minimum, WatchTable::Maximum});
@@ -323,7 +320,7 @@ QWidget* ToleranceWindow::makeNextStep() {
     use_->setAutoDefault(false);
     connect(use_, &QPushButton::clicked, this, [this] {
         model_->study().vary.empty() ? model_->take(StudyModel::Preset::Typical)
-                                     : watchable_->showPopup();
+                                     : watchable_->showMenu();
     });
     column->addWidget(use_, 0, Qt::AlignHCenter);
     column->addStretch(2);
@@ -382,15 +379,6 @@ QWidget* ToleranceWindow::makeFound() {
     }
     column->addWidget(tabs_, 5);
     return holder;
-}
-
-void ToleranceWindow::fillWatchable() {
-    const QSignalBlocker block(watchable_);
-    watchable_->clearEntries();
-    for (const std::string& pointer : model_->results()) {
-        watchable_->addItem(model_->resultName(pointer).withUnit(),
-                            QString::fromStdString(pointer));
-    }
 }
 
 void ToleranceWindow::watch(const std::string& pointer) {

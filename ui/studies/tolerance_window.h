@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QDialog>
-#include <QTimer>
 #include <string>
 
 class QComboBox;
@@ -12,7 +11,6 @@ class QTabWidget;
 
 namespace ravnoves {
 
-class PickBox;
 class PlotView;
 class ResultTable;
 class ScenePage;
@@ -51,7 +49,6 @@ class ToleranceWindow : public QDialog {
     QWidget* makeNextStep();
     QWidget* makeFound();
     void addKeys();
-    void fillWatchable();
     /// Watches a result, and moves to its limits.
     void watch(const std::string& pointer);
     void showStudy();
@@ -61,10 +58,9 @@ class ToleranceWindow : public QDialog {
 
     ScenePage* page_;
     StudyModel* model_;
-    QTimer rest_;
     TableEditor* inputs_ = nullptr;
     TableEditor* watched_ = nullptr;
-    PickBox* watchable_ = nullptr;
+    QPushButton* watchable_ = nullptr;
     QComboBox* method_ = nullptr;
     QComboBox* samples_ = nullptr;
     QStackedWidget* answers_ = nullptr;
