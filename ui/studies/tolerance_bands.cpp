@@ -9,6 +9,8 @@
 #include "model/background_job.h"
 #include "page/part_views.h"
 #include "page/scene_page.h"
+#include "studies/model/part_numbers.h"
+#include "studies/model/scattered_inputs.h"
 #include "studies/model/study_model.h"
 #include "studies/tolerance_switch.h"
 #include "text/preferences.h"
@@ -130,12 +132,13 @@ void ToleranceBands::begin() {
         isOfAll_ = false;
         return;
     }
-    ScatteredInputs inputs(page_->model()->caseFile().input, study_);  // with its defaults
-    inputs.isEmpty() ? clear(false) : findOf(std::move(inputs));
-}
-
-void ToleranceBands::findOf(ScatteredInputs inputs) {
     const SceneModel& model = *page_->model();
+    const auto inputs = std::make_shared<ScatteredInputs>(model.caseFile().input,  // with defaults
+                                                          study_);
+    if (inputs->isEmpty()) {
+        clear(false);
+        return;
+    }
     std::vector<std::string_view> ids;
     if (isOfAll_) {
         for (const PagePart& part : model.parts()) {
@@ -156,13 +159,11 @@ void ToleranceBands::findOf(ScatteredInputs inputs) {
     }
     sample->takeView(model);
     sample->moveToThread(nullptr);
-    auto numbers = std::make_shared<const PartNumbers>(model, ids);
-    job_->start([this, run = ++run_, inputs = std::make_shared<ScatteredInputs>(std::move(inputs)),
-                 numbers, sample = std::move(sample)](
+    auto numbers = std::make_shared<PartNumbers>(model, ids);
+    job_->start([this, run = ++run_, inputs, numbers, sample = std::move(sample)](
                     const BackgroundJob::Progress& progress) mutable -> std::function<void()> {
         const std::shared_ptr<SceneModel> own = std::move(sample);
         own->moveToThread(QThread::currentThread());
-        BandSamples samples(numbers->nominal(), numbers->periods());
         for (int i = 0; i < ScatteredInputs::count; ++i) {
             if (!progress(static_cast<double>(i) / ScatteredInputs::count)) {
                 return {};
@@ -172,17 +173,21 @@ void ToleranceBands::findOf(ScatteredInputs inputs) {
             } catch (const InputError&) {
                 continue;  // it has no numbers
             }
-            samples.add(numbers->of(*own));
+            numbers->add(*own);
         }
-        return [this, run, numbers, count = samples.size(), sides = samples.sides()] {
+        return [this, run, samples = numbers->samples(),
+                spreads = numbers->spreads(
+                    tr("Half of the range from 5 % to 95 % of %1 samples of the tolerances; both "
+                       "sides where they differ.")
+                        .arg(numbers->samples()))] {
             if (run != run_) {
                 return;
             }
-            if (count == 0) {
+            if (samples == 0) {
                 clear(false);  // no sample can be solved
                 return;
             }
-            spreads_ = numbers->spreads(sides, howText(count));
+            spreads_ = spreads;
             showSpreads();
         };
     });
@@ -201,12 +206,6 @@ void ToleranceBands::showSpreads() {
 const PartSpread* ToleranceBands::spreadOf(std::string_view part) const {
     const auto found = spreads_.find(part);
     return found != spreads_.end() ? &found->second : nullptr;
-}
-
-QString ToleranceBands::howText(std::size_t count) {
-    return tr("Half of the range from 5 % to 95 % of %1 samples of the tolerances; both sides "
-              "where they differ.")
-        .arg(count);
 }
 
 }  // namespace ravnoves

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "model/part.h"
-#include "studies/model/part_numbers.h"
 #include "studies/study.h"
 
 namespace ravnoves {
@@ -48,9 +47,7 @@ class ToleranceBands : public QObject {
     void beginLater();
     void begin();
     void clear(bool othersFollow);
-    void findOf(ScatteredInputs inputs);
     void showSpreads();
-    static QString howText(std::size_t count);
     /// Whether there are tolerances to be shown.
     bool isWanted() const;
     /// The tolerances of the case as far as bands depend on them.

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -33,6 +35,12 @@ struct Figure {
                           .x = std::move(xs),
                           .y = std::move(ys)});
         return curves.back();
+    }
+
+    /// The curve with this word; null without one.
+    const Curve* find(std::string_view id) const {
+        const auto found = std::ranges::find(curves, id, &Curve::id);
+        return found != curves.end() ? &*found : nullptr;
     }
 
     QString title = {};

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "model/scene_model.h"
+#include "numerics/demand.h"
+#include "studies/model/scattered_inputs.h"
 
 namespace ravnoves {
 
@@ -23,15 +25,11 @@ bool isAscending(const std::vector<double>& x) {
     return !x.empty() && std::is_sorted(x.begin(), x.end()) && x.back() > x.front();
 }
 
-/// A curve that a case does not have may still have its places.
-bool isWhole(const Figure::Curve& curve) {
-    return curve.x.size() == curve.y.size();
-}
-
-/// A curve's values at places that may be those of another; not a number where it has none.
+/// A curve's values at places that may be those of another; not a number where it has none: a curve
+/// that a case does not have may still have its places.
 void appendValues(const std::vector<double>& places, const Figure::Curve* curve,
                   std::vector<double>& values) {
-    if (curve == nullptr || !isWhole(*curve)) {
+    if (curve == nullptr || curve->x.size() != curve->y.size()) {
         values.resize(values.size() + places.size(), none);
         return;
     }
@@ -54,142 +52,141 @@ void appendValues(const std::vector<double>& places, const Figure::Curve* curve,
     }
 }
 
-/// Calls for each cell of a table that holds one number.
-template <typename Look>
-void eachNumber(const Results& results, const Look& look) {
-    for (int row = 0; row < results.rows.size(); ++row) {
-        for (int column = 1; column < results.rows[row].size(); ++column) {
-            if (const ResultNumber* number = results.rows[row][column].number()) {
-                look(row, column, *number);
-            }
-        }
+}  // namespace
+
+void ScatteredNumber::add(double value) {
+    const double difference = value - nominal;
+    if (std::isfinite(difference)) {
+        off.push_back(
+            static_cast<float>(period > 0.0 ? std::remainder(difference, period) : difference));
     }
 }
 
-}  // namespace
+std::optional<std::pair<double, double>> ScatteredNumber::sides(std::size_t samples) const {
+    constexpr double enough = 0.9;
+    if (off.empty() || static_cast<double>(off.size()) < enough * static_cast<double>(samples)) {
+        return std::nullopt;
+    }
+    std::vector<double> ascending(off.begin(), off.end());
+    std::sort(ascending.begin(), ascending.end());
+    return std::pair(-percentileOf(ascending, 0.05), percentileOf(ascending, 0.95));
+}
 
 PartNumbers::PartNumbers(const SceneModel& model, const std::vector<std::string_view>& ids) {
     for (const PagePart& part : model.parts()) {
         if (!part.hasBand || std::find(ids.begin(), ids.end(), part.id) == ids.end()) {
             continue;
         }
-        Shown& shown =
-            parts_.emplace_back(Shown{std::string(part.id), nominal_.size(), model.part(part.id)});
-        if (const auto* figure = std::get_if<Figure>(&shown.content)) {
-            add(*figure);
-        } else if (const auto* results = std::get_if<Results>(&shown.content)) {
-            add(*results);
-        }
-    }
-}
-
-void PartNumbers::add(const Figure& figure) {
-    for (const Figure::Curve& curve : figure.curves) {
-        appendValues(curve.x, &curve, nominal_);
-    }
-    periods_.resize(nominal_.size());
-}
-
-void PartNumbers::add(const Results& results) {
-    eachNumber(results, [&](int /*row*/, int /*column*/, const ResultNumber& number) {
-        nominal_.push_back(number.value);
-        periods_.push_back(number.kind == ResultNumber::Kind::Direction ? 360.0 : 0.0);
-    });
-}
-
-std::vector<double> PartNumbers::of(const SceneModel& sample) const {
-    std::vector<double> found;
-    found.reserve(nominal_.size());
-    for (const Shown& part : parts_) {
-        const Content content = sample.part(part.id);
-        if (const auto* own = std::get_if<Figure>(&part.content)) {
-            const auto* figure = std::get_if<Figure>(&content);
-            for (const Figure::Curve& curve : own->curves) {
-                const Figure::Curve* same = nullptr;
-                if (figure != nullptr) {
-                    const auto at = std::find_if(
-                        figure->curves.begin(), figure->curves.end(),
-                        [&](const Figure::Curve& each) { return each.id == curve.id; });
-                    same = at != figure->curves.end() ? &*at : nullptr;
-                }
-                appendValues(curve.x, same, found);
+        parts_.push_back(part.id);
+        const Content content = model.part(part.id);
+        std::vector<double> values;
+        if (const auto* figure = std::get_if<Figure>(&content)) {
+            for (const Figure::Curve& curve : figure->curves) {
+                // A line that goes up and down, or to and fro, has no width along y.
+                places_.push_back({.part = part.id,
+                                   .curve = curve.id,
+                                   .x = curve.x,
+                                   .hasWidth = isAscending(curve.x) || !isLine(curve)});
+                append(places_.back(), content, values);
             }
-        } else if (const auto* rows = std::get_if<Results>(&part.content)) {
-            const auto* results = std::get_if<Results>(&content);
-            eachNumber(*rows, [&](int row, int column, const ResultNumber& /*number*/) {
-                const ResultNumber* number = nullptr;
-                if (results != nullptr && row < results->rows.size() &&
-                    results->rows[row].key() == rows->rows[row].key()) {
-                    number = results->rows[row].value(column).number();
+            for (const double value : values) {
+                numbers_.push_back({.nominal = value});
+            }
+        } else if (const auto* results = std::get_if<Results>(&content)) {
+            const std::size_t first = places_.size();
+            double maximum = 0.0;
+            for (int row = 0; row < results->rows.size(); ++row) {
+                for (int column = 1; column < results->rows[row].size(); ++column) {
+                    const ResultNumber* number = results->rows[row][column].number();
+                    if (number == nullptr) {
+                        continue;
+                    }
+                    places_.push_back({.part = part.id,
+                                       .row = row,
+                                       .column = column,
+                                       .key = results->rows[row].key()});
+                    const bool turns = number->kind == ResultNumber::Kind::Direction;
+                    numbers_.push_back({.nominal = number->value, .period = turns ? 360.0 : 0.0});
+                    maximum = std::max(maximum, std::abs(number->value));
                 }
-                found.push_back(number != nullptr ? number->value : none);
-            });
+            }
+            for (std::size_t i = first; i < places_.size(); ++i) {
+                places_[i].maximum = maximum;
+            }
         }
     }
-    return found;
 }
 
-std::map<std::string, PartSpread, std::less<>> PartNumbers::spreads(const BandSamples::Sides& sides,
-                                                                    const QString& how) const {
+void PartNumbers::append(const Place& place, const Content& content, std::vector<double>& values) {
+    if (!place.curve.empty()) {
+        const auto* figure = std::get_if<Figure>(&content);
+        appendValues(place.x, figure != nullptr ? figure->find(place.curve) : nullptr, values);
+        return;
+    }
+    const auto* results = std::get_if<Results>(&content);
+    const bool isThere = results != nullptr && place.row < results->rows.size() &&
+                         results->rows[place.row].key() == place.key;
+    const ResultNumber* number =
+        isThere ? results->rows[place.row].value(place.column).number() : nullptr;
+    values.push_back(number != nullptr ? number->value : none);
+}
+
+void PartNumbers::add(const SceneModel& sample) {
+    std::vector<double> values;
+    values.reserve(numbers_.size());
+    Content content;
+    std::string_view part;
+    for (const Place& place : places_) {
+        if (part != place.part) {
+            part = place.part;
+            content = sample.part(part);
+        }
+        append(place, content, values);
+    }
+    RAVNOVES_DEMAND(values.size() == numbers_.size(), "a sample has the numbers of the case");
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        numbers_[i].add(values[i]);
+    }
+    ++samples_;
+}
+
+std::map<std::string, PartSpread, std::less<>> PartNumbers::spreads(const QString& how) const {
     std::map<std::string, PartSpread, std::less<>> found;
-    for (const Shown& part : parts_) {
-        PartSpread spread;
-        if (const auto* figure = std::get_if<Figure>(&part.content)) {
-            spread = spreadOf(*figure, part.from, sides);
-        } else if (const auto* results = std::get_if<Results>(&part.content)) {
-            spread = spreadOf(*results, part.from, sides);
-        }
-        spread.how = how;
-        found.emplace(part.id, std::move(spread));
+    for (const std::string_view part : parts_) {
+        found[std::string(part)].how = how;
     }
-    return found;
-}
-
-PartSpread PartNumbers::spreadOf(const Figure& figure, std::size_t from,
-                                 const BandSamples::Sides& sides) const {
-    PartSpread spread;
-    std::size_t at = from;
-    for (const Figure::Curve& curve : figure.curves) {
-        plot::Spread found;
+    auto number = numbers_.begin();
+    for (const Place& place : places_) {
+        PartSpread& spread = found.find(place.part)->second;
+        if (place.curve.empty()) {
+            const auto [below, above] = number->sides(samples_).value_or(std::pair(0.0, 0.0));
+            const double half = 0.5 * (below + above);
+            // What is left of two that cancel is rounding, too.
+            constexpr double cancelled = 1e-14;
+            if (half > rounding * std::abs(number->nominal) && half > cancelled * place.maximum) {
+                spread.cells.push_back({place.row, place.column, place.key, below, above});
+            }
+            ++number;
+            continue;
+        }
+        plot::Spread curve;
         double maximum = 0.0;
         double largest = 0.0;
-        for (std::size_t i = 0; i < curve.x.size(); ++i, ++at) {
-            if (!std::isfinite(curve.x[i]) || !std::isfinite(nominal_[at])) {
-                continue;  // it is not drawn
+        for (const double x : place.x) {
+            if (std::isfinite(x) && std::isfinite(number->nominal)) {  // else it is not drawn
+                const auto [below, above] = number->sides(samples_).value_or(std::pair(0.0, 0.0));
+                curve.below.push_back(below);
+                curve.above.push_back(above);
+                maximum = std::max(maximum, std::abs(number->nominal));
+                largest = std::max(largest, 0.5 * (below + above));
             }
-            const bool isKnown = std::isfinite(sides.below[at]);
-            found.below.push_back(isKnown ? sides.below[at] : 0.0);
-            found.above.push_back(isKnown ? sides.above[at] : 0.0);
-            maximum = std::max(maximum, std::abs(nominal_[at]));
-            largest = std::max(largest, 0.5 * (found.below.back() + found.above.back()));
+            ++number;
         }
-        // A line that goes up and down, or to and fro, has no width along y.
-        if (largest > rounding * maximum && (isAscending(curve.x) || !isLine(curve))) {
-            spread.curves.emplace(curve.id, std::move(found));
+        if (largest > rounding * maximum && place.hasWidth) {
+            spread.curves.emplace(place.curve, std::move(curve));
         }
     }
-    return spread;
-}
-
-PartSpread PartNumbers::spreadOf(const Results& results, std::size_t from,
-                                 const BandSamples::Sides& sides) const {
-    double size = 0.0;
-    eachNumber(results, [&](int /*row*/, int /*column*/, const ResultNumber& number) {
-        size = std::max(size, std::abs(number.value));
-    });
-    PartSpread spread;
-    std::size_t at = from;
-    eachNumber(results, [&](int row, int column, const ResultNumber& number) {
-        const double half = 0.5 * (sides.below[at] + sides.above[at]);
-        // What is left of two that cancel is rounding, too.
-        constexpr double cancelled = 1e-14;
-        if (half > rounding * std::abs(number.value) && half > cancelled * size) {
-            spread.cells.push_back(
-                {row, column, results.rows[row].key(), sides.below[at], sides.above[at]});
-        }
-        ++at;
-    });
-    return spread;
+    return found;
 }
 
 }  // namespace ravnoves

@@ -1,49 +1,61 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "model/part.h"
-#include "studies/model/band_samples.h"
 
 namespace ravnoves {
 
 class SceneModel;
 
-/// The numbers of some parts of a case, points of curves and cells of tables, in one row, and the
-/// same of other inputs.
+/// A number with its samples.
+struct ScatteredNumber {
+    double nominal = 0.0;         ///< NaN for a missing one
+    double period = 0.0;          ///< of an angle
+    std::vector<float> off = {};  ///< of the samples that have it
+
+    void add(double value);
+    /// From the 5 % point to the number, and from it to the 95 % point; nothing where fewer than
+    /// nine samples of ten have it.
+    std::optional<std::pair<double, double>> sides(std::size_t samples) const;
+};
+
+/// The numbers of some parts of a case, points of curves and cells of tables, and what samples of
+/// the case make of them.
 class PartNumbers {
   public:
     PartNumbers(const SceneModel& model, const std::vector<std::string_view>& ids);
 
-    const std::vector<double>& nominal() const { return nominal_; }
-    /// 360 for an angle; else 0.
-    const std::vector<double>& periods() const { return periods_; }
-    /// Of another input; not a number where it has none.
-    std::vector<double> of(const SceneModel& sample) const;
-    /// Their spreads, part by part.
-    std::map<std::string, PartSpread, std::less<>> spreads(const BandSamples::Sides& sides,
-                                                           const QString& how) const;
+    /// Adds a sample: the same numbers of another input.
+    void add(const SceneModel& sample);
+    std::size_t samples() const { return samples_; }
+    /// Part by part.
+    std::map<std::string, PartSpread, std::less<>> spreads(const QString& how) const;
 
   private:
-    struct Shown {
-        std::string id;
-        std::size_t from = 0;  ///< the first of its numbers
-        Content content;
+    /// A curve, or a cell of a table.
+    struct Place {
+        std::string_view part;
+        std::string curve = {};
+        std::vector<double> x = {};
+        bool hasWidth = false;  ///< along y
+        int row = 0;
+        int column = 0;
+        QString key = {};
+        double maximum = 0.0;  ///< amount in the table
     };
 
-    void add(const Figure& figure);
-    void add(const Results& results);
-    PartSpread spreadOf(const Figure& figure, std::size_t from,
-                        const BandSamples::Sides& sides) const;
-    PartSpread spreadOf(const Results& results, std::size_t from,
-                        const BandSamples::Sides& sides) const;
+    static void append(const Place& place, const Content& content, std::vector<double>& values);
 
-    std::vector<Shown> parts_;
-    std::vector<double> nominal_;
-    std::vector<double> periods_;
+    std::vector<std::string_view> parts_;
+    std::vector<Place> places_;
+    std::vector<ScatteredNumber> numbers_;  ///< of each place, one after the other
+    std::size_t samples_ = 0;
 };
 
 }  // namespace ravnoves

@@ -14,7 +14,7 @@
 #include "model/default_inputs.h"
 #include "model/scene_model.h"
 #include "scenes/scenes.h"
-#include "studies/model/band_samples.h"
+#include "studies/model/scattered_inputs.h"
 #include "studies/model/study_model.h"
 #include "studies/sampler.h"
 #include "studies/study_run.h"

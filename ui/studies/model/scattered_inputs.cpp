@@ -1,10 +1,7 @@
-#include "studies/model/band_samples.h"
+#include "studies/model/scattered_inputs.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include "numerics/demand.h"
 
 namespace ravnoves {
 
@@ -44,37 +41,6 @@ Json ScatteredInputs::next() {
         changed[sources_[j].place] = sources_[j].law.at(point_[j]);
     }
     return changed;
-}
-
-void BandSamples::add(const std::vector<double>& numbers) {
-    RAVNOVES_DEMAND(numbers.size() == nominal_.size(), "a sample has the numbers of the case");
-    std::vector<float>& sample = samples_.emplace_back();
-    for (std::size_t i = 0; i < nominal_.size(); ++i) {
-        const double off = numbers[i] - nominal_[i];
-        sample.push_back(
-            static_cast<float>(periods_[i] > 0.0 ? std::remainder(off, periods_[i]) : off));
-    }
-}
-
-BandSamples::Sides BandSamples::sides() const {
-    constexpr double enough = 0.9;
-    Sides sides;
-    std::vector<double> column;
-    for (std::size_t i = 0; i < nominal_.size(); ++i) {
-        column.clear();
-        for (const std::vector<float>& sample : samples_) {
-            if (std::isfinite(sample[i])) {
-                column.push_back(sample[i]);
-            }
-        }
-        const bool isKnown = !column.empty() && static_cast<double>(column.size()) >=
-                                                    enough * static_cast<double>(samples_.size());
-        std::sort(column.begin(), column.end());
-        constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        sides.below.push_back(isKnown ? -percentileOf(column, 0.05) : none);
-        sides.above.push_back(isKnown ? percentileOf(column, 0.95) : none);
-    }
-    return sides;
 }
 
 }  // namespace ravnoves

@@ -35,29 +35,4 @@ class ScatteredInputs {
     std::uint64_t next_ = 0;
 };
 
-/// Numbers that a page shows, and what samples of its case make of them.
-class BandSamples {
-  public:
-    /// From the 5 % point to the number, and from it to the 95 % point; not a number where fewer
-    /// than nine samples of ten have one.
-    struct Sides {
-        std::vector<double> below;
-        std::vector<double> above;
-    };
-
-    /// @param nominal  NaN for a missing one
-    /// @param periods  of angles; else 0
-    BandSamples(std::vector<double> nominal, std::vector<double> periods)
-        : nominal_(std::move(nominal)), periods_(std::move(periods)) {}
-
-    void add(const std::vector<double>& numbers);
-    std::size_t size() const { return samples_.size(); }
-    Sides sides() const;
-
-  private:
-    std::vector<double> nominal_;
-    std::vector<double> periods_;
-    std::vector<std::vector<float>> samples_;  ///< off the nominal numbers
-};
-
 }  // namespace ravnoves
