@@ -2,7 +2,6 @@
 
 #include <QImage>
 #include <QWidget>
-#include <array>
 #include <optional>
 
 #include "plot/model/figure.h"
@@ -34,8 +33,7 @@ class PlotView : public QWidget {
     explicit PlotView(QWidget* parent = nullptr);
     ~PlotView() override;
 
-    /// Shows a figure in place of the one before, curve by curve of the same word. What the user
-    /// has done to the plot stays: zoom, and which curves are switched off.
+    /// Shows a figure in place of the one before (PlotData::show()).
     void showFigure(const Figure& figure);
     /// Shows under the curves, dimmed, the same figure's curves of another input. Null: none.
     void showReference(const Figure* figure, const QString& name);
@@ -148,11 +146,8 @@ class PlotView : public QWidget {
             updateChart();
         }
     }
-    /// The x axis of a figure; where it is only extended, the zoomed section is kept.
-    void showX(const plot::Axis& axis);
-    void showY(Side side, const Figure& figure);
-    void showCurve(const Figure::Curve& curve);
-    void showPoints(PlotCurve& drawn, const std::vector<double>& x, const std::vector<double>& y);
+    /// The entry of a curve, made where it has none yet.
+    void dressLegend(std::size_t number);
     QList<LegendItem*> shownLegend() const;
     /// Entries for curves that are there.
     void showLegend();
@@ -180,9 +175,7 @@ class PlotView : public QWidget {
     void pick(const QPointF& position);
 
     PlotData data_;
-    std::optional<plot::Axis> shownX_;                 ///< of the figure
-    std::array<std::optional<plot::Axis>, 2> shownY_;  ///< by side
-    std::unique_ptr<PlotData> referenceData_;          ///< of the figure's reference
+    std::unique_ptr<PlotData> referenceData_;  ///< of the figure's reference
     std::unique_ptr<PlotPainter> painter_;
     FigureMenu* menu_;
     std::vector<LegendItem*> legend_;  ///< one for each curve, or null

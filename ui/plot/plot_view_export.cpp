@@ -11,27 +11,8 @@
 
 namespace ravnoves {
 
-namespace {
-
-/// The data with what is drawn out of scale in its true places.
-PlotData toScale(PlotData data) {
-    for (PlotCurve& curve : data.curves) {
-        if (!curve.trueX.empty()) {
-            curve.set(curve.trueX, curve.trueY, data.x, data.scale(curve.style.side));
-        }
-    }
-    return data;
-}
-
-}  // namespace
-
 QString PlotView::csv(const CsvFormat& format) const {
-    PlotData data = toScale(data_);
-    const PlotData reference = data_.reference != nullptr ? toScale(*data_.reference) : PlotData();
-    if (data_.reference != nullptr) {
-        data.reference = &reference;
-    }
-    return data.csv(format);
+    return data_.csv(format);
 }
 
 void PlotView::drawChart(QPainter& painter) {

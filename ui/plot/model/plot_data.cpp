@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "pictures/model/thin_polyline.h"
+#include "plot/model/figure.h"
 #include "text/csv_format.h"
 #include "text/shown_units.h"
 
@@ -43,6 +44,118 @@ bool PlotCurve::set(std::vector<double> newX, std::vector<double> newY, const Pl
     ascending = std::is_sorted(x.begin(), x.end());
     stale = true;
     return true;
+}
+
+namespace {
+
+/// Under a hand that drags, an interval that still holds what is there, and not much more, rests.
+bool rests(const std::pair<double, double>& shown, const std::pair<double, double>& wanted) {
+    constexpr double enough = 0.6;
+    return PlotData::steady && shown.first <= wanted.first && wanted.second <= shown.second &&
+           wanted.second - wanted.first > enough * (shown.second - shown.first);
+}
+
+/// What is read of a point that is drawn, by its number among all that the figure has.
+std::function<QString(std::size_t)> textOf(const Figure::Curve& curve, const PlotCurve& drawn) {
+    if (!curve.text) {
+        return {};
+    }
+    return [all = std::pair(curve.x, curve.y), text = curve.text,
+            drawn = std::pair(drawn.x, drawn.y)](std::size_t point) {
+        for (std::size_t i = 0; i < all.first.size(); ++i) {
+            if (all.first[i] == drawn.first[point] && all.second[i] == drawn.second[point]) {
+                return text(i);
+            }
+        }
+        return QString();
+    };
+}
+
+}  // namespace
+
+bool PlotData::showX(const plot::Axis& axis) {
+    const PlotScale before = x;
+    if (!x.setSpec(axis)) {
+        return false;
+    }
+    const bool isOther = before.spec.title != x.spec.title;
+    if (!isOther && rests({before.spec.min, before.spec.max}, {axis.min, axis.max})) {
+        x = before;
+        return false;
+    }
+    if (zoomed && !isOther) {
+        return false;  // it is to be gone back to
+    }
+    x.low = axis.min;
+    x.high = axis.max;
+    zoomed = false;
+    makeStale();
+    return true;
+}
+
+bool PlotData::showY(Side side, const plot::Axis& axis,
+                     const std::optional<std::pair<double, double>>& range) {
+    PlotScale& shown = scale(side);
+    const bool isOther = shown.setSpec(axis);
+    if (isOther && axis.logarithmic) {
+        makeStale();
+        if (!(shown.low > 0.0)) {
+            shown.low = 0.1;
+            shown.high = 1.0;
+        }
+    }
+    const bool isFixed =
+        range ? (!shown.fixed || !rests(*shown.fixed, *range)) &&
+                    shown.fix(range->first, range->second)
+              : std::exchange(shown.fixed, std::nullopt).has_value();  // it follows its data again
+    return isOther || isFixed;
+}
+
+PlotData::Change PlotData::show(const Figure& figure) {
+    bool isOther = std::exchange(title, figure.title) != figure.title;
+    bool isMoved = false;
+    isOther |= showX(figure.x);
+    isOther |= showY(Side::Left, figure.left, figure.leftRange);
+    isOther |= showY(Side::Right, figure.right, figure.rightRange);
+    isOther |= std::exchange(equalScale, figure.equalScale) != figure.equalScale;
+    const auto showPoints = [&](PlotCurve& drawn, const std::vector<double>& xs,
+                                const std::vector<double>& ys) {
+        const bool wasEmpty = drawn.x.empty();
+        if (drawn.set(xs, ys, x, scale(drawn.style.side))) {
+            pointRead.reset();
+            isMoved = true;
+            isOther |= wasEmpty != drawn.x.empty();
+        }
+    };
+    for (PlotCurve& drawn : curves) {
+        const bool isIn = figure.find(drawn.id) != nullptr;
+        isOther |= std::exchange(drawn.inFigure, isIn) != isIn;
+        if (!isIn) {
+            showPoints(drawn, {}, {});
+        }
+    }
+    for (const Figure::Curve& curve : figure.curves) {
+        const auto known = find(curve.id);
+        PlotCurve& drawn =
+            known ? curves[*known]
+                  : curves.emplace_back(PlotCurve{.id = curve.id, .shown = curve.style.shown});
+        if (!known || drawn.style != curve.style) {
+            drawn.style = curve.style;
+            drawn.stale = isOther = true;
+        }
+        drawn.trueX = curve.trueX;
+        drawn.trueY = curve.trueY;
+        showPoints(drawn, curve.x, curve.y);
+        if (curve.text || drawn.text) {
+            pointRead.reset();
+            drawn.text = textOf(curve, drawn);
+        }
+    }
+    isOther |= std::exchange(bands, figure.bands) != figure.bands;
+    lines = figure.lines;
+    marks = figure.marks.value_or(marks);
+    presentX = figure.presentX ? figure.presentX : presentX;
+    return isOther ? Change::Chart : isMoved ? Change::Curves : Change::Top;
 }
 
 bool PlotData::sideUsed(Side side) const {
@@ -444,12 +557,25 @@ QString PlotData::csv(const CsvFormat& format) const {
     const auto text = [&](double value, const PlotScale& scale) {
         return format.number(value * scale.spec.factor);
     };
+    // In their true places: curves, and below each that of the reference, named with it.
+    std::vector<std::pair<QString, PlotCurve>> listed;
     std::vector<double> common;
+    const auto list = [&](const QString& before, PlotCurve curve, const CurveStyle& style) {
+        curve.style = style;
+        if (!curve.trueX.empty()) {
+            curve.set(curve.trueX, curve.trueY, x, scale(style.side));
+        }
+        if (isAscending(curve)) {
+            common.insert(common.end(), curve.x.begin(), curve.x.end());
+        }
+        listed.emplace_back(before, std::move(curve));
+    };
     for (const PlotCurve& curve : curves) {
-        for (const PlotCurve* each : {&curve, ghostOf(curve)}) {
-            if (curve.shown && each != nullptr && isAscending(*each)) {
-                common.insert(common.end(), each->x.begin(), each->x.end());
-            }
+        if (curve.shown && !curve.x.empty()) {
+            list({}, curve, curve.style);
+        }
+        if (const PlotCurve* ghost = ghostOf(curve)) {
+            list(referenceName + QStringLiteral(": "), *ghost, curve.style);
         }
     }
     std::sort(common.begin(), common.end());
@@ -461,20 +587,19 @@ QString PlotData::csv(const CsvFormat& format) const {
             columns.back().cells.push_back(text(value, x));
         }
     }
-    // A curve, or that of the reference under it, named with it.
-    const auto addCurve = [&](const PlotCurve& curve, const CurveStyle& style,
-                              const QString& before) {
-        const PlotScale& y = scale(style.side);
+    for (const auto& each : listed) {
+        const PlotCurve& curve = each.second;
+        const PlotScale& y = scale(curve.style.side);
         const bool shares = isAscending(curve);
+        const QString name = each.first + curve.style.name;
         if (!shares) {
-            columns.push_back({before + style.name + QStringLiteral(": ") + x.spec.title, {}});
+            columns.push_back({name + QStringLiteral(": ") + x.spec.title, {}});
             for (const double value : curve.x) {
                 columns.back().cells.push_back(text(value, x));
             }
         }
-        const QString unit = unitOfTitle(y.spec.title);
         const auto add = [&](const QString& heading, const auto& value) {
-            columns.push_back({before + heading, {}});
+            columns.push_back({heading, {}});
             for (std::size_t i = 0; i < curve.y.size(); ++i) {
                 while (shares && common[columns.back().cells.size()] != curve.x[i]) {
                     columns.back().cells.emplace_back();
@@ -482,22 +607,15 @@ QString PlotData::csv(const CsvFormat& format) const {
                 columns.back().cells.push_back(text(value(i), y));
             }
         };
-        const QString heading =
-            style.name.isEmpty() ? y.spec.title : titleWithUnit(style.name, unit);
+        const QString heading = curve.style.name.isEmpty()
+                                    ? each.first + y.spec.title
+                                    : titleWithUnit(name, unitOfTitle(y.spec.title));
         add(heading, [&](std::size_t i) { return curve.y[i]; });
-        if (before.isEmpty() && showsSpread(curve)) {
+        if (each.first.isEmpty() && showsSpread(curve)) {
             add(heading + QStringLiteral(", 5 %"),
                 [&](std::size_t i) { return curve.y[i] - curve.below[i]; });
             add(heading + QStringLiteral(", 95 %"),
                 [&](std::size_t i) { return curve.y[i] + curve.above[i]; });
-        }
-    };
-    for (const PlotCurve& curve : curves) {
-        if (curve.shown && !curve.x.empty()) {
-            addCurve(curve, curve.style, {});
-        }
-        if (const PlotCurve* ghost = ghostOf(curve)) {
-            addCurve(*ghost, curve.style, referenceName + QStringLiteral(": "));
         }
     }
     std::size_t rows = 0;

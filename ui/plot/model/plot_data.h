@@ -16,6 +16,7 @@
 namespace ravnoves {
 
 struct CsvFormat;
+struct Figure;
 
 namespace plot {
 
@@ -167,6 +168,12 @@ struct PlotData {
     bool referenceShown = true;
     bool paintsGhosts = false;  ///< a drawing that shows more of the reference than its curves
 
+    /// The layer to be painted again.
+    enum class Change { Top, Curves, Chart };
+    /// Shows a figure in place of the one before, curve by curve of the same word. What the user
+    /// has done stays: zoom, and which curves are switched off.
+    Change show(const Figure& figure);
+
     PlotScale& scale(Side side) { return side == Side::Left ? left : right; }
     const PlotScale& scale(Side side) const { return side == Side::Left ? left : right; }
     PlotCurve& curve(int number) { return curves.at(static_cast<std::size_t>(number)); }
@@ -231,6 +238,10 @@ struct PlotData {
     QString csv(const CsvFormat& format) const;
 
   private:
+    /// The x axis of a figure; where it is only extended, the zoomed section is kept.
+    bool showX(const plot::Axis& axis);
+    bool showY(Side side, const plot::Axis& axis,
+               const std::optional<std::pair<double, double>>& range);
     void keepHome();
     void keepSection();
     std::vector<QPolygonF> shadesOf(const PlotCurve& curve) const;

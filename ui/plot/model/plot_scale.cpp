@@ -17,11 +17,12 @@ int ticksThatFit(double pixels, double pixelsPerTick) {
 
 }  // namespace
 
-void PlotScale::setSpec(const plot::Axis& axis) {
+bool PlotScale::setSpec(const plot::Axis& axis) {
     const ShownTitle shown = shownTitle(axis.title);
-    spec = axis;
-    spec.title = shown.text;
-    spec.factor = shown.factor;
+    plot::Axis wanted = axis;
+    wanted.title = shown.text;
+    wanted.factor = shown.factor;
+    return std::exchange(spec, wanted) != wanted;
 }
 
 double PlotScale::number(double value) const {

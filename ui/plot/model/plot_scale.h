@@ -41,7 +41,8 @@ struct PlotScale {
     double step = 1.0;  ///< between ticks of a linear axis, in numbers shown
 
     /// Adopts what the axis is to be, in the units that the user wants.
-    void setSpec(const plot::Axis& axis);
+    /// @return whether that is another one
+    bool setSpec(const plot::Axis& axis);
     /// A value as a number of the axis.
     double number(double value) const;
 
