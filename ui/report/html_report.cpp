@@ -81,37 +81,8 @@ struct HtmlWriter {
                 paragraph.html + QStringLiteral("</p>\n");
     }
     void operator()(const Table& table) {
-        html += QStringLiteral("<div class=\"wide\"><table%1>\n")
-                    .arg(table.isSmall ? QStringLiteral(" class=\"small\"") : QString());
-        if (!table.caption.isEmpty()) {
-            html += QStringLiteral("<caption>%1</caption>\n").arg(table.caption.toHtmlEscaped());
-        }
-        const auto number = [&](qsizetype column) {
-            return table.numbers.value(column) ? QStringLiteral(" class=\"number\"") : QString();
-        };
-        if (!table.headings.isEmpty()) {
-            html += QStringLiteral("<thead><tr>");
-            for (qsizetype i = 0; i < table.headings.size(); ++i) {
-                html +=
-                    QStringLiteral("<th scope=\"col\"%1>%2</th>").arg(number(i), table.headings[i]);
-            }
-            html += QStringLiteral("</tr></thead>\n");
-        }
-        html += QStringLiteral("<tbody>\n");
-        for (const QStringList& row : table.rows) {
-            html += QStringLiteral("<tr>");
-            if (row.size() == 1 && table.headings.size() > 1) {
-                html += QStringLiteral("<th class=\"group\" colspan=\"%1\">%2</th>")
-                            .arg(table.headings.size())
-                            .arg(row.first());
-            } else {
-                for (qsizetype i = 0; i < row.size(); ++i) {
-                    html += QStringLiteral("<td%1>%2</td>").arg(number(i), row[i]);
-                }
-            }
-            html += QStringLiteral("</tr>\n");
-        }
-        html += QStringLiteral("</tbody></table></div>\n");
+        html += QStringLiteral("<div class=\"wide\">") + tableAsHtml(table) +
+                QStringLiteral("</div>\n");
     }
     void operator()(const Drawing& figure) {
         html += QStringLiteral("<figure>%1").arg(inlineSvg(figure, ++figures));
@@ -124,6 +95,39 @@ struct HtmlWriter {
 };
 
 }  // namespace
+
+QString tableAsHtml(const Table& table) {
+    QString html = QStringLiteral("<table%1>\n")
+                       .arg(table.isSmall ? QStringLiteral(" class=\"small\"") : QString());
+    if (!table.caption.isEmpty()) {
+        html += QStringLiteral("<caption>%1</caption>\n").arg(table.caption.toHtmlEscaped());
+    }
+    const auto number = [&](qsizetype column) {
+        return table.numbers.value(column) ? QStringLiteral(" class=\"number\"") : QString();
+    };
+    if (!table.headings.isEmpty()) {
+        html += QStringLiteral("<thead><tr>");
+        for (qsizetype i = 0; i < table.headings.size(); ++i) {
+            html += QStringLiteral("<th scope=\"col\"%1>%2</th>").arg(number(i), table.headings[i]);
+        }
+        html += QStringLiteral("</tr></thead>\n");
+    }
+    html += QStringLiteral("<tbody>\n");
+    for (const QStringList& row : table.rows) {
+        html += QStringLiteral("<tr>");
+        if (row.size() == 1 && table.headings.size() > 1) {
+            html += QStringLiteral("<th class=\"group\" colspan=\"%1\">%2</th>")
+                        .arg(table.headings.size())
+                        .arg(row.first());
+        } else {
+            for (qsizetype i = 0; i < row.size(); ++i) {
+                html += QStringLiteral("<td%1>%2</td>").arg(number(i), row[i]);
+            }
+        }
+        html += QStringLiteral("</tr>\n");
+    }
+    return html + QStringLiteral("</tbody></table>");
+}
 
 QByteArray reportAsHtml(const Report& report) {
     HtmlWriter writer;

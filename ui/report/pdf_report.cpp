@@ -2,12 +2,13 @@
 #include <QBuffer>
 #include <QPageLayout>
 #include <QPdfWriter>
+#include <QTextBlock>
 #include <QTextDocument>
 #include <QTextOption>
+#include <QTextTable>
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 
 #include "numerics/units.h"
 #include "report/report.h"
@@ -25,13 +26,18 @@ constexpr double pageWidth = 210.0 * perMillimetre;
 constexpr double left = 20.0 * perMillimetre;
 constexpr double top = 22.0 * perMillimetre;
 constexpr double width = pageWidth - left - 15.0 * perMillimetre;
-constexpr double cellGap = 9.0;
 constexpr double cellPad = 2.0;
 
 constexpr QRgb ink = 0xff1a1c20;
 constexpr QRgb pale = 0xff5b626c;
 constexpr QRgb hairline = 0xffd5d9df;
 constexpr QRgb rule = 0xff8a929e;
+
+const QString tableStyle = QStringLiteral(
+    "table { border-collapse: collapse; } "
+    "th, td { border-bottom: 1px solid #d5d9df; padding: 2px 9px 2px 0; text-align: left; } "
+    "th { border-bottom-color: #8a929e; } th.group { border-bottom-color: #d5d9df; } "
+    ".number { text-align: right; } td.number { white-space: nowrap; }");
 
 /// Of one size, whatever the size of the text on the screen.
 QFont paperFont(int pixels, bool bold = false) {
@@ -40,42 +46,60 @@ QFont paperFont(int pixels, bool bold = false) {
     return font;
 }
 
-/// Text within a width, of any length.
+/// Text as wide as the page at most, of any length.
 class RichText {
   public:
+    /// @param widest  a table whose words have no room beside each other is shrunk; of a wider one
+    ///                and of other text words are broken
     RichText(const QString& html, int pixels, bool bold = false, QRgb colour = ink,
-             Qt::Alignment alignment = Qt::AlignLeft)
+             Qt::Alignment alignment = Qt::AlignLeft, double room = width, double widest = 0.0)
         : document_(std::make_shared<QTextDocument>()), colour_(colour) {
         document_->setDocumentMargin(0.0);
         document_->setUseDesignMetrics(true);
         document_->setDefaultFont(paperFont(pixels, bold));
-        QTextOption option(alignment);
-        option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
-        document_->setDefaultTextOption(option);
+        document_->setDefaultStyleSheet(tableStyle);
         document_->setHtml(html);
+        QTextOption option(alignment);
+        for (const auto mode : {QTextOption::WordWrap, QTextOption::WrapAtWordBoundaryOrAnywhere}) {
+            option.setWrapMode(mode);
+            document_->setDefaultTextOption(option);
+            document_->setTextWidth(room);
+            if (document_->size().width() <= std::max(room, widest)) {
+                break;
+            }
+        }
     }
-    /// On one line.
-    double natural() const { return std::ceil(document_->idealWidth()) + 1.0; }
-    /// Of the longest word.
-    double minimum() const {
-        QTextOption option = document_->defaultTextOption();
-        option.setWrapMode(QTextOption::WordWrap);
-        const std::unique_ptr<QTextDocument> copy(document_->clone());
-        copy->setDefaultTextOption(option);
-        copy->setTextWidth(1.0);
-        return std::ceil(copy->idealWidth()) + 1.0;
-    }
-    double heightAt(double room) const {
-        document_->setTextWidth(room);
-        return std::ceil(document_->size().height());
-    }
-    void draw(QPainter& painter, const QPointF& at) const {
+    double height() const { return std::ceil(document_->size().height()); }
+    void draw(QPainter& painter, const QPointF& at) const { draw(painter, at, {0.0, height()}); }
+    /// A part of it, from top to bottom.
+    void draw(QPainter& painter, const QPointF& at, const std::pair<double, double>& part) const {
+        const QRectF shown(0.0, part.first, document_->size().width(), part.second - part.first);
         painter.save();
         painter.translate(at);
+        painter.scale(scale(), scale());
+        painter.translate(-shown.topLeft());
         QAbstractTextDocumentLayout::PaintContext context;
         context.palette.setColor(QPalette::Text, QColor::fromRgb(colour_));
+        context.clip = shown;
+        painter.setClipRect(shown);
         document_->documentLayout()->draw(&painter, context);
         painter.restore();
+    }
+    /// Of a table whose longest words have no room beside each other.
+    double scale() const { return std::min(1.0, width / document_->size().width()); }
+    /// Of a table: the ends of its rows.
+    std::vector<double> rowEnds() const {
+        std::vector<double> ends;
+        for (QTextFrame* frame : document_->rootFrame()->childFrames()) {
+            const auto* table = qobject_cast<const QTextTable*>(frame);
+            for (int row = 1; table != nullptr && row < table->rows(); ++row) {
+                const QTextBlock first = table->cellAt(row, 0).firstCursorPosition().block();
+                ends.push_back(document_->documentLayout()->blockBoundingRect(first).top() -
+                               0.5 * cellPad);
+            }
+        }
+        ends.push_back(height());
+        return ends;
     }
 
   private:
@@ -104,7 +128,7 @@ class Strips {
               bool keepsWithNext) {
         const RichText words(html, pixels, bold, colour);
         strips.push_back(
-            {words.heightAt(width), before, keepsWithNext, -1,
+            {words.height(), before, keepsWithNext, -1,
              [words](QPainter& painter, const QPointF& at) { words.draw(painter, at); }});
     }
 
@@ -134,8 +158,8 @@ class Strips {
         const QRgb colour = paragraph.kind == Kind::Good      ? 0xff1f7a3d
                             : paragraph.kind == Kind::Warning ? 0xffb26a00
                                                               : 0xffb3261e;
-        const RichText words(paragraph.html, 12);
-        const double height = words.heightAt(width - 14.0) + 6.0;
+        const RichText words(paragraph.html, 12, false, ink, Qt::AlignLeft, width - 14.0);
+        const double height = words.height() + 6.0;
         strips.push_back({height, 6.0, false, -1, [=](QPainter& painter, const QPointF& at) {
                               painter.fillRect(QRectF(at, QSizeF(3.0, height)),
                                                QColor::fromRgb(colour));
@@ -159,134 +183,42 @@ class Strips {
         if (!figure.caption.isEmpty()) {
             const RichText words(figure.caption.toHtmlEscaped(), 11, false, pale, Qt::AlignHCenter);
             strips.push_back(
-                {words.heightAt(width), 2.0, false, -1,
+                {words.height(), 2.0, false, -1,
                  [words](QPainter& painter, const QPointF& at) { words.draw(painter, at); }});
         }
     }
 
     void operator()(const Table& table);
-
-  private:
-    struct Cell {
-        RichText words;
-        bool number;
-    };
-    Strip rowStrip(const std::vector<Cell>& cells, const std::vector<double>& widths, QRgb line,
-                   double weight) const;
 };
 
-/// Widths of columns that fit into the page: all as wide as they like where there is room, else
-/// narrow columns first and the rest shared by those that can wrap.
-std::vector<double> shared(const std::vector<double>& natural, const std::vector<double>& minimum) {
-    const double room = width - cellGap * static_cast<double>(natural.size() - 1);
-    std::vector<double> widths = natural;
-    const double wanted = std::accumulate(natural.begin(), natural.end(), 0.0);
-    if (wanted <= room) {
-        return widths;
-    }
-    const double needed = std::accumulate(minimum.begin(), minimum.end(), 0.0);
-    if (needed >= room) {
-        for (std::size_t i = 0; i < widths.size(); ++i) {
-            widths[i] = minimum[i] * room / needed;
-        }
-        return widths;
-    }
-    // The widest gives way first: one limit for all that are wider, but none below its least.
-    double low = 0.0;
-    double high = room;
-    for (int turn = 0; turn < 50; ++turn) {
-        const double limit = 0.5 * (low + high);
-        double sum = 0.0;
-        for (std::size_t i = 0; i < widths.size(); ++i) {
-            widths[i] = std::min(natural[i], std::max(minimum[i], limit));
-            sum += widths[i];
-        }
-        (sum > room ? high : low) = limit;
-    }
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-        widths[i] = std::min(natural[i], std::max(minimum[i], low));
-    }
-    return widths;
-}
-
-Strip Strips::rowStrip(const std::vector<Cell>& cells, const std::vector<double>& widths, QRgb line,
-                       double weight) const {
-    double height = 0.0;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        height = std::max(height, cells[i].words.heightAt(widths[i]));
-    }
-    height += 2.0 * cellPad;
-    const double whole = std::accumulate(widths.begin(), widths.end(), 0.0) +
-                         cellGap * static_cast<double>(widths.size() - 1);
-    return {height, 0.0, false, -1, [=](QPainter& painter, const QPointF& at) {
-                double x = 0.0;
-                for (std::size_t i = 0; i < cells.size(); ++i) {
-                    cells[i].words.draw(painter, at + QPointF(x, cellPad));
-                    x += widths[i] + cellGap;
-                }
-                painter.setPen(QPen(QColor::fromRgb(line), weight));
-                painter.drawLine(at + QPointF(0, height), at + QPointF(whole, height));
-            }};
-}
-
 void Strips::operator()(const Table& table) {
-    const int pixels = table.isSmall ? 9 : 11;
-    const auto columns = static_cast<std::size_t>(
-        table.headings.isEmpty() ? table.rows.value(0).size() : table.headings.size());
-    if (columns == 0 || table.rows.isEmpty()) {
+    if (table.rows.isEmpty()) {
         return;
     }
+    Table rows = table;
     if (!table.caption.isEmpty()) {
         text(table.caption.toHtmlEscaped(), 11, false, pale, 9.0, true);
+        rows.caption.clear();
     }
-    std::vector<double> natural(columns, 8.0);
-    std::vector<double> minimum(columns, 8.0);
-    const auto cellsOf = [&](const QStringList& texts, bool bold) {
-        std::vector<Cell> cells;
-        for (qsizetype i = 0; i < texts.size(); ++i) {
-            const bool number = table.numbers.value(i);
-            cells.push_back(
-                {RichText(texts[i], pixels, bold, ink, number ? Qt::AlignRight : Qt::AlignLeft),
-                 number});
-            if (texts.size() == static_cast<qsizetype>(columns)) {
-                const auto column = static_cast<std::size_t>(i);
-                natural[column] = std::max(natural[column], cells.back().words.natural());
-                // Numbers stay whole.
-                minimum[column] =
-                    std::max(minimum[column], number && !bold ? cells.back().words.natural()
-                                                              : cells.back().words.minimum());
-            }
-        }
-        return cells;
-    };
-    std::vector<std::vector<Cell>> rows;
-    for (const QStringList& row : table.rows) {
-        rows.push_back(cellsOf(row, row.size() == 1 && columns > 1));
-    }
-    std::vector<Cell> head = cellsOf(table.headings, true);
-    std::vector<double> widths = shared(natural, minimum);
-    // Short tables do not tear their columns apart; the last column ends where its words do.
-    int number = -1;
-    if (!head.empty()) {
-        Strip strip = rowStrip(head, widths, rule, 0.9);
-        strip.keepsWithNext = true;
-        number = static_cast<int>(heads.size());
-        heads.push_back(strip);
-        strip.before = table.caption.isEmpty() ? 8.0 : 2.0;
-        strips.push_back(std::move(strip));
-    }
-    const double whole = std::accumulate(widths.begin(), widths.end(), 0.0) +
-                         cellGap * static_cast<double>(widths.size() - 1);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const bool isGroup = rows[i].size() == 1 && columns > 1;
-        Strip strip = isGroup ? rowStrip(rows[i], {whole}, hairline, 0.6)
-                              : rowStrip(rows[i], widths, hairline, 0.6);
-        strip.before = isGroup && i > 0 ? 6.0 : 0.0;
+    const RichText words(tableAsHtml(rows), table.isSmall ? 9 : 11, false, ink, Qt::AlignLeft,
+                         width, 1.6 * width);
+    const std::vector<double> ends = words.rowEnds();
+    const qsizetype headings = table.headings.isEmpty() ? 0 : 1;
+    const double before = table.caption.isEmpty() ? 8.0 : 2.0;
+    for (qsizetype row = 0; row < std::ssize(ends); ++row) {
+        const std::pair part(row > 0 ? ends[row - 1] : 0.0, ends[row]);
         // Neither the first nor the last row stands alone, and no heading within the table.
-        strip.keepsWithNext = (isGroup || i == 0 || i + 2 == rows.size()) && i + 1 < rows.size();
-        strip.table = number;
-        strips.push_back(std::move(strip));
+        const QStringList cells = table.rows.value(row - headings);
+        const bool isGroup = cells.size() == 1 && table.headings.size() > 1;
+        const bool keeps = row <= headings || isGroup || row + 2 == std::ssize(ends);
+        strips.push_back({words.scale() * (part.second - part.first), row > 0 ? 0.0 : before,
+                          keeps && row + 1 < std::ssize(ends),
+                          headings > 0 && row > 0 ? static_cast<int>(std::ssize(heads)) : -1,
+                          [words, part](QPainter& painter, const QPointF& at) {
+                              words.draw(painter, at, part);
+                          }});
     }
+    heads.push_back(strips.end()[-std::ssize(ends)]);
 }
 
 /// A strip at its place.

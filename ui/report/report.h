@@ -73,6 +73,7 @@ struct ReportWords {
     Q_DECLARE_TR_FUNCTIONS(ravnoves::ReportWords)
 };
 
+QString tableAsHtml(const report::Table& table);
 /// Pages of the report's paper; text is text, figures are vectors.
 QByteArray reportAsPdf(const Report& report);
 /// One file without references to other files.
