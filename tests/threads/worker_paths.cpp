@@ -114,7 +114,8 @@ void runStudies() {
     study.setSamples(256);
     SweepModel sweep(&study);
     sweep.setWatched(true);
-    sweep.choose({.input = "/centre_distance_mm", .result = results.front()});
+    model.setSweepChoice({.input = "/centre_distance_mm", .result = results.front()});
+    sweep.follow();
     for (int i = 0; i < 3; ++i) {
         model.setByKey(u"shaft_angle_deg"_s, QString::number(90 + i));
         comes([] { return false; }, 300);

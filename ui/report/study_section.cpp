@@ -120,7 +120,6 @@ void addSweep(Report& report, StudyModel& study, const Patience& patience) {
         return;
     }
     SweepModel model(&study);
-    model.choose(study.scene()->sweepChoice());
     model.setWatched(true);
     waitFor(model, patience);
     model.setWatched(false);

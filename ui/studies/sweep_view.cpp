@@ -23,14 +23,6 @@
 
 namespace ravnoves {
 
-namespace {
-
-std::string chosen(const QComboBox* box) {
-    return box->currentData().toString().toStdString();
-}
-
-}  // namespace
-
 SweepView::SweepView(StudyModel* study, QWidget* parent)
     : QWidget(parent), study_(study), model_(new SweepModel(study, this)) {
     auto* column = new QVBoxLayout(this);
@@ -118,25 +110,23 @@ void SweepView::fillChoices() {
     for (const StudyModel::Input* input : model_->inputs()) {
         inputs.emplace_back(input->name, QString::fromStdString(input->pointer));
     }
-    const SweepChoice& kept = study_->scene()->sweepChoice();
-    fill(input_, inputs, kept.input);
+    fill(input_, inputs, model_->input());
     std::vector<std::pair<QString, QString>> results;
     for (const studies::Watched& watched : study_->study().watch) {
         results.emplace_back(study_->resultName(watched.pointer).withUnit(),
                              QString::fromStdString(watched.pointer));
     }
-    fill(result_, results, model_->result().empty() ? kept.result : model_->result());
-    choose();
+    fill(result_, results, model_->result());
+    showEnds();
 }
 
 void SweepView::keepChoice() {
+    const auto chosen = [](const QComboBox* box) {
+        return box->currentData().toString().toStdString();
+    };
     study_->scene()->setSweepChoice(
         {chosen(input_), chosen(result_), from_->value(), to_->value()});
-    choose();
-}
-
-void SweepView::choose() {
-    model_->choose({chosen(input_), chosen(result_), from_->value(), to_->value()});
+    model_->follow();
     showEnds();
 }
 
@@ -159,7 +149,10 @@ void SweepView::showEnds() {
 void SweepView::chooseResult(const std::string& result) {
     if (const int place = result_->findData(QString::fromStdString(result)); place >= 0) {
         result_->setCurrentIndex(place);
-        choose();
+        SweepChoice choice = study_->scene()->sweepChoice();
+        choice.result = result;
+        study_->scene()->setSweepChoice(choice);
+        model_->follow();
     }
 }
 

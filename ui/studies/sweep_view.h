@@ -35,7 +35,6 @@ class SweepView : public QWidget {
     void showEnds();
     /// What the user chose is kept while the case is open.
     void keepChoice();
-    void choose();
     void showSweep();
 
     StudyModel* study_;

@@ -182,6 +182,7 @@ SweepModel::SweepModel(StudyModel* study, QObject* parent)
         trouble_ = study_->named(why);
         Q_EMIT changed();
     });
+    follow();
 }
 
 std::vector<const StudyModel::Input*> SweepModel::inputs() const {
@@ -194,21 +195,6 @@ std::vector<const StudyModel::Input*> SweepModel::inputs() const {
         }
     }
     return inputs;
-}
-
-void SweepModel::choose(const SweepChoice& choice) {
-    choice_ = choice;
-    const auto offered = inputs();
-    if (!offered.empty() &&
-        std::ranges::find(offered, choice.input, &StudyModel::Input::pointer) == offered.end()) {
-        choice_.input = offered.front()->pointer;
-    }
-    const auto& watch = study_->study().watch;
-    if (!watch.empty() &&
-        std::ranges::find(watch, choice.result, &studies::Watched::pointer) == watch.end()) {
-        choice_.result = watch.front().pointer;
-    }
-    follow();
 }
 
 namespace {
@@ -260,14 +246,16 @@ SweepModel::Wanted SweepModel::wantedNow() const {
     }
     const Ends usual = *usualEnds();
     SceneModel& scene = *study_->scene();
-    Wanted wanted{.study = {.vary = {{.pointer = choice_.input,
+    Wanted wanted{.sweep = {.input = choice_.input,
+                            .result = choice_.result,
+                            .nominal = swept->value,
+                            .half = halfOf(*swept)},
+                  .study = {.vary = {{.pointer = choice_.input,
                                       .spread = studies::Varied::Spread::uniform,
                                       .from = choice_.from.value_or(usual.first),
                                       .to = choice_.to.value_or(usual.second)}},
                             .watch = {{.pointer = choice_.result}},
                             .seed = study_->study().seed},
-                  .nominal = swept->value,
-                  .half = halfOf(*swept),
                   .solution = scene.solutions()};
     for (const StudyModel::Input& input : study_->inputs()) {
         if (&input != swept && !input.isMissing && halfOf(input) > 0.0) {
@@ -279,6 +267,17 @@ SweepModel::Wanted SweepModel::wantedNow() const {
 }
 
 void SweepModel::follow() {
+    choice_ = study_->scene()->sweepChoice();
+    const auto offered = inputs();
+    if (!offered.empty() &&
+        std::ranges::find(offered, choice_.input, &StudyModel::Input::pointer) == offered.end()) {
+        choice_.input = offered.front()->pointer;
+    }
+    const auto& watch = study_->study().watch;
+    if (!watch.empty() &&
+        std::ranges::find(watch, choice_.result, &studies::Watched::pointer) == watch.end()) {
+        choice_.result = watch.front().pointer;
+    }
     Wanted wanted = wantedNow();
     if (wanted != wanted_) {
         wanted_ = std::move(wanted);
@@ -299,16 +298,11 @@ void SweepModel::start() {
     if (!watched_ || wanted_.study.vary.empty() || !trouble_.isEmpty()) {
         return;
     }
-    Sweep sweep{.input = choice_.input,
-                .result = choice_.result,
-                .nominal = wanted_.nominal,
-                .half = wanted_.half,
-                .places = {}};
     SceneModel& scene = *study_->scene();
     CaseFile file = scene.caseFile();
-    giveDefaults(scene, file.input, {sweep.input});
+    giveDefaults(scene, file.input, {wanted_.sweep.input});
     file.study = studies::write_study(wanted_.study);
-    job_->start([this, sweep = std::move(sweep), file = std::move(file), context = scene.context(),
+    job_->start([this, sweep = wanted_.sweep, file = std::move(file), context = scene.context(),
                  hasFeasible = wanted_.study.watch.size() > 1](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
         Sweep found = computed(sweep, studies::problem_of(file, context), hasFeasible, progress);

@@ -26,6 +26,7 @@ struct Sweep {
         double high = 0.0;   ///< 95 %
         double size = 0.0;   ///< 95 % of the amount, |…|
         double built = 0.0;  ///< share of the samples that are solved and feasible
+        bool operator==(const Place&) const = default;
     };
     /// The minimum share of feasible samples at the best place.
     static constexpr double minBuilt = 0.95;
@@ -35,10 +36,11 @@ struct Sweep {
     double nominal = 0.0;
     double half = 0.0;  ///< of the input's ±; 0 where it has none
     std::optional<double> nominalResult = {};
-    std::vector<Place> places;
+    std::vector<Place> places = {};
     /// Where the 95 % amount is smallest, with `minBuilt` of the samples feasible, or the largest
     /// share; between the places.
     std::optional<Place> best = {};
+    bool operator==(const Sweep&) const = default;
 };
 
 /// Computes sweeps of the study's case in the background while someone looks.
@@ -56,9 +58,9 @@ class SweepModel : public QObject {
     const std::string& result() const { return choice_.result; }
     /// What may be swept, what scatters first.
     std::vector<const StudyModel::Input*> inputs() const;
-    /// @param choice  a removed input or result is replaced by the first, a missing end is taken
-    ///                from usualEnds()
-    void choose(const SweepChoice& choice);
+    /// Adopts what the scene is to sweep: a removed input or result is replaced by the first, a
+    /// missing end is taken from usualEnds().
+    void follow();
     /// From and to, in the unit of the input's key.
     using Ends = std::pair<double, double>;
     /// The limits of the input's tolerance; without one, a whole turn of an angle, or a tenth of
@@ -83,14 +85,12 @@ class SweepModel : public QObject {
   private:
     /// What a sweep is made of.
     struct Wanted {
-        studies::Study study = {};  ///< the first sweep; empty where no sweep can be made
-        double nominal = 0.0;
-        double half = 0.0;
-        int solution = -1;  ///< of the scene
+        Sweep sweep = {};
+        studies::Study study = {};  ///< varies nothing where no sweep can be made
+        int solution = -1;          ///< of the scene
         bool operator==(const Wanted&) const = default;
     };
     Wanted wantedNow() const;
-    void follow();
     void start();
 
     StudyModel* study_;
