@@ -1,5 +1,7 @@
 #include "plot/plot_view.h"
 
+#include <QAccessible>
+#include <QAccessibleWidget>
 #include <QEvent>
 #include <QPainter>
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include "pictures/figure.h"
 #include "pictures/picture_file.h"
 #include "pictures/widget_picture.h"
-#include "plot/accessible_plot.h"
 #include "plot/legend_item.h"
 #include "plot/model/plot_sentence.h"
 #include "plot/plot_painter.h"
@@ -17,9 +18,31 @@
 
 namespace ravnoves {
 
+namespace {
+
+/// A screen reader that asks for the description gets the sentence, made then and not at every
+/// frame.
+class AccessiblePlot final : public QAccessibleWidget {
+  public:
+    explicit AccessiblePlot(PlotView* plot) : QAccessibleWidget(plot, QAccessible::Chart) {}
+
+    QString text(QAccessible::Text kind) const override {
+        return kind == QAccessible::Description ? static_cast<PlotView*>(widget())->sentence()
+                                                : QAccessibleWidget::text(kind);
+    }
+};
+
+QAccessibleInterface* makeAccessible(const QString& /*className*/, QObject* object) {
+    auto* plot = qobject_cast<PlotView*>(object);
+    return plot != nullptr ? new AccessiblePlot(plot) : nullptr;
+}
+
+}  // namespace
+
 PlotView::PlotView(QWidget* parent)
     : QWidget(parent), painter_(std::make_unique<PlotPainter>(data_)) {
-    makePlotsAccessible();
+    [[maybe_unused]] static const bool isAccessible =
+        (QAccessible::installFactory(makeAccessible), true);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);  // nothing behind it is painted first

@@ -13,6 +13,7 @@
 #include "studies/model/result_words.h"
 #include "studies/model/study_figures.h"
 #include "studies/model/study_model.h"
+#include "studies/model/study_tables.h"
 #include "studies/model/sweep_model.h"
 #include "studies/tolerance_switch.h"
 #include "studies/tornado_view.h"
@@ -44,16 +45,19 @@ QString shareText(const StudyAnswer& value, const studies::Watched& watched, dou
     return value.within ? limits + QStringLiteral(": ") + value.withinText() : limits;
 }
 
-Table givenTolerances(const StudyModel& study) {
+Table givenTolerances(StudyModel& study) {
     Table table;
     table.caption = ReportWords::tr("Inputs and their tolerances");
     table.headings = {ReportWords::tr("Input"), ReportWords::tr("Value"), QStringLiteral("±")};
     table.numbers = {false, true, true};
-    for (const StudyModel::Input& input : study.inputs()) {
-        if (input.varied) {
-            table.rows << QStringList{StudyModel::nameText(input).toHtmlEscaped(),
-                                      StudyModel::nominalText(input).toHtmlEscaped(),
-                                      StudyModel::scatterShown(input).toHtmlEscaped()};
+    const ScatterTable inputs(&study);
+    for (int row = 0; row < inputs.rowCount(); ++row) {
+        QStringList cells;
+        for (int column = 0; column < inputs.columnCount(); ++column) {
+            cells << inputs.index(row, column).data().toString().toHtmlEscaped();
+        }
+        if (!cells.last().isEmpty()) {
+            table.rows << cells;
         }
     }
     return table;

@@ -60,12 +60,6 @@ class StudyModel : public QObject {
 
     /// "0.02", "1 %", "σ 0.5", in the unit of its field; empty where the input does not scatter.
     static QString scatterText(const Input& input);
-    /// With the unit shown.
-    static QString scatterShown(const Input& input);
-    /// Its name; a missing input's with a word on that.
-    static QString nameText(const Input& input);
-    /// Its value with that unit; a dash where it is missing.
-    static QString nominalText(const Input& input);
     /// Takes the same of some inputs by their pointers, as one step; an empty text takes an input
     /// out. All of them are taken, or none.
     /// @return an empty string, or why it cannot be

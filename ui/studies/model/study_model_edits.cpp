@@ -55,25 +55,6 @@ QString StudyModel::scatterText(const Input& input) {
     return {};
 }
 
-QString StudyModel::scatterShown(const Input& input) {
-    const QString scatter = scatterText(input);
-    return scatter.isEmpty() || scatter.endsWith(u'%') ? scatter
-                                                       : withUnit(scatter, input.shown.name);
-}
-
-QString StudyModel::nameText(const Input& input) {
-    return input.isMissing ? tr("%1 (no longer in the case)").arg(input.name) : input.name;
-}
-
-QString StudyModel::nominalText(const Input& input) {
-    if (input.isMissing) {
-        return QStringLiteral("–");
-    }
-    constexpr int digits = 8;
-    return withUnit(trueMinus(writtenOut(input.shown.factor * input.value, QLocale(), digits)),
-                    input.shown.name);
-}
-
 QString StudyModel::setScatter(const std::vector<std::pair<std::string, QString>>& texts) {
     if (isRejected_) {
         return trouble_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "studies/model/result_words.h"
+#include "text/number_text.h"
 
 namespace ravnoves {
 
@@ -140,10 +141,20 @@ QVariant ScatterTable::data(const QModelIndex& index, int role) const {
 
 QString ScatterTable::text(int row, int column, bool isEdited) const {
     const StudyModel::Input& shown = input(row);
-    return column == Name      ? StudyModel::nameText(shown)
-           : column == Nominal ? StudyModel::nominalText(shown)
-           : isEdited          ? StudyModel::scatterText(shown)
-                               : StudyModel::scatterShown(shown);
+    if (column == Name) {
+        return shown.isMissing ? StudyModel::tr("%1 (no longer in the case)").arg(shown.name)
+                               : shown.name;
+    }
+    if (column == Nominal) {
+        constexpr int digits = 8;
+        const double value = shown.shown.factor * shown.value;
+        return shown.isMissing
+                   ? QStringLiteral("–")
+                   : withUnit(trueMinus(writtenOut(value, QLocale(), digits)), shown.shown.name);
+    }
+    const QString scatter = StudyModel::scatterText(shown);
+    const bool isPlain = isEdited || scatter.isEmpty() || scatter.endsWith(u'%');
+    return isPlain ? scatter : withUnit(scatter, shown.shown.name);
 }
 
 QString ScatterTable::write(int row, int /*column*/, const std::vector<QStringList>& cells) {
