@@ -15,7 +15,7 @@
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"
 #include "studies/model/sweep_model.h"
-#include "studies/tolerance_switch.h"
+#include "studies/tolerance_bands.h"
 #include "studies/tornado_view.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -167,7 +167,7 @@ void addTolerances(Report& report, SceneModel& model, const Patience& patience) 
         return;
     }
     report.items.push_back(givenTolerances(study));
-    if (ToleranceSwitch::instance().isOn()) {
+    if (ToleranceBands::areShown()) {
         report.say(ReportWords::tr(
                        "Bands about curves and ± beside numbers are the range from 5 % to 95 % "
                        "of 128 samples."),

@@ -1,6 +1,8 @@
 #include "studies/tolerance_bands.h"
 
+#include <QApplication>
 #include <QEvent>
+#include <QSettings>
 #include <QTabWidget>
 #include <QThread>
 
@@ -12,7 +14,6 @@
 #include "studies/model/part_numbers.h"
 #include "studies/model/scattered_inputs.h"
 #include "studies/model/study_model.h"
-#include "studies/tolerance_switch.h"
 #include "text/preferences.h"
 
 namespace ravnoves {
@@ -20,6 +21,7 @@ namespace ravnoves {
 namespace {
 
 constexpr int handRestsMs = 250;
+const QString shownKey = QStringLiteral("tolerances/shown");
 
 }  // namespace
 
@@ -48,8 +50,6 @@ ToleranceBands::ToleranceBands(ScenePage* page)
     for (const QTabWidget* tabs : page->findChildren<QTabWidget*>()) {
         connect(tabs, &QTabWidget::currentChanged, this, &ToleranceBands::beginLater);
     }
-    connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, this,
-            &ToleranceBands::outdate);
     // The parts of a sample are written as the user wants them; the page is made again then.
     connect(&Preferences::instance(), &Preferences::aboutToChange, job_, &BackgroundJob::stop);
     connect(job_, &BackgroundJob::failed, this, [this] { clear(false); });
@@ -59,6 +59,19 @@ ToleranceBands::ToleranceBands(ScenePage* page)
 
 ToleranceBands::~ToleranceBands() {
     delete job_;  // before what its work asks for
+}
+
+bool ToleranceBands::areShown() {
+    return QSettings().value(shownKey, true).toBool();
+}
+
+void ToleranceBands::setShown(bool shown) {
+    QSettings().setValue(shownKey, shown);
+    for (const QWidget* window : QApplication::topLevelWidgets()) {
+        for (ToleranceBands* bands : window->findChildren<ToleranceBands*>()) {
+            bands->outdate();
+        }
+    }
 }
 
 bool ToleranceBands::isBusy() const {
@@ -79,8 +92,7 @@ bool ToleranceBands::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool ToleranceBands::isWanted() const {
-    return !study_.vary.empty() && study_.method != studies::Method::grid &&
-           ToleranceSwitch::instance().isOn();
+    return !study_.vary.empty() && study_.method != studies::Method::grid && areShown();
 }
 
 studies::Study ToleranceBands::readStudy() const {

@@ -28,6 +28,10 @@ class ToleranceBands : public QObject {
     explicit ToleranceBands(ScenePage* page);
     ~ToleranceBands() override;
 
+    /// Whether pages show them: one choice for the program, kept for the next start.
+    static bool areShown();
+    static void setShown(bool shown);
+
     /// True until the visible parts have their bands.
     bool isBusy() const;
     /// Solves the samples; with progress.

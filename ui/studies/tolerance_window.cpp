@@ -33,7 +33,7 @@
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"
 #include "studies/sweep_view.h"
-#include "studies/tolerance_switch.h"
+#include "studies/tolerance_bands.h"
 #include "studies/tornado_view.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -289,16 +289,14 @@ QWidget* ToleranceWindow::makeAnswers() {
     answers_->addWidget(makeNextStep());
     answers_->addWidget(makeFound());
     column->addWidget(answers_, 1);
-    auto* bands = new QCheckBox(tr("Show &bands and ± on the page"), holder);
-    bands->setObjectName(QStringLiteral("bands"));
-    bands->setChecked(ToleranceSwitch::instance().isOn());
-    connect(bands, &QCheckBox::toggled, &ToleranceSwitch::instance(), &ToleranceSwitch::setOn);
-    connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, bands, &QCheckBox::setChecked);
+    bands_ = new QCheckBox(tr("Show &bands and ± on the page"), holder);
+    bands_->setObjectName(QStringLiteral("bands"));
+    connect(bands_, &QCheckBox::clicked, &ToleranceBands::setShown);
     auto* progress = new JobProgress(model_->job(), tr("Progress"), holder);
     constexpr int minProgress = 60;  // beside long words
     progress->setMinimumWidth(Theme::withText(minProgress));
     auto* below = new QHBoxLayout;
-    below->addWidget(bands, 1);
+    below->addWidget(bands_, 1);
     below->addWidget(progress);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, holder);
     buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);  // Enter is of the tables
@@ -520,6 +518,7 @@ void ToleranceWindow::showChosen() {
 void ToleranceWindow::showEvent(QShowEvent* event) {
     QDialog::showEvent(event);
     model_->setWatched(true);
+    bands_->setChecked(ToleranceBands::areShown());
     QMetaObject::invokeMethod(
         tabs_, [this] { fitTitles(tabs_); }, Qt::QueuedConnection);
 }

@@ -3,6 +3,7 @@
 #include <QDialog>
 #include <string>
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -61,6 +62,7 @@ class ToleranceWindow : public QDialog {
     TableEditor* inputs_ = nullptr;
     TableEditor* watched_ = nullptr;
     QPushButton* watchable_ = nullptr;
+    QCheckBox* bands_ = nullptr;
     QComboBox* method_ = nullptr;
     QComboBox* samples_ = nullptr;
     QStackedWidget* answers_ = nullptr;

@@ -24,7 +24,6 @@
 #include "shown_number.h"
 #include "studies/model/part_numbers.h"
 #include "studies/tolerance_bands.h"
-#include "studies/tolerance_switch.h"
 #include "text/csv_format.h"
 #include "text/file_path.h"
 #include "text/preferences.h"
@@ -170,10 +169,10 @@ TEST_F(Bands, AreNotAwaitedOnceTheTolerancesAreUndone) {
 
 TEST_F(Bands, AreSwitchedOffAndOn) {
     open("balance-shaft", {{"/centre_distance_mm", {{"plus_minus", 1.0}}}});
-    ToleranceSwitch::instance().setOn(false);
+    ToleranceBands::setShown(false);
     EXPECT_FALSE(plot(3)->data().hasSpread());
     EXPECT_FALSE(page->isBusy());
-    ToleranceSwitch::instance().setOn(true);
+    ToleranceBands::setShown(true);
     settle();
     EXPECT_TRUE(plot(3)->data().hasSpread());
     page->model()->undo();  // no tolerances any more
@@ -192,10 +191,10 @@ TEST_F(Bands, AreInPicturesAndTables) {
     const QString with = svg();
     EXPECT_TRUE(with.contains(u"5…95 %"_s));
     EXPECT_TRUE(moments->csv(CsvFormat(QLocale::c())).contains(u"95 %"_s));
-    ToleranceSwitch::instance().setOn(false);
+    ToleranceBands::setShown(false);
     EXPECT_FALSE(svg().contains(u"5…95 %"_s));
     EXPECT_LT(svg().count(u"fill-opacity=\"0.25"_s), with.count(u"fill-opacity=\"0.25"_s));
-    ToleranceSwitch::instance().setOn(true);
+    ToleranceBands::setShown(true);
 }
 
 TEST_F(Bands, RestBeforeTheUnitsChange) {
