@@ -17033,10 +17033,6 @@ but no position is feasible</source>
         <source>Dark: share of the variance of an input alone (Sobol&apos;s first-order index). Light: further share with other inputs (total index).</source>
         <translation>Тёмное: доля дисперсии одной величины (индекс Соболя первого порядка). Светлое: ещё вместе с другими (полный индекс).</translation>
     </message>
-    <message>
-        <source>others: %1</source>
-        <translation>остальных: %1</translation>
-    </message>
 </context>
 <context>
     <name>ravnoves::TorqueSourceEditor</name>

@@ -107,9 +107,9 @@ Table foundValues(const StudyAnswers& answers, const StudyModel& model) {
 
 Drawing tornadoOf(const StudyModel& study, const StudyAnswer& value) {
     auto view = std::make_shared<TornadoView>();
-    showShares(*view, value, study);
-    const auto rows = static_cast<int>(std::min<std::size_t>(value.shares.size(), 12));
-    const QSize size(640, 60 + 26 * rows);
+    view->setShares(&value, study);
+    constexpr int width = 640;
+    const QSize size(width, view->heightForWidth(width));
     view->resize(size);
     return {{}, view->accessibleName(), size, [view](QPainter& painter) {
                 QPicture lines;

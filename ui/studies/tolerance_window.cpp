@@ -366,7 +366,7 @@ QWidget* ToleranceWindow::makeFound() {
     tabs_ = new QTabWidget(holder);
     tabs_->setUsesScrollButtons(true);
     tornado_ = new TornadoView(tabs_);
-    tabs_->addTab(tornado_, tr("Main contributors"));
+    addScrolledTab(tabs_, tornado_, QStringLiteral("contributors"), tr("Main contributors"));
     histogram_ = new PlotView(tabs_);
     tabs_->addTab(histogram_, tr("Histogram"));
     sweep_ = new SweepView(model_, tabs_);
@@ -504,15 +504,11 @@ void ToleranceWindow::showChosen() {
     const StudyAnswers* answers = model_->answers();
     const auto row = static_cast<std::size_t>(std::max(table_->currentRow(), 0));
     histogram_->setFaded(model_->isStale(), model_->isStale() ? tr("Computing…") : QString());
-    tornado_->setFaded(model_->isStale());
+    tornado_->setEnabled(!model_->isStale());
     const StudyAnswer* value =
         answers != nullptr && row < answers->values.size() ? &answers->values[row] : nullptr;
     histogram_->showFigure(histogramFigure(*model_, value));
-    if (value == nullptr) {
-        tornado_->setBars({}, {});
-    } else {
-        showShares(*tornado_, *value, *model_);
-    }
+    tornado_->setShares(value, *model_);
 }
 
 void ToleranceWindow::showEvent(QShowEvent* event) {

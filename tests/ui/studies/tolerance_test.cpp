@@ -37,7 +37,6 @@
 #include "studies/study_run.h"
 #include "studies/sweep_view.h"
 #include "studies/tolerance_window.h"
-#include "studies/tornado_view.h"
 #include "text/language.h"
 #include "text/number_text.h"
 #include "text/preferences.h"
