@@ -111,7 +111,6 @@ studies::Study ToleranceBands::readStudy() const {
 
 void ToleranceBands::outdate() {
     isOfAll_ = false;
-    ++run_;
     job_->cancel();
     if (!spreads_.empty() || (isAwaited_ && !isWanted())) {
         clear(isWanted());
@@ -124,7 +123,6 @@ void ToleranceBands::outdate() {
 
 void ToleranceBands::beginLater() {
     if (!isOfAll_ && isWanted() && page_->isVisible()) {
-        ++run_;
         job_->cancel();
         rest_.start();
     }
@@ -172,7 +170,7 @@ void ToleranceBands::begin() {
     sample->takeView(model);
     sample->moveToThread(nullptr);
     auto numbers = std::make_shared<PartNumbers>(model, ids);
-    job_->start([this, run = ++run_, inputs, numbers, sample = std::move(sample)](
+    job_->start([this, inputs, numbers, sample = std::move(sample)](
                     const BackgroundJob::Progress& progress) mutable -> std::function<void()> {
         const std::shared_ptr<SceneModel> own = std::move(sample);
         own->moveToThread(QThread::currentThread());
@@ -187,14 +185,11 @@ void ToleranceBands::begin() {
             }
             numbers->add(*own);
         }
-        return [this, run, samples = numbers->samples(),
+        return [this, samples = numbers->samples(),
                 spreads = numbers->spreads(
                     tr("Half of the range from 5 % to 95 % of %1 samples of the tolerances; both "
                        "sides where they differ.")
                         .arg(numbers->samples()))] {
-            if (run != run_) {
-                return;
-            }
             if (samples == 0) {
                 clear(false);  // no sample can be solved
                 return;

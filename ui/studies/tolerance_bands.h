@@ -62,7 +62,6 @@ class ToleranceBands : public QObject {
     std::map<std::string, PartSpread, std::less<>> spreads_;
     studies::Study study_;
     QTimer rest_;
-    int run_ = 0;  ///< whose samples count
     int solutions_ = -1;
     bool isOfAll_ = false;
     bool isAwaited_ = false;  ///< tables show "± …"
