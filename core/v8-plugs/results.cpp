@@ -286,28 +286,38 @@ Verdict verdict_of_plugs(const Input& input, const Result& result) {
     return {works ? Severity::good : Severity::error, advice_text(input, result)};
 }
 
-Message plug_doubt(const Input& input, const Result& result) {
+PlugDoubt plug_doubt(const Input& input, const Result& result) {
     const auto geometry = input.plug ? input.plug->geometry() : std::nullopt;
     const bool solid = geometry && geometry->bore_depth <= 0.0;
     const std::tuple<const std::optional<PlugMass>&, std::optional<double> Engine::*, Text>
         plugs[] = {
             {result.steel_plug, &Engine::steel_plug_mass, Text::tr("Steel plug")},
             {result.aluminium_plug, &Engine::aluminium_plug_mass, Text::tr("Aluminium plug")}};
+    const auto& advice = result.advice;
+    const bool takes_aluminium = advice && advice->option && !has_steel_plugs(advice->option->id);
+    PlugDoubt doubt;
     for (const auto& [mass, member, name] : plugs) {
         if (!mass || mass->fits) {
             continue;
         }
+        PlugDoubt found;
         if (is_printed(input, member)) {
-            return Text::tr("The plug mass is from the paper: weigh the plugs.");
+            found = {Text::tr("The plug mass is from the paper: weigh the plugs."),
+                     advice && (member == &Engine::steel_plug_mass || takes_aluminium)};
+        } else {
+            found = {{solid ? Text::tr("%1: %2 entered, but a solid plug of these dimensions "
+                                       "weighs %3. Enter its bore or weigh the plug.")
+                            : Text::tr("%1: %2 entered, but a plug of these dimensions weighs "
+                                       "%3. Weigh the plug."),
+                      name, shop::in_grams(mass->typed),
+                      Number{mass->geometry / units::gram, units::gram, -1}},
+                     !solid || mass->typed > mass->geometry};
         }
-        return {solid ? Text::tr("%1: %2 entered, but a solid plug of these dimensions weighs %3. "
-                                 "Enter its bore or weigh the plug.")
-                      : Text::tr("%1: %2 entered, but a plug of these dimensions weighs %3. Weigh "
-                                 "the plug."),
-                name, shop::in_grams(mass->typed),
-                Number{mass->geometry / units::gram, units::gram, -1}};
+        if (doubt.text.empty() || (found.is_certain && !doubt.is_certain)) {
+            doubt = std::move(found);
+        }
     }
-    return {};
+    return doubt;
 }
 
 }  // namespace ravnoves::v8_plugs

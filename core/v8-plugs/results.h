@@ -25,9 +25,12 @@ Message plug_work(const Input& input, const Result& result);
 /// Whether the plugs can compensate, without machine and warnings.
 Verdict verdict_of_plugs(const Input& input, const Result& result);
 
-/// That the plug's sizes do not fit its mass, as it was entered or as the paper prints it; empty
-/// where they do.
-Message plug_doubt(const Input& input, const Result& result);
+/// That the plug's sizes do not fit its mass, as it was entered or as the paper prints it.
+struct PlugDoubt {
+    Message text;             ///< empty where they do
+    bool is_certain = false;  ///< the answer uses a mass that no bore makes right
+};
+PlugDoubt plug_doubt(const Input& input, const Result& result);
 
 /// The formulas that the result of this input rests on, in the order of the computation.
 std::vector<Formula> formulas(const Input& input);

@@ -245,27 +245,13 @@ Messages gear_against_parts(const DoubtCase& job) {
 
 // ------------------------------------------------------------------------------------ plugs
 
-/// Whether what is typed of a plug leaves no doubt about what it should weigh: with a bore, or
-/// heavier than a solid one.
-bool is_plug_known(const DoubtCase& job) {
-    const auto geometry = job.plugs_input->plug ? job.plugs_input->plug->geometry() : std::nullopt;
-    if (!geometry) {
-        return false;
-    }
-    const auto too_heavy = [](const std::optional<v8_plugs::PlugMass>& mass) {
-        return mass && !mass->fits && mass->typed > mass->geometry;
-    };
-    return geometry->bore_depth > 0.0 || too_heavy(job.plugs->steel_plug) ||
-           too_heavy(job.plugs->aluminium_plug);
-}
-
-template <bool known>
+template <bool certain>
 Messages plug_doubt(const DoubtCase& job) {
-    if (job.plugs == nullptr || is_plug_known(job) != known) {
+    if (job.plugs == nullptr) {
         return {};
     }
-    Message doubt = v8_plugs::plug_doubt(*job.plugs_input, *job.plugs);
-    return doubt.empty() ? Messages() : Messages{std::move(doubt)};
+    const v8_plugs::PlugDoubt doubt = v8_plugs::plug_doubt(*job.plugs_input, *job.plugs);
+    return doubt.text.empty() || doubt.is_certain != certain ? Messages() : Messages{doubt.text};
 }
 
 /// Whether the plugs are answered by weights, and this part counts by its nominal mass as long as

@@ -182,7 +182,7 @@ void visit_results(ResultVisitor& visitor, const PlugsCase& input) {
         if (const v8_plugs::ShiftEffect* shift = result.plugs->shift_that_matters()) {
             verdict.warn(describe(*shift, plugs.tolerance));
         }
-        verdict.warn(v8_plugs::plug_doubt(plugs, *result.plugs));
+        verdict.warn(v8_plugs::plug_doubt(plugs, *result.plugs).text);
         const bob_weights::RunResult* newest = result.shaft.newest();
         if (!result.shaft.holds()) {
             verdict.warn(

@@ -74,13 +74,16 @@ inline ::testing::AssertionResult begins(const QString& text, const QString& par
            << qPrintable(text);
 }
 
-/// A new job of an engine with plugs.
+/// A new job of an engine with plugs, by the paper's masses: without the sizes that contradict
+/// them.
+inline void beginPlugs(WorkshopModel& model) {
+    model.setHasPlugs(true);
+    model.editPlugs({}, [](v8_plugs::Input& plugs) { plugs.plug.reset(); });
+    model.newJob();
+}
 class PlugsModel : public WorkshopModel {
   public:
-    explicit PlugsModel(const QString& journal = {}) : WorkshopModel(journal) {
-        setHasPlugs(true);
-        newJob();
-    }
+    explicit PlugsModel(const QString& journal = {}) : WorkshopModel(journal) { beginPlugs(*this); }
 };
 
 /// The page over a journal of its own, used as a person does. Not in an anonymous namespace: the
@@ -291,8 +294,7 @@ class ReadJobTest : public CardJobTest {
 class PlugsPageTest : public JobPageTest {
   protected:
     PlugsPageTest() {
-        model->setHasPlugs(true);
-        model->newJob();
+        beginPlugs(*model);
         model->desk()->setCardLanguage(QStringLiteral("en"));
     }
     ~PlugsPageTest() override { model->desk()->setCardLanguage({}); }

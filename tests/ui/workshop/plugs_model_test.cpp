@@ -77,7 +77,6 @@ TEST_F(PlugsModelTest, HalfFilledSheetNamesWhatIsMissing) {
 
 TEST_F(PlugsModelTest, RulesBetweenFieldsAreNamedNotLost) {
     PlugsModel model;
-    model.editPlugs(u"sizes"_s, [](auto& input) { input.plug.reset(); });
     model.editPlugs(u"limit"_s, [](auto& input) { input.engine.max_steel_reduction = 3 * gram; });
     EXPECT_EQ(
         model.troubles(),
@@ -89,7 +88,8 @@ TEST_F(PlugsModelTest, RulesBetweenFieldsAreNamedNotLost) {
 }
 
 TEST_F(PlugsModelTest, PresetsBringThePrintedSizes) {
-    PlugsModel model;
+    WorkshopModel model{QString()};
+    model.setHasPlugs(true);
     EXPECT_EQ(*model.input().plugs->plug, printed_plug("4.25 l"));
     EXPECT_NEAR(model.input().plugs->plug->thread->diameter, 22e-3, 1e-12);
     // The printed masses do not fit the printed sizes: no fault of who has typed nothing.
@@ -105,6 +105,11 @@ TEST_F(PlugsModelTest, PresetsBringThePrintedSizes) {
     EXPECT_TRUE(has(doubt, u"27.9"_s));
     model.editPlugs(u"printed"_s, [&](auto& input) { input = printed; });
     EXPECT_TRUE(isOfThePaper());
+    EXPECT_FALSE(model.withheld().any()) << "there is no answer yet";
+    model.editPlugs(u"none"_s, [](auto& input) { input.changes_given = true; });
+    EXPECT_TRUE(model.withheld().bob_weight) << "no plug was weighed";
+    EXPECT_EQ(model.adviceText(), QString());
+    model.editPlugs(u"printed"_s, [&](auto& input) { input = printed; });
     model.chooseEngine(3);  // 8.32 l: none printed
     EXPECT_FALSE(model.input().plugs->plug.value_or(PlugSheet{}).thread);
 }
@@ -124,7 +129,6 @@ TEST_F(PlugsModelTest, AGapInAColumnThatDoesNotCountBreaksNoRule) {
 
 TEST_F(PlugsModelTest, ColumnsHalfWeighedAreNamed) {
     PlugsModel model;
-    model.editPlugs(u"sizes"_s, [](auto& input) { input.plug.reset(); });
     model.editWeights(u"weigh"_s, [](shop::WeighIn& sheet) {
         sheet[Part::pin].nominal = 150 * gram;
         sheet[Part::pin].mass[0] = 151 * gram;

@@ -33,7 +33,7 @@ TEST_F(PlugsPageTest, AnswerIsThatOfTheShiftWhereItMatters) {
     model->editPlugs(u"plug"_s, [](auto& input) {
         input.plug.emplace();
         input.plug->thread = Thread{22e-3, 1.5e-3};
-        input.plug->height = 14e-3;
+        input.plug->height = 14.01e-3;  // not the paper's
         input.plug->cutter_diameter = 14e-3;
     });
     EXPECT_TRUE(model->plugs()->shift_that_matters());
