@@ -360,6 +360,10 @@
         <source>%1 (%2 at R %3)</source>
         <translation>%1 (%2 на R %3)</translation>
     </message>
+    <message>
+        <source>The machine shows the heavy spot; holes are there.</source>
+        <translation>Станок показывает тяжёлое место; отверстия — там же.</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -17845,14 +17849,6 @@ but no position is feasible</source>
         <translation>Масса × множитель</translation>
     </message>
     <message>
-        <source>Readings of the run, transferred to the front plane</source>
-        <translation>Показания пуска, перенесённые в переднюю плоскость</translation>
-    </message>
-    <message>
-        <source>Readings of the run, transferred to the rear plane</source>
-        <translation>Показания пуска, перенесённые в заднюю плоскость</translation>
-    </message>
-    <message>
         <source>Both readings, transferred to the correction planes (same force, same moment)</source>
         <translation>Оба показания, перенесённые в плоскости коррекции (та же сила, тот же момент)</translation>
     </message>
@@ -17947,6 +17943,10 @@ but no position is feasible</source>
     <message>
         <source>Cleared: weighed masses, readings, holes and the crankshaft’s mass. All else is kept.</source>
         <translation>Очищены: взвешенные массы, показания, отверстия и масса вала. Остальное сохранено.</translation>
+    </message>
+    <message>
+        <source>Readings of the run, transferred to this plane</source>
+        <translation>Показания пуска, перенесённые в эту плоскость</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "bob-weights/fields.h"
 #include "model/editable_table.h"
@@ -130,11 +131,21 @@ void MachineSheet::addHold() {
     follow([this] { hold_->setVisible(isDoubtful()); });
 }
 
+/// A cell whose name follows that of its plane.
+NumberField* MachineSheet::cellOfPlane(const Field& field, const QString& key,
+                                       const std::function<QString()>& name) {
+    NumberField* made = cell(field, key, name());
+    follow([made, name] {
+        if (made->accessibleName() != name()) {
+            made->setAccessibleName(name());
+        }
+    });
+    return made;
+}
+
 void MachineSheet::buildPlanes() {
     section(tr("Planes"));
-    const std::array names{WorkshopModel::planeName(Words(), {}, 0),
-                           WorkshopModel::planeName(Words(), {}, 1)};
-    const auto sheet = this->grid({QString(), names[0], names[1]});
+    const auto sheet = this->grid({QString(), QString(), QString()});
     followNames(sheet.first, {{1, 0}, {2, 1}}, {});
     QGridLayout* const grid = sheet.first;
     TroubleLine* const trouble = sheet.second;
@@ -147,9 +158,11 @@ void MachineSheet::buildPlanes() {
         label->setFont(Theme::font(Theme::smallSize));
         grid->addWidget(label, at, 0);
         for (std::size_t plane = 0; plane < 2; ++plane) {
-            const QString name = names[plane] + QStringLiteral(": ") + fieldName(field);
-            NumberField* made =
-                cell(field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(plane + 1), name);
+            const auto name = [this, plane, label = fieldName(field)] {
+                return model_->planeName(plane) + QStringLiteral(": ") + label;
+            };
+            NumberField* made = cellOfPlane(
+                field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(plane + 1), name);
             bind(
                 made, field,
                 [this, get, plane] {
@@ -160,7 +173,7 @@ void MachineSheet::buildPlanes() {
                 },
                 [this, get, plane, name](Value value) {
                     model_->editCorrection(
-                        name, [&](Correction& correction) { get(correction, plane) = value; });
+                        name(), [&](Correction& correction) { get(correction, plane) = value; });
                 });
             trouble->watch(made);
             grid->addWidget(made, at, static_cast<int>(plane) + 1);
@@ -190,6 +203,7 @@ void MachineSheet::buildPlanes() {
 }
 
 void MachineSheet::buildRuns() {
+    using Shows = workshop::Machine::Shows;
     section(tr("Readings: before, and after each drilling"));
     const Words words;
     const QString unit = words.unit(units::gram_mm);
@@ -206,15 +220,19 @@ void MachineSheet::buildRuns() {
         for (std::size_t plane = 0; plane < 2; ++plane) {
             for (const bool isAngle : {false, true}) {
                 const Field& field = isAngle ? field::angle : field::unbalance;
-                const QString name = WorkshopModel::runName(words, run) + QStringLiteral(", ") +
-                                     WorkshopModel::planeName(words, {}, plane) +
-                                     QStringLiteral(": ") + fieldName(field);
+                const auto name = [this, plane, isAngle,
+                                   ofRun = WorkshopModel::runName(words, run)] {
+                    return ofRun + QStringLiteral(", ") + model_->planeName(plane) +
+                           QStringLiteral(": ") +
+                           (isAngle ? WorkshopModel::spotName({}, model_->input().machine)
+                                    : fieldName(field::unbalance));
+                };
                 const QString key =
                     QStringLiteral("%1_%2")
                         .arg(isAngle ? QStringLiteral("angle") : QStringLiteral("unbalance"))
                         .arg(plane + 1);
-                NumberField* made = ordered(
-                    cell(field, run == 0 ? key : QStringLiteral("run_%1_").arg(run) + key, name));
+                NumberField* made = ordered(cellOfPlane(
+                    field, run == 0 ? key : QStringLiteral("run_%1_").arg(run) + key, name));
                 readings_ << made;
                 if (!isAngle) {
                     made->setLever([this, plane]() -> std::optional<double> {
@@ -232,12 +250,12 @@ void MachineSheet::buildRuns() {
                     made, field,
                     [this, run, plane, isAngle] { return model_->reading(run, plane, isAngle); },
                     [this, run, plane, isAngle, name](std::optional<double> value) {
-                        model_->editReading(name, run, plane, isAngle, value);
+                        model_->editReading(name(), run, plane, isAngle, value);
                     });
                 // What is typed again is read again, be it the same number.
                 connect(made, &QLineEdit::textEdited, this, [=, this] {
                     if (made->isDoubtful() && made->trouble().isEmpty()) {
-                        model_->editReading(name, run, plane, isAngle,
+                        model_->editReading(name(), run, plane, isAngle,
                                             model_->reading(run, plane, isAngle));
                     }
                 });
@@ -246,10 +264,17 @@ void MachineSheet::buildRuns() {
                     return result != nullptr && !result->holds() && made->value();
                 });
                 if (isAngle) {
-                    follow([this, run, plane, made, hint = made->placeholderText()] {
+                    follow([this, run, plane, made, empty = made->placeholderText()] {
                         const auto unbalance = model_->reading(run, plane, false);
                         const bool isMissing = !unbalance || has_direction(*unbalance);
-                        made->setPlaceholderText(isMissing ? hint : QStringLiteral("–"));
+                        made->setPlaceholderText(isMissing ? empty : QStringLiteral("–"));
+                    });
+                    follow([this, made, was = Shows::heavy]() mutable {
+                        const Shows shows = model_->input().machine.shows;
+                        if (std::exchange(was, shows) != shows) {
+                            made->setHint(fieldHint(shows == Shows::light ? workshop::field::shows
+                                                                          : field::angle));
+                        }
                     });
                 }
                 trouble->watch(made);

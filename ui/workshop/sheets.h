@@ -111,6 +111,9 @@ class MachineSheet : public WorkshopSheet {
     void buildRuns();
     void buildPlanes();
     void buildTolerance();
+    void buildMachine();
+    NumberField* cellOfPlane(const Field& field, const QString& key,
+                             const std::function<QString()>& name);
     void followNames(QGridLayout* grid, const std::vector<std::pair<int, int>>& columns,
                      const QStringList& units);
 

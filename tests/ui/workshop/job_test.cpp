@@ -1482,12 +1482,17 @@ TEST_F(ReadJobTest, UnbalancesFollowTheirUnit) {
 
 TEST_F(ReadJobTest, TheMachineIsSetUpAsItCountsAndShows) {
     const double heavy = (*model->solution().correction)[0].holes.at(0).angle;
+    EXPECT_TRUE(has(label("convention"), u"shows the heavy spot"_s));
+    EXPECT_TRUE(has(cardText(), u"shows the heavy spot"_s));
     keys("shows", {Qt::Key_Down});
     EXPECT_EQ(model->input().machine.shows, workshop::Machine::Shows::light);
     EXPECT_NEAR((*model->solution().correction)[0].holes.at(0).angle, heavy + pi, 1e-9);
     EXPECT_EQ(field("angle_1")->value(), 75.0) << "as the machine shows it";
     type("zero", u"keyway"_s);
     type("planes", u"left, right"_s);
+    EXPECT_TRUE(begins(field("radius_1")->accessibleName(), u"Left: Radius"_s));
+    EXPECT_TRUE(begins(field("angle_2")->accessibleName(), u"Before, Right: Light spot"_s));
+    EXPECT_TRUE(begins(field("angle_2")->accessibleDescription(), u"Spot shown by the machine"_s));
     EXPECT_TRUE(begins(model->holeResults().rows.at(0).at(0).text, u"Left: "_s));
     const QString printed = cardText();
     EXPECT_TRUE(hasAll(printed, {u"Left"_s, u"0°: keyway."_s, u"shows the light spot"_s}));

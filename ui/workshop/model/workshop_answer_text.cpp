@@ -97,6 +97,10 @@ QString WorkshopModel::planeName(const Words& words, const workshop::Machine& ma
     return words.message(shop::plane_title(machine.planes, plane));
 }
 
+QString WorkshopModel::spotName(const Words& words, const workshop::Machine& machine) {
+    return words.text(workshop::shows_words[static_cast<std::size_t>(machine.shows)].label);
+}
+
 QString WorkshopModel::runName(const Words& words, std::size_t run) {
     return run == 0 ? words.translate("BobWeights", "Before")
                     : words.translate("BobWeights", "Run %1").arg(run);
@@ -131,7 +135,9 @@ QString valueMissing(const Words& words, const workshop::Input& input, std::size
                      std::size_t plane, const Field& field) {
     return words.translate("BobWeights", "Sheet 5, %1, %2: enter %3.")
         .arg(WorkshopModel::runName(words, run - first_run(input.correction)),
-             WorkshopModel::planeName(words, input.machine, plane), words.name(field));
+             WorkshopModel::planeName(words, input.machine, plane),
+             field.key == field::angle.key ? WorkshopModel::spotName(words, input.machine)
+                                           : words.name(field));
 }
 
 /// What an error says, with its place on the form.
@@ -701,7 +707,6 @@ QString WorkshopModel::planeName(std::size_t plane, const Words& words) const {
 
 QString WorkshopModel::machineText(const Words& words) const {
     const workshop::Machine& machine = input().machine;
-    const bool isLight = machine.shows == workshop::Machine::Shows::light;
     QStringList said{
         machine.counts == workshop::Machine::Counts::clockwise
             ? words.translate("BobWeights", "Angles are clockwise, seen from the front.")
@@ -710,10 +715,11 @@ QString WorkshopModel::machineText(const Words& words) const {
         said << words.translate("BobWeights", "0°: %1.")
                     .arg(QString::fromStdString(machine.zero).simplified());
     }
-    if (isLight) {
-        said << words.translate("BobWeights",
-                                "The machine shows the light spot; holes are opposite.");
-    }
+    said << (machine.shows == workshop::Machine::Shows::light
+                 ? words.translate("BobWeights",
+                                   "The machine shows the light spot; holes are opposite.")
+                 : words.translate("BobWeights",
+                                   "The machine shows the heavy spot; holes are there."));
     return said.join(QLatin1Char(' '));
 }
 
@@ -786,8 +792,8 @@ Results WorkshopModel::runResults() const {
     const QString unit = QStringLiteral(", ") + words.unit(units::gram_mm);
     Results results{
         {words.translate("BobWeights", "Run"),
-         {planeName(0) + unit, tr("Readings of the run, transferred to the front plane")},
-         {planeName(1) + unit, tr("Readings of the run, transferred to the rear plane")},
+         {planeName(0) + unit, tr("Readings of the run, transferred to this plane")},
+         {planeName(1) + unit, tr("Readings of the run, transferred to this plane")},
          {words.translate("BobWeights", "Verdict"), tr("By the limits of both planes")}}};
     const auto& runs = solution().runs;
     for (std::size_t run = firstRun(); newestRun() > 0 && run < runs.size(); ++run) {

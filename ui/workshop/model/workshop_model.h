@@ -195,6 +195,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     static QString planeName(const Words& words, const workshop::Machine& machine,
                              std::size_t plane);
     QString planeName(std::size_t plane, const Words& words = {}) const;
+    /// What the angles of the readings are of.
+    static QString spotName(const Words& words, const workshop::Machine& machine);
     /// "Before", "Run 1".
     static QString runName(const Words& words, std::size_t run);
     /// How the machine is set up.
