@@ -243,6 +243,9 @@ void CorrectionSheet::addHoleRow() {
         change(step, [&](DrilledHole& hole) {
             mutate(hole);
             hole.state = hole.state == HoleState::wrong_side ? hole.state : HoleState::measured;
+            if (hole.slug || !hole.is_slug()) {
+                hole.mass.reset();  // it was the plan's
+            }
         });
     };
     const auto choiceOf = [&](const Field& field, auto DrilledHole::*member, const char* key,
@@ -320,7 +323,8 @@ void CorrectionSheet::addHoleRow() {
             // What was measured is in the plan's place: undo alone brings the plan back.
             qobject_cast<QStandardItemModel*>(state->model())
                 ->item(static_cast<int>(HoleState::as_planned))
-                ->setEnabled(hole->state != HoleState::measured);
+                ->setEnabled(hole->state == HoleState::as_planned ||
+                             (hole->mass && hole->state != HoleState::measured));
             name->setText(model_->drilledName(holePlaces(model_->input())[row].run, *hole));
         }
     });

@@ -35,6 +35,10 @@ class DrilledTest : public PlugsPageTest {
             keys(name, {Qt::Key_Down});
         }
     }
+    bool isAsPlannedOffered() {
+        const QComboBox* state = find<QComboBox>("drilled_state_1");
+        return (state->model()->flags(state->model()->index(0, 0)) & Qt::ItemIsEnabled) != 0;
+    }
     /// As the verdict's doubt tells whether the holes explain what the machine read.
     QString plan() const {
         QStringList rows;
@@ -79,13 +83,7 @@ TEST_F(DrilledTest, AMeasuredAngleAndDepthCount) {
               static_cast<int>(HoleState::measured));
     EXPECT_NE(plan(), before);
     // Its plan is typed over: undo brings it back, no word does.
-    const QComboBox* state = find<QComboBox>("drilled_state_1");
-    const auto isOffered = [state](HoleState word) {
-        return (state->model()->flags(state->model()->index(static_cast<int>(word), 0)) &
-                Qt::ItemIsEnabled) != 0;
-    };
-    EXPECT_FALSE(isOffered(HoleState::as_planned));
-    EXPECT_TRUE(isOffered(HoleState::wrong_side));
+    EXPECT_FALSE(isAsPlannedOffered());
     // A rejected depth stands where any rejected entry does.
     const double planned = hole(0).depth;
     type("drilled_depth_1", u"5x"_s);
@@ -106,7 +104,37 @@ TEST_F(DrilledTest, AMeasuredAngleAndDepthCount) {
         model->history()->undo();
     }
     EXPECT_EQ(plan(), before);
-    EXPECT_TRUE(isOffered(HoleState::as_planned));
+    EXPECT_TRUE(isAsPlannedOffered());
+}
+
+TEST_F(DrilledTest, ADepthTypedOnTheWrongSideIsNotAsPlannedAfterwards) {
+    choose("drilled_state_1", HoleState::wrong_side);
+    EXPECT_TRUE(isAsPlannedOffered());
+    const double mass = drilled().holes.at(0).mass;
+    type("drilled_depth_1", u"1"_s);
+    EXPECT_EQ(hole(0).state, HoleState::wrong_side);
+    EXPECT_LT(drilled().holes.at(0).mass, 0.9 * mass) << "what is typed counts";
+    for (const HoleState other : {HoleState::not_drilled, HoleState::wrong_side}) {
+        choose("drilled_state_1", other);
+        EXPECT_FALSE(isAsPlannedOffered());
+    }
+}
+
+TEST_F(DrilledTest, WhatIsTakenOffInTotalIncludesTheDepthBefore) {
+    const auto total = [&](const char* runs) {
+        Json input = workshop::test::card();
+        input["correction"]["earlier_runs"] = parse_json(runs);
+        model->loadInput(input, {});
+        return model->drilledResults().rows.constLast().last().text;
+    };
+    EXPECT_EQ(total(R"([{"drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 9,
+                                      "angle_deg": 40}]},
+                        {"readings": [{"unbalance_g_mm": 900, "angle_deg": 40},
+                                      {"unbalance_g_mm": 0}],
+                         "drilled": [{"plane": "front", "diameter_mm": 16, "from_depth_mm": 9,
+                                      "depth_mm": 12, "angle_deg": 40}]}])"),
+              total(R"([{"drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 12,
+                                      "angle_deg": 40}]}])"));
 }
 
 TEST_F(DrilledTest, AHoleInTheOtherPlaneCountsThereAndIsTakenBackInOneStep) {

@@ -895,8 +895,9 @@ ResultCell massCell(const Words& words, double mass, bool isSlug) {
 }
 
 /// Holes that are alike are a row, with the angle of each, as many as a cell has room for.
+/// @param before  mass that a hole had taken off before it was deepened, kg
 void addDrilled(ResultRows& rows, const Words& words, const QString& run, const QString& plane,
-                const std::vector<Hole>& holes, bool isSlug) {
+                const std::vector<Hole>& holes, bool isSlug, const auto& before) {
     for (auto first = holes.begin(); first != holes.end();) {
         constexpr std::ptrdiff_t maximum = 4;
         const auto end = first + std::min(maximum, holes.end() - first);
@@ -909,7 +910,7 @@ void addDrilled(ResultRows& rows, const Words& words, const QString& run, const 
         double mass = 0.0;
         for (auto hole = first; hole != last; ++hole) {
             angles << degreesOf(words, hole->angle);
-            mass += std::round(hole->mass / printed) * printed;
+            mass += std::round((hole->mass + before(*hole)) / printed) * printed;
         }
         rows << ResultRow{run, plane + QStringLiteral(": ") + sizeName(words, isSlug, *first),
                           words.cell(first->depth, units::mm, 1),
@@ -986,9 +987,16 @@ Results WorkshopModel::drilledResults(const Words& words) const {
     for (std::size_t run = 0; run < runs.size(); ++run) {
         for (std::size_t i = 0; i < 2; ++i) {
             const Metal& metal = runs[run].drilled[i];
+            const auto before = [&](const Hole& hole) {
+                const Correction& correction = *input().correction;
+                const Cut cut{correction.planes[i].radius.value_or(0.0), correction.drill.density,
+                              correction.drill.point_angle};
+                return hole.from_depth > 0.0 ? cut.removed(hole.diameter, hole.from_depth).mass
+                                             : 0.0;
+            };
             const QString name = drilledName(words, run);
-            addDrilled(results.rows, words, name, planeName(i, words), metal.holes, false);
-            addDrilled(results.rows, words, name, planeName(i, words), metal.slugs, true);
+            addDrilled(results.rows, words, name, planeName(i, words), metal.holes, false, before);
+            addDrilled(results.rows, words, name, planeName(i, words), metal.slugs, true, before);
         }
     }
     return results;
