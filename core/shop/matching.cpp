@@ -252,6 +252,20 @@ void move_sets(WeighIn& sheet, const std::vector<int>& pistons, const std::vecto
     sheet.rod_sets = moved_numbers(before.rod_sets, rods);
 }
 
+void forget_sets(WeighIn& sheet) {
+    const auto is_weighed = [&](bool of_piston) {
+        return std::any_of(all_parts.begin(), all_parts.end(), [&](Part part) {
+            return is_of_piston(part) == of_piston && moves_with_set(sheet.matching, part) &&
+                   !sheet[part].is_empty();
+        });
+    };
+    for (const bool of_piston : {true, false}) {
+        if (!is_weighed(of_piston)) {
+            (of_piston ? sheet.piston_sets : sheet.rod_sets).clear();
+        }
+    }
+}
+
 void move_back(WeighIn& sheet) {
     const auto from = where_weighed(sheet);
     move_sets(sheet, from[0], from[1]);

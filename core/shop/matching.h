@@ -102,6 +102,9 @@ std::vector<int> part_numbers(const WeighIn& sheet, Part part);
 /// The sheet with the parts moved; the sets keep their numbers.
 void move_sets(WeighIn& sheet, const std::vector<int>& pistons, const std::vector<int>& rods);
 
+/// Sets of which nothing is weighed any more lose their numbers.
+void forget_sets(WeighIn& sheet);
+
 /// The placing, as in Matched, that returns each set to where it was weighed.
 std::array<std::vector<int>, 2> where_weighed(const WeighIn& sheet);
 /// The sheet with all parts where they were weighed.

@@ -256,6 +256,33 @@ TEST_F(ReadJobTest, ANumberThatMayMeanThousandsSaysHowItWasRead) {
     }
 }
 
+TEST_F(CardJobTest, NewPartsAreNotTheSetsThatWereMoved) {
+    model->editWeights(u"Weights"_s, [](WeighIn& sheet) {
+        sheet[shop::Part::piston].mass = {0.58, 0.59, 0.6, 0.61, 0.58, 0.59, 0.6, 0.61};
+        sheet[shop::Part::rod_big_end].mass = {0.45, 0.46, 0.47, 0.48, 0.48, 0.47, 0.46, 0.45};
+        sheet.piston_sets = sheet.rod_sets = {2, 1, 3, 4, 5, 6, 7, 8};
+    });
+    ASSERT_TRUE(model->canMoveBack());
+    model->editWeights(u"Weights"_s, [](WeighIn& sheet) {
+        sheet[shop::Part::piston].mass.assign(8, std::nullopt);
+    });
+    EXPECT_TRUE(model->input().weigh_in->piston_sets.empty());
+    EXPECT_EQ(model->input().weigh_in->rod_sets.size(), 8U);
+}
+
+TEST_F(JobPageTest, AVThatWasInLineMeanwhileHasItsCrankpinsAgain) {
+    for (const auto& [rods, split] : {std::pair(2, 30.0 * degree), {1, 0.0}, {2, 0.0}}) {
+        model->edit({}, [&](workshop::Input& job) {
+            job.engine = {EngineType::v, 6, 90.0 * degree, rods, split};
+        });
+        const Engine before = model->input().engine;
+        model->chooseType(static_cast<int>(EngineType::in_line));
+        EXPECT_EQ(model->input().engine.rods_per_pin, 1);
+        model->chooseType(static_cast<int>(EngineType::v));
+        EXPECT_EQ(model->input().engine, before);
+    }
+}
+
 TEST_F(CardJobTest, NoPartIsMovedByDoubtedWeights) {
     const auto weigh = [&](double first, double bigEnd) {
         model->editWeights(u"Weights"_s, [&](WeighIn& sheet) {

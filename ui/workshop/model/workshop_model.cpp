@@ -285,6 +285,7 @@ QString WorkshopModel::jobName() const {
 void WorkshopModel::aboutToLoad() {
     desk_.setJob();
     otherForm_.reset();
+    lastV_.reset();
     carried_.reset();
     isLoading_ = true;
 }
@@ -354,12 +355,19 @@ QString WorkshopModel::editField(const std::string& pointer, const FieldValue& v
 }
 
 QString WorkshopModel::chooseType(int type) {
-    return edit(fieldName(field::type), [type](Job& input) {
+    if (input().engine.type == EngineType::v) {
+        lastV_ = input().engine;
+    }
+    return edit(fieldName(field::type), [this, type](Job& input) {
         Engine& engine = input.engine;
         engine.type = static_cast<EngineType>(type);
-        engine.rods_per_pin = engine.type == EngineType::v && engine.cylinders % 2 == 0 ? 2 : 1;
-        if (engine.type != EngineType::v) {
-            engine.pin_split = 0.0;
+        const bool isV = engine.type == EngineType::v;
+        if (isV && lastV_ && lastV_->cylinders == engine.cylinders) {
+            engine.rods_per_pin = lastV_->rods_per_pin;
+            engine.pin_split = lastV_->pin_split;
+        } else {
+            engine.rods_per_pin = isV && engine.cylinders % 2 == 0 ? 2 : 1;
+            engine.pin_split = isV ? engine.pin_split : 0.0;
         }
     });
 }
@@ -394,6 +402,7 @@ QString WorkshopModel::editWeights(const QString& name,
         fit_weigh_in(input);
         const bool wasEmpty = input.weigh_in->is_empty();
         mutate(*input.weigh_in);
+        shop::forget_sets(*input.weigh_in);
         const bool isEmpty = input.weigh_in->is_empty();
         if (input.plugs && isEmpty != wasEmpty) {
             input.plugs->changes_from_weigh_in = wasEmpty;
@@ -614,6 +623,7 @@ void WorkshopModel::newJob() {
     }
     next.job.technician = input().job.technician;
     otherForm_.reset();
+    lastV_.reset();
     carried_ = next;
     desk_.replaceJob(0, 0, [&] {
         setTitle({});
@@ -630,6 +640,7 @@ void WorkshopModel::takeJob(const CaseFile& file, bool isCopy) {
     }
     carried_ = isCopy ? std::optional(next) : std::nullopt;
     otherForm_.reset();
+    lastV_.reset();
     editText(QString::fromStdString(file.title),
              isCopy ? QString() : QString::fromStdString(file.notes));
     // Undo must not bring another job's values under this job's number.
