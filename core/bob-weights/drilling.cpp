@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "numerics/constants.h"
+#include "numerics/units.h"
 
 namespace ravnoves::bob_weights {
 
@@ -656,6 +657,12 @@ double turn_of(double angle) {
     const double positive = turn < 0.0 ? turn + 2.0 * pi : turn;
     // What rounding leaves just below a turn is 0.
     return positive > 2.0 * pi - 1e-12 ? 0.0 : positive;
+}
+
+bool is_usual_drill(double diameter) {
+    constexpr double rounding = 0.006 * units::mm;
+    return std::abs(std::remainder(diameter, 0.05 * units::mm)) < rounding ||
+           std::abs(std::remainder(diameter, units::inch.to_si / 64.0)) < rounding;
 }
 
 }  // namespace ravnoves::bob_weights

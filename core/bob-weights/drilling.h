@@ -160,4 +160,8 @@ std::array<std::complex<double>, 2> carried_over(
 /// An angle in the turn 0 ≤ angle < 2π.
 double turn_of(double angle);
 
+/// Whether drills of that diameter are usual: by twentieths of a millimetre, or 64ths of an inch.
+/// @param diameter  m
+bool is_usual_drill(double diameter);
+
 }  // namespace ravnoves::bob_weights

@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 
-#include "bob-weights/drill_sizes.h"
 #include "bob-weights/factor_theory.h"
 #include "bob-weights/fields.h"
 #include "bob-weights/solver.h"

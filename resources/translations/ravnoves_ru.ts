@@ -4938,10 +4938,6 @@
         <translation>&amp;Нижняя головка одного шатуна</translation>
     </message>
     <message>
-        <source>must be mm, #1 to #60, A to Z or inches such as 1/4, with semicolons between them</source>
-        <translation>должны быть мм, #1–#60, A–Z или дюймы вида 1/4, через точку с запятой</translation>
-    </message>
-    <message>
         <source>No slug of ⌀ %1 fits: the maximum depth of %2 is too small.</source>
         <translation>Вставка ⌀ %1 не помещается: мала максимальная глубина %2.</translation>
     </message>

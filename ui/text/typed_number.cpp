@@ -283,20 +283,14 @@ void rejectEitherNumbers(const QString& word, const Message& where, bool isUsual
 }  // namespace
 
 std::vector<double> readNumberList(const QString& typed, const Field& field, const Message& where,
-                                   const NamedNumbers* named) {
+                                   bool (*isUsual)(double si)) {
     static const QRegularExpression between(QStringLiteral("\\s*;\\s*|,\\s+|\\s+"));
-    // "1 1/4" is one number.
-    static const QRegularExpression mixed(QStringLiteral("(\\d)\\s+(?=\\d+/\\d)"));
     constexpr int exact = 9;  // what is shown and read again is the same
-    const QString whole =
-        named != nullptr ? QString(typed).replace(mixed, QStringLiteral("\\1-")) : typed;
     const ShownUnit shown = shownUnit(field);
     std::vector<double> values;
     QStringList words;
-    for (const QString& word : whole.split(between, Qt::SkipEmptyParts)) {
-        // "12 mm" is one number; "12 A" may be two drills.
-        if (!words.isEmpty() && (named == nullptr || word.size() > 1) &&
-            typedUnit(word) != nullptr) {
+    for (const QString& word : typed.split(between, Qt::SkipEmptyParts)) {
+        if (!words.isEmpty() && typedUnit(word) != nullptr) {  // "12 mm" is one number
             words.last() += word;
         } else {
             words << word;
@@ -306,18 +300,13 @@ std::vector<double> readNumberList(const QString& typed, const Field& field, con
         auto value = readTypedNumber(word, shown.name).value;
         rejectEitherNumbers(
             word, where,
-            named == nullptr || !value || named->is_usual(*value / shown.factor * field.unit));
-        const auto si = named != nullptr ? named->find(word.toStdString()) : std::nullopt;
-        if (si) {
-            value = rounded_to_digits(from_si(field, *si), exact);
-        } else if (!value) {
+            isUsual == nullptr || !value || isUsual(*value / shown.factor * field.unit));
+        if (!value) {
             throw InputError(where,
-                             named != nullptr
-                                 ? named->allowed
-                                 : Text::tr("must be numbers with blanks or semicolons "
-                                            "between them"),
+                             Text::tr("must be numbers with blanks or semicolons between them"),
                              quoted_list({word.toStdString()}));
-        } else if (shown.factor != 1.0) {
+        }
+        if (shown.factor != 1.0) {
             value = rounded_to_digits(*value / shown.factor, exact);
         }
         check_range(field, *value, where, field.unit);

@@ -40,19 +40,13 @@ bool isTypedNumber(const QString& text);
 /// True for a unit of mass, in the language of the program.
 bool isMassUnit(const QString& unit);
 
-/// Words that mean numbers in a list.
-struct NamedNumbers {
-    std::optional<double> (*find)(std::string_view word);  ///< SI; nothing for another word
-    Text allowed;                                          ///< the rule for the list
-    bool (*is_usual)(double si);  ///< or its decimal comma may be between two numbers
-};
-
 /// Reads numbers one after the other, in the field's shown unit: between them are blanks,
 /// semicolons, or commas with a blank behind. An ambiguous text ("8,10") is rejected.
-/// @param where  names the list
+/// @param where    names the list
+/// @param isUsual  false: the decimal comma of such a number may be between two; if empty, all are
 /// @return the values in the field's unit; throws InputError for anything but numbers in range
 std::vector<double> readNumberList(const QString& typed, const Field& field, const Message& where,
-                                   const NamedNumbers* named = nullptr);
+                                   bool (*isUsual)(double si) = nullptr);
 /// Values in the field's unit, as typed.
 QString numberListText(const std::vector<double>& values, const Field& field);
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "bob-weights/drill_sizes.h"
+#include "bob-weights/drilling.h"
 #include "bob-weights/fields.h"
 #include "bob-weights/solver.h"
 #include "shop/model/verdict.h"
@@ -64,11 +64,6 @@ CorrectionSheet::CorrectionSheet(WorkshopModel* model, QWidget* parent)
 }
 
 void CorrectionSheet::buildDrills() {
-    static constexpr NamedNumbers drills{
-        named_drill,
-        Text::tr("must be mm, #1 to #60, A to Z or inches such as 1/4, with "
-                 "semicolons between them"),
-        is_usual_drill};
     section(tr("Available drills"));
     numberList(
         field::diameters,
@@ -80,7 +75,7 @@ void CorrectionSheet::buildDrills() {
             model_->editCorrection(
                 name, [&](Correction& correction) { correction.drill.diameters_mm = diameters; });
         },
-        &drills);
+        is_usual_drill);
     // How several are written.
     findChild<QLineEdit*>(QString::fromStdString(std::string(field::diameters.key)))
         ->setPlaceholderText(numberListText({8, 10}, field::diameters) + QStringLiteral("; …"));

@@ -168,9 +168,9 @@ EntryField* WorkshopSheet::checked(const Field& description, const CheckedText& 
 void WorkshopSheet::numberList(
     const Field& description, const std::function<std::vector<double>()>& read,
     std::function<void(const QString&, const std::vector<double>&)> write,
-    const NamedNumbers* named) {
-    const auto numbers = [&description, named](const QString& typed) {
-        return readNumberList(typed, description, {}, named);
+    bool (*isUsual)(double si)) {
+    const auto numbers = [&description, isUsual](const QString& typed) {
+        return readNumberList(typed, description, {}, isUsual);
     };
     const auto trouble = [numbers](const QString& typed) {
         try {

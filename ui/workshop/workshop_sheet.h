@@ -66,10 +66,11 @@ class WorkshopSheet : public Form {
     /// Its row; its faults are below the field.
     EntryField* checked(const Field& description, const CheckedText& text);
     /// A row of numbers, as readNumberList() takes them; each is described by the field.
+    /// @param isUsual  readNumberList()
     void numberList(
         const Field& description, const std::function<std::vector<double>()>& read,
         std::function<void(const QString& name, const std::vector<double>& values)> write,
-        const NamedNumbers* named = nullptr);
+        bool (*isUsual)(double si) = nullptr);
     /// A line of text over the whole width that follows the model; hidden without one.
     QLabel* line(int pixelSize, std::function<QString()> text);
     /// A field is yellow while it has a reading of another bob weight.

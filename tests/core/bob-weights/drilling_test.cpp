@@ -6,7 +6,6 @@
 #include <complex>
 #include <random>
 
-#include "bob-weights/drill_sizes.h"
 #include "bob-weights/drilling.h"
 #include "core/bob-weights/quadrature.h"
 #include "numerics/constants.h"
@@ -19,28 +18,8 @@ constexpr double gram_mm = 1e-6;
 
 using test::by_quadrature;
 
-// ASME B94.11M.
-TEST(Drills, AreKnownByNumberLetterAndFraction) {
-    for (const auto& [name, inches] : {std::pair("#1", 0.2280),
-                                       {"#7", 0.2010},
-                                       {"#30", 0.1285},
-                                       {"#60", 0.0400},
-                                       {"A", 0.234},
-                                       {"f", 0.257},
-                                       {"Z", 0.413},
-                                       {"1/4", 0.25},
-                                       {"63/64\"", 0.984375},
-                                       {"1-1/4", 1.25}}) {
-        const auto diameter = named_drill(name);
-        ASSERT_TRUE(diameter) << name;
-        EXPECT_NEAR(*diameter, inches * 25.4 * mm, 1e-12) << name;
-        EXPECT_TRUE(is_usual_drill(*diameter)) << name;
-    }
-    for (const char* none : {"", "#", "#0", "#61", "7", "AA", "1/3", "3/2", "0/4", "1/128", "-1/4",
-                             "1/4mm", "1/", "/4", "1-1", "#7 "}) {
-        EXPECT_EQ(named_drill(none), std::nullopt) << none;
-    }
-    for (const double usual : {8.0, 10.25, 12.7}) {
+TEST(Drills, AreUsualByMillimetresAndInches) {
+    for (const double usual : {8.0, 10.25, 12.7, 9.53}) {
         EXPECT_TRUE(is_usual_drill(usual * mm)) << usual;
     }
     EXPECT_FALSE(is_usual_drill(10.12 * mm));
