@@ -13478,6 +13478,14 @@ but no position is feasible</source>
         <source>The readings are of this crankshaft, with the present bob weight.</source>
         <translation>Показания сняты с этого вала, с текущим грузом.</translation>
     </message>
+    <message>
+        <source>Balancing machine</source>
+        <translation>Балансировочный станок</translation>
+    </message>
+    <message>
+        <source>Type two names, such as left / right.</source>
+        <translation>Введите два названия, например левая / правая.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::MainWindow</name>
@@ -18194,14 +18202,6 @@ but no position is feasible</source>
 </context>
 <context>
     <name>ravnoves::WorkshopSheet</name>
-    <message>
-        <source>Balancing machine</source>
-        <translation>Балансировочный станок</translation>
-    </message>
-    <message>
-        <source>Type two names, such as left / right.</source>
-        <translation>Введите два названия, например левая / правая.</translation>
-    </message>
     <message>
         <source>Read as %1: %2</source>
         <translation>Прочитано как %1: %2</translation>

@@ -16,7 +16,6 @@
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/layouts.h"
-#include "workshop/sheets.h"
 
 namespace ravnoves {
 
@@ -115,7 +114,6 @@ void SettingsDialog::build() {
               [](const QVariant& count) { Preferences::instance().setDigits(count.toInt()); });
 
     addUnits();
-    rows_->addRow(new MachineSettings(form));
 
     // With large text all of it may be higher than the screen.
     QScrollArea* area = scrolled(form, content_);

@@ -14,7 +14,6 @@
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "workshop/fields.h"
-#include "workshop/model/shop_machine.h"
 #include "workshop/sheets.h"
 
 namespace ravnoves {
@@ -36,40 +35,6 @@ QString planeNames(const QString& typed) {
 
 }  // namespace
 
-void WorkshopSheet::addMachine() {
-    section(tr("Balancing machine"));
-    checked(
-        workshop::field::plane_names,
-        {planeNames,
-         [](const QString&) { return tr("Type two names, such as left / right."); },
-         [this] {
-             const auto& names = model_->input().machine.planes;
-             return planeNames(QString::fromStdString(names[0]) + QLatin1Char('/') +
-                               QString::fromStdString(names[1]));
-         },
-         [this](const QString& step, const QString& typed) {
-             const QStringList names = typed.split(QStringLiteral(" / "));
-             model_->edit(step, [&](workshop::Input& job) {
-                 job.machine.planes = {names.value(0).toStdString(), names.value(1).toStdString()};
-             });
-         },
-         {},
-         false});
-    wide(choice("/machine/counts"), 240);
-    wide(choice("/machine/shows"), 240);
-    text("/machine/zero");
-}
-
-MachineSettings::MachineSettings(QWidget* parent)
-    : WorkshopSheet(new WorkshopModel(QString()), parent) {
-    model_->setParent(this);
-    model_->edit({}, [](workshop::Input& job) { job.machine = ShopMachine::instance().kept(); });
-    connect(model_, &SceneModel::changed, this,
-            [this] { ShopMachine::instance().keep(model_->input().machine); });
-    addMachine();
-    finish();
-}
-
 MachineSheet::MachineSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(model, parent) {
     buildRuns();
     // Beside the readings: by another convention a hole is drilled on the wrong side.
@@ -78,13 +43,7 @@ MachineSheet::MachineSheet(WorkshopModel* model, QWidget* parent) : WorkshopShee
     addHold();
     buildPlanes();
     buildTolerance();
-    addMachine();
-    QPushButton* keep =
-        button("keep_machine", tr("Save as shop default (&machine)"),
-               tr("New jobs begin with this set-up."), [this] { model_->keepMachine(); });
-    const auto show = [this, keep] { keep->setVisible(!model_->isShopsMachine()); };
-    follow(show);
-    connect(&ShopMachine::instance(), &ShopMachine::changed, keep, show);
+    buildMachine();
     finish();
 }
 
@@ -358,6 +317,35 @@ void MachineSheet::buildTolerance() {
         const QString use = grades->currentData(Qt::ToolTipRole).toString();
         grades->setToolTip(use.isEmpty() ? hint : use);
     });
+}
+
+/// How the balancing machine is set up.
+void MachineSheet::buildMachine() {
+    section(tr("Balancing machine"));
+    checked(
+        workshop::field::plane_names,
+        {planeNames,
+         [](const QString&) { return tr("Type two names, such as left / right."); },
+         [this] {
+             const auto& names = model_->input().machine.planes;
+             return planeNames(QString::fromStdString(names[0]) + QLatin1Char('/') +
+                               QString::fromStdString(names[1]));
+         },
+         [this](const QString& step, const QString& typed) {
+             const QStringList names = typed.split(QStringLiteral(" / "));
+             model_->edit(step, [&](workshop::Input& job) {
+                 job.machine.planes = {names.value(0).toStdString(), names.value(1).toStdString()};
+             });
+         },
+         {},
+         false});
+    wide(choice("/machine/counts"), 240);
+    wide(choice("/machine/shows"), 240);
+    text("/machine/zero");
+    QPushButton* keep =
+        button("keep_machine", tr("Save as shop default (&machine)"),
+               tr("New jobs begin with this set-up."), [this] { model_->keepMachine(); });
+    follow([this, keep] { keep->setVisible(!model_->isShopsMachine()); });
 }
 
 }  // namespace ravnoves

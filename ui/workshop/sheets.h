@@ -121,14 +121,6 @@ class MachineSheet : public WorkshopSheet {
     QPushButton* hold_ = nullptr;
 };
 
-/// The machine that new jobs begin with, in the settings of the program.
-class MachineSettings : public WorkshopSheet {
-    Q_OBJECT
-
-  public:
-    explicit MachineSettings(QWidget* parent = nullptr);
-};
-
 /// Sheet 6: drills and slugs at hand, and the holes really drilled.
 class CorrectionSheet : public WorkshopSheet {
     Q_OBJECT

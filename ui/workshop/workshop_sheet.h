@@ -102,8 +102,6 @@ class WorkshopSheet : public Form {
     /// A grid over the whole width with its headings, and the line for its rejected entries.
     std::pair<QGridLayout*, TroubleLine*> grid(const QStringList& headings);
     NumberField* cell(const Field& field, const QString& name, const QString& spoken);
-    /// How the balancing machine is set up.
-    void addMachine();
     /// Ends the sheet: labels without a mnemonic get one that no other label or button has.
     void finish();
 

@@ -8,7 +8,6 @@
 #include <QMenuBar>
 #include <QSettings>
 #include <QTabWidget>
-#include <QTemporaryDir>
 
 #include "balance-shaft/speed_view.h"
 #include "case-file/json.h"
@@ -21,8 +20,6 @@
 #include "text/preferences.h"
 #include "theme/theme.h"
 #include "widgets/number_field.h"
-#include "workshop/model/shop_machine.h"
-#include "workshop/sheets.h"
 
 namespace ravnoves {
 namespace {
@@ -237,24 +234,6 @@ TEST_F(Settings, DigitsOfResults) {
     EXPECT_EQ(shown(-2.5, 0), u"−2.50000"_s);
     EXPECT_EQ(shown(12.0, 0), u"12"_s);
     EXPECT_EQ(shown(0.0, 2), u"0.00"_s);
-}
-
-TEST_F(Settings, TheMachineOfNewJobsIsSetUpOnceForAll) {
-    const QTemporaryDir folder;
-    const WorkshopModel untouched(folder.filePath(u"journal.sqlite"_s));
-    SettingsDialog* dialog = open();
-    test::type(test::named<EntryField>(*dialog, "planes"), u"left / right"_s);
-    EXPECT_TRUE(dialog->isVisible()) << "Enter ends the entry alone";
-    auto* shows = test::named<QComboBox>(*dialog, "shows");
-    shows->setFocus();
-    QTest::keyClick(shows, Qt::Key_Down);
-    const workshop::Machine kept = ShopMachine::instance().kept();
-    EXPECT_EQ(kept.planes[1], "right");
-    EXPECT_EQ(kept.shows, workshop::Machine::Shows::light);
-    EXPECT_EQ(untouched.input().machine, kept);
-    const MachineSettings again;
-    EXPECT_EQ(test::named<QComboBox>(again, "shows")->currentIndex(), 1);
-    EXPECT_EQ(test::named<EntryField>(again, "planes")->text(), u"left / right"_s);
 }
 
 TEST_F(Settings, EveryRowOfTheDialogIsSpokenAndHasAKey) {

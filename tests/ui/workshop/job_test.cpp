@@ -193,21 +193,14 @@ TEST_F(JobPageTest, CrankpinsThatBalanceOneAnotherNeedNoBobWeights) {
     EXPECT_TRUE(has(label("headline"), u"Missing for the bob weight: one piston"_s));
 }
 
-TEST_F(JobPageTest, AnUntouchedNewJobTakesTheMachineThatIsKept) {
+TEST_F(JobPageTest, ANewJobBeginsWithTheMachineThatIsKept) {
     const auto back = qScopeGuard([] { QSettings().clear(); });
-    const auto journal = [this] { return QDir(folder.path()).filePath(u"journal.sqlite"_s); };
-    WorkshopModel untouched(journal());
-    WorkshopModel begun(journal());
-    begun.edit(u"customer"_s, [](workshop::Input& job) { job.job.customer = "Smith"; });
     type("planes", u"left / right"_s);
     auto* keep = find<QPushButton>("keep_machine");
     ASSERT_FALSE(keep->isHidden());
     QTest::mouseClick(keep, Qt::LeftButton);
     EXPECT_TRUE(keep->isHidden());
-    EXPECT_EQ(untouched.planeName(1), u"Right"_s);
-    EXPECT_FALSE(untouched.hasChanges());
-    EXPECT_EQ(begun.planeName(1), u"Rear plane"_s);
-    WorkshopPage other(journal(), nullptr);
+    WorkshopPage other(QDir(folder.path()).filePath(u"journal.sqlite"_s), nullptr);
     EXPECT_EQ(other.viewModel()->planeName(1), u"Right"_s);
 }
 

@@ -14,12 +14,7 @@ namespace {
 const QString machineKey = QStringLiteral("workshop/machine");
 }  // namespace
 
-ShopMachine& ShopMachine::instance() {
-    static ShopMachine only;
-    return only;
-}
-
-workshop::Machine ShopMachine::kept() const {
+workshop::Machine shop_machine::kept() {
     const QString text = QSettings().value(machineKey).toString();
     try {
         return text.isEmpty() ? workshop::Machine()
@@ -30,12 +25,8 @@ workshop::Machine ShopMachine::kept() const {
     }
 }
 
-void ShopMachine::keep(const workshop::Machine& machine) {
-    const workshop::Machine before = kept();
-    if (machine != before) {
-        QSettings().setValue(machineKey, QString::fromStdString(write_fields(machine).dump()));
-        Q_EMIT changed(before);
-    }
+void shop_machine::keep(const workshop::Machine& machine) {
+    QSettings().setValue(machineKey, QString::fromStdString(write_fields(machine).dump()));
 }
 
 }  // namespace ravnoves

@@ -1,23 +1,11 @@
 #pragma once
 
-#include <QObject>
-
 #include "workshop/input.h"
 
-namespace ravnoves {
+/// The balancing machine that new jobs begin with, in the settings of the program.
+namespace ravnoves::shop_machine {
 
-/// The balancing machine as the shop has set it up: new jobs begin with it.
-class ShopMachine : public QObject {
-    Q_OBJECT
+workshop::Machine kept();
+void keep(const workshop::Machine& machine);
 
-  public:
-    static ShopMachine& instance();
-
-    workshop::Machine kept() const;
-    void keep(const workshop::Machine& machine);
-
-  Q_SIGNALS:
-    void changed(const ravnoves::workshop::Machine& before);
-};
-
-}  // namespace ravnoves
+}  // namespace ravnoves::shop_machine

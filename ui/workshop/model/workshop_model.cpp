@@ -9,7 +9,6 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/result_json.h"
-#include "model/case_document.h"
 #include "model/case_model_json.h"
 #include "shop/model/verdict.h"
 #include "shop/weigh_in.h"
@@ -182,7 +181,7 @@ void WorkshopScene::startJob(Job& input) const {
         return;
     }
     if (input.machine == workshop::Machine{}) {
-        input.machine = ShopMachine::instance().kept();
+        input.machine = shop_machine::kept();
     }
     if (input.plugs) {
         startPlugs(*input.plugs);
@@ -224,10 +223,6 @@ template class CaseModel<WorkshopScene>;
 WorkshopModel::WorkshopModel(const QString& journalPath, QObject* parent)
     : CaseModel({.dated = !journalPath.isEmpty()}, parent), desk_(this, journalPath) {
     connect(desk(), &JobDesk::journalOpened, this, &WorkshopModel::reloadEngines);
-    if (scene().dated) {
-        connect(&ShopMachine::instance(), &ShopMachine::changed, this,
-                &WorkshopModel::takeShopsMachine);
-    }
 }
 
 bool WorkshopModel::setViewOption(const QString& key, const QString& value) {
@@ -577,22 +572,13 @@ void WorkshopModel::confirmReadings() {
 
 void WorkshopModel::keepMachine() {
     if (scene().dated) {
-        ShopMachine::instance().keep(input().machine);
-    }
-}
-
-/// A new job that nobody has touched yet was begun with the machine before.
-void WorkshopModel::takeShopsMachine(const workshop::Machine& before) {
-    if (!hasChanges() && !CaseDocument::hasFile(*this) && desk_.jobId() == 0 &&
-        input().machine == before) {
-        Job next = input();
-        next.machine = ShopMachine::instance().kept();
-        restart(next);
+        shop_machine::keep(input().machine);
+        Q_EMIT changed();
     }
 }
 
 bool WorkshopModel::isShopsMachine() const {
-    return !scene().dated || input().machine == ShopMachine::instance().kept();
+    return !scene().dated || input().machine == shop_machine::kept();
 }
 
 // ------------------------------------------------------------------------------------ the job

@@ -312,7 +312,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     void taken() override;
 
   private:
-    void takeShopsMachine(const workshop::Machine& before);
     std::size_t firstRun() const;
     /// That hangs on the crankpins, doubted or not.
     std::optional<double> bobWeightNow() const { return solved().found.shaft.bob_weight; }
