@@ -24,14 +24,6 @@ struct Line {
     Word name() const { return part != nullptr ? Word{part->field.key, part->field.label} : word; }
 };
 
-/// A bob weight that follows from something else than the masses of the parts.
-struct KnownWeight {
-    std::vector<Line> lines;
-    double reciprocating;  ///< of one cylinder, kg
-    double rotating;       ///< of one cylinder, kg
-    double sum;            ///< of the lines, kg
-};
-
 /// Metal drilled from a plane and pressed into it.
 struct Metal {
     std::vector<Hole> holes;

@@ -69,8 +69,6 @@ void solve_bob_weight(const Input& input, double factor, Result& result) {
         result.reciprocating = reciprocating;
         result.rotating = rotating;
         result.bob_weight = sum;
-        result.first_order = first_order(input.engine, factor, reciprocating);
-        result.first_order_bare = first_order(input.engine, 0.0, reciprocating);
     }
 }
 
@@ -432,16 +430,15 @@ Result solve(const Input& given, bool places_parts, const OtherWeight& other) {
     result.theory_factor = theory_factor(input.engine);
     result.factor = input.factor.reciprocating.value_or(result.theory_factor);
     const double factor = result.factor + input.factor.overbalance;
-    if (!other) {
+    if (other) {
+        other(result);
+    } else {
         solve_bob_weight(input, factor, result);
         solve_weigh_in(input, factor, places_parts, result);
-    } else if (const KnownWeight* known = *other) {
-        result.lines = known->lines;
-        result.reciprocating = known->reciprocating;
-        result.rotating = known->rotating;
-        result.bob_weight = known->sum;
-        result.first_order = first_order(input.engine, factor, known->reciprocating);
-        result.first_order_bare = first_order(input.engine, 0.0, known->reciprocating);
+    }
+    if (const auto& reciprocating = result.reciprocating) {
+        result.first_order = first_order(input.engine, factor, *reciprocating);
+        result.first_order_bare = first_order(input.engine, 0.0, *reciprocating);
     }
     look_for_kilograms(input, result);
     if (input.tolerance) {

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <functional>
+
 #include "bob-weights/drilled.h"
 #include "bob-weights/input.h"
 #include "bob-weights/result.h"
 
 namespace ravnoves::bob_weights {
 
-/// A bob weight that does not follow from the masses of the parts; null while it is not known.
-using OtherWeight = std::optional<const KnownWeight*>;
+/// Fills in a bob weight that does not follow from the masses of the parts, as far as known:
+/// lines and sum, what reciprocates and what rotates.
+using OtherWeight = std::function<void(Result&)>;
 
 /// Computes whatever the input allows, also where a check does not let it pass.
 /// @param places_parts  false: without the placing of the parts, which takes longest

@@ -10,27 +10,26 @@ namespace ravnoves::workshop {
 
 namespace {
 
-/// What is hung on a crankpin by the plugs' method; nothing while it is not known.
-std::optional<bob_weights::KnownWeight> weight_of(const v8_plugs::Input& plugs,
-                                                  const v8_plugs::Result& result) {
+/// What is hung on a crankpin by the plugs' method, as far as known.
+void take_weight(const v8_plugs::Input& plugs, const v8_plugs::Result& result,
+                 bob_weights::Result& shaft) {
     const v8_plugs::BobWeight* weight = result.hung_weight();
     if (weight == nullptr) {
-        return std::nullopt;
+        return;
     }
     const v8_plugs::MassChanges& changes = result.changes;
-    bob_weights::KnownWeight known{
-        {},
-        plugs.engine.reciprocating_mass.value() + changes.piston + changes.repair_piston_and_rings,
-        plugs.engine.rotating_mass.value() + changes.rod_big_end + 0.5 * changes.repair_bearing,
-        weight->sum()};
+    shaft.reciprocating =
+        plugs.engine.reciprocating_mass.value() + changes.piston + changes.repair_piston_and_rings;
+    shaft.rotating =
+        plugs.engine.rotating_mass.value() + changes.rod_big_end + 0.5 * changes.repair_bearing;
+    shaft.bob_weight = weight->sum();
     for (const v8_plugs::BobWeightLine& line : weight->lines) {
         const auto kind = line.part < v8_plugs::BobWeightLine::Part::rotating
                               ? bob_weights::PartKind::reciprocating
                               : bob_weights::PartKind::rotating;
-        known.lines.push_back(
+        shaft.lines.push_back(
             {nullptr, line.factor, line.mass, kind, v8_plugs::bob_weight_word(line.part)});
     }
-    return known;
 }
 
 /// Each crankpin's own weight: what its parts differ by from the mean.
@@ -53,23 +52,20 @@ Result solve_undoubted(const Input& input, bool absent_is_zero, bool places_part
     Result result;
     result.plugs_input = whole_plugs(input);
     const auto& plugs = result.plugs_input;
-    std::optional<bob_weights::KnownWeight> known;
+    bob_weights::OtherWeight other;
     if (plugs) {
         result.plugs =
             v8_plugs::solve(*plugs, absent_is_zero || plugs->changes_known(), places_parts);
-        known = weight_of(*plugs, *result.plugs);
-    }
-    bob_weights::OtherWeight other;
-    if (plugs) {
-        other = known ? &*known : nullptr;
+        other = [&](bob_weights::Result& shaft) { take_weight(*plugs, *result.plugs, shaft); };
     }
     result.shaft = bob_weights::solve(input, places_parts, other);
     if (result.plugs && result.plugs->assignment) {
-        result.shaft.placing = result.plugs->assignment;
-    }
-    if (known && result.plugs->assignment && plugs->changes_from_weigh_in) {
-        result.shaft.crankpins = own_weights(known->sum, result.plugs->crankpin_excess);
-        result.shaft.placed_crankpins = own_weights(known->sum, result.plugs->assigned_excess);
+        bob_weights::Result& shaft = result.shaft;
+        shaft.placing = result.plugs->assignment;
+        if (shaft.bob_weight && plugs->changes_from_weigh_in) {
+            shaft.crankpins = own_weights(*shaft.bob_weight, result.plugs->crankpin_excess);
+            shaft.placed_crankpins = own_weights(*shaft.bob_weight, result.plugs->assigned_excess);
+        }
     }
     return result;
 }
