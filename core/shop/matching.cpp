@@ -354,6 +354,11 @@ std::optional<Matched> match(const MatchingTask& task) {
     matched.spread_before = size_of(by_spread, as_it_is);
     matched.shaking_before = shaking_of(task, as_it_is);
     matched.shaking = shaking_of(task, found.from);
+    if (task.sheet.is_moved()) {
+        const auto from = where_weighed(task.sheet);
+        matched.spread_as_weighed = crankpin_spread(task, from);
+        matched.shaking_as_weighed = shaking_of(task, from);
+    }
     if (has_limit && matched.spread > search.enough) {
         matched.remark = {
             found.proven ? Text::tr("No combination gives a range of %1: the crankpins are made "

@@ -79,6 +79,9 @@ struct Matched {
     double spread_before = 0.0;
     std::optional<Shaking> shaking_before;
     std::optional<Shaking> shaking;
+    // Of the parts where they were weighed, if they are elsewhere now.
+    std::optional<double> spread_as_weighed;  ///< kg
+    std::optional<Shaking> shaking_as_weighed;
     MatchingGoal goal = MatchingGoal::min_spread;  ///< that was followed
     bool proven = true;                            ///< no placing is better by the goal
     Message remark;  ///< why it is not the goal asked for, or why that is not reached

@@ -7,14 +7,6 @@ namespace ravnoves::matching_text {
 
 using namespace shop;
 
-void takeAsWeighed(Shown& shown, const MatchingTask& task) {
-    if (task.sheet.is_moved()) {
-        const auto from = where_weighed(task.sheet);
-        shown.spread_as_weighed = crankpin_spread(task, from);
-        shown.shaking_as_weighed = shaking_of(task, from);
-    }
-}
-
 namespace {
 
 const QString dot = QStringLiteral("·");
@@ -113,14 +105,14 @@ Results effects(const Words& words, const Shown& shown) {
                                  : words.translate("Matching", "as weighed"),
          words.translate("Matching", "proposed")},
         {{{words.translate("Matching", "Crankpins, range"),
-           gramsOf(words, shown.spread_as_weighed.value_or(matched.spread_before)),
+           gramsOf(words, matched.spread_as_weighed.value_or(matched.spread_before)),
            gramsOf(words, matched.spread)},
           words.translate("Matching", "Heaviest minus lightest crankpin, by bob weight")}}};
     ResultRows& rows = results.rows;
     if (!matched.shaking_before || !matched.shaking) {
         return results;
     }
-    const Shaking before = shown.shaking_as_weighed.value_or(*matched.shaking_before);
+    const Shaking before = matched.shaking_as_weighed.value_or(*matched.shaking_before);
     const Shaking& after = *matched.shaking;
     const auto newtons = newtonsPerMass(shown);
     const QString speed =

@@ -19,15 +19,9 @@ struct Shown {
     shop::SetNumbers rod_sets;
     /// Parts were moved on a sheet of another number of cylinders, whose set numbers say nothing.
     bool is_origin_unknown = false;
-    /// Of the parts where they were weighed, once they have been moved.
-    std::optional<double> spread_as_weighed = {};  ///< kg
-    std::optional<shop::Shaking> shaking_as_weighed = {};
 
     bool is_moved() const { return !piston_sets.empty() || !rod_sets.empty(); }
 };
-
-/// Says what the parts make where they were weighed, if they are elsewhere now.
-void takeAsWeighed(Shown& shown, const shop::MatchingTask& task);
 
 /// Which sets to move, as text.
 QString summary(const Words& words, const Shown& shown);

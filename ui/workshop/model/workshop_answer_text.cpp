@@ -17,7 +17,7 @@
 #include "text/message_text.h"
 #include "text/shown_units.h"
 #include "text/typed_number.h"
-#include "v8-plugs/weigh_in.h"
+#include "workshop/fields.h"
 #include "workshop/model/workshop_model.h"
 #include "workshop/plugs/model/v8_text.h"
 
@@ -648,12 +648,6 @@ std::optional<matching_text::Shown> WorkshopModel::matchingShown() const {
     shown.is_origin_unknown = input().weigh_in->is_moved() && !sheet.is_moved();
     if (const v8_plugs::Input* plugs = plugsInput()) {
         shown.crank_radius = plugs->engine.crank_radius;
-        matching_text::takeAsWeighed(
-            shown,
-            v8_plugs::matching_task(*plugs->weigh_in, plugs->rod_coefficient().value_or(0.0)));
-    } else {
-        matching_text::takeAsWeighed(
-            shown, matching_task(job, solution().factor + job.factor.overbalance));
     }
     return shown;
 }
