@@ -23,12 +23,6 @@ struct PlugMass {
     bool fits;        ///< within mass_mismatch
 };
 
-/// Bob weights of one option.
-struct OptionBobWeight {
-    BobWeight after;
-    BobWeight nominal;  ///< of the crankshaft that the option is for
-};
-
 /// Everything the page, the job card and the result file show. Parts that need values which are
 /// not there yet are empty, so that a form half filled shows what can be known.
 struct Result {
@@ -41,7 +35,7 @@ struct Result {
     // bob weights; need the nominal masses too, all but the nominal one the changes
     std::optional<BobWeight> nominal;  ///< of the crankshaft that is fitted
     std::optional<BobWeight> before;   ///< these parts, the plugs the crankshaft was made for
-    std::array<std::optional<OptionBobWeight>, all_options.size()> bob_weights;
+    std::array<std::optional<BobWeight>, all_options.size()> bob_weights;  ///< with the option
 
     // weigh-in
     std::optional<std::array<double, crankpin_count>> crankpin_excess;  ///< kg
@@ -60,9 +54,9 @@ struct Result {
     /// The bob weight to hang on a crankpin, the plugs out of the shaft; the present one where no
     /// change is needed; null while unknown.
     const BobWeight* hung_weight() const {
-        const auto* weights =
-            advice && advice->option ? &bob_weights[index(advice->option->id)] : nullptr;
-        return weights != nullptr && *weights ? &(*weights)->after : before ? &*before : nullptr;
+        const auto* weight =
+            advice && advice->option ? &bob_weights[index(advice->option->id)] : &before;
+        return *weight ? &**weight : before ? &*before : nullptr;
     }
     bool plug_can_exist = true;  ///< false where the sizes of the plug sheet leave no plug
     /// False where the plug of the sheet cannot exist, or its cutter cannot bore what the option

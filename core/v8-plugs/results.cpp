@@ -86,7 +86,7 @@ void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, dou
     // What its plugs are worth is known whatever they have to compensate.
     const auto option =
         solved ? solved : evaluate_option(id, *result.engine, *result.unbalanced_mass, tolerance);
-    const auto& weights = result.bob_weights[index(id)];
+    const auto& weight = result.bob_weights[index(id)];
     const auto number = [&](const ResultField& field, double Option::*member) {
         visitor.number(field, option ? std::optional((*option).*member) : std::nullopt);
     };
@@ -108,25 +108,26 @@ void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, dou
     visitor.flag(feasible, option && option->feasible);
     number(key::residual_mass, &Option::residual_mass);
     number(key::residual_unbalance, &Option::residual_unbalance);
-    const auto weight = [&](const ResultField& field, const BobWeight OptionBobWeight::*which,
-                            double (BobWeight::*sum)() const) {
-        visitor.number(field, weights ? std::optional(((*weights).*which.*sum)()) : std::nullopt);
+    const auto grams = [&](const ResultField& field, const std::optional<BobWeight>& of,
+                           double (BobWeight::*sum)() const) {
+        visitor.number(field, of ? std::optional(((*of).*sum)()) : std::nullopt);
     };
-    weight(key::bob_weight_sum, &OptionBobWeight::after, &BobWeight::sum);
-    weight(key::with_plugs_in, &OptionBobWeight::after, &BobWeight::with_plugs_in);
+    grams(key::bob_weight_sum, weight, &BobWeight::sum);
+    grams(key::with_plugs_in, weight, &BobWeight::with_plugs_in);
     if (!option) {
         visitor.text(reason, Text::tr("the engine has no such plug"));
         return;
     }
-    weight({"nominal_bobweight_g", Text::tr("Bob weight, nominal"), 1}, &OptionBobWeight::nominal,
-           &BobWeight::sum);
+    const auto crankshaft = needs_new_crankshaft(id) ? Crankshaft::new_plugs : Crankshaft::standard;
+    grams({"nominal_bobweight_g", Text::tr("Bob weight, nominal"), 1},
+          weight ? bob_weight(*result.engine, {}, crankshaft) : std::nullopt, &BobWeight::sum);
     const double plug = option->plug_mass_unmachined - option->reduction;
     visitor.number({"plug_mass_g", Text::tr("Mass of a plug")}, plug);
     if (!option->feasible) {
         visitor.text(reason, describe_failure(*option, tolerance));
     }
-    if (weights) {
-        visit_bob_weight(visitor, key::bob_weight, weights->after);
+    if (weight) {
+        visit_bob_weight(visitor, key::bob_weight, *weight);
     }
     visitor.list({"centre_of_mass_shift", Text::tr("Shift")}, 2, [&](std::size_t i) {
         const double shift = i == 0 ? smallest_shift : largest_shift;

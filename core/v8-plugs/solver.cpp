@@ -110,12 +110,8 @@ void solve_bob_weights(const Input& input, bool changes_known, Result& result) {
         result.before = bob_weight(engine, result.changes, input.crankshaft);
     }
     for (const OptionId id : all_options) {
-        const auto& option = result.option(id);
-        const auto nominal = bob_weight(
-            engine, {}, needs_new_crankshaft(id) ? Crankshaft::new_plugs : Crankshaft::standard);
-        if (option && nominal) {
-            result.bob_weights[index(id)] =
-                OptionBobWeight{bob_weight(engine, result.changes, *option), *nominal};
+        if (const auto& option = result.option(id)) {
+            result.bob_weights[index(id)] = bob_weight(engine, result.changes, *option);
         }
     }
 }
