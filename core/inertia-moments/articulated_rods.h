@@ -64,7 +64,7 @@ struct ArticulatedCrank {
 
 /// Fills in what the input leaves out of articulated rods: the master, where one plain rod alone
 /// runs on the same pin; γ, the difference of the bank angles; l, the master rod's length less r_k.
-/// Their crankpin is that of the master, whatever rounding left in the table.
+/// They run on the master's crankpin, whatever rounding left in the table.
 /// @throws InputError at the cylinder's field: a master that is not there, is itself articulated or
 /// runs on another pin, or that must be named; a knuckle radius of a rod's length
 void complete_rods(std::vector<Cylinder>& cylinders, std::span<const Throw> throws,

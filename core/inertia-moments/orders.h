@@ -119,7 +119,7 @@ struct WrenchCurves {
 /// @param angles  rad, 0…2π
 WrenchCurves exact_curves(const Engine& engine, std::vector<double> angles);
 
-/// The curves with those of a sum of orders.
+/// The exact curves, and beside them the curves of a sum of orders.
 WrenchCurves with_orders(WrenchCurves curves, const EngineOrders& orders);
 
 }  // namespace ravnoves::inertia_moments
