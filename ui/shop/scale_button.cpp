@@ -29,7 +29,7 @@ ScaleButton::ScaleButton(QWidget* parent) : QToolButton(parent), reader_(new Sca
                 }
             });
     connect(reader_, &ScaleReader::weighed, this, [this](const ScaleLine& line) {
-        if (!isSettingUp_) {
+        if (settings_ == nullptr) {
             Q_EMIT status(enterWeight(line));
         }
     });
@@ -46,15 +46,13 @@ ScaleButton::ScaleButton(QWidget* parent) : QToolButton(parent), reader_(new Sca
 }
 
 void ScaleButton::openSettings() {
-    if (isSettingUp_) {
+    if (settings_ != nullptr) {
         return;
     }
-    isSettingUp_ = true;
     reader_->use(reader_->settings());  // maybe for another scale
-    auto* dialog = new ScaleDialog(reader_, window());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QObject::destroyed, this, [this] { isSettingUp_ = false; });
-    dialog->open();
+    settings_ = new ScaleDialog(reader_, window());
+    settings_->setAttribute(Qt::WA_DeleteOnClose);
+    settings_->open();
 }
 
 void ScaleButton::showConnection() {

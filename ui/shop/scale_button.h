@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QPointer>
 #include <QToolButton>
 
 namespace ravnoves {
@@ -7,6 +8,7 @@ namespace ravnoves {
 namespace shop {
 struct ScaleLine;
 }
+class ScaleDialog;
 class ScaleReader;
 
 /// The scale in the status bar of the window: its reading, or that it is unplugged; a click opens
@@ -30,7 +32,7 @@ class ScaleButton : public QToolButton {
     void showLine(const shop::ScaleLine& line);
 
     ScaleReader* reader_;
-    bool isSettingUp_ = false;
+    QPointer<ScaleDialog> settings_;
 };
 
 }  // namespace ravnoves

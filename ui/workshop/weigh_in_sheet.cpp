@@ -287,10 +287,10 @@ void WeighInSheet::addFindings() {
     // the sheet would scroll there.
     const auto handOn = [this](QPushButton* pressed, QPushButton* other,
                                void (WorkshopModel::*act)()) {
-        connect(pressed, &QPushButton::clicked, this, [this, other, act] {
+        connect(pressed, &QPushButton::clicked, this, [model = model_, other, act] {
             other->setVisible(true);
-            other->setFocus(Qt::OtherFocusReason);
-            (model_->*act)();
+            other->setFocus(Qt::OtherFocusReason);  // a field's end may make the sheet again
+            (model->*act)();
         });
     };
     handOn(button, back, &WorkshopModel::moveParts);
