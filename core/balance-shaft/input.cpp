@@ -112,7 +112,7 @@ void check_rod(const Input& input) {
         }
         throw InputError(pointer(field::rod_length, parent),
                          {Text::tr("must be greater than the crank radius plus the offset, %1"),
-                          shown(field::crank_radius, rounded_to_digits(minimum, 12))},
+                          Number{rounded_to_digits(from_si(field::crank_radius, minimum), 12)}},
                          shown(field::rod_length, input.effective_rod_length()));
     }
 }

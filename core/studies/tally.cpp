@@ -87,6 +87,10 @@ double CountingPlan::unwrapped(double value) const {
 }
 
 bool CountingPlan::within(double value) const {
+    if (period != 0.0 && min.has_value() != max.has_value()) {
+        return min ? difference(value, *min, period) >= 0.0
+                   : difference(value, *max, period) <= 0.0;
+    }
     const auto inside = [&](double v) { return !(min && v < *min) && !(max && v > *max); };
     return inside(value) || (period != 0.0 && (inside(value - period) || inside(value + period)));
 }

@@ -27,6 +27,7 @@ struct CountingPlan {
     std::optional<double> max{};
 
     double unwrapped(double value) const;
+    /// Of an angle with one limit alone, the half turn from there is within.
     bool within(double value) const;
 };
 

@@ -36,11 +36,12 @@ void TornadoView::setShares(const StudyAnswer* value, const StudyModel& study) {
     const QString dark = Theme::instance().accent().name();
     const QString pale = QStringLiteral("#4d") + dark.mid(1);
     const auto stroke = [](double share, const QString& colour) {
-        constexpr double room = 84.0;  // percent, beside the number
-        return share <= 0.0 ? QString()
-                            : QStringLiteral("<td width=\"%1%\" bgcolor=\"%2\"></td>")
-                                  .arg(room * std::min(share, 1.0))
-                                  .arg(colour);
+        constexpr double room = 84.0;                           // percent, beside the number
+        const int width = qRound(room * std::min(share, 1.0));  // Qt reads whole ones alone
+        return width < 1 ? QString()
+                         : QStringLiteral("<td width=\"%1%\" bgcolor=\"%2\"></td>")
+                               .arg(width)
+                               .arg(colour);
     };
     QString rows;
     QStringList names;

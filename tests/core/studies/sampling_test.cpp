@@ -36,6 +36,19 @@ TEST(Law, HasTheMomentsOfItsSamples) {
     }
 }
 
+TEST(CountingPlan, OneLimitOfAnAngleHoldsForTheHalfTurnFromThere) {
+    const auto within = [](std::optional<double> min, std::optional<double> max, double value) {
+        return CountingPlan{.period = 360.0, .min = min, .max = max}.within(value);
+    };
+    EXPECT_TRUE(within(60, {}, 60.1));
+    EXPECT_FALSE(within(60, {}, 59.9));
+    EXPECT_FALSE(within({}, 60, 67));
+    EXPECT_TRUE(within({}, 60, 359));
+    EXPECT_TRUE(within(350, {}, 3));
+    EXPECT_FALSE(within(355, 363, 350));
+    EXPECT_TRUE(within(355, 363, 2));
+}
+
 TEST(CounterRandom, GivesThePublishedNumbers) {
     // The first known answer of philox4x32-10 in Random123.
     const CounterRandom random(0);
