@@ -58,9 +58,15 @@ Verdict unwarned(const Input& input, const Result& result) {
     if (blocking != result.doubts.end()) {
         return {Severity::error, {Text::tr("STOP. %1"), blocking->text}, blocking->rule->act};
     }
-    return is_known(input, result)
-               ? undoubted(input, result)
-               : Verdict{Severity::note, Text::tr("Enter the missing values of engine and parts.")};
+    if (!is_known(input, result)) {
+        return {Severity::note, Text::tr("Enter the missing values of engine and parts.")};
+    }
+    Verdict verdict = undoubted(input, result);
+    if (result.is_provisional()) {
+        verdict.text = {Text::tr("Provisional. %1"), verdict.text};
+        verdict.severity = std::max(verdict.severity, Severity::warning);
+    }
+    return verdict;
 }
 
 /// What is said beside an answer; nothing where there is none.

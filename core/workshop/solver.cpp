@@ -100,7 +100,8 @@ Withheld Result::withheld() const {
 }
 
 bool Result::is_provisional() const {
-    return std::any_of(doubts.begin(), doubts.end(),
+    return !shaft.not_given.empty() ||
+           std::any_of(doubts.begin(), doubts.end(),
                        [](const Doubt& doubt) { return doubt.rule->is_provisional; });
 }
 

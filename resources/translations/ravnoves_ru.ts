@@ -213,8 +213,12 @@
         <translation>%1: введите «%2». %3</translation>
     </message>
     <message>
-        <source>Sheet 5, %1, %2: enter %3.</source>
-        <translation>Лист 5, %1, %2: введите «%3».</translation>
+        <source>Sheet 5, %1, %2: enter the angle.</source>
+        <translation>Лист 5, %1, %2: введите угол.</translation>
+    </message>
+    <message>
+        <source>Sheet 5, %1, %2: enter the unbalance.</source>
+        <translation>Лист 5, %1, %2: введите дисбаланс.</translation>
     </message>
     <message>
         <source>Missing for the bob weight: %1</source>
@@ -305,8 +309,8 @@
         <translation>Углы — против часовой стрелки, если смотреть спереди.</translation>
     </message>
     <message>
-        <source>The machine shows the light spot; holes are opposite.</source>
-        <translation>Станок показывает лёгкое место; отверстия — напротив.</translation>
+        <source>Drill at the angles of the holes: they are opposite the light spot that the machine shows.</source>
+        <translation>Сверлите под углами отверстий: они напротив лёгкого места, которое показывает станок.</translation>
     </message>
     <message>
         <source>Permissible residual</source>
@@ -361,8 +365,8 @@
         <translation>%1 (%2 на R %3)</translation>
     </message>
     <message>
-        <source>The machine shows the heavy spot; holes are there.</source>
-        <translation>Станок показывает тяжёлое место; отверстия — там же.</translation>
+        <source>Drill at the angles of the holes: they are at the heavy spot that the machine shows.</source>
+        <translation>Сверлите под углами отверстий: они у тяжёлого места, которое показывает станок.</translation>
     </message>
 </context>
 <context>
@@ -9572,6 +9576,10 @@
     <message>
         <source>%1: %2 of 8 weighed. Weigh all of them, or clear the column.</source>
         <translation>%1: взвешено %2 из 8. Взвесьте все или очистите столбец.</translation>
+    </message>
+    <message>
+        <source>Provisional. %1</source>
+        <translation>Предварительно. %1</translation>
     </message>
     <message>
         <source>Provisional: not weighed and taken as nominal: %1. Weigh them before machining.</source>

@@ -1053,7 +1053,10 @@ TEST_F(CardJobTest, WhatIsNotGivenAndWhatIsReadFarOutsideIsSaid) {
     type("locks", QString());
     EXPECT_TRUE(has(card(), u"Not given, 0 g is used: locks of one pin."_s));
     EXPECT_TRUE(label("troubles").contains(u"Not given, 0 g is used: locks of one pin."_s));
+    EXPECT_TRUE(begins(label("headline"), u"Provisional: "_s));
+    EXPECT_TRUE(begins(label("verdict"), u"Provisional. "_s));
     type("locks", u"0"_s);
+    EXPECT_TRUE(begins(label("headline"), u"Bob weight"_s));
     EXPECT_EQ(label("troubles"), QString()) << "a 0 that is typed is meant";
     type("locks", u"4.8"_s);
     // Both readings at one end: by how much their errors grow.
@@ -1152,7 +1155,7 @@ TEST_F(CardJobTest, RunsFollowOneAnother) {
     EXPECT_EQ(rowsOf("Runs of the machine"), 0);
     type("run_1_unbalance_1", u"350"_s);
     EXPECT_FALSE(model->solution().correction) << "its readings are not all there";
-    EXPECT_TRUE(has(label("troubles"), u"Sheet 5, Run 1, Front plane: enter Heavy spot"_s));
+    EXPECT_TRUE(has(label("troubles"), u"Sheet 5, Run 1, Front plane: enter the angle"_s));
     fill({{"run_1_angle_1", "80"}, {"run_1_unbalance_2", "120"}, {"run_1_angle_2", "200"}});
     EXPECT_EQ(model->input().correction->earlier_runs.size(), 1u);
     EXPECT_EQ(place(), before);
@@ -1488,8 +1491,8 @@ TEST_F(ReadJobTest, UnbalancesFollowTheirUnit) {
 
 TEST_F(ReadJobTest, TheMachineIsSetUpAsItCountsAndShows) {
     const double heavy = (*model->solution().correction)[0].holes.at(0).angle;
-    EXPECT_TRUE(has(label("convention"), u"shows the heavy spot"_s));
-    EXPECT_TRUE(has(cardText(), u"shows the heavy spot"_s));
+    EXPECT_TRUE(has(label("convention"), u"at the heavy spot"_s));
+    EXPECT_TRUE(has(cardText(), u"at the heavy spot"_s));
     keys("shows", {Qt::Key_Down});
     EXPECT_EQ(model->input().machine.shows, workshop::Machine::Shows::light);
     EXPECT_NEAR((*model->solution().correction)[0].holes.at(0).angle, heavy + pi, 1e-9);
@@ -1501,7 +1504,7 @@ TEST_F(ReadJobTest, TheMachineIsSetUpAsItCountsAndShows) {
     EXPECT_TRUE(begins(field("angle_2")->accessibleDescription(), u"Spot shown by the machine"_s));
     EXPECT_TRUE(begins(model->holeResults().rows.at(0).at(0).text, u"Left: "_s));
     const QString printed = cardText();
-    EXPECT_TRUE(hasAll(printed, {u"Left"_s, u"0°: keyway."_s, u"shows the light spot"_s}));
+    EXPECT_TRUE(hasAll(printed, {u"Left"_s, u"0°: keyway."_s, u"opposite the light spot"_s}));
     EXPECT_FALSE(has(printed, u"Front plane"_s));
     EXPECT_EQ(label("convention"), model->machineText());
     EXPECT_GE(printed.count(model->machineText()), 2) << "beside the holes and in the foot";

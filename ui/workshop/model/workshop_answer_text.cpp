@@ -130,14 +130,14 @@ std::pair<std::string, std::vector<std::size_t>> placeOf(const InputError& error
     return place;
 }
 
-/// "Sheet 5, Run 1, Front plane: enter Heavy spot."
+/// "Sheet 5, Run 1, Front plane: enter the angle."
 QString valueMissing(const Words& words, const workshop::Input& input, std::size_t run,
                      std::size_t plane, const Field& field) {
-    return words.translate("BobWeights", "Sheet 5, %1, %2: enter %3.")
+    return (field.key == field::angle.key
+                ? words.translate("BobWeights", "Sheet 5, %1, %2: enter the angle.")
+                : words.translate("BobWeights", "Sheet 5, %1, %2: enter the unbalance."))
         .arg(WorkshopModel::runName(words, run - first_run(input.correction)),
-             WorkshopModel::planeName(words, input.machine, plane),
-             field.key == field::angle.key ? WorkshopModel::spotName(words, input.machine)
-                                           : words.name(field));
+             WorkshopModel::planeName(words, input.machine, plane));
 }
 
 /// What an error says, with its place on the form.
@@ -711,9 +711,11 @@ QString WorkshopModel::machineText(const Words& words) const {
     }
     said << (machine.shows == workshop::Machine::Shows::light
                  ? words.translate("BobWeights",
-                                   "The machine shows the light spot; holes are opposite.")
+                                   "Drill at the angles of the holes: they are opposite the "
+                                   "light spot that the machine shows.")
                  : words.translate("BobWeights",
-                                   "The machine shows the heavy spot; holes are there."));
+                                   "Drill at the angles of the holes: they are at the heavy spot "
+                                   "that the machine shows."));
     return said.join(QLatin1Char(' '));
 }
 
