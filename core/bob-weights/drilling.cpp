@@ -368,37 +368,37 @@ HolePlan plan_beside_sector(double target, double angle, const Cut& cut,
                             double tolerance) {
     const bool is_inside = limits.allows(angle);
     HolePlan best{{}, target, is_inside ? Shortfall::too_little_room : Shortfall::outside_sector};
-    if (!limits.sector) {
-        return best;
-    }
-    // From an angle in the sector away from its nearer limit, else from that limit inwards.
-    const auto [from, to] = *limits.sector;
+    // From an angle in the sector to both sides, first away from its nearer limit; else from that
+    // limit inwards.
+    const auto [from, to] = limits.sector.value_or(std::pair(0.0, 0.0));
     const double before = is_inside ? turn_of(angle - from) : turn_of(from - angle);
     const double behind = is_inside ? turn_of(to - angle) : turn_of(angle - to);
     const double inwards = before <= behind ? 1.0 : -1.0;
     const double away = is_inside ? 0.0 : std::min(before, behind);
     constexpr double step = 1.0 * degree;
-    const double width = turn_of(to - from);
-    for (int i = 0; i * step <= width && away + i * step < 0.5 * pi; ++i) {
-        const double apart = away + i * step;
-        const double across = target * std::sin(apart);
-        if (across >= best.left) {
-            break;  // which no hole there takes off, nor further in
-        }
+    const double width = turn_of(to - from) > 0.0 ? turn_of(to - from) : 2.0 * pi;
+    const auto try_at = [&](double apart, double across) {
         const double along =
             across < tolerance ? std::sqrt(tolerance * tolerance - across * across) : -1.0;
-        HolePlan plan = plan_holes(target * std::cos(apart), turn_of(angle + inwards * apart), cut,
-                                   diameters, limits, along);
+        HolePlan plan = plan_holes(target * std::cos(apart), turn_of(angle + apart), cut, diameters,
+                                   limits, along);
         const double left = std::hypot(across, plan.left);
         if (plan.holes.empty() || left >= best.left) {
-            continue;
+            return false;
         }
         const bool is_enough = plan.shortfall == Shortfall::none && across < tolerance;
         best = {std::move(plan.holes), left,
                 is_enough   ? Shortfall::none
                 : is_inside ? Shortfall::too_little_room
                             : Shortfall::beside_sector};
-        if (is_enough) {
+        return is_enough;
+    };
+    for (int i = 0; i * step <= width && away + i * step < 0.5 * pi; ++i) {
+        const double apart = away + i * step;
+        const double across = target * std::sin(apart);
+        // What no hole there takes off, nor further in, or that is enough.
+        if (across >= best.left || try_at(inwards * apart, across) ||
+            (is_inside && try_at(-inwards * apart, across))) {
             break;
         }
     }

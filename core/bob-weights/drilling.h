@@ -119,7 +119,7 @@ double edge_beyond(const Cut& cut, const std::pair<double, double>& sector, cons
 HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const double> diameters,
                     const HoleLimits& limits, double tolerance);
 
-/// The same where the sector does not reach the angle, or leaves too little room about it: about an
+/// The same where the sector does not reach the angle, or holes leave no room about it: about an
 /// angle in the sector as near to it as the holes have room, to take off target · cos of the angle
 /// between.
 /// @return its `left` is the size of the vector that they leave; no holes where none lowers it

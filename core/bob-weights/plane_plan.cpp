@@ -346,7 +346,8 @@ class PlanePlanner {
             (is_cramped || plan.shortfall == Shortfall::outside_sector)) {
             press_slugs(unbalance, planned, limits);
         }
-        if (planned.shortfall == Shortfall::none || (limits.allows(angle) && !is_cramped)) {
+        const bool is_free = limits.taken.empty() && !is_cramped;
+        if (planned.shortfall == Shortfall::none || (limits.allows(angle) && is_free)) {
             return planned;
         }
         HolePlan beside = within_limit([&](double enough) {

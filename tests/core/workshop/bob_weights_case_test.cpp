@@ -602,6 +602,26 @@ TEST(Correction, DrillingThatActedOtherwiseIsFound) {
     }
 }
 
+TEST(Correction, OneHoleBesideAnOldOneIsEnoughWhereTwoTakeOffTooMuch) {
+    Json input = with_correction();
+    input["tolerance"] = {{"g_mm", 60}};
+    Json& correction = input["correction"];
+    correction["planes"][0]["radius_mm"] = 80;
+    correction["drill"] = {{"diameters_mm", {10}}, {"maximum_depth_mm", 25}};
+    correction["smallest_depth_mm"] = 1.5;
+    correction["earlier_runs"] = parse_json(R"([{
+        "readings": [{"unbalance_g_mm": 3000, "angle_deg": 255}, {"unbalance_g_mm": 5, "angle_deg": 200}],
+        "drilled": [{"plane": "front", "diameter_mm": 16, "depth_mm": 25, "angle_deg": 255}]}])");
+    for (const double reading : {70.0, 100.0, 130.0}) {
+        correction["readings"] = {{{"unbalance_g_mm", reading}, {"angle_deg", 255}},
+                                  {{"unbalance_g_mm", 5}, {"angle_deg", 200}}};
+        const Json front = front_of(input);
+        EXPECT_EQ(front.at("holes").size(), 1U) << front.dump(1);
+        EXPECT_TRUE(front.at("within_tolerance").get<bool>());
+        EXPECT_NEAR(left_of(front), number(front, "/remaining_g_mm"), 1e-6);
+    }
+}
+
 TEST(Correction, EarlierHolesStayAndLaterOnesKeepClearOfThem) {
     Json input = with_correction();
     input["job"] = {{"engine_number", "2"}};
@@ -647,12 +667,22 @@ TEST(Correction, EarlierHolesStayAndLaterOnesKeepClearOfThem) {
                       half(hole) + half(old) - 1e-12);
         }
     }
-    // Without room it says why.
+    // One alone goes to one side and takes off what it can.
     correction["drill"]["maximum_holes"] = 1;
+    const Json one = front_of(input);
+    EXPECT_EQ(one.at("holes").size(), 1U);
+    EXPECT_NEAR(number(one, "/remaining_g_mm"), 900 * std::sin(15 * degree), 1);
+    expect_reason(one,
+                  "There is too little room next to the holes of earlier runs. Residual: 2.74 g");
+    // Without room it says why.
+    correction["planes"][0]["from_deg"] = 30;
+    correction["planes"][0]["to_deg"] = 48;
     const Json stuck = front_of(input);
     EXPECT_TRUE(stuck.at("holes").empty());
     expect_reason(stuck,
                   "There is too little room next to the holes of earlier runs. Residual: 10.59 g");
+    correction["planes"][0].erase("from_deg");
+    correction["planes"][0].erase("to_deg");
     // Of another crankshaft, or planned by readings of another bob weight, is nothing.
     correction["earlier_runs"][1]["readings"][0]["bobweight_g"] = 1400;
     EXPECT_TRUE(drilled(1, 0).empty());
