@@ -63,7 +63,7 @@ constexpr double usual_bores = 2.0;  ///< of a shaft's length: a crank with its 
 RelievedShaft relieved_shaft(const Input& input, const FrontView& view) {
     RelievedShaft shaft = design_relieved_shaft(relieved_shaft_sizes(input), input.unbalance());
     const auto in_mm = [](double metres) { return Number{metres / units::mm, units::mm, 4}; };
-    const auto note_first = [&shaft](Message note) {
+    const auto note_first = [&shaft](const Message& note) {
         shaft.note = shaft.note.empty() ? note : Message(Text{"%1 %2"}, note, shaft.note);
     };
     const double swing = view.shaft_swing_radius;
