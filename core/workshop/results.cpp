@@ -62,7 +62,7 @@ Verdict unwarned(const Input& input, const Result& result) {
         return {Severity::note, Text::tr("Enter the missing values of engine and parts.")};
     }
     Verdict verdict = undoubted(input, result);
-    if (result.is_provisional()) {
+    if (result.is_provisional() && !bob_weights::balances_itself(input.engine)) {
         verdict.text = {Text::tr("Provisional. %1"), verdict.text};
         verdict.severity = std::max(verdict.severity, Severity::warning);
     }

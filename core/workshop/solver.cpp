@@ -100,7 +100,7 @@ Withheld Result::withheld() const {
 }
 
 bool Result::is_provisional() const {
-    return !shaft.not_given.empty() ||
+    return (shaft.bob_weight && !shaft.not_given.empty()) ||
            std::any_of(doubts.begin(), doubts.end(),
                        [](const Doubt& doubt) { return doubt.rule->is_provisional; });
 }

@@ -309,8 +309,8 @@
         <translation>Углы — против часовой стрелки, если смотреть спереди.</translation>
     </message>
     <message>
-        <source>Drill at the angles of the holes: they are opposite the light spot that the machine shows.</source>
-        <translation>Сверлите под углами отверстий: они напротив лёгкого места, которое показывает станок.</translation>
+        <source>Hole angles are where to drill: opposite the light spot that the machine shows.</source>
+        <translation>Углы отверстий — те, под которыми сверлят: напротив лёгкого места, которое показывает станок.</translation>
     </message>
     <message>
         <source>Permissible residual</source>
@@ -365,8 +365,8 @@
         <translation>%1 (%2 на R %3)</translation>
     </message>
     <message>
-        <source>Drill at the angles of the holes: they are at the heavy spot that the machine shows.</source>
-        <translation>Сверлите под углами отверстий: они у тяжёлого места, которое показывает станок.</translation>
+        <source>Hole angles are where to drill: at the heavy spot that the machine shows.</source>
+        <translation>Углы отверстий — те, под которыми сверлят: у тяжёлого места, которое показывает станок.</translation>
     </message>
 </context>
 <context>

@@ -177,6 +177,10 @@ TEST_F(JobPageTest, CrankpinsThatBalanceOneAnotherNeedNoBobWeights) {
         EXPECT_FALSE(has(said, u"Missing for"_s));
     }
     typeShopCard();
+    EXPECT_TRUE(begins(label("verdict"), none)) << "whatever the parts weigh";
+    type("locks", QString());
+    EXPECT_TRUE(begins(label("verdict"), none));
+    type("locks", u"4.8"_s);
     const QString weight =
         u"Bob weight "_s + Words().digits(*model->solution().bob_weight, units::gram, 1);
     for (const QString& said : {label("verdict"), label("headline"), card()}) {

@@ -711,11 +711,11 @@ QString WorkshopModel::machineText(const Words& words) const {
     }
     said << (machine.shows == workshop::Machine::Shows::light
                  ? words.translate("BobWeights",
-                                   "Drill at the angles of the holes: they are opposite the "
-                                   "light spot that the machine shows.")
+                                   "Hole angles are where to drill: opposite the light spot "
+                                   "that the machine shows.")
                  : words.translate("BobWeights",
-                                   "Drill at the angles of the holes: they are at the heavy spot "
-                                   "that the machine shows."));
+                                   "Hole angles are where to drill: at the heavy spot that "
+                                   "the machine shows."));
     return said.join(QLatin1Char(' '));
 }
 
@@ -891,9 +891,8 @@ ResultCell massCell(const Words& words, double mass, bool isSlug) {
 }
 
 /// Holes that are alike are a row, with the angle of each, as many as a cell has room for.
-/// @param before  mass that a hole had taken off before it was deepened, kg
 void addDrilled(ResultRows& rows, const Words& words, const QString& run, const QString& plane,
-                const std::vector<Hole>& holes, bool isSlug, const auto& before) {
+                const std::vector<Hole>& holes, bool isSlug) {
     for (auto first = holes.begin(); first != holes.end();) {
         constexpr std::ptrdiff_t maximum = 4;
         const auto end = first + std::min(maximum, holes.end() - first);
@@ -906,7 +905,7 @@ void addDrilled(ResultRows& rows, const Words& words, const QString& run, const 
         double mass = 0.0;
         for (auto hole = first; hole != last; ++hole) {
             angles << degreesOf(words, hole->angle);
-            mass += std::round((hole->mass + before(*hole)) / printed) * printed;
+            mass += std::round((hole->mass + hole->mass_before) / printed) * printed;
         }
         rows << ResultRow{run, plane + QStringLiteral(": ") + sizeName(words, isSlug, *first),
                           words.cell(first->depth, units::mm, 1),
@@ -983,16 +982,9 @@ Results WorkshopModel::drilledResults(const Words& words) const {
     for (std::size_t run = 0; run < runs.size(); ++run) {
         for (std::size_t i = 0; i < 2; ++i) {
             const Metal& metal = runs[run].drilled[i];
-            const auto before = [&](const Hole& hole) {
-                const Correction& correction = *input().correction;
-                const Cut cut{correction.planes[i].radius.value_or(0.0), correction.drill.density,
-                              correction.drill.point_angle};
-                return hole.from_depth > 0.0 ? cut.removed(hole.diameter, hole.from_depth).mass
-                                             : 0.0;
-            };
             const QString name = drilledName(words, run);
-            addDrilled(results.rows, words, name, planeName(i, words), metal.holes, false, before);
-            addDrilled(results.rows, words, name, planeName(i, words), metal.slugs, true, before);
+            addDrilled(results.rows, words, name, planeName(i, words), metal.holes, false);
+            addDrilled(results.rows, words, name, planeName(i, words), metal.slugs, true);
         }
     }
     return results;
