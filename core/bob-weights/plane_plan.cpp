@@ -312,10 +312,7 @@ class PlanePlanner {
         for (Hole& hole : slugs.holes) {
             hole.is_axial = into_.axial_wall.has_value();
         }
-        const double deepest =
-            into_.axial_wall
-                ? limits.maximum_depth
-                : std::min(limits.maximum_depth, into_.radius - into_.cone(*slug.diameter));
+        const double deepest = limits.maximum_depth;
         if (slugs.holes.empty() && deepest > 0.0 && into_.lever(*slug.diameter, deepest) > 0.0 &&
             into_.removed(*slug.diameter, deepest).unbalance <= 0.0) {
             slugs.shortfall = Shortfall::short_slugs;

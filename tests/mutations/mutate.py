@@ -36,6 +36,12 @@ OF_WORK = {
     "p.slope(t) + w * c, 2 * p.c2": "a slope of Newton's steps: what they find is judged by its value",
     "i < 100 && high - low > 1e-12": "how often an interval is halved",
     "2 * static_cast<std::size_t>(max_order) + 8": "samples are doubled until two sets agree",
+    "turn_of(result.remaining_angle + pi)": "half a turn is the same place either way round",
+    "-a.key - limit": "all placings prove what the exchanges found before: no case is "
+                        "known where they find more",
+    "(maximum - min_lambda) / scans": "where a search begins",
+    "root(beyond, time[i] - time[i - 1]": "an interval around one root; a longer one has the same",
+    "std::abs(next - t) < previous_width": "when Newton's steps give way to halves; the root is the same",
     "turn_of(angle_ + place)": "holes stand evenly on both sides of the middle",
     "one + std::remainder(other[w] - one": "a difference is squared; its size has a test of its own",
     "std::hypot(p.x - a.x, p.y - a.y)": "no guide that can be drawn has a chord of no length",

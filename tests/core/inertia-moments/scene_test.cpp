@@ -155,6 +155,10 @@ TEST(CaseIo, TheRodsLengthStandsForLambda) {
                   "/input/rod_length_mm: must be greater than the crank radius, 45;", 0),
               0U)
         << test::rejection_of(json);
+    json["rod_length_mm"] = 46e9;
+    EXPECT_EQ(
+        test::rejection_of(json).rfind("/input/rod_length_mm: must be at most 45000000000", 0), 0U)
+        << test::rejection_of(json);
 }
 
 TEST(CaseIo, LockingMechanismsAreRejectedWithTheAngle) {

@@ -272,6 +272,18 @@ TEST(Study, SensitivitiesOfAnAngleDoNotSeeItsZero) {
     }
 }
 
+// Each input has its own pairs of samples that are both feasible.
+TEST(Study, SensitivitiesAreThoseOfTheFeasibleSamples) {
+    Json study = normal_study(2, "sobol", 40'000, 1);
+    const Statistics found = statistics(whole(problem(study, {0, 0}, [](auto x, auto y) {
+        y[0] = x[0] + x[1];
+        return std::abs(x[1]) < 1.0;
+    })));
+    const double within = 1.0 - std::sqrt(2.0 / pi) * std::exp(-0.5) / std::erf(std::sqrt(0.5));
+    EXPECT_NEAR(found.total[0].value().value, 1.0 / (1.0 + within), 0.02);
+    EXPECT_NEAR(found.total[1].value().value, within / (1.0 + within), 0.02);
+}
+
 TEST(Study, CountsRejectionsByTheirReasons) {
     const Part part =
         whole(problem(normal_study(1, "monte-carlo", 1000, 5), {0.0}, [](auto x, auto y) {

@@ -386,7 +386,9 @@ TEST(Doubts, NameThePlanesAsTheMachineDoes) {
 }
 
 TEST(Doubts, AreNoneWhereNothingIsOdd) {
-    for (const Json& input : {card(), weighed_card(), plugs_card()}) {
+    Json slow = card();
+    slow["tolerance"]["service_speed_rpm"] = 1500;
+    for (const Json& input : {card(), weighed_card(), plugs_card(), slow}) {
         const Json result = solved(input);
         EXPECT_TRUE(result.at("doubts").empty()) << result.at("doubts").dump(1);
         EXPECT_TRUE(result.at("doubtful").is_null());
