@@ -58,13 +58,7 @@ double barHeight() {
     return Theme::withText(10);
 }
 
-}  // namespace
-
-QColor faint(QColor colour, double alpha) {
-    colour.setAlphaF(static_cast<float>(alpha));
-    return colour;
-}
-
+/// A level of change in percent, without its unit: as many digits as that round number has.
 QString levelText(double fraction) {
     const double percent = 100.0 * fraction;
     QString text = QLocale().toString(std::abs(percent), 'g', 4);
@@ -74,6 +68,13 @@ QString levelText(double fraction) {
         text.prepend(QLatin1Char('+'));
     }
     return text;
+}
+
+}  // namespace
+
+QColor faint(QColor colour, double alpha) {
+    colour.setAlphaF(static_cast<float>(alpha));
+    return colour;
 }
 
 QImage changeImage(const ChangeContours& field) {
@@ -120,28 +121,19 @@ QPolygonF inPixels(const PlotView& plot, const QPolygonF& line) {
     return drawn;
 }
 
-std::vector<QPolygonF> drawContours(QPainter& painter, const ChangeContours& field,
-                                    const PlotView& plot) {
+void drawContours(QPainter& painter, const ChangeContours& field, const PlotView& plot) {
     const Theme& theme = Theme::instance();
-    const auto& contours = field.contours;
-    std::vector<QPolygonF> longest(contours.size());
     std::vector<LinesOfPen> all;
-    for (std::size_t i = 0; i < contours.size(); ++i) {
-        const bool zero = contours[i].level == 0.0;
-        std::vector<QPolygonF> lines;
-        lines.reserve(contours[i].lines.size());
-        for (const QPolygonF& line : contours[i].lines) {
-            lines.push_back(inPixels(plot, line));
-            if (lines.back().size() > longest[i].size()) {
-                longest[i] = lines.back();
-            }
+    for (const ChangeContours::Contour& contour : field.contours) {
+        all.push_back(
+            {contour.level == 0.0 ? QPen(theme.text(), 2.4) : QPen(faint(theme.text(), 0.38), 1.0),
+             {}});
+        for (const QPolygonF& line : contour.lines) {
+            all.back().lines.push_back(inPixels(plot, line));
         }
-        all.push_back({zero ? QPen(theme.text(), 2.4) : QPen(faint(theme.text(), 0.38), 1.0),
-                       std::move(lines)});
     }
     painter.setBrush(Qt::NoBrush);
     paintLines(painter, all);
-    return longest;
 }
 
 double changeKeyHeight() {

@@ -3,7 +3,6 @@
 #include <QColor>
 #include <QImage>
 #include <QPolygonF>
-#include <QString>
 #include <vector>
 
 #include "balance-shaft/model/change_contours.h"
@@ -18,15 +17,11 @@ class PlotView;
 // stronger; the eye that sees no red tells them apart, and so does grey from either.
 
 QColor faint(QColor colour, double alpha);
-/// A level of change in percent, without its unit: as many digits as that round number has.
-QString levelText(double fraction);
 /// The field as bands of colour, each step of the grid drawn several pixels wide.
 QImage changeImage(const ChangeContours& field);
 /// A line in the units of the axes, in pixels.
 QPolygonF inPixels(const PlotView& plot, const QPolygonF& line);
-/// @return the longest line of each level, in pixels, for its number
-std::vector<QPolygonF> drawContours(QPainter& painter, const ChangeContours& field,
-                                    const PlotView& plot);
+void drawContours(QPainter& painter, const ChangeContours& field, const PlotView& plot);
 /// The bar of the colours with its numbers, pixels.
 double changeKeyHeight();
 /// In smaller type where two numbers would meet; what meets another even so has its line alone.

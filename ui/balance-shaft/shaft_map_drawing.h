@@ -42,11 +42,6 @@ class PlaceScale {
     const PlotView& plot_;
 };
 
-/// The room of a marker, with a gap around it.
-inline double markerRadius() {
-    return 9.0 * strokeScale();
-}
-
 // Over the colours, what rests while the shaft moves.
 
 /// Infeasible places: hatched.

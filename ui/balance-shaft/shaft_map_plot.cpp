@@ -38,20 +38,11 @@ ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, QWidget* parent)
         overCurvesChanged();
         setFaded(map_->isStale());
     });
-    connect(map_, &ShaftMapModel::moved, this, &ShaftMapPlot::showShaft);
-    connect(model_, &SceneModel::rested, this, &ShaftMapPlot::showShaft);
+    connect(map_, &ShaftMapModel::moved, this, qOverload<>(&QWidget::update));
     connect(model_->crank(), &CrankAngle::changed, this, &ShaftMapPlot::overCurvesChanged);
     connect(&Theme::instance(), &Theme::changed, this, &ShaftMapPlot::showImage);
     setFaded(map_->isStale());
     showImage();
-}
-
-void ShaftMapPlot::showShaft() {
-    // Numbers give way to a shaft that rests.
-    if (!model_->isMoved() && !(map_->present() == freeFor_)) {
-        groundChanged();
-    }
-    update();
 }
 
 QPointF ShaftMapPlot::pixelOf(const ShaftMapModel::Position& position) const {
@@ -90,7 +81,6 @@ void ShaftMapPlot::paintGround(QPainter& painter) {
         paintChangeKey(painter, map_->field().levels, QPointF(Theme::margin, keyTop()),
                        width() - 2.0 * Theme::margin);
     }
-    labels_.clear(plotArea());
     if (map_->map() == nullptr) {
         return;
     }
@@ -102,30 +92,8 @@ void ShaftMapPlot::paintGround(QPainter& painter) {
     if (const ShaftMapModel* other = referenceMap()) {
         drawReference(painter, *other, scale);
     }
-    labelMarkers();  // first: the contours' numbers give way to theirs
-    const ShaftMapModel::Marker* best = nullptr;
-    for (const ShaftMapModel::Marker& marker : map_->markers()) {
-        if (marker.criterion == map_->criterion()) {
-            best = &marker;  // the last is the one of all places
-        }
-    }
-    labels_.addContours(map_->field(), drawContours(painter, map_->field(), *this),
-                        best != nullptr ? scale.at(best->position) : plotArea().center());
+    drawContours(painter, map_->field(), *this);
     painter.restore();
-}
-
-void ShaftMapPlot::labelMarkers() {
-    for (const ShaftMapModel::Marker& marker : map_->markers()) {
-        labels_.keepFree(pixelOf(marker.position), markerRadius());
-    }
-    // No number under the handle, as it is now.
-    freeFor_ = map_->present();
-    labels_.keepFree(pixelOf(freeFor_), shaftHandleRadius + 2.0);
-    const PlaceScale scale(*this);
-    labels_.keepFreeCircle(scale.at(0.0, 0.0), freeFor_.centre_distance() * scale.perMetre());
-    labels_.keepFreeCircle(scale.at(freeFor_),
-                           model_->solver().front_view().shaft_swing_radius * scale.perMetre());
-    labels_.addMarkers(*map_, scale);
 }
 
 void ShaftMapPlot::paintOverCurves(QPainter& painter) {
@@ -139,8 +107,6 @@ void ShaftMapPlot::paintOverCurves(QPainter& painter) {
         painter.setPen(Theme::instance().text());
         painter.drawText(plotArea().adjusted(Theme::space, Theme::space, -Theme::space, 0),
                          Qt::AlignTop | Qt::AlignRight, tr("computing…"));
-    } else {
-        labels_.paint(painter);
     }
     painter.restore();
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "balance-shaft/model/shaft_map_model.h"
-#include "balance-shaft/shaft_map_labels.h"
 #include "page/part_views.h"
 #include "theme/theme.h"
 
@@ -40,7 +39,6 @@ class ShaftMapPlot : public PartPlot {
 
   protected:
     void paintGround(QPainter& painter) override;
-    /// Engine and numbers.
     void paintOverCurves(QPainter& painter) override;
     void paintTop(QPainter& painter) override;
     double keyHeight() const override;
@@ -56,12 +54,10 @@ class ShaftMapPlot : public PartPlot {
     void hideEvent(QHideEvent* event) override;
 
   private:
-    void showShaft();
     void showImage();
     void endDrag();
     bool isHandle(const QPointF& pixel) const;
     const ShaftMapModel::Marker* markerAt(const QPointF& pixel) const;
-    void labelMarkers();
     /// What the place does, beside the shaft while it is dragged.
     void paintChange(QPainter& painter) const;
 
@@ -71,8 +67,6 @@ class ShaftMapPlot : public PartPlot {
     bool gripped_ = false;  ///< the button pressed on the handle is still down
     QPointF grip_;          ///< from the pointer to the axis
     std::optional<std::size_t> chosen_;
-    ShaftMapLabels labels_;
-    ShaftMapModel::Position freeFor_;  ///< of the shaft, where no number is placed
 };
 
 }  // namespace ravnoves

@@ -12,7 +12,6 @@
 #include "balance-shaft/change_colours.h"
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/speed_study_model.h"
-#include "balance-shaft/shaft_map_labels.h"
 #include "balance-shaft/torque_source_editor.h"
 #include "model/background_job.h"
 #include "page/part_views.h"
@@ -50,7 +49,6 @@ class SpeedMapPlot : public PartPlot {
 
   protected:
     void paintGround(QPainter& painter) override;
-    void paintOverCurves(QPainter& painter) override;
     bool readsUnderPointer() const override { return false; }  // as text beside the map
     double keyHeight() const override;
     bool event(QEvent* event) override;
@@ -64,7 +62,6 @@ class SpeedMapPlot : public PartPlot {
     const ChangeContours* map() const { return study_->isSolved() ? &study_->map() : nullptr; }
 
     SpeedStudyModel* study_;
-    std::vector<QPolygonF> lines_;  ///< the longest of each level, pixels
 };
 
 SpeedMapPlot::SpeedMapPlot(BalanceShaftModel* model, QWidget* parent)
@@ -90,7 +87,6 @@ double SpeedMapPlot::keyHeight() const {
 }
 
 void SpeedMapPlot::paintGround(QPainter& painter) {
-    lines_.clear();
     if (map() == nullptr) {
         return;
     }
@@ -99,25 +95,8 @@ void SpeedMapPlot::paintGround(QPainter& painter) {
     paintChangeKey(painter, map()->levels, QPointF(2.0 * Theme::margin, keyTop()),
                    width() - 4.0 * Theme::margin);
     painter.setClipRect(plotArea());
-    lines_ = drawContours(painter, *map(), *this);
+    drawContours(painter, *map(), *this);
     painter.restore();
-}
-
-void SpeedMapPlot::paintOverCurves(QPainter& painter) {
-    if (lines_.empty()) {
-        return;
-    }
-    ShaftMapLabels labels;
-    labels.clear(plotArea());
-    for (const PlotCurve& curve : data().curves) {
-        constexpr double apart = 3.0;  // pixels
-        for (std::size_t i = 0; i < curve.x.size(); ++i) {
-            labels.keepFree(toPixel(curve.x[i], curve.y[i]), apart);
-        }
-    }
-    labels.addContours(*map(), lines_, plotArea().center());
-    painter.setRenderHint(QPainter::Antialiasing);
-    labels.paint(painter);
 }
 
 QString SpeedMapPlot::wordsAt(double angleDeg, double speed) const {

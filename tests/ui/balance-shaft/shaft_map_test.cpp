@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
-#include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -20,7 +19,6 @@
 #include "model/background_job.h"
 #include "numerics/constants.h"
 #include "page_fixture.h"
-#include "painted.h"
 #include "pictures/model/stroke.h"
 
 namespace ravnoves {
@@ -60,19 +58,6 @@ class ShaftMapTest : public test::PageTest<BalanceShaftPage> {
     double angle() const { return model->input().shaft_angle; }
     QString words() { return find<QLabel>("shaft_map_words")->text(); }
     bool says(const char* text) { return words().contains(QString::fromUtf8(text)); }
-    /// The numbers at contours and markers, in the plot's pixels.
-    std::vector<test::PaintedText> numbers() {
-        test::Painted painted;
-        test::Recorder recorder(plot->size(), painted);
-        QPainter painter(&recorder);
-        plot->renderTo(painter, plot->rect());
-        std::erase_if(painted.texts, [this](const test::PaintedText& text) {
-            return !text.text.endsWith(QLatin1Char('%')) ||
-                   !plot->plotArea().contains(text.ink.center());
-        });
-        return painted.texts;
-    }
-
     ShaftMapModel* map = model->shaftMap();
     ShaftMapView* view = page.findChild<ShaftMapView*>();
     ShaftMapPlot* plot = page.findChild<ShaftMapPlot*>();
@@ -364,30 +349,14 @@ TEST_F(ShaftMapTest, ChartsGoToTheirPlaces) {
     EXPECT_EQ(model->history()->count(), 2);
 }
 
-TEST_F(ShaftMapTest, NumbersOfTheMapOverlapNowhere) {
+TEST_F(ShaftMapTest, ChartsAreBesideTheMapWhereThereIsRoom) {
     for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1920, 1080)}) {
         page.resize(size);
         QApplication::processEvents();
         for (const Criterion criterion : {Criterion::Range, Criterion::Rms, Criterion::Both}) {
             map->setCriterion(criterion);
-            const auto all = numbers();
-            EXPECT_GT(all.size(), 2U);
-            for (std::size_t i = 0; i < all.size(); ++i) {
-                EXPECT_TRUE(plot->plotArea().contains(all[i].ink));
-                for (std::size_t j = i + 1; j < all.size(); ++j) {
-                    EXPECT_FALSE(all[i].ink.intersects(all[j].ink))
-                        << all[i].text.toStdString() << " " << all[j].text.toStdString();
-                }
-                for (const ShaftMapModel::Marker& marker : map->markers()) {
-                    const QPointF half(8.0, 8.0);
-                    const QPointF middle = plot->pixelOf(marker.position);
-                    EXPECT_FALSE(all[i].ink.intersects(QRectF(middle - half, middle + half)))
-                        << all[i].text.toStdString();
-                }
-            }
             EXPECT_GT(plot->plotArea().height(), 100.0);
         }
-        // Where there is room the charts stand beside the map.
         const bool isWide = view->width() >= 860;  // the page may have folded
         EXPECT_EQ(view->findChild<QTabWidget*>()->count(), isWide ? 2 : 4);
         EXPECT_EQ(sizes->isVisible(), isWide);
@@ -576,28 +545,6 @@ TEST_F(ShaftMapTest, CurvesThatAreReadOutHaveNames) {
             EXPECT_FALSE(chart->data().curve(i).style.name.isEmpty()) << i;
         }
     }
-}
-
-TEST_F(ShaftMapTest, NoNumberIsUnderTheHandleAtRest) {
-    const auto expectNone = [this] {
-        for (const test::PaintedText& number : numbers()) {
-            EXPECT_FALSE(number.ink.adjusted(-6, -6, 6, 6).contains(handle()))
-                << number.text.toStdString();
-        }
-    };
-    expectNone();
-    // Where it goes the numbers give way: by a double click, and after a drag.
-    QTest::mouseDClick(plot, Qt::LeftButton, {}, numbers().at(0).ink.center().toPoint());
-    wait();
-    expectNone();
-    const QPointF to = numbers().at(0).ink.center();
-    QTest::mousePress(plot, Qt::LeftButton, {}, handle().toPoint());
-    move(to);
-    QApplication::processEvents();
-    QTest::mouseRelease(plot, Qt::LeftButton, {}, to.toPoint());
-    wait();
-    EXPECT_LT(QLineF(handle(), to).length(), 3.0);
-    expectNone();
 }
 
 TEST_F(ShaftMapTest, TheFieldIsACsv) {
