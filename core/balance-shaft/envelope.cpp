@@ -47,21 +47,13 @@ FrontView front_view(const Input& input) {
         shaft_radius = bar > 0.0 ? bar : half_disc;
     }
     view.shaft_swing_radius = sizes.shaft_swing_radius.value_or(shaft_radius);
-    view.gear_tip_radius = sizes.gear_tip_radius.value_or(0.0);
+    view.centre_distance = input.centre_distance;
+    view.gear_pitch_radius = view.centre_distance / 2.0;
+    view.gear_tip_radius = sizes.gear_tip_radius.value_or(view.gear_pitch_radius);
     view.tip_follows_distance = !sizes.gear_tip_radius;
     view.gear_teeth = input.gears.teeth;
     view.clearance = sizes.clearance;
     view.wall = sizes.wall;
-    return view.at_distance(input.centre_distance);
-}
-
-FrontView FrontView::at_distance(double distance) const {
-    FrontView view = *this;
-    view.centre_distance = distance;
-    view.gear_pitch_radius = distance / 2.0;
-    if (tip_follows_distance) {
-        view.gear_tip_radius = view.gear_pitch_radius;
-    }
     return view;
 }
 

@@ -37,8 +37,6 @@ struct FrontView {
     bool tip_follows_distance;  ///< the gears' tip radius is not given
     bool operator==(const FrontView&) const = default;
 
-    /// The same engine with its shaft at another centre distance, m.
-    FrontView at_distance(double distance) const;
     SliderCrank<double> crank() const { return {crank_radius, rod_length, offset}; }
     /// Half of what the cylinder with its wall takes across.
     double cylinder_half_width() const { return cylinder_bore / 2.0 + cylinder_wall; }

@@ -111,36 +111,6 @@ std::optional<BestPosition> PositionStudy::best_built(double weight,
     return place ? std::optional(judged(*place)) : std::nullopt;
 }
 
-/// On a circle a plane under a convex criterion is a sinusoid of α.
-BestPosition PositionStudy::best_at(double distance, double weight,
-                                    const std::vector<AngleStretch>& within) const {
-    BestPosition best;
-    double angle = 0.0;
-    if (weight > 0.0) {
-        const PlaceQuestion sum = question_of_sum(weight);
-        const AngleMinimum found = minimise_over_angle(
-            [&](double alpha) -> Cut {
-                const ShaftPosition at = ShaftPosition::at(distance, alpha);
-                const PlaceValue here = sum.criterion({at.x, at.y});
-                const double p = distance * here.gradient.y();
-                const double q = distance * here.gradient.x();
-                return {alpha,
-                        here.value,
-                        {here.value - p * std::cos(alpha) - q * std::sin(alpha), p, q}};
-            },
-            distance* sum.growth, distance* sum.growth, within);
-        angle = found.alpha;
-        best.gap = found.gap;
-    } else {
-        const bool any = force_ == 0.0 || plane().opposed().norm() <= moment_rounding * size_;
-        const Eigen::Vector2d opposed = any ? Moment(0.0, 0.0) : place_of(plane().opposed());
-        angle = nearest_angle(within, ShaftPosition{opposed.x(), opposed.y()}.shaft_angle());
-    }
-    best.position = ShaftPosition::at(distance, angle);
-    best.criteria = at(best.position);
-    return best;
-}
-
 ShaftPosition ShaftPosition::at(double centre_distance, double shaft_angle) {
     return {centre_distance * std::sin(shaft_angle), centre_distance * std::cos(shaft_angle)};
 }
@@ -170,15 +140,6 @@ BestPositions PositionStudy::best() const {
     answer.range = best_free(1.0);
     answer.rms = best_free(0.0);
     return answer;
-}
-
-std::optional<BestPosition> PositionStudy::best_buildable_at(double centre_distance,
-                                                             double range_weight) const {
-    const BuildableAngles buildable =
-        buildable_angles(places_.view().at_distance(centre_distance), solver_.input().place_limits);
-    return buildable.stretches.empty()
-               ? std::nullopt
-               : std::optional(best_at(centre_distance, range_weight, buildable.stretches));
 }
 
 std::optional<BestPosition> PositionStudy::best_sum(double range_weight) const {

@@ -88,11 +88,6 @@ class PositionStudy {
     /// size, to a thousandth; of several the one with the smallest sum of the opposite weight (RMS
     /// beside range). The gap is the size's, m².
     std::optional<BestPosition> smallest_buildable(double range_weight, double more = 0.01) const;
-    /// The same over α at a centre distance, m: over all α or some, and over the feasible ones.
-    BestPosition best_at(double centre_distance, double range_weight,
-                         const std::vector<AngleStretch>& within = whole_turn()) const;
-    std::optional<BestPosition> best_buildable_at(double centre_distance,
-                                                  double range_weight) const;
 
     Obstacle obstacle(const ShaftPosition& position) const;
     Message obstacle_reason(const ShaftPosition& position) const;  ///< a sentence; empty: none

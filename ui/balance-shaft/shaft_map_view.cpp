@@ -26,24 +26,14 @@
 
 namespace ravnoves {
 
-namespace {
-
-constexpr int wideFrom = 860;  ///< designed pixels that map and charts need beside each other
-constexpr int sideWidth = 340;
-
-}  // namespace
-
 ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model), map_(model->shaftMap()) {
     QVBoxLayout* column = columnIn(this, Theme::space, tabMargins);
-    bar_ = buildBar();
-    column->addWidget(bar_);
+    column->addWidget(buildBar());
 
-    auto* body = new QHBoxLayout;
-    body->setSpacing(Theme::space);
-    tabs_ = new FittedTabs(this);
-    tabs_->setDocumentMode(true);
-    auto* front = new QWidget(tabs_);
+    auto* tabs = new FittedTabs(this);
+    tabs->setDocumentMode(true);
+    auto* front = new QWidget(tabs);
     front->setObjectName(QStringLiteral("front"));
     QVBoxLayout* frontColumn = columnIn(front, Theme::gap);
     plot_ = new ShaftMapPlot(model_, front);
@@ -52,18 +42,10 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     words_->setAccessibleName(tr("The place under the pointer, or the best one"));
     wordsRoom_ = new Apart(words_, front);
     frontColumn->addWidget(wordsRoom_);
-    tabs_->addTab(front, tr("Front view"));
-    tabs_->addTab(buildLimits(), tr("Limits"));
-    body->addWidget(tabs_, 1);
-    side_ = new QWidget(this);
-    side_->setFixedWidth(Theme::withText(sideWidth));
-    sideColumn_ = new QVBoxLayout(side_);
-    sideColumn_->setContentsMargins(0, 0, 0, 0);
-    sideColumn_->setSpacing(Theme::space);
-    side_->hide();
-    body->addWidget(side_);
-    column->addLayout(body, 1);
-    buildCharts();
+    tabs->addTab(front, tr("Front view"));
+    tabs->addTab(buildLimits(), tr("Limits"));
+    tabs->addTab(buildSizes(), tr("Pareto"));
+    column->addWidget(tabs, 1);
 
     connect(plot_, &ShaftMapPlot::hovered, this, &ShaftMapView::showWords);
     connect(map_, &ShaftMapModel::mapChanged, this, &ShaftMapView::showMap);
@@ -75,7 +57,6 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
             showWords(map_->isAtBest() ? QString() : shaft_map_text::place(*map_, map_->present()));
         }
     });
-    arrange();
     showMap();
 }
 
@@ -134,7 +115,7 @@ QWidget* ShaftMapView::buildBar() {
 }
 
 QWidget* ShaftMapView::buildLimits() {
-    auto* form = new Form(model_, tabs_);
+    auto* form = new Form(model_, this);
     FormSection* section = form->section(tr("Limits on the shaft's axis"));
     for (const char* place :
          {"/place_limits/centre_distance_min_mm", "/place_limits/centre_distance_max_mm",
@@ -152,56 +133,24 @@ QWidget* ShaftMapView::buildLimits() {
     return form;
 }
 
-void ShaftMapView::buildCharts() {
-    const auto add = [this](std::string_view part, const char* name, const QString& hint) {
-        auto* chart = new PartPlot(model_, part, tabs_);
-        chart->setObjectName(QLatin1String(name));
-        chart->setPickable(true);
-        chart->setToolTip(hint);
-        chart->installEventFilter(this);
-        return chart;
-    };
-    distances_ = add("distances", "distances",
-                     tr("Minimum range and RMS at each l with its best α; thick: feasible. Size of "
-                        "the box by the criterion; click to move the shaft."));
-    connect(distances_, &PlotView::picked, this,
-            [this](double x) { map_->goToDistance(x * units::mm); });
-
-    sizes_ = add("front", "sizes",
-                 tr("Feasible places that are Pareto-optimal in range, RMS and size. Click to move "
-                    "the shaft."));
+QWidget* ShaftMapView::buildSizes() {
+    sizes_ = new PartPlot(model_, "front", this);
+    sizes_->setObjectName(QStringLiteral("sizes"));
+    sizes_->setPickable(true);
+    sizes_->setToolTip(
+        tr("Feasible places that are Pareto-optimal in range, RMS and size. Click to move "
+           "the shaft."));
+    sizes_->installEventFilter(this);
     connect(sizes_, &PlotView::pickedAt, this, &ShaftMapView::pickSize);
+    return sizes_;
 }
 
-/// A click or a drag in a chart is one step of the history.
+/// A click or a drag in the chart is one step of the history.
 bool ShaftMapView::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::MouseButtonRelease) {
         model_->finishDrag();
     }
     return QWidget::eventFilter(watched, event);
-}
-
-void ShaftMapView::arrange() {
-    const bool wide = width() >= Theme::withText(wideFrom);
-    if (wide_ == wide) {
-        return;
-    }
-    wide_ = wide;
-    if (wide) {
-        for (PartPlot* chart : {distances_, sizes_}) {
-            sideColumn_->addWidget(chart, 1);  // takes it out of the tabs
-            chart->show();
-        }
-    } else {
-        tabs_->addTab(distances_, tr("Over l"));
-        tabs_->addTab(sizes_, tr("Pareto"));
-    }
-    side_->setVisible(wide);
-}
-
-QSize ShaftMapView::minimumSizeHint() const {
-    return {std::max(bar_->minimumSizeHint().width(), tabs_->minimumSizeHint().width()),
-            QWidget::minimumSizeHint().height()};
 }
 
 void ShaftMapView::showEvent(QShowEvent* event) {
@@ -212,7 +161,6 @@ void ShaftMapView::showEvent(QShowEvent* event) {
 
 void ShaftMapView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    arrange();
     fitWords();
 }
 
@@ -220,11 +168,10 @@ void ShaftMapView::fitWords() {
     const bool isNarrow = width() < Theme::withText(500);
     const bool isWide = width() >= Theme::withText(600);
     // What is read under the pointer is shorter than the best place.
-    const int room = width() - (wide_.value_or(false) ? side_->width() + Theme::space : 0);
-    const int needed =
-        words_->fontMetrics()
-            .boundingRect(QRect(0, 0, room, 10000), Qt::TextWordWrap, shaft_map_text::best(*map_))
-            .height();
+    const int needed = words_->fontMetrics()
+                           .boundingRect(QRect(0, 0, width(), 10000), Qt::TextWordWrap,
+                                         shaft_map_text::best(*map_))
+                           .height();
     const int rows = isNarrow ? 5 : isWide ? 3 : 4;
     wordsRoom_->setFixedHeight(std::max(rows * words_->fontMetrics().lineSpacing(), needed) + 2);
 }
@@ -245,7 +192,6 @@ bool ShaftMapView::nothingIsBuilt() const {
 
 void ShaftMapView::showStale() {
     const QString computing = tr("computing…");
-    distances_->setFaded(map_->isStale(), computing);
     sizes_->setFaded(map_->isStale() || nothingIsBuilt(),
                      map_->isStale() ? computing : tr("no feasible position"));
 }

@@ -1,14 +1,11 @@
 #pragma once
 
 #include <QWidget>
-#include <optional>
 
 #include "widgets/field_slider.h"
 
 class QComboBox;
 class QPushButton;
-class QTabWidget;
-class QVBoxLayout;
 
 namespace ravnoves {
 
@@ -17,17 +14,13 @@ class PartPlot;
 class ShaftMapModel;
 class ShaftMapPlot;
 
-/// Positions the shaft: the map of its places over the front view, the criteria over the centre
-/// distance, and their cost in size. The charts are beside the map where there is room, else on
-/// tabs of their own.
+/// Positions the shaft: the map of its places over the front view, the limits on them, and the cost
+/// of the criterion in size.
 class ShaftMapView : public QWidget {
     Q_OBJECT
 
   public:
     explicit ShaftMapView(BalanceShaftModel* model, QWidget* parent = nullptr);
-
-    /// The minimum of the map alone: the charts move to tabs where there is no room.
-    QSize minimumSizeHint() const override;
 
   protected:
     void showEvent(QShowEvent* event) override;
@@ -37,8 +30,7 @@ class ShaftMapView : public QWidget {
   private:
     QWidget* buildBar();
     QWidget* buildLimits();
-    void buildCharts();
-    void arrange();
+    QWidget* buildSizes();
     void showMap();
     void showPresent();
     void showStale();
@@ -57,13 +49,8 @@ class ShaftMapView : public QWidget {
     QPushButton* best_;
     QLabel* words_;
     QWidget* wordsRoom_;  ///< what the words may take
-    QTabWidget* tabs_;
-    QWidget* side_;
-    QVBoxLayout* sideColumn_;
     ShaftMapPlot* plot_;
-    PartPlot* distances_;
     PartPlot* sizes_;
-    std::optional<bool> wide_;  ///< the charts are beside the map
 };
 
 }  // namespace ravnoves

@@ -89,7 +89,7 @@ void BalanceShaftModel::setSpeedCriterion(Criterion criterion) {
 }
 
 void BalanceShaftModel::needPart(std::string_view id) {
-    if (id == "places" || id == "best-place" || id == "distances" || id == "front") {
+    if (id == "places" || id == "best-place" || id == "front") {
         shaftMap()->need();
     } else if (id == "best-angles" || id == "speed-map" || id == "least-bad") {
         speedStudy()->need();

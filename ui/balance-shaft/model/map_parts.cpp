@@ -14,27 +14,11 @@
 
 namespace ravnoves::shaft_parts {
 
-using Kind = PlaceCriterion::Kind;
-using Measure = double ShaftMap::Criteria::*;
-using Place = std::optional<ShaftMap::Place>;
-
 namespace {
 
 /// Null: none is there.
 const ShaftMap* mapOf(const BalanceShaftModel& model) {
     return model.shaftMap() != nullptr ? model.shaftMap()->map() : nullptr;
-}
-
-/// With gaps where there is no place.
-template <typename Places>
-std::vector<double> valuesOf(const Places& places, Measure measure, double unit = 1.0) {
-    std::vector<double> values;
-    values.reserve(places.size());
-    for (const Place place : places) {
-        values.push_back(place ? place->criteria.*measure / unit
-                               : std::numeric_limits<double>::quiet_NaN());
-    }
-    return values;
 }
 
 }  // namespace
@@ -60,87 +44,6 @@ Figure places(const BalanceShaftModel& model) {
              .shape = marker.isBuildable ? plot::Shape::Points : plot::Shape::Rings},
             {marker.position.x / units::mm}, {marker.position.y / units::mm});
     }
-    return figure;
-}
-
-Figure distances(const BalanceShaftModel& model) {
-    Figure figure;
-    figure.title = ShaftParts::tr("Best α of each l; thick: feasible");
-    figure.x = {.title = ShaftParts::tr("l, mm"), .min = 0.0, .max = 200.0};
-    figure.left = {.title = ShaftParts::tr("N·m")};
-    figure.right = {.title = ShaftParts::tr("width × height, cm²")};
-    figure.presentX = model.input().centre_distance / units::mm;
-    figure.marks.emplace();
-    const ShaftMap* map = mapOf(model);
-    if (map == nullptr) {
-        return figure;
-    }
-    figure.x.max = map->view / units::mm;
-    const ShaftMap::Distances& of = map->distances;
-    const std::vector<double> x = inUnit(of.distance, units::mm);
-    const auto add = [&](const char* id, plot::CurveStyle style, std::vector<double> values) {
-        figure.add(id, std::move(style), x, std::move(values));
-    };
-    constexpr Measure range = &ShaftMap::Criteria::range;
-    constexpr Measure rms = &ShaftMap::Criteria::rms;
-    add("range",
-        {.name = ShaftParts::tr("min. range"),
-         .role = Role::Range,
-         .width = 1.2,
-         .toolTip = ShaftParts::tr("At its best α")},
-        valuesOf(of.range, range));
-    add("RMS",
-        {.name = ShaftParts::tr("min. RMS"),
-         .role = Role::Rms,
-         .width = 1.2,
-         .toolTip = ShaftParts::tr("At its best α")},
-        valuesOf(of.rms, rms));
-    // The size of where a click goes.
-    const bool byRms = model.placeCriterion().kind == Kind::Rms;
-    std::vector<Place> best;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const Place& built = byRms ? of.rmsBuilt[i] : of.rangeBuilt[i];
-        best.push_back(built ? built : byRms ? of.rms[i] : of.range[i]);
-    }
-    add("size",
-        {.name = ShaftParts::tr("size"),
-         .role = Role::OtherQuantity,
-         .side = plot::Side::Right,
-         .width = 1.2,
-         .toolTip = ShaftParts::tr("Width × height of the box, right axis")},
-        valuesOf(best, &ShaftMap::Criteria::size, units::cm2.to_si));
-    const auto addBuilt = [&](const char* id, const QString& name, Role role,
-                              const std::vector<Place>& built, Measure measure) {
-        add(id, {.name = name, .role = role, .width = 3.4, .inLegend = false, .gaps = true},
-            valuesOf(built, measure));
-    };
-    addBuilt("range-built", ShaftParts::tr("min. range, feasible"), Role::Range, of.rangeBuilt,
-             range);
-    addBuilt("RMS-built", ShaftParts::tr("min. RMS, feasible"), Role::Rms, of.rmsBuilt, rms);
-    // Both axes from 0, on one line.
-    const auto fromZero = [&](plot::Side side) {
-        double maximum = 0.0;
-        for (const Figure::Curve& curve : figure.curves) {
-            for (std::size_t i = 0; curve.style.side == side && i < curve.y.size(); ++i) {
-                maximum = std::max(maximum, std::isnan(curve.y[i]) ? 0.0 : curve.y[i]);
-            }
-        }
-        return maximum > 0.0 ? std::optional(std::pair(0.0, maximum)) : std::nullopt;
-    };
-    figure.leftRange = fromZero(plot::Side::Left);
-    figure.rightRange = fromZero(plot::Side::Right);
-    const auto mark = [&](const Place& built, const Place& all, Measure measure, Role role) {
-        if (const Place& found = built ? built : all) {
-            const double l = found->position.centre_distance();
-            figure.marks->push_back({.x = l / units::mm,
-                                     .y = found->criteria.*measure,
-                                     .text = shownDigits(l, units::mm, 1),
-                                     .role = role,
-                                     .ring = true});
-        }
-    };
-    mark(map->buildable.range, map->best.range, range, Role::Range);
-    mark(map->buildable.rms, map->best.rms, rms, Role::Rms);
     return figure;
 }
 

@@ -40,20 +40,19 @@ double PlaceCriterion::valueOf(const Study& study, const Criteria& criteria) con
     return of(kind, criteria.range, criteria.rms, change(study, criteria.range, criteria.rms));
 }
 
-PlaceCriterion::Position PlaceCriterion::shortened(const Study& study, const Position& exact,
-                                                   bool keepsDistance) const {
+PlaceCriterion::Position PlaceCriterion::shortened(const Study& study,
+                                                   const Position& exact) const {
     constexpr double parts = 100.0;  // of a millimetre and of a degree
     constexpr int around = 3;
     const auto isBuildable = [&](const Position& position) {
         return study.obstacle(position) == balance_shaft::Obstacle::none;
     };
-    const double length = parts * exact.centre_distance() / units::mm;
-    const double l = keepsDistance ? std::round(length) : std::floor(length);
+    const double l = std::floor(parts * exact.centre_distance() / units::mm);
     const double alpha = std::floor(parts * exact.shaft_angle() / degree);
     const bool canBeBuilt = isBuildable(exact);
     Position best = exact;
     double minimum = std::numeric_limits<double>::infinity();
-    for (int i = keepsDistance ? 0 : 1 - around; i <= (keepsDistance ? 0 : around); ++i) {
+    for (int i = 1 - around; i <= around; ++i) {
         for (int k = 1 - around; k <= around; ++k) {
             const Position at = Position::at(std::max(l + i, 0.0) / parts * units::mm,
                                              (alpha + k) / parts * degree);

@@ -34,8 +34,7 @@ struct PlaceCriterion {
     double rangeWeight(const Study& study) const;
     /// The best of the places nearby whose l and α are whole 0.01 mm and 0.01° and that are as
     /// feasible as the place itself; else the place.
-    /// @param keepsDistance  l is whole already and is kept
-    Position shortened(const Study& study, const Position& exact, bool keepsDistance = false) const;
+    Position shortened(const Study& study, const Position& exact) const;
 
   private:
     double rangeShare() const;

@@ -19,7 +19,6 @@ constexpr double reachAcross = 2.6;
 constexpr double reachUp = 1.6;
 constexpr std::size_t obstacleColumns = 196;
 constexpr std::size_t obstacleRows = 121;
-constexpr std::size_t distances = 120;
 constexpr double roomAround = 1.25;
 
 void findObstacles(ShaftMap& map, const std::function<bool(double)>& progress) {
@@ -65,21 +64,6 @@ void findObstacles(ShaftMap& map, const std::function<bool(double)>& progress) {
     }
 }
 
-/// @param continues  false stops it
-ShaftMap::Distances bestOfDistances(const PositionStudy& study, double reach,
-                                    const std::function<bool()>& continues) {
-    ShaftMap::Distances found;
-    for (std::size_t i = 1; i <= distances && continues(); ++i) {
-        const double distance = reach * static_cast<double>(i) / distances;
-        found.distance.push_back(distance);
-        found.range.push_back(study.best_at(distance, 1.0));
-        found.rms.push_back(study.best_at(distance, 0.0));
-        found.rangeBuilt.push_back(study.best_buildable_at(distance, 1.0));
-        found.rmsBuilt.push_back(study.best_buildable_at(distance, 0.0));
-    }
-    return found;
-}
-
 }  // namespace
 
 double ShaftMap::viewFor(double centreDistance) const {
@@ -107,15 +91,11 @@ std::shared_ptr<const ShaftMap> makeShaftMap(const balance_shaft::Solver& solver
     map->field =
         map->study.map(-across, across, -up, up, 2 * obstacleColumns - 1, 2 * obstacleRows - 1);
     findObstacles(*map, progress);
-    if (!progress(0.6)) {
+    if (!progress(0.8)) {
         return nullptr;
     }
     // Against a torque without a range no place is better than another.
     if (map->study.range_without() > 0.0) {
-        map->distances = bestOfDistances(map->study, map->view, [&] { return progress(0.6); });
-        if (!progress(0.8)) {
-            return nullptr;
-        }
         map->front = map->study.front(map->buildable);
         map->smallRange = map->study.smallest_buildable(1.0);
         map->smallRms = map->study.smallest_buildable(0.0);

@@ -17,12 +17,6 @@ struct ShaftMap {
     using Criteria = balance_shaft::PositionCriteria;
 
     using Place = balance_shaft::BestPosition;
-    /// The best α of each centre distance, of all and of the feasible ones.
-    struct Distances {
-        std::vector<double> distance;
-        std::vector<Place> range, rms;
-        std::vector<std::optional<Place>> rangeBuilt, rmsBuilt;
-    };
 
     /// Half of the square to show: it contains the best places and this l, with room around.
     double viewFor(double centreDistance) const;
@@ -37,7 +31,6 @@ struct ShaftMap {
     /// Of each criterion the smallest place that is at most a hundredth worse.
     std::optional<Place> smallRange = {}, smallRms = {};
     std::vector<balance_shaft::FrontPosition> front = {};
-    Distances distances = {};
 };
 
 /// Makes the map of an engine.

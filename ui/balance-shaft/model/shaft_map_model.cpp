@@ -122,9 +122,8 @@ void ShaftMapModel::addMarker(Criterion criterion, bool isBuildable,
     markers_.push_back({criterion, isBuildable, place, map_->study.at(place)});
 }
 
-ShaftMapModel::Position ShaftMapModel::shortened(const Position& exact, Criterion by,
-                                                 bool keepsDistance) const {
-    return PlaceCriterion{by, weight()}.shortened(map_->study, exact, keepsDistance);
+ShaftMapModel::Position ShaftMapModel::shortened(const Position& exact, Criterion by) const {
+    return PlaceCriterion{by, weight()}.shortened(map_->study, exact);
 }
 
 bool ShaftMapModel::isAtBest() const {
@@ -223,18 +222,6 @@ void ShaftMapModel::goToBest() {
     if (const Marker* marker = best()) {
         goTo(marker->position);
     }
-}
-
-void ShaftMapModel::goToDistance(double metres) {
-    constexpr double parts = 100.0;  // of a millimetre and of a degree
-    metres = inParts(metres, units::mm.to_si, parts);
-    if (!map_ || !(metres > 0.0)) {
-        return;
-    }
-    const double rangeWeight = model_->placeCriterion().rangeWeight(map_->study);
-    const auto built = map_->study.best_buildable_at(metres, rangeWeight);
-    const Position best = (built ? *built : map_->study.best_at(metres, rangeWeight)).position;
-    moveTo(shortened(best, criterion(), true));
 }
 
 double ShaftMapModel::largestDistance() const {

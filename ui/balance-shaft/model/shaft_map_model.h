@@ -75,7 +75,7 @@ class ShaftMapModel : public QObject {
     Position present() const;
     bool isBuildable(const Position& position) const;
     /// PlaceCriterion::shortened() by a criterion, with the weight there is.
-    Position shortened(const Position& exact, Criterion by, bool keepsDistance = false) const;
+    Position shortened(const Position& exact, Criterion by) const;
     /// Whether the shaft is at best(), or at a feasible place that is no worse.
     bool isAtBest() const;
     /// How finely the shaft's axis is moved: parts of a millimetre and of a degree.
@@ -89,9 +89,6 @@ class ShaftMapModel : public QObject {
     /// Moves it as a step of its own.
     void goTo(const Position& position, Parts parts = Exact);
     void goToBest();
-    /// Moves to this centre distance, at the best α of the criterion there: of the feasible ones
-    /// where there are any.
-    void goToDistance(double metres);
     double largestDistance() const;  ///< that a slider should reach, m
 
   Q_SIGNALS:

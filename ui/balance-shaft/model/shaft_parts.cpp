@@ -44,7 +44,6 @@ constexpr std::array makers{
     Maker{{.id = "means", .tab = "moments"}, made<shaft_parts::means>},
     Maker{{.id = "places", .tab = "map", .hasBand = false}, made<shaft_parts::places>},
     Maker{{.id = "best-place", .tab = "map", .hasBand = false}, made<bestPlace>},
-    Maker{{.id = "distances", .tab = "map", .hasBand = false}, made<shaft_parts::distances>},
     Maker{{.id = "front", .tab = "map", .hasBand = false}, made<shaft_parts::front>},
     Maker{{.id = "torque", .tab = "cycle"}, made<shaft_parts::torque>},
     Maker{{.id = "pressure", .tab = "cycle"}, made<shaft_parts::pressure>},

@@ -44,7 +44,6 @@ Figure moments(const BalanceShaftModel& model);
 Figure range(const BalanceShaftModel& model);
 Figure means(const BalanceShaftModel& model);
 Figure places(const BalanceShaftModel& model);
-Figure distances(const BalanceShaftModel& model);
 Figure front(const BalanceShaftModel& model);
 Figure torque(const BalanceShaftModel& model);
 Figure pressure(const BalanceShaftModel& model);
