@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <QTransform>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,11 +10,11 @@
 #include "balance-shaft/change_colours.h"
 #include "balance-shaft/mechanism.h"
 #include "numerics/constants.h"
+#include "numerics/units.h"
 #include "pictures/model/shape.h"
 #include "pictures/model/stroke.h"
 #include "plot/plot_painter.h"
 #include "theme/theme.h"
-#include "widgets/drawing.h"
 
 namespace ravnoves {
 
@@ -43,15 +44,25 @@ void drawDashedCircle(QPainter& painter, const QPointF& middle, double radius, d
     painter.drawLines(dashes);
 }
 
+QPolygonF inPixels(const drawing::Frame& frame, const QPolygonF& metres) {
+    const double k = frame.pixelsPerUnit;
+    return QTransform(k, 0.0, 0.0, -k, frame.origin.x(), frame.origin.y()).map(metres);
+}
+
 }  // namespace
 
-void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked,
-                 const PlaceScale& scale) {
+drawing::Frame frameOf(const PlotView& plot) {
+    const QPointF origin = plot.toPixel(0.0, 0.0);
+    return {origin, (plot.toPixel(1.0, 0.0).x() - origin.x()) / units::mm.to_si};
+}
+
+void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked, const PlotView& plot) {
     const Theme& theme = Theme::instance();
+    const drawing::Frame frame = frameOf(plot);
     QPainterPath path;
     LinesOfPen edges{QPen(faint(theme.text(), 0.7), 1.0), {}};
     for (const QPolygonF& line : blocked) {
-        QPolygonF edge = scale.line(line);
+        QPolygonF edge = inPixels(frame, line);
         path.addPolygon(edge);
         path.closeSubpath();
         // Round its corners, the first of them, too.
@@ -69,27 +80,28 @@ void drawBlocked(QPainter& painter, const std::vector<QPolygonF>& blocked,
     paintLines(painter, {edges});
 }
 
-void drawLimits(QPainter& painter, const balance_shaft::PlaceLimits& limits,
-                const PlaceScale& scale, const QRectF& area) {
+void drawLimits(QPainter& painter, const balance_shaft::PlaceLimits& limits, const PlotView& plot) {
+    const drawing::Frame frame = frameOf(plot);
+    const QRectF area = plot.plotArea();
     QPen pen(Theme::instance().error(), 1.4);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(pen);
     for (const auto& x : {limits.left, limits.right}) {
         if (x) {
-            const double at = scale.at(*x, 0.0).x();
+            const double at = frame.at(*x, 0.0).x();
             painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
         }
     }
     for (const auto& y : {limits.bottom, limits.top}) {
         if (y) {
-            const double at = scale.at(0.0, *y).y();
+            const double at = frame.at(0.0, *y).y();
             painter.drawLine(QPointF(area.left(), at), QPointF(area.right(), at));
         }
     }
-    const QPointF crank = scale.at(0.0, 0.0);
+    const QPointF crank = frame.at(0.0, 0.0);
     for (const auto& distance : {limits.centre_distance_min, limits.centre_distance_max}) {
         if (distance) {
-            drawDashedCircle(painter, crank, *distance * scale.perMetre());
+            drawDashedCircle(painter, crank, frame.length(*distance));
         }
     }
     pen.setStyle(Qt::DashLine);
@@ -102,7 +114,7 @@ void drawLimits(QPainter& painter, const balance_shaft::PlaceLimits& limits,
     }
 }
 
-void drawReference(QPainter& painter, const ShaftMapModel& other, const PlaceScale& scale) {
+void drawReference(QPainter& painter, const ShaftMapModel& other, const PlotView& plot) {
     if (other.map() == nullptr) {
         return;
     }
@@ -115,30 +127,30 @@ void drawReference(QPainter& painter, const ShaftMapModel& other, const PlaceSca
     painter.setBrush(Qt::NoBrush);
     painter.setPen(wide(0.18, 4.0));
     for (const QPolygonF& line : other.map()->blocked) {
-        painter.drawPolygon(scale.line(line));
+        painter.drawPolygon(inPixels(frameOf(plot), line));
     }
     painter.setPen(wide(0.34, 6.0));
     for (const ChangeContours::Contour& contour : other.field().contours) {
         for (const QPolygonF& line : contour.lines) {
             if (contour.level == 0.0) {
-                painter.drawPolyline(inPixels(scale.plot(), line));
+                painter.drawPolyline(inPixels(plot, line));
             }
         }
     }
 }
 
-void drawEngine(QPainter& painter, const BalanceShaftModel& model, const PlaceScale& scale) {
+void drawEngine(QPainter& painter, const BalanceShaftModel& model, const PlotView& plot) {
     const Theme& theme = Theme::instance();
     const balance_shaft::FrontView& sizes = model.solver().front_view();
     const auto pose = balance_shaft::mechanism_pose(
         model.solver(), model.crank()->degrees() * degree, model.input().shaft_angle);
-    const double k = scale.perMetre();
-    const auto at = [&](double x, double y) { return scale.at(x, y); };
+    const drawing::Frame frame = frameOf(plot);
+    const double k = frame.pixelsPerUnit;
     const QColor line = faint(theme.text(), 0.75);
     const QColor metal = faint(drawing::metal(), 0.72);
-    const QPointF crank = at(0, 0);
-    const QPointF pin = at(pose.crankpin.x, pose.crankpin.y);
-    const QPointF piston = at(pose.piston_pin.x, pose.piston_pin.y);
+    const QPointF crank = frame.at(0, 0);
+    const QPointF pin = frame.at(pose.crankpin);
+    const QPointF piston = frame.at(pose.piston_pin);
 
     const double e = sizes.offset;
     const double bore = sizes.cylinder_bore;
@@ -146,14 +158,15 @@ void drawEngine(QPainter& painter, const BalanceShaftModel& model, const PlaceSc
     painter.setPen(QPen(line, 1.1));
     painter.setBrush(metal);
     for (const double side : {-1.0, 1.0}) {
-        painter.drawRect(QRectF(at(e + side * bore / 2, sizes.cylinder_top),
-                                at(e + side * (bore / 2 + wall), sizes.cylinder_bottom))
+        painter.drawRect(QRectF(frame.at(e + side * bore / 2, sizes.cylinder_top),
+                                frame.at(e + side * (bore / 2 + wall), sizes.cylinder_bottom))
                              .normalized());
     }
     const double height = 0.75 * bore;
     const double top = std::min(pose.piston_pin.y + 0.45 * height, sizes.cylinder_top);
     painter.setBrush(faint(drawing::brightMetal(), 0.72));
-    painter.drawRoundedRect(QRectF(at(e - bore / 2, top), at(e + bore / 2, top - height)), 3, 3);
+    painter.drawRoundedRect(
+        QRectF(frame.at(e - bore / 2, top), frame.at(e + bore / 2, top - height)), 3, 3);
     painter.setPen(QPen(line, 1.0));
     painter.setBrush(Qt::NoBrush);
     drawDashedCircle(painter, crank, sizes.crank_swing_radius * k, 2.0, 4.0);
@@ -168,13 +181,13 @@ void drawEngine(QPainter& painter, const BalanceShaftModel& model, const PlaceSc
 }
 
 void drawShaft(QPainter& painter, const BalanceShaftModel& model, const ShaftMapModel& map,
-               const ShaftMapModel* other, const PlaceScale& scale) {
+               const ShaftMapModel* other, const PlotView& plot) {
     const Theme& theme = Theme::instance();
     const balance_shaft::FrontView& sizes = model.solver().front_view();
     const auto present = map.present();
-    const double k = scale.perMetre();
-    const QPointF crank = scale.at(0.0, 0.0);
-    const QPointF axis = scale.at(present);
+    const drawing::Frame frame = frameOf(plot);
+    const QPointF crank = frame.at(0.0, 0.0);
+    const QPointF axis = frame.at(present);
     const bool canBeBuilt =
         map.map() != nullptr ? map.isBuildable(present) : model.result().is_buildable;
     const QColor colour = canBeBuilt ? theme.accent() : theme.error();
@@ -182,14 +195,14 @@ void drawShaft(QPainter& painter, const BalanceShaftModel& model, const ShaftMap
     if (other != nullptr) {
         const auto was = other->present();
         painter.setPen(QPen(faint(theme.text(), 0.55), 1.2));
-        drawDashedCircle(painter, crank, was.centre_distance() * k);
-        paintDisc(painter, scale.at(was), shaftHandleRadius);
+        drawDashedCircle(painter, crank, frame.length(was.centre_distance()));
+        paintDisc(painter, frame.at(was), shaftHandleRadius);
     }
     painter.setPen(QPen(theme.accent(), 1.4));
-    drawDashedCircle(painter, crank, present.centre_distance() * k);
+    drawDashedCircle(painter, crank, frame.length(present.centre_distance()));
     painter.setPen(QPen(faint(theme.text(), 0.6), 1.0, Qt::DashDotLine));
     painter.drawLine(crank, axis);
-    const double swing = sizes.shaft_swing_radius * k;
+    const double swing = frame.length(sizes.shaft_swing_radius);
     painter.setPen(QPen(colour, 1.2));
     painter.setBrush(faint(colour, 0.1));
     paintDisc(painter, axis, swing);

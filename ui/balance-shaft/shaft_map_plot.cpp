@@ -46,7 +46,7 @@ ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, QWidget* parent)
 }
 
 QPointF ShaftMapPlot::pixelOf(const ShaftMapModel::Position& position) const {
-    return PlaceScale(*this).at(position);
+    return frameOf(*this).at(position);
 }
 
 ShaftMapModel::Position ShaftMapPlot::placeAt(const QPointF& pixel) const {
@@ -84,13 +84,12 @@ void ShaftMapPlot::paintGround(QPainter& painter) {
     if (map_->map() == nullptr) {
         return;
     }
-    const PlaceScale scale(*this);
     painter.save();
     painter.setClipRect(plotArea());
-    drawBlocked(painter, map_->map()->blocked, scale);
-    drawLimits(painter, model_->input().place_limits, scale, plotArea());
+    drawBlocked(painter, map_->map()->blocked, *this);
+    drawLimits(painter, model_->input().place_limits, *this);
     if (const ShaftMapModel* other = referenceMap()) {
-        drawReference(painter, *other, scale);
+        drawReference(painter, *other, *this);
     }
     drawContours(painter, map_->field(), *this);
     painter.restore();
@@ -100,7 +99,7 @@ void ShaftMapPlot::paintOverCurves(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.save();
     painter.setClipRect(plotArea());
-    drawEngine(painter, *model_, PlaceScale(*this));
+    drawEngine(painter, *model_, *this);
     if (isFaded()) {
         // The numbers are old; that newer ones come stands where they do not meet the drawing.
         painter.setFont(Theme::font(Theme::baseSize));
@@ -117,7 +116,7 @@ void ShaftMapPlot::paintTop(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.save();
     painter.setClipRect(plotArea());
-    drawShaft(painter, *model_, *map_, referenceMap(), PlaceScale(*this));
+    drawShaft(painter, *model_, *map_, referenceMap(), *this);
     if (dragging_) {
         paintChange(painter);
     }
