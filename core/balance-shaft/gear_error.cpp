@@ -52,22 +52,16 @@ GearError gear_error(const Solver& solver, double shaft_angle) {
     result.play_range_high = result.range;
     const double turned = angle + solver.moments().phase;
     if (result.play > 0.0) {
-        const double first = angle - result.play;
         const AngleMinimum minimum = minimise_range(solver.moments().plane, force * distance,
                                                     {{turned - result.play, turned + result.play}});
+        result.play_range_low = std::min(result.range, minimum.value);
         // Between these angles the range R lies at most A h²/4 above the larger one beside, since
         // R + A α² is convex: 1e-7 of A where the play is 1°.
-        constexpr std::size_t angles = 257;
-        std::vector<double> at(angles);
-        std::vector<double> range(angles);
-        std::vector<double> rms(angles);
-        for (std::size_t i = 0; i < angles; ++i) {
-            at[i] = first + 2.0 * result.play * static_cast<double>(i) / (angles - 1.0);
+        constexpr int steps = 256;
+        for (int i = 0; i <= steps; ++i) {
+            const double at = angle + (2.0 * i / steps - 1.0) * result.play;
+            result.play_range_high = std::max(result.play_range_high, solver.range(at));
         }
-        solver.moments().sweep(at, range, rms);
-        result.play_range_low = std::min(result.range, minimum.value);
-        result.play_range_high =
-            std::max(result.range, *std::max_element(range.begin(), range.end()));
     }
 
     const int last = static_cast<int>(input.cycle_deg());

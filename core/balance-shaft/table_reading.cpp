@@ -603,17 +603,14 @@ Unit likely_unit(Measured what, std::vector<double> values) {
     return likely;
 }
 
-ReadingProposal propose_reading(std::string_view text, Measured what, const TableReading& decided,
-                                std::size_t rows) {
-    const TableView view = look_at_table(text, decided.layout, rows);
+ReadingProposal propose_reading(std::string_view text, Measured what, const TableReading& decided) {
+    const TableView view = look_at_table(text, decided.layout);
     ReadingProposal proposal;
     TableReading& reading = proposal.reading;
     reading = decided;
     reading.layout.separator = view.separator;
     reading.layout.header_lines = view.header_lines;
     proposal.headings = view.headings;
-    proposal.columns = view.columns;
-    proposal.rows = view.rows;
     // Rows that are enough; fewer of very many columns.
     const std::size_t enough =
         std::min<std::size_t>(20'000, 10'000'000 / std::max<std::size_t>(view.columns, 1));

@@ -97,17 +97,14 @@ Message assumed_unit_note(const Unit& unit);
 struct ReadingProposal {
     TableReading reading;  ///< complete but for the decimal sign, which the numbers show
     std::vector<std::string> headings;  ///< of the columns; empty where there are none
-    std::size_t columns = 0;
-    std::vector<std::vector<std::string>> rows;  ///< the first ones, unchanged
-    std::vector<Message> doubts;                 ///< doubts with their reason: "gauge pressure?"
+    std::vector<Message> doubts;        ///< doubts with their reason: "gauge pressure?"
 };
 
 /// Looks at the lines of a file: separator, decimal sign, header lines, which column is the angle
 /// and which the pressure (or torque), unit, gauge or absolute, strokes.
 /// @param decided  the user's decisions; all else is proposed again
-/// @param rows     how many of them to show
 /// @throws InputError where the text has no rows of at least two numbers
 ReadingProposal propose_reading(std::string_view text, Measured what,
-                                const TableReading& decided = {}, std::size_t rows = 12);
+                                const TableReading& decided = {});
 
 }  // namespace ravnoves::balance_shaft

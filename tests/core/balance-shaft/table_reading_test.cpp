@@ -225,7 +225,6 @@ TEST(TableReading, ProposesWhatANumberLooksLike) {
     EXPECT_EQ(torque.reading.columns, (std::array<std::string, 2>{"2", "3"}));
     EXPECT_EQ(torque.reading.unit, units::kN_m);
     EXPECT_EQ(torque.headings, (std::vector<std::string>{"time", "crank angle", "M (kN·m)"}));
-    EXPECT_EQ(torque.rows.size(), 5U);
     EXPECT_THROW(propose_reading("no\nnumbers\n", Measured::pressure), InputError);
 }
 

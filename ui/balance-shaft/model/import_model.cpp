@@ -80,7 +80,7 @@ ImportModel::Look ImportModel::lookAt(const std::string& text, Measured what,
         return look;
     }
     try {
-        look.proposal = propose_reading(text, what, decided, 0);
+        look.proposal = propose_reading(text, what, decided);
         if (!continues(0.4)) {
             return look;
         }
