@@ -283,8 +283,7 @@ class CuttingPlanes {
     };
 
     /// @param first  three constraints that meet in one point from which c cannot fall: c is a sum
-    /// of
-    ///               their a with factors of at least 0
+    ///               of their a with factors of at least 0
     /// @param tolerance  what a constraint may be short of
     CuttingPlanes(const Vector& cost, const std::vector<Constraint>& first, double tolerance)
         : cost_(cost), planes_(first), tolerance_(tolerance) {
@@ -292,7 +291,7 @@ class CuttingPlanes {
         meet();
     }
 
-    void add(const Vector& a, double b) { planes_.push_back({a, b}); }
+    void add(const Constraint& plane) { planes_.push_back(plane); }
 
     /// @return the best vertex; its cost is a lower bound
     const Vector& solve() {
@@ -375,28 +374,29 @@ std::optional<PlaceFound> search_places(const ShaftPlaces& places, const PlaceQu
     return Search(places, question).run();
 }
 
-PlaceFound lowest_place(const PlaceQuestion& question) {
-    const PlaceValue at_crank = question.criterion({0.0, 0.0});
-    PlaceFound best{{0.0, 0.0}, at_crank.value, 0.0};
-    // The box holds every place that is no worse than the crank's axis; its half side is the unit.
-    const double reach = (at_crank.value + question.at_crank) / question.growth * (1.0 + 1e-9);
-    if (!(reach > 0.0)) {  // nothing moves: the crank's axis is best
+PlaceFound minimise_range(const MomentPlane& plane) {
+    const MomentPlane::Extrema without = plane({0.0, 0.0});
+    PlaceFound best{{0.0, 0.0}, without.range(), 0.0};
+    // At a moment m the range is at least 2 |m| less what it is without: the box holds every moment
+    // that is no worse. Its half side is the unit.
+    const double reach = best.value * (1.0 + 1e-9);
+    if (!(reach > 0.0)) {  // nothing moves
         return best;
     }
-    const auto cut = [&](const PlaceValue& here, const Place& at) {
-        const Place gradient = here.gradient * reach;
+    const auto cut = [&](const MomentPlane::Extrema& here, const Place& at) {
+        const Place gradient = here.slope() * reach;
         return CuttingPlanes::Constraint{{-gradient.x(), -gradient.y(), 1.0},
-                                         here.value - gradient.dot(at)};
+                                         here.range() - gradient.dot(at)};
     };
-    const double x = at_crank.gradient.x() < 0.0 ? -1.0 : 1.0;
-    const double y = at_crank.gradient.y() < 0.0 ? -1.0 : 1.0;
+    const double x = without.slope().x() < 0.0 ? -1.0 : 1.0;
+    const double y = without.slope().y() < 0.0 ? -1.0 : 1.0;
     const double rounding =
-        16.0 * std::numeric_limits<double>::epsilon() * std::max(at_crank.value, 1e-300);
+        16.0 * std::numeric_limits<double>::epsilon() * std::max(best.value, 1e-300);
     CuttingPlanes planes({0.0, 0.0, 1.0},
-                         {cut(at_crank, {0.0, 0.0}), {{x, 0.0, 0.0}, -1.0}, {{0.0, y, 0.0}, -1.0}},
+                         {cut(without, {0.0, 0.0}), {{x, 0.0, 0.0}, -1.0}, {{0.0, y, 0.0}, -1.0}},
                          rounding);
-    planes.add({-x, 0.0, 0.0}, -1.0);
-    planes.add({0.0, -y, 0.0}, -1.0);
+    planes.add({{-x, 0.0, 0.0}, -1.0});
+    planes.add({{0.0, -y, 0.0}, -1.0});
     constexpr double exact = 5e-14;
     constexpr int max_rounds = 500;
     Place at(0.0, 0.0);
@@ -407,26 +407,14 @@ PlaceFound lowest_place(const PlaceQuestion& question) {
             break;
         }
         at = vertex.head<2>();
-        const PlaceValue here = question.criterion(at * reach);
-        if (here.value < best.value) {
-            best.value = here.value;
+        const MomentPlane::Extrema here = plane(at * reach);
+        if (here.range() < best.value) {
+            best.value = here.range();
             best.place = at * reach;
         }
-        const CuttingPlanes::Constraint plane = cut(here, at);
-        planes.add(plane.a, plane.b);
+        planes.add(cut(here, at));
     }
     return best;
-}
-
-PlaceFound minimise_range(const MomentPlane& plane) {
-    PlaceQuestion question;
-    question.criterion = [&](const MomentPlane::Moment& shaft) -> PlaceValue {
-        const MomentPlane::Extrema found = plane(shaft);
-        return {found.range(), found.slope()};
-    };
-    question.growth = 2.0;
-    question.at_crank = plane.range({0.0, 0.0});
-    return lowest_place(question);
 }
 
 }  // namespace ravnoves::balance_shaft

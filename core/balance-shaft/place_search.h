@@ -48,12 +48,9 @@ struct PlaceFound {
 /// quadratically about the best place. Empty where nothing fits.
 std::optional<PlaceFound> search_places(const ShaftPlaces& places, const PlaceQuestion& question);
 
-/// The smallest value of a convex criterion over the whole plane, by cutting planes: the smallest
-/// that all tangent planes met so far allow is a lower bound. Of the question only criterion,
-/// growth and at_crank count; the gap is a few roundings, or what 500 planes leave.
-PlaceFound lowest_place(const PlaceQuestion& question);
-
-/// The smallest range over all moments of the shaft, N·m; the place is that moment.
+/// The smallest range over all moments of the shaft, N·m; the place is that moment. By cutting
+/// planes: the smallest that all tangent planes met so far allow is a lower bound. The gap is a few
+/// roundings, or what 500 planes leave.
 PlaceFound minimise_range(const MomentPlane& plane);
 
 }  // namespace ravnoves::balance_shaft

@@ -39,19 +39,6 @@ PositionCriteria PositionStudy::at(const ShaftPosition& position) const {
     return {plane().range(m), plane().rms(m), places_.box({position.x, position.y}).area()};
 }
 
-BestPosition PositionStudy::best_free(double weight) const {
-    if (weight <= 0.0) {
-        const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * rms_without_;
-        return judged({place_of(plane().opposed()), 0.0, rounding});
-    }
-    if (weight >= 1.0) {
-        PlaceFound minimum = minimise_range(plane());
-        minimum.place = place_of(minimum.place);
-        return judged(minimum);
-    }
-    return judged(lowest_place(question_of_sum(weight)));
-}
-
 PlaceQuestion PositionStudy::question_of_sum(double weight) const {
     PlaceQuestion question;
     question.criterion = [this, weight](const Eigen::Vector2d& at) -> PlaceValue {
@@ -137,40 +124,27 @@ BestPositions PositionStudy::best() const {
             "The tipping moment is constant: a shaft away from the crank axis only adds to it.");
         return answer;
     }
-    answer.range = best_free(1.0);
-    answer.rms = best_free(0.0);
+    PlaceFound lowest = minimise_range(plane());
+    lowest.place = place_of(lowest.place);
+    answer.range = judged(lowest);
+    const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * rms_without_;
+    answer.rms = judged({place_of(plane().opposed()), 0.0, rounding});
     return answer;
 }
 
-std::optional<BestPosition> PositionStudy::best_sum(double range_weight) const {
-    if (force_ == 0.0 || is_constant()) {
-        return std::nullopt;
-    }
-    return best_free(range_weight);
-}
-
-std::optional<BestPosition> PositionStudy::best_sum_buildable(double range_weight) const {
-    const std::optional<BestPosition> free = best_sum(range_weight);
-    return free ? best_built(range_weight, *free) : std::nullopt;
-}
-
-std::optional<BestPosition> PositionStudy::smallest_buildable(double range_weight,
-                                                              double more) const {
-    const std::optional<BestPosition> best = best_sum_buildable(range_weight);
-    if (!best) {
-        return std::nullopt;
-    }
-    const PlaceCriterion sum = question_of_sum(range_weight).criterion;
-    const Eigen::Vector2d start(best->position.x, best->position.y);
-    const PlaceLimit good_enough{sum, (1.0 + more) * sum(start).value};
+BestPosition PositionStudy::smallest_buildable(const BestPosition& best, bool by_range,
+                                               double more) const {
+    const PlaceCriterion own = question_of_sum(by_range ? 1.0 : 0.0).criterion;
+    const Eigen::Vector2d start(best.position.x, best.position.y);
+    const PlaceLimit good_enough{own, (1.0 + more) * own(start).value};
     constexpr double noticed = 1e-3;
     PlaceQuestion of_size = question_of_size();
-    of_size.tolerance = noticed * best->criteria.size;
+    of_size.tolerance = noticed * best.criteria.size;
     of_size.limits = {good_enough};
     of_size.start = start;
     const PlaceFound smallest = search_places(places_, of_size).value();
     // Much of the plane can be as small: beside the cylinder, say.
-    PlaceQuestion other = question_of_sum(1.0 - range_weight);
+    PlaceQuestion other = question_of_sum(by_range ? 0.0 : 1.0);
     other.tolerance = noticed * other.at_crank;
     other.limits = {good_enough, {of_size.criterion, (1.0 + noticed) * smallest.value}};
     other.start = smallest.place;
@@ -223,8 +197,8 @@ BestPositions PositionStudy::best_buildable() const {
     return answer;
 }
 
-std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const {
-    std::vector<FrontPosition> front;
+std::vector<BestPosition> PositionStudy::front(const BestPositions& best) const {
+    std::vector<BestPosition> front;
     if (!best.range || !best.rms) {
         return front;
     }
@@ -308,17 +282,17 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
     std::stable_sort(front.begin(), front.end(), [](const auto& a, const auto& b) {
         return a.criteria.size < b.criteria.size;
     });
-    std::vector<FrontPosition> efficient;
+    std::vector<BestPosition> efficient;
     for (std::size_t i = 0; i < front.size(); ++i) {
         const PositionCriteria& one = front[i].criteria;
-        const auto beats = [&](const FrontPosition& other) {
+        const auto beats = [&](const BestPosition& other) {
             const PositionCriteria& two = other.criteria;
             return two.range <= one.range * (1.0 + same) && two.rms <= one.rms * (1.0 + same) &&
                    two.size <= one.size * (1.0 + same);
         };
         const auto later = front.begin() + static_cast<std::ptrdiff_t>(i) + 1;
         const bool is_beaten = std::any_of(efficient.begin(), efficient.end(), beats) ||
-                               std::any_of(later, front.end(), [&](const FrontPosition& other) {
+                               std::any_of(later, front.end(), [&](const BestPosition& other) {
                                    return beats(other) && !(other.criteria.range > one.range ||
                                                             other.criteria.rms > one.rms);
                                });

@@ -29,7 +29,7 @@ struct PositionCriteria {
     double size = 0.0;   ///< m², box of the front view (Envelope: width × height)
 };
 
-/// A place with the smallest value of a criterion.
+/// A place that is best by a criterion, or that no other beats in range, RMS and size at once.
 struct BestPosition {
     ShaftPosition position;
     PositionCriteria criteria;
@@ -41,12 +41,6 @@ struct BestPositions {
     std::optional<BestPosition> range;
     std::optional<BestPosition> rms;
     Message reason;
-};
-
-/// A feasible place that no other beats in range, RMS and size at once.
-struct FrontPosition {
-    ShaftPosition position;
-    PositionCriteria criteria;
 };
 
 /// Criteria over a rectangle of places: element row × columns + column, rows upwards.
@@ -79,15 +73,12 @@ class PositionStudy {
 
     BestPositions best() const;            ///< over all places
     BestPositions best_buildable() const;  ///< over the feasible ones
-    /// The smallest range_weight × range + (1 − range_weight) × RMS over all places, and over the
-    /// feasible ones: empty where none is, or where best() has a reason. The gap is the sum's.
-    /// @param range_weight  0…1
-    std::optional<BestPosition> best_sum(double range_weight) const;
-    std::optional<BestPosition> best_sum_buildable(double range_weight) const;
-    /// Of the feasible places with at most (1 + more) times that minimum sum, one of the smallest
-    /// size, to a thousandth; of several the one with the smallest sum of the opposite weight (RMS
-    /// beside range). The gap is the size's, m².
-    std::optional<BestPosition> smallest_buildable(double range_weight, double more = 0.01) const;
+    /// Of the feasible places with at most (1 + more) times the best one's criterion, one of the
+    /// smallest size, to a thousandth; of several the one that is best by the other criterion. The
+    /// gap is the size's, m².
+    /// @param best  best_buildable() by range or by RMS
+    BestPosition smallest_buildable(const BestPosition& best, bool by_range,
+                                    double more = 0.01) const;
 
     Obstacle obstacle(const ShaftPosition& position) const;
     Message obstacle_reason(const ShaftPosition& position) const;  ///< a sentence; empty: none
@@ -96,8 +87,8 @@ class PositionStudy {
     /// sizes and some weights of range against RMS (as parts of their values without a shaft) the
     /// place with the smallest weighted sum, to front_gap. Others are between these.
     static constexpr double front_gap = 1e-6;
-    std::vector<FrontPosition> front() const { return front(best_buildable()); }
-    std::vector<FrontPosition> front(const BestPositions& best_buildable) const;
+    std::vector<BestPosition> front() const { return front(best_buildable()); }
+    std::vector<BestPosition> front(const BestPositions& best_buildable) const;
 
     PositionMap map(double left, double right, double bottom, double top, std::size_t columns,
                     std::size_t rows) const;
@@ -117,7 +108,6 @@ class PositionStudy {
     PlaceQuestion question_of_sum(double weight) const;
     PlaceQuestion question_of_size() const;
     BestPosition judged(const PlaceFound& found) const;
-    BestPosition best_free(double weight) const;
     std::optional<BestPosition> best_built(double weight, const BestPosition& free) const;
 
     Solver solver_;

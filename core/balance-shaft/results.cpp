@@ -298,7 +298,7 @@ void visit_front(ResultVisitor& visitor, const PositionStudy& study) {
     const BestPositions best = study.best_buildable();
     visit_best(visitor, best);
     if (visitor.wants(key::front.key)) {
-        const std::vector<FrontPosition> front = study.front(best);
+        const std::vector<BestPosition> front = study.front(best);
         visitor.list(key::front, front.size(), [&](std::size_t i) {
             visit_place(visitor, front[i].position, front[i].criteria);
             visitor.number({"size_m2", Text::tr("size"), 4}, front[i].criteria.size);

@@ -78,7 +78,7 @@ QWidget* ShaftMapView::buildBar() {
     row->setSpacing(Theme::space);
     auto* label = new QLabel(tr("&Criterion"), bar);
     criterion_ = new QComboBox(bar);
-    criterion_->addItems({tr("range"), tr("RMS"), tr("weighted sum")});
+    criterion_->addItems({tr("range"), tr("RMS")});
     // As wide as there is room: a narrow window keeps the button whole.
     criterion_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     criterion_->setMinimumContentsLength(4);
@@ -86,11 +86,10 @@ QWidget* ShaftMapView::buildBar() {
     criterion_->setObjectName(QStringLiteral("map_criterion"));
     criterion_->setAccessibleName(tr("Criterion of the places of the shaft"));
     criterion_->setToolTip(
-        tr("Criterion of map and optimum, relative to no shaft: range of Mᵤₚₛ, its RMS, or a "
-           "weighted sum"));
+        tr("Criterion of map and optimum, relative to no shaft: range of Mᵤₚₛ, or its RMS"));
     label->setBuddy(criterion_);
     connect(criterion_, &QComboBox::activated, this, [this](int index) {
-        map_->setCriterion(static_cast<ShaftMapModel::Criterion>(index));
+        model_->setPlaceCriterion(static_cast<ShaftMapModel::Criterion>(index));
     });
     row->addWidget(label);
     row->addWidget(criterion_, 1);
@@ -100,17 +99,6 @@ QWidget* ShaftMapView::buildBar() {
     connect(best_, &QPushButton::clicked, map_, &ShaftMapModel::goToBest);
     row->addWidget(best_);
     column->addLayout(row);
-
-    weight_ = new ValueSlider(tr("&Weight of the range"), 0.0, 100.0, 1.0, 10.0, 0,
-                              QStringLiteral("%"), bar);
-    weight_->box()->setObjectName(QStringLiteral("range_weight"));
-    weight_->setHint(
-        tr("Share of the range in the weighted sum, the rest is the RMS. Both are relative to no "
-           "shaft."));
-    weight_->setValue(100.0 * map_->weight());
-    connect(weight_, &ValueSlider::valueEdited, this,
-            [this](double value) { map_->setWeight(value / 100.0); });
-    column->addWidget(weight_);
     return bar;
 }
 
@@ -178,7 +166,6 @@ void ShaftMapView::fitWords() {
 
 void ShaftMapView::showMap() {
     criterion_->setCurrentIndex(static_cast<int>(map_->criterion()));
-    weight_->setVisible(map_->criterion() == ShaftMapModel::Criterion::Both);
     showStale();
     fitWords();
     showWords();
@@ -220,7 +207,7 @@ void ShaftMapView::pickSize(double size, double change) {
     if (map == nullptr || map->front.empty() || !sizes_->data().find("front")) {
         return;
     }
-    const balance_shaft::FrontPosition& nearest =
+    const balance_shaft::BestPosition& nearest =
         map->front[nearestPoint(*sizes_, "front", size, change)];
     const QPointF away = sizes_->toPixel(nearest.criteria.size / units::cm2,
                                          100.0 * map_->change(nearest.criteria).value_or(0.0)) -

@@ -45,7 +45,6 @@ class ShaftMapView : public QWidget {
     QWidget* bar_;
     FieldSlider* distance_;
     QComboBox* criterion_;
-    ValueSlider* weight_;
     QPushButton* best_;
     QLabel* words_;
     QWidget* wordsRoom_;  ///< what the words may take

@@ -331,7 +331,7 @@ TEST(PositionStudyTest, anObstacleIsWhatTheClearancesSay) {
 TEST(PositionStudyTest, noPlaceThatCanBeBuiltBeatsTheFrontInAllThree) {
     for (const Input& input : restricted()) {
         const PositionStudy study{Solver(input)};
-        const std::vector<FrontPosition> front = study.front();
+        const std::vector<BestPosition> front = study.front();
         ASSERT_GE(front.size(), 1u);
         EXPECT_LE(front.size(), 60u);
         std::vector<PositionCriteria> others;
@@ -358,7 +358,7 @@ TEST(PositionStudyTest, noPlaceThatCanBeBuiltBeatsTheFrontInAllThree) {
         }
         const BestPositions best = study.best_buildable();
         const auto has = [&](const BestPosition& wanted) {
-            return std::any_of(front.begin(), front.end(), [&](const FrontPosition& one) {
+            return std::any_of(front.begin(), front.end(), [&](const BestPosition& one) {
                 return one.criteria.range <= wanted.criteria.range * (1.0 + 1e-5) &&
                        one.criteria.rms <= wanted.criteria.rms * (1.0 + 1e-5);
             });
@@ -411,53 +411,25 @@ TEST(PositionStudyTest, limitsThatLeaveNothingGiveAReason) {
     }
 }
 
-TEST(PositionStudyTest, theMinSumHasNoBetterPlaceOnAGrid) {
-    const PositionStudy study{Solver(preset_tmz_650d())};
-    for (const double weight : {0.15, 0.5, 0.85}) {
-        const auto free = study.best_sum(weight);
-        const auto built = study.best_sum_buildable(weight);
-        ASSERT_TRUE(free && built);
-        EXPECT_EQ(study.obstacle(built->position), Obstacle::none);
-        double minimum = sum(weight, study.at({}));
-        double min_built = std::numeric_limits<double>::infinity();
-        constexpr int nodes = 120;
-        for (int i = 0; i <= nodes; ++i) {
-            for (int k = 0; k <= nodes; ++k) {
-                const ShaftPosition at{-0.15 + 0.3 * i / nodes, -0.15 + 0.3 * k / nodes};
-                const double here = sum(weight, study.at(at));
-                minimum = std::min(minimum, here);
-                if (here < min_built && study.obstacle(at) == Obstacle::none) {
-                    min_built = here;
-                }
-            }
-        }
-        EXPECT_LE(sum(weight, free->criteria), minimum);
-        EXPECT_GT(sum(weight, free->criteria), 0.99 * minimum);
-        EXPECT_LE(sum(weight, built->criteria), min_built);
-        EXPECT_GT(sum(weight, built->criteria), 0.98 * min_built);
-        EXPECT_LT(free->gap, 1e-7);
-        EXPECT_LT(built->gap, 1e-6);
-    }
-}
-
 TEST(PositionStudyTest, theSmallestGoodPlaceIsGoodAndNoneSmallerIs) {
     Input input = preset_tmz_650d();
     for (const bool limited : {false, true}) {
         input.place_limits.top = limited ? std::optional(0.02) : std::nullopt;
         const PositionStudy study{Solver(input)};
-        for (const double weight : {0.0, 0.4, 1.0}) {
-            const auto best = study.best_sum_buildable(weight);
+        const BestPositions built = study.best_buildable();
+        for (const bool by_range : {false, true}) {
+            const auto& best = by_range ? built.range : built.rms;
+            const double weight = by_range ? 1.0 : 0.0;
             ASSERT_TRUE(best);
             for (const double more : {0.002, 0.01, 0.1}) {
                 SCOPED_TRACE(testing::Message() << limited << ' ' << weight << ' ' << more);
-                const auto found = study.smallest_buildable(weight, more);
-                ASSERT_TRUE(found);
+                const BestPosition found = study.smallest_buildable(*best, by_range, more);
                 const double maximum = (1.0 + more) * sum(weight, best->criteria);
-                const double other = sum(1.0 - weight, found->criteria);
-                EXPECT_EQ(study.obstacle(found->position), Obstacle::none);
-                EXPECT_LE(sum(weight, found->criteria), maximum * (1.0 + 1e-8));
-                EXPECT_LE(found->criteria.size, (1.0 + 2.1e-3) * best->criteria.size);
-                EXPECT_LE(found->gap, 2.1e-3 * best->criteria.size);
+                const double other = sum(1.0 - weight, found.criteria);
+                EXPECT_EQ(study.obstacle(found.position), Obstacle::none);
+                EXPECT_LE(sum(weight, found.criteria), maximum * (1.0 + 1e-8));
+                EXPECT_LE(found.criteria.size, (1.0 + 2.1e-3) * best->criteria.size);
+                EXPECT_LE(found.gap, 2.1e-3 * best->criteria.size);
                 // On circles about the best place, closer and closer.
                 double reach = 0.1;
                 for (int i = 0; i < 24; ++i, reach *= 0.8) {
@@ -469,8 +441,8 @@ TEST(PositionStudyTest, theSmallestGoodPlaceIsGoodAndNoneSmallerIs) {
                         if (study.obstacle(at) != Obstacle::none || sum(weight, there) > maximum) {
                             continue;
                         }
-                        EXPECT_GE(there.size, found->criteria.size - found->gap - 1e-12);
-                        if (there.size <= found->criteria.size - found->gap) {
+                        EXPECT_GE(there.size, found.criteria.size - found.gap - 1e-12);
+                        if (there.size <= found.criteria.size - found.gap) {
                             EXPECT_GE(sum(1.0 - weight, there),
                                       other - 1e-3 * sum(1.0 - weight, {study.range_without(),
                                                                         study.rms_without()}));

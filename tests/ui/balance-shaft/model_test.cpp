@@ -270,7 +270,7 @@ TEST(BalanceShaftParts, OfTheReferenceAreThoseOfItsInput) {
         EXPECT_EQ(was.curves[i].y == figureOf(model, "moments").curves[i].y, isTable);
     }
     // What is chosen to be seen is chosen for both.
-    model.setPlaceCriterion({PlaceCriterion::Kind::Both, 0.3});
+    model.setPlaceCriterion(BalanceShaftModel::Criterion::rms);
     EXPECT_EQ(other->placeCriterion(), model.placeCriterion());
     EXPECT_EQ(figureOf(*other, "places").title, figureOf(model, "places").title);
 }

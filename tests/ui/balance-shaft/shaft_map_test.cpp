@@ -77,16 +77,13 @@ TEST_F(ShaftMapTest, ShowsTheNumbersOfTheStudy) {
         return Position{along(field.left, field.right, element % field.columns, field.columns),
                         along(field.bottom, field.top, element / field.columns, field.rows)};
     };
-    map->setWeight(0.25);
-    for (const auto& [criterion, share] :
-         {std::pair(Criterion::Range, 1.0), std::pair(Criterion::Rms, 0.0),
-          std::pair(Criterion::Both, 0.25)}) {
-        map->setCriterion(criterion);
+    for (const Criterion criterion : {Criterion::range, Criterion::rms}) {
+        model->setPlaceCriterion(criterion);
         for (std::size_t i = 0; i < map->field().changes.size(); i += 977) {
             const auto at = study.at(place(i));
             EXPECT_NEAR(map->field().changes[i],
-                        share * at.range / study.range_without() +
-                            (1.0 - share) * at.rms / study.rms_without() - 1.0,
+                        map->byRange() ? at.range / study.range_without() - 1.0
+                                       : at.rms / study.rms_without() - 1.0,
                         1e-9);
         }
     }
@@ -283,9 +280,9 @@ TEST_F(ShaftMapTest, AgainstAReferenceItShowsItsMapToo) {
     EXPECT_TRUE(plot->data().hasGhosts());  // hence its entry in the legend
     EXPECT_NE(other.best()->criteria.range, map->best()->criteria.range);
     const QImage both = plot->grab().toImage();
-    map->setCriterion(Criterion::Rms);
-    EXPECT_EQ(other.criterion(), Criterion::Rms);
-    map->setCriterion(Criterion::Range);
+    model->setPlaceCriterion(Criterion::rms);
+    EXPECT_EQ(other.criterion(), Criterion::rms);
+    model->setPlaceCriterion(Criterion::range);
     model->chooseReference(-1);
     EXPECT_EQ(plot->referenceMap(), nullptr);
     EXPECT_NE(plot->grab().toImage(), both);
@@ -314,7 +311,7 @@ TEST_F(ShaftMapTest, AClickInTheChartGoesToItsPlace) {
     QApplication::processEvents();
     const auto& front = map->map()->front;
     ASSERT_GT(front.size(), 3U);
-    const balance_shaft::FrontPosition& place = front[front.size() / 2];
+    const balance_shaft::BestPosition& place = front[front.size() / 2];
     QTest::mouseClick(
         sizes, Qt::LeftButton, {},
         sizes->toPixel(place.criteria.size / 1e-4, 100.0 * *map->change(place.criteria)).toPoint());
@@ -351,8 +348,8 @@ TEST_F(ShaftMapTest, LimitsAreHatchedAndSaid) {
     const Position beyond{75 * mm, -80 * mm};
     EXPECT_EQ(map->map()->study.obstacle(beyond), Obstacle::limits);
     EXPECT_FALSE(shaft_map_text::reason(*map, beyond).isEmpty());
-    for (const Criterion criterion : {Criterion::Range, Criterion::Rms, Criterion::Both}) {
-        map->setCriterion(criterion);
+    for (const Criterion criterion : {Criterion::range, Criterion::rms}) {
+        model->setPlaceCriterion(criterion);
         ASSERT_NE(map->best(), nullptr);
         EXPECT_TRUE(map->best()->isBuildable);
         EXPECT_GE(map->best()->position.x, 80 * mm - 1e-9);
@@ -378,9 +375,9 @@ TEST_F(ShaftMapTest, PlacesGoneToAreShortNumbersThatCanBeBuilt) {
         EXPECT_LT(*map->change(all.study.at(map->present())),
                   *map->change(all.study.at(exact)) + part);
     };
-    for (const Criterion criterion : {Criterion::Range, Criterion::Rms}) {
-        map->setCriterion(criterion);
-        const auto& best = criterion == Criterion::Range ? all.smallRange : all.smallRms;
+    for (const Criterion criterion : {Criterion::range, Criterion::rms}) {
+        model->setPlaceCriterion(criterion);
+        const auto& best = criterion == Criterion::range ? all.smallRange : all.smallRms;
         ASSERT_TRUE(best);
         map->goToBest();
         expectShort(best->position, 1e-3);
@@ -392,20 +389,18 @@ TEST_F(ShaftMapTest, PlacesGoneToAreShortNumbersThatCanBeBuilt) {
             << words().toStdString();
         EXPECT_NEAR(*field("centre_distance_mm")->value(), l.toDouble(), 1e-12);
     }
-    map->setCriterion(Criterion::Range);
-    for (const balance_shaft::FrontPosition& place : all.front) {
-        map->moveTo(map->shortened(place.position, Criterion::Range));
+    model->setPlaceCriterion(Criterion::range);
+    for (const balance_shaft::BestPosition& place : all.front) {
+        map->moveTo(map->shortened(place.position, Criterion::range));
         expectShort(place.position, 2e-3);
     }
 }
 
 TEST_F(ShaftMapTest, TheBestPlaceIsTheSmallestWithinAHundredth) {
     const ShaftMap& all = *map->map();
-    for (const int criterion : {0, 1, 2}) {
+    for (const int criterion : {0, 1}) {
         choose("map_criterion", criterion);
-        EXPECT_EQ(field("range_weight")->isVisible(), criterion == 2);
-        const auto exact =
-            all.study.best_sum_buildable(model->placeCriterion().rangeWeight(all.study));
+        const auto& exact = criterion == 0 ? all.buildable.range : all.buildable.rms;
         ASSERT_TRUE(exact);
         map->goTo(Position::at(length() + 30.0 * mm, angle()));
         ASSERT_TRUE(best->isEnabled());
@@ -414,7 +409,6 @@ TEST_F(ShaftMapTest, TheBestPlaceIsTheSmallestWithinAHundredth) {
         EXPECT_TRUE(best->toolTip().contains(QStringLiteral(", box ")));
         best->click();
         EXPECT_NEAR(map->present().x, map->best()->position.x, 1e-12);
-        // As the sum of the criterion, against the engine without a shaft.
         EXPECT_LE(1.0 + *map->change(all.study.at(map->present())),
                   1.0101 * (1.0 + *map->change(exact->criteria)));
         EXPECT_LE(all.study.at(map->present()).size, 1.001 * exact->criteria.size);
@@ -423,7 +417,7 @@ TEST_F(ShaftMapTest, TheBestPlaceIsTheSmallestWithinAHundredth) {
         EXPECT_TRUE(best->toolTip().contains(QStringLiteral("Already there")))
             << best->toolTip().toStdString();
     }
-    EXPECT_TRUE(says("with the weighted sum within 1 %")) << words().toStdString();
+    EXPECT_TRUE(says("with the RMS within 1 %")) << words().toStdString();
 }
 
 TEST_F(ShaftMapTest, AMoveAfterEscapeWaitsForTheHandToLetGo) {
@@ -520,8 +514,6 @@ TEST_F(ShaftMapTest, ATorqueWithoutARangeSaysSo) {
     wait();
     EXPECT_TRUE(map->field().levels.empty());
     EXPECT_FALSE(words().isEmpty());
-    EXPECT_FALSE(page.grab().isNull());
-    map->setCriterion(Criterion::Both);
     EXPECT_FALSE(page.grab().isNull());
 }
 

@@ -70,8 +70,8 @@ bool BalanceShaftModel::isPapersCase() const {
     return !input().torque.is_computed() && input().torque.table == printed;
 }
 
-void BalanceShaftModel::setPlaceCriterion(const PlaceCriterion& criterion) {
-    if (!(std::exchange(placeCriterion_, criterion) == criterion)) {
+void BalanceShaftModel::setPlaceCriterion(Criterion criterion) {
+    if (std::exchange(placeCriterion_, criterion) != criterion) {
         if (shaftMap_ != nullptr) {
             shaftMap_->showCriterion();
         }

@@ -6,7 +6,6 @@
 #include "balance-shaft/dead_centre.h"
 #include "balance-shaft/envelope_study.h"
 #include "balance-shaft/gear_error.h"
-#include "balance-shaft/model/place_criterion.h"
 #include "balance-shaft/model/shaft_parts.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/results.h"
@@ -106,11 +105,11 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     /// The torque is the table that the paper prints: then its means over the nodes are shown too.
     bool isPapersCase() const;
 
-    /// What the map of places judges by.
-    const PlaceCriterion& placeCriterion() const { return placeCriterion_; }
-    void setPlaceCriterion(const PlaceCriterion& criterion);
     /// By range or by RMS.
     using Criterion = balance_shaft::SpeedStudy::Criterion;
+    /// What the map of places judges by.
+    Criterion placeCriterion() const { return placeCriterion_; }
+    void setPlaceCriterion(Criterion criterion);
     /// What the map over α and speed shows.
     Criterion speedCriterion() const { return speedCriterion_; }
     void setSpeedCriterion(Criterion criterion);
@@ -167,7 +166,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     void needDeadCentre();
 
     CrankAngle crank_{60.0, input().cycle_deg()};
-    PlaceCriterion placeCriterion_;
+    Criterion placeCriterion_ = {};
     Criterion speedCriterion_ = {};
     ShaftMapModel* shaftMap_ = nullptr;
     SpeedStudyModel* speedStudy_ = nullptr;

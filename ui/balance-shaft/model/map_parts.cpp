@@ -27,7 +27,7 @@ Figure places(const BalanceShaftModel& model) {
     const ShaftMap* map = mapOf(model);
     const double view = map != nullptr ? map->view / units::mm : 100.0;
     Figure figure;
-    figure.title = changeTitle(model.placeCriterion().kind);
+    figure.title = changeTitle(model.placeCriterion());
     figure.x = {.title = ShaftParts::tr("x, mm"), .min = -view, .max = view};
     figure.left = {.title = ShaftParts::tr("y, mm")};
     figure.leftRange = std::pair(-view, view);
@@ -36,22 +36,22 @@ Figure places(const BalanceShaftModel& model) {
         return figure;
     }
     for (const ShaftMapModel::Marker& marker : model.shaftMap()->markers()) {
-        const auto id = PlaceCriterion::of<std::string>(marker.criterion, "range", "RMS", "sum");
-        figure.add(
-            id + (marker.isBuildable ? "" : "-free"),
-            {.name = marker.name(),
-             .role = PlaceCriterion::of(marker.criterion, Role::Range, Role::Rms, Role::Best),
-             .shape = marker.isBuildable ? plot::Shape::Points : plot::Shape::Rings},
-            {marker.position.x / units::mm}, {marker.position.y / units::mm});
+        const bool byRange = marker.criterion == ShaftMapModel::Criterion::range;
+        const std::string id = byRange ? "range" : "RMS";
+        figure.add(id + (marker.isBuildable ? "" : "-free"),
+                   {.name = marker.name(),
+                    .role = byRange ? Role::Range : Role::Rms,
+                    .shape = marker.isBuildable ? plot::Shape::Points : plot::Shape::Rings},
+                   {marker.position.x / units::mm}, {marker.position.y / units::mm});
     }
     return figure;
 }
 
 Figure front(const BalanceShaftModel& model) {
     Figure figure;
-    figure.title =
-        PlaceCriterion::of(model.placeCriterion().kind, ShaftParts::tr("Range and size"),
-                           ShaftParts::tr("RMS and size"), ShaftParts::tr("Weighted sum and size"));
+    figure.title = model.placeCriterion() == BalanceShaftModel::Criterion::range
+                       ? ShaftParts::tr("Range and size")
+                       : ShaftParts::tr("RMS and size");
     figure.x = {.title = ShaftParts::tr("width × height, cm²"), .min = 0.0, .max = 1.0};
     figure.left = {.title = ShaftParts::tr("change, %")};
     const ShaftMapModel* places = model.shaftMap();
@@ -63,7 +63,7 @@ Figure front(const BalanceShaftModel& model) {
     Figure::Curve efficient;
     std::vector<ShaftMap::Position> positions;
     double minimum = std::numeric_limits<double>::infinity();
-    for (const balance_shaft::FrontPosition& place : mapOf(model)->front) {
+    for (const balance_shaft::BestPosition& place : mapOf(model)->front) {
         positions.push_back(place.position);
         all.x.push_back(place.criteria.size / units::cm2);
         all.y.push_back(change(place.criteria));
@@ -195,8 +195,7 @@ Figure speedMap(const BalanceShaftModel& model) {
     if (study == nullptr) {
         return figure;
     }
-    figure.title =
-        changeTitle(isByRange(model) ? PlaceCriterion::Kind::Range : PlaceCriterion::Kind::Rms);
+    figure.title = changeTitle(model.speedCriterion());
     figure.bands = unbuildableBands(study->buildable());
     Curve line = bestOverSpeed(*study, isByRange(model));
     figure.add("best",

@@ -95,10 +95,10 @@ std::shared_ptr<const ShaftMap> makeShaftMap(const balance_shaft::Solver& solver
         return nullptr;
     }
     // Against a torque without a range no place is better than another.
-    if (map->study.range_without() > 0.0) {
+    if (map->best.reason.empty() && map->buildable.range) {
         map->front = map->study.front(map->buildable);
-        map->smallRange = map->study.smallest_buildable(1.0);
-        map->smallRms = map->study.smallest_buildable(0.0);
+        map->smallRange = map->study.smallest_buildable(*map->buildable.range, true);
+        map->smallRms = map->study.smallest_buildable(*map->buildable.rms, false);
     }
     return map;
 }

@@ -30,7 +30,7 @@ struct ShaftMap {
     balance_shaft::BestPositions buildable = {};
     /// Of each criterion the smallest place that is at most a hundredth worse.
     std::optional<Place> smallRange = {}, smallRms = {};
-    std::vector<balance_shaft::FrontPosition> front = {};
+    std::vector<balance_shaft::BestPosition> front = {};
 };
 
 /// Makes the map of an engine.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "model/background_job.h"
 #include "numerics/constants.h"
@@ -26,11 +27,9 @@ Input withoutPlace(Input input) {
 }  // namespace
 
 QString ShaftMapModel::Marker::name() const {
-    return isBuildable ? PlaceCriterion::of(criterion, tr("best by range"), tr("best by RMS"),
-                                            tr("best by sum"))
-                       : PlaceCriterion::of(criterion, tr("min. range, ignoring clearance"),
-                                            tr("min. RMS, ignoring clearance"),
-                                            tr("min. sum, ignoring clearance"));
+    return criterion == Criterion::range
+               ? (isBuildable ? tr("best by range") : tr("min. range, ignoring clearance"))
+               : (isBuildable ? tr("best by RMS") : tr("min. RMS, ignoring clearance"));
 }
 
 ShaftMapModel::ShaftMapModel(BalanceShaftModel* model)
@@ -102,10 +101,10 @@ void ShaftMapModel::start() {
 void ShaftMapModel::showMap() {
     markers_.clear();
     if (map_) {
-        addMarker(Criterion::Range, true, map_->smallRange);
-        addMarker(Criterion::Range, false, map_->best.range);
-        addMarker(Criterion::Rms, true, map_->smallRms);
-        addMarker(Criterion::Rms, false, map_->best.rms);
+        addMarker(Criterion::range, true, map_->smallRange);
+        addMarker(Criterion::range, false, map_->best.range);
+        addMarker(Criterion::rms, true, map_->smallRms);
+        addMarker(Criterion::rms, false, map_->best.rms);
     }
     showCriterion();
     Q_EMIT model_->shownChanged();
@@ -123,7 +122,29 @@ void ShaftMapModel::addMarker(Criterion criterion, bool isBuildable,
 }
 
 ShaftMapModel::Position ShaftMapModel::shortened(const Position& exact, Criterion by) const {
-    return PlaceCriterion{by, weight()}.shortened(map_->study, exact);
+    constexpr double parts = 100.0;  // of a millimetre and of a degree
+    constexpr int around = 3;
+    const double l = std::floor(parts * exact.centre_distance() / units::mm);
+    const double alpha = std::floor(parts * exact.shaft_angle() / degree);
+    const bool canBeBuilt = isBuildable(exact);
+    Position best = exact;
+    double minimum = std::numeric_limits<double>::infinity();
+    for (int i = 1 - around; i <= around; ++i) {
+        for (int k = 1 - around; k <= around; ++k) {
+            const Position at = Position::at(std::max(l + i, 0.0) / parts * units::mm,
+                                             (alpha + k) / parts * degree);
+            if (isBuildable(at) != canBeBuilt) {
+                continue;
+            }
+            const Criteria here = map_->study.at(at);
+            const double value = by == Criterion::range ? here.range : here.rms;
+            if (value < minimum) {
+                minimum = value;
+                best = at;
+            }
+        }
+    }
+    return best;
 }
 
 bool ShaftMapModel::isAtBest() const {
@@ -139,29 +160,16 @@ bool ShaftMapModel::isAtBest() const {
 }
 
 std::optional<double> ShaftMapModel::change(const Criteria& criteria) const {
-    if (!map_ || !PlaceCriterion::judges(map_->study)) {
+    if (!map_ || !(map_->study.range_without() > 0.0 && map_->study.rms_without() > 0.0)) {
         return std::nullopt;
     }
-    return model_->placeCriterion().change(map_->study, criteria.range, criteria.rms);
-}
-
-void ShaftMapModel::setCriterion(Criterion criterion) {
-    model_->setPlaceCriterion({criterion, weight()});
-}
-
-void ShaftMapModel::setWeight(double weight) {
-    model_->setPlaceCriterion({criterion(), std::clamp(weight, 0.0, 1.0)});
+    return byRange() ? criteria.range / map_->study.range_without() - 1.0
+                     : criteria.rms / map_->study.rms_without() - 1.0;
 }
 
 void ShaftMapModel::showCriterion() {
-    std::erase_if(markers_, [](const Marker& each) { return each.criterion == Criterion::Both; });
     field_ = {};
     if (change({})) {
-        if (criterion() == Criterion::Both) {
-            const double rangeWeight = model_->placeCriterion().rangeWeight(map_->study);
-            addMarker(Criterion::Both, true, map_->study.smallest_buildable(rangeWeight));
-            addMarker(Criterion::Both, false, map_->study.best_sum(rangeWeight));
-        }
         const balance_shaft::PositionMap& of = map_->field;
         std::vector<double> changes(of.range.size());
         for (std::size_t i = 0; i < changes.size(); ++i) {

@@ -9,7 +9,6 @@
 
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/change_contours.h"
-#include "balance-shaft/model/place_criterion.h"
 #include "balance-shaft/model/shaft_map.h"
 
 namespace ravnoves {
@@ -17,8 +16,8 @@ namespace ravnoves {
 class BackgroundJob;
 
 /// The map of the places of the shaft's axis: the latest map (ShaftMap), its values by the
-/// criterion (PlaceCriterion), places worth seeing, and the moves of the axis over it. Its texts
-/// are shaft_map_text's.
+/// criterion, places worth seeing, and the moves of the axis over it. Its texts are
+/// shaft_map_text's.
 ///
 /// The map is made in the background when the input changes; a moving shaft does not change it.
 class ShaftMapModel : public QObject {
@@ -27,7 +26,7 @@ class ShaftMapModel : public QObject {
   public:
     using Position = balance_shaft::ShaftPosition;
     using Criteria = balance_shaft::PositionCriteria;
-    using Criterion = PlaceCriterion::Kind;
+    using Criterion = BalanceShaftModel::Criterion;
 
     /// A place worth seeing.
     struct Marker {
@@ -53,15 +52,12 @@ class ShaftMapModel : public QObject {
     /// Why there is no map; empty where there is one or it is on the way.
     QString trouble() const { return trouble_; }
 
-    Criterion criterion() const { return model_->placeCriterion().kind; }
-    void setCriterion(Criterion criterion);
-    /// Share of the range in the weighted sum, 0…1; the RMS has the rest.
-    double weight() const { return model_->placeCriterion().weight; }
-    void setWeight(double weight);
+    Criterion criterion() const { return model_->placeCriterion(); }
+    bool byRange() const { return criterion() == Criterion::range; }
     /// The model's criterion is another.
     void showCriterion();
-    /// Change of the criterion against the engine without a shaft, as a fraction; nothing where
-    /// that has none.
+    /// Change of the criterion against the engine without a shaft, as a fraction: −0.1 is 10 %
+    /// less; nothing where that has none.
     std::optional<double> change(const Criteria& criteria) const;
 
     /// Over x and y in mm; empty while there is no map, and where no change() is known.
@@ -74,7 +70,8 @@ class ShaftMapModel : public QObject {
 
     Position present() const;
     bool isBuildable(const Position& position) const;
-    /// PlaceCriterion::shortened() by a criterion, with the weight there is.
+    /// The best by a criterion of the places nearby whose l and α are whole 0.01 mm and 0.01° and
+    /// that are as feasible as the place itself; else the place.
     Position shortened(const Position& exact, Criterion by) const;
     /// Whether the shaft is at best(), or at a feasible place that is no worse.
     bool isAtBest() const;

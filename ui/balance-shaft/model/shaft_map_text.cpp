@@ -36,10 +36,9 @@ QString whereText(const Position& position) {
 
 /// By the criterion, with its change.
 QString valueText(const ShaftMapModel& map, const Criteria& criteria) {
-    const QString change = signedPercentText(map.change(criteria).value_or(0.0));
-    const QString both = QStringLiteral("%1 (%2)");
-    return PlaceCriterion::of(map.criterion(), both.arg(newtonMetres(criteria.range), change),
-                              both.arg(newtonMetres(criteria.rms), change), change);
+    return QStringLiteral("%1 (%2)").arg(
+        newtonMetres(map.byRange() ? criteria.range : criteria.rms),
+        signedPercentText(map.change(criteria).value_or(0.0)));
 }
 
 }  // namespace
@@ -60,8 +59,7 @@ QString best(const ShaftMapModel& map) {
     QString text =
         ShaftMapModel::tr(
             "Best place, the smallest box with the %1 within 1 % of its minimum: %2 at %3, box %4.")
-            .arg(PlaceCriterion::of(map.criterion(), ShaftMapModel::tr("range"),
-                                    ShaftMapModel::tr("RMS"), ShaftMapModel::tr("weighted sum")),
+            .arg(map.byRange() ? ShaftMapModel::tr("range") : ShaftMapModel::tr("RMS"),
                  value(best->criteria), whereText(best->position),
                  shownNumber(best->criteria.size, units::cm2, 0));
     if (balance_shaft::sign_as_shown(map.change(best->criteria).value_or(0.0)) > 0) {

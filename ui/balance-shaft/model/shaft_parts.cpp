@@ -113,10 +113,9 @@ std::vector<double> inUnit(std::vector<double> values, const Unit& unit) {
     return values;
 }
 
-QString changeTitle(PlaceCriterion::Kind criterion) {
-    return PlaceCriterion::of(criterion, ShaftParts::tr("Change in range vs. no shaft, %"),
-                              ShaftParts::tr("Change in RMS vs. no shaft, %"),
-                              ShaftParts::tr("Change in weighted sum vs. no shaft, %"));
+QString changeTitle(Model::Criterion criterion) {
+    return criterion == Model::Criterion::range ? ShaftParts::tr("Change in range vs. no shaft, %")
+                                                : ShaftParts::tr("Change in RMS vs. no shaft, %");
 }
 
 }  // namespace ravnoves

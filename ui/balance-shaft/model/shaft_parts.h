@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "balance-shaft/clearance.h"
-#include "balance-shaft/model/place_criterion.h"
+#include "balance-shaft/speed_study.h"
 #include "model/part.h"
 
 namespace ravnoves {
@@ -33,7 +33,7 @@ Figure overAngle(const BalanceShaftModel& model, const QString& title, const QSt
 std::vector<double> inUnit(std::vector<double> values, const Unit& unit);
 
 /// Of a map of changes, in percent.
-QString changeTitle(PlaceCriterion::Kind criterion);
+QString changeTitle(balance_shaft::SpeedStudy::Criterion criterion);
 
 }  // namespace ravnoves
 
