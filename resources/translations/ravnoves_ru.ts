@@ -15514,10 +15514,6 @@ but no position is feasible</source>
         <translation>СКЗ</translation>
     </message>
     <message>
-        <source>weighted sum</source>
-        <translation>сумма</translation>
-    </message>
-    <message>
         <source>Move shaft</source>
         <translation>Перемещение вала</translation>
     </message>
@@ -15566,10 +15562,6 @@ but no position is feasible</source>
         <translation>мин. СКЗ, без учёта зазоров</translation>
     </message>
     <message>
-        <source>min. sum, ignoring clearance</source>
-        <translation>мин. сумма, без учёта зазоров</translation>
-    </message>
-    <message>
         <source>Computing the map…</source>
         <translation>Карта вычисляется…</translation>
     </message>
@@ -15600,10 +15592,6 @@ but no position is feasible</source>
     <message>
         <source>best by RMS</source>
         <translation>лучшее по СКЗ</translation>
-    </message>
-    <message>
-        <source>best by sum</source>
-        <translation>лучшее по сумме</translation>
     </message>
     <message>
         <source>Best place, the smallest box with the %1 within 1 % of its minimum: %2 at %3, box %4.</source>
@@ -15660,10 +15648,6 @@ but no position is feasible</source>
         <translation>СКЗ</translation>
     </message>
     <message>
-        <source>weighted sum</source>
-        <translation>сумма</translation>
-    </message>
-    <message>
         <source>Criterion of the places of the shaft</source>
         <translation>Критерий выбора места вала</translation>
     </message>
@@ -15672,16 +15656,8 @@ but no position is feasible</source>
         <translation>Лу&amp;чшее место</translation>
     </message>
     <message>
-        <source>&amp;Weight of the range</source>
-        <translation>&amp;Вес размаха</translation>
-    </message>
-    <message>
         <source>Limits on the shaft&apos;s axis</source>
         <translation>Границы для оси вала</translation>
-    </message>
-    <message>
-        <source>Over l</source>
-        <translation>По l</translation>
     </message>
     <message>
         <source>Pareto</source>
@@ -15692,20 +15668,8 @@ but no position is feasible</source>
         <translation>Расстояние от оси кривошипа до оси вала; α сохраняется.</translation>
     </message>
     <message>
-        <source>Criterion of map and optimum, relative to no shaft: range of Mᵤₚₛ, its RMS, or a weighted sum</source>
-        <translation>Критерий карты и оптимума, относительно схемы без вала: размах Mᵤₚₛ, его СКЗ или взвешенная сумма</translation>
-    </message>
-    <message>
-        <source>Share of the range in the weighted sum, the rest is the RMS. Both are relative to no shaft.</source>
-        <translation>Доля размаха во взвешенной сумме, остальное — СКЗ. Оба относительно схемы без вала.</translation>
-    </message>
-    <message>
         <source>Further limits, for example a crankcase wall; blank means no limit.</source>
         <translation>Дополнительные ограничения, например стенка картера; пусто — без ограничения.</translation>
-    </message>
-    <message>
-        <source>Minimum range and RMS at each l with its best α; thick: feasible. Size of the box by the criterion; click to move the shaft.</source>
-        <translation>Минимальные размах и СКЗ при каждом l с лучшим α; толсто: допустимо. Габарит по критерию; щелчок переносит вал.</translation>
     </message>
     <message>
         <source>Feasible places that are Pareto-optimal in range, RMS and size. Click to move the shaft.</source>
@@ -15714,6 +15678,10 @@ but no position is feasible</source>
     <message>
         <source>no feasible position</source>
         <translation>допустимых положений нет</translation>
+    </message>
+    <message>
+        <source>Criterion of map and optimum, relative to no shaft: range of Mᵤₚₛ, or its RMS</source>
+        <translation>Критерий карты и оптимума, относительно схемы без вала: размах Mᵤₚₛ или его СКЗ</translation>
     </message>
 </context>
 <context>
@@ -15903,52 +15871,12 @@ but no position is feasible</source>
         <translation>y, мм</translation>
     </message>
     <message>
-        <source>Best α of each l; thick: feasible</source>
-        <translation>Лучший α при каждом l; толсто: допустимо</translation>
-    </message>
-    <message>
-        <source>l, mm</source>
-        <translation>l, мм</translation>
-    </message>
-    <message>
-        <source>min. range</source>
-        <translation>мин. размах</translation>
-    </message>
-    <message>
-        <source>At its best α</source>
-        <translation>При своём лучшем α</translation>
-    </message>
-    <message>
-        <source>min. RMS</source>
-        <translation>мин. СКЗ</translation>
-    </message>
-    <message>
-        <source>size</source>
-        <translation>габарит</translation>
-    </message>
-    <message>
-        <source>Width × height of the box, right axis</source>
-        <translation>Ширина × высота габарита, правая ось</translation>
-    </message>
-    <message>
-        <source>min. range, feasible</source>
-        <translation>мин. размах, допустимо</translation>
-    </message>
-    <message>
-        <source>min. RMS, feasible</source>
-        <translation>мин. СКЗ, допустимо</translation>
-    </message>
-    <message>
         <source>Range and size</source>
         <translation>Размах и габарит</translation>
     </message>
     <message>
         <source>RMS and size</source>
         <translation>СКЗ и габарит</translation>
-    </message>
-    <message>
-        <source>Weighted sum and size</source>
-        <translation>Взвешенная сумма и габарит</translation>
     </message>
     <message>
         <source>change, %</source>
@@ -16237,10 +16165,6 @@ but no position is feasible</source>
     <message>
         <source>Change in RMS vs. no shaft, %</source>
         <translation>Изменение СКЗ относительно схемы без вала, %</translation>
-    </message>
-    <message>
-        <source>Change in weighted sum vs. no shaft, %</source>
-        <translation>Изменение взвешенной суммы относительно схемы без вала, %</translation>
     </message>
     <message>
         <source>p</source>
