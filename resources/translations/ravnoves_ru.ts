@@ -16487,22 +16487,6 @@ but no position is feasible</source>
 <context>
     <name>ravnoves::SpeedView</name>
     <message>
-        <source>Speed &amp;n</source>
-        <translation>Частота &amp;n</translation>
-    </message>
-    <message>
-        <source>Speed of the engine; the inertia torque of a computed torque follows it.</source>
-        <translation>Частота вращения двигателя; за ней следует инерционная часть рассчитанного момента.</translation>
-    </message>
-    <message>
-        <source>&amp;Load, IMEP</source>
-        <translation>&amp;Нагрузка, pᵢ</translation>
-    </message>
-    <message>
-        <source>Indicated mean effective pressure of the computed cycle.</source>
-        <translation>Среднее индикаторное давление рассчитанного цикла.</translation>
-    </message>
-    <message>
         <source>range</source>
         <translation>размах</translation>
     </message>
@@ -16529,10 +16513,6 @@ but no position is feasible</source>
     <message>
         <source>Criterion of the map and of the best compromise α</source>
         <translation>Критерий карты и лучшего компромисса α</translation>
-    </message>
-    <message>
-        <source>The load can be changed for a computed cycle (Torque tab).</source>
-        <translation>Нагрузку можно менять для расчётного цикла (вкладка «Момент»).</translation>
     </message>
     <message>
         <source>Progress</source>

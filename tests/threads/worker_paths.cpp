@@ -92,10 +92,9 @@ void maps() {
     model.setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
     ShaftMapModel& map = *model.shaftMap();
     SpeedStudyModel& speed = *model.speedStudy();
-    check(speed.hasLoad(), "there is a load");
     for (int angle = 60; angle < 72; ++angle) {
         model.setByKey(u"shaft_angle_deg"_s, QString::number(angle));
-        speed.setLoad(5.0 + 0.01 * angle);
+        model.setLoad(&balance_shaft::GasCycle::imep, (5.0 + 0.01 * angle) * units::bar);
         model.needParts();
         QCoreApplication::processEvents();
     }

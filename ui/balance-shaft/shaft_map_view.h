@@ -42,7 +42,6 @@ class ShaftMapView : public QWidget {
 
     BalanceShaftModel* model_;
     ShaftMapModel* map_;
-    QWidget* bar_;
     FieldSlider* distance_;
     QComboBox* criterion_;
     QPushButton* best_;

@@ -19,7 +19,6 @@
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
-#include "widgets/field_slider.h"
 #include "widgets/form.h"
 #include "widgets/job_progress.h"
 #include "widgets/layouts.h"
@@ -158,10 +157,7 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     column->addWidget(buildWords());
     auto* bar = new Panel(this);
     QVBoxLayout* barColumn = columnIn(bar, 0);
-    auto* barRow = new FoldingRow(pairWidth, bar);
-    barRow->add(buildSliders());
-    barRow->add(buildForm());
-    barColumn->addWidget(barRow);
+    barColumn->addWidget(buildForm());
     barColumn->addWidget(buildProgress());
     column->addWidget(bar);
     auto* charts = new FoldingRow(pairWidth, this);
@@ -195,31 +191,7 @@ QWidget* SpeedView::buildWords() {
     return panel;
 }
 
-QWidget* SpeedView::buildSliders() {
-    auto* sliders = new QWidget(this);
-    QVBoxLayout* column =
-        columnIn(sliders, Theme::gap, {Theme::margin, Theme::margin, Theme::margin, 0});
-    column->addWidget(new FieldSlider(
-        model_, "/speed_rpm", {300.0, 9000.0, 10.0, 100.0, 0}, sliders,
-        {.label = tr("Speed &n"),
-         .hint = tr("Speed of the engine; the inertia torque of a computed torque follows it."),
-         .name = QStringLiteral("study_speed_rpm"),
-         .read = [this] { return model_->input().angular_speed / units::rpm; },
-         .write = [this](double value) { model_->setSpeed(value * units::rpm); }}));
-    load_ = new FieldSlider(model_, "/torque/cycle/indicated_mean_effective_pressure_bar",
-                            {0.0, 25.0, 0.05, 1.0, 2}, sliders,
-                            {.label = tr("&Load, IMEP"),
-                             .hint = tr("Indicated mean effective pressure of the computed cycle."),
-                             .name = QStringLiteral("study_load_bar"),
-                             .isMovable = [this] { return study_->hasLoad(); },
-                             .isGiven = [this] { return study_->load().has_value(); },
-                             .read = [this] { return study_->load().value_or(0.0); },
-                             .write = [this](double value) { study_->setLoad(value); }});
-    column->addWidget(load_);
-    return sliders;
-}
-
-/// Below all that is moved and typed: where it comes and goes nothing moves, and no gap is left
+/// Below all that is typed: where it comes and goes nothing moves, and no gap is left
 /// between them.
 QWidget* SpeedView::buildProgress() {
     auto* running = new QWidget(this);
@@ -253,9 +225,6 @@ Form* SpeedView::buildForm() {
 }
 
 void SpeedView::showStudy() {
-    load_->setToolTip(study_->hasLoad()
-                          ? QString()
-                          : tr("The load can be changed for a computed cycle (Torque tab)."));
     applyBestCompromise_->setVisible(study_->isSolved());
     rebuild_->setVisible(!study_->isSolved() && model_->canRebuildTorque());
     charts_->setVisible(!study_->isRejected());

@@ -7,12 +7,10 @@ class QPushButton;
 namespace ravnoves {
 
 class BalanceShaftModel;
-class FieldSlider;
 class Form;
 class SpeedStudyModel;
 
-/// Shows SpeedStudyModel: the best compromise α, best α over speed, the map; sliders for speed and
-/// load.
+/// Shows SpeedStudyModel: the band, the best compromise α, best α over speed, the map.
 class SpeedView : public QWidget {
     Q_OBJECT
 
@@ -20,7 +18,6 @@ class SpeedView : public QWidget {
     explicit SpeedView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
   private:
-    QWidget* buildSliders();
     QWidget* buildProgress();
     Form* buildForm();
     QWidget* buildWords();
@@ -28,7 +25,6 @@ class SpeedView : public QWidget {
 
     BalanceShaftModel* model_;
     SpeedStudyModel* study_;
-    FieldSlider* load_;
     QPushButton* rebuild_;
     QPushButton* applyBestCompromise_;
     QWidget* charts_;

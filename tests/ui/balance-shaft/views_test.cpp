@@ -4,7 +4,6 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScrollBar>
-#include <QSlider>
 #include <QTableView>
 #include <QToolTip>
 #include <algorithm>
@@ -213,45 +212,6 @@ TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {
     QTRY_VERIFY_WITH_TIMEOUT(map->plotArea().contains(map->toPixel(200.0, speed)), 5000);
     QTest::mouseClick(map, Qt::LeftButton, {}, map->toPixel(200.0, speed).toPoint());
     EXPECT_NEAR(model->shaftAngleDeg(), 200.0, 3.0);
-}
-
-TEST_F(BalanceShaftViewsTest, SlidersBesideTheSpeedMapAreOfTheirFields) {
-    bring(page.findChild<SpeedView*>());
-    auto* speed = find<QSlider>("study_speed_rpm_slider");
-    auto* load = find<QSlider>("study_load_bar_slider");
-    speed->setFocus();
-    const double before = model->input().angular_speed / units::rpm;
-    QTest::keyClick(speed, Qt::Key_Right);
-    EXPECT_NEAR(model->input().angular_speed / units::rpm, 10.0 * std::round(before / 10.0 + 1.0),
-                1e-6);
-    EXPECT_EQ(model->history()->undoText(), QStringLiteral("Speed n"));
-    model->history()->undo();
-    EXPECT_NEAR(model->input().angular_speed / units::rpm, before, 1e-9);
-    // The load is that of a computed cycle alone.
-    EXPECT_FALSE(load->isEnabled());
-    NumberField* shown = field("study_load_bar");
-    EXPECT_EQ(shown->palette().color(QPalette::Text), Theme::instance().mutedText());
-    model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
-    EXPECT_TRUE(load->isEnabled());
-    const double imep = model->result().indicated->imep / units::bar;
-    load->setFocus();
-    QTest::keyClick(load, Qt::Key_PageUp);
-    EXPECT_NEAR(model->result().indicated->imep / units::bar, imep + 1.0, 0.05);
-    EXPECT_EQ(model->history()->undoText(), QStringLiteral("IMEP"));
-    // A case beyond the slider's ends is shown as it is.
-    model->editField("/torque/cycle/indicated_mean_effective_pressure_bar", 31.0,
-                     QStringLiteral("IMEP"));
-    EXPECT_NEAR(*shown->value(), 31.0, 0.005);
-    // That of a pressure trace is what the trace has.
-    model->edit(QStringLiteral("trace"), [&](balance_shaft::Input& input) {
-        input.torque.kind = balance_shaft::TorqueSource::Kind::pressure;
-        input.torque.trace.crank_angle_deg = model->result().curves.crank_angle_deg;
-        input.torque.trace.pressure = model->result().curves.pressure;
-    });
-    EXPECT_FALSE(load->isEnabled());
-    ASSERT_TRUE(model->result().indicated.has_value());
-    EXPECT_NEAR(*shown->value(), model->result().indicated->imep / units::bar, 0.005);
-    EXPECT_TRUE(model->speedStudy()->gasAtEverySpeed().contains(QStringLiteral("trace")));
 }
 
 TEST_F(BalanceShaftViewsTest, AnEmptySpeedMapHasItsRemedyBesideIt) {

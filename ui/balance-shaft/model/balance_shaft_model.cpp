@@ -171,16 +171,13 @@ void BalanceShaftModel::moveTraceByTurn() {
     });
 }
 
-QString BalanceShaftModel::setLoad(std::optional<double> GasCycle::*given, double value,
-                                   bool isDrag) {
-    const auto load = [&](Input& input) {
+QString BalanceShaftModel::setLoad(std::optional<double> GasCycle::*given, double value) {
+    namespace field = balance_shaft::field;
+    return edit(fieldName(given == &GasCycle::heat ? field::heat : field::imep), [&](Input& input) {
         input.torque.cycle.heat.reset();
         input.torque.cycle.imep.reset();
         input.torque.cycle.*given = value;
-    };
-    namespace field = balance_shaft::field;
-    const QString step = fieldName(given == &GasCycle::heat ? field::heat : field::imep);
-    return isDrag ? drag(step, load) : edit(step, load);
+    });
 }
 
 double BalanceShaftModel::shaftAngleDeg() const {

@@ -87,9 +87,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     /// What counts from the firing top dead centre counts from the other one, or back.
     void moveTraceByTurn();
     /// Gives heat or mean effective pressure of a computed cycle; the other one follows from it.
-    /// @param isDrag  part of a drag
-    QString setLoad(std::optional<double> balance_shaft::GasCycle::*given, double value,
-                    bool isDrag = false);
+    QString setLoad(std::optional<double> balance_shaft::GasCycle::*given, double value);
 
     double shaftAngleDeg() const;  ///< α
     /// Moves the shaft and the result in place: shownChanged(), not changed().

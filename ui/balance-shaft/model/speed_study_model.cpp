@@ -167,16 +167,6 @@ void SpeedStudyModel::pick(double angleDeg, double speed) {
     }
 }
 
-bool SpeedStudyModel::hasLoad() const {
-    return model_->input().torque.kind == balance_shaft::TorqueSource::Kind::cycle &&
-           model_->result().indicated.has_value();
-}
-
-std::optional<double> SpeedStudyModel::load() const {
-    const auto& indicated = model_->result().indicated;
-    return indicated ? std::optional(indicated->imep / units::bar) : std::nullopt;
-}
-
 QString SpeedStudyModel::gasAtEverySpeed() const {
     using Kind = balance_shaft::TorqueSource::Kind;
     switch (model_->input().torque.kind) {
@@ -186,12 +176,6 @@ QString SpeedStudyModel::gasAtEverySpeed() const {
             return tr("The load is constant over the speed.");
         default:
             return tr("The gas torque at every speed is from the given torque.");
-    }
-}
-
-void SpeedStudyModel::setLoad(double load) {
-    if (hasLoad()) {
-        model_->setLoad(&balance_shaft::GasCycle::imep, load * units::bar, true);
     }
 }
 

@@ -63,13 +63,8 @@ class SpeedStudyModel : public QObject {
 
     /// A place of the map: α, and of a torque that follows it the speed, min⁻¹.
     void pick(double angleDeg, double speed);
-    /// The load can be moved where the torque is a computed cycle.
-    bool hasLoad() const;
-    /// Indicated mean effective pressure, bar; of a torque without pressures nothing.
-    std::optional<double> load() const;
     /// What the study takes for the gas torque, as a sentence.
     QString gasAtEverySpeed() const;
-    void setLoad(double load);  ///< part of a drag; nothing without a load
 
   Q_SIGNALS:
     /// The map is another, or none.
