@@ -20,30 +20,6 @@ namespace ravnoves {
 
 namespace {
 
-/// Each dash a line of its own: a dashed ellipse takes ten times as long, at every step of a drag.
-void drawDashedCircle(QPainter& painter, const QPointF& middle, double radius, double dash = 5.6,
-                      double period = 8.4) {
-    const double turn = two_pi * radius;
-    if (!(turn > period)) {
-        return;
-    }
-    const auto count = static_cast<int>(turn / period);
-    constexpr int maximum = 2000;  // the rest is far outside
-    const int drawn = std::min(count, maximum);
-    const double step = two_pi / drawn;
-    const double half = 0.5 * step * dash / period;
-    QList<QLineF> dashes;
-    dashes.reserve(drawn);
-    for (int i = 0; i < drawn; ++i) {
-        const double at = i * step;
-        const auto point = [&](double angle) {
-            return middle + radius * QPointF(std::cos(angle), std::sin(angle));
-        };
-        dashes.append(QLineF(point(at - half), point(at + half)));
-    }
-    painter.drawLines(dashes);
-}
-
 QPolygonF inPixels(const drawing::Frame& frame, const QPolygonF& metres) {
     const double k = frame.pixelsPerUnit;
     return QTransform(k, 0.0, 0.0, -k, frame.origin.x(), frame.origin.y()).map(metres);
@@ -101,7 +77,7 @@ void drawLimits(QPainter& painter, const balance_shaft::PlaceLimits& limits, con
     const QPointF crank = frame.at(0.0, 0.0);
     for (const auto& distance : {limits.centre_distance_min, limits.centre_distance_max}) {
         if (distance) {
-            drawDashedCircle(painter, crank, frame.length(*distance));
+            paintDisc(painter, crank, frame.length(*distance));
         }
     }
     pen.setStyle(Qt::DashLine);
@@ -169,7 +145,7 @@ void drawEngine(QPainter& painter, const BalanceShaftModel& model, const PlotVie
         QRectF(frame.at(e - bore / 2, top), frame.at(e + bore / 2, top - height)), 3, 3);
     painter.setPen(QPen(line, 1.0));
     painter.setBrush(Qt::NoBrush);
-    drawDashedCircle(painter, crank, sizes.crank_swing_radius * k, 2.0, 4.0);
+    paintDisc(painter, crank, frame.length(sizes.crank_swing_radius));
     const double thick = std::clamp(0.3 * sizes.crank_radius * k, 4.0, 14.0);
     drawing::drawBar(painter, pin, piston, 0.6 * thick, metal, line);
     drawing::drawBar(painter, crank, pin, thick, metal, line);
@@ -195,11 +171,11 @@ void drawShaft(QPainter& painter, const BalanceShaftModel& model, const ShaftMap
     if (other != nullptr) {
         const auto was = other->present();
         painter.setPen(QPen(faint(theme.text(), 0.55), 1.2));
-        drawDashedCircle(painter, crank, frame.length(was.centre_distance()));
+        paintDisc(painter, crank, frame.length(was.centre_distance()));
         paintDisc(painter, frame.at(was), shaftHandleRadius);
     }
     painter.setPen(QPen(theme.accent(), 1.4));
-    drawDashedCircle(painter, crank, frame.length(present.centre_distance()));
+    paintDisc(painter, crank, frame.length(present.centre_distance()));
     painter.setPen(QPen(faint(theme.text(), 0.6), 1.0, Qt::DashDotLine));
     painter.drawLine(crank, axis);
     const double swing = frame.length(sizes.shaft_swing_radius);
