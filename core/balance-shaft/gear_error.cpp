@@ -59,7 +59,7 @@ GearError gear_error(const Solver& solver, double shaft_angle) {
         // R + A α² is convex: 1e-7 of A where the play is 1°.
         constexpr int steps = 256;
         for (int i = 0; i <= steps; ++i) {
-            const double at = angle + (2.0 * i / steps - 1.0) * result.play;
+            const double at = angle - result.play + 2.0 * result.play * i / steps;
             result.play_range_high = std::max(result.play_range_high, solver.range(at));
         }
     }
