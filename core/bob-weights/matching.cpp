@@ -54,18 +54,34 @@ shop::Crank crank_of(const Input& input) {
     return crank;
 }
 
-shop::MatchingTask matching_task(const Input& input, double factor) {
-    if (!input.weigh_in || input.engine.cylinders % input.engine.rods_per_pin != 0) {
-        return {};
-    }
-    std::array<double, 6> factors{};
+shop::PartFactors weighed_factors(const Input& input, double factor) {
+    shop::PartFactors factors{};
     for (const PartField& part : part_fields()) {
-        if (part.column && (*input.weigh_in)[*part.column].is_weighed()) {
+        if (is_weighed(input, part)) {
             factors[static_cast<std::size_t>(*part.column)] =
                 part.kind == PartKind::reciprocating ? factor : 1.0;
         }
     }
-    return {*input.weigh_in, crank_of(input), factors};
+    return factors;
+}
+
+void place_parts(const Input& input, const shop::PartFactors& factors, Result& result) {
+    if (!input.weigh_in || input.weigh_in->is_empty() ||
+        input.engine.cylinders % input.engine.rods_per_pin != 0) {
+        return;
+    }
+    result.placing = shop::match({*input.weigh_in, crank_of(input), factors});
+    if (!result.bob_weight) {
+        return;
+    }
+    result.crankpins.assign(static_cast<std::size_t>(input.engine.crankpins()), *result.bob_weight);
+    if (result.placing) {
+        result.placed_crankpins = result.crankpins;
+        for (std::size_t pin = 0; pin < result.crankpins.size(); ++pin) {
+            result.crankpins[pin] += result.placing->before.crankpins[pin];
+            result.placed_crankpins[pin] += result.placing->after.crankpins[pin];
+        }
+    }
 }
 
 }  // namespace ravnoves::bob_weights

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bob-weights/input.h"
+#include "bob-weights/result.h"
 #include "shop/matching.h"
 
 namespace ravnoves::bob_weights {
@@ -10,8 +11,10 @@ namespace ravnoves::bob_weights {
 /// in line, cross-plane of 4, 180° of 2. Empty for others.
 shop::Crank crank_of(const Input& input);
 
-/// The parts to be matched, from the columns that are weighed whole.
+/// How often the parts count that are weighed whole.
 /// @param factor  of the reciprocating mass, overbalance included
-shop::MatchingTask matching_task(const Input& input, double factor);
+shop::PartFactors weighed_factors(const Input& input, double factor);
+/// Places the weighed parts, and where the bob weight is known gives each crankpin its own.
+void place_parts(const Input& input, const shop::PartFactors& factors, Result& result);
 
 }  // namespace ravnoves::bob_weights

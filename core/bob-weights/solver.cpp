@@ -94,45 +94,6 @@ void look_for_kilograms(const Input& input, Result& result) {
     }
 }
 
-/// Each crankpin's bob weight of its own parts.
-std::vector<double> crankpins_of(const Input& input, const WeighIn& sheet, double factor,
-                                 const std::vector<Line>& lines) {
-    const Engine& engine = input.engine;
-    const auto places = shop::places_of(crank_of(input));
-    std::vector<double> crankpins(static_cast<std::size_t>(engine.crankpins()));
-    for (const Line& line : lines) {
-        const auto& column = line.part->column;
-        if (!column || !sheet[*column].is_weighed()) {
-            for (double& sum : crankpins) {
-                sum += line.product();
-            }
-            continue;
-        }
-        const double each = factor_of(*line.part, engine, factor) / engine.rods_on_crankpin();
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            crankpins.at(static_cast<std::size_t>(places[i].crankpin)) +=
-                each * *sheet[*column].mass.at(i);
-        }
-    }
-    return crankpins;
-}
-
-void solve_weigh_in(const Input& input, double factor, bool places_parts, Result& result) {
-    if (!input.weigh_in || !places_parts || input.weigh_in->is_empty() ||
-        input.engine.cylinders % input.engine.rods_per_pin != 0) {
-        return;
-    }
-    result.placing = shop::match(matching_task(input, factor));
-    if (result.bob_weight) {
-        result.crankpins = crankpins_of(input, *input.weigh_in, factor, result.lines);
-        if (result.placing) {
-            WeighIn moved = *input.weigh_in;
-            move_sets(moved, result.placing->pistons, result.placing->rods);
-            result.placed_crankpins = crankpins_of(input, moved, factor, result.lines);
-        }
-    }
-}
-
 /// Planes and drills with all that a plan needs; false while something is missing.
 bool can_drill(const Correction& correction) {
     return std::all_of(correction.planes.begin(), correction.planes.end(),
@@ -431,10 +392,12 @@ Result solve(const Input& given, bool places_parts, const OtherWeight& other) {
     result.factor = input.factor.reciprocating.value_or(result.theory_factor);
     const double factor = result.factor + input.factor.overbalance;
     if (other) {
-        other(result);
+        other(input, result);
     } else {
         solve_bob_weight(input, factor, result);
-        solve_weigh_in(input, factor, places_parts, result);
+        if (places_parts) {
+            place_parts(input, weighed_factors(input, factor), result);
+        }
     }
     if (const auto& reciprocating = result.reciprocating) {
         result.first_order = first_order(input.engine, factor, *reciprocating);

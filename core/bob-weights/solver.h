@@ -9,8 +9,8 @@
 namespace ravnoves::bob_weights {
 
 /// Fills in a bob weight that does not follow from the masses of the parts, as far as known:
-/// lines and sum, what reciprocates and what rotates.
-using OtherWeight = std::function<void(Result&)>;
+/// lines and sum, what reciprocates and what rotates, the placing of the parts.
+using OtherWeight = std::function<void(const Input&, Result&)>;
 
 /// Computes whatever the input allows, also where a check does not let it pass.
 /// @param places_parts  false: without the placing of the parts, which takes longest

@@ -42,7 +42,7 @@ std::vector<double> differences(std::span<const Weighed> masses, std::size_t cou
 using Sets = std::array<std::vector<double>, 3>;
 
 /// Sums of the parts of n cylinders, each times its factor.
-Sets sums_of(const WeighIn& sheet, std::size_t n, const std::array<double, 6>& factors) {
+Sets sums_of(const WeighIn& sheet, std::size_t n, const PartFactors& factors) {
     Sets sets;
     sets.fill(std::vector<double>(n, 0.0));
     for (const Part part : all_parts) {
@@ -271,25 +271,23 @@ void move_back(WeighIn& sheet) {
     move_sets(sheet, from[0], from[1]);
 }
 
-double crankpin_spread(const MatchingTask& task, const std::array<std::vector<int>, 2>& from) {
-    return size_of(search_of_spread(task), from);
-}
-
-std::optional<Shaking> shaking_of(const MatchingTask& task,
-                                  const std::array<std::vector<int>, 2>& from) {
+Placed placed_by(const MatchingTask& task, const std::array<std::vector<int>, 2>& from) {
+    const SetSearch by_spread = search_of_spread(task);
+    Placed placed{sum_of(by_spread, from), size_of(by_spread, from), std::nullopt};
     if (!crank_fault(task.crank).empty()) {
-        return std::nullopt;
+        return placed;
     }
     const SetSearch search = search_of_shaking(task);
     const auto sum = sum_of(search, from);
     const auto part = [&](std::size_t i) { return Vector(sum[2 * i], sum[2 * i + 1]); };
     const double arm = 0.5 * reach_of(places_of(task.crank)).length;
     // Two parts that turn in opposite senses meet twice a turn.
-    return Shaking{
+    placed.shaking = {
         std::abs(part(0) + part(1)) + std::abs(part(2) + part(3)),
         arm * (std::abs(part(1) - part(0)) + std::abs(part(3) - part(2))),
         size_of(search, from) / std::sqrt(2.0),
     };
+    return placed;
 }
 
 std::array<std::vector<int>, 2> where_weighed(const WeighIn& sheet) {
@@ -331,9 +329,8 @@ std::optional<Matched> match(const MatchingTask& task) {
                 "Shaking cannot be computed (%1): the crankpins are made as equal as possible."),
             fault};
     }
-    const SetSearch by_spread = search_of_spread(task);
-    SetSearch search =
-        matched.goal == MatchingGoal::min_shaking ? search_of_shaking(task) : by_spread;
+    SetSearch search = matched.goal == MatchingGoal::min_shaking ? search_of_shaking(task)
+                                                                 : search_of_spread(task);
     // A scale reads to hundredths of a gram: a microgram of rounding is no violation.
     constexpr double rounding = 1e-9;
     const bool has_limit = matched.goal == MatchingGoal::fewest_moves;
@@ -350,16 +347,11 @@ std::optional<Matched> match(const MatchingTask& task) {
         kind.resize(n);
         std::iota(kind.begin(), kind.end(), 0);
     }
-    matched.spread = size_of(by_spread, found.from);
-    matched.spread_before = size_of(by_spread, as_it_is);
-    matched.shaking_before = shaking_of(task, as_it_is);
-    matched.shaking = shaking_of(task, found.from);
-    if (task.sheet.is_moved()) {
-        const auto from = where_weighed(task.sheet);
-        matched.spread_as_weighed = crankpin_spread(task, from);
-        matched.shaking_as_weighed = shaking_of(task, from);
-    }
-    if (has_limit && matched.spread > search.enough) {
+    matched.before = placed_by(task, as_it_is);
+    matched.after = placed_by(task, found.from);
+    matched.as_weighed =
+        task.sheet.is_moved() ? placed_by(task, where_weighed(task.sheet)) : matched.before;
+    if (has_limit && matched.after.spread > search.enough) {
         matched.remark = {
             found.proven ? Text::tr("No combination gives a range of %1: the crankpins are made "
                                     "as equal as possible. Make the heavier parts lighter.")

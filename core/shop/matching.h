@@ -63,25 +63,32 @@ struct Shaking {
     double ends;    ///< at the end crankpins: root mean square over a turn and both ends, kg
 };
 
+/// How often a part of each column counts in its crankpin; 0: it does not.
+using PartFactors = std::array<double, 6>;
+
 /// The matching problem.
 struct MatchingTask {
     WeighIn sheet;  ///< with its rules
     Crank crank;
-    std::array<double, 6> factors{};  ///< how often a part counts in its crankpin; 0: it does not
+    PartFactors factors{};
 };
+
+/// What a placing makes of the crankpins and of the engine, whatever its goal.
+struct Placed {
+    std::vector<double> crankpins;  ///< each less the mean of all, kg
+    double spread = 0.0;            ///< heaviest minus lightest crankpin, kg
+    std::optional<Shaking> shaking;
+};
+Placed placed_by(const MatchingTask& task, const std::array<std::vector<int>, 2>& from);
 
 /// The placing: element i is the cylinder (from 0) whose set moves to cylinder i.
 struct Matched {
     std::vector<int> pistons;  ///< piston with its pin and rings
     std::vector<int> rods;     ///< rod with its shells
-    double spread = 0.0;       ///< heaviest minus lightest crankpin, kg
     int moved = 0;             ///< sets that change their cylinder
-    double spread_before = 0.0;
-    std::optional<Shaking> shaking_before;
-    std::optional<Shaking> shaking;
-    // Of the parts where they were weighed, if they are elsewhere now.
-    std::optional<double> spread_as_weighed;  ///< kg
-    std::optional<Shaking> shaking_as_weighed;
+    Placed before;
+    Placed after;
+    Placed as_weighed;                             ///< the parts where they were weighed
     MatchingGoal goal = MatchingGoal::min_spread;  ///< that was followed
     bool proven = true;                            ///< no placing is better by the goal
     Message remark;  ///< why it is not the goal asked for, or why that is not reached
@@ -90,11 +97,6 @@ struct Matched {
 
 /// The best placing by the sheet's rules; see best_placing() for the proof. Empty without a column.
 std::optional<Matched> match(const MatchingTask& task);
-
-/// What a placing makes of the spread and of the engine, whatever its goal.
-double crankpin_spread(const MatchingTask& task, const std::array<std::vector<int>, 2>& from);
-std::optional<Shaking> shaking_of(const MatchingTask& task,
-                                  const std::array<std::vector<int>, 2>& from);
 
 /// Whether a part changes its cylinder with its set.
 bool moves_with_set(const MatchingRules& rules, Part part);

@@ -91,13 +91,13 @@ void visit_matched(ResultVisitor& visitor, const Matched& matched,
     visitor.integer({"sets_moved", Text::tr("Sets moved")}, matched.moved);
     visitor.word({"goal"}, goal_words[static_cast<std::size_t>(matched.goal)].word);
     visitor.number({"spread_before_g", Text::tr("Range of the crankpins before"), 2},
-                   matched.spread_before);
-    visitor.number({"spread_g", Text::tr("Range of the crankpins"), 2}, matched.spread);
+                   matched.before.spread);
+    visitor.number({"spread_g", Text::tr("Range of the crankpins"), 2}, matched.after.spread);
     visitor.flag({"proven", Text::tr("Proven")}, matched.proven);
-    if (matched.shaking && matched.shaking_before) {
+    if (matched.before.shaking && matched.after.shaking) {
         visit_shaking(visitor, {"shaking_before", Text::tr("Shaking before")},
-                      *matched.shaking_before, matched.spacing_known, crank_radius, speed);
-        visit_shaking(visitor, {"shaking", Text::tr("Shaking")}, *matched.shaking,
+                      *matched.before.shaking, matched.spacing_known, crank_radius, speed);
+        visit_shaking(visitor, {"shaking", Text::tr("Shaking")}, *matched.after.shaking,
                       matched.spacing_known, crank_radius, speed);
     }
     if (!matched.remark.empty()) {

@@ -111,12 +111,10 @@ std::optional<double> Input::rod_coefficient() const {
 
 double rounding_squares(const Input& input) {
     double sum = 0.0;
-    for (const Part part : all_parts) {
-        if (input.changes_from_weigh_in && input.weigh_in &&
-            (*input.weigh_in)[part].is_complete()) {
-            // Two of them are on a crankpin.
-            const double counts = 2.0 * excess_factor(part, input.rod_coefficient().value());
-            sum += counts * counts / cylinder_count;
+    if (input.changes_from_weigh_in && input.weigh_in) {
+        for (const double factor :
+             excess_factors(*input.weigh_in, input.rod_coefficient().value())) {
+            sum += 4.0 * factor * factor / cylinder_count;  // two of them are on a crankpin
         }
     }
     return sum;

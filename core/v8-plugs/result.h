@@ -3,7 +3,6 @@
 #include <array>
 #include <optional>
 
-#include "shop/matching.h"
 #include "v8-plugs/compensation.h"
 #include "v8-plugs/plug_geometry.h"
 #include "v8-plugs/shift.h"
@@ -37,11 +36,7 @@ struct Result {
     std::optional<BobWeight> before;   ///< these parts, the plugs the crankshaft was made for
     std::array<std::optional<BobWeight>, all_options.size()> bob_weights;  ///< with the option
 
-    // weigh-in
-    std::optional<std::array<double, crankpin_count>> crankpin_excess;  ///< kg
-    std::optional<std::array<double, crankpin_count>> weighed_excess;   ///< before any were moved
-    std::optional<shop::Matched> assignment;
-    std::optional<std::array<double, crankpin_count>> assigned_excess;  ///< kg
+    std::optional<double> weighed_excess;  ///< on a crankpin in the mean, by the weigh-in, kg
 
     // plug
     std::optional<PlugMass> steel_plug;

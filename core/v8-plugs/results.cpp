@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 #include "numerics/demand.h"
@@ -146,28 +145,31 @@ void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, dou
     }
 }
 
-void visit_crankpins(ResultVisitor& visitor, const std::array<double, crankpin_count>& excess,
+void visit_crankpins(ResultVisitor& visitor, const shop::Placed& placed, double mean,
                      double crank_radius) {
     visitor.object({"crankpins", Text::tr("Crankpins")}, [&] {
-        const double mean = std::accumulate(excess.begin(), excess.end(), 0.0) / crankpin_count;
+        std::vector<double> excess;
         std::vector<double> deviation;
-        for (const double mass : excess) {
-            deviation.push_back((mass - mean) * crank_radius);
+        for (const double mass : placed.crankpins) {
+            excess.push_back(mean + mass);
+            deviation.push_back(mass * crank_radius);
         }
-        visitor.numbers(key::unbalanced_mass, {excess.begin(), excess.end()});
-        visitor.number(shop::result_field::spread, spread(excess));
+        visitor.numbers(key::unbalanced_mass, excess);
+        visitor.number(shop::result_field::spread, placed.spread);
         visitor.numbers({"deviation_g_mm", {}, 1}, deviation);
     });
 }
 
 void visit_weigh_in(ResultVisitor& visitor, const Input& input, const Result& result,
-                    double crank_radius, const std::optional<double>& speed) {
+                    const std::optional<shop::Matched>& placing, double crank_radius,
+                    const std::optional<double>& speed) {
     shop::visit_columns(visitor, *input.weigh_in);
-    if (result.assignment) {
-        visit_crankpins(visitor, *result.crankpin_excess, crank_radius);
+    if (placing) {
+        const double mean = result.weighed_excess.value();
+        visit_crankpins(visitor, placing->before, mean, crank_radius);
         visitor.object(shop::result_field::assignment, [&] {
-            shop::visit_matched(visitor, *result.assignment, crank_radius, speed);
-            visit_crankpins(visitor, *result.assigned_excess, crank_radius);
+            shop::visit_matched(visitor, *placing, crank_radius, speed);
+            visit_crankpins(visitor, placing->after, mean, crank_radius);
         });
     }
 }
@@ -221,7 +223,7 @@ void visit_advice(ResultVisitor& visitor, const Input& input, const Result& resu
 }  // namespace
 
 void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result,
-                 const std::optional<double>& speed) {
+                 const std::optional<shop::Matched>& placing, const std::optional<double>& speed) {
     RAVNOVES_DEMAND(result.engine && result.unbalanced_mass,
                     "what is written is the result of a whole input");
     const double crank_radius = result.engine->crank_radius.value();
@@ -262,8 +264,9 @@ void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& resul
         });
     }
     if (input.weigh_in) {
-        visitor.object(shop::result_field::weigh_in,
-                       [&] { visit_weigh_in(visitor, input, result, crank_radius, speed); });
+        visitor.object(shop::result_field::weigh_in, [&] {
+            visit_weigh_in(visitor, input, result, placing, crank_radius, speed);
+        });
     }
     if (result.steel_plug) {
         visitor.object({"plug", Text::tr("Plug")}, [&] {

@@ -13,10 +13,11 @@ namespace ravnoves::v8_plugs {
 
 /// The values of a solved input, in the order of the contract; without advice, the work on the
 /// plugs is null.
-/// @param result  solve(input) of an input with everything that a result needs
-/// @param speed   in service, rad/s
+/// @param result   solve(input) of an input with everything that a result needs
+/// @param placing  of the weighed parts, by excess_factors()
+/// @param speed    in service, rad/s
 void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result,
-                 const std::optional<double>& speed);
+                 const std::optional<shop::Matched>& placing, const std::optional<double>& speed);
 
 /// The work on the plugs as a sentence; where the neglected shift of their centre of mass matters,
 /// with the mass that counts it.

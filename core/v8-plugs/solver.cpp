@@ -13,37 +13,6 @@ PlugMass plug_mass(double typed, const PlugGeometry& geometry, double density) {
     return {weighs, typed, mass_fits(typed, weighs)};
 }
 
-void solve_weigh_in(const Input& input, Result& result) {
-    const auto coefficient = input.rod_coefficient();
-    if (!input.weigh_in || !coefficient) {
-        return;
-    }
-    const double k = *coefficient;
-    if (input.weigh_in->is_counted()) {
-        result.assignment = shop::match(matching_task(*input.weigh_in, k));
-    }
-    if (result.assignment) {
-        result.crankpin_excess = crankpin_excess(*input.weigh_in, k);
-        WeighIn weighed = *input.weigh_in;
-        move_back(weighed);
-        result.weighed_excess = crankpin_excess(weighed, k);
-        WeighIn assigned = *input.weigh_in;
-        move_sets(assigned, result.assignment->pistons, result.assignment->rods);
-        result.assigned_excess = crankpin_excess(assigned, k);
-        if (input.changes_from_weigh_in) {
-            // What is typed and not weighed is the same on every crankpin.
-            const double typed = unbalanced_mass(result.changes, k) -
-                                 unbalanced_mass(mass_changes(*input.weigh_in, input.process), k);
-            for (auto* excess :
-                 {&*result.crankpin_excess, &*result.weighed_excess, &*result.assigned_excess}) {
-                for (double& mass : *excess) {
-                    mass += typed;
-                }
-            }
-        }
-    }
-}
-
 void solve_plug(const Input& input, Result& result) {
     if (!input.plug) {
         return;
@@ -118,7 +87,7 @@ void solve_bob_weights(const Input& input, bool changes_known, Result& result) {
 
 }  // namespace
 
-Result solve(const Input& input, bool changes_known, bool places_parts) {
+Result solve(const Input& input, bool changes_known) {
     Result result;
     result.changes = input.changes();
     const auto k = input.rod_coefficient();
@@ -142,8 +111,12 @@ Result solve(const Input& input, bool changes_known, bool places_parts) {
                    [&](const Option& option) { return hindrance(input, result, option); });
     }
     solve_bob_weights(input, changes_known, result);
-    if (places_parts) {
-        solve_weigh_in(input, result);
+    if (input.weigh_in && input.weigh_in->is_counted() && k) {
+        // What is typed and not weighed is the same on every crankpin.
+        result.weighed_excess = unbalanced_mass(input.changes_from_weigh_in
+                                                    ? result.changes
+                                                    : mass_changes(*input.weigh_in, input.process),
+                                                *k);
     }
     solve_shifts(input, result);
     return result;

@@ -8,7 +8,6 @@ namespace ravnoves::v8_plugs {
 /// Computes whatever the input allows.
 /// @param changes_known  false: nothing that rests on the mass changes; a case counts those that it
 ///                       does not give as 0
-/// @param places_parts   false: without the placing of the parts, which takes longest
-Result solve(const Input& input, bool changes_known = true, bool places_parts = true);
+Result solve(const Input& input, bool changes_known = true);
 
 }  // namespace ravnoves::v8_plugs

@@ -8,14 +8,12 @@ namespace ravnoves::v8_plugs {
 
 namespace {
 
-double column_deviation(const PartColumn& column, std::size_t cylinder) {
-    return column.is_complete() ? *column.mass[cylinder] - *column.nominal : 0.0;
-}
-
 double mean_deviation(const PartColumn& column) {
     double sum = 0.0;
-    for (std::size_t cylinder = 0; cylinder < cylinder_count; ++cylinder) {
-        sum += column_deviation(column, cylinder);
+    if (column.is_complete()) {
+        for (const shop::Weighed& mass : column.mass) {
+            sum += *mass - *column.nominal;
+        }
     }
     return sum / cylinder_count;
 }
@@ -79,56 +77,15 @@ MassChanges mass_changes(const WeighIn& sheet, Process process, const MassChange
     return changes;
 }
 
-double excess_factor(Part part, double rod_coefficient) {
-    switch (part) {
-        case Part::piston:
-        case Part::pin:
-        case Part::rings:
-        case Part::rod_small_end:
-            // Half: the reciprocating mass counts once for a crankpin that carries two of them.
-            return 0.5;
-        case Part::rod_big_end:
-            return 0.5 * (2.0 + rod_coefficient);
-        case Part::shells:
-            return 1.0;
-    }
-    return 0.0;
-}
-
-std::array<double, crankpin_count> crankpin_excess(const WeighIn& sheet, double rod_coefficient) {
-    std::array<double, crankpin_count> excess{};
-    const auto places = places_of(crank_of(sheet));
-    for (std::size_t i = 0; i < cylinder_count; ++i) {
-        for (const Part part : all_parts) {
-            excess.at(static_cast<std::size_t>(places[i].crankpin)) +=
-                excess_factor(part, rod_coefficient) * column_deviation(sheet[part], i);
-        }
-    }
-    return excess;
-}
-
-double spread(const std::array<double, crankpin_count>& totals) {
-    const auto [minimum, maximum] = std::minmax_element(totals.begin(), totals.end());
-    return *maximum - *minimum;
-}
-
-shop::Crank crank_of(const WeighIn& sheet) {
-    shop::Crank crank;
-    crank.cylinders = cylinder_count;
-    crank.bank_angle = 90.0 * degree;
-    crank.angles = {0.0, 90.0 * degree, 270.0 * degree, 180.0 * degree};
-    crank.follow(sheet);
-    return crank;
-}
-
-shop::MatchingTask matching_task(const WeighIn& sheet, double rod_coefficient) {
-    std::array<double, 6> factors{};
+shop::PartFactors excess_factors(const WeighIn& sheet, double rod_coefficient) {
+    // Half of what reciprocates: it counts once for a crankpin that carries two of them.
+    shop::PartFactors factors{0.5, 0.5, 0.5, 0.5, 0.5 * (2.0 + rod_coefficient), 1.0};
     for (const Part part : all_parts) {
-        if (sheet[part].is_complete()) {
-            factors[static_cast<std::size_t>(part)] = excess_factor(part, rod_coefficient);
+        if (!sheet[part].is_complete()) {
+            factors[static_cast<std::size_t>(part)] = 0.0;
         }
     }
-    return {sheet, crank_of(sheet), factors};
+    return factors;
 }
 
 }  // namespace ravnoves::v8_plugs

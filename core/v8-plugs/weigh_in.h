@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "shop/matching.h"
@@ -36,17 +35,8 @@ double MassChanges::*change_of(Part part, Process process);
 /// True where the sheet says the change: a column of its parts is complete.
 bool is_weighed(const WeighIn& sheet, Process process, double MassChanges::*change);
 
-/// What a part's mass adds to the excess of its crankpin, times that.
-double excess_factor(Part part, double rod_coefficient);
-/// Excess on each crankpin's own axis, from the parts of its two cylinders; their mean is the
-/// unbalanced_mass() of mass_changes().
-std::array<double, crankpin_count> crankpin_excess(const WeighIn& sheet, double rod_coefficient);
+/// How often the parts of complete columns add to the excess of their crankpin; others count as
+/// nominal.
+shop::PartFactors excess_factors(const WeighIn& sheet, double rod_coefficient);
 
-/// Heaviest minus lightest crankpin, kg.
-double spread(const std::array<double, crankpin_count>& totals);
-
-/// The crankshaft of a cross-plane V-8 at 90°, as far as the sheet does not say otherwise.
-shop::Crank crank_of(const WeighIn& sheet);
-/// The matching problem: incomplete columns count as nominal.
-shop::MatchingTask matching_task(const WeighIn& sheet, double rod_coefficient);
 }  // namespace ravnoves::v8_plugs

@@ -297,19 +297,19 @@ Messages plug_shift(const DoubtCase& job) {
 }
 
 Messages unequal_crankpins(const DoubtCase& job) {
-    if (job.plugs == nullptr || !job.plugs->crankpin_excess ||
-        !job.plugs_input->changes_from_weigh_in) {
+    if (job.plugs == nullptr || !job.shaft.placing || !job.plugs_input->changes_from_weigh_in) {
         return {};
     }
-    const auto& excess = *job.plugs->crankpin_excess;
+    const shop::Placed& placed = job.shaft.placing->before;
     const double radius = job.plugs_input->engine.crank_radius.value_or(0.0);
-    if (0.5 * v8_plugs::spread(excess) * radius <= job.plugs_input->tolerance) {
+    if (0.5 * placed.spread * radius <= job.plugs_input->tolerance) {
         return {};
     }
-    const auto [minimum, maximum] = std::minmax_element(excess.begin(), excess.end());
+    const auto [minimum, maximum] = std::ranges::minmax(placed.crankpins);
+    const double mean = job.plugs->weighed_excess.value();
     return {{Text::tr("The crankpins are unequal: their excess is %1 to %2, and the plugs are for "
                       "the mean. Move the sets or match the parts first."),
-             in_grams(*minimum), in_grams(*maximum)}};
+             in_grams(mean + minimum), in_grams(mean + maximum)}};
 }
 
 /// Parts of one engine are matched to less than this part of their mass.

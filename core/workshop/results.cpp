@@ -110,7 +110,8 @@ void visit_balancing(ResultVisitor& visitor, const Input& input, const bob_weigh
 }  // namespace
 
 void visit_plugs(ResultVisitor& visitor, const Input& input, const Result& result) {
-    v8_plugs::visit_plugs(visitor, *result.plugs_input, *result.plugs, service_speed(input));
+    v8_plugs::visit_plugs(visitor, *result.plugs_input, *result.plugs, result.shaft.placing,
+                          service_speed(input));
     visit_balancing(visitor, input, result.shaft);
 }
 

@@ -1,8 +1,8 @@
 #include "workshop/solver.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "bob-weights/matching.h"
 #include "bob-weights/solver.h"
 #include "v8-plugs/solver.h"
 
@@ -32,20 +32,6 @@ void take_weight(const v8_plugs::Input& plugs, const v8_plugs::Result& result,
     }
 }
 
-/// Each crankpin's own weight: what its parts differ by from the mean.
-std::vector<double> own_weights(
-    double weight, const std::optional<std::array<double, v8_plugs::crankpin_count>>& excess) {
-    std::vector<double> own;
-    if (excess) {
-        const double mean =
-            std::accumulate(excess->begin(), excess->end(), 0.0) / v8_plugs::crankpin_count;
-        for (const double mass : *excess) {
-            own.push_back(weight + mass - mean);
-        }
-    }
-    return own;
-}
-
 }  // namespace
 
 Result solve_undoubted(const Input& input, bool absent_is_zero, bool places_parts) {
@@ -54,19 +40,21 @@ Result solve_undoubted(const Input& input, bool absent_is_zero, bool places_part
     const auto& plugs = result.plugs_input;
     bob_weights::OtherWeight other;
     if (plugs) {
-        result.plugs =
-            v8_plugs::solve(*plugs, absent_is_zero || plugs->changes_known(), places_parts);
-        other = [&](bob_weights::Result& shaft) { take_weight(*plugs, *result.plugs, shaft); };
+        result.plugs = v8_plugs::solve(*plugs, absent_is_zero || plugs->changes_known());
+        other = [&](const bob_weights::Input& job, bob_weights::Result& shaft) {
+            take_weight(*plugs, *result.plugs, shaft);
+            if (places_parts && result.plugs->weighed_excess && may_have_plugs(job.engine)) {
+                place_parts(job,
+                            v8_plugs::excess_factors(*plugs->weigh_in, *plugs->rod_coefficient()),
+                            shaft);
+            }
+            if (!plugs->changes_from_weigh_in) {
+                shaft.crankpins.clear();
+                shaft.placed_crankpins.clear();
+            }
+        };
     }
     result.shaft = bob_weights::solve(input, places_parts, other);
-    if (result.plugs && result.plugs->assignment) {
-        bob_weights::Result& shaft = result.shaft;
-        shaft.placing = result.plugs->assignment;
-        if (shaft.bob_weight && plugs->changes_from_weigh_in) {
-            shaft.crankpins = own_weights(*shaft.bob_weight, result.plugs->crankpin_excess);
-            shaft.placed_crankpins = own_weights(*shaft.bob_weight, result.plugs->assigned_excess);
-        }
-    }
     return result;
 }
 

@@ -102,10 +102,10 @@ struct BruteForce {
                 if (!allows(at, rules.rods, from[1])) {
                     continue;
                 }
-                const double found = crankpin_spread(at, from);
-                spread = std::min(spread, found);
-                ends = std::min(ends, shaking_of(at, from)->ends);
-                if (found <= rules.permitted_spread.value_or(-1.0) + 1e-9) {
+                const Placed found = placed_by(at, from);
+                spread = std::min(spread, found.spread);
+                ends = std::min(ends, found.shaking->ends);
+                if (found.spread <= rules.permitted_spread.value_or(-1.0) + 1e-9) {
                     moves = std::min(moves, moved_by(from));
                 }
             } while (std::next_permutation(from[1].begin(), from[1].end()));
@@ -128,26 +128,26 @@ TEST_F(Matching, EqualsBruteForce) {
         const BruteForce brute(at);
         const Matched equal = at.matched();
         EXPECT_TRUE(equal.proven);
-        EXPECT_NEAR(equal.spread, brute.spread, 1e-15) << round;
+        EXPECT_NEAR(equal.after.spread, brute.spread, 1e-15) << round;
         EXPECT_TRUE(allows(at, rules.pistons, equal.pistons));
         EXPECT_TRUE(allows(at, rules.rods, equal.rods));
         EXPECT_EQ(equal.moved, moved_by({equal.pistons, equal.rods}));
         rules.goal = MatchingGoal::min_shaking;
-        EXPECT_NEAR(at.matched().shaking->ends, brute.ends, 1e-15) << round;
+        EXPECT_NEAR(at.matched().after.shaking->ends, brute.ends, 1e-15) << round;
         rules.goal = MatchingGoal::fewest_moves;
         const Matched few = at.matched();
         if (brute.spread <= *rules.permitted_spread) {
             EXPECT_EQ(few.moved, brute.moves) << round;
-            EXPECT_LE(few.spread, *rules.permitted_spread + 1e-9);
+            EXPECT_LE(few.after.spread, *rules.permitted_spread + 1e-9);
             EXPECT_TRUE(few.remark.empty());
         } else {
-            EXPECT_NEAR(few.spread, brute.spread, 1e-15);
+            EXPECT_NEAR(few.after.spread, brute.spread, 1e-15);
             EXPECT_NE(few.remark.english().find("No combination gives"), std::string::npos);
         }
         // The parts on the sheet, moved, are what it says, and need no second moving.
         Case moved = at;
         move_sets(moved.sheet, few.pistons, few.rods);
-        EXPECT_NEAR(moved.matched().spread_before, few.spread, 1e-15);
+        EXPECT_NEAR(moved.matched().before.spread, few.after.spread, 1e-15);
         EXPECT_EQ(moved.matched().moved, 0) << round;
         Case back = moved;
         move_back(back.sheet);
@@ -183,12 +183,12 @@ TEST_F(Matching, LeavesPartsThatAreWellPlaced) {
     }
     Matched best = at.matched();
     EXPECT_EQ(best.moved, 0);
-    EXPECT_EQ(best.spread, 0.0);
+    EXPECT_EQ(best.after.spread, 0.0);
     // One heavy and one light piston on different crankpins: it takes two moves, not more.
     *at.sheet[Part::piston].mass[0] += 2 * gram;
     *at.sheet[Part::piston].mass[2] -= 2 * gram;
     best = at.matched();
-    EXPECT_NEAR(best.spread, 0.0, 1e-15);
+    EXPECT_NEAR(best.after.spread, 0.0, 1e-15);
     EXPECT_EQ(best.moved, 2);
     // What cannot be corrected is left.
     *at.sheet[Part::piston].mass[2] += 2 * gram;
@@ -230,7 +230,7 @@ TEST_F(Matching, ShakingIsTheForceOfTheDifferencesOverATurn) {
             couple = std::max(couple, 0.5 * length * std::abs(ends[1] - ends[0]));
             squares += (std::norm(ends[0]) + std::norm(ends[1])) / (2.0 * steps);
         }
-        const Shaking found = at.matched().shaking_before.value();
+        const Shaking found = at.matched().before.shaking.value();
         EXPECT_NEAR(found.force, force, 1e-5 * force);
         EXPECT_NEAR(found.couple, couple, 1e-5 * couple);
         EXPECT_NEAR(found.ends, std::sqrt(squares), 1e-12);
@@ -242,7 +242,7 @@ TEST_F(Matching, ShakingIsTheForceOfTheDifferencesOverATurn) {
         at.sheet[part].mass = {0.4, 0.4};
     }
     at.sheet[Part::piston].mass = {0.402, 0.4};
-    EXPECT_NEAR(at.matched().shaking_before->force, 1 * gram, 1e-12)
+    EXPECT_NEAR(at.matched().before.shaking->force, 1 * gram, 1e-12)
         << "differences of ±1 g to and fro, against the crank alone";
 }
 
@@ -253,8 +253,8 @@ TEST_F(Matching, OfManyCylindersSaysWhatItDoesNotProve) {
         const Matched best = at.matched();
         EXPECT_FALSE(best.proven);
         const bool by_spread = goal == MatchingGoal::min_spread;
-        EXPECT_LT(by_spread ? best.spread : best.shaking->ends,
-                  0.3 * (by_spread ? best.spread_before : best.shaking_before->ends));
+        EXPECT_LT(by_spread ? best.after.spread : best.after.shaking->ends,
+                  0.3 * (by_spread ? best.before.spread : best.before.shaking->ends));
     }
     // What one bank of six may do is proven again.
     at.sheet.matching.pistons = SetMoves::stays;
@@ -271,7 +271,7 @@ TEST_F(Matching, OfManyCylindersSaysWhatItDoesNotProve) {
 // As many cylinders as a case may have among them.
 TEST_F(Matching, OfManyCylindersIsEqualToATenthOfWhatWasWeighed) {
     for (const int cylinders : {10, 12, 16, 20, 64}) {
-        EXPECT_LT(made(cylinders).matched().spread, (cylinders < 64 ? 0.2 : 2.0) * gram)
+        EXPECT_LT(made(cylinders).matched().after.spread, (cylinders < 64 ? 0.2 : 2.0) * gram)
             << cylinders << ", of some 20 g as weighed";
     }
 }
@@ -303,10 +303,10 @@ TEST_F(Matching, WhatIsJustPermittedStays) {
     at.sheet.matching.permitted_spread = 1.0;
     const Matched as_it_is = at.matched();
     ASSERT_EQ(as_it_is.moved, 0);
-    ASSERT_GT(as_it_is.spread, 0.0);
-    at.sheet.matching.permitted_spread = as_it_is.spread;
+    ASSERT_GT(as_it_is.after.spread, 0.0);
+    at.sheet.matching.permitted_spread = as_it_is.after.spread;
     EXPECT_EQ(at.matched().moved, 0);
-    at.sheet.matching.permitted_spread = as_it_is.spread - 1e-8;
+    at.sheet.matching.permitted_spread = as_it_is.after.spread - 1e-8;
     EXPECT_GT(at.matched().moved, 0);
 }
 
@@ -319,7 +319,7 @@ TEST_F(Matching, SaysWhatAGoalLacks) {
     at.crank.angles.clear();
     const Matched best = at.matched();
     EXPECT_EQ(best.goal, MatchingGoal::min_spread);
-    EXPECT_FALSE(best.shaking);
+    EXPECT_FALSE(best.after.shaking);
     EXPECT_NE(best.remark.english().find("4 angles"), std::string::npos);
     for (auto& column : at.sheet.columns) {
         column.mass[2].reset();

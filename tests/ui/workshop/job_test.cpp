@@ -434,7 +434,7 @@ TEST_F(CardJobTest, PartsAreMatchedByTheRulesOfTheSheet) {
     const std::vector<int> asItIs{0, 1, 2, 3, 4, 5, 6, 7};
     EXPECT_TRUE(placing().proven);
     EXPECT_NE(placing().pistons, asItIs);
-    EXPECT_LT(placing().spread, 0.1 * placing().spread_before);
+    EXPECT_LT(placing().after.spread, 0.1 * placing().before.spread);
     // Pistons fitted to their bores, rods that face their side.
     keys("moves_pistons", {Qt::Key_End});
     keys("moves_rods", {Qt::Key_Down});
@@ -452,7 +452,7 @@ TEST_F(CardJobTest, PartsAreMatchedByTheRulesOfTheSheet) {
     EXPECT_TRUE(label("weigh_in_summary").contains(u"is missing"_s));
     type("permitted_crankpin_spread", u"3"_s);
     EXPECT_EQ(placing().goal, shop::MatchingGoal::fewest_moves);
-    EXPECT_LE(placing().spread, 3e-3 + 1e-9);
+    EXPECT_LE(placing().after.spread, 3e-3 + 1e-9);
     keys("goal", {Qt::Key_Down});
     EXPECT_EQ(rowsOf("Effect of the matching"), 3);
     EXPECT_TRUE(label("weigh_in_summary").contains(u"0°; 90°; 270°; 180°"_s));
@@ -465,7 +465,7 @@ TEST_F(CardJobTest, PartsAreMatchedByTheRulesOfTheSheet) {
     EXPECT_TRUE(label("weigh_in_summary").contains(u"4 angles of the crankpins"_s));
     type("crankpin_angles_deg", u"0 180 180 0"_s);
     EXPECT_EQ(placing().goal, shop::MatchingGoal::min_shaking);
-    EXPECT_LT(placing().shaking->ends, placing().shaking_before->ends);
+    EXPECT_LT(placing().after.shaking->ends, placing().before.shaking->ends);
     // The weights move as the parts do, which keep their numbers.
     const auto wanted = placing();
     auto* move = find<QPushButton>("move_parts");
@@ -474,7 +474,7 @@ TEST_F(CardJobTest, PartsAreMatchedByTheRulesOfTheSheet) {
     EXPECT_FALSE(move->isVisibleTo(&page));
     EXPECT_EQ(placing().moved, 0);
     EXPECT_EQ(page.focusWidget(), find<QWidget>("move_back")) << "the button in its place";
-    EXPECT_NEAR(placing().spread, wanted.spread, 1e-12);
+    EXPECT_NEAR(placing().after.spread, wanted.after.spread, 1e-12);
     for (std::size_t i = 0; i < 8; ++i) {
         EXPECT_EQ(model->input().weigh_in->rod_sets[i], wanted.rods[i] + 1);
     }
@@ -495,8 +495,8 @@ TEST_F(CardJobTest, PartsAreMatchedByTheRulesOfTheSheet) {
     EXPECT_FALSE(find<QComboBox>("moves_pins")->isEnabled()) << "the pins went with their pistons";
     EXPECT_TRUE(find<QComboBox>("moves_rods")->isEnabled());
     const auto effects = matching_text::effects(Words(), model->matchingShown().value()).rows;
-    EXPECT_EQ(effects.at(0).at(1), Words().number(wanted.spread_before, units::gram, 2));
-    EXPECT_EQ(effects.at(0).at(2), Words().number(wanted.spread, units::gram, 2));
+    EXPECT_EQ(effects.at(0).at(1), Words().number(wanted.before.spread, units::gram, 2));
+    EXPECT_EQ(effects.at(0).at(2), Words().number(wanted.after.spread, units::gram, 2));
     QTest::mouseClick(back, Qt::LeftButton);
     for (std::size_t i = 0; i < 8; ++i) {
         EXPECT_NEAR(*(*model->input().weigh_in)[shop::Part::rod_big_end].mass[i],

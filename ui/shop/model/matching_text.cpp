@@ -45,7 +45,7 @@ std::optional<double> newtonsPerMass(const Shown& shown) {
 QString summary(const Words& words, const Shown& shown) {
     const Matched& matched = shown.matched;
     const bool isMoved = shown.is_moved();
-    const QString before = gramsOf(words, matched.spread_before);
+    const QString before = gramsOf(words, matched.before.spread);
     if (matched.moved == 0 && isMoved) {
         return words
             .translate("Matching",
@@ -64,11 +64,11 @@ QString summary(const Words& words, const Shown& shown) {
     if (isMoved || shown.is_origin_unknown) {
         return words
             .translate("Matching", "Range of the crankpins: %1 now, %2 after moving %3 more sets.")
-            .arg(before, gramsOf(words, matched.spread), QString::number(matched.moved));
+            .arg(before, gramsOf(words, matched.after.spread), QString::number(matched.moved));
     }
     return words
         .translate("Matching", "Range of the crankpins: %1 as weighed, %2 after moving %3 sets.")
-        .arg(before, gramsOf(words, matched.spread), QString::number(matched.moved));
+        .arg(before, gramsOf(words, matched.after.spread), QString::number(matched.moved));
 }
 
 QStringList remarks(const Words& words, const Shown& shown) {
@@ -105,15 +105,14 @@ Results effects(const Words& words, const Shown& shown) {
                                  : words.translate("Matching", "as weighed"),
          words.translate("Matching", "proposed")},
         {{{words.translate("Matching", "Crankpins, range"),
-           gramsOf(words, matched.spread_as_weighed.value_or(matched.spread_before)),
-           gramsOf(words, matched.spread)},
+           gramsOf(words, matched.as_weighed.spread), gramsOf(words, matched.after.spread)},
           words.translate("Matching", "Heaviest minus lightest crankpin, by bob weight")}}};
     ResultRows& rows = results.rows;
-    if (!matched.shaking_before || !matched.shaking) {
+    if (!matched.as_weighed.shaking || !matched.after.shaking) {
         return results;
     }
-    const Shaking before = matched.shaking_as_weighed.value_or(*matched.shaking_before);
-    const Shaking& after = *matched.shaking;
+    const Shaking before = *matched.as_weighed.shaking;
+    const Shaking& after = *matched.after.shaking;
     const auto newtons = newtonsPerMass(shown);
     const QString speed =
         shown.speed ? words.plainWithUnit(*shown.speed, units::rpm, 0) : QString();

@@ -276,18 +276,17 @@ QString WorkshopModel::optionTip(const Option& option) const {
 }
 
 Results WorkshopModel::crankpinResults() const {
-    if (plugs() == nullptr || !plugs()->weighed_excess || !plugs()->assigned_excess ||
-        !weighAgain().isEmpty()) {
+    const auto& placing = solution().placing;
+    if (plugs() == nullptr || !placing || !weighAgain().isEmpty()) {
         return {};
     }
-    const v8_plugs::Result& solution = *plugs();
-    const auto row = [&](const QString& name, const std::array<double, crankpin_count>& excess,
-                         const QString& tip) {
+    const double mean = plugs()->weighed_excess.value();
+    const auto row = [&](const QString& name, const shop::Placed& placed, const QString& tip) {
         ResultRow cells({shownTitle(name).text}, tip);
-        for (const double mass : excess) {
-            cells << Words().cell(mass, units::gram, 2);
+        for (const double mass : placed.crankpins) {
+            cells << Words().cell(mean + mass, units::gram, 2);
         }
-        cells << Words().cell(spread(excess), units::gram, 2);
+        cells << Words().cell(placed.spread, units::gram, 2);
         return cells;
     };
     return {{tr("Crankpin"),
@@ -296,9 +295,9 @@ Results WorkshopModel::crankpinResults() const {
              QStringLiteral("3"),
              QStringLiteral("4"),
              {tr("range"), tr("Maximum minus minimum excess of the four crankpins")}},
-            {row(tr("as weighed, g"), *solution.weighed_excess,
+            {row(tr("as weighed, g"), placing->as_weighed,
                  tr("Excess on each crankpin over the mean, parts as weighed")),
-             row(tr("after moving, g"), *solution.assigned_excess,
+             row(tr("after moving, g"), placing->after,
                  tr("Excess on each crankpin over the mean, parts moved"))}};
 }
 
