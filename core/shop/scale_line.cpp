@@ -11,48 +11,38 @@ namespace {
 
 using Kind = ScaleLine::Kind;
 
-/// What a word of a line says of its number; nothing for gross and net.
-struct MarkWord {
-    std::string_view word;
-    std::optional<Kind> kind{};
+/// Words of a line and what they say of its number: nothing of gross and net. What follows the S of
+/// MT-SICS is joined to it.
+struct MarkWords {
+    std::optional<Kind> kind;
+    std::string_view words;
 };
-constexpr MarkWord mark_words[] = {{"ST", Kind::stable},
-                                   {"HD", Kind::stable},
-                                   {"US", Kind::moving},
-                                   {"SD", Kind::moving},
-                                   {"OL", Kind::overload},
-                                   {"UL", Kind::underload},
-                                   {"GS"},
-                                   {"NT"},
-                                   {"G"},
-                                   {"N"},
-                                   {"NET"},
-                                   {"GROSS"},
-                                   {"TR", Kind::other},
-                                   {"T", Kind::other},
-                                   {"PT", Kind::other},
-                                   {"TARE", Kind::other},
-                                   {"QT", Kind::other},
-                                   {"ES", Kind::other},
-                                   {"ET", Kind::other},
-                                   {"EL", Kind::other}};
+constexpr MarkWords marks[] = {{Kind::stable, "ST HD S:S"},
+                               {Kind::moving, "US SD S:D ?"},
+                               {Kind::overload, "OL S:+"},
+                               {Kind::underload, "UL S:-"},
+                               {Kind::other, "TR T PT TARE QT ES ET EL S:I"},
+                               {std::nullopt, "GS NT G N NET GROSS"}};
 
-struct UnitWord {
-    std::string_view word;
+struct UnitWords {
     Unit unit;
+    std::string_view words;  ///< Russian ones in UTF-8, CP1251 and CP866
 };
-constexpr UnitWord unit_words[] = {{"G", units::gram},
-                                   {"KG", units::kg},
-                                   {"MG", units::milligram},
-                                   {"OZ", units::ounce},
-                                   {"LB", units::pound},
-                                   {"LBS", units::pound},
-                                   {"\xD0\xB3", units::gram},        // г in UTF-8
-                                   {"\xD0\xBA\xD0\xB3", units::kg},  // кг
-                                   {"\xE3", units::gram},            // in CP1251
-                                   {"\xEA\xE3", units::kg},
-                                   {"\xA3", units::gram},  // in CP866
-                                   {"\xAA\xA3", units::kg}};
+constexpr UnitWords unit_words[] = {{units::gram, "G \xD0\xB3 \xE3 \xA3"},
+                                    {units::kg, "KG \xD0\xBA\xD0\xB3 \xEA\xE3 \xAA\xA3"},
+                                    {units::milligram, "MG"},
+                                    {units::ounce, "OZ"},
+                                    {units::pound, "LB LBS"}};
+
+/// The row that has the word; null without one.
+const auto* row_of(const auto& table, const std::string& word) {
+    for (const auto& row : table) {
+        if ((" " + std::string(row.words) + " ").find(" " + word + " ") != std::string::npos) {
+            return &row;
+        }
+    }
+    return static_cast<decltype(&table[0])>(nullptr);
+}
 
 bool is_letter(char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
@@ -62,162 +52,62 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// A line while it is read, from the left.
-class LineReader {
-  public:
-    LineReader(std::string_view line, const Unit& usual) : line_(line) { said_.unit = usual; }
+std::string take(std::string_view& line, std::size_t count) {
+    const std::string taken(line.substr(0, count));
+    line.remove_prefix(taken.size());
+    return taken;
+}
 
-    ScaleLine read() {
-        said_.kind = understood() ? kind() : Kind::garbled;
-        return said_;
+/// Skips blanks and the commas between the parts. @return true where something is left
+bool skip_blanks(std::string_view& line) {
+    while (!line.empty() && (line.front() == ' ' || line.front() == '\t' ||
+                             (line.front() == ',' && !(line.size() > 1 && is_digit(line[1]))))) {
+        line.remove_prefix(1);
     }
+    return !line.empty();
+}
 
-  private:
-    /// @return false for what is garbled
-    bool understood() {
-        while (skip_blanks() && is_letter(line_.front())) {
-            if (!take_mark(word())) {
-                return false;
-            }
-            said_.form = ScaleLine::Form::marked;
-            if (end_) {
-                return true;
-            }
-            if (!line_.empty() && line_.front() == ',') {
-                line_.remove_prefix(1);
-            }
-        }
-        if (!take_number()) {
-            return false;
-        }
-        while (skip_blanks()) {
-            if (line_.front() == '?') {
-                line_.remove_prefix(1);
-                moving_ = true;
-            } else if (!is_letter(line_.front()) || !take_trailing(word())) {
-                return false;
-            }
-        }
-        return true;
+/// A question mark, or letters as capitals.
+std::string take_word(std::string_view& line) {
+    std::size_t count = 1;
+    while (is_letter(line.front()) && count < line.size() && is_letter(line[count])) {
+        ++count;
     }
-
-    Kind kind() const {
-        const bool says_unit = said_.form != ScaleLine::Form::marked || has_unit_;
-        return end_        ? *end_
-               : moving_   ? Kind::moving
-               : says_unit ? Kind::stable
-               : stable_   ? Kind::garbled  // half a line
-                           : Kind::moving;    // Sartorius: the unit comes at rest
+    std::string word = take(line, count);
+    for (char& c : word) {
+        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
     }
+    return word;
+}
 
-    /// Skips blanks and the commas between the parts. @return true where something is left
-    bool skip_blanks() {
-        while (!line_.empty() &&
-               (line_.front() == ' ' || line_.front() == '\t' ||
-                (line_.front() == ',' && !(line_.size() > 1 && is_digit(line_[1]))))) {
-            line_.remove_prefix(1);
-        }
-        return !line_.empty();
+bool take_number(std::string_view& line, ScaleLine& said) {
+    std::string plain;
+    if (line.front() == '+' || line.front() == '-') {
+        plain = take(line, 1) == "-" ? "-" : "";
+        take(line, line.find_first_not_of(' '));
     }
-
-    std::string word() {
-        std::string taken;
-        while (!line_.empty() && is_letter(line_.front())) {
-            const char c = line_.front();
-            taken += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-            line_.remove_prefix(1);
+    int digits = 0;
+    bool has_point = false;
+    while (!line.empty()) {
+        const char c = line.front();
+        const bool is_point =
+            (c == '.' || c == ',') && !has_point && line.size() > 1 && is_digit(line[1]);
+        if (!is_digit(c) && !is_point) {
+            break;
         }
-        return taken;
+        has_point = has_point || is_point;
+        digits += is_point ? 0 : 1;
+        said.decimals += !is_point && has_point ? 1 : 0;
+        plain += is_point ? '.' : c;
+        line.remove_prefix(1);
     }
-
-    bool take_mark(const std::string& word) {
-        if (word == "S") {
-            return take_sics();
-        }
-        const auto* const found =
-            std::find_if(std::begin(mark_words), std::end(mark_words),
-                         [&](const MarkWord& each) { return each.word == word; });
-        if (found == std::end(mark_words)) {
-            return false;
-        }
-        stable_ = stable_ || found->kind == Kind::stable;
-        moving_ = moving_ || found->kind == Kind::moving;
-        if (found->kind && found->kind != Kind::stable && found->kind != Kind::moving) {
-            end_ = found->kind;
-        }
-        return true;
+    constexpr int max_digits = 12;
+    if (digits == 0 || digits > max_digits) {
+        return false;
     }
-
-    /// What follows the S of MT-SICS.
-    bool take_sics() {
-        if (!skip_blanks()) {
-            return false;
-        }
-        const char status = line_.front();
-        line_.remove_prefix(1);
-        const bool alone = line_.find_first_not_of(' ') == std::string_view::npos;
-        if (alone) {
-            end_ = status == '+' ? Kind::overload : status == '-' ? Kind::underload : Kind::other;
-            return status == '+' || status == '-' || status == 'I';
-        }
-        stable_ = status == 'S';
-        moving_ = status == 'D';
-        return (stable_ || moving_) && line_.front() == ' ';
-    }
-
-    bool take_number() {
-        std::string plain;
-        if (!line_.empty() && (line_.front() == '+' || line_.front() == '-')) {
-            plain = line_.front() == '-' ? "-" : "";
-            line_.remove_prefix(1);
-            line_.remove_prefix(std::min(line_.find_first_not_of(' '), line_.size()));
-        }
-        int digits = 0;
-        bool has_point = false;
-        while (!line_.empty()) {
-            const char c = line_.front();
-            const bool is_point =
-                (c == '.' || c == ',') && !has_point && line_.size() > 1 && is_digit(line_[1]);
-            if (!is_digit(c) && !is_point) {
-                break;
-            }
-            has_point = has_point || is_point;
-            digits += is_point ? 0 : 1;
-            said_.decimals += !is_point && has_point ? 1 : 0;
-            plain += is_point ? '.' : c;
-            line_.remove_prefix(1);
-        }
-        constexpr int max_digits = 12;
-        if (digits == 0 || digits > max_digits) {
-            return false;
-        }
-        std::from_chars(plain.data(), plain.data() + plain.size(), said_.number);
-        return true;
-    }
-
-    bool take_trailing(const std::string& word) {
-        if (!has_unit_) {
-            for (const UnitWord& each : unit_words) {
-                if (each.word == word) {
-                    said_.unit = each.unit;
-                    has_unit_ = true;
-                    if (said_.form == ScaleLine::Form::number) {
-                        said_.form = ScaleLine::Form::number_and_unit;
-                    }
-                    return true;
-                }
-            }
-        }
-        return word != "S" && take_mark(word);
-    }
-
-    std::string_view line_;
-    ScaleLine said_;
-    std::optional<Kind> end_;  ///< the line says all that it has to say
-    bool stable_ = false;
-    bool moving_ = false;
-    bool has_unit_ = false;
-};
+    std::from_chars(plain.data(), plain.data() + plain.size(), said.number);
+    return true;
+}
 
 }  // namespace
 
@@ -233,7 +123,55 @@ ScaleLine parse_scale_line(std::string_view line, const Unit& usual) {
     while (!line.empty() && is_margin(line.back())) {
         line.remove_suffix(1);
     }
-    return LineReader(line, usual).read();
+    ScaleLine said;
+    said.unit = usual;
+    bool has_number = false;
+    bool has_unit = false;
+    std::optional<Kind> kind;  // moving counts more than stable, what is no weight more than both
+    while (skip_blanks(line)) {
+        if (!is_letter(line.front()) && (line.front() != '?' || !has_number)) {
+            if (has_number || !take_number(line, said)) {
+                return said;
+            }
+            has_number = true;
+            continue;
+        }
+        std::string word = take_word(line);
+        const auto* const unit = has_number && !has_unit ? row_of(unit_words, word) : nullptr;
+        if (unit != nullptr) {
+            has_unit = true;
+            said.unit = unit->unit;
+            continue;
+        }
+        if (word == "S" && !has_number && skip_blanks(line)) {
+            word += ":" + take(line, line.find(' '));
+        }
+        const auto* const mark = row_of(marks, word);
+        if (mark == nullptr) {
+            return said;
+        }
+        kind = std::max(kind, mark->kind);
+        if (!has_number) {
+            said.form = ScaleLine::Form::marked;
+            if (kind > Kind::moving) {
+                said.kind = *kind;
+                return said;
+            }
+            take(line, line.starts_with(',') ? 1 : 0);
+        }
+    }
+    if (!has_number) {
+        return said;
+    }
+    if (said.form == ScaleLine::Form::number && has_unit) {
+        said.form = ScaleLine::Form::number_and_unit;
+    }
+    const bool is_whole = said.form != ScaleLine::Form::marked || has_unit;
+    said.kind = kind > Kind::stable    ? *kind
+                : is_whole             ? Kind::stable
+                : kind == Kind::stable ? Kind::garbled  // half a line
+                                       : Kind::moving;  // Sartorius: the unit comes at rest
+    return said;
 }
 
 bool ScaleLines::next(std::string& line) {
