@@ -41,20 +41,16 @@ struct OtherEffect {
     bool is_in_other_plane;  ///< each plane changed as the other one was to
 };
 
-/// A run of the machine: its readings taken to the correction planes.
+/// A run of the machine.
 struct RunResult {
     struct InPlane {
         double unbalance;                      ///< kg·m
-        double angle;                          ///< rad, 0…2π
+        std::optional<double> angle;           ///< rad, 0…2π
         std::optional<bool> within_tolerance;  ///< as measured
     };
-    std::optional<std::array<InPlane, 2>> planes;  ///< nothing while a reading is missing
-    /// Of readings without direction, or without planes: what each plane reads.
-    struct Alone {
-        double unbalance;                      ///< kg·m
-        std::optional<bool> within_tolerance;  ///< as measured
-    };
-    std::array<std::optional<Alone>, 2> alone;
+    /// Both readings taken to the correction planes; else, of readings without direction or without
+    /// planes, what each plane reads, without an angle.
+    std::array<std::optional<InPlane>, 2> planes;
 
     /// The bob weight that it was read with where it is not the one there is now, kg, and the
     /// crankshaft where it is another: it says nothing of this one then.
@@ -67,7 +63,8 @@ struct RunResult {
     /// In each plane, for the metal drilled after the previous run.
     std::array<std::optional<OtherEffect>, 2> other_effect;
 
-    bool is_read() const { return planes || alone[0] || alone[1]; }
+    bool is_read() const { return planes[0] || planes[1]; }
+    bool has_vectors() const { return planes[0] && planes[0]->angle; }
     /// kg·m; nothing where a plane was not read.
     std::array<std::optional<double>, 2> unbalances() const;
     /// As measured, of a plane; nothing without reading or limit, and no pass of half a run.

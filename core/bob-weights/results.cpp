@@ -146,14 +146,14 @@ class JobVisit {
 
     void visit_reading(const RunResult& run, std::size_t i) {
         visitor_.number(key::unbalance, run.unbalances()[i]);
-        visitor_.number(key::angle,
-                        run.planes ? std::optional((*run.planes)[i].angle) : std::nullopt);
+        visitor_.number(key::angle, run.planes[i] ? run.planes[i]->angle : std::nullopt);
     }
 
     void visit_plane(std::size_t i) {
         const RunResult& newest = *result_.newest();
         visit_reading(newest, i);
-        const auto radius = newest.planes ? input_.correction->planes[i].radius : std::nullopt;
+        const auto radius =
+            newest.has_vectors() ? input_.correction->planes[i].radius : std::nullopt;
         visitor_.number(
             {"grams_at_radius", Text::tr("Mass at drilling radius"), 2, {}, units::gram},
             radius ? std::optional(*newest.unbalances()[i] / *radius) : std::nullopt);

@@ -136,7 +136,7 @@ std::optional<std::array<Vector, 2>> vectors_of(const std::vector<Reading>& read
 }
 
 Vector vector_of(const RunResult::InPlane& read) {
-    return std::polar(read.unbalance, read.angle);
+    return std::polar(read.unbalance, read.angle.value());
 }
 
 /// Whether the run after says that what was drilled did something else than it was to: by more than
@@ -146,15 +146,15 @@ std::array<std::optional<OtherEffect>, 2> other_effects(
     const RunResult& before, const RunResult& after,
     const std::optional<std::array<double, 2>>& permissible) {
     std::array<std::optional<OtherEffect>, 2> found;
-    if (!before.planes || !after.planes || !before.holds() || !after.holds()) {
+    if (!before.has_vectors() || !after.has_vectors() || !before.holds() || !after.holds()) {
         return found;
     }
     const std::array<Vector, 2> meant{effect_of(before.drilled[0]), effect_of(before.drilled[1])};
     const double maximum = std::max(std::abs(meant[0]), std::abs(meant[1]));
     bool is_in_other_plane = true;
     for (std::size_t i = 0; i < 2; ++i) {
-        const Vector was = vector_of((*before.planes)[i]);
-        const Vector is = vector_of((*after.planes)[i]);
+        const Vector was = vector_of(*before.planes[i]);
+        const Vector is = vector_of(*after.planes[i]);
         const double limit = permissible ? (*permissible)[i] : 0.0;
         is_in_other_plane = is_in_other_plane &&
                             std::abs(is - was - meant[1 - i]) <= std::max(0.5 * maximum, limit);
@@ -189,20 +189,16 @@ void solve_correction(const Input& input, Result& result) {
     };
     const auto add_run = [&](const std::vector<Reading>& readings) {
         RunResult run;
-        const auto read = vectors_of(readings);
-        const bool stand_alone = reads_in_planes(input);
-        for (std::size_t i = 0; stand_alone && i < readings.size() && i < 2; ++i) {
-            if (const auto& unbalance = readings[i].unbalance) {
-                run.alone[i] = {*unbalance, shop::is_within(*unbalance, limit(i))};
-            }
-        }
-        if (read && places) {
-            const auto there = carried_over(*read, places->from, places->to);
-            run.planes.emplace();
-            for (std::size_t i = 0; i < 2; ++i) {
-                const double unbalance = std::abs(there[i]);
-                (*run.planes)[i] = {unbalance, turn_of(std::arg(there[i])),
-                                    shop::is_within(unbalance, limit(i))};
+        const auto read = [&](std::size_t i, double unbalance, const std::optional<double>& angle) {
+            run.planes[i] = {unbalance, angle, shop::is_within(unbalance, limit(i))};
+        };
+        const auto vectors = places ? vectors_of(readings) : std::nullopt;
+        for (std::size_t i = 0; i < std::min<std::size_t>(readings.size(), 2); ++i) {
+            if (vectors) {
+                const Vector there = carried_over(*vectors, places->from, places->to)[i];
+                read(i, std::abs(there), turn_of(std::arg(there)));
+            } else if (readings[i].unbalance && reads_in_planes(input)) {
+                read(i, *readings[i].unbalance, std::nullopt);
             }
         }
         for (const auto& reading : readings) {
@@ -224,7 +220,7 @@ void solve_correction(const Input& input, Result& result) {
     };
     std::array<Metal, 2> before;
     const auto in_plane = [&](const RunResult& run, std::size_t i) {
-        return plan_plane(vector_of((*run.planes)[i]), correction.planes[i], correction, limit(i),
+        return plan_plane(vector_of(*run.planes[i]), correction.planes[i], correction, limit(i),
                           before[i]);
     };
     for (std::size_t at = 0; at < correction.earlier_runs.size(); ++at) {
@@ -260,7 +256,7 @@ void solve_correction(const Input& input, Result& result) {
     }
     result.amplification = worst;
     const RunResult& newest = result.runs.back();
-    if (newest.planes && can_drill(correction)) {
+    if (newest.has_vectors() && can_drill(correction)) {
         result.correction = {in_plane(newest, 0), in_plane(newest, 1)};
     }
 }
@@ -287,10 +283,8 @@ void leave_out_contradictory(const Input& input, Result& result) {
 std::array<std::optional<double>, 2> RunResult::unbalances() const {
     std::array<std::optional<double>, 2> list;
     for (std::size_t i = 0; i < 2; ++i) {
-        if (planes) {
-            list[i] = (*planes)[i].unbalance;
-        } else if (alone[i]) {
-            list[i] = alone[i]->unbalance;
+        if (planes[i]) {
+            list[i] = planes[i]->unbalance;
         }
     }
     return list;
@@ -302,12 +296,9 @@ bool reads_in_planes(const Input& input) {
 }
 
 std::optional<bool> RunResult::within(std::size_t plane) const {
-    if (planes) {
-        return (*planes)[plane].within_tolerance;
-    }
-    const auto& read = alone[plane];
+    const auto& read = planes.at(plane);
     // What one plane reads may fail, and passes with the other alone.
-    const bool counts = read && (alone[1 - plane] || read->within_tolerance == false);
+    const bool counts = read && (planes.at(1 - plane) || read->within_tolerance == false);
     return counts ? read->within_tolerance : std::nullopt;
 }
 
@@ -419,7 +410,7 @@ std::optional<Remaining> what_if(const Input& input, const Result& result, Plane
                                  double diameter, double depth, double angle) {
     const auto i = static_cast<std::size_t>(plane);
     const RunResult* newest = result.newest();
-    if (newest == nullptr || !newest->planes || !input.correction ||
+    if (newest == nullptr || !newest->has_vectors() || !input.correction ||
         i >= input.correction->planes.size() || !input.correction->planes[i].radius) {
         return std::nullopt;
     }
@@ -442,7 +433,7 @@ std::optional<Remaining> what_if(const Input& input, const Result& result, Plane
                      edge_beyond(cut, *limits.sector, {diameter, depth, angle, 0.0, 0.0}) > 0.0;
     }
     const double taken = cut.removed(diameter, depth).unbalance;
-    const Vector left = vector_of((*newest->planes)[i]) - std::polar(taken, angle);
+    const Vector left = vector_of(*newest->planes[i]) - std::polar(taken, angle);
     return Remaining{
         std::abs(left), turn_of(std::arg(left)),
         shop::is_within(std::abs(left), result.permissible ? std::optional((*result.permissible)[i])

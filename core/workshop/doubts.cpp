@@ -416,8 +416,8 @@ double lengthened(const bob_weights::RunResult& run, const bob_weights::EarlierR
             const auto state = (*earlier.drilled)[hole.deepens->hole].state;
             const double side = state == bob_weights::HoleState::wrong_side ? -1.0 : 1.0;
             if (state != bob_weights::HoleState::measured) {
-                sum += sign * side * hole.unbalance *
-                       std::cos(hole.angle - (*run.planes)[plane].angle);
+                sum +=
+                    sign * side * hole.unbalance * std::cos(hole.angle - *run.planes[plane]->angle);
             }
         }
     };
@@ -434,13 +434,13 @@ Messages drilled_at_light_spot(const DoubtCase& job) {
         const bob_weights::RunResult& run = job.shaft.runs[at];
         const bob_weights::EarlierRun& earlier = job.input.correction->earlier_runs[at];
         // What was planned from another reading is no witness.
-        for (std::size_t i = 0; run.planes && earlier.drilled_by.empty() && i < 2; ++i) {
+        for (std::size_t i = 0; run.has_vectors() && earlier.drilled_by.empty() && i < 2; ++i) {
             if (lengthened(run, earlier, i) > 0.0) {
-                const auto& read = (*run.planes)[i];
+                const auto& read = *run.planes[i];
                 list.emplace_back(
                     Text::tr("%1: the holes drilled after %2 are opposite this heavy spot. Check "
                              "whether the machine shows the heavy or the light spot."),
-                    plane_name(job, i), at_angle(read.unbalance, read.angle));
+                    plane_name(job, i), at_angle(read.unbalance, *read.angle));
             }
         }
     }
@@ -474,7 +474,7 @@ Messages drilled_otherwise(const DoubtCase& job) {
             return {};
         }
         const auto& other = runs.back().other_effect[i];
-        const auto& now = (*runs.back().planes)[i];
+        const auto& now = *runs.back().planes[i];
         return {other->is_in_other_plane
                     ? Text::tr("%1: residual %2 after drilling instead of %3, as if the holes "
                                "were in the other plane. Enter the actual plane of each hole.")
@@ -487,7 +487,7 @@ Messages drilled_otherwise(const DoubtCase& job) {
                                "drilled, or check crankshaft and machine.")
                     : Text::tr("%1: residual %2 after drilling instead of %3. Check the actual "
                                "holes: angle, depth, zero mark and direction of degrees."),
-                plane_name(job, i), at_angle(now.unbalance, now.angle),
+                plane_name(job, i), at_angle(now.unbalance, *now.angle),
                 at_angle(other->expected, other->expected_angle)};
     });
 }

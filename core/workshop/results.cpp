@@ -4,6 +4,7 @@
 
 #include "bob-weights/factor_theory.h"
 #include "bob-weights/results.h"
+#include "bob-weights/solver.h"
 #include "shop/results.h"
 #include "shop/sentences.h"
 #include "v8-plugs/results.h"
@@ -89,18 +90,21 @@ void visit_balancing(ResultVisitor& visitor, const Input& input, const bob_weigh
     }
     visitor.object({"balancing", Text::tr("Balancing machine")}, [&] {
         visitor.word({"limit"}, "iso-21940-11");
-        const bob_weights::RunResult* newest = shaft.newest();
+        const bob_weights::RunResult* newest =
+            reads_in_planes(input) && shaft.newest() != nullptr && shaft.newest()->is_read()
+                ? shaft.newest()
+                : nullptr;
         for (std::size_t i = 0; i < 2; ++i) {
             visitor.object(key::planes[i], [&] {
                 visitor.number(key::permissible, (*shaft.permissible)[i]);
-                if (newest != nullptr && newest->alone[i]) {
+                if (newest != nullptr && newest->planes[i]) {
                     visitor.number({"reading_g_mm", Text::tr("Reading"), 1},
-                                   newest->alone[i]->unbalance);
+                                   newest->planes[i]->unbalance);
                     visitor.flag({"passes", Text::tr("Passes")}, newest->within(i));
                 }
             });
         }
-        if (newest != nullptr && (newest->alone[0] || newest->alone[1])) {
+        if (newest != nullptr) {
             shop::visit_other(visitor, newest->read_with, newest->read_on);
         }
         visitor.number(key::permissible, shaft.permissible_whole);

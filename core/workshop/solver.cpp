@@ -120,11 +120,8 @@ Result allowed(Result result) {
     if (withheld.any()) {
         for (bob_weights::RunResult& run : shaft.runs) {
             for (std::size_t i = 0; i < 2; ++i) {
-                if (run.planes) {
-                    (*run.planes)[i].within_tolerance.reset();
-                }
-                if (run.alone[i]) {
-                    run.alone[i]->within_tolerance.reset();
+                if (run.planes[i]) {
+                    run.planes[i]->within_tolerance.reset();
                 }
             }
         }

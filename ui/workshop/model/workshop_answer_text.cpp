@@ -793,15 +793,14 @@ Results WorkshopModel::runResults() const {
          {words.translate("BobWeights", "Verdict"), tr("By the limits of both planes")}}};
     const auto& runs = solution().runs;
     for (std::size_t run = firstRun(); newestRun() > 0 && run < runs.size(); ++run) {
-        const auto& planes = runs[run].planes;
         const auto cell = [&](std::size_t i) {
-            if (!planes) {
-                const auto& alone = runs[run].alone[i];
-                return alone ? words.digits(alone->unbalance, units::gram_mm, 1) : noNumber;
+            const auto& read = runs[run].planes[i];
+            if (!read) {
+                return noNumber;
             }
-            const auto& plane = (*planes)[i];
-            return atAngle(words, words.digits(plane.unbalance, units::gram_mm, 1), plane.unbalance,
-                           plane.angle);
+            const QString unbalance = words.digits(read->unbalance, units::gram_mm, 1);
+            return read->angle ? atAngle(words, unbalance, read->unbalance, *read->angle)
+                               : unbalance;
         };
         const QString verdict = verdictText(words, readWord(runs[run], runs[run].passes()));
         results.rows << ResultRow{runName(words, run - firstRun()), cell(0), cell(1),
