@@ -10,10 +10,31 @@
 
 namespace ravnoves::v8_plugs {
 
-/// Where an option's values are in the arrays below.
-constexpr std::size_t index(OptionId id) {
-    return static_cast<std::size_t>(id);
-}
+/// An option with all that follows from its reduction.
+struct SolvedOption : Option {
+    std::optional<Boring> boring;  ///< not of new plugs, of which the sheet says nothing
+    Message hindrance;  ///< why the plug of the sheet cannot be made so; empty where it can
+    std::optional<ShiftEffect> shift;     ///< where it machines its plugs
+    std::optional<BobWeight> bob_weight;  ///< needs the nominal masses
+
+    bool works() const { return feasible && hindrance.empty(); }
+    /// Works only as long as the shift is neglected.
+    bool by_method_alone() const { return shift && shift->matters; }
+    /// The bore to make: where the neglected shift matters, the one that counts it; empty where
+    /// no bore does.
+    std::optional<Boring> right_boring() const {
+        std::optional<Boring> bored = boring;
+        if (!bored || !by_method_alone()) {
+            return bored;
+        }
+        if (!shift->depth) {
+            return std::nullopt;
+        }
+        bored->deeper += bored->deeper > 0.0 ? *shift->depth - bored->depth : 0.0;
+        bored->depth = *shift->depth;
+        return bored;
+    }
+};
 
 /// One material of plug: what its dimensions weigh against the mass in the method.
 struct PlugMass {
@@ -28,65 +49,38 @@ struct Result {
     MassChanges changes;
     std::optional<double> unbalanced_mass;  ///< Δm_y, kg; needs k_ш and the changes
     std::optional<Engine> engine;           ///< that has_plug_data(), with k_ш as it counts
-    std::array<std::optional<Option>, all_options.size()> options;  ///< in the order of all_options
+    std::array<std::optional<SolvedOption>, all_options.size()> options;  ///< as all_options
     std::optional<Advice> advice;
 
     // bob weights; need the nominal masses too, all but the nominal one the changes
     std::optional<BobWeight> nominal;  ///< of the crankshaft that is fitted
     std::optional<BobWeight> before;   ///< these parts, the plugs the crankshaft was made for
-    std::array<std::optional<BobWeight>, all_options.size()> bob_weights;  ///< with the option
 
     std::optional<double> weighed_excess;  ///< on a crankpin in the mean, by the weigh-in, kg
 
     // plug
     std::optional<PlugMass> steel_plug;
     std::optional<PlugMass> aluminium_plug;
-    /// For each option's reduction; not of new plugs, of which the sheet says nothing.
-    std::array<std::optional<Boring>, all_options.size()> boring;
-    /// Where an option machines its plugs.
-    std::array<std::optional<ShiftEffect>, all_options.size()> shift;
 
+    const std::optional<SolvedOption>& option(OptionId id) const {
+        return options.at(static_cast<std::size_t>(id));
+    }
+    /// The recommended one, or the one of minimum residual; null without any.
+    const SolvedOption* chosen() const {
+        return advice && advice->option ? &*option(advice->option->id) : nullptr;
+    }
     /// The bob weight to hang on a crankpin, the plugs out of the shaft; the present one where no
     /// change is needed; null while unknown.
     const BobWeight* hung_weight() const {
-        const auto* weight =
-            advice && advice->option ? &bob_weights[index(advice->option->id)] : &before;
-        return *weight ? &**weight : before ? &*before : nullptr;
-    }
-    bool plug_can_exist = true;  ///< false where the sizes of the plug sheet leave no plug
-    /// False where the plug of the sheet cannot exist, or its cutter cannot bore what the option
-    /// takes off.
-    bool can_be_made(OptionId id) const {
-        if (!plug_can_exist && !has_new_plugs(id)) {
-            return false;
-        }
-        const auto& plan = boring[index(id)];
-        return !plan || !plan->cuts || plan->limit == Boring::Limit::none;
-    }
-    const std::optional<Option>& option(OptionId id) const { return options[index(id)]; }
-    /// The bore to make: where the neglected shift matters, the one that counts it; empty where
-    /// no bore does.
-    std::optional<Boring> right_boring(OptionId id) const {
-        std::optional<Boring> bored = boring[index(id)];
-        const auto& effect = shift[index(id)];
-        if (!bored || !effect || !effect->matters) {
-            return bored;
-        }
-        if (!effect->depth) {
-            return std::nullopt;
-        }
-        bored->deeper += bored->deeper > 0.0 ? *effect->depth - bored->depth : 0.0;
-        bored->depth = *effect->depth;
-        return bored;
+        const auto& weight = chosen() != nullptr ? chosen()->bob_weight : before;
+        return weight ? &*weight : before ? &*before : nullptr;
     }
     /// What the neglected shift does to the option that is advised; nothing where it does not
     /// matter.
     const ShiftEffect* shift_that_matters() const {
-        if (!advice || advice->kind != Advice::Kind::option) {
-            return nullptr;
-        }
-        const auto& effect = shift[index(advice->option->id)];
-        return effect && effect->matters ? &*effect : nullptr;
+        return advice && advice->kind == Advice::Kind::option && chosen()->by_method_alone()
+                   ? &*chosen()->shift
+                   : nullptr;
     }
 };
 

@@ -84,8 +84,9 @@ void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, dou
     const auto& solved = result.option(id);
     // What its plugs are worth is known whatever they have to compensate.
     const auto option =
-        solved ? solved : evaluate_option(id, *result.engine, *result.unbalanced_mass, tolerance);
-    const auto& weight = result.bob_weights[index(id)];
+        solved ? std::optional<Option>(*solved)
+               : evaluate_option(id, *result.engine, *result.unbalanced_mass, tolerance);
+    const auto weight = solved ? solved->bob_weight : std::nullopt;
     const auto number = [&](const ResultField& field, double Option::*member) {
         visitor.number(field, option ? std::optional((*option).*member) : std::nullopt);
     };
@@ -135,13 +136,13 @@ void visit_option(ResultVisitor& visitor, const Result& result, OptionId id, dou
                        shift_coefficient(shift, crank_radius));
         visitor.number(key::unbalance, shift_unbalance(plug, shift));
     });
-    if (const auto& effect = result.shift[index(id)]) {
+    if (const auto& effect = solved->shift) {
         visitor.object({"shift_effect", Text::tr("Effect of the shift")},
                        [&] { visit_shift_effect(visitor, *effect, tolerance); });
     }
-    if (const auto& boring = result.boring[index(id)]) {
+    if (const auto& boring = solved->boring) {
         visitor.object({"boring", Text::tr("Boring")},
-                       [&] { visit_boring(visitor, *boring, result.shift[index(id)]); });
+                       [&] { visit_boring(visitor, *boring, solved->shift); });
     }
 }
 
@@ -190,8 +191,7 @@ Message advice_text(const Input& input, const Result& result) {
     const Advice& advice = *result.advice;
     Message text = plug_work(input, result);
     if (advice.kind == Advice::Kind::option && input.plug) {
-        if (const auto boring = result.right_boring(advice.option.value().id);
-            boring && boring->cuts) {
+        if (const auto boring = result.chosen()->right_boring(); boring && boring->cuts) {
             return two_sentences(std::move(text), describe(*boring, input.plug->limits().value()));
         }
     }

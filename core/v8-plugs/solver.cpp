@@ -13,13 +13,29 @@ PlugMass plug_mass(double typed, const PlugGeometry& geometry, double density) {
     return {weighs, typed, mass_fits(typed, weighs)};
 }
 
+/// What follows from the plug's sizes and its cutter.
 void solve_plug(const Input& input, Result& result) {
-    if (!input.plug) {
-        return;
+    const auto geometry = input.plug ? input.plug->geometry() : std::nullopt;
+    const auto fault = geometry ? geometry_fault(*geometry) : std::nullopt;
+    const auto limits = geometry ? input.plug->limits() : std::nullopt;
+    for (auto& option : result.options) {
+        if (!option) {
+            continue;
+        }
+        std::optional<BoreSetup> setup;
+        if (fault && !has_new_plugs(option->id)) {
+            option->hindrance = *fault;
+        } else if (limits && !fault && !has_new_plugs(option->id)) {
+            setup = BoreSetup{*geometry, *limits, input.plug->density(material_of(option->id))};
+            option->boring = plan_boring(*geometry, *limits, option->reduction, setup->density);
+            if (option->boring->limit != Boring::Limit::none) {
+                option->hindrance = describe(*option->boring, *limits);
+                setup.reset();
+            }
+        }
+        option->shift = shift_effect(*option, input.tolerance, setup);
     }
-    const auto geometry = input.plug->geometry();
-    result.plug_can_exist = !geometry || !geometry_fault(*geometry);
-    if (!geometry || !result.plug_can_exist) {
+    if (!geometry || fault) {
         return;
     }
     if (input.engine.steel_plug_mass) {
@@ -29,43 +45,6 @@ void solve_plug(const Input& input, Result& result) {
     if (input.engine.aluminium_plug_mass) {
         result.aluminium_plug =
             plug_mass(*input.engine.aluminium_plug_mass, *geometry, input.plug->aluminium_density);
-    }
-    const auto limits = input.plug->limits();
-    if (!limits) {
-        return;
-    }
-    for (const OptionId id : all_options) {
-        const auto& option = result.option(id);
-        if (option && !has_new_plugs(id)) {
-            result.boring[index(id)] = plan_boring(*geometry, *limits, option->reduction,
-                                                   input.plug->density(material_of(id)));
-        }
-    }
-}
-
-/// Why the plug of the sheet cannot be made as the option needs it; empty where it can.
-Message hindrance(const Input& input, const Result& result, const Option& option) {
-    if (result.can_be_made(option.id)) {
-        return {};
-    }
-    return result.plug_can_exist
-               ? describe(*result.boring[index(option.id)], input.plug->limits().value())
-               : geometry_fault(input.plug->geometry().value()).value();
-}
-
-void solve_shifts(const Input& input, Result& result) {
-    for (const OptionId id : all_options) {
-        const auto& option = result.option(id);
-        if (!option) {
-            continue;
-        }
-        const auto& boring = result.boring[index(id)];
-        std::optional<BoreSetup> setup;
-        if (boring && boring->limit == Boring::Limit::none) {
-            setup = BoreSetup{*input.plug->geometry(), *input.plug->limits(),
-                              input.plug->density(material_of(id))};
-        }
-        result.shift[index(id)] = shift_effect(*option, input.tolerance, setup);
     }
 }
 
@@ -78,9 +57,9 @@ void solve_bob_weights(const Input& input, bool changes_known, Result& result) {
     if (changes_known) {
         result.before = bob_weight(engine, result.changes, input.crankshaft);
     }
-    for (const OptionId id : all_options) {
-        if (const auto& option = result.option(id)) {
-            result.bob_weights[index(id)] = bob_weight(engine, result.changes, *option);
+    for (auto& option : result.options) {
+        if (option) {
+            option->bob_weight = bob_weight(engine, result.changes, *option);
         }
     }
 }
@@ -98,17 +77,18 @@ Result solve(const Input& input, bool changes_known) {
         result.engine = input.engine;
         result.engine->rod_coefficient = k.value();
     }
-    if (result.engine && result.unbalanced_mass) {
-        for (const OptionId id : all_options) {
-            result.options[index(id)] =
-                evaluate_option(id, *result.engine, *result.unbalanced_mass, input.tolerance);
+    const bool can_advise = result.engine && result.unbalanced_mass;
+    for (std::size_t i = 0; can_advise && i < all_options.size(); ++i) {
+        if (const auto option = evaluate_option(all_options.at(i), *result.engine,
+                                                *result.unbalanced_mass, input.tolerance)) {
+            result.options.at(i).emplace(SolvedOption{*option, {}, {}, {}, {}});
         }
     }
     solve_plug(input, result);
-    if (result.engine && result.unbalanced_mass) {
+    if (can_advise) {
         result.advice =
             advise(*result.engine, input.crankshaft, *result.unbalanced_mass, input.tolerance,
-                   [&](const Option& option) { return hindrance(input, result, option); });
+                   [&](const Option& option) { return result.option(option.id)->hindrance; });
     }
     solve_bob_weights(input, changes_known, result);
     if (input.weigh_in && input.weigh_in->is_counted() && k) {
@@ -118,7 +98,6 @@ Result solve(const Input& input, bool changes_known) {
                                                     : mass_changes(*input.weigh_in, input.process),
                                                 *k);
     }
-    solve_shifts(input, result);
     return result;
 }
 

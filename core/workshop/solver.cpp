@@ -109,9 +109,6 @@ Result allowed(Result result) {
         plugs.advice.reset();
         plugs.nominal.reset();
         plugs.before.reset();
-        plugs.bob_weights = {};
-        plugs.boring = {};
-        plugs.shift = {};
     }
     if (withheld.holes) {
         shaft.correction.reset();

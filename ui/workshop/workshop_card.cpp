@@ -273,10 +273,8 @@ std::vector<Block> plugBlocks(const Words& words, const WorkshopModel& model) {
         if (!option) {
             continue;
         }
-        const bool works = option->feasible && result.can_be_made(id);
-        const auto& shift = result.shift[v8_plugs::index(id)];
-        const QString verdict = !works ? words.translate("JobCard", "does not work")
-                                : shift && shift->matters
+        const QString verdict = !option->works() ? words.translate("JobCard", "does not work")
+                                : option->by_method_alone()
                                     ? words.translate("JobCard", "only by the method")
                                     : words.translate("JobCard", "works");
         options.table.rows << ResultRow{

@@ -264,8 +264,7 @@ TEST_F(JobCardTest, IsInTheUnitsChosen) {
     WorkshopModel model({});
     model.loadInput(input, {});
     const Words english(u"en"_s);
-    const auto& planned =
-        *model.plugs()->boring[v8_plugs::index(model.plugs()->advice->option->id)];
+    const auto& planned = *model.plugs()->chosen()->boring;
     const QString depth = english.plainWithUnit(planned.depth, units::mm, 2).simplified();
     const QString boring = model.boringText().simplified();
     test::Painted painted;

@@ -226,7 +226,7 @@ TEST_F(PlugsModelTest, ShiftOfThePlannedBoreIsSaid) {
         input.plug->height = 14e-3;
         input.plug->cutter_diameter = 14e-3;
     });
-    const Boring& boring = *model.plugs()->boring[0];
+    const Boring& boring = *model.plugs()->option(OptionId::steel_machined)->boring;
     EXPECT_GT(boring.shift, 0.0);
     // By hand: 233.3 mm³ cut 6.24 mm above the middle of 4861 mm³.
     EXPECT_TRUE(has(model.shiftText(), u"With the planned bore it moves by 0.31\u00A0mm"_s));

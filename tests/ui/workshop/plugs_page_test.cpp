@@ -167,8 +167,7 @@ TEST_F(PlugsPageTest, SaysWhereThePlugsAreWhileTheBobWeightsHang) {
           {"steel_plug_mass_g", "25"},
           {"rod_big_end", "0.5"}});
     ASSERT_TRUE(model->plugs()->before) << qPrintable(label("headline"));
-    const BobWeight& after =
-        *model->plugs()->bob_weights[index(model->plugs()->advice->option->id)];
+    const BobWeight& after = *model->plugs()->chosen()->bob_weight;
     // About 59 g: two plugs of 25 g at 1.18 times the crank radius.
     EXPECT_GT(after.sum() - after.with_plugs_in(), 55 * gram);
     EXPECT_TRUE(has(label("hang"), u"With the plugs removed. With the plugs fitted use "_s +

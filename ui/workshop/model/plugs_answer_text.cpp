@@ -20,12 +20,6 @@ namespace {
 
 const QString dash = QStringLiteral("–");
 
-/// True where an option works only as long as the shift is neglected.
-bool methodAlone(const v8_plugs::Result& solution, OptionId option) {
-    const auto& effect = solution.shift[index(option)];
-    return effect && effect->matters;
-}
-
 }  // namespace
 
 QStringList WorkshopModel::missingForPlugs(const Words& words, bool withBobWeight) const {
@@ -77,12 +71,12 @@ QString WorkshopModel::adviceText(const Words& words) const {
 
 QString WorkshopModel::boringText(const Words& words) const {
     return plugs() != nullptr && plugs()->advice && plugs()->advice->kind == Advice::Kind::option
-               ? boringText(words, plugs()->advice->option->id)
+               ? boringText(words, *plugs()->chosen())
                : QString();
 }
 
-QString WorkshopModel::boringText(const Words& words, OptionId option) const {
-    const auto bored = plugs()->right_boring(option);
+QString WorkshopModel::boringText(const Words& words, const SolvedOption& option) const {
+    const auto bored = option.right_boring();
     return bored && plugsInput()->plug
                ? words.message(describe(*bored, plugsInput()->plug->limits().value()))
                : QString();
@@ -99,7 +93,7 @@ QString WorkshopModel::excessText() const {
                              *plugs()->unbalanced_mass * *plugsInput()->engine.crank_radius));
 }
 
-QString WorkshopModel::shiftText(const Words& words, const Option& option) const {
+QString WorkshopModel::shiftText(const Words& words, const SolvedOption& option) const {
     const double plug = option.plug_mass_unmachined - option.reduction;
     QString text = words
                        .translate("V8",
@@ -110,7 +104,7 @@ QString WorkshopModel::shiftText(const Words& words, const Option& option) const
                             gramMillimetres(words, plugsInput()->tolerance),
                             words.digits(smallest_shift, units::mm, 1),
                             words.number(largest_shift, units::mm, 1));
-    const auto& effect = plugs()->shift[index(option.id)];
+    const auto& effect = option.shift;
     if (effect && effect->planned) {
         text +=
             QLatin1Char(' ') + words.translate("V8", "With the planned bore it moves by %1: %2.")
@@ -124,9 +118,11 @@ QString WorkshopModel::shiftText(const Words& words) const {
     if (plugs() == nullptr) {
         return {};
     }
-    const auto chosen = v8_text::chosenOption(*plugs());
-    const auto option = chosen ? chosen : plugs()->option(OptionId::steel_machined);
-    return option ? shiftText(words, *option) : QString();
+    const SolvedOption* chosen = plugs()->chosen();
+    const auto& usual = plugs()->option(OptionId::steel_machined);
+    return chosen != nullptr ? shiftText(words, *chosen)
+           : usual           ? shiftText(words, *usual)
+                             : QString();
 }
 
 QString WorkshopModel::plugsWhileHung(const Words& words) const {
@@ -227,9 +223,8 @@ Results WorkshopModel::optionResults() const {
                               tr("The engine has no such plug, or its data are missing."));
             continue;
         }
-        const bool works = option->feasible && solution.can_be_made(id);
-        const QString mark = !works                      ? QStringLiteral("✗")
-                             : methodAlone(solution, id) ? QStringLiteral("!")
+        const QString mark = !option->works()            ? QStringLiteral("✗")
+                             : option->by_method_alone() ? QStringLiteral("!")
                                                          : QStringLiteral("✓");
         rows << ResultRow(
             {// in brackets what the crankshaft that is fitted does not allow
@@ -250,16 +245,14 @@ bool WorkshopModel::isFitted(OptionId id) const {
     return needs_new_crankshaft(id) == (input().plugs->crankshaft == Crankshaft::new_plugs);
 }
 
-QString WorkshopModel::optionTip(const Option& option) const {
-    const v8_plugs::Result& solution = *plugs();
+QString WorkshopModel::optionTip(const SolvedOption& option) const {
     QStringList text;
     if (!isFitted(option.id)) {
         text << tr("For the other crankshaft.");
     }
-    if (methodAlone(solution, option.id)) {
+    if (option.by_method_alone()) {
         text << tr("By the method only; the neglected shift leaves up to %1.")
-                    .arg(gramMillimetres(
-                        Words(), std::abs(solution.shift[index(option.id)]->residual_unbalance)));
+                    .arg(gramMillimetres(Words(), std::abs(option.shift->residual_unbalance)));
     }
     text << QStringList{
         tr("%1: %2.").arg(v8_text::optionName(Words(), option.id),
@@ -267,7 +260,7 @@ QString WorkshopModel::optionTip(const Option& option) const {
         tr("Maximum off a plug: %1; slope kᵤ = %2, %3°.")
             .arg(grams(Words(), option.max_reduction, 3), Words().number(option.slope, 3),
                  Words().number(std::atan(option.slope) / units::degree, 1))};
-    const QString boring = boringText(Words(), option.id);
+    const QString boring = boringText(Words(), option);
     if (!boring.isEmpty()) {
         text << boring;
     }

@@ -332,9 +332,9 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     QStringList plugTroubles(const Words& words) const;
     /// Whether the plugs are in the shaft while it hangs there, and what to hang in the other case.
     QString plugsWhileHung(const Words& words) const;
-    QString boringText(const Words& words, v8_plugs::OptionId option) const;
-    QString shiftText(const Words& words, const v8_plugs::Option& option) const;
-    QString optionTip(const v8_plugs::Option& option) const;
+    QString boringText(const Words& words, const v8_plugs::SolvedOption& option) const;
+    QString shiftText(const Words& words, const v8_plugs::SolvedOption& option) const;
+    QString optionTip(const v8_plugs::SolvedOption& option) const;
     /// What the paper prints, or the user keeps, of the present engine; nothing where neither does.
     std::optional<v8_plugs::Engine> keptEngine() const;
     /// The engine with the nominal masses that follow from its nominal parts.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "bob-weights/solver.h"
 #include "shop/model/scale_settings.h"
 #include "shop/weighing.h"
 #include "text/number_text.h"
@@ -121,7 +122,7 @@ Figure compensation(const WorkshopModel& model) {
     if (highest > lowest) {
         figure.leftRange = std::pair(lowest, highest + 0.16 * (highest - lowest));
     }
-    if (const auto chosen = v8_text::chosenOption(solution)) {
+    if (const auto* chosen = solution.chosen()) {
         marks.push_back({.x = chosen->reduction / gram,
                          .y = (chosen->constant + chosen->slope * chosen->reduction) / gram,
                          .text = {},

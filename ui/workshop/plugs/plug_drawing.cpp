@@ -264,9 +264,9 @@ std::optional<PlugDrawing> plannedPlug(const v8_plugs::Input& input,
     }
     PlugDrawing drawing;
     drawing.plug = *geometry;
-    const auto chosen = v8_text::chosenOption(solution);
-    if (chosen && chosen->reduction > 0.0) {
-        const auto& boring = solution.boring[index(chosen->id)];
+    const v8_plugs::SolvedOption* chosen = solution.chosen();
+    if (chosen != nullptr && chosen->reduction > 0.0) {
+        const auto& boring = chosen->boring;
         if (boring && boring->cuts) {
             drawing.cutterDiameter = input.plug->cutter_diameter;
             drawing.cutDepth = boring->depth;

@@ -36,10 +36,6 @@ QString optionName(const Words& words, OptionId option) {
     return words.text(option_word(option).label);
 }
 
-std::optional<Option> chosenOption(const Result& solution) {
-    return solution.advice ? solution.advice->option : std::nullopt;
-}
-
 bool works(const Result& solution) {
     return solution.advice && (solution.advice->kind == Advice::Kind::option ||
                                solution.advice->kind == Advice::Kind::none_needed);

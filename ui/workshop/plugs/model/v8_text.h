@@ -17,9 +17,6 @@ QString thread(const Words& words, const v8_plugs::Thread& thread);
 QString engineName(const Words& words, const std::string& name);
 QString optionName(const Words& words, v8_plugs::OptionId option);
 
-/// The option of the answer: the recommended one, else the one of minimum residual; empty where
-/// none is needed or known.
-std::optional<v8_plugs::Option> chosenOption(const v8_plugs::Result& solution);
 /// True where the advice is something that works.
 bool works(const v8_plugs::Result& solution);
 
