@@ -13,15 +13,8 @@
 namespace ravnoves::bob_weights {
 
 /// One line of the card.
-struct Line {
-    const PartField* part;  ///< null where the word alone is enough
-    double factor;          ///< how many times the mass counts in the bob weight
-    double mass;            ///< kg
-    PartKind kind;
-    Word word{};
-
-    double product() const { return factor * mass; }
-    Word name() const { return part != nullptr ? Word{part->field.key, part->field.label} : word; }
+struct Line : shop::WeightLine {
+    const PartField* part = nullptr;  ///< null where the name alone is enough
 };
 
 /// Metal drilled from a plane and pressed into it.

@@ -91,8 +91,7 @@ class JobVisit {
             visitor_.nothing({"lines"});
             return;
         }
-        shop::visit_lines(visitor_, result_.lines,
-                          [](const Line& line) { return line.name().word; });
+        shop::visit_lines(visitor_, result_.lines);
     }
 
     void visit_planes() {

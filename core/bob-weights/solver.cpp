@@ -59,7 +59,11 @@ void solve_bob_weight(const Input& input, double factor, Result& result) {
             }
             continue;
         }
-        const Line line{&part, factor_of(part, input.engine, factor), *mass, part.kind};
+        const Line line{{{part.field.key, part.field.label},
+                         factor_of(part, input.engine, factor),
+                         *mass,
+                         part.kind == PartKind::reciprocating},
+                        &part};
         result.lines.push_back(line);
         sum += line.product();
         reciprocating += part.kind == PartKind::reciprocating ? *mass : 0.0;
@@ -316,7 +320,7 @@ std::optional<bool> Result::passes_after() const {
 double rounding_squares(const Input& input, const Result& result) {
     double sum = 0.0;
     for (const Line& line : result.lines) {
-        if (line.kind != PartKind::crankpin && line.mass != 0.0) {
+        if (line.part->kind != PartKind::crankpin && line.mass != 0.0) {
             sum += line.factor * line.factor /
                    (is_weighed(input, *line.part) ? input.engine.cylinders : 1);
         }

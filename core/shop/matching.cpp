@@ -16,24 +16,16 @@ namespace {
 
 using Vector = std::complex<double>;
 
-bool is_whole(std::span<const Weighed> masses, std::size_t count) {
-    return masses.size() == count &&
-           std::all_of(masses.begin(), masses.end(), [](const Weighed& m) { return m; });
+bool is_whole(const PartColumn& column, std::size_t count) {
+    return column.mass.size() == count && column.is_weighed();
 }
 
 /// By how much each part differs from the mean of its column; zeros where one is not weighed.
-std::vector<double> differences(std::span<const Weighed> masses, std::size_t count) {
+std::vector<double> differences(const PartColumn& column, std::size_t count) {
     std::vector<double> list(count, 0.0);
-    if (!is_whole(masses, count)) {
-        return list;
-    }
-    double mean = 0.0;
-    for (const Weighed& mass : masses) {
-        mean += *mass;
-    }
-    mean /= static_cast<double>(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        list[i] = *masses[i] - mean;
+    const auto found = is_whole(column, count) ? statistics(column) : std::nullopt;
+    for (std::size_t i = 0; found && i < count; ++i) {
+        list[i] = *column.mass[i] - found->mean;
     }
     return list;
 }
@@ -46,7 +38,7 @@ Sets sums_of(const WeighIn& sheet, std::size_t n, const PartFactors& factors) {
     Sets sets;
     sets.fill(std::vector<double>(n, 0.0));
     for (const Part part : all_parts) {
-        const auto list = differences(sheet[part].mass, n);
+        const auto list = differences(sheet[part], n);
         const std::size_t kind = !moves_with_set(sheet.matching, part) ? 2
                                  : is_of_piston(part)                  ? 0
                                                                        : 1;
@@ -307,9 +299,8 @@ std::array<std::vector<int>, 2> where_weighed(const WeighIn& sheet) {
 std::optional<Matched> match(const MatchingTask& task) {
     const MatchingRules& rules = task.sheet.matching;
     const auto n = static_cast<std::size_t>(task.crank.cylinders);
-    const bool counts =
-        std::any_of(task.sheet.columns.begin(), task.sheet.columns.end(),
-                    [&](const PartColumn& column) { return is_whole(column.mass, n); });
+    const bool counts = std::any_of(task.sheet.columns.begin(), task.sheet.columns.end(),
+                                    [&](const PartColumn& column) { return is_whole(column, n); });
     if (n == 0 || !counts) {
         return std::nullopt;
     }

@@ -30,10 +30,9 @@ void visit_matched(ResultVisitor& visitor, const Matched& matched,
                    const std::optional<double>& crank_radius, const std::optional<double>& speed);
 
 /// The lines of a bob weight's sum, of either scene.
-/// @param word_of  the part of a line
-void visit_lines(ResultVisitor& visitor, const auto& lines, const auto& word_of) {
+void visit_lines(ResultVisitor& visitor, const auto& lines) {
     visitor.list({"lines", Text::tr("Lines")}, lines.size(), [&](std::size_t i) {
-        visitor.word({"part"}, word_of(lines[i]));
+        visitor.word({"part"}, lines[i].name.word);
         visitor.number({"factor", Text::tr("Factor"), 4}, lines[i].factor);
         visitor.number({"mass_g", Text::tr("Mass"), 2}, lines[i].mass);
         visitor.number({"product_g", Text::tr("Total"), 2}, lines[i].product());

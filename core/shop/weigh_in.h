@@ -117,6 +117,16 @@ std::optional<ColumnStatistics> statistics(std::span<const Weighed> masses,
                                            const std::optional<double>& permitted_spread);
 std::optional<ColumnStatistics> statistics(const PartColumn& column);
 
+/// One line of a bob weight's sum.
+struct WeightLine {
+    Word name;
+    double factor;  ///< how many times the mass counts in the bob weight
+    double mass;    ///< kg
+    bool reciprocates = false;
+
+    double product() const { return factor * mass; }
+};
+
 /// Whether readings of the balancing machine were taken with another bob weight than there is now,
 /// kg. One that is not known is no other; bob weights are made to a tenth of a gram.
 inline bool is_other_bob_weight(const std::optional<double>& then,

@@ -272,31 +272,38 @@ Message describe(const Advice& advice, double unbalanced_mass, double crank_radi
 
 double BobWeight::sum() const {
     double total = 0.0;
-    for (const BobWeightLine& line : lines) {
+    for (const shop::WeightLine& line : lines) {
         total += line.product();
     }
     return total;
-}
-
-std::optional<double> BobWeight::product(BobWeightLine::Part part) const {
-    const auto found = std::find_if(lines.begin(), lines.end(),
-                                    [&](const BobWeightLine& line) { return line.part == part; });
-    return found != lines.end() ? std::optional(found->product()) : std::nullopt;
 }
 
 namespace {
 
 BobWeight bob_weight(const Engine& engine, const MassChanges& changes, double plug_mass,
                      double plug_radius) {
-    using Part = BobWeightLine::Part;
-    return {{{Part::reciprocating, 1.0, engine.reciprocating_mass.value()},
-             {Part::rotating, 2.0, engine.rotating_mass.value()},
-             {Part::plugs, 2.0 * plug_radius / engine.crank_radius.value(), plug_mass},
-             {Part::oil, engine.oil_coefficient.value(), engine.oil_mass.value()},
-             {Part::piston, 1.0, changes.piston},
-             {Part::rod_big_end, 2.0 + engine.rod_coefficient.value(), changes.rod_big_end},
-             {Part::repair_piston_and_rings, 1.0, changes.repair_piston_and_rings},
-             {Part::repair_bearing, 1.0, changes.repair_bearing}}};
+    const shop::WeightLine plugs{
+        {"plugs", Text::tr("Plug")}, 2.0 * plug_radius / engine.crank_radius.value(), plug_mass};
+    const shop::WeightLine oil{
+        {"oil", Text::tr("Oil mₘ")}, engine.oil_coefficient.value(), engine.oil_mass.value()};
+    return {{{{"reciprocating_mass", Text::tr("Reciprocating mass mⱼ")},
+              1.0,
+              engine.reciprocating_mass.value(),
+              true},
+             {{"rotating_mass", Text::tr("Rotating mass")}, 2.0, engine.rotating_mass.value()},
+             plugs,
+             oil,
+             {{"piston", Text::tr("Improved piston Δmₚᵢ")}, 1.0, changes.piston, true},
+             {{"rod_big_end", Text::tr("Rod big end")},
+              2.0 + engine.rod_coefficient.value(),
+              changes.rod_big_end},
+             {{"repair_piston_and_rings", Text::tr("Repair piston and rings Δmᵣₚ")},
+              1.0,
+              changes.repair_piston_and_rings,
+              true},
+             {{"repair_bearing", Text::tr("Repair shells Δmₛₕ")}, 1.0, changes.repair_bearing}},
+            plugs.product(),
+            oil.product()};
 }
 
 }  // namespace

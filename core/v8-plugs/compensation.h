@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shop/sentences.h"
+#include "shop/weigh_in.h"
 #include "v8-plugs/engine.h"
 
 namespace ravnoves::v8_plugs {
@@ -136,48 +137,14 @@ Message describe_failure(const Option& option, double tolerance);
 /// "works", within which tolerance it does, or why it does not.
 Message describe_verdict(const Option& option, double tolerance);
 
-/// One line of a bob weight's sum.
-struct BobWeightLine {
-    enum class Part {
-        reciprocating,            ///< m_j
-        piston,                   ///< Δm_п
-        repair_piston_and_rings,  ///< Δm_рп
-        rotating,                 ///< 2 m_R
-        plugs,                    ///< 2 k_p (plug's mass)
-        rod_big_end,              ///< (2 + k_ш) Δm_шк
-        repair_bearing,           ///< Δm_шр
-        oil                       ///< k_m m_m
-    };
-    Part part;
-    double factor;
-    double mass;  ///< kg
-    double product() const { return factor * mass; }
-};
-
-/// Names of the lines, in the order of the enumeration.
-inline constexpr Word bob_weight_words[] = {
-    {"reciprocating_mass", Text::tr("Reciprocating mass mⱼ")},
-    {"piston", Text::tr("Improved piston Δmₚᵢ")},
-    {"repair_piston_and_rings", Text::tr("Repair piston and rings Δmᵣₚ")},
-    {"rotating_mass", Text::tr("Rotating mass")},
-    {"plugs", Text::tr("Plug")},
-    {"rod_big_end", Text::tr("Rod big end")},
-    {"repair_bearing", Text::tr("Repair shells Δmₛₕ")},
-    {"oil", Text::tr("Oil mₘ")}};
-constexpr const Word& bob_weight_word(BobWeightLine::Part part) {
-    return bob_weight_words[static_cast<std::size_t>(part)];
-}
-
 /// The mass to hang on a crankpin when the crankshaft is balanced, line by line.
 struct BobWeight {
-    std::vector<BobWeightLine> lines;
+    std::vector<shop::WeightLine> lines;
+    double plugs;        ///< total of their line, kg
+    double oil;          ///< likewise
     double sum() const;  ///< kg
     /// Bob weight where the plugs are in the shaft already: the sum includes them, kg.
-    double with_plugs_in() const {
-        return sum() - product(BobWeightLine::Part::plugs).value_or(0.0);
-    }
-    /// The line's product, kg; nothing where the sum has no such line.
-    std::optional<double> product(BobWeightLine::Part part) const;
+    double with_plugs_in() const { return sum() - plugs; }
 };
 
 // Bob weight of an engine with its nominal masses and these parts, eqs. (4), (5), (7), (8): with

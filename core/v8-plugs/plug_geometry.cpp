@@ -68,8 +68,8 @@ Thread parse_thread(std::string_view text, const std::string& where) {
 }
 
 std::string thread_name(const Thread& thread) {
-    return "M" + format_number(rounded_to_digits(thread.diameter / units::mm, 9)) + "x" +
-           format_number(rounded_to_digits(thread.pitch / units::mm, 9));
+    return std::string("M") + format_number(rounded_to_digits(thread.diameter / units::mm, 9)) +
+           "x" + format_number(rounded_to_digits(thread.pitch / units::mm, 9));
 }
 
 double PlugGeometry::volume() const {

@@ -42,9 +42,7 @@ constexpr std::array<std::string_view, 3> limit_words{"none", "wall", "bottom"};
 void visit_bob_weight(ResultVisitor& visitor, const ResultField& field, const BobWeight& weight) {
     visitor.object(field, [&] {
         visitor.number({"sum_g", Text::tr("Sum"), 1}, weight.sum());
-        shop::visit_lines(visitor, weight.lines, [](const BobWeightLine& line) {
-            return bob_weight_word(line.part).word;
-        });
+        shop::visit_lines(visitor, weight.lines);
     });
 }
 

@@ -366,7 +366,7 @@ Messages unlike_parts(const DoubtCase& job) {
             (one->mass < minimum * other->mass || one->mass > maximum * other->mass)) {
             list.emplace_back(
                 Text::tr("%1 of %2 beside %3 of %4 is implausible. Correct the wrong value."),
-                one->name().label, in_grams(one->mass), other->name().label, in_grams(other->mass));
+                one->name.label, in_grams(one->mass), other->name.label, in_grams(other->mass));
         }
     }
     return list;
@@ -376,7 +376,7 @@ Messages unlike_parts(const DoubtCase& job) {
 Messages much_oil(const DoubtCase& job) {
     constexpr double maximum = 0.06;
     const auto oil = job.plugs != nullptr && job.plugs->before
-                         ? job.plugs->before->product(v8_plugs::BobWeightLine::Part::oil)
+                         ? std::optional(job.plugs->before->oil)
                          : job.input.parts.oil;
     if (!oil || !job.shaft.bob_weight || !(*oil > maximum * *job.shaft.bob_weight)) {
         return {};

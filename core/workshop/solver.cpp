@@ -23,12 +23,8 @@ void take_weight(const v8_plugs::Input& plugs, const v8_plugs::Result& result,
     shaft.rotating =
         plugs.engine.rotating_mass.value() + changes.rod_big_end + 0.5 * changes.repair_bearing;
     shaft.bob_weight = weight->sum();
-    for (const v8_plugs::BobWeightLine& line : weight->lines) {
-        const auto kind = line.part < v8_plugs::BobWeightLine::Part::rotating
-                              ? bob_weights::PartKind::reciprocating
-                              : bob_weights::PartKind::rotating;
-        shaft.lines.push_back(
-            {nullptr, line.factor, line.mass, kind, v8_plugs::bob_weight_word(line.part)});
+    for (const shop::WeightLine& line : weight->lines) {
+        shaft.lines.push_back({line});
     }
 }
 

@@ -464,13 +464,13 @@ Results WorkshopModel::lineResults(const Words& words) const {
     for (std::size_t i = 0; i < result.lines.size(); ++i) {
         const Line& line = result.lines[i];
         rows << ResultRow(
-            {words.text(line.name().label).remove(QLatin1Char('&')),
+            {words.text(line.name.label).remove(QLatin1Char('&')),
              // With all digits of a mean, so that it times its multiplier is the total.
              ResultCell(shownValue(line.mass, units::gram), words.plain(line.mass, units::gram, 3)),
              QStringLiteral("× ") + words.plain(line.factor, 4),
              result.bob_weight ? printed(tenths[i]) : words.cell(line.product(), units::gram, 1)},
             line.part != nullptr ? words.text(line.part->field.hint) : QString());
-        subtotals[line.kind == PartKind::reciprocating ? 0 : 1] += tenths[i];
+        subtotals[line.reciprocates ? 0 : 1] += tenths[i];
     }
     if (!result.bob_weight) {
         return results;
