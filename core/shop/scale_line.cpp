@@ -36,8 +36,9 @@ constexpr UnitWords unit_words[] = {{units::gram, "G \xD0\xB3 \xE3 \xA3"},
 
 /// The row that has the word; null without one.
 const auto* row_of(const auto& table, const std::string& word) {
+    const auto spaced = [](std::string_view words) { return std::string(" ").append(words) + ' '; };
     for (const auto& row : table) {
-        if ((" " + std::string(row.words) + " ").find(" " + word + " ") != std::string::npos) {
+        if (spaced(row.words).find(spaced(word)) != std::string::npos) {
             return &row;
         }
     }
