@@ -124,9 +124,8 @@ inline constexpr Field matching_crank_radius{
 
 }  // namespace field
 
-/// @param asks_radius  the scene's engine does not say its crank radius
-void visit_fields(FieldVisitor& visitor, MatchingRules& rules, bool asks_radius);
 /// The object "matching" of a weigh-in, written where one of its fields is changed.
+/// @param asks_radius  the scene's engine does not say its crank radius
 void visit_matching(FieldVisitor& visitor, MatchingRules& rules, bool asks_radius);
 
 }  // namespace ravnoves::shop

@@ -12,7 +12,6 @@
 namespace ravnoves::v8_plugs {
 
 inline constexpr int cylinder_count = 8;
-inline constexpr int crankpin_count = 4;
 
 /// The seven engines of the paper, by displacement in litres, and the data it gives for them.
 ///

@@ -14,7 +14,6 @@ using shop::CylinderNumbering;
 using shop::Part;
 using shop::part_word;
 using shop::PartColumn;
-using shop::SetNumbers;
 using shop::WeighIn;
 
 /// The nominal masses of one cylinder that follow from its parts, kg: piston, pin, rings and small

@@ -52,7 +52,7 @@ TEST(WeighInSheet, MeanOfTheCrankpinsIsTheMethodsExcess) {
         // By hand, where the parts are; the placing gives each crankpin less their mean.
         const shop::MatchingTask task{sheet, crank_of(of_sheet(sheet)), factors};
         const auto places = places_of(task.crank);
-        std::array<double, crankpin_count> by_crankpin{};
+        std::array<double, 4> by_crankpin{};
         for (std::size_t i = 0; i < cylinder_count; ++i) {
             for (const Part part : all_parts) {
                 by_crankpin.at(static_cast<std::size_t>(places[i].crankpin)) +=
@@ -61,7 +61,7 @@ TEST(WeighInSheet, MeanOfTheCrankpinsIsTheMethodsExcess) {
             }
         }
         const shop::Placed placed = shop::match(task)->before;
-        for (std::size_t pin = 0; pin < crankpin_count; ++pin) {
+        for (std::size_t pin = 0; pin < 4; ++pin) {
             EXPECT_NEAR(excess + placed.crankpins[pin], by_crankpin.at(pin), 1e-12);
         }
     }
@@ -92,10 +92,10 @@ TEST(WeighInSheet, WeighedSmallEndsReplaceTheRodCoefficient) {
 
 TEST(WeighInSheet, CrankOfTheEngineHasItsPinsCrosswise) {
     const shop::Crank crank = crank_of(of_sheet({}));
-    ASSERT_EQ(crank.angles.size(), crankpin_count);
+    ASSERT_EQ(crank.angles.size(), 4U);
     const double quarter = 0.5 * std::numbers::pi;
     const double turned[] = {0.0, quarter, 3.0 * quarter, 2.0 * quarter};
-    for (std::size_t pin = 0; pin < crankpin_count; ++pin) {
+    for (std::size_t pin = 0; pin < 4; ++pin) {
         EXPECT_NEAR(crank.angles[pin], turned[pin], 1e-15);
     }
     // Static balance, and a couple that a weight at each end takes up.
