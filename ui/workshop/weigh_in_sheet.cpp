@@ -301,10 +301,10 @@ void WeighInSheet::addFindings() {
     addTable("assignment", tr("Sets by cylinder"));
     addTable("take-off", tr("Mass to take off each part to match the lightest"));
     follow([=, this] {
-        const auto shown = model_->matchingShown();
+        const shop::Matched* placing = model_->placing();
         const bool isWarning =
-            shown ? !shown->matched.remark.empty() : !model_->weighAgain().isEmpty();
-        const bool canMove = shown && shown->matched.moved > 0;
+            placing != nullptr ? !placing->remark.empty() : !model_->weighAgain().isEmpty();
+        const bool canMove = placing != nullptr && placing->moved > 0;
         back->setVisible(model_->canMoveBack());
         const QStringList gaps = model_->hasPlugs() ? model_->notCounted() : QStringList();
         QStringList said =

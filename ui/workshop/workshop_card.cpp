@@ -171,8 +171,7 @@ std::vector<Block> matchingBlocks(const Words& words, const WorkshopModel& model
             blocks.push_back({heading, columns, results});
         }
     };
-    const auto shown = model.matchingShown();
-    const bool moves = shown && shown->matched.moved > 0;
+    const bool moves = model.placing() != nullptr && model.placing()->moved > 0;
     if (moves || model.canMoveBack()) {
         add(moves ? words.translate("Matching", "Matched parts: suggested, not yet applied")
                   : words.translate("Matching", "Matched parts: applied, the masses are moved"),

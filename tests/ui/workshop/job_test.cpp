@@ -494,7 +494,7 @@ TEST_F(CardJobTest, PartsAreMatchedByTheRulesOfTheSheet) {
     EXPECT_TRUE(back->isVisibleTo(&page));
     EXPECT_FALSE(find<QComboBox>("moves_pins")->isEnabled()) << "the pins went with their pistons";
     EXPECT_TRUE(find<QComboBox>("moves_rods")->isEnabled());
-    const auto effects = matching_text::effects(Words(), model->matchingShown().value()).rows;
+    const auto effects = model->effectResults().rows;
     EXPECT_EQ(effects.at(0).at(1), Words().number(wanted.before.spread, units::gram, 2));
     EXPECT_EQ(effects.at(0).at(2), Words().number(wanted.after.spread, units::gram, 2));
     QTest::mouseClick(back, Qt::LeftButton);
@@ -559,7 +559,7 @@ TEST_F(CardJobTest, MovedPartsOutliveAnotherNumberOfCylinders) {
     const double mean = *model->solution().bob_weight;
     for (const char* cylinders : {"4", "6", "12", "8"}) {
         type("cylinders", QLatin1String(cylinders));
-        EXPECT_EQ(model->matchingShown().has_value(), std::atoi(cylinders) <= 8) << cylinders;
+        EXPECT_EQ(model->placing() != nullptr, std::atoi(cylinders) <= 8) << cylinders;
         // The numbers of the sets are those of eight.
         const bool isWhole = std::atoi(cylinders) == 8;
         EXPECT_NE(find<QPushButton>("move_back")->isHidden(), isWhole) << cylinders;

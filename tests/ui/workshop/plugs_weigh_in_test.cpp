@@ -70,8 +70,7 @@ TEST_F(PlugsPageTest, WeighInSheetByKeyboard) {
     const ResultRows excess = model->crankpinResults().rows;
     const auto spreads = [&] {
         const ResultRows rows = model->crankpinResults().rows;
-        const ResultRow effects =
-            matching_text::effects(Words(), model->matchingShown().value()).rows.at(0);
+        const ResultRow effects = model->effectResults().rows.at(0);
         EXPECT_EQ(effects.at(1).number()->value, rows.at(0).last().number()->value);
         EXPECT_EQ(effects.at(2).number()->value, rows.at(1).last().number()->value);
         return rows;

@@ -617,11 +617,6 @@ QString WorkshopModel::weighInText(const Words& words) const {
         .arg(words.unit(units::gram), pins.join(QStringLiteral("; ")));
 }
 
-QString WorkshopModel::weighAgain(const Words& words) const {
-    const auto sheet = fitted(input()).weigh_in;
-    return sheet ? matching_text::weighAgain(words, *sheet) : QString();
-}
-
 QString WorkshopModel::placedText(const Words& words) const {
     const bob_weights::Result& result = solution();
     if (!result.placing || result.placing->moved == 0 || result.placed_crankpins.empty() ||
@@ -634,44 +629,6 @@ QString WorkshopModel::placedText(const Words& words) const {
     }
     return words.translate("BobWeights", "After moving the sets as suggested: %1.")
         .arg(pins.join(QStringLiteral("; ")));
-}
-
-std::optional<matching_text::Shown> WorkshopModel::matchingShown() const {
-    const bob_weights::Input job = fitted(input());
-    const auto& placing = solution().placing;
-    if (!job.weigh_in || !placing || !weighAgain().isEmpty()) {
-        return std::nullopt;
-    }
-    const WeighIn& sheet = *job.weigh_in;
-    matching_text::Shown shown{*placing,           crank_of(job),     sheet.matching.crank_radius,
-                               service_speed(job), sheet.piston_sets, sheet.rod_sets};
-    shown.is_origin_unknown = input().weigh_in->is_moved() && !sheet.is_moved();
-    if (const v8_plugs::Input* plugs = plugsInput()) {
-        shown.crank_radius = plugs->engine.crank_radius;
-    }
-    return shown;
-}
-
-QString WorkshopModel::assignmentText(const Words& words) const {
-    const QString again = weighAgain(words);
-    return again.isEmpty() ? ofMatching(matching_text::summary, words) : again;
-}
-
-QStringList WorkshopModel::assignmentRemarks() const {
-    return ofMatching(matching_text::remarks);
-}
-
-Results WorkshopModel::assignmentResults(const Words& words) const {
-    return ofMatching(matching_text::assignment, words);
-}
-
-Results WorkshopModel::effectResults(const Words& words) const {
-    return ofMatching(matching_text::effects, words);
-}
-
-Results WorkshopModel::takeOffResults(const Words& words) const {
-    const auto sheet = fitted(input()).weigh_in;
-    return sheet ? matching_text::takeOff(words, *sheet) : Results();
 }
 
 bool WorkshopModel::canMoveBack() const {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "model/case_model.h"
-#include "shop/model/matching_text.h"
+#include "shop/model/words.h"
 #include "text/result_row.h"
 #include "workshop/input.h"
 #include "workshop/model/job_desk.h"
@@ -229,15 +229,22 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     QString weighInText(const Words& words = {}) const;
     /// The same after the sets are moved; empty where none is to be.
     QString placedText(const Words& words) const;
-    /// Which of the weights are doubted: by them no part is moved.
+    /// Parts to weigh again before the weights are used: those unlike the others of their column,
+    /// and rods whose ends are swapped. "Weigh again first: piston of cylinder 3; rod of cylinder
+    /// 5."; empty where the weights are plausible. By others no part is moved.
     QString weighAgain(const Words& words = {}) const;
-    /// Which sets to move; nothing where no column counts, or weights are doubted.
-    std::optional<matching_text::Shown> matchingShown() const;
+    /// Which sets to move; null where no column counts, or weights are doubted.
+    const shop::Matched* placing() const;
     QString assignmentText(const Words& words = {}) const;
+    /// Why it misses the goal, unproven parts, and the assumptions.
     QStringList assignmentRemarks() const;
+    /// From which cylinder each set comes; a dot where it was weighed there.
     Results assignmentResults(const Words& words = {}) const;
     /// What the placing makes of spread, force and couple.
     Results effectResults(const Words& words = {}) const;
+    /// Metal to remove from each part to reach the lightest of its column, for columns that differ;
+    /// by the numbers of the parts, wherever they are moved. Columns with doubtful weights are left
+    /// out: no part is ground by a slip of the keys.
     Results takeOffResults(const Words& words = {}) const;
 
     /// A row for each quantity, a column for each plane.
@@ -319,12 +326,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     static QString engineTrouble(const Input& next);
     static QString provisional(const Words& words, const QString& answer);
     static QString readingsMissing() { return tr("Enter the readings of both planes."); }
-    template <typename Said>
-    Said ofMatching(Said (*say)(const Words&, const matching_text::Shown&),
-                    const Words& words = {}) const {
-        const auto shown = matchingShown();
-        return shown ? say(words, *shown) : Said();
-    }
+    /// Parts were moved on a sheet of another number of cylinders, whose set numbers say nothing.
+    bool isOriginUnknown() const;
     QString drilledName(const Words& words, std::size_t run) const;
     /// The values that the answer lacks: "oil in a crankpin mₘ", "oil coefficient kₘ".
     QStringList missingForPlugs(const Words& words, bool withBobWeight) const;
