@@ -13291,17 +13291,6 @@ but no position is feasible</source>
     </message>
 </context>
 <context>
-    <name>ravnoves::JournalBanner</name>
-    <message>
-        <source>Understood</source>
-        <translation>Понятно</translation>
-    </message>
-    <message>
-        <source>Restore the backup</source>
-        <translation>Восстановить из копии</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::JournalDialog</name>
     <message>
         <source>Journal of jobs</source>
@@ -18110,6 +18099,14 @@ but no position is feasible</source>
     <message>
         <source>Another engine: planes, heavy metal, nominal masses and service speed of the previous crankshaft are cleared. Undo restores them.</source>
         <translation>Другой двигатель: плоскости, тяжёлый металл, номинальные массы и рабочая частота вращения прежнего вала очищены. Отмена вернёт их.</translation>
+    </message>
+    <message>
+        <source>Restore the backup</source>
+        <translation>Восстановить из копии</translation>
+    </message>
+    <message>
+        <source>Understood</source>
+        <translation>Понятно</translation>
     </message>
 </context>
 <context>

@@ -33,8 +33,8 @@
 #include "widgets/layouts.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
+#include "widgets/panel.h"
 #include "widgets/verdict_line.h"
-#include "workshop/journal_banner.h"
 #include "workshop/journal_dialog.h"
 #include "workshop/model/workshop_model.h"
 #include "workshop/sheets.h"
@@ -61,8 +61,7 @@ WorkshopPage::WorkshopPage(QWidget* parent, SceneModel* kept)
 WorkshopPage::WorkshopPage(const QString& journalPath, QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(adopt<WorkshopModel>(kept, journalPath)) {
     QVBoxLayout* column = columnIn(this, 0);
-    banner_ = new JournalBanner(desk(), this);
-    column->addWidget(banner_);
+    column->addWidget(buildBanner());
     verdict_ = new VerdictLine(this);
     connect(verdict_, &VerdictLine::acted, this, &WorkshopPage::doVerdictAct);
     connect(model_, &SceneModel::changed, this, &WorkshopPage::showVerdict);
@@ -121,16 +120,49 @@ WorkshopPage::WorkshopPage(const QString& journalPath, QWidget* parent, SceneMod
         }
     });
     buildActions();
-    connect(banner_, &JournalBanner::restoreWanted, this, &WorkshopPage::restoreFrom);
     connect(desk(), &JobDesk::jobRemoved, this, [this] {
         Q_EMIT status({});  // that it is in the journal was said before
         QString said = tr("The job on the sheet was removed from the journal.");
         if (model()->hasChanges()) {
             said += QLatin1Char(' ') + tr("The job is not saved now.");
         }
-        banner_->say(said);
+        say(said);
     });
-    connect(model(), &SceneModel::restarted, this, [this] { banner_->say({}); });
+    connect(model(), &SceneModel::restarted, this, [this] { say({}); });
+}
+
+/// News of the journal or the card, until they are understood.
+QWidget* WorkshopPage::buildBanner() {
+    banner_ = new Panel(this);
+    QHBoxLayout* row = rowIn(banner_, -1, barMargins);
+    news_ = copyableLabel("banner", Theme::baseSize, banner_, true);
+    row->addWidget(news_, 1);
+    offer_ = largeButton("backup_restore", tr("Restore the backup"), banner_);
+    row->addWidget(offer_);
+    QPushButton* close = largeButton("banner_close", tr("Understood"), banner_);
+    row->addWidget(close);
+    banner_->hide();
+    connect(offer_, &QPushButton::clicked, this, [this] { restoreFrom(desk()->offeredBackup()); });
+    connect(close, &QPushButton::clicked, this, [this] {
+        said_.clear();
+        banner_->hide();
+    });
+    connect(desk(), &JobDesk::journalTroubleChanged, this, &WorkshopPage::showNews);
+    return banner_;
+}
+
+void WorkshopPage::say(const QString& text) {
+    if (text != said_) {
+        said_ = text;
+        showNews();
+    }
+}
+
+void WorkshopPage::showNews() {
+    const QString news = said_.isEmpty() ? desk()->journalTrouble() : said_;
+    news_->setText(news);
+    offer_->setVisible(said_.isEmpty() && !news.isEmpty() && !desk()->offeredBackup().isEmpty());
+    banner_->setVisible(!news.isEmpty());
 }
 
 SceneModel* WorkshopPage::model() {
@@ -466,7 +498,7 @@ void WorkshopPage::restoreFrom(const QString& file) {
 WorkshopCard WorkshopPage::card() {
     WorkshopCard made(*model_, desk()->cardWords());
     const Shop shop = Shop::kept();
-    banner_->say(shop.trouble());
+    say(shop.trouble());
     made.setShop(shop);
     made.setRejected(rejectedEntries(this), rejectedInputs(this));
     return made;
@@ -485,7 +517,7 @@ bool WorkshopPage::store(bool isFinished) {
     const QString text = desk()->saveJob(&saved, isFinished && rejectedEntries(this).isEmpty());
     Q_EMIT status(saved ? text : QString());
     if (saved) {
-        banner_->say({});
+        say({});
     } else {
         QMessageBox::warning(this, tr("Journal"), text);
     }

@@ -4,14 +4,15 @@
 
 #include "page/scene_page.h"
 
+class QLabel;
 class QPrinter;
+class QPushButton;
 class QTabWidget;
 
 namespace ravnoves {
 
 class CorrectionSheet;
 class JobDesk;
-class JournalBanner;
 class MachineSheet;
 class WorkshopSheet;
 class VerdictLine;
@@ -65,6 +66,10 @@ class WorkshopPage : public ScenePage {
     void markTab(int tab);
     void buildActions();
     void buildCardLanguages();
+    QWidget* buildBanner();
+    /// Above the sheets, until it is understood, or with an empty text.
+    void say(const QString& text);
+    void showNews();
     void goToBeginning();
     /// Where one continues with a sheet: the next reading of the machine; elsewhere the first
     /// field, or the first that is empty. Not a list, which would take letters for a choice.
@@ -108,7 +113,10 @@ class WorkshopPage : public ScenePage {
     WorkshopAnswer* answer_ = nullptr;
     MachineSheet* machine_ = nullptr;
     CorrectionSheet* correction_ = nullptr;
-    JournalBanner* banner_ = nullptr;
+    QWidget* banner_ = nullptr;
+    QLabel* news_ = nullptr;
+    QPushButton* offer_ = nullptr;  ///< to restore the backup of a damaged journal
+    QString said_;                  ///< instead of the journal's news
     QTabWidget* sheets_ = nullptr;
     QList<WorkshopSheet*> forms_;  // in the order of the tabs
     QSet<int> unseen_;             ///< sheets that were not in front since the job came
