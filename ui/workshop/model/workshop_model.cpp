@@ -1,13 +1,17 @@
 #include "workshop/model/workshop_model.h"
 
 #include <QDate>
+#include <QSettings>
 #include <algorithm>
 #include <utility>
 
 #include "bob-weights/fields.h"
 #include "bob-weights/solver.h"
 #include "case-file/case_file.h"
+#include "case-file/field_reader.h"
+#include "case-file/field_writer.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "case-file/result_json.h"
 #include "model/case_model_json.h"
 #include "shop/model/verdict.h"
@@ -16,7 +20,6 @@
 #include "v8-plugs/fields.h"
 #include "workshop/input.h"
 #include "workshop/model/plug_engines.h"
-#include "workshop/model/shop_machine.h"
 #include "workshop/results.h"
 #include "workshop/solver.h"
 
@@ -26,6 +29,20 @@ using namespace bob_weights;
 using Job = workshop::Input;
 
 namespace {
+
+const QString machineKey = QStringLiteral("workshop/machine");
+
+/// The balancing machine that new jobs begin with.
+workshop::Machine shopsMachine() {
+    const QString text = QSettings().value(machineKey).toString();
+    try {
+        return text.isEmpty() ? workshop::Machine()
+                              : read_fields<workshop::Machine>(parse_json(text.toStdString()),
+                                                               Completeness::as_is);
+    } catch (const InputError&) {
+        return {};  // damaged settings are none
+    }
+}
 
 /// The sheet for other parts of the same engine: its rules, nominal masses and permitted spreads;
 /// nothing where it has none of its own.
@@ -181,7 +198,7 @@ void WorkshopScene::startJob(Job& input) const {
         return;
     }
     if (input.machine == workshop::Machine{}) {
-        input.machine = shop_machine::kept();
+        input.machine = shopsMachine();
     }
     if (input.plugs) {
         startPlugs(*input.plugs);
@@ -572,13 +589,14 @@ void WorkshopModel::confirmReadings() {
 
 void WorkshopModel::keepMachine() {
     if (scene().dated) {
-        shop_machine::keep(input().machine);
+        QSettings().setValue(machineKey,
+                             QString::fromStdString(write_fields(input().machine).dump()));
         Q_EMIT changed();
     }
 }
 
 bool WorkshopModel::isShopsMachine() const {
-    return !scene().dated || input().machine == shop_machine::kept();
+    return !scene().dated || input().machine == shopsMachine();
 }
 
 // ------------------------------------------------------------------------------------ the job
