@@ -11007,8 +11007,8 @@ but no position is feasible</source>
         <translation>Угол, °</translation>
     </message>
     <message>
-        <source>&amp;Add an existing hole…</source>
-        <translation>&amp;Добавить имеющееся отверстие…</translation>
+        <source>&amp;Add it as an existing hole</source>
+        <translation>&amp;Добавить как имеющееся</translation>
     </message>
     <message>
         <source>Existing hole</source>

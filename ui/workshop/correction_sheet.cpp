@@ -1,6 +1,4 @@
 #include <QComboBox>
-#include <QDialog>
-#include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -17,7 +15,6 @@
 #include "text/typed_number.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
-#include "widgets/layouts.h"
 #include "workshop/sheets.h"
 
 namespace ravnoves {
@@ -114,10 +111,12 @@ void CorrectionSheet::buildWhatIf() {
     enlarge(plane);
     current()->addWidget(shownText(field::drilled_plane.label), ordered(plane), {},
                          fieldHint(field::drilled_plane));
-    connect(plane, &QComboBox::activated, this, [this](int chosen) {
-        whatIf_.plane = chosen;
-        showWhatIf();
-    });
+    bind(
+        plane, [this] { return whatIf_.plane; },
+        [this](int chosen) {
+            whatIf_.plane = chosen;
+            showWhatIf();
+        });
     followPlanes(plane);
     const auto add = [this](const Field& field, std::optional<double> WhatIf::*member,
                             const char* name) {
@@ -137,6 +136,9 @@ void CorrectionSheet::buildWhatIf() {
     add(field::drilled_angle, &WhatIf::angle, "what_if_angle");
     whatIfLine_ = copyableLabel("what_if", Theme::titleSize, current());
     current()->addWide(whatIfLine_);
+    addHole_ = button("add_hole", tr("&Add it as an existing hole"),
+                      tr("New holes keep clear of this hole; it may be deepened."),
+                      [this] { addEarlierHole(); });
     follow([this] { showWhatIf(); });
     connect(model_, &SceneModel::restarted, this, [this] {
         whatIf_ = {};
@@ -156,11 +158,12 @@ void CorrectionSheet::followPlanes(QComboBox* box) {
 }
 
 void CorrectionSheet::showWhatIf() {
-    const bool isRejected = std::ranges::any_of(
-        whatIfFields_, [](const NumberField* each) { return !each->trouble().isEmpty(); });
+    const bool isWhole = std::ranges::all_of(whatIfFields_, [](const NumberField* each) {
+        return each->trouble().isEmpty() && each->value();
+    });
+    addHole_->setEnabled(isWhole);
     const auto left =
-        !isRejected && whatIf_.diameter && whatIf_.depth && whatIf_.angle &&
-                !model_->withheld().holes
+        isWhole && !model_->withheld().holes
             ? what_if(model_->input(), model_->solution(), static_cast<PlaneName>(whatIf_.plane),
                       *whatIf_.diameter, *whatIf_.depth, *whatIf_.angle)
             : std::nullopt;
@@ -203,9 +206,6 @@ void CorrectionSheet::buildDrilled() {
                    : QString();
     });
     none->setTextInteractionFlags(Qt::NoTextInteraction);
-    button("add_hole", tr("&Add an existing hole…"),
-           tr("New holes keep clear of this hole; it may be deepened."),
-           [this] { addEarlierHole(); });
     connect(model_, &SceneModel::changed, this, &CorrectionSheet::growRows);
     growRows();
 }
@@ -335,47 +335,14 @@ QWidget* CorrectionSheet::lastDrilled() const {
 }
 
 void CorrectionSheet::addEarlierHole() {
-    QDialog dialog(this);
-    dialog.setObjectName(QStringLiteral("earlier_hole"));
-    dialog.setWindowTitle(tr("Existing hole"));
-    dialog.setMinimumWidth(Theme::withText(360));  // its title is seen whole
-    auto* column = new QVBoxLayout(&dialog);
-    auto* form = new FormSection({}, &dialog);
-    column->addWidget(form);
-    auto* plane = new QComboBox(form);
-    plane->addItems({model_->planeName(0), model_->planeName(1)});
-    plane->setObjectName(QStringLiteral("hole_plane"));
-    form->addWidget(shownText(field::drilled_plane.label), plane);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
-    QList<NumberField*> fields;
-    const auto showWhole = [buttons, &fields] {
-        const bool isWhole = std::all_of(fields.begin(), fields.end(), [](const NumberField* each) {
-            return each->trouble().isEmpty() && each->value();
-        });
-        buttons->button(QDialogButtonBox::Ok)->setEnabled(isWhole);
-    };
-    for (const Field* field :
-         {&field::drilled_diameter, &field::drilled_depth, &field::drilled_angle}) {
-        NumberField* made = form->addNumber(*field);
-        made->setObjectName(QStringLiteral("hole_") +
-                            QString::fromStdString(std::string(field->key)));
-        made->setOptional(true);
-        fields << made;
-        connect(made, &QLineEdit::textChanged, &dialog, showWhole);
-    }
-    column->addWidget(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-    showWhole();
-    if (dialog.exec() != QDialog::Accepted) {
-        return;
-    }
     DrilledHole hole;
-    hole.plane = static_cast<PlaneName>(plane->currentIndex());
-    hole.diameter = *fields[0]->value() * field::drilled_diameter.unit;
-    hole.depth = *fields[1]->value() * field::drilled_depth.unit;
-    hole.angle = *fields[2]->value() * field::drilled_angle.unit;
+    hole.plane = static_cast<PlaneName>(whatIf_.plane);
+    hole.diameter = whatIf_.diameter.value();
+    hole.depth = whatIf_.depth.value();
+    hole.angle = whatIf_.angle.value();
     hole.state = HoleState::measured;
+    whatIf_ = {whatIf_.plane, {}, {}, {}};
+    whatIfFields_.first()->setFocus(Qt::OtherFocusReason);  // the button goes grey
     model_->editCorrection(tr("Existing hole"), [&](Correction& correction) {
         if (first_run(correction) == 0) {
             EarlierRun before;

@@ -143,7 +143,7 @@ class CorrectionSheet : public WorkshopSheet {
     void growRows();
     void addEarlierHole();
 
-    /// Of no case: a hole that is thought of.
+    /// Of no case: a hole that is thought of, or is to be added.
     struct WhatIf {
         int plane = 0;
         std::optional<double> diameter;
@@ -153,6 +153,7 @@ class CorrectionSheet : public WorkshopSheet {
     WhatIf whatIf_;
     QList<NumberField*> whatIfFields_;
     QLabel* whatIfLine_ = nullptr;
+    QPushButton* addHole_ = nullptr;
     QGridLayout* holes_ = nullptr;
     TroubleLine* trouble_ = nullptr;
     QList<QList<QWidget*>> rows_;

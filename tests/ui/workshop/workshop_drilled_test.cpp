@@ -1,8 +1,6 @@
 // What was really drilled: the rows of the sheet Correction change the plan.
 
 #include <QComboBox>
-#include <QDialog>
-#include <QDialogButtonBox>
 #include <QPushButton>
 #include <numbers>
 
@@ -165,19 +163,22 @@ TEST_F(DrilledTest, AHoleThatWasThereBeforeIsAddedAndKeptClearOf) {
     ASSERT_FALSE(holes().empty());
     const double angle = holes().front().angle;
     show(CorrectionTab);
-    whenModal<QDialog>([&](QDialog* dialog) {
-        auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
-        EXPECT_FALSE(ok->isEnabled());
-        const auto set = [&](const char* key, const QString& text) {
-            test::type(test::named<NumberField>(*dialog, key), text);
-        };
-        set("hole_diameter_mm", u"16"_s);
-        set("hole_depth_mm", u"5"_s);
-        set("hole_angle_deg", QString::number(angle / degree, 'f', 1));
-        EXPECT_TRUE(ok->isEnabled());
-        ok->click();
-    });
-    find<QPushButton>("add_hole")->click();
+    auto* add = find<QPushButton>("add_hole");
+    EXPECT_FALSE(add->isEnabled());
+    fill({{"what_if_diameter", "16"}, {"what_if_depth", "5"}});
+    EXPECT_FALSE(add->isEnabled());
+    type("what_if_angle", QString::number(angle / degree, 'f', 1));
+    add->click();
+    EXPECT_FALSE(add->isEnabled()) << "it is not added twice";
+    EXPECT_EQ(field("what_if_depth")->value(), std::nullopt);
+    // The list says the plane of the next one.
+    keys("what_if_plane", {Qt::Key_Down});
+    fill({{"what_if_diameter", "16"}, {"what_if_depth", "5"}, {"what_if_angle", "10"}});
+    add->click();
+    EXPECT_EQ(find<QComboBox>("what_if_plane")->currentIndex(), 1);
+    EXPECT_EQ(model->input().correction->earlier_runs.front().drilled->back().plane,
+              bob_weights::PlaneName::rear);
+    model->history()->undo();
     ASSERT_EQ(model->input().correction->earlier_runs.size(), 1U);
     EXPECT_EQ(model->newestRun(), 0U) << "no run of the machine";
     EXPECT_EQ(model->drilledResults().rows.at(0).at(0).text, u"Older holes"_s);
