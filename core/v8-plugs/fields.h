@@ -24,7 +24,7 @@ namespace field {
 inline constexpr Field engine{
     .key = "engine",
     .label = Text::tr("&Engine"),
-    .hint = Text::tr("Engines of the paper by displacement, then your own."),
+    .hint = Text::tr("Engines of the paper by displacement."),
     .placeholder = Text::tr("other")};
 inline constexpr Field engine_overrides{
     .key = "engine_overrides", .hint = Text::tr("Values that replace or complete the preset.")};

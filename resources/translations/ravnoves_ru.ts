@@ -9794,8 +9794,8 @@
         <translation>такой заглушки быть не может: %1</translation>
     </message>
     <message>
-        <source>Engines of the paper by displacement, then your own.</source>
-        <translation>Двигатели статьи по рабочему объёму, затем свои.</translation>
+        <source>Engines of the paper by displacement.</source>
+        <translation>Двигатели статьи по рабочему объёму.</translation>
     </message>
     <message>
         <source>other</source>
@@ -13206,20 +13206,12 @@ but no position is feasible</source>
         <translation>Черновики не удалось прочесть.</translation>
     </message>
     <message>
-        <source>The engine could not be saved.</source>
-        <translation>Двигатель не удалось сохранить.</translation>
-    </message>
-    <message>
         <source>The engine could not be removed.</source>
         <translation>Двигатель не удалось удалить.</translation>
     </message>
     <message>
         <source>The engines could not be read.</source>
         <translation>Двигатели не удалось прочесть.</translation>
-    </message>
-    <message>
-        <source>The engine could not be renamed.</source>
-        <translation>Двигатель не удалось переименовать.</translation>
     </message>
     <message>
         <source>The backup %1 could not be written.</source>
@@ -13256,10 +13248,6 @@ but no position is feasible</source>
     <message>
         <source>The job was removed from the journal.</source>
         <translation>Эта работа удалена из журнала.</translation>
-    </message>
-    <message>
-        <source>it was removed</source>
-        <translation>запись удалена</translation>
     </message>
     <message>
         <source>%1 belongs to another program or was changed by one; it was not changed.</source>
@@ -14467,46 +14455,6 @@ but no position is feasible</source>
         <translation>Есть заглушки &amp;новой конструкции</translation>
     </message>
     <message>
-        <source>&amp;Keep as own engine…</source>
-        <translation>&amp;Запомнить двигатель…</translation>
-    </message>
-    <message>
-        <source>Rena&amp;me…</source>
-        <translation>&amp;Переименовать…</translation>
-    </message>
-    <message>
-        <source>Remo&amp;ve…</source>
-        <translation>&amp;Удалить…</translation>
-    </message>
-    <message>
-        <source>Name of the engine:</source>
-        <translation>Название двигателя:</translation>
-    </message>
-    <message>
-        <source>Keep as own engine</source>
-        <translation>Запомнить двигатель</translation>
-    </message>
-    <message>
-        <source>Engine %1 kept.</source>
-        <translation>Двигатель %1 запомнен.</translation>
-    </message>
-    <message>
-        <source>Rename own engine</source>
-        <translation>Переименование двигателя</translation>
-    </message>
-    <message>
-        <source>Remove engine</source>
-        <translation>Удаление двигателя</translation>
-    </message>
-    <message>
-        <source>Remove “%1” from your own engines?</source>
-        <translation>Удалить «%1» из своих двигателей?</translation>
-    </message>
-    <message>
-        <source>Engine %1 removed.</source>
-        <translation>Двигатель %1 удалён.</translation>
-    </message>
-    <message>
         <source>Crankshaft and present plugs</source>
         <translation>Вал и существующие заглушки</translation>
     </message>
@@ -14527,16 +14475,16 @@ but no position is feasible</source>
         <translation>«%1» — не метрическая резьба с шагом; пример: %2.</translation>
     </message>
     <message>
-        <source>An engine “%1” exists. Replace its values?</source>
-        <translation>Двигатель «%1» уже есть. Заменить его данные?</translation>
-    </message>
-    <message>
-        <source>Engine renamed: %1.</source>
-        <translation>Двигатель переименован: %1.</translation>
-    </message>
-    <message>
         <source>All plugs are treated as equal: enter the mean mass. Match plugs that differ by more than 0.5 g.</source>
         <translation>Все заглушки считаются одинаковыми: введите среднюю массу. Заглушки с разницей более 0,5 г подгоните.</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the engine</source>
+        <translation>&amp;Название двигателя</translation>
+    </message>
+    <message>
+        <source>The journal finds the jobs of an engine by its name: “Copy as new job” takes engine and plugs from them.</source>
+        <translation>По названию журнал находит работы двигателя: «Копировать как новую» берёт из них двигатель и заглушки.</translation>
     </message>
 </context>
 <context>
@@ -17622,26 +17570,6 @@ but no position is feasible</source>
         <translation>Двигатель</translation>
     </message>
     <message>
-        <source>The values kept for the engine “%1” cannot be read: %2</source>
-        <translation>Сохранённые данные двигателя «%1» не читаются: %2</translation>
-    </message>
-    <message>
-        <source>“%1” is the name of a preset; choose another.</source>
-        <translation>«%1» — название встроенного двигателя; выберите другое.</translation>
-    </message>
-    <message>
-        <source>Save engine</source>
-        <translation>Запомнить двигатель</translation>
-    </message>
-    <message>
-        <source>“%1” is the name of another engine of your own; choose another.</source>
-        <translation>Имя «%1» уже носит другой ваш двигатель; выберите иное.</translation>
-    </message>
-    <message>
-        <source>Rename engine</source>
-        <translation>Переименование двигателя</translation>
-    </message>
-    <message>
         <source>Excess Δmᵤ: %1, %2</source>
         <translation>Неуравновешенная масса Δmᵤ: %1, %2</translation>
     </message>
@@ -17778,14 +17706,6 @@ but no position is feasible</source>
         <translation>Не использовать: балансировочный груз %1.</translation>
     </message>
     <message>
-        <source>Enter a name for the engine.</source>
-        <translation>Введите название двигателя.</translation>
-    </message>
-    <message>
-        <source>The values differ from the saved engine; press “Keep as own engine” to save them.</source>
-        <translation>Данные отличаются от сохранённого двигателя; «Запомнить двигатель» сохранит их.</translation>
-    </message>
-    <message>
         <source>The paper gives only the crank radius of this engine; measure the other values.</source>
         <translation>Для этого двигателя статья даёт только радиус кривошипа; остальное измерьте.</translation>
     </message>
@@ -17852,6 +17772,10 @@ but no position is feasible</source>
     <message>
         <source>Readings of the run, transferred to this plane</source>
         <translation>Показания пуска, перенесённые в эту плоскость</translation>
+    </message>
+    <message>
+        <source>Name of the engine</source>
+        <translation>Название двигателя</translation>
     </message>
 </context>
 <context>

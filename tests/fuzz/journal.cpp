@@ -33,8 +33,6 @@ QByteArray journalOfThree(const QString& path) {
             JournalJob added = job(number);
             require(journal.save(added) == Journal::Saved::Yes, "a job is saved");
         }
-        require(journal.saveEngine({QStringLiteral("ZMZ"), QByteArrayLiteral("{}")}),
-                "an engine is saved");
     }
     QFile file(path);
     require(file.open(QIODevice::ReadOnly), "the journal is a file");

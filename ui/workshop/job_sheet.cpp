@@ -1,6 +1,5 @@
 #include <QCheckBox>
 #include <QLabel>
-#include <QSignalBlocker>
 
 #include "shop/job_header.h"
 #include "text/message_text.h"
@@ -79,37 +78,25 @@ void JobSheet::buildPlugs() {
     there->setMinimumHeight(Theme::withText(fieldHeight - 6));
     follow([this, there] { there->setEnabled(model_->hasPlugs() || model_->mayHavePlugs()); });
     plugsSection(true, {});
-    engine_ = ordered(new QComboBox(current()));
-    engine_->setObjectName(QStringLiteral("engine"));
-    engine_->setPlaceholderText(shownText(v8_plugs::field::engine.placeholder));
-    enlarge(engine_);
-    current()->addWidget(shownText(v8_plugs::field::engine.label), engine_, {},
+    QComboBox* engine = ordered(new QComboBox(current()));
+    engine->setObjectName(QStringLiteral("engine"));
+    engine->addItems(model_->engineNames());
+    enlarge(engine);
+    current()->addWidget(shownText(v8_plugs::field::engine.label), engine, {},
                          fieldHint(v8_plugs::field::engine));
-    connect(engine_, &QComboBox::activated, this, [this](int place) {
-        model_->chooseEngine(place);
-        showEngines();
+    bind(
+        engine, [this] { return model_->engineIndex(); },
+        [this](int place) { model_->chooseEngine(place); });
+    follow([this, engine] {
+        const QString name = model_->ownEngineName();
+        engine->setPlaceholderText(name.isEmpty() ? shownText(v8_plugs::field::engine.placeholder)
+                                                  : name);
     });
-    connect(model_, &WorkshopModel::enginesChanged, this, &JobSheet::showEngines);
-    follow([this] { showEngines(); });
     choice("/plugs/process");
     QComboBox* crankshaft = choice("/plugs/crankshaft");
     follow([this, crankshaft] {
         crankshaft->setEnabled(model_->hasPlugs() && model_->input().plugs->engine.has_new_plug);
     });
-}
-
-void JobSheet::showEngines() {
-    const QSignalBlocker block(engine_);
-    const QStringList names = model_->engineNames();
-    QStringList shown;
-    for (int i = 0; i < engine_->count(); ++i) {
-        shown << engine_->itemText(i);
-    }
-    if (shown != names) {
-        engine_->clear();
-        engine_->addItems(names);
-    }
-    engine_->setCurrentIndex(model_->engineIndex());
 }
 
 }  // namespace ravnoves

@@ -1,12 +1,10 @@
 #include <QCheckBox>
 #include <QLabel>
-#include <QMessageBox>
-#include <QPushButton>
 
 #include "case-file/input_error.h"
+#include "shop/checked_field.h"
 #include "theme/theme.h"
 #include "v8-plugs/fields.h"
-#include "widgets/layouts.h"
 #include "widgets/text_length.h"
 #include "workshop/plugs/model/v8_text.h"
 #include "workshop/sheets.h"
@@ -44,6 +42,7 @@ PlugsSheet::PlugsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
                    : tr("Only a V-8 at 90° with two rods on a crankpin has sludge-trap plugs.");
     });
     plugsSection(true, tr("Crankshaft and present plugs"));
+    addName();
     engineValues(v8_plugs::EngineGroup::basic);
     line(Theme::smallSize, [this] {
         return model_->hasPlugs() ? tr("All plugs are treated as equal: enter the mean mass. Match "
@@ -67,7 +66,6 @@ PlugsSheet::PlugsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
              tr("Options include plugs of the new design, for a crankshaft made for them."),
              v8_plugs::EngineGroup::new_plug, &v8_plugs::Engine::has_new_plug);
     plugsSection(true, {});
-    addOwnEngineButtons();
     // Below the fields: they must not move while one types.
     QLabel* note = captionLabel({}, this);
     note->setObjectName(QStringLiteral("engine_note"));
@@ -77,6 +75,26 @@ PlugsSheet::PlugsSheet(WorkshopModel* model, QWidget* parent) : WorkshopSheet(mo
         note->setVisible(!note->text().isEmpty());
     });
     finish();
+}
+
+/// An engine that has a name is found by it in the journal.
+void PlugsSheet::addName() {
+    auto* name =
+        ordered(new CheckedField([](const QString& /*typed*/) { return QString(); }, current()));
+    name->setObjectName(QStringLiteral("engine_name"));
+    name->setIsOfResult(false);
+    name->setModel(model_);
+    limitLength(name, 80);
+    enlarge(name);
+    current()->addWidget(tr("&Name of the engine"), name, {},
+                         tr("The journal finds the jobs of an engine by its name: “Copy as new "
+                            "job” takes engine and "
+                            "plugs from them."));
+    connect(name, &CheckedField::valueEdited, model_, &WorkshopModel::nameEngine);
+    follow([this, name] {
+        name->setValue(model_->ownEngineName());
+        name->setPlaceholderText(model_->engineNames().value(model_->engineIndex()));
+    });
 }
 
 void PlugsSheet::addThread() {
@@ -112,72 +130,6 @@ void PlugsSheet::addPlugs(const QString& label, const QString& name, const QStri
     there->setFont(Theme::font(Theme::baseSize, true));
     there->setMinimumHeight(Theme::withText(fieldHeight - 6));
     engineValues(group);
-}
-
-void PlugsSheet::addOwnEngineButtons() {
-    auto* buttons = new QWidget(this);
-    QHBoxLayout* row = rowIn(buttons, -1);
-    const auto button = [&](const char* name, const QString& label, void (PlugsSheet::*act)()) {
-        QPushButton* made = largeButton(name, label, this);
-        row->addWidget(made);
-        connect(made, &QPushButton::clicked, this, act);
-        return made;
-    };
-    button("save_engine", tr("&Keep as own engine…"), &PlugsSheet::saveEngine);
-    QPushButton* rename = button("rename_engine", tr("Rena&me…"), &PlugsSheet::renameEngine);
-    QPushButton* remove = button("remove_engine", tr("Remo&ve…"), &PlugsSheet::removeEngine);
-    const auto show = [this, rename, remove] {
-        const bool own = model_->ownEngine(model_->engineIndex()) != nullptr;
-        rename->setEnabled(own);
-        remove->setEnabled(own);
-    };
-    follow(show);
-    connect(model_, &WorkshopModel::enginesChanged, this, show);
-    row->addStretch();
-    current()->addWide(buttons);
-}
-
-QString PlugsSheet::presentName() const {
-    return model_->hasPlugs() && model_->input().plugs->preset.empty()
-               ? QString::fromStdString(model_->input().plugs->engine.name)
-               : QString();
-}
-
-void PlugsSheet::report(const QString& title, const QString& trouble, const QString& done) {
-    if (trouble.isEmpty()) {
-        Q_EMIT status(done);
-    } else {
-        QMessageBox::warning(this, title, trouble);
-    }
-}
-
-void PlugsSheet::saveEngine() {
-    const QString title = tr("Keep as own engine");
-    const auto name = askName(this, title, tr("Name of the engine:"), presentName());
-    if (!name || (model_->hasOwnEngine(*name) &&
-                  QMessageBox::question(
-                      this, title, tr("An engine “%1” exists. Replace its values?").arg(*name),
-                      QMessageBox::Yes | QMessageBox::No, QMessageBox::No) != QMessageBox::Yes)) {
-        return;
-    }
-    report(title, model_->saveEngineAs(*name), tr("Engine %1 kept.").arg(*name));
-}
-
-void PlugsSheet::renameEngine() {
-    const QString title = tr("Rename own engine");
-    if (const auto name = askName(this, title, tr("Name of the engine:"), presentName())) {
-        report(title, model_->renameEngine(presentName(), *name),
-               tr("Engine renamed: %1.").arg(*name));
-    }
-}
-
-void PlugsSheet::removeEngine() {
-    const QString title = tr("Remove engine");
-    const QString name = presentName();
-    if (QMessageBox::question(this, title, tr("Remove “%1” from your own engines?").arg(name)) ==
-        QMessageBox::Yes) {
-        report(title, model_->removeEngine(name), tr("Engine %1 removed.").arg(name));
-    }
 }
 
 }  // namespace ravnoves

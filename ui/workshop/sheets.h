@@ -20,9 +20,6 @@ class JobSheet : public WorkshopSheet {
     void addJob();
     void buildEngine();
     void buildPlugs();
-    void showEngines();
-
-    QComboBox* engine_ = nullptr;  ///< whose plugs
 };
 
 /// Sheet 2: the parts of one cylinder, or what plugs ask of them.
@@ -79,20 +76,11 @@ class PlugsSheet : public WorkshopSheet {
   public:
     explicit PlugsSheet(WorkshopModel* model, QWidget* parent = nullptr);
 
-  Q_SIGNALS:
-    void status(const QString& text);
-
   private:
+    void addName();
     void addPlugs(const QString& label, const QString& name, const QString& hint,
                   v8_plugs::EngineGroup group, bool v8_plugs::Engine::*member);
     void addThread();
-    void addOwnEngineButtons();
-    /// Name of the present engine where it is one of the user's own.
-    QString presentName() const;
-    void report(const QString& title, const QString& trouble, const QString& done);
-    void saveEngine();
-    void renameEngine();
-    void removeEngine();
 };
 
 /// Sheet 5: the machine's set-up, its readings in their planes, and the limits.

@@ -71,14 +71,12 @@ WorkshopPage::WorkshopPage(const QString& journalPath, QWidget* parent, SceneMod
     sheets_->setDocumentMode(true);
     sheets_->setFixedWidth(Theme::withText(sheetWidth));
     answer_ = new WorkshopAnswer(model_, this);
-    auto* plugs = new PlugsSheet(model_);
-    connect(plugs, &PlugsSheet::status, this, &ScenePage::status);
     machine_ = new MachineSheet(model_);
     correction_ = new CorrectionSheet(model_);
     addSheet(new JobSheet(model_), tr("&1 Job"));
     addSheet(new PartsSheet(model_), tr("&2 Parts"));
     addSheet(new WeighInSheet(model_), tr("&3 Weigh-in"));
-    addSheet(plugs, tr("&4 Plugs"));
+    addSheet(new PlugsSheet(model_), tr("&4 Plugs"));
     addSheet(machine_, tr("&5 Machine"));
     addSheet(correction_, tr("&6 Correction"));
     column->addWidget(new PageColumns({.inputs = sheets_,
@@ -171,13 +169,6 @@ SceneModel* WorkshopPage::model() {
 
 JobDesk* WorkshopPage::desk() const {
     return model_->desk();
-}
-
-void WorkshopPage::setActive(bool active) {
-    if (active) {
-        model_->reloadEngines();
-    }
-    ScenePage::setActive(active);
 }
 
 void WorkshopPage::showVerdict() {

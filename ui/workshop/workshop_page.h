@@ -49,8 +49,6 @@ class WorkshopPage : public ScenePage {
     // For tests.
     QString writeCard(const QString& file);
 
-    void setActive(bool active) override;
-
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void showEvent(QShowEvent* event) override;

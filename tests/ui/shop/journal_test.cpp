@@ -158,22 +158,6 @@ TEST_F(OpenJournal, ChangesAJobAndNeverOverwritesAnother) {
     EXPECT_EQ(journal.search({}).size(), 2);
 }
 
-TEST_F(OpenJournal, KeepsTheUsersEngines) {
-    ASSERT_TRUE(journal.saveEngine({u"ГАЗ-53"_s, R"({"crank_radius_mm":40})"}));
-    ASSERT_TRUE(journal.saveEngine({u"ГАЗ-53"_s, R"({"crank_radius_mm":40.5})"}));
-    ASSERT_TRUE(journal.saveEngine({u"A"_s, "{}"}));
-    ASSERT_EQ(journal.engines().size(), 2);
-    EXPECT_EQ(journal.engines().at(1).values, QByteArray(R"({"crank_radius_mm":40.5})"));
-    ASSERT_TRUE(journal.removeEngine(u"A"_s));
-    EXPECT_EQ(journal.engines().size(), 1);
-    ASSERT_TRUE(journal.saveEngine({u"B"_s, "{}"}));
-    EXPECT_TRUE(journal.renameEngine(u"B"_s, u"C"_s));
-    EXPECT_FALSE(journal.renameEngine(u"B"_s, u"D"_s));       // gone
-    EXPECT_FALSE(journal.renameEngine(u"C"_s, u"ГАЗ-53"_s));  // taken
-    EXPECT_EQ(journal.engines().size(), 2);
-    EXPECT_EQ(journal.engines().at(1).values, QByteArray(R"({"crank_radius_mm":40.5})"));
-}
-
 TEST_F(OpenJournal, ExportsCsvThatASpreadsheetReads) {
     save(u"1,5\n2"_s);
     const QString file = path(u"out.csv"_s);
@@ -413,7 +397,6 @@ TEST_P(DamagedJournal, IsSetAsideWithAMessageAndNeverOverwritten) {
             job.form = QByteArray(4000, 'f');
             ASSERT_EQ(journal.save(job), Journal::Saved::Yes);
         }
-        ASSERT_TRUE(journal.saveEngine({u"own"_s, "{}"}));
     }
     QByteArray bytes = test::contentOf(path());
     ASSERT_GT(bytes.size(), 500000);

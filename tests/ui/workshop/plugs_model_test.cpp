@@ -2,6 +2,8 @@
 
 #include <QDate>
 #include <QFile>
+#include <QSqlDatabase>
+#include <QSqlQuery>
 #include <QTemporaryDir>
 #include <algorithm>
 
@@ -329,61 +331,38 @@ TEST_F(PlugsModelTest, WhatNoPlugCompensatesIsListedSo) {
     EXPECT_NEAR(*row->bobWeight, *model.solution().bob_weight / gram, 1e-6);
 }
 
-TEST_F(PlugsModelTest, OwnEnginesAreKept) {
+TEST_F(PlugsModelTest, EnginesKeptByAnOlderVersionBecomeJobs) {
+    ASSERT_TRUE(Journal(path()).open());
     {
+        QSqlDatabase other = QSqlDatabase::addDatabase(u"QSQLITE"_s, u"other"_s);
+        other.setDatabaseName(path());
+        ASSERT_TRUE(other.open());
+        QSqlQuery query(other);
+        ASSERT_TRUE(query.exec(
+            u"INSERT INTO engine VALUES ('КамАЗ-740', '{"
+            "\"engine\":{\"name\":\"КамАЗ-740\",\"crank_radius_mm\":60,"
+            "\"steel_plug_mass_g\":22.75,\"new_steel_plug_mass_g\":null},"
+            "\"plug\":{\"thread\":\"M30x1.5\"},"
+            "\"weigh_in\":{\"piston\":{\"nominal_g\":600,\"permitted_spread_g\":3}}}'),"
+            " ('old', '{\"crank_radius_mm\":40}'), ('broken', '{\"crank_radius_mm\":')"_s));
+    }
+    QSqlDatabase::removeDatabase(u"other"_s);
+    for (int times = 0; times < 2; ++times) {
         PlugsModel model(path());
         ASSERT_TRUE(model.desk()->openJournal());
-        model.chooseEngine(3);
-        model.editPlugs(u"mass"_s, [](auto& input) {
-            input.engine.steel_plug_mass = 22.75 * gram;
-            input.engine.has_new_plug = false;
-        });
-        EXPECT_FALSE(model.saveEngineAs(u"6 l"_s).isEmpty());
-        EXPECT_FALSE(model.saveEngineAs(u"  "_s).isEmpty());
-        EXPECT_FALSE(model.saveEngineAs(u"4.25 L"_s).isEmpty());
-        EXPECT_EQ(model.saveEngineAs(u"КамАЗ-740"_s), QString());
-        EXPECT_EQ(model.engineIndex(), 7);
+        ASSERT_EQ(model.desk()->journal()->search({}).size(), 2) << "the damaged one stays";
+        ASSERT_EQ(model.desk()->journal()->engines().size(), 1);
+        const auto found = model.desk()->journal()->search({u"камаз"_s, {}, {}, -1, false});
+        ASSERT_EQ(found.size(), 1);
+        EXPECT_FALSE(found.constFirst().isFinished);
+        ASSERT_EQ(model.desk()->openJob(found.constFirst().id, true), QString());
+        const v8_plugs::Input& plugs = *model.input().plugs;
+        EXPECT_EQ(plugs.engine.name, "КамАЗ-740");
+        EXPECT_DOUBLE_EQ(plugs.engine.steel_plug_mass.value(), 22.75 * gram);
+        EXPECT_FALSE(plugs.engine.has_new_plug);
+        EXPECT_TRUE(plugs.plug->thread);
+        EXPECT_DOUBLE_EQ((*model.input().weigh_in)[shop::Part::piston].nominal.value(), 600 * gram);
     }
-    PlugsModel later(path());
-    ASSERT_TRUE(later.desk()->openJournal());
-    ASSERT_EQ(later.engineNames().size(), 8);
-    later.chooseEngine(7);
-    EXPECT_EQ(later.input().plugs->engine.name, "КамАЗ-740");
-    EXPECT_DOUBLE_EQ(*later.input().plugs->engine.steel_plug_mass, 22.75 * gram);
-    EXPECT_FALSE(later.input().plugs->engine.has_new_plug);
-    EXPECT_FALSE(later.ownEngineChanged());
-    EXPECT_TRUE(later.hasOwnEngine(u" камаз-740 "_s));
-    // Renamed: the sheet follows; a name that is taken is rejected.
-    EXPECT_FALSE(later.renameEngine(u"КамАЗ-740"_s, u"6 l"_s).isEmpty());
-    EXPECT_EQ(later.renameEngine(u"КамАЗ-740"_s, u"КамАЗ-7403"_s), QString());
-    EXPECT_EQ(later.input().plugs->engine.name, "КамАЗ-7403");
-    EXPECT_EQ(later.engineIndex(), 7);
-    EXPECT_EQ(later.saveEngineAs(u"Second"_s), QString());
-    EXPECT_FALSE(later.renameEngine(u"Second"_s, u"камаз-7403"_s).isEmpty());
-    EXPECT_EQ(later.engineNames().size(), 9);
-    // A name in other capitals replaces, it does not stand beside.
-    EXPECT_EQ(later.saveEngineAs(u"SECOND"_s), QString());
-    EXPECT_EQ(later.engineNames().size(), 9);
-    EXPECT_FALSE(later.renameEngine(u"not saved"_s, u"other"_s).isEmpty());
-    // Values that are damaged are said, and the sheet stays.
-    ASSERT_TRUE(later.desk()->journal()->saveEngine({u"Broken"_s, "{\"crank_radius_mm\":"}));
-    PlugsModel last(path());
-    ASSERT_TRUE(last.desk()->openJournal());
-    const workshop::Input before = last.input();
-    last.chooseEngine(static_cast<int>(last.engineNames().indexOf(u"Broken"_s)));
-    EXPECT_EQ(last.input(), before);
-    EXPECT_TRUE(last.desk()->journalTrouble().contains(u"Broken"_s));
-    EXPECT_EQ(last.removeEngine(u"Broken"_s), QString());
-    // What another program kept is there once the page is looked at again.
-    EXPECT_EQ(last.saveEngineAs(u"Elsewhere"_s), QString());
-    EXPECT_FALSE(later.hasOwnEngine(u"Elsewhere"_s));
-    later.reloadEngines();
-    EXPECT_TRUE(later.hasOwnEngine(u"Elsewhere"_s));
-    EXPECT_EQ(later.removeEngine(u"Elsewhere"_s), QString());
-    EXPECT_EQ(later.removeEngine(u"КамАЗ-7403"_s), QString());
-    EXPECT_EQ(later.removeEngine(u"SECOND"_s), QString());
-    EXPECT_EQ(later.engineNames().size(), 7);
-    EXPECT_EQ(later.engineIndex(), -1);
 }
 
 TEST_F(PlugsModelTest, DamagedJournalIsSaidOnThePage) {

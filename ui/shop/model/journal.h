@@ -61,7 +61,7 @@ struct JournalDraft {
     QByteArray form;
 };
 
-/// An engine of the user's own.
+/// An engine of the user's own, as a version that had a store of them kept it.
 struct JournalEngine {
     QString name;
     QByteArray values;  ///< values that the scene keeps, JSON text
@@ -134,11 +134,8 @@ class Journal : public QObject {
     QList<JournalDraft> orphanedDrafts();
     bool discardDraft(const QString& session);
 
-    bool saveEngine(const JournalEngine& engine);
-    /// False where there is no such engine, or another has the name already.
-    bool renameEngine(const QString& from, const QString& to);
-    bool removeEngine(const QString& name);
     QList<JournalEngine> engines();
+    bool removeEngine(const QString& name);
 
     /// Writes all that is in the journal to a file of its own, which restore() reads; a file that
     /// is there already stays whole when anything fails.

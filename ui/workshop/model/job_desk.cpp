@@ -2,6 +2,7 @@
 
 #include <QDate>
 #include <QSettings>
+#include <algorithm>
 #include <exception>
 
 #include "case-file/case_file.h"
@@ -72,7 +73,7 @@ bool JobDesk::openJournal() {
     }
     setJournalTrouble(journal_->openMessage());
     moveDrafts();
-    Q_EMIT journalOpened();
+    moveEngines();
     return true;
 }
 
@@ -85,6 +86,34 @@ void JobDesk::moveDrafts() {
             journal_->discardDraft(draft.session);
         } catch (const InputError&) {
             // It stays where it is: nothing can be made of it here.
+        }
+    }
+}
+
+/// An engine that an older version kept by its name becomes a job to be copied.
+void JobDesk::moveEngines() {
+    for (const JournalEngine& engine : journal_->engines()) {
+        try {
+            Json input = parse_json(engine.values.toStdString());
+            if (!input.contains("engine")) {  // kept before its sheets were
+                input = Json{{"engine", std::move(input)}};
+            }
+            input["engine"]["name"] = engine.name.toStdString();
+            input["process"] = "repair";
+            JournalJob job;
+            job.scene = model_->sceneName();
+            job.engine = engine.name;
+            job.process = QStringLiteral("repair");
+            job.isFinished = false;
+            job.form = QByteArray::fromStdString(
+                write_case(parse_shown_case(write_case({"v8-plugs", {}, input}).dump())).dump());
+            const auto known = journal_->search({engine.name, {}, {}, -1, false});
+            if (std::ranges::find(known, job.form, &JournalJob::form) != known.end() ||
+                journal_->save(job) != Journal::Saved::No) {
+                journal_->removeEngine(engine.name);
+            }
+        } catch (const std::exception&) {
+            // As a draft that is damaged.
         }
     }
 }
@@ -160,7 +189,7 @@ QString JobDesk::restoreJournal(const QString& path, const QString& file,
 
 void JobDesk::takeRestored() {
     setJournalTrouble({});
-    Q_EMIT journalOpened();  // engines may have come with it
+    moveEngines();
 }
 
 QStringList JobDesk::wordsOf(const CaseFile& file) {

@@ -88,7 +88,6 @@ class JobDesk : public QObject {
     Words cardWords() const;
 
   Q_SIGNALS:
-    void journalOpened();
     void journalTroubleChanged(const QString& text);
     /// The job on the sheet was removed from the journal.
     void jobRemoved();
@@ -97,6 +96,7 @@ class JobDesk : public QObject {
     /// A name alone makes no other engine.
     bool isSameEngine(const JournalJob& there, const JournalJob& here) const;
     void moveDrafts();
+    void moveEngines();
     void takeSaved(const JournalJob& job);
     QString savedText(Journal::Saved saved, const JournalJob& job) const;
     QByteArray formText() const;

@@ -4,7 +4,7 @@
 #include "v8-plugs/input.h"
 #include "v8-plugs/result.h"
 
-/// The engines whose plugs the shop knows, presets and its own, and what belongs to them.
+/// What belongs to the plugs of an engine.
 namespace ravnoves::plug_engines {
 
 /// The limit that new jobs begin with, kg·m.

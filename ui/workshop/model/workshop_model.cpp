@@ -238,9 +238,7 @@ WorkshopScene::Solved WorkshopScene::solve(const Job& input) {
 template class CaseModel<WorkshopScene>;
 
 WorkshopModel::WorkshopModel(const QString& journalPath, QObject* parent)
-    : CaseModel({.dated = !journalPath.isEmpty()}, parent), desk_(this, journalPath) {
-    connect(desk(), &JobDesk::journalOpened, this, &WorkshopModel::reloadEngines);
-}
+    : CaseModel({.dated = !journalPath.isEmpty()}, parent), desk_(this, journalPath) {}
 
 bool WorkshopModel::setViewOption(const QString& key, const QString& value) {
     if (key != QLatin1String("sheet")) {

@@ -148,29 +148,19 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     /// it.
     void setHasPlugs(bool there);
     QString editPlugs(const QString& name, const std::function<void(v8_plugs::Input&)>& mutate);
-    /// Reads the user's own engines again: another program may have kept one.
-    void reloadEngines();
-    /// Presets of the paper, then the user's own.
+    /// Presets of the paper.
     QStringList engineNames() const;
     /// Takes an engine over by its place in engineNames().
     void chooseEngine(int index);
-    /// Place of the present engine in engineNames(); -1 where it is neither.
+    /// Place of the present engine in engineNames(); -1 for one of another name.
     int engineIndex() const;
-    /// True where the user keeps an engine of that name, whatever its capitals.
-    bool hasOwnEngine(const QString& name) const;
-    /// Keeps the present engine under the name among the user's own, in place of one that has it.
-    /// @return an empty string, or what went wrong
-    QString saveEngineAs(const QString& name);
-    /// The same return.
-    QString renameEngine(const QString& from, const QString& to);
-    QString removeEngine(const QString& name);
-    /// The user's own at a place in engineNames(); null without one.
-    const JournalEngine* ownEngine(int place) const;
-    /// True where the sheet's values are not those kept under the engine's name.
-    bool ownEngineChanged() const;
+    /// Of an engine that is no preset.
+    QString ownEngineName() const;
+    /// It is no preset then, and has the name.
+    void nameEngine(const QString& name);
     /// Where the engine's values come from, and what the user should know of them.
     QString engineNote() const;
-    /// Says whether the engine has the plugs of the group; those that come are the engine's own.
+    /// Says whether the engine has the plugs of the group; those that come are the preset's.
     void setPlugs(const QString& name, v8_plugs::EngineGroup group, bool present);
     /// Takes the nominal masses for the bob weight from the nominal parts of the weigh-in sheet.
     void fillNominalMasses();
@@ -308,7 +298,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     }
 
   Q_SIGNALS:
-    void enginesChanged();
     /// Which sheet of the form to show: job, parts, weigh-in, plugs, machine, correction.
     void sheetChosen(int sheet);
     /// The engine differs from the previous job's, and lost the values of its crankshaft.
@@ -338,13 +327,8 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     QString boringText(const Words& words, const v8_plugs::SolvedOption& option) const;
     QString shiftText(const Words& words, const v8_plugs::SolvedOption& option) const;
     QString optionTip(const v8_plugs::SolvedOption& option) const;
-    /// What the paper prints, or the user keeps, of the present engine; nothing where neither does.
-    std::optional<v8_plugs::Engine> keptEngine() const;
     /// The engine with the nominal masses that follow from its nominal parts.
     v8_plugs::Engine withNominalMasses() const;
-    QString engineNameTrouble(const QString& name) const;
-    /// @return an empty string, or what went wrong
-    QString changeEngines(const std::function<bool(Journal&)>& change);
 
     /// What the job of another engine of the kind keeps: nothing that was weighed or read.
     Input nextOf(const Input& before) const;
@@ -356,7 +340,6 @@ class WorkshopModel : public CaseModel<WorkshopScene> {
     std::optional<Input> otherForm_;            ///< the state before plugs were added or removed
     std::optional<bob_weights::Engine> lastV_;  ///< before another type was chosen
     std::optional<Input> carried_;              ///< what the job began with of the job before
-    QList<JournalEngine> ownEngines_;
     JobDesk desk_;
 };
 
