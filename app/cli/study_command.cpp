@@ -1,15 +1,8 @@
-#include <fcntl.h>
-#include <signal.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <chrono>
-#include <csignal>
-#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -19,7 +12,6 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json_text.h"
-#include "case-file/system_fault.h"
 #include "case-file/text_file.h"
 #include "command.h"
 #include "given_case.h"
@@ -34,41 +26,17 @@ namespace {
 
 using studies::Part;
 
-volatile std::sig_atomic_t stop_signal = 0;
-
-/// While it lives, the signals that end a program are noted, so that what is done can be kept.
-/// What whoever started the program lets it ignore, as nohup does, does not end it.
-class StopNoted {
-  public:
-    StopNoted() {
-        handle([](int number) { stop_signal = number; });
-    }
-    StopNoted(const StopNoted&) = delete;
-    StopNoted& operator=(const StopNoted&) = delete;
-    ~StopNoted() { handle(SIG_DFL); }
-
-  private:
-    static void handle(void (*handler)(int)) {
-        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-            struct sigaction now {};
-            if (::sigaction(signal, nullptr, &now) == 0 && now.sa_handler != SIG_IGN) {
-                std::signal(signal, handler);
-            }
-        }
-    }
-};
-
 /// A line on a terminal that says how far the work is, once it has taken a while.
 class ProgressLine {
   public:
-    void show(const Part& part) {
+    void show(double done) {
         const auto now = Clock::now();
         if (!to_terminal_ || now - last_ < std::chrono::seconds(1)) {
             return;
         }
         last_ = now;
         shown_ = true;
-        const auto per_thousand = static_cast<int>(1000.0 * studies::share_done(part));
+        const auto per_thousand = static_cast<int>(1000.0 * done);
         std::cerr << "\rstudy: " << per_thousand / 10 << '.' << per_thousand % 10 << " %  "
                   << std::flush;
     }
@@ -88,110 +56,13 @@ class ProgressLine {
     bool shown_ = false;
 };
 
-/// Of a file of progress, which its text names.
-struct ProgressError : InputError {
-    using InputError::InputError;
-};
-
-/// The file that a path leads to through links, which may be there later; as given without any.
-std::string without_links(const std::string& path) {
-    namespace fs = std::filesystem;
-    std::error_code error;
-    fs::path file = path;
-    constexpr int maximum = 40;
-    for (int i = 0; i < maximum && fs::is_symlink(fs::symlink_status(file, error)); ++i) {
-        file = file.parent_path() / fs::read_symlink(file, error);
-    }
-    const fs::path real = fs::weakly_canonical(file, error);
-    return error || real == fs::absolute(file, error).lexically_normal() ? file : real;
-}
-
-/// What a study with an output has done, in a file beside that, so that it continues from there. No
-/// other study touches it: it is locked while a study runs, and is rejected where it is another's.
-/// One output has one such file, by whatever links it is named.
-class Progress {
-  public:
-    /// @throws ProgressError where another study is at work for that output
-    explicit Progress(const std::string& output)
-        : path_(without_links(output) + ".unfinished"), lock_path_(path_ + ".lock") {
-        constexpr unsigned rights = 0666;
-        lock_ = ::open(lock_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, rights);
-        if (lock_ < 0) {
-            throw ProgressError(lock_path_,
-                                {Text::tr("cannot be written: %1"), system_fault(errno)});
-        }
-        const bool locked = ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-        struct stat now {};
-        ::fstat(lock_, &now);
-        const bool removed = now.st_nlink == 0;  // by one that ends
-        if (locked || removed) {
-            ::close(lock_);
-            throw ProgressError(output, "is being written by another study; choose another file");
-        }
-        if (!S_ISREG(now.st_mode) || now.st_size != 0) {
-            ::close(lock_);
-            throw ProgressError(lock_path_, not_left);
-        }
-    }
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-    ~Progress() {
-        ::unlink(lock_path_.c_str());
-        ::close(lock_);
-    }
-
-    /// The part as an interrupted run of the same study left it.
-    /// @throws ProgressError where the file is anything else
-    std::optional<Part> left_of(const studies::Problem& problem, std::uint64_t shard,
-                                std::uint64_t shards) const {
-        std::error_code ignored;
-        if (!std::filesystem::exists(path_, ignored)) {
-            return std::nullopt;
-        }
-        Part part;
-        try {
-            part = studies::read_part(parse_json(read_text_file(path_)));
-        } catch (const InputError&) {
-            throw ProgressError(path_, not_left);
-        }
-        if (part.origin != problem.origin || part.study != problem.study || part.shard != shard ||
-            part.shards != shards) {
-            throw ProgressError(path_,
-                                "belongs to another study, or to this one before its case "
-                                "changed; move it or choose another file");
-        }
-        return part;
-    }
-    void keep(const Part& part) const {
-        try {
-            write_text_file(path_,
-                            json_text(studies::write_part(part), JsonLayout::one_line) + "\n");
-        } catch (const InputError& error) {
-            throw ProgressError(path_, error.allowed_message());
-        }
-    }
-    void remove() const {
-        std::error_code ignored;
-        std::filesystem::remove(path_, ignored);
-    }
-
-  private:
-    static constexpr const char* not_left =
-        "is not an interrupted study and would be overwritten; move it or choose another file";
-
-    std::string path_;
-    std::string lock_path_;
-    int lock_ = -1;
-};
-
 class StudyCommand final : public Command {
   public:
     explicit StudyCommand(CLI::App& app) {
         app_ = app.add_subcommand(
             "study", "Vary the inputs of a case by its \"study\" and print the effect");
         app_->footer(
-            "Any number of shards, combined by --merge, prints the same digits as one run.\n"
-            "With -o an interrupted run continues where it stopped.\n");
+            "Any number of shards, combined by --merge, prints the same digits as one run.\n");
         CLI::Option* case_option = app_->add_option(
             "CASE", case_path_, "Case file (JSON) with a study; - is standard input");
         case_option->type_name("")->check(names_a_file);
@@ -279,8 +150,6 @@ class StudyCommand final : public Command {
                                 "is a file that the case reads; write the study to another file");
             }
             return run_problem(studies::problem_of(file, context, text));
-        } catch (const ProgressError& error) {
-            return complain("", error.what());
         } catch (const InputError& error) {
             return complain(case_path_, error.what());
         }
@@ -298,47 +167,21 @@ class StudyCommand final : public Command {
     }
 
     int run_problem(const studies::Problem& problem) {
-        const Shard shard = read_shard();
-        std::error_code ignored;
-        const bool keeps =
-            !output_path_.empty() && (!std::filesystem::exists(output_path_, ignored) ||
-                                      std::filesystem::is_regular_file(output_path_, ignored));
-        if (keeps && would_destroy(problem)) {
+        if (would_destroy(problem)) {
             return complain(
                 output_path_,
                 "has the study of another case, or of this one before it changed; move it "
                 "or choose another file");
         }
-        auto progress = keeps ? std::make_unique<const Progress>(output_path_) : nullptr;
-        auto left = keeps ? progress->left_of(problem, shard.number, shard.of) : std::nullopt;
-        Part part = left ? std::move(*left)
-                         : studies::begin_part(problem, shard.number, shard.of, threads());
-        run(problem, part, progress.get());
-        if (stop_signal != 0 && !part.finished()) {
-            progress.reset();
-            std::raise(stop_signal);
-            return exit_bad_input;
-        }
-        const int status = deliver(part);
-        if (status == exit_done && keeps) {
-            progress->remove();
-        }
-        return status;
+        return deliver(solved(problem));
     }
 
-    void run(const studies::Problem& problem, Part& part, const Progress* progress) const {
-        auto kept = Clock::now();
+    Part solved(const studies::Problem& problem) const {
+        const Shard shard = read_shard();
         ProgressLine line;
-        const auto noted = progress != nullptr ? std::make_unique<StopNoted>() : nullptr;
-        studies::run_part(problem, part, threads(), [&](const Part& now) {
-            line.show(now);
-            constexpr auto often = std::chrono::seconds(5);
-            if (progress != nullptr && (stop_signal != 0 || Clock::now() - kept > often) &&
-                !now.finished()) {
-                progress->keep(now);
-                kept = Clock::now();
-            }
-            return stop_signal == 0;
+        return *studies::run_study(problem, shard.number, shard.of, threads(), [&](double done) {
+            line.show(done);
+            return true;
         });
     }
 
@@ -362,8 +205,6 @@ class StudyCommand final : public Command {
             return complain(path.empty() ? "--merge" : named ? "" : path, error.what());
         }
     }
-
-    using Clock = std::chrono::steady_clock;
 
     std::string case_path_;
     std::string output_path_;

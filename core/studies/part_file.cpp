@@ -113,9 +113,11 @@ class PartValues {
         }
     }
     void one(Block& block) {
-        std::uint64_t done = block.done - block.from;
-        (*this)(done, block.sums);
-        block.done = block.from + std::min(done, block.to - block.from);
+        std::uint64_t samples = block.to - block.from;
+        (*this)(samples, block.sums);
+        if (samples != block.to - block.from) {
+            throw InputError("/values", not_ours);
+        }
     }
     void one(std::pair<std::string, std::string>& two) { (*this)(two.first, two.second); }
     void one(Rejection& x) { (*this)(x.count, x.first, x.reason.where, x.reason.why); }

@@ -195,7 +195,7 @@ Json write_results(const Part& part) {
     const Study& study = part.study;
     const bool grid = study.method == Method::grid;
     std::uint64_t rejected = 0;
-    const std::uint64_t samples = study.method == Method::linear ? tried_samples : part.done();
+    const std::uint64_t samples = study.method == Method::linear ? tried_samples : part.size();
     Json json = {{"format", study_format},
                  {"version", study_version},
                  {"scene", part.origin.scene},

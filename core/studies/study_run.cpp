@@ -1,8 +1,6 @@
 #include "studies/study_run.h"
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <cmath>
 #include <thread>
 
@@ -14,8 +12,6 @@
 namespace ravnoves::studies {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t max_first_samples = 4096;
 constexpr std::uint64_t pairs_per_input = 16'384;
@@ -79,8 +75,7 @@ class Worker {
         set_inputs();
         return response_->evaluate(x_, y);
     }
-    void count(Block& block) {
-        const std::uint64_t sample = block.done++;
+    void count(Block& block, std::uint64_t sample) {
         if (!solve(sample, y_)) {
             tally.reject(sample, response_->reason());
             return;
@@ -96,8 +91,7 @@ class Worker {
         }
     }
 
-    void fill(Row& row, Block& block) {
-        const std::uint64_t point = block.done++;
+    void fill(Row& row, std::uint64_t point) {
         std::uint64_t rest = point;
         for (std::size_t j = inputs_; j-- > 0;) {  // the last input changes fastest
             const std::vector<double>& values = study_.vary[j].values;
@@ -182,32 +176,20 @@ CountingPlan counting_plan(const Watched& watched, std::optional<double> nominal
 }
 
 /// The watched values of the first samples, one after the other; of samples that are rejected none.
-/// @return nothing where it was stopped
-std::optional<std::vector<std::vector<double>>> take_first(
-    const Problem& problem, const Part& part, int threads,
-    const std::function<bool(double done)>& keep_going) {
+std::vector<std::vector<double>> take_first(const Problem& problem, const Part& part, int threads,
+                                            Progress& progress) {
     const std::uint64_t count = first_samples_of(part.study);
     std::vector<std::vector<double>> samples(count);
     Workers workers = make_workers(problem, part, threads, count);
-    std::atomic<std::uint64_t> next{0};
-    std::atomic<bool> stopped{false};
-    run_workers(workers.size(), [&](std::size_t i) {
-        auto reported = Clock::now();
+    share_out(workers.size(), count, [&](std::size_t worker, std::uint64_t k) {
         std::vector<double> y(part.study.watch.size());
-        for (std::uint64_t k = next++; k < count && !stopped; k = next++) {
-            if (workers[i]->solve(k, y)) {
-                samples[k] = y;
-            }
-            constexpr auto often = std::chrono::milliseconds(50);
-            if (i == 0 && keep_going && Clock::now() - reported > often) {
-                reported = Clock::now();
-                stopped =
-                    !keep_going(static_cast<double>(k) / static_cast<double>(count + part.size()));
-            }
+        if (workers[worker]->solve(k, y)) {
+            samples[k] = std::move(y);
         }
+        return progress.step(worker);
     });
     std::erase_if(samples, [](const std::vector<double>& y) { return y.empty(); });
-    return stopped ? std::nullopt : std::optional(std::move(samples));
+    return samples;
 }
 
 /// How far true samples lie from the expansions that stand for them.
@@ -239,9 +221,7 @@ void try_expansions(Response& response, const Study& study, std::span<const doub
     }
 }
 
-/// @return false where it was stopped
-bool make_basis(const Problem& problem, Part& part, int threads,
-                const std::function<bool(double done)>& keep_going) {
+void make_basis(const Problem& problem, Part& part, int threads, Progress& progress) {
     Basis& basis = part.basis;
     const Study& study = part.study;
     const std::size_t watched = study.watch.size();
@@ -261,13 +241,13 @@ bool make_basis(const Problem& problem, Part& part, int threads,
         }
         expand_about_means();
     }
-    const auto first = take_first(problem, part, threads, keep_going);
-    if (!first) {
-        return false;
+    const auto first = take_first(problem, part, threads, progress);
+    if (progress.is_stopped()) {
+        return;
     }
     for (std::size_t w = 0; w < watched; ++w) {
         std::vector<double> values;
-        for (const std::vector<double>& sample : *first) {
+        for (const std::vector<double>& sample : first) {
             values.push_back(sample[w]);
         }
         const double period = period_of(study.watch[w].pointer, values);
@@ -277,7 +257,31 @@ bool make_basis(const Problem& problem, Part& part, int threads,
     if (study.method != Method::linear) {
         expand_about_means();
     }
-    return true;
+}
+
+/// Several threads take blocks, each of one thread.
+void solve_blocks(const Problem& problem, Part& part, int threads, Progress& progress) {
+    Workers workers = make_workers(problem, part, threads, part.blocks.size());
+    for (const auto& worker : workers) {
+        worker->tally = Tally(part.basis.plan, part.study.vary.size());
+    }
+    share_out(workers.size(), part.blocks.size(), [&](std::size_t worker, std::uint64_t b) {
+        Block& block = part.blocks[b];
+        for (std::uint64_t sample = block.from; sample < block.to; ++sample) {
+            if (part.study.method == Method::grid) {
+                workers[worker]->fill(part.rows[sample - part.blocks.front().from], sample);
+            } else {
+                workers[worker]->count(block, sample);
+            }
+            if (!progress.step(worker)) {
+                return false;
+            }
+        }
+        return true;
+    });
+    for (const auto& worker : workers) {
+        part.tally.add(worker->tally);
+    }
 }
 
 }  // namespace
@@ -286,33 +290,19 @@ std::uint64_t Part::size() const {
     return blocks.empty() ? 0 : blocks.back().to - blocks.front().from;
 }
 
-std::uint64_t Part::done() const {
-    std::uint64_t count = 0;
-    for (const Block& block : blocks) {
-        count += block.done - block.from;
-    }
-    return count;
-}
-
 std::vector<Block> blocks_of(const Study& study, std::uint64_t shard, std::uint64_t shards) {
     const std::uint64_t points = points_of(study);
     const std::uint64_t count = std::min(points, max_blocks);
     std::vector<Block> blocks;
     for (std::uint64_t b = count * (shard - 1) / shards; b < count * shard / shards; ++b) {
         const std::uint64_t from = points * b / count;
-        blocks.push_back({.from = from, .done = from, .to = points * (b + 1) / count});
+        blocks.push_back({.from = from, .to = points * (b + 1) / count});
     }
     return blocks;
 }
 
-double share_done(const Part& part) {
-    const std::uint64_t first = first_samples_of(part.study);
-    return static_cast<double>(first + part.done()) /
-           static_cast<double>(std::max<std::uint64_t>(first + part.size(), 1));
-}
-
-Part begin_part(const Problem& problem, std::uint64_t shard, std::uint64_t shards, int threads,
-                const std::function<bool(double done)>& keep_going) {
+std::optional<Part> run_study(const Problem& problem, std::uint64_t shard, std::uint64_t shards,
+                              int threads, const KeepGoing& keep_going) {
     Part part{.origin = problem.origin,
               .study = problem.study,
               .shard = shard,
@@ -320,53 +310,20 @@ Part begin_part(const Problem& problem, std::uint64_t shard, std::uint64_t shard
               .blocks = blocks_of(problem.study, shard, shards),
               .file_notes = problem.file_notes};
     part.basis.nominal = problem.nominal_result;
+    Progress progress(keep_going, first_samples_of(part.study) + part.size());
     if (part.study.method == Method::grid) {
         part.rows.resize(part.size());
-    } else if (!make_basis(problem, part, threads, keep_going)) {
-        return part;
+    } else {
+        make_basis(problem, part, threads, progress);
     }
     part.tally = Tally(part.basis.plan, part.study.vary.size());
     for (Block& block : part.blocks) {
         block.sums.resize(part.basis.plan.size() * replicates);
     }
-    return part;
-}
-
-void run_part(const Problem& problem, Part& part, int threads,
-              const std::function<bool(const Part&)>& went_on) {
-    constexpr auto stretch = std::chrono::milliseconds(250);
-    Workers workers = make_workers(problem, part, threads, part.blocks.size());
-    const bool grid = part.study.method == Method::grid;
-    const auto is_open = [](const Block& block) { return block.done < block.to; };
-    auto open = std::find_if(part.blocks.begin(), part.blocks.end(), is_open);
-    while (open != part.blocks.end()) {
-        const auto end = Clock::now() + stretch;
-        std::atomic<std::ptrdiff_t> next{open - part.blocks.begin()};
-        run_workers(workers.size(), [&](std::size_t i) {
-            Worker& worker = *workers[i];
-            worker.tally = Tally(part.basis.plan, part.study.vary.size());
-            for (auto b = next++; b < std::ssize(part.blocks); b = next++) {
-                Block& block = part.blocks[static_cast<std::size_t>(b)];
-                while (is_open(block)) {
-                    if (Clock::now() > end) {
-                        return;
-                    }
-                    if (grid) {
-                        worker.fill(part.rows[block.done - part.blocks.front().from], block);
-                    } else {
-                        worker.count(block);
-                    }
-                }
-            }
-        });
-        for (const auto& worker : workers) {
-            part.tally.add(worker->tally);
-        }
-        open = std::find_if(open, part.blocks.end(), is_open);
-        if (went_on && !went_on(part)) {
-            return;
-        }
+    if (!progress.is_stopped()) {
+        solve_blocks(problem, part, threads, progress);
     }
+    return progress.is_stopped() ? std::nullopt : std::optional(std::move(part));
 }
 
 void PartMerger::add(Part part, const std::string& name) {
@@ -390,11 +347,6 @@ void PartMerger::add(Part part, const std::string& name) {
             {Text::tr(
                  "was computed by another program or machine than %1: the first numbers differ"),
              first_name_});
-    }
-    if (!part.finished()) {
-        throw InputError(
-            name, {Text::tr("is not finished (%1 of %2 samples); run it again: --shard %3"),
-                   std::to_string(part.done()), std::to_string(part.size()), label(part.shard)});
     }
     names_.resize(part.shards);
     std::string& known = names_[part.shard - 1];

@@ -13,6 +13,7 @@
 #include "studies/study.h"
 #include "studies/tally.h"
 #include "studies/taylor.h"
+#include "studies/workers.h"
 
 namespace ravnoves {
 struct CaseFile;
@@ -61,7 +62,7 @@ struct Basis {
 /// A row of a grid's table; a value that does not exist is empty.
 using Row = std::vector<std::optional<double>>;
 
-/// A study or a shard of one, complete or not.
+/// A study that is done, or a shard of one.
 struct Part {
     Origin origin;
     Study study;
@@ -74,36 +75,28 @@ struct Part {
     std::vector<Message> file_notes{};
 
     std::uint64_t size() const;  ///< samples
-    std::uint64_t done() const;
-    bool finished() const { return done() == size(); }
 };
 
 /// A study has as many blocks, or as many as samples; a shard is whole blocks.
 inline constexpr std::uint64_t max_blocks = 1024;
-/// The blocks of a shard, nothing done.
+/// The blocks of a shard.
 std::vector<Block> blocks_of(const Study& study, std::uint64_t shard, std::uint64_t shards);
 /// Samples that the expansions are tried by.
 inline constexpr std::uint64_t tried_samples = 64;
 
-/// A part of which nothing is done yet. Its basis costs some thousand solutions at most.
-/// @param keep_going  sees now and then how much of all work is done, 0…1, and may stop it by
-///                    false: the part is worth nothing then
-Part begin_part(const Problem& problem, std::uint64_t shard = 1, std::uint64_t shards = 1,
-                int threads = 0, const std::function<bool(double done)>& keep_going = {});
+/// Solves a study or a shard of one.
+/// @param threads     0: as many as there are cores
+/// @param keep_going  is called in this thread
+/// @return nothing where it was stopped
+std::optional<Part> run_study(const Problem& problem, std::uint64_t shard = 1,
+                              std::uint64_t shards = 1, int threads = 0,
+                              const KeepGoing& keep_going = {});
 
-/// How much of all work a part's samples and basis are, 0…1.
-double share_done(const Part& part);
-
-/// Continues a part until it is done. Several threads (0: as many as there are cores) take blocks;
-/// some times a second, `went_on` sees the part and may stop the work by false.
-void run_part(const Problem& problem, Part& part, int threads = 0,
-              const std::function<bool(const Part&)>& went_on = {});
-
-/// Puts the finished parts of one study together, in any order, one at a time.
+/// Puts the parts of one study together, in any order, one at a time.
 class PartMerger {
   public:
     /// @param name  what messages call the part
-    /// @throws InputError where it is not finished, was there already or is of another study
+    /// @throws InputError where it was there already or is of another study
     void add(Part part, const std::string& name);
     /// The whole study.
     /// @throws InputError that names the parts that are missing
@@ -135,7 +128,7 @@ std::vector<Note> noted(const Part& part);
 /// Why samples were rejected, the most frequent first.
 std::vector<Rejection> rejections_of(const Part& part);
 
-/// The "ravnoves-study" document; of a part that is not done yet, of its samples so far.
+/// The "ravnoves-study" document.
 Json write_results(const Part& part);
 /// SHA-256 of the case whose study is in such a document; empty for other documents.
 std::string case_of_results(const Json& json);

@@ -81,10 +81,9 @@ struct Sums {
 };
 
 /// Samples from … to, solved one after the other by one thread: so the sums do not depend on
-/// threads, shards and interruptions.
+/// threads and shards.
 struct Block {
     std::uint64_t from = 0;
-    std::uint64_t done = 0;  ///< the next sample
     std::uint64_t to = 0;
     std::vector<Sums> sums{};  ///< by watched value, then replicate
 };

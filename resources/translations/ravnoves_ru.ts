@@ -8814,10 +8814,6 @@
         <translation>одна из %1 частей, а %2 — одна из %3</translation>
     </message>
     <message>
-        <source>is not finished (%1 of %2 samples); run it again: --shard %3</source>
-        <translation>не закончено (%1 из %2 проб); запустите ещё раз: --shard %3</translation>
-    </message>
-    <message>
         <source>is the same part as %1: %2</source>
         <translation>та же часть, что и %1: %2</translation>
     </message>

@@ -1,8 +1,6 @@
 // `ravnoves-cli study` as a user, a batch system or a cluster runs it.
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/file.h>
 
 #include <string>
 
@@ -99,82 +97,10 @@ TEST_F(StudyCommandLine, ShardsAreTheWholeToTheLastDigit) {
     expect_rejected(run("study --merge part1 part2"), "part2: /format: is required");
 }
 
-TEST_F(StudyCommandLine, GoesOnWhereItWasInterrupted) {
-    Json document = study_case(30'000'000);
-    write("case.json", document.dump());
-    // A second is enough for a program as users get it; one with sanitizers, or on a machine that
-    // has other work, may take more.
-    const auto interrupted = [&](const auto& far_enough, const std::string& before = "") {
-        for (int seconds = 1; seconds <= 128; seconds *= 2) {
-            const Outcome stopped =
-                run("study case.json -o r.json", "",
-                    before + "timeout -s TERM " + std::to_string(seconds) + " ");
-            EXPECT_NE(stopped.status, 0);
-            if (far_enough(stopped)) {
-                return true;
-            }
-        }
-        return false;
-    };
-    ASSERT_TRUE(
-        interrupted([&](const Outcome&) { return fs::exists(folder / "r.json.unfinished"); }));
+TEST_F(StudyCommandLine, LeavesNothingWhereItIsEnded) {
+    write("case.json", study_case(1'000'000'000).dump());
+    EXPECT_NE(run("study case.json -o r.json", "", "timeout -s TERM 1 ").status, 0);
     EXPECT_FALSE(fs::exists(folder / "r.json"));
-    expect_rejected(run("study --merge r.json.unfinished"), "r.json.unfinished: is not finished (");
-    const auto done = [&] {  // "is not finished (27 of 300 samples)"
-        const std::string said = run("study --merge r.json.unfinished").err;
-        return std::stoi(said.substr(said.find('(') + 1));
-    };
-    const int before = done();
-    EXPECT_TRUE(interrupted([&](const Outcome&) { return done() > before; }));
-    // Another study, or the same of a changed case, neither takes it nor destroys it.
-    const std::string left = read_all(folder / "r.json.unfinished");
-    for (const auto& [place, value] :
-         {std::pair("/study/samples", Json(500)), std::pair("/title", Json("changed"))}) {
-        Json other = document;
-        other[Json::json_pointer(place)] = value;
-        write("other.json", other.dump());
-        expect_rejected(run("study other.json -o r.json"),
-                        "r.json.unfinished: belongs to another study, or to this one before its "
-                        "case changed; move it or choose another file");
-    }
-    expect_rejected(run("study case.json -o r.json --shard 1/2"), "r.json.unfinished: belongs to");
-    EXPECT_TRUE(read_all(folder / "r.json.unfinished") == left);
-    // On a disk without room for more it is that file that is named.
-    EXPECT_TRUE(interrupted(
-        [](const Outcome& full) {
-            return full.err == "r.json.unfinished: cannot be written: File too large\n";
-        },
-        "trap '' XFSZ; ulimit -f 8; "));
-    EXPECT_TRUE(read_all(folder / "r.json.unfinished") == left);
-}
-
-TEST_F(StudyCommandLine, OneOutputIsOfOneStudyAtATime) {
-    write("case.json", study_case().dump());
-    const fs::path lock = folder / "r.json.unfinished.lock";
-    const int held = ::open(lock.c_str(), O_RDWR | O_CREAT, 0666);
-    ASSERT_EQ(::flock(held, LOCK_EX | LOCK_NB), 0);
-    fs::create_symlink("r.json", folder / "link.json");
-    fs::create_directory_symlink(".", folder / "here");
-    for (const std::string name : {"r.json", "link.json", "here/r.json", "here/link.json"}) {
-        expect_rejected(run("study case.json -o " + name),
-                        name + ": is being written by another study; choose another file");
-    }
-    ::close(held);
-    EXPECT_EQ(run("study case.json -o r.json").status, 0);
-    EXPECT_FALSE(fs::exists(lock));
-    EXPECT_FALSE(fs::exists(folder / "r.json.unfinished"));
-    EXPECT_TRUE(read_all(folder / "r.json") == run("study case.json").out);
-}
-
-TEST_F(StudyCommandLine, LeavesWhatAnotherLeftThere) {
-    write("case.json", study_case().dump());
-    for (const char* name : {"r.json.unfinished", "r.json.unfinished.lock"}) {
-        write(name, "my notes");
-        expect_rejected(run("study case.json -o r.json"),
-                        name + std::string(": is not an interrupted study and would be"));
-        EXPECT_EQ(read_all(folder / name), "my notes");
-        fs::remove(folder / name);
-    }
 }
 
 TEST_F(StudyCommandLine, WritesOverNoStudyOfAnotherCase) {
@@ -189,7 +115,6 @@ TEST_F(StudyCommandLine, WritesOverNoStudyOfAnotherCase) {
                         "r.json: has the study of another case, or of this one before it "
                         "changed; move it or choose another file");
         EXPECT_EQ(read_all(folder / "r.json"), finished);
-        EXPECT_FALSE(fs::exists(folder / "r.json.unfinished"));
     }
     // Its own it writes again, and over what is no study.
     EXPECT_EQ(run("study case.json -o r.json").status, 0);

@@ -117,10 +117,7 @@ Work study_of(int samples) {
                     {"/centre_distance_mm", {{"plus_minus_percent", 0.1}}}}},
                   {"watch", {{"/metrics/M_ups/range_Nm", Json::object()}}},
                   {"samples", samples}};
-    return [problem = studies::problem_of(file, {})] {
-        studies::Part part = studies::begin_part(problem, 1, 1, 1);
-        studies::run_part(problem, part, 1);
-    };
+    return [problem = studies::problem_of(file, {})] { studies::run_study(problem, 1, 1, 1); };
 }
 
 std::vector<Growth> all_growths() {

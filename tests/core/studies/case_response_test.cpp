@@ -164,7 +164,7 @@ TEST(CaseResponse, DerivativesAreThoseOfFiftyDigits) {
                     {"/optimum/rms/rms_Nm", Json::object()},
                     {"/moment_amplitude_Nm", Json::object()}}},
                   {"method", "linear"}};
-    const Part part = begin_part(problem_of(file, {}), 1, 1, 1);
+    const Part part = *run_study(problem_of(file, {}), 1, 1, 1);
     // Of the closed forms, by mpmath with 50 digits.
     constexpr std::array<std::array<double, 4>, 3> known{{
         {1.2165693976016577, 42.524462226197761, 0.55878374727584876, -3.0891452805202856},

@@ -50,9 +50,7 @@ inline Problem problem(const Json& study, std::vector<double> nominal, Function 
 }
 
 inline Part whole(const Problem& problem, int threads = 1) {
-    Part part = begin_part(problem, 1, 1, threads);
-    run_part(problem, part, threads);
-    return part;
+    return *run_study(problem, 1, 1, threads);
 }
 
 /// Of a part's only value, or of another.

@@ -151,8 +151,7 @@ class Tolerances : public ::testing::Test {
     Json ofTheCommandLine() const {
         const SceneModel& scene = *tolerances->model()->scene();
         const studies::Problem problem = studies::problem_of(scene.caseFile(), scene.context());
-        studies::Part part = studies::begin_part(problem);
-        studies::run_part(problem, part);
+        const studies::Part part = *studies::run_study(problem);
         return studies::write_results(part)["watched"][problem.study.watch.at(0).pointer];
     }
     static void expectSame(const StudyAnswer& shown, const Json& found) {

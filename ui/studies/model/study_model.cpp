@@ -305,18 +305,12 @@ void StudyModel::start() {
     file.study = studies::write_study(study);
     job_->start([this, file = std::move(file), context = scene_->context(),
                  watched](const BackgroundJob::Progress& progress) -> std::function<void()> {
-        const studies::Problem problem = studies::problem_of(file, context);
-        studies::Part part = studies::begin_part(problem, 1, 1, everyCore, progress);
-        if (!progress(studies::share_done(part))) {
+        const auto part =
+            studies::run_study(studies::problem_of(file, context), 1, 1, everyCore, progress);
+        if (!part) {
             return {};
         }
-        studies::run_part(problem, part, everyCore, [&](const studies::Part& now) {
-            return progress(studies::share_done(now));
-        });
-        if (!part.finished()) {
-            return {};
-        }
-        return [this, answers = answersOf(part, watched)] { show(answers, {}); };
+        return [this, answers = answersOf(*part, watched)] { show(answers, {}); };
     });
 }
 

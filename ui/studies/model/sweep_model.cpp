@@ -1,9 +1,10 @@
 #include "studies/model/sweep_model.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <numeric>
 #include <thread>
 
 #include "case-file/case_file.h"
@@ -27,102 +28,89 @@ namespace {
 constexpr int places = 121;
 constexpr int sweepRestMs = 200;
 
-/// Solves the same samples of the other inputs at any value of the first one.
-class Sweeper {
-  public:
-    /// @param hasFeasible  the second watched value says whether a sample can be built
-    Sweeper(const studies::Problem& problem, bool hasFeasible,
-            const BackgroundJob::Progress& progress)
-        : problem_(problem), hasFeasible_(hasFeasible), progress_(progress) {
-        const std::size_t others = problem.study.vary.size() - 1;
-        const int count = others > 0 ? SweepModel::samples : 1;
-        studies::Sampler sampler(studies::Method::sobol, problem.study.seed,
-                                 std::max<std::size_t>(others, 1));
-        std::vector<double> u(others);
-        for (int i = 0; i < count; ++i) {
-            std::vector<double>& x = inputs_.emplace_back(1);
-            if (others > 0) {
-                // Of one replicate, whose points are even by themselves.
-                sampler.point(studies::replicates * static_cast<std::uint64_t>(i), u);
-            }
-            for (std::size_t j = 0; j < others; ++j) {
-                const studies::Varied& varied = problem.study.vary[j + 1];
-                x.push_back(studies::law_of(varied, problem.nominal[j + 1]).at(u[j]));
-            }
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// Samples of the other inputs, behind the one that is swept.
+std::vector<std::vector<double>> samplesOf(const studies::Problem& problem) {
+    const std::size_t others = problem.study.vary.size() - 1;
+    if (others == 0) {
+        return {{none}};
+    }
+    studies::Sampler sampler(studies::Method::sobol, problem.study.seed, others);
+    std::vector<double> u(others);
+    std::vector<std::vector<double>> samples;
+    for (std::uint64_t i = 0; i < SweepModel::samples; ++i) {
+        sampler.point(studies::replicates * i, u);  // of one replicate: even by themselves
+        std::vector<double>& x = samples.emplace_back(1);
+        for (std::size_t j = 0; j < others; ++j) {
+            const studies::Varied& varied = problem.study.vary[j + 1];
+            x.push_back(studies::law_of(varied, problem.nominal[j + 1]).at(u[j]));
         }
     }
+    return samples;
+}
 
-    /// @param done  how much of all work is done before, and after it
-    /// @return none where it was stopped
-    std::vector<Sweep::Place> at(const std::vector<double>& values,
-                                 std::pair<double, double> done) {
-        // By value, then by sample; not a number where it was rejected.
-        std::vector<std::vector<double>> found(values.size(),
-                                               std::vector<double>(inputs_.size(), none));
-        std::vector<std::vector<char>> built(values.size(), std::vector<char>(inputs_.size()));
-        std::atomic<std::size_t> next = 0;
-        std::atomic<bool> stopped = false;
-        const auto work = [&](std::size_t worker) {
-            const auto response = problem_.make();
-            std::vector<double> y(hasFeasible_ ? 2 : 1);
-            for (std::size_t i = next++; i < inputs_.size() && !stopped; i = next++) {
-                std::vector<double> x = inputs_[i];
-                for (std::size_t k = 0; k < values.size(); ++k) {
-                    x[0] = values[k];
-                    if (response->evaluate(x, y)) {
-                        found[k][i] = y[0];
-                        built[k][i] = !hasFeasible_ || y[1] > 0.5;
-                    }
-                }
-                const double part = static_cast<double>(i) / static_cast<double>(inputs_.size());
-                if (worker == 0 && !progress_(std::lerp(done.first, done.second, part))) {
-                    stopped = true;
-                }
+/// @param values  of the samples; not a number where one was rejected
+Sweep::Place placeOf(double x, std::vector<double> values, std::ptrdiff_t built) {
+    const auto samples = static_cast<double>(values.size());
+    std::erase_if(values, [](double value) { return !std::isfinite(value); });
+    if (values.empty()) {
+        return {x, none, none, none, none, 0.0};
+    }
+    std::sort(values.begin(), values.end());
+    const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+    std::vector<double> sizes = values;
+    for (double& size : sizes) {
+        size = std::abs(size);
+    }
+    std::sort(sizes.begin(), sizes.end());
+    return {x,
+            sum / static_cast<double>(values.size()),
+            percentileOf(values, 0.05),
+            percentileOf(values, 0.95),
+            percentileOf(sizes, 0.95),
+            static_cast<double>(built) / samples};
+}
+
+/// Solves the samples at each value of the input that is swept; a second watched value says whether
+/// one can be built.
+/// @return none where it was stopped
+std::vector<Sweep::Place> placesAt(const std::vector<double>& values,
+                                   const studies::Problem& problem,
+                                   const std::vector<std::vector<double>>& samples,
+                                   studies::Progress& progress) {
+    const std::size_t watched = problem.study.watch.size();
+    std::vector<std::vector<double>> found(values.size(),
+                                           std::vector<double>(samples.size(), none));
+    std::vector<std::vector<char>> built(values.size(), std::vector<char>(samples.size()));
+    // One core stays free for the window.
+    std::vector<std::unique_ptr<Response>> responses(
+        std::max(2U, std::thread::hardware_concurrency()) - 1);
+    studies::share_out(responses.size(), samples.size(), [&](std::size_t worker, std::uint64_t i) {
+        if (!responses[worker]) {
+            responses[worker] = problem.make();
+        }
+        std::vector<double> x = samples[i];
+        std::vector<double> y(watched);
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            x[0] = values[k];
+            if (responses[worker]->evaluate(x, y)) {
+                found[k][i] = y[0];
+                built[k][i] = watched == 1 || y[1] > 0.5;
             }
-        };
-        // One core stays free for the window.
-        const auto threads =
-            static_cast<std::size_t>(std::max(2U, std::thread::hardware_concurrency()) - 1);
-        studies::run_workers(threads, work);
-        std::vector<Sweep::Place> all;
-        for (std::size_t k = 0; k < values.size() && !stopped; ++k) {
-            all.push_back(placeOf(values[k], found[k],
-                                  std::count(built[k].begin(), built[k].end(), char{1})));
+            if (!progress.step(worker)) {
+                return false;
+            }
         }
-        return all;
+        return true;
+    });
+    std::vector<Sweep::Place> all;
+    for (std::size_t k = 0; k < values.size() && !progress.is_stopped(); ++k) {
+        all.push_back(
+            placeOf(values[k], found[k], std::count(built[k].begin(), built[k].end(), char{1})));
     }
-
-  private:
-    static constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-    Sweep::Place placeOf(double x, std::vector<double> values, std::ptrdiff_t built) const {
-        std::erase_if(values, [](double value) { return !std::isfinite(value); });
-        if (values.empty()) {
-            return {x, none, none, none, none, 0.0};
-        }
-        std::sort(values.begin(), values.end());
-        double sum = 0.0;
-        for (const double value : values) {
-            sum += value;
-        }
-        std::vector<double> sizes = values;
-        for (double& size : sizes) {
-            size = std::abs(size);
-        }
-        std::sort(sizes.begin(), sizes.end());
-        return {x,
-                sum / static_cast<double>(values.size()),
-                percentileOf(values, 0.05),
-                percentileOf(values, 0.95),
-                percentileOf(sizes, 0.95),
-                static_cast<double>(built) / static_cast<double>(inputs_.size())};
-    }
-
-    const studies::Problem& problem_;
-    bool hasFeasible_;
-    const BackgroundJob::Progress& progress_;
-    std::vector<std::vector<double>> inputs_;  ///< of each sample; the first is the one swept
-};
+    return all;
+}
 
 /// Where the 95 % amount is smallest, of the places at which so many of the samples can be built.
 std::optional<Sweep::Place> bestOf(const std::vector<Sweep::Place>& places, double built) {
@@ -137,14 +125,15 @@ std::optional<Sweep::Place> bestOf(const std::vector<Sweep::Place>& places, doub
 }
 
 /// @return without places where it was stopped
-Sweep computed(Sweep sweep, const studies::Problem& problem, bool hasFeasible,
-               const BackgroundJob::Progress& progress) {
+Sweep computed(Sweep sweep, const studies::Problem& problem,
+               const BackgroundJob::Progress& keepGoing) {
     constexpr int rounds = 3;  // each a tenth as wide
     constexpr int finer = 21;
-    const auto& [from, to] = std::pair(problem.study.vary[0].from, problem.study.vary[0].to);
-    Sweeper sweeper(problem, hasFeasible, progress);
-    double done = static_cast<double>(places) / (places + rounds * finer);
-    sweep.places = sweeper.at(studies::spaced(from, to, places), {0.0, done});
+    const double from = problem.study.vary[0].from;
+    const double to = problem.study.vary[0].to;
+    const auto samples = samplesOf(problem);
+    studies::Progress progress(keepGoing, samples.size() * (places + rounds * finer));
+    sweep.places = placesAt(studies::spaced(from, to, places), problem, samples, progress);
     double maximum = 0.0;
     for (const Sweep::Place& place : sweep.places) {
         maximum = std::max(maximum, place.built);
@@ -152,22 +141,17 @@ Sweep computed(Sweep sweep, const studies::Problem& problem, bool hasFeasible,
     const double built = std::min(maximum, Sweep::minBuilt);
     sweep.best = bestOf(sweep.places, built);
     double step = (to - from) / (places - 1);
-    for (int round = 0; round < rounds && sweep.best && !sweep.places.empty(); ++round) {
-        const double next = std::min(1.0, done + (1.0 - done) / (rounds - round));
-        const auto near = sweeper.at(studies::spaced(std::max(from, sweep.best->x - step),
-                                                     std::min(to, sweep.best->x + step), finer),
-                                     {done, next});
-        if (near.empty()) {
-            return {};
-        }
-        done = next;
+    for (int round = 0; round < rounds && sweep.best; ++round) {
+        const auto near = placesAt(studies::spaced(std::max(from, sweep.best->x - step),
+                                                   std::min(to, sweep.best->x + step), finer),
+                                   problem, samples, progress);
         step *= 2.0 / (finer - 1);
         if (const auto best = bestOf(near, built); best && best->size < sweep.best->size) {
             sweep.best = best;
         }
     }
     sweep.nominalResult = problem.nominal_result.front();
-    return sweep;
+    return progress.is_stopped() ? Sweep() : sweep;
 }
 
 }  // namespace
@@ -302,10 +286,9 @@ void SweepModel::start() {
     CaseFile file = scene.caseFile();
     giveDefaults(scene, file.input, {wanted_.sweep.input});
     file.study = studies::write_study(wanted_.study);
-    job_->start([this, sweep = wanted_.sweep, file = std::move(file), context = scene.context(),
-                 hasFeasible = wanted_.study.watch.size() > 1](
+    job_->start([this, sweep = wanted_.sweep, file = std::move(file), context = scene.context()](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
-        Sweep found = computed(sweep, studies::problem_of(file, context), hasFeasible, progress);
+        Sweep found = computed(sweep, studies::problem_of(file, context), progress);
         if (found.places.empty()) {
             return {};
         }
