@@ -9,7 +9,8 @@ namespace {
 
 class Writer final : public FieldWalker {
   public:
-    Json take() { return std::move(stack_.front()); }
+    Writer() : FieldWalker("") {}
+    Json take() { return std::move(json_); }
 
   protected:
     void leaf(const Field& field, const Leaf& leaf) override {
@@ -33,34 +34,22 @@ class Writer final : public FieldWalker {
                    [](const auto* list) { return Json(*list); }},
             leaf.at);
         if (!json.is_null()) {
-            stack_.back()[std::string(field.key)] = std::move(json);
+            put(field.key, std::move(json));
         }
     }
     bool begin_object(const Field& field, bool required, bool is_there) override {
-        if (FieldWalker::begin_object(field, required, is_there)) {
-            open(field.key, Json::object());
+        if (is_there) {
+            put(field.key, object_with_room(16));
         }
-        return is_there;
-    }
-    void end_object() override {
-        close();
-        FieldWalker::end_object();
+        return FieldWalker::begin_object(field, required, is_there);
     }
     bool begin_list(const Field& field, std::size_t& count) override {
-        open(field.key, Json::array());
+        put(field.key, Json::array());
         return FieldWalker::begin_list(field, count);
     }
-    void end_list() override {
-        close();
-        FieldWalker::end_list();
-    }
     void begin_element(std::size_t index) override {
-        open({}, Json::object());
+        put(std::to_string(index), object_with_room(16));
         FieldWalker::begin_element(index);
-    }
-    void end_element() override {
-        close();
-        FieldWalker::end_element();
     }
 
   private:
@@ -70,23 +59,12 @@ class Writer final : public FieldWalker {
     static Json or_usual(Value value, const Leaf& leaf, Json json) {
         return leaf.always || leaf.usual != Leaf::Usual(value) ? std::move(json) : Json();
     }
-    void open(std::string_view key, Json empty) {
-        keys_.emplace_back(key);
-        stack_.push_back(std::move(empty));
-    }
-    void close() {
-        Json done = std::move(stack_.back());
-        stack_.pop_back();
-        if (stack_.back().is_array()) {
-            stack_.back().push_back(std::move(done));
-        } else {
-            stack_.back()[keys_.back()] = std::move(done);
-        }
-        keys_.pop_back();
+    /// In the object or list that is visited now.
+    void put(std::string_view key, Json value) {
+        json_[Json::json_pointer(pointer_to(key))] = std::move(value);
     }
 
-    std::vector<Json> stack_{Json::object()};
-    std::vector<std::string> keys_;
+    Json json_ = object_with_room(32);
 };
 
 class Checker final : public FieldWalker {

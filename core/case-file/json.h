@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "case-file/json_fwd.h"  // IWYU pragma: export
 
@@ -40,16 +39,6 @@ namespace ravnoves {
 inline Json object_with_room(std::size_t items) {
     Json::object_t object;
     object.reserve(items);
-    return object;
-}
-
-/// An object of these items, none of which is copied once it is made.
-template <std::size_t count>
-Json object_of(std::pair<const char*, Json> (&&items)[count]) {  // NOLINT(*-avoid-c-arrays): {{…}}
-    Json object = object_with_room(count);
-    for (auto& [key, value] : items) {
-        object[key] = std::move(value);
-    }
     return object;
 }
 
