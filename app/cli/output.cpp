@@ -6,11 +6,8 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
-#include <string_view>
 
 #include "case-file/input_error.h"
-#include "case-file/json.h"
-#include "case-file/json_text.h"
 #include "case-file/object_reader.h"
 #include "case-file/text_file.h"
 
@@ -40,12 +37,6 @@ int end_of_output() {
 
 int print(const std::string& text) {
     std::cout << text;
-    return end_of_output();
-}
-
-int print_json(const Json& value) {
-    write_json(value, JsonLayout::lines, [](std::string_view part) { std::cout << part; });
-    std::cout << '\n';
     return end_of_output();
 }
 

@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include "case-file/json_fwd.h"
-
 namespace ravnoves::cli {
 
 // What the program ends with.
@@ -23,8 +21,6 @@ int complain(const std::string& file, const std::string& text);
 /// Prints to standard output.
 /// @return the exit status; where it cannot be written, this has been said
 int print(const std::string& text);
-/// The same of a value, in lines.
-int print_json(const Json& value);
 
 /// Writes a file as write_text_file() does.
 /// @return the exit status; where it cannot be written, this has been said

@@ -23,7 +23,7 @@ int solve_file(const std::string& case_path, const std::string& result_path, con
     if (is_same_file(case_path, result_path)) {
         return complain(result_path, "is the case itself; write the result to another file");
     }
-    Json result;
+    std::string answer;
     try {
         const auto [text, context] = read_given_case(case_path);
         const CaseFile file = parse_case(text);
@@ -31,13 +31,11 @@ int solve_file(const std::string& case_path, const std::string& result_path, con
             return complain(result_path,
                             "is a file that the case reads; write the result to another file");
         }
-        result = solve_case(file, context, wanted);
+        answer = json_text(solve_case(file, context, wanted), JsonLayout::lines) + "\n";
     } catch (const InputError& error) {
         return complain(case_path, error.what());
     }
-    return result_path.empty()
-               ? print_json(result)
-               : write_file(result_path, json_text(result, JsonLayout::lines) + "\n");
+    return result_path.empty() ? print(answer) : write_file(result_path, answer);
 }
 
 std::string rejection_of(const LineReader& lines, const char* why) {

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <functional>
 #include <string>
-#include <string_view>
 
 #include "case-file/json_fwd.h"
 
@@ -19,9 +17,5 @@ enum class JsonLayout {
 /// misses at times; one that is not finite is `null`. Bytes of a text that are not UTF-8 are
 /// replaced.
 std::string json_text(const Json& value, JsonLayout layout);
-
-using TextSink = std::function<void(std::string_view part)>;
-/// The same, in parts of some kilobytes.
-void write_json(const Json& value, JsonLayout layout, const TextSink& sink);
 
 }  // namespace ravnoves
