@@ -10,7 +10,6 @@
 #include "report/figure_drawings.h"
 #include "report/patience.h"
 #include "report/report.h"
-#include "studies/model/result_words.h"
 #include "studies/model/study_figures.h"
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"

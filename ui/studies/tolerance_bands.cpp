@@ -8,6 +8,7 @@
 
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "model/background_job.h"
 #include "page/part_views.h"
 #include "page/scene_page.h"
@@ -143,9 +144,21 @@ void ToleranceBands::begin() {
         return;
     }
     const SceneModel& model = *page_->model();
-    const auto inputs = std::make_shared<ScatteredInputs>(model.caseFile().input,  // with defaults
-                                                          study_);
-    if (inputs->isEmpty()) {
+    Json input = model.caseFile().input;  // with defaults
+    std::vector<Json::json_pointer> places;
+    std::vector<studies::Law> laws;
+    for (const studies::Varied& varied : study_.vary) {
+        const Json::json_pointer place(varied.pointer);
+        if (!input.contains(place) || !input.at(place).is_number()) {
+            continue;  // the case has it no more
+        }
+        const studies::Law law = studies::law_of(varied, input.at(place).get<double>());
+        if (law.deviation > 0.0) {
+            places.push_back(place);
+            laws.push_back(law);
+        }
+    }
+    if (laws.empty()) {
         clear(false);
         return;
     }
@@ -170,27 +183,32 @@ void ToleranceBands::begin() {
     sample->takeView(model);
     sample->moveToThread(nullptr);
     auto numbers = std::make_shared<PartNumbers>(model, ids);
-    job_->start([this, inputs, numbers, sample = std::move(sample)](
+    job_->start([this, input = std::move(input), places = std::move(places),
+                 samples = samplesOf(laws, study_.method, study_.seed), numbers,
+                 sample = std::move(sample)](
                     const BackgroundJob::Progress& progress) mutable -> std::function<void()> {
         const std::shared_ptr<SceneModel> own = std::move(sample);
         own->moveToThread(QThread::currentThread());
-        for (int i = 0; i < ScatteredInputs::count; ++i) {
-            if (!progress(static_cast<double>(i) / ScatteredInputs::count)) {
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            if (!progress(static_cast<double>(i) / static_cast<double>(samples.size()))) {
                 return {};
             }
+            for (std::size_t j = 0; j < places.size(); ++j) {
+                input[places[j]] = samples[i][j];
+            }
             try {
-                own->showInput(inputs->next());
+                own->showInput(input);
             } catch (const InputError&) {
                 continue;  // it has no numbers
             }
             numbers->add(*own);
         }
-        return [this, samples = numbers->samples(),
+        return [this, solved = numbers->samples(),
                 spreads = numbers->spreads(
                     tr("Half of the range from 5 % to 95 % of %1 samples of the tolerances; both "
                        "sides where they differ.")
                         .arg(numbers->samples()))] {
-            if (samples == 0) {
+            if (solved == 0) {
                 clear(false);  // no sample can be solved
                 return;
             }

@@ -28,7 +28,6 @@
 #include "model/scene_model.h"
 #include "page/scene_page.h"
 #include "plot/plot_view.h"
-#include "studies/model/result_words.h"
 #include "studies/model/study_figures.h"
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"

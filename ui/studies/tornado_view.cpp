@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "pictures/figure.h"
-#include "studies/model/result_words.h"
 #include "studies/model/study_model.h"
 #include "text/csv_format.h"
 #include "text/number_text.h"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studies/sampler.h"
+
 namespace ravnoves {
 
 double percentileOf(const std::vector<double>& ascending, double share) {
@@ -12,35 +14,18 @@ double percentileOf(const std::vector<double>& ascending, double share) {
                      rank - std::floor(rank));
 }
 
-ScatteredInputs::ScatteredInputs(Json input, const studies::Study& study)
-    : input_(std::move(input)) {
-    for (const studies::Varied& varied : study.vary) {
-        const Json::json_pointer place(varied.pointer);
-        if (varied.spread == studies::Varied::Spread::grid || !input_.contains(place) ||
-            !input_.at(place).is_number()) {
-            continue;
-        }
-        const studies::Law law = studies::law_of(varied, input_.at(place).get<double>());
-        if (law.deviation > 0.0) {
-            sources_.push_back({place, law});
+std::vector<std::vector<double>> samplesOf(const std::vector<studies::Law>& laws,
+                                           studies::Method method, std::uint64_t seed) {
+    const bool isRandom = method == studies::Method::monte_carlo;
+    studies::Sampler sampler(isRandom ? method : studies::Method::sobol, seed, laws.size());
+    std::vector<std::vector<double>> samples(scatteredSamples, std::vector<double>(laws.size()));
+    for (std::uint64_t i = 0; i < samples.size(); ++i) {
+        sampler.point(studies::replicates * i, samples[i]);  // of one replicate
+        for (std::size_t j = 0; j < laws.size(); ++j) {
+            samples[i][j] = laws[j].at(samples[i][j]);
         }
     }
-    if (sources_.empty()) {
-        return;
-    }
-    const bool isRandom = study.method == studies::Method::monte_carlo;
-    sampler_.emplace(isRandom ? studies::Method::monte_carlo : studies::Method::sobol, study.seed,
-                     sources_.size());
-    point_.resize(sources_.size());
-}
-
-Json ScatteredInputs::next() {
-    sampler_->point(studies::replicates * next_++, point_);  // one replicate: even by itself
-    Json changed = input_;
-    for (std::size_t j = 0; j < sources_.size(); ++j) {
-        changed[sources_[j].place] = sources_[j].law.at(point_[j]);
-    }
-    return changed;
+    return samples;
 }
 
 }  // namespace ravnoves

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <optional>
+#include <cstdint>
+#include <span>
 #include <vector>
 
-#include "case-file/json.h"
-#include "studies/sampler.h"
 #include "studies/study.h"
 
 namespace ravnoves {
@@ -12,27 +11,10 @@ namespace ravnoves {
 /// Between order statistics.
 double percentileOf(const std::vector<double>& ascending, double share);
 
-/// Inputs of a case whose tolerances scatter, one sample after the other.
-class ScatteredInputs {
-  public:
-    static constexpr int count = 128;
-
-    /// Tolerances of numbers that the input has not are left out.
-    ScatteredInputs(Json input, const studies::Study& study);
-
-    bool isEmpty() const { return sources_.empty(); }
-    Json next();
-
-  private:
-    struct Source {
-        Json::json_pointer place;
-        studies::Law law;
-    };
-    Json input_;
-    std::vector<Source> sources_;
-    std::optional<studies::Sampler> sampler_;
-    std::vector<double> point_;
-    std::uint64_t next_ = 0;
-};
+inline constexpr int scatteredSamples = 128;
+/// So many samples of inputs that scatter by these laws, evenly also by themselves; Sobol points
+/// but for Monte Carlo.
+std::vector<std::vector<double>> samplesOf(const std::vector<studies::Law>& laws,
+                                           studies::Method method, std::uint64_t seed);
 
 }  // namespace ravnoves

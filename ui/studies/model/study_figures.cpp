@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studies/model/result_words.h"
 #include "studies/model/study_model.h"
 #include "studies/model/sweep_model.h"
 #include "text/number_text.h"

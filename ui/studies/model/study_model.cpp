@@ -11,9 +11,9 @@
 #include "model/input_differences.h"
 #include "model/scene_model.h"
 #include "scenes/scenes.h"
-#include "studies/model/result_words.h"
 #include "studies/study_run.h"
 #include "text/capital.h"
+#include "text/key_words.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 
@@ -40,6 +40,21 @@ Study freshStudy() {
 QString whyText(const Message& why) {
     return why.verbatim().empty() ? messageText(why)
                                   : QCoreApplication::translate(core_texts, why.verbatim().c_str());
+}
+
+/// Of what no description names.
+ResultName nameByKeys(const std::string& pointer) {
+    ResultName name;
+    QStringList parts;
+    for (QString key :
+         QString::fromStdString(pointer).split(QLatin1Char('/'), Qt::SkipEmptyParts)) {
+        if (const Unit unit = takeUnit(key); unit != units::none) {
+            name.unit = unitText(unit.name);
+        }
+        parts << keyInWords(key.toStdString());
+    }
+    name.text = parts.join(QStringLiteral(", "));
+    return name;
 }
 
 /// An input that no form names.

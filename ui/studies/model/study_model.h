@@ -13,7 +13,6 @@
 
 #include "model/input_differences.h"
 #include "model/scene_model.h"
-#include "studies/model/result_words.h"
 #include "studies/model/study_answers.h"
 #include "studies/study.h"
 #include "text/shown_units.h"
@@ -21,6 +20,17 @@
 namespace ravnoves {
 
 class BackgroundJob;
+
+/// A number of a result as a person says it.
+struct ResultName {
+    QString text;  ///< "Mᵤₚₛ, range"
+    QString unit;  ///< of its key; may be empty
+
+    /// The unit of its numbers on the screen.
+    ShownUnit shown() const { return shownUnit(unit); }
+    /// With the unit that is shown.
+    QString withUnit() const { return shownTitle(titleWithUnit(text, unit)).text; }
+};
 
 /// The tolerances of a case: which inputs scatter, which results are watched, and what follows. It
 /// is the "study" of the case file; every change is one step of the case's history.

@@ -7,7 +7,6 @@
 #include "case-file/json.h"
 #include "model/editable_table.h"
 #include "model/scene_model.h"
-#include "studies/model/result_words.h"
 #include "studies/model/study_model.h"
 #include "text/number_text.h"
 #include "text/typed_number.h"

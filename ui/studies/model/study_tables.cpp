@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "studies/model/result_words.h"
 #include "text/number_text.h"
 
 namespace ravnoves {

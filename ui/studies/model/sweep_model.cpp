@@ -17,7 +17,6 @@
 #include "scenes/scenes.h"
 #include "studies/model/scattered_inputs.h"
 #include "studies/model/study_model.h"
-#include "studies/sampler.h"
 #include "studies/study_run.h"
 #include "studies/workers.h"
 
@@ -30,24 +29,15 @@ constexpr int sweepRestMs = 200;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Samples of the other inputs, behind the one that is swept.
-std::vector<std::vector<double>> samplesOf(const studies::Problem& problem) {
-    const std::size_t others = problem.study.vary.size() - 1;
-    if (others == 0) {
-        return {{none}};
+/// Samples of the inputs behind the first, which is swept.
+std::vector<std::vector<double>> othersOf(const studies::Problem& problem) {
+    const studies::Study& study = problem.study;
+    std::vector<studies::Law> laws;
+    for (std::size_t j = 1; j < study.vary.size(); ++j) {
+        laws.push_back(studies::law_of(study.vary[j], problem.nominal[j]));
     }
-    studies::Sampler sampler(studies::Method::sobol, problem.study.seed, others);
-    std::vector<double> u(others);
-    std::vector<std::vector<double>> samples;
-    for (std::uint64_t i = 0; i < SweepModel::samples; ++i) {
-        sampler.point(studies::replicates * i, u);  // of one replicate: even by themselves
-        std::vector<double>& x = samples.emplace_back(1);
-        for (std::size_t j = 0; j < others; ++j) {
-            const studies::Varied& varied = problem.study.vary[j + 1];
-            x.push_back(studies::law_of(varied, problem.nominal[j + 1]).at(u[j]));
-        }
-    }
-    return samples;
+    return laws.empty() ? std::vector<std::vector<double>>(1)
+                        : samplesOf(laws, studies::Method::sobol, study.seed);
 }
 
 /// @param values  of the samples; not a number where one was rejected
@@ -91,6 +81,7 @@ std::vector<Sweep::Place> placesAt(const std::vector<double>& values,
             responses[worker] = problem.make();
         }
         std::vector<double> x = samples[i];
+        x.insert(x.begin(), 0.0);
         std::vector<double> y(watched);
         for (std::size_t k = 0; k < values.size(); ++k) {
             x[0] = values[k];
@@ -131,7 +122,7 @@ Sweep computed(Sweep sweep, const studies::Problem& problem,
     constexpr int finer = 21;
     const double from = problem.study.vary[0].from;
     const double to = problem.study.vary[0].to;
-    const auto samples = samplesOf(problem);
+    const auto samples = othersOf(problem);
     studies::Progress progress(keepGoing, samples.size() * (places + rounds * finer));
     sweep.places = placesAt(studies::spaced(from, to, places), problem, samples, progress);
     double maximum = 0.0;

@@ -48,8 +48,6 @@ class SweepModel : public QObject {
     Q_OBJECT
 
   public:
-    static constexpr int samples = 128;
-
     explicit SweepModel(StudyModel* study, QObject* parent = nullptr);
 
     BackgroundJob* job() const { return job_; }
