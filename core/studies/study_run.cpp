@@ -379,10 +379,10 @@ Part PartMerger::finish() {
     std::string missing;
     std::uint64_t count = 0;
     constexpr std::uint64_t max_named = 20;
-    const std::string shards = "/" + std::to_string(names_.size());
     for (std::size_t k = 0; k < names_.size(); ++k) {
         if (names_[k].empty() && ++count <= max_named) {
-            missing += (missing.empty() ? "" : ", ") + std::to_string(k + 1) + shards;
+            missing += (missing.empty() ? "" : ", ") + std::to_string(k + 1) + "/" +
+                       std::to_string(names_.size());
         }
     }
     if (count != 0) {
