@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "case-file/decimal.h"
@@ -41,8 +40,10 @@ double offset_of(const GuideDrawing& drawing) {
     return drawing.branch == Branch::compressed ? drawing.roller_radius : -drawing.roller_radius;
 }
 
-PlanePoint in_guide_axes(PlanePoint point, const GuideDrawing& drawing) {
-    return drawing.guide_turns ? PlanePoint{point.x, -point.y} : point;
+/// At a distance from the path, in the guide's axes.
+PlanePoint drawn(const GuidePoint& point, double offset, const GuideDrawing& drawing) {
+    const PlanePoint place = offset_point(point, offset);
+    return {place.x, drawing.guide_turns ? -place.y : place.y};
 }
 
 double distance_to_chord(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b) {
@@ -55,49 +56,41 @@ double distance_to_chord(const PlanePoint& p, const PlanePoint& a, const PlanePo
     return std::abs((p.x - a.x) * dy - (p.y - a.y) * dx) / length;
 }
 
-class ClosedPolyline {
-  public:
-    ClosedPolyline(std::function<PlanePoint(double)> curve, double tolerance)
-        : curve_(std::move(curve)), tolerance_(0.9 * tolerance) {}
-
-    std::vector<PlanePoint> points() {
-        constexpr int arcs = 64;
-        for (int i = 0; i < arcs; ++i) {
-            const double from = two_pi * i / arcs;
-            const double to = two_pi * (i + 1) / arcs;
-            const PlanePoint a = curve_(from);
-            result_.push_back(a);
-            divide(from, a, to, curve_(to), 0);
-        }
-        return std::move(result_);
-    }
-
-  private:
-    /// Adds the points that are needed strictly between the two.
-    void divide(double from, const PlanePoint& a, double to, const PlanePoint& b, int depth) {
+/// Points of a closed curve, φ in 0…2π, so dense that no chord leaves it by more than the
+/// tolerance.
+template <typename Curve>
+std::vector<PlanePoint> polyline(const Curve& curve, double tolerance) {
+    std::vector<PlanePoint> points;
+    // Adds the points that are needed strictly between the two.
+    const auto divide = [&](const auto& again, double from, const PlanePoint& a, double to,
+                            const PlanePoint& b, int depth) -> void {
         const double middle = 0.5 * (from + to);
-        const PlanePoint m = curve_(middle);
-        const PlanePoint q1 = curve_(0.5 * (from + middle));
-        const PlanePoint q3 = curve_(0.5 * (middle + to));
+        const PlanePoint m = curve(middle);
+        const PlanePoint q1 = curve(0.5 * (from + middle));
+        const PlanePoint q3 = curve(0.5 * (middle + to));
         const double error = std::max(
             {distance_to_chord(m, a, b), distance_to_chord(q1, a, b), distance_to_chord(q3, a, b)});
-        if (error <= tolerance_ || depth >= 30) {
+        if (error <= 0.9 * tolerance || depth >= 30) {
             return;
         }
-        if (result_.size() >= max_points) {
+        if (points.size() >= max_points) {
             throw InputError(
                 Text::tr("chord tolerance"),
                 {Text::tr("is too small for this guide: more than %1 points"), max_points});
         }
-        divide(from, a, middle, m, depth + 1);
-        result_.push_back(m);
-        divide(middle, m, to, b, depth + 1);
+        again(again, from, a, middle, m, depth + 1);
+        points.push_back(m);
+        again(again, middle, m, to, b, depth + 1);
+    };
+    constexpr int arcs = 64;
+    for (int i = 0; i < arcs; ++i) {
+        const double from = two_pi * i / arcs;
+        const double to = two_pi * (i + 1) / arcs;
+        points.push_back(curve(from));
+        divide(divide, from, PlanePoint(points.back()), to, curve(to), 0);
     }
-
-    std::function<PlanePoint(double)> curve_;
-    double tolerance_;
-    std::vector<PlanePoint> result_;
-};
+    return points;
+}
 
 std::vector<std::string> note_lines(const Guide& guide, const GuideDrawing& drawing) {
     std::vector<std::string> lines;
@@ -130,32 +123,21 @@ std::vector<std::string> note_lines(const Guide& guide, const GuideDrawing& draw
 
 }  // namespace
 
-GuideOutline guide_outline(const Guide& guide, const GuideDrawing& drawing) {
-    check_drawing(guide, drawing);
-    const auto line_at = [&](double offset) {
-        return ClosedPolyline(
-                   [&](double phi) {
-                       const GuidePoint point = guide.shape->at(drawing.branch, phi);
-                       return in_guide_axes(offset_point(point, offset), drawing);
-                   },
-                   drawing.chord_tolerance)
-            .points();
-    };
-    return {line_at(0.0), line_at(offset_of(drawing))};
-}
-
 std::string guide_dxf(const Guide& guide, const GuideDrawing& drawing) {
-    const GuideOutline outline = guide_outline(guide, drawing);
+    check_drawing(guide, drawing);
     DxfDocument dxf({{"PROFILE", DxfDocument::white},
                      {"ROLLER_PATH", DxfDocument::cyan},
                      {"AXIS", DxfDocument::red},
                      {"NOTE", DxfDocument::grey}});
     constexpr bool closed = true;
     double reach = 0.0;
-    for (const auto& [points, layer] :
-         {std::pair{&outline.profile, "PROFILE"}, std::pair{&outline.roller_path, "ROLLER_PATH"}}) {
+    for (const auto& [offset, layer] :
+         {std::pair{offset_of(drawing), "PROFILE"}, std::pair{0.0, "ROLLER_PATH"}}) {
+        const auto curve = [&, offset = offset](double phi) {
+            return drawn(guide.shape->at(drawing.branch, phi), offset, drawing);
+        };
         std::vector<DxfDocument::Point> line;
-        for (const PlanePoint& point : *points) {
+        for (const PlanePoint& point : polyline(curve, drawing.chord_tolerance)) {
             line.push_back({point.x / units::mm, point.y / units::mm});
             reach = std::max(reach, std::hypot(line.back().x, line.back().y));
         }
@@ -185,8 +167,8 @@ std::string guide_csv(const Guide& guide, const GuideDrawing& drawing, double st
     for (std::size_t i = 0; i < rows; ++i) {
         const double phi_deg = step_deg * static_cast<double>(i);
         const GuidePoint point = shape.at(drawing.branch, phi_deg * degree);
-        const PlanePoint path = in_guide_axes(offset_point(point, 0.0), drawing);
-        const PlanePoint profile = in_guide_axes(offset_point(point, offset), drawing);
+        const PlanePoint path = drawn(point, 0.0, drawing);
+        const PlanePoint profile = drawn(point, offset, drawing);
         const double polar = guide.hinge == Hinge::rod ? point.angle / degree : phi_deg;
         const double values[] = {phi_deg,
                                  i == 0 ? 0.0 : sense * polar,

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "elastic-hinge/guide.h"
 
@@ -19,27 +18,18 @@ struct GuideDrawing {
     std::string title;  ///< for the drawing's note; other than ASCII is left out
 };
 
-/// The two curves of a drawing, in the guide's axes, m; closed (the last point joins the first).
-struct GuideOutline {
-    std::vector<PlanePoint> roller_path;
-    std::vector<PlanePoint> profile;  ///< outside the path for a compressed spring, else inside
-};
-
-/// Points of path and profile so dense that no chord leaves its curve by more than the tolerance.
-/// @throws InputError where the guide or the branch does not exist, where the roller undercuts the
-///         profile, and for a tolerance out of range
-GuideOutline guide_outline(const Guide& guide, const GuideDrawing& drawing);
-
 /// The drawing as a DXF text (AutoCAD 2000), real size, mm: closed polylines on the layers PROFILE
 /// and ROLLER_PATH, the axis cross on AXIS, name and tolerance on NOTE.
-/// @throws InputError as guide_outline(), std::runtime_error where no temporary file can be made
+/// @throws InputError where the guide or the branch does not exist, where the roller undercuts the
+///         profile, and for a tolerance out of range; std::runtime_error where no temporary file
+///         can be made
 std::string guide_dxf(const Guide& guide, const GuideDrawing& drawing);
 
 /// The guide as a table: crank angle and polar angle (°), radius, x, y of the roller's centre and
 /// x, y of the profile (mm), with a header line; decimal point, commas.
 /// @param step_deg  step of the crank angle, as field::table_step allows; the turn's end is left
 /// out
-/// @throws InputError as guide_outline()
+/// @throws InputError as guide_dxf()
 std::string guide_csv(const Guide& guide, const GuideDrawing& drawing, double step_deg);
 
 }  // namespace ravnoves::elastic_hinge
