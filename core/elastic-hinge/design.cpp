@@ -45,20 +45,49 @@ Design::Design(const Input& input, bool with_rod, bool with_moments, int samples
     const bool solved = input.rod_counterweight && !input.rod_counterweight->mass;
     static_moment_ = solved ? 0.0 : mechanism_.static_moment();
     integral_ = elastic_hinge::rod_hinge_integral(mechanism_, static_moment_, kinematics_);
-    visit_turn(mechanism_, static_moment_, kinematics_, *grid_, with_moments,
-               [&](std::size_t i, const AngleState& state) { states_[i] = state; });
+    tabulate_states(with_moments);
     if (has_exact_kinematics() && with_rod) {
         tabulate_work();
-        find_range(Hinge::crank_with_rod, true);
-        find_range(Hinge::rod, true);
+        find_range(Hinge::crank_with_rod);
+        find_range(Hinge::rod);
     }
     if (has_exact_kinematics()) {
-        find_range(Hinge::crank, with_moments);
+        find_range(Hinge::crank);
     }
 }
 
-double Design::rod_hinge_mean() const {
-    return integral_ / two_pi;
+void Design::tabulate_states(bool with_moments) {
+    for (std::size_t i = 0; 2 * i < states_.size(); ++i) {
+        const double s = grid_->sin_phi[i];
+        const double c = grid_->cos_phi[i];
+        AngleState state{};
+        if (has_exact_kinematics()) {
+            state.exact = rod_angle_exact(mechanism_.lambda, s, c);
+            state.inertia = reduced_inertia(mechanism_, s, c, state.exact);
+        }
+        if (with_moments) {
+            const RodAngle<double> rod = kinematics_ == Kinematics::exact
+                                             ? state.exact
+                                             : rod_angle_series(mechanism_.lambda, s, c);
+            state.moment = rod_hinge_moment(mechanism_, static_moment_, s, c, rod);
+            state.cos_psi = rod.cos_psi;
+        }
+        states_[i] = state;
+        // −φ mirrors φ.
+        const std::size_t mirror = states_.size() - 1 - i;
+        if (mirror == i) {
+            continue;
+        }
+        state.exact.sin_psi = -state.exact.sin_psi;
+        state.exact.dcos = -state.exact.dcos;
+        state.exact.d3cos = -state.exact.d3cos;
+        state.exact.d2psi = -state.exact.d2psi;
+        state.inertia.slope = -state.inertia.slope;
+        state.moment.inertia = -state.moment.inertia;
+        state.moment.true_inertia = -state.moment.true_inertia;
+        state.moment.dweight = -state.moment.dweight;
+        states_[mirror] = state;
+    }
 }
 
 RodHingeMoment<double> Design::rod_moment(double sin_phi, double cos_phi) const {
@@ -131,8 +160,9 @@ double Design::integrate_work(double from, double to) const {
     return sum;
 }
 
-Demand Design::demand(Hinge hinge, double phi, const AngleState& state,
-                      const EnergyRise<double>& rise, double work) const {
+Demand Design::demand(Hinge hinge, double phi, double sin_phi, double cos_phi,
+                      const AngleState& state, double work) const {
+    const auto rise = energy_rise(mechanism_, omega_, sin_phi, cos_phi, state.inertia);
     if (hinge == Hinge::crank) {
         return {phi, 1.0, rise.rise, rise.slope, rise.second};
     }
@@ -154,21 +184,22 @@ Demand Design::demand(Hinge hinge, double phi) const {
     AngleState state{};
     state.exact = rod_angle_exact(mechanism_.lambda, s, c);
     state.inertia = reduced_inertia(mechanism_, s, c, state.exact);
-    const auto rise = energy_rise(mechanism_, omega_, s, c, state.inertia);
     if (hinge == Hinge::crank) {
-        return demand(hinge, phi, state, rise, 0.0);
+        return demand(hinge, phi, s, c, state, 0.0);
     }
     state.moment = kinematics_ == Kinematics::exact
                        ? rod_hinge_moment(mechanism_, static_moment_, s, c, state.exact)
                        : rod_moment(s, c);
-    return demand(hinge, phi, state, rise, rod_work(phi));
+    return demand(hinge, phi, s, c, state, rod_work(phi));
 }
 
-void Design::find_range(Hinge hinge, bool with_demands) {
-    const AngleGrid& grid = *grid_;
-    const std::size_t n = grid.size();
-    std::vector<Demand>& demands = demands_[static_cast<int>(hinge)];
-    demands.reserve(with_demands ? n : 0);
+Demand Design::demand_at(Hinge hinge, std::size_t i) const {
+    return demand(hinge, grid_->angle[i], grid_->sin_phi[i], grid_->cos_phi[i], states_[i],
+                  hinge == Hinge::crank ? 0.0 : work_[i]);
+}
+
+void Design::find_range(Hinge hinge) {
+    const std::vector<double>& angles = grid_->angle;
     DemandRange& range = ranges_[static_cast<int>(hinge)];
     const auto take = [&](double phi, double energy) {
         if (energy < range.min) {
@@ -181,26 +212,19 @@ void Design::find_range(Hinge hinge, bool with_demands) {
         }
     };
     double before = 0.0;  // the moment
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto rise =
-            energy_rise(mechanism_, omega_, grid.sin_phi[i], grid.cos_phi[i], states_[i].inertia);
-        const Demand here =
-            demand(hinge, grid.angle[i], states_[i], rise, hinge == Hinge::crank ? 0.0 : work_[i]);
-        if (with_demands) {
-            demands.push_back(here);
-        }
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        const Demand here = demand_at(hinge, i);
         if ((before < 0.0 && here.moment > 0.0) || (before > 0.0 && here.moment < 0.0)) {
             // An extremum of the energy is a zero of the moment, and well conditioned as that.
             std::uintmax_t steps = 60;
             const auto bracket = boost::math::tools::toms748_solve(
-                [&](double phi) { return demand(hinge, phi).moment; }, grid.angle[i - 1],
-                grid.angle[i], before, here.moment, boost::math::tools::eps_tolerance<double>(50),
-                steps);
+                [&](double phi) { return demand(hinge, phi).moment; }, angles[i - 1], angles[i],
+                before, here.moment, boost::math::tools::eps_tolerance<double>(50), steps);
             const double phi = 0.5 * (bracket.first + bracket.second);
             take(phi, demand(hinge, phi).energy);
         }
-        if (i + 1 < n) {  // where the turn begins again
-            take(grid.angle[i], here.energy);
+        if (i + 1 < angles.size()) {  // where the turn begins again
+            take(angles[i], here.energy);
         }
         before = here.moment;
     }

@@ -32,46 +32,6 @@ struct AngleState {
     double cos_psi;                  ///< of the chosen kinematics
 };
 
-/// The states over one turn, each with its index in the grid: visit(i, state). Only half of them
-/// are computed: φ and −φ mirror each other.
-/// @param with_moments  else nothing of the chosen kinematics
-template <typename Visit>
-void visit_turn(const Mechanism<double>& mechanism, double static_moment, Kinematics kinematics,
-                const AngleGrid& grid, bool with_moments, const Visit& visit) {
-    const bool exact = mechanism.lambda < 1.0;
-    const std::size_t n = grid.size();
-    for (std::size_t i = 0; 2 * i < n; ++i) {
-        const double s = grid.sin_phi[i];
-        const double c = grid.cos_phi[i];
-        AngleState state{};
-        if (exact) {
-            state.exact = rod_angle_exact(mechanism.lambda, s, c);
-            state.inertia = reduced_inertia(mechanism, s, c, state.exact);
-        }
-        if (with_moments) {
-            const RodAngle<double> rod = kinematics == Kinematics::exact
-                                             ? state.exact
-                                             : rod_angle_series(mechanism.lambda, s, c);
-            state.moment = rod_hinge_moment(mechanism, static_moment, s, c, rod);
-            state.cos_psi = rod.cos_psi;
-        }
-        visit(i, state);
-        const std::size_t mirror = n - 1 - i;
-        if (mirror == i) {
-            continue;
-        }
-        state.exact.sin_psi = -state.exact.sin_psi;
-        state.exact.dcos = -state.exact.dcos;
-        state.exact.d3cos = -state.exact.d3cos;
-        state.exact.d2psi = -state.exact.d2psi;
-        state.inertia.slope = -state.inertia.slope;
-        state.moment.inertia = -state.moment.inertia;
-        state.moment.true_inertia = -state.moment.true_inertia;
-        state.moment.dweight = -state.moment.dweight;
-        visit(mirror, state);
-    }
-}
-
 /// Which hinge a guide is for.
 enum class Hinge {
     crank,           ///< between frame and crank: gives M; turns through φ
@@ -104,7 +64,7 @@ struct DemandRange {
 class Design {
   public:
     /// @param with_rod  else nothing may be asked of the rod's hinge, nor of the crank's beside it
-    /// @param with_moments  of the states, and with demands; with_rod needs them
+    /// @param with_moments  of the states; with_rod needs them
     /// @param samples  crank angles of the grid
     /// @throws InputError as check_input()
     explicit Design(const Input& input, bool with_rod = true, bool with_moments = true,
@@ -112,14 +72,13 @@ class Design {
 
     const Mechanism<double>& mechanism() const { return mechanism_; }
     double angular_speed() const { return omega_; }
-    Kinematics kinematics() const { return kinematics_; }
     /// False for λ = 1: M, M₁ and every guide need the exact kinematics.
     bool has_exact_kinematics() const { return mechanism_.lambda < 1.0; }
 
     /// ∮ M₁₂ dφ, J.
     double rod_hinge_integral() const { return integral_; }
     /// Its mean over the turn, N·m: what (5) takes off.
-    double rod_hinge_mean() const;
+    double rod_hinge_mean() const { return integral_ / two_pi; }
     /// (m₃ + m₂/2) ℓ − m₄ ℓ₂, kg·m; exactly 0 for a counterweight that was solved.
     double static_moment() const { return static_moment_; }
 
@@ -131,21 +90,21 @@ class Design {
 
     /// Needs the exact kinematics.
     Demand demand(Hinge hinge, double phi) const;
-    /// The same from the known state of that angle (for whole curves).
-    Demand demand(Hinge hinge, double phi, const AngleState& state, const EnergyRise<double>& rise,
-                  double work) const;
+    /// The same at an angle of the grid.
+    Demand demand_at(Hinge hinge, std::size_t i) const;
     const DemandRange& range(Hinge hinge) const { return ranges_[static_cast<int>(hinge)]; }
 
-    /// States and demands at the angles of the grid; no demands for λ = 1 and without moments.
     const AngleGrid& grid() const { return *grid_; }
+    /// At the angles of the grid.
     const std::vector<AngleState>& states() const { return states_; }
-    const std::vector<Demand>& demands(Hinge hinge) const {
-        return demands_[static_cast<int>(hinge)];
-    }
 
   private:
+    void tabulate_states(bool with_moments);
     void tabulate_work();
-    void find_range(Hinge hinge, bool with_demands);
+    /// From the state of the angle.
+    Demand demand(Hinge hinge, double phi, double sin_phi, double cos_phi, const AngleState& state,
+                  double work) const;
+    void find_range(Hinge hinge);
     double work_slope(double phi) const;
     double integrate_work(double from, double to) const;
 
@@ -157,7 +116,6 @@ class Design {
     bool sharp_;  ///< λ so near 1 that the grid's step is too coarse for interpolation
     std::shared_ptr<const AngleGrid> grid_;
     std::vector<AngleState> states_;
-    std::vector<Demand> demands_[3];
     std::vector<double> work_;
     std::function<double(double)> interpolated_work_;
     DemandRange ranges_[3];

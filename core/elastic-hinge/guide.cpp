@@ -17,26 +17,11 @@ Number number(double si, Unit unit) {
     return {si / unit, unit, 6};
 }
 
-/// Six digits that still suffice.
-Number number_up(double si, Unit unit) {
-    return number(si * (1.0 + 5e-6), unit);
-}
-
 Text name_of(Hinge hinge) {
-    switch (hinge) {
-        case Hinge::crank:
-            return Text::tr("the crank's hinge");
-        case Hinge::crank_with_rod:
-            return Text::tr("the crank's hinge with the rod's hinge");
-        case Hinge::rod:
-            break;
-    }
-    return Text::tr("the rod's hinge");
-}
-
-/// ρ / √(ρ² + ρ′²), the cosine of the pressure angle.
-double pressure_cosine(const GuidePoint& point) {
-    return point.radius / std::sqrt(point.radius * point.radius + point.slope * point.slope);
+    constexpr Text names[] = {Text::tr("the crank's hinge"),
+                              Text::tr("the crank's hinge with the rod's hinge"),
+                              Text::tr("the rod's hinge")};
+    return names[static_cast<int>(hinge)];
 }
 
 /// What a branch of a guide comes to over the turn.
@@ -87,7 +72,8 @@ class BranchScan {
 
     /// What the maximum over the turn is sought of.
     std::array<double, measures> measure(const GuidePoint& point) const {
-        const double cosine = pressure_cosine(point);
+        const double cosine =  // of the pressure angle
+            point.radius / std::sqrt(point.radius * point.radius + point.slope * point.slope);
         const double bend = point.curvature();
         // The profile lies outside a compressed spring's rollers and inside a stretched one's.
         const double profile = roller_ > 0.0
@@ -106,10 +92,6 @@ class BranchScan {
 };
 
 }  // namespace
-
-double Spring::preload() const {
-    return std::abs(0.5 * free_length - guide_radius_at_zero);
-}
 
 double Spring::start_radius(Branch branch) const {
     const bool given = (guide_radius_at_zero < 0.5 * free_length) == (branch == Branch::compressed);
@@ -177,11 +159,6 @@ GuidePoint GuideShape::at(Branch branch, const Demand& demand) const {
     return branch == Branch::compressed ? points.first : points.second;
 }
 
-double GuideShape::energy(double radius) const {
-    const double change = spring_.free_length - 2.0 * radius;
-    return 0.5 * spring_.stiffness * change * change;
-}
-
 DemandRange GuideShape::given_out() const {
     const DemandRange range = design_->range(hinge_);
     return scale_ > 0.0 ? DemandRange{scale_ * range.min, scale_ * range.max, range.min_angle,
@@ -203,7 +180,7 @@ Message preload_reason(const Guide& guide) {
                          Number{minimum, units::mm, -4}};
     if (guide.minimum_stiffness && std::isfinite(*guide.minimum_stiffness)) {
         return {Text::tr("%1; with this preload the minimum stiffness is %2"), reason,
-                number_up(*guide.minimum_stiffness, units::kN_per_m)};
+                number(*guide.minimum_stiffness * (1.0 + 5e-6), units::kN_per_m)};
     }
     return reason;
 }
@@ -215,14 +192,12 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     Guide guide;
     guide.hinge = hinge;
     if (!design->has_exact_kinematics()) {
-        guide.problem = GuideProblem::mechanism_locks;
         guide.reason = Text::tr(
             "at λ = 1 the mechanism locks at a crank angle of 90°: no guide "
             "and no motion, only M₁₂ and side force by the series");
         return guide;
     }
     if (!spring) {
-        guide.problem = GuideProblem::no_spring;
         guide.reason = {Text::tr("no spring is given for %1"), name_of(hinge)};
         return guide;
     }
@@ -246,7 +221,6 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     const double half_length = 0.5 * spring->free_length;
 
     // Where it ends is seen angle by angle.
-    const auto& demands = shape->design().demands(hinge);
     const std::size_t n = by_angle || !exists ? shape->design().grid().size() : 0;
     const double step = shape->design().grid().angle[1];
     guide.polar_angle.resize(n);
@@ -270,7 +244,7 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     bool missing = false;
     for (std::size_t i = 0; i < n; ++i) {
         const double phi = step * static_cast<double>(i);
-        const Demand demand = demands.empty() ? shape->design().demand(hinge, phi) : demands[i];
+        const Demand demand = shape->design().demand_at(hinge, i);
         const auto [inner, outer] = shape->both(demand);
         largest_moment.take(hinge_moment(demand), phi);
         guide.polar_angle[i] = demand.polar_angle;
@@ -297,7 +271,7 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     guide.largest_moment = largest_moment.value;
 
     if (!exists) {
-        guide.problem = GuideProblem::preload_too_small;
+        guide.lacks_preload = true;
         if (!missing) {
             guide.first_missing_angle = guide.worst_angle;
         }
@@ -308,7 +282,6 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     steepest_error.sharpen(
         [&](double phi) { return wave_effect(shape->at(Branch::stretched, phi)); }, step);
     guide.relief = highest + lowest > 0.0 ? given_out.span() / (highest + lowest) : 0.0;
-    guide.spring_travel = 2.0 * guide.relief;
     guide.largest_spring_force = 2.0 * spring->stiffness * highest;
     guide.smallest_spring_force = 2.0 * spring->stiffness * lowest;
     guide.stretched = stretched.finish(half_length + lowest, half_length + highest, step);
@@ -327,14 +300,12 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
         guide.largest_moment > 0.0 ? guide.error.torque / guide.largest_moment : 0.0;
 
     if (guide.branch == Branch::compressed && !fits) {
-        guide.problem = GuideProblem::radius_not_positive;
         guide.reason = {
             Text::tr("the spring would be compressed by %1, its whole free length (%2) or more"),
             number(2.0 * highest, units::mm), number(spring->free_length, units::mm)};
         return guide;
     }
     guide.feasible = true;
-    guide.problem = GuideProblem::none;
     return guide;
 }
 

@@ -69,8 +69,6 @@ class GuideShape {
     double given_out(const Demand& demand) const { return scale_ * demand.energy; }
     /// The same over the turn.
     DemandRange given_out() const;
-    /// Energy in the spring at a radius, ½ c (ℓ₀ − 2ρ)², J.
-    double energy(double radius) const;
 
     /// Negative rounding of preload² − given_out(), m²: a preload of exactly the minimum makes a
     /// guide.
@@ -82,15 +80,6 @@ class GuideShape {
     Spring spring_;
     double scale_;     ///< ± 1 / (2c), m²/J
     double rounding_;  ///< of preload² − energy given out, m²
-};
-
-/// Why there is no guide.
-enum class GuideProblem {
-    none,
-    no_spring,            ///< the input has none
-    mechanism_locks,      ///< λ = 1
-    preload_too_small,    ///< Π < 0 somewhere
-    radius_not_positive,  ///< the spring would have to shrink to nothing
 };
 
 /// One branch of a guide.
@@ -120,8 +109,8 @@ struct ProfileError {
 struct Guide {
     Hinge hinge = Hinge::crank;
     bool feasible = false;
-    GuideProblem problem = GuideProblem::no_spring;
-    Message reason;  ///< why not, as a sentence; empty where feasible
+    Message reason;              ///< why not, as a sentence; empty where feasible
+    bool lacks_preload = false;  ///< that is why: Π < 0 somewhere
 
     double preload = 0.0;                     ///< |ℓ₀/2 − ρ₀|, m
     double minimum_preload = 0.0;             ///< that the guide needs, m
@@ -130,7 +119,6 @@ struct Guide {
     double worst_angle = 0.0;  ///< crank angle where most energy has been given out, rad
 
     double relief = 0.0;                ///< max ρ − min ρ, m
-    double spring_travel = 0.0;         ///< change of the spring's length over the turn, m
     double largest_spring_force = 0.0;  ///< N
     double smallest_spring_force = 0.0;
     double smallest_deflection = 0.0;    ///< min |ℓ₀/2 − ρ|, m

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "case-file/json_fwd.h"
@@ -38,7 +39,8 @@ struct Spring {
     double free_length = 0.2;            ///< ℓ₀, m
     double guide_radius_at_zero = 0.09;  ///< ρ₀ at φ = 0, m; below ℓ₀/2 compressed, above stretched
 
-    double preload() const;  ///< |ℓ₀/2 − ρ₀|, m: half the change of the spring's length at φ = 0
+    /// |ℓ₀/2 − ρ₀|, m: half the change of the spring's length at φ = 0.
+    double preload() const { return std::abs(0.5 * free_length - guide_radius_at_zero); }
     double start_radius(Branch branch) const;  ///< at φ = 0 on a branch, m
     bool operator==(const Spring&) const = default;
 };
@@ -75,11 +77,11 @@ enum class HingeSet {
 
 /// What a forward motion starts from.
 struct MotionWish {
-    double turns = 5.0;                 ///< of the crank, > 0
-    std::optional<double> start_speed;  ///< rad/s; empty: the design speed ω
-    double start_angle = 0.0;           ///< rad
-    double crank_torque = 0.0;          ///< constant moment on the crank, N·m
-    bool with_profile_error = false;    ///< the guide as made, with the input's profile error
+    double turns = 5.0;                                ///< of the crank, > 0
+    std::optional<double> start_speed = std::nullopt;  ///< rad/s; empty: the design speed ω
+    double start_angle = 0.0;                          ///< rad
+    double crank_torque = 0.0;                         ///< constant moment on the crank, N·m
+    bool with_profile_error = false;  ///< the guide as made, with the input's profile error
     bool operator==(const MotionWish&) const = default;
 };
 

@@ -28,61 +28,6 @@ struct Place {
     }
 };
 
-/// The one equation of motion, I φ̈ + ½ I′ φ̇² = moment, and its integral, ½ I φ̇² + potential.
-class System {
-  public:
-    System(const Design& design, const Guide& guide, const MotionSetup& setup)
-        : design_(design),
-          setup_(setup),
-          shape_(setup.hinges == HingeSet::none ? nullptr : guide.shape.get()),
-          branch_(guide.branch),
-          weight_(potential_amplitude(design.mechanism())) {}
-
-    Place at(double phi) const {
-        ++asked_;
-        const double s = std::sin(phi);
-        const double c = std::cos(phi);
-        const auto rod = rod_angle_exact(design_.mechanism().lambda, s, c);
-        const auto inertia = reduced_inertia(design_.mechanism(), s, c, rod);
-        Place place{inertia.value, inertia.slope,
-                    weight_ * s - setup_.crank_torque * (phi - setup_.start_angle),
-                    setup_.crank_torque - weight_ * c, 1.0 / (rod.cos_psi * rod.cos_psi)};
-        if (shape_ != nullptr) {
-            add_hinges(phi, place);
-        }
-        return place;
-    }
-
-    std::size_t asked() const { return asked_; }
-
-  private:
-    void add_hinges(double phi, Place& place) const {
-        if (setup_.hinges == HingeSet::crank_and_rod) {
-            const Demand demand = design_.demand(Hinge::rod, phi);
-            place.potential -= demand.energy;
-            place.moment += demand.moment * demand.dpolar;
-        }
-        const Demand demand = design_.demand(shape_->hinge(), phi);
-        const GuidePoint point = shape_->at(branch_, demand);
-        const auto& spring = shape_->spring();
-        const double waves = setup_.profile_error_waves;
-        const double error = setup_.profile_error * std::sin(waves * phi);
-        const double slope = point.slope + setup_.profile_error * waves * std::cos(waves * phi);
-        const double change = spring.free_length - 2.0 * point.radius;
-        // ½ c (change − 2 error)² less what is constant: no difference of large energies.
-        place.potential +=
-            2.0 * spring.stiffness * (error * (error - change) - shape_->given_out(demand));
-        place.moment += 2.0 * spring.stiffness * (change - 2.0 * error) * slope;
-    }
-
-    const Design& design_;
-    const MotionSetup& setup_;
-    const GuideShape* shape_;
-    Branch branch_;
-    double weight_;
-    mutable std::size_t asked_ = 0;
-};
-
 struct Sample {
     double seconds, angle, speed, acceleration;
 };
@@ -135,48 +80,6 @@ Number turns_of(double angle) {
     return {rounded_to_decimals(std::abs(angle) / two_pi, 4)};
 }
 
-/// Near λ = 1 the rod's inertia jumps at the dead centres, and no step is short enough for it; with
-/// waves of the profile's error it is the number of turns.
-void check_work(std::size_t points, const Design& design, const MotionSetup& setup, double turned) {
-    constexpr std::size_t maximum = 10'000'000;  // a few seconds
-    const double lambda = design.mechanism().lambda;
-    constexpr double nearly_one = 0.999;
-    // The work of the rod's hinge is then an integral at each point.
-    const bool integrates = lambda > nearly_one && setup.hinges == HingeSet::crank_and_rod;
-    if (points <= (integrates ? maximum / 400 : maximum)) {
-        return;
-    }
-    if (lambda > nearly_one) {
-        throw InputError(
-            "/input/lambda",
-            {Text::tr("must be further from 1 for a motion: more than %1 points"), points},
-            Number{lambda});
-    }
-    throw InputError("/input/motion/turns",
-                     {Text::tr("must be less for this motion: %1 points reach only turn %2"),
-                      points, turns_of(turned)},
-                     Number{setup.turns});
-}
-
-void check_setup(const Design& design, const Guide& guide, const MotionSetup& setup) {
-    if (!design.has_exact_kinematics()) {
-        throw InputError("/input/lambda",
-                         Text::tr("must be less than 1 for a motion: the mechanism locks"),
-                         Number{design.mechanism().lambda});
-    }
-    if (setup.hinges != HingeSet::none) {
-        const Hinge wanted = setup.hinges == HingeSet::crank ? Hinge::crank : Hinge::crank_with_rod;
-        if (!guide.feasible || !guide.shape || guide.hinge != wanted) {
-            throw InputError(
-                "/input/spring",
-                guide.reason.empty()
-                    ? Message(Text::tr("must give a feasible guide for this motion"))
-                    : Message(Text::tr("must give a feasible guide for this motion: %1"),
-                              guide.reason));
-        }
-    }
-}
-
 Sample sample_of(const Motion& motion, std::size_t i) {
     return {motion.time[i], motion.crank_angle[i], motion.speed[i], motion.acceleration[i]};
 }
@@ -222,40 +125,50 @@ namespace {
 /// A motion from its start to its end, stretch by stretch.
 class Run {
   public:
-    Run(const Design& design, const Guide& guide, const MotionSetup& setup,
-        const MotionProgress& progress)
-        : design_(design), setup_(setup), progress_(progress), system_(design, guide, setup) {
-        const Place first = system_.at(setup.start_angle);
-        const double acceleration = first.acceleration(setup.start_speed);
-        if (!std::isfinite(acceleration) || !(reduced_inertia_at_zero(design.mechanism()) > 0.0)) {
+    Run(const Input& input, const Result& result, HingeSet hinges, const MotionProgress& progress,
+        double tolerance)
+        : design_(*result.design),
+          hinges_(hinges),
+          guide_(hinges == HingeSet::crank_and_rod ? result.crank_guide_with_rod
+                                                   : result.crank_guide),
+          wish_(input.motion.value_or(MotionWish{})),
+          start_speed_(wish_.start_speed.value_or(input.angular_speed)),
+          profile_error_(wish_.with_profile_error ? input.profile_error : 0.0),
+          waves_(input.profile_error_waves),
+          progress_(progress),
+          tolerance_(std::max(tolerance, 1e-8)),
+          weight_(potential_amplitude(design_.mechanism())) {
+        check_guide();
+        const Place first = at(wish_.start_angle);
+        const double acceleration = first.acceleration(start_speed_);
+        if (!std::isfinite(acceleration) || !(reduced_inertia_at_zero(design_.mechanism()) > 0.0)) {
             throw InputError("/input",
                              Text::tr("must give the crank and the rod together some mass for a "
                                       "motion"));
         }
         // A time in which something happens: of one radian at the start's speed or acceleration.
-        const double rate =
-            std::max({std::abs(setup.start_speed), std::sqrt(std::abs(acceleration)),
-                      1e-6 * design.angular_speed(), 1e-9});
-        longest_ = 50.0 * (setup.turns * two_pi + 1.0) / rate;
-        motion_.min_speed = setup.start_speed;
-        motion_.max_speed = setup.start_speed;
-        level_ = {0.5 * first.inertia * setup.start_speed * setup.start_speed, first.potential};
+        const double rate = std::max({std::abs(start_speed_), std::sqrt(std::abs(acceleration)),
+                                      1e-6 * design_.angular_speed(), 1e-9});
+        longest_ = 50.0 * (wish_.turns * two_pi + 1.0) / rate;
+        motion_.min_speed = start_speed_;
+        motion_.max_speed = start_speed_;
+        level_ = {0.5 * first.inertia * start_speed_ * start_speed_, first.potential};
         scale_ = level_.kinetic;
         // From rest the crank goes where it is accelerated to.
-        side_ = (setup.start_speed != 0.0 ? setup.start_speed : acceleration) < 0.0 ? -1.0 : 1.0;
-        record({0.0, setup.start_angle, setup.start_speed, acceleration});
+        side_ = (start_speed_ != 0.0 ? start_speed_ : acceleration) < 0.0 ? -1.0 : 1.0;
+        record({0.0, wish_.start_angle, start_speed_, acceleration});
     }
 
     Motion to_end() {
-        const auto per_turn = static_cast<std::size_t>(
-            std::max(180, setup_.profile_error != 0.0 ? 8 * setup_.profile_error_waves : 0));
+        const auto per_turn =
+            static_cast<std::size_t>(std::max(180, profile_error_ != 0.0 ? 8 * waves_ : 0));
         const auto turned = [&](std::size_t stretches) {
             const double turns = static_cast<double>(stretches) / static_cast<double>(per_turn);
-            return two_pi * std::min(turns, setup_.turns);
+            return two_pi * std::min(turns, wish_.turns);
         };
         for (std::size_t i = 1; !done_ && turned(i - 1) < turned(i); ++i) {
-            go(setup_.start_angle + side_ * turned(i));
-            if (i == per_turn && setup_.crank_torque == 0.0) {
+            go(wish_.start_angle + side_ * turned(i));
+            if (i == per_turn && wish_.crank_torque == 0.0) {
                 i += per_turn * repeat_turn();
             }
             if (i % per_turn == 0) {
@@ -267,6 +180,75 @@ class Run {
     }
 
   private:
+    void check_guide() const {
+        if (!design_.has_exact_kinematics()) {
+            throw InputError("/input/lambda",
+                             Text::tr("must be less than 1 for a motion: the mechanism locks"),
+                             Number{design_.mechanism().lambda});
+        }
+        if (hinges_ != HingeSet::none && !guide_.feasible) {
+            throw InputError(
+                "/input/spring",
+                {Text::tr("must give a feasible guide for this motion: %1"), guide_.reason});
+        }
+    }
+
+    /// Near λ = 1 the rod's inertia jumps at the dead centres, and no step is short enough for it;
+    /// with waves of the profile's error it is the number of turns.
+    void check_work() const {
+        constexpr std::size_t maximum = 10'000'000;  // a few seconds
+        const double lambda = design_.mechanism().lambda;
+        constexpr double nearly_one = 0.999;
+        // The work of the rod's hinge is then an integral at each point.
+        const bool integrates = lambda > nearly_one && hinges_ == HingeSet::crank_and_rod;
+        if (asked_ <= (integrates ? maximum / 400 : maximum)) {
+            return;
+        }
+        if (lambda > nearly_one) {
+            throw InputError(
+                "/input/lambda",
+                {Text::tr("must be further from 1 for a motion: more than %1 points"), asked_},
+                Number{lambda});
+        }
+        throw InputError("/input/motion/turns",
+                         {Text::tr("must be less for this motion: %1 points reach only turn %2"),
+                          asked_, turns_of(last_.angle - wish_.start_angle)},
+                         Number{wish_.turns});
+    }
+
+    Place at(double phi) const {
+        ++asked_;
+        const double s = std::sin(phi);
+        const double c = std::cos(phi);
+        const auto rod = rod_angle_exact(design_.mechanism().lambda, s, c);
+        const auto inertia = reduced_inertia(design_.mechanism(), s, c, rod);
+        Place place{inertia.value, inertia.slope,
+                    weight_ * s - wish_.crank_torque * (phi - wish_.start_angle),
+                    wish_.crank_torque - weight_ * c, 1.0 / (rod.cos_psi * rod.cos_psi)};
+        if (hinges_ != HingeSet::none) {
+            add_hinges(phi, place);
+        }
+        return place;
+    }
+
+    void add_hinges(double phi, Place& place) const {
+        if (hinges_ == HingeSet::crank_and_rod) {
+            const Demand demand = design_.demand(Hinge::rod, phi);
+            place.potential -= demand.energy;
+            place.moment += demand.moment * demand.dpolar;
+        }
+        const Demand demand = design_.demand(guide_.hinge, phi);
+        const GuidePoint point = guide_.shape->at(guide_.branch, demand);
+        const auto& spring = guide_.shape->spring();
+        const double error = profile_error_ * std::sin(waves_ * phi);
+        const double slope = point.slope + profile_error_ * waves_ * std::cos(waves_ * phi);
+        const double change = spring.free_length - 2.0 * point.radius;
+        // ½ c (change − 2 error)² less what is constant: no difference of large energies.
+        place.potential +=
+            2.0 * spring.stiffness * (error * (error - change) - guide_.shape->given_out(demand));
+        place.moment += 2.0 * spring.stiffness * (change - 2.0 * error) * slope;
+    }
+
     void end(MotionEnd how) {
         motion_.end = how;
         done_ = true;
@@ -274,7 +256,7 @@ class Run {
 
     void report() {
         const double part =
-            std::max(std::abs(last_.angle - setup_.start_angle) / (two_pi * setup_.turns),
+            std::max(std::abs(last_.angle - wish_.start_angle) / (two_pi * wish_.turns),
                      last_.seconds / longest_);
         if (!done_ && progress_ && !progress_(std::min(part, 1.0))) {
             end(MotionEnd::cancelled);
@@ -297,7 +279,7 @@ class Run {
 
     /// Where the crank is in a direction from a sample, moving by its energy.
     double square_beyond(const Sample& from, double angle) const {
-        return level_.square(system_.at(from.angle + side_ * angle));
+        return level_.square(at(from.angle + side_ * angle));
     }
 
     /// Adds what is needed of samples up to an angle.
@@ -305,10 +287,10 @@ class Run {
         if (done_) {
             return;
         }
-        check_work(system_.asked(), design_, setup_, last_.angle - setup_.start_angle);
+        check_work();
         const Sample from = last_;
         Sample next{0.0, to, 0.0, 0.0};
-        Place place = system_.at(to);
+        Place place = at(to);
         const bool stops = !(level_.at(place) > 0.0);
         if (stops && from.speed != 0.0) {
             next.angle = from.angle + side_ * root([&](double x) { return square_beyond(from, x); },
@@ -317,7 +299,7 @@ class Run {
             if (next.angle == from.angle) {
                 return end(MotionEnd::reversed);
             }
-            place = system_.at(next.angle);
+            place = at(next.angle);
         } else if (!stops) {
             next.speed = side_ * std::sqrt(level_.square(place));
         }
@@ -365,7 +347,7 @@ class Run {
             [&](double u) {
                 const double angle = from.angle + way * u * (2.0 * from.speed + change * u) / sum;
                 const double slope = 2.0 * way * (from.speed + change * u) / sum;
-                const Place place = system_.at(angle);
+                const Place place = at(angle);
                 const double speed = side_ * std::sqrt(level_.square(place));
                 return std::complex<double>(slope / speed, place.moment * slope);
             },
@@ -374,10 +356,9 @@ class Run {
         end.seconds = from.seconds + both.real();
         constexpr double worst = 0.276;  // of an interval, where the polynomial's speed is
         const Sample read = between(from, end, std::lerp(from.seconds, end.seconds, worst));
-        const Place place = system_.at(read.angle);
+        const Place place = at(read.angle);
         const double speed = side_ * std::sqrt(level_.square(place));
-        const double allowed =
-            0.25 * std::max(setup_.tolerance, 1e-8) + level_.noise(place, read.angle);
+        const double allowed = 0.25 * tolerance_ + level_.noise(place, read.angle);
         return {both.real(), both.imag(),
                 std::abs(read.speed - speed) / std::max(std::abs(from.speed), std::abs(to.speed)) /
                     allowed};
@@ -387,7 +368,7 @@ class Run {
         if ((from.acceleration < 0.0) != (next.acceleration < 0.0)) {  // a maximum or minimum
             const double x = root(
                 [&](double way) {
-                    const Place place = system_.at(from.angle + side_ * way);
+                    const Place place = at(from.angle + side_ * way);
                     return place.acceleration(std::sqrt(std::max(level_.square(place), 0.0)));
                 },
                 std::abs(next.angle - from.angle), from.acceleration, next.acceleration);
@@ -395,10 +376,10 @@ class Run {
         }
         if (next.seconds >= longest_) {
             next = between(from, next, longest_);
-            next.acceleration = system_.at(next.angle).acceleration(next.speed);
+            next.acceleration = at(next.angle).acceleration(next.speed);
             end(MotionEnd::too_slow);
         }
-        const Place place = system_.at(next.angle);
+        const Place place = at(next.angle);
         const double risen = place.potential - level_.potential;
         work_ += work;
         drift_ = std::max(drift_, std::abs(work_ + risen));
@@ -413,7 +394,7 @@ class Run {
         const std::size_t count = motion_.time.size();
         const double seconds = last_.seconds;
         std::size_t turns = 0;
-        for (double k = 1.0; !done_ && k + 1.0 <= setup_.turns; ++k, ++turns) {
+        for (double k = 1.0; !done_ && k + 1.0 <= wish_.turns; ++k, ++turns) {
             for (std::size_t i = 1; i < count; ++i) {
                 Sample sample = sample_of(motion_, i);
                 sample.seconds += k * seconds;
@@ -430,15 +411,16 @@ class Run {
 
     /// What the motion comes to, and why it ended.
     void finish() {
-        const double turned = last_.angle - setup_.start_angle;
+        const double turned = last_.angle - wish_.start_angle;
         motion_.mean_speed = last_.seconds > 0.0 ? turned / last_.seconds : 0.0;
         motion_.ripple = motion_.mean_speed != 0.0 ? (motion_.max_speed - motion_.min_speed) /
                                                          std::abs(motion_.mean_speed)
                                                    : 0.0;
         motion_.energy_drift = scale_ > 0.0 ? drift_ / scale_ : 0.0;
-        motion_.evaluations = system_.asked();
+        motion_.evaluations = asked_;
         switch (motion_.end) {
             case MotionEnd::completed:
+            case MotionEnd::cancelled:
                 break;
             case MotionEnd::reversed:
                 motion_.reason = {Text::tr("the crank stops after %1 turns and reverses"),
@@ -451,16 +433,20 @@ class Run {
                         : Message{Text::tr("the crank made only %1 turns in %2"), turns_of(turned),
                                   Number{last_.seconds, units::second, 6}};
                 break;
-            case MotionEnd::cancelled:
-                motion_.reason = {Text::tr("cancelled after %1 turns"), turns_of(turned)};
-                break;
         }
     }
 
     const Design& design_;
-    const MotionSetup& setup_;
+    HingeSet hinges_;
+    const Guide& guide_;
+    MotionWish wish_;
+    double start_speed_;    ///< rad/s
+    double profile_error_;  ///< ε of waves ε sin(n φ) on the crank's guide, m
+    int waves_;
     const MotionProgress& progress_;
-    System system_;
+    double tolerance_;
+    double weight_;
+    mutable std::size_t asked_ = 0;  ///< places
     Motion motion_;
     Sample last_{};
     double longest_ = 0.0;  ///< time, s
@@ -475,40 +461,9 @@ class Run {
 
 }  // namespace
 
-Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_guide,
-                const MotionSetup& setup, const MotionProgress& progress) {
-    check_setup(*design, crank_guide, setup);
-    return Run(*design, crank_guide, setup, progress).to_end();
-}
-
-double side_force(const Mechanism<double>& m, double phi, double speed, double acceleration,
-                  double hinge_moment) {
-    const double s = std::sin(phi);
-    const double c = std::cos(phi);
-    const auto rod = rod_angle_exact(m.lambda, s, c);
-    const double l = m.rod_length();
-    const double r = m.crank_radius;
-    const double l2 = m.counterweight_distance;
-    const double square = speed * speed;
-    // Accelerations by φ̇² and φ̈; the rod turns through −ψ.
-    const double dd_cos_phi = -c * square - s * acceleration;
-    const double dd_sin_phi = -s * square + c * acceleration;
-    const double dd_cos_psi = rod.d2cos * square + rod.dcos * acceleration;
-    const double dd_sin_psi = m.lambda * dd_sin_phi;
-    const double dd_psi = rod.d2psi * square + rod.dpsi * acceleration;
-    const struct {
-        double mass, along;  // kg; distance from A towards B, m
-    } bodies[] = {{m.slider_mass, l}, {m.rod_mass, 0.5 * l}, {m.counterweight_mass, -l2}};
-    // Moments about A: Σ (r × m (a − g)) + I α = hinge moment + (B − A) × force on the slider.
-    double sum = -m.rod_mass * l * l / 12.0 * dd_psi;
-    for (const auto& body : bodies) {
-        const double ax = r * dd_cos_phi + body.along * dd_cos_psi;
-        const double ay = r * dd_sin_phi - body.along * dd_sin_psi;
-        const double x = body.along * rod.cos_psi;
-        const double y = -body.along * rod.sin_psi;
-        sum += body.mass * (x * (ay + m.gravity) - y * ax);
-    }
-    return (hinge_moment - sum) / (l * rod.cos_psi);
+Motion simulate(const Input& input, const Result& result, HingeSet hinges,
+                const MotionProgress& progress, double tolerance) {
+    return Run(input, result, hinges, progress, tolerance).to_end();
 }
 
 }  // namespace ravnoves::elastic_hinge

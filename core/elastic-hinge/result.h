@@ -22,18 +22,10 @@ struct MechanismCurves {
     std::vector<double> crank_moment_with_rod_hinge;  ///< M₁ or M₁*, N·m, (8), (11)
 };
 
-/// The same at another crank speed or another λ, for families of curves.
-struct FamilyMember {
-    double parameter = 0.0;  ///< ω (rad/s) or λ
-    MechanismCurves curves;
-};
-
 /// Everything that the page shows and that the command line prints, but for the motion.
 struct Result {
     std::vector<double> crank_angle_deg;  ///< 0…360
     MechanismCurves curves;
-    std::vector<FamilyMember> by_speed;
-    std::vector<FamilyMember> by_lambda;
 
     double rod_hinge_integral = 0.0;  ///< ∮ M₁₂ dφ, J
     double counterweight_mass = 0.0;  ///< P₄/g, kg; 0 without one
@@ -44,10 +36,9 @@ struct Result {
     double largest_side_force_without = 0.0;  ///< N, over the continuous turn
     double largest_side_force_with = 0.0;
     /// What the slider's guide bears when a hinge with M₁₂'s potential part is built, by
-    /// Newton–Euler: equal to side_force_with_hinge but for a counterweight after (9) as printed
-    /// and for the series. N; empty where λ = 1.
-    std::vector<double> side_force_true;
-    double largest_side_force_true = 0.0;
+    /// Newton–Euler: other than with the hinge for a counterweight after (9) as printed and for the
+    /// series. N; empty where λ = 1.
+    std::optional<double> largest_side_force_true;
 
     /// Largest |cos ψ of the series − exact cos ψ| over the turn, and its place.
     double series_error = 0.0;
@@ -62,7 +53,6 @@ struct Result {
     Guide rod_guide;                        ///< for M₁₂'s potential part, over θ
     std::optional<GuideProposal> proposal;  ///< for the crank's guide, where the input asks
 
-    std::vector<Message> doubts;       ///< of the input: it looks like a slip
     std::vector<Message> notes;        ///< sentences the user should read
     std::vector<Message> guide_notes;  ///< of the crank's guide
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "case-file/decimal.h"
+#include "elastic-hinge/motion.h"
 #include "elastic-hinge/solver.h"
 
 namespace ravnoves::elastic_hinge {
@@ -48,17 +49,8 @@ std::string_view word_of(Branch branch) {
 }
 
 std::string_view word_of(MotionEnd end) {
-    switch (end) {
-        case MotionEnd::completed:
-            return "completed";
-        case MotionEnd::reversed:
-            return "reversed";
-        case MotionEnd::too_slow:
-            return "too-slow";
-        case MotionEnd::cancelled:
-            break;
-    }
-    return "cancelled";
+    constexpr std::string_view words[] = {"completed", "reversed", "too-slow", "cancelled"};
+    return words[static_cast<int>(end)];
 }
 
 std::optional<double> when(bool there, double value) {
@@ -97,16 +89,15 @@ void visit_guide(ResultVisitor& visitor, const Guide& guide) {
                    when(known, guide.minimum_preload));
     visitor.number({"minimum_stiffness_N_m", Text::tr("Minimum stiffness"), 0},
                    known ? guide.minimum_stiffness : std::nullopt);
-    visitor.number(
-        {"first_missing_crank_angle_deg", Text::tr("Guide ends at φ"), 1},
-        when(guide.problem == GuideProblem::preload_too_small, guide.first_missing_angle));
+    visitor.number({"first_missing_crank_angle_deg", Text::tr("Guide ends at φ"), 1},
+                   when(guide.lacks_preload, guide.first_missing_angle));
     visitor.number({"worst_crank_angle_deg", Text::tr("φ of the maximum energy"), 1},
                    when(known, guide.worst_angle));
     visitor.word(key::branch, known ? word_of(guide.branch) : "");
     visitor.number(key::relief, when(made, guide.relief));
     visitor.number({"spring_travel_mm", Text::tr("Spring travel"), 3,
                     Text::tr("Maximum minus minimum length of the spring over a turn.")},
-                   when(made, guide.spring_travel));
+                   when(made, 2.0 * guide.relief));
     visitor.number(key::largest_spring_force, when(made, guide.largest_spring_force));
     visitor.number({"smallest_spring_force_N", Text::tr("Minimum spring force"), 1},
                    when(made, guide.smallest_spring_force));
@@ -230,7 +221,7 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
                         Text::tr("Maximum force of the slider on its guide with the rod hinge.")},
                        with);
         visitor.number({"largest_by_newton_euler_N", Text::tr("Side force by Newton–Euler"), 2},
-                       when(!result.side_force_true.empty(), result.largest_side_force_true));
+                       result.largest_side_force_true);
         visitor.number({"reduction_factor", Text::tr("Side force, reduction factor"), 1},
                        when(with > 0.0, without / with));
     });
@@ -246,8 +237,7 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
         visitor.object(key::motion, [&] { visit_motions(visitor, input, result); });
     }
     visitor.texts(notes, [&] {
-        std::vector<Message> said = result.doubts;
-        said.insert(said.end(), result.notes.begin(), result.notes.end());
+        std::vector<Message> said = result.notes;
         said.insert(said.end(), result.guide_notes.begin(), result.guide_notes.end());
         return said;
     });
@@ -281,17 +271,12 @@ void visit_results(ResultVisitor& visitor, const Input& input) {
                            [&](std::string_view each) { return visitor.wants(each); });
     };
     SolveOptions options;
-    options.with_curves = wants_any({ravnoves::result_field::verdict.key, key::side_force.key,
-                                     key::series.key, notes.key, key::curves.key});
+    options.with_curves =
+        wants_any({ravnoves::result_field::verdict.key, key::side_force.key, key::series.key,
+                   notes.key, key::curves.key, "guide/largest_moment_Nm", "guide/compressed",
+                   "guide/stretched", "guide/profile_error"});
     options.with_rod_guides =
         wants_any({key::guide_beside_rod_hinge.key, key::rod_hinge_guide.key, key::motion.key});
-    const auto wants_of_guide = [&](const ResultField& field) {
-        return visitor.wants(std::string(key::guide.key) + "/" + std::string(field.key));
-    };
-    options.with_profiles = options.with_curves || options.with_rod_guides ||
-                            wants_of_guide(key::largest_moment) ||
-                            wants_of_guide(key::compressed) || wants_of_guide(key::stretched) ||
-                            wants_of_guide(key::profile_error);
     visit_results(visitor, input, solve(input, options));
 }
 
@@ -301,7 +286,7 @@ namespace {
 Verdict guide_verdict(const Input& input, const Guide& guide) {
     if (!guide.feasible) {
         return {Severity::error, Message(Text::tr("No guide: %1."), guide.reason),
-                guide.problem == GuideProblem::preload_too_small ? minimum_preload_act : ""};
+                guide.lacks_preload ? "minimum-preload" : ""};
     }
     if (guide.summary().undercut) {
         return {Severity::error,
@@ -330,10 +315,8 @@ Verdict guide_verdict(const Input& input, const Guide& guide) {
 Verdict verdict(const Input& input, const Result& result) {
     const Guide& guide = result.crank_guide;
     Verdict verdict = guide_verdict(input, guide);
-    for (const auto* warnings : {&result.doubts, &result.notes}) {
-        for (const Message& warning : *warnings) {
-            verdict.warn(warning);
-        }
+    for (const Message& note : result.notes) {
+        verdict.warn(note);
     }
     if (!guide.feasible) {
         return verdict;

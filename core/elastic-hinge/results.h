@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "bibliography/formula.h"
@@ -18,9 +17,6 @@ void visit_results(ResultVisitor& visitor, const Input& input, const Result& res
 /// The same, which solves the input first.
 /// @throws InputError as solve()
 void visit_results(ResultVisitor& visitor, const Input& input);
-
-/// An act of the verdict: the preload that the guide needs.
-inline constexpr std::string_view minimum_preload_act = "minimum-preload";
 
 /// A smaller preload beyond the minimum is lost to machining and assembly, m.
 inline constexpr double min_preload_margin = 0.05 * units::mm;

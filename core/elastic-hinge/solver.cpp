@@ -1,9 +1,7 @@
 #include "elastic-hinge/solver.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
@@ -41,135 +39,58 @@ bool all_finite(const std::vector<double>& values) {
         Text::tr("has values whose result exceeds the range of numbers; enter realistic values"));
 }
 
-/// The curves of one mechanism at one speed.
-/// @param visit_states  calls its argument as visit_turn() does
-template <typename VisitStates>
-MechanismCurves curves_of(const Mechanism<double>& mechanism, const AngleGrid& grid, double omega,
-                          double mean, const VisitStates& visit_states) {
-    using Curves = MechanismCurves;
-    constexpr std::array of_any{&Curves::rod_hinge_moment, &Curves::rod_hinge_moment_potential,
-                                &Curves::side_force_without_hinge, &Curves::side_force_with_hinge};
-    constexpr std::array of_exact{&Curves::reduced_inertia, &Curves::crank_moment,
-                                  &Curves::crank_moment_with_rod_hinge};
-    Curves curves;
-    const bool exact = mechanism.lambda < 1.0;
-    for (const auto list : of_any) {
-        (curves.*list).resize(grid.size());
-    }
-    for (const auto list : of_exact) {
-        (curves.*list).resize(exact ? grid.size() : 0);
-    }
-    const double square = omega * omega;
-    const double lever = mechanism.lambda / mechanism.crank_radius;
-    const double weight = potential_amplitude(mechanism);
-    visit_states([&](std::size_t i, const AngleState& state) {
-        const double moment = state.moment.weight + square * state.moment.inertia;
-        const double arm = lever / state.cos_psi;
-        curves.rod_hinge_moment[i] = moment;
-        curves.rod_hinge_moment_potential[i] = moment - mean;
-        curves.side_force_without_hinge[i] =
-            -(state.moment.weight + square * state.moment.true_inertia) * arm;
-        curves.side_force_with_hinge[i] = -mean * arm;
-        if (exact) {
-            const double crank = 0.5 * square * state.inertia.slope + weight * grid.cos_phi[i];
-            curves.reduced_inertia[i] = state.inertia.value;
-            curves.crank_moment[i] = crank;
-            curves.crank_moment_with_rod_hinge[i] =
-                crank + (moment - mean) * (1.0 + state.exact.dpsi);
-        }
-    });
-    const auto check = [&](const auto& lists) {
-        for (const auto list : lists) {
-            if (!all_finite(curves.*list)) {
-                reject_extreme();
-            }
-        }
-    };
-    check(of_any);
-    check(of_exact);
-    return curves;
-}
-
-MechanismCurves curves_at_speed(const Design& design, double omega) {
-    const std::vector<AngleState>& states = design.states();
-    return curves_of(design.mechanism(), design.grid(), omega, design.rod_hinge_mean(),
-                     [&](const auto& put) {
-                         for (std::size_t i = 0; i < states.size(); ++i) {
-                             put(i, states[i]);
-                         }
-                     });
-}
-
-/// The curves for another λ (the counterweight solved again, where it is).
-MechanismCurves curves_at_lambda(Input input, double lambda, const AngleGrid& grid) {
-    input.lambda = lambda;
-    const Mechanism<double> mechanism = mechanism_of(input);
-    const bool solved = input.rod_counterweight && !input.rod_counterweight->mass;
-    const double static_moment = solved ? 0.0 : mechanism.static_moment();
-    return curves_of(mechanism, grid, input.angular_speed,
-                     rod_hinge_integral(mechanism, static_moment, input.kinematics) / two_pi,
-                     [&](const auto& put) {
-                         visit_turn(mechanism, static_moment, input.kinematics, grid, true, put);
-                     });
-}
-
 /// Where the paper's series and the exact kinematics part.
 void compare_kinematics(const Input& input, const Design& design, Result& result) {
-    const Mechanism<double>& mechanism = design.mechanism();
+    const double lambda = design.mechanism().lambda;
     const AngleGrid& grid = design.grid();
-    const bool exact = design.has_exact_kinematics();
-    const double square = input.angular_speed * input.angular_speed;
-    const std::size_t n = grid.size();
+    const double omega = input.angular_speed;
     const auto moment_of = [&](const RodAngle<double>& rod, double s, double c) {
-        return rod_hinge_moment(mechanism, design.static_moment(), s, c, rod);
+        return rod_hinge_moment(design.mechanism(), design.static_moment(), s, c, rod);
     };
-    // At φ or at −φ, whichever is worse.
-    const auto difference = [&](const RodHingeMoment<double>& a, const RodHingeMoment<double>& b) {
-        return std::abs(a.weight - b.weight) + square * std::abs(a.inertia - b.inertia);
+    const auto errors = [&](double phi) {
+        const double s = std::sin(phi);
+        const double c = std::cos(phi);
+        const auto series = rod_angle_series(lambda, s, c);
+        const auto rod = rod_angle_exact(lambda, s, c);
+        const auto a = moment_of(series, s, c);
+        const auto b = moment_of(rod, s, c);
+        // At φ or at −φ, whichever is worse.
+        return std::pair(
+            std::abs(series.cos_psi - rod.cos_psi),
+            std::abs(a.weight - b.weight) + omega * omega * std::abs(a.inertia - b.inertia));
     };
     Maximum cosine_error;
     Maximum moment_error;
-    result.other_rod_hinge_moment.resize(exact ? n : 0);
-    for (std::size_t i = 0; 2 * i < n; ++i) {
-        const double s = grid.sin_phi[i];
-        const double c = grid.cos_phi[i];
-        const AngleState& state = design.states()[i];
-        const auto series = rod_angle_series(mechanism.lambda, s, c);
-        cosine_error.take(std::abs(series.cos_psi - (exact ? state.exact.cos_psi : std::abs(c))),
-                          grid.angle[i]);
-        if (exact) {
-            const auto other =
-                moment_of(input.kinematics == Kinematics::series ? state.exact : series, s, c);
-            result.other_rod_hinge_moment[i] = other.weight + square * other.inertia;
-            result.other_rod_hinge_moment[n - 1 - i] = other.weight - square * other.inertia;
-            moment_error.take(difference(other, state.moment), grid.angle[i]);
-        }
+    for (std::size_t i = 0; 2 * i < grid.size(); ++i) {
+        const auto [cosine, moment] = errors(grid.angle[i]);
+        cosine_error.take(cosine, grid.angle[i]);
+        moment_error.take(moment, grid.angle[i]);
     }
-    if (exact) {
-        const auto errors = [&](double phi) {
-            const double s = std::sin(phi);
-            const double c = std::cos(phi);
-            const auto series = rod_angle_series(mechanism.lambda, s, c);
-            const auto rod = rod_angle_exact(mechanism.lambda, s, c);
-            return std::pair(std::abs(series.cos_psi - rod.cos_psi),
-                             difference(moment_of(series, s, c), moment_of(rod, s, c)));
-        };
-        cosine_error.sharpen([&](double phi) { return errors(phi).first; }, grid.angle[1]);
-        moment_error.sharpen([&](double phi) { return errors(phi).second; }, grid.angle[1]);
-        result.series_moment_error = moment_error.value;
-    }
+    cosine_error.sharpen([&](double phi) { return errors(phi).first; }, grid.angle[1]);
     result.series_error = cosine_error.value;
     result.series_error_angle = cosine_error.place;
+    if (!design.has_exact_kinematics()) {
+        return;
+    }
+    moment_error.sharpen([&](double phi) { return errors(phi).second; }, grid.angle[1]);
+    result.series_moment_error = moment_error.value;
+    const bool exact = input.kinematics == Kinematics::exact;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        const double s = grid.sin_phi[i];
+        const double c = grid.cos_phi[i];
+        const auto other = exact ? rod_angle_series(lambda, s, c) : rod_angle_exact(lambda, s, c);
+        result.other_rod_hinge_moment.push_back(moment_of(other, s, c).value(omega));
+    }
 }
 
 void find_side_forces(const Input& input, const Design& design, Result& result) {
     const std::vector<double>& angles = design.grid().angle;
     const double omega = input.angular_speed;
     const double mean = design.rod_hinge_mean();
-    const double lever = design.mechanism().lambda / design.mechanism().crank_radius;
+    const Mechanism<double>& mechanism = design.mechanism();
+    const double lever = mechanism.lambda / mechanism.crank_radius;
     const auto cosine = [&](double phi) {
-        return rod_angle(input.kinematics, design.mechanism().lambda, std::sin(phi), std::cos(phi))
-            .cos_psi;
+        return rod_angle(input.kinematics, mechanism.lambda, std::sin(phi), std::cos(phi)).cos_psi;
     };
     const auto moment = [&](double phi) { return design.rod_moment(std::sin(phi), std::cos(phi)); };
     result.largest_side_force_without =
@@ -183,31 +104,38 @@ void find_side_forces(const Input& input, const Design& design, Result& result) 
     if (!design.has_exact_kinematics()) {
         return;
     }
+    result.largest_side_force_true = result.largest_side_force_with;
     if (input.kinematics == Kinematics::exact &&
-        (design.mechanism().counterweight_mass == 0.0 ||
-         design.mechanism().counterweight_inertia == CounterweightInertia::newton_euler)) {
-        result.side_force_true = result.curves.side_force_with_hinge;
-        result.largest_side_force_true = result.largest_side_force_with;
+        (mechanism.counterweight_mass == 0.0 ||
+         mechanism.counterweight_inertia == CounterweightInertia::newton_euler)) {
         return;
     }
-    const auto by_newton_euler = [&](double phi, double hinge_moment) {
-        return side_force(design.mechanism(), phi, omega, 0.0, hinge_moment);
+    const auto by_newton_euler = [&](double phi) {
+        const double s = std::sin(phi);
+        const double c = std::cos(phi);
+        const auto rod = rod_angle_exact(mechanism.lambda, s, c);
+        const auto needed = rod_hinge_moment(mechanism, design.static_moment(), s, c, rod);
+        const auto given = moment(phi);
+        return (given.weight - needed.weight +
+                omega * omega * (given.inertia - needed.true_inertia) - mean) *
+               lever / rod.cos_psi;
     };
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-        result.side_force_true.push_back(
-            by_newton_euler(angles[i], result.curves.rod_hinge_moment_potential[i]));
+    std::vector<double> forces;
+    for (const double phi : angles) {
+        forces.push_back(by_newton_euler(phi));
     }
-    result.largest_side_force_true = largest(result.side_force_true, angles, [&](double phi) {
-        return by_newton_euler(phi, moment(phi).value(omega) - mean);
-    });
+    if (!all_finite(forces)) {
+        reject_extreme();
+    }
+    result.largest_side_force_true = largest(forces, angles, by_newton_euler);
 }
 
 void add_notes(const Input& input, Result& result) {
     const auto& guide = result.crank_guide;
-    result.doubts = unusual_engine_notes({input.angular_speed,
-                                          input.crank_radius,
-                                          0.0,  // the ratio is typed itself
-                                          {input.crank_mass, input.rod_mass, input.slider_mass}});
+    result.notes = unusual_engine_notes({input.angular_speed,
+                                         input.crank_radius,
+                                         0.0,  // the ratio is typed itself
+                                         {input.crank_mass, input.rod_mass, input.slider_mass}});
     if (input.kinematics == Kinematics::series && input.lambda > 0.4) {
         result.notes.emplace_back(Text::tr("Error of the series in cos ψ: %1 at φ = %2°; use the "
                                            "exact kinematics for a design."),
@@ -221,11 +149,11 @@ void add_notes(const Input& input, Result& result) {
     }
     if (input.rod_counterweight &&
         input.rod_counterweight->inertia == CounterweightInertia::as_printed &&
-        result.counterweight_mass > 0.0 && !result.side_force_true.empty()) {
+        result.counterweight_mass > 0.0 && result.largest_side_force_true) {
         result.notes.emplace_back(
             Text::tr("Equation (9) as printed has the wrong sign of the counterweight's inertia: "
                      "residual side force up to %1, with Newton–Euler zero."),
-            Number{std::round(result.largest_side_force_true), units::newton});
+            Number{std::round(*result.largest_side_force_true), units::newton});
     }
     if (guide.feasible && guide.relief < 0.1 * units::mm && guide.error.relative > 0.02) {
         result.guide_notes.emplace_back(
@@ -235,6 +163,16 @@ void add_notes(const Input& input, Result& result) {
             Number{rounded_to_decimals(guide.error.amplitude / units::micrometre, 2),
                    units::micrometre},
             Number{rounded_to_decimals(guide.error.relative / units::percent, 1), units::percent});
+    }
+}
+
+void check_finite(const MechanismCurves& curves) {
+    for (const auto* list : {&curves.reduced_inertia, &curves.crank_moment,
+                             &curves.rod_hinge_moment, &curves.side_force_without_hinge,
+                             &curves.side_force_with_hinge, &curves.crank_moment_with_rod_hinge}) {
+        if (!all_finite(*list)) {
+            reject_extreme();
+        }
     }
 }
 
@@ -252,12 +190,39 @@ void check_finite(const Guide& guide) {
 
 }  // namespace
 
+MechanismCurves curves_at(const Design& design, double omega) {
+    const Mechanism<double>& mechanism = design.mechanism();
+    const double square = omega * omega;
+    const double mean = design.rod_hinge_mean();
+    const double lever = mechanism.lambda / mechanism.crank_radius;
+    const double weight = potential_amplitude(mechanism);
+    MechanismCurves curves;
+    for (std::size_t i = 0; i < design.states().size(); ++i) {
+        const AngleState& state = design.states()[i];
+        const double moment = state.moment.value(omega);
+        const double arm = lever / state.cos_psi;
+        curves.rod_hinge_moment.push_back(moment);
+        curves.rod_hinge_moment_potential.push_back(moment - mean);
+        curves.side_force_without_hinge.push_back(
+            -(state.moment.weight + square * state.moment.true_inertia) * arm);
+        curves.side_force_with_hinge.push_back(-mean * arm);
+        if (design.has_exact_kinematics()) {
+            const double crank =
+                0.5 * square * state.inertia.slope + weight * design.grid().cos_phi[i];
+            curves.reduced_inertia.push_back(state.inertia.value);
+            curves.crank_moment.push_back(crank);
+            curves.crank_moment_with_rod_hinge.push_back(crank + (moment - mean) *
+                                                                     (1.0 + state.exact.dpsi));
+        }
+    }
+    return curves;
+}
+
 Result solve(const Input& input, const SolveOptions& options) {
     Result result;
-    const bool with_moments = options.with_rod_guides || options.with_curves ||
-                              options.with_profiles || !options.speeds.empty();
-    result.design = std::make_shared<const Design>(input, options.with_rod_guides, with_moments,
-                                                   options.samples);
+    const bool by_angle = options.with_rod_guides || options.with_curves;
+    result.design =
+        std::make_shared<const Design>(input, options.with_rod_guides, by_angle, options.samples);
     const Design& design = *result.design;
     const Mechanism<double>& mechanism = design.mechanism();
     result.crank_angle_deg = design.grid().angle_deg;
@@ -269,23 +234,12 @@ Result solve(const Input& input, const SolveOptions& options) {
         reject_extreme();
     }
     if (options.with_curves) {
-        result.curves = curves_at_speed(design, input.angular_speed);
+        result.curves = curves_at(design, input.angular_speed);
+        check_finite(result.curves);
         compare_kinematics(input, design, result);
         find_side_forces(input, design, result);
     }
-    for (const double speed : options.speeds) {
-        result.by_speed.push_back({speed, curves_at_speed(design, speed)});
-    }
-    for (const double lambda : options.lambdas) {
-        if (lambda < 1.0 || input.kinematics == Kinematics::series) {
-            result.by_lambda.push_back({lambda, curves_at_lambda(input, lambda, design.grid())});
-        }
-    }
-    if (!all_finite(result.side_force_true)) {
-        reject_extreme();
-    }
-    result.crank_guide =
-        make_guide(result.design, Hinge::crank, input.spring, input, options.with_profiles);
+    result.crank_guide = make_guide(result.design, Hinge::crank, input.spring, input, by_angle);
     check_finite(result.crank_guide);
     if (options.with_rod_guides) {
         const auto& rod_spring = input.rod_hinge_spring ? input.rod_hinge_spring : input.spring;
@@ -302,24 +256,6 @@ Result solve(const Input& input, const SolveOptions& options) {
     return result;
 }
 
-Motion simulate(const Input& input, const Result& result, HingeSet hinges,
-                const MotionProgress& progress) {
-    const MotionWish wish = input.motion.value_or(MotionWish{});
-    MotionSetup setup;
-    setup.hinges = hinges;
-    setup.turns = wish.turns;
-    setup.start_angle = wish.start_angle;
-    setup.start_speed = wish.start_speed.value_or(input.angular_speed);
-    setup.crank_torque = wish.crank_torque;
-    if (wish.with_profile_error) {
-        setup.profile_error = input.profile_error;
-        setup.profile_error_waves = input.profile_error_waves;
-    }
-    const Guide& guide =
-        hinges == HingeSet::crank_and_rod ? result.crank_guide_with_rod : result.crank_guide;
-    return simulate(result.design, guide, setup, progress);
-}
-
 MechanismPose mechanism_pose(const Result& result, double phi) {
     const Mechanism<double>& m = result.design->mechanism();
     const double s = std::sin(phi);
@@ -334,10 +270,6 @@ MechanismPose mechanism_pose(const Result& result, double phi) {
     pose.slider = {r * c + l * cos_psi, 0.0};
     pose.counterweight = {r * c - l2 * cos_psi, r * s + l2 * sin_psi};
     pose.rod_angle = -std::atan2(sin_psi, cos_psi);
-    pose.spring_half_length = std::numeric_limits<double>::quiet_NaN();
-    if (const auto& shape = result.crank_guide.shape) {
-        pose.spring_half_length = shape->at(result.crank_guide.branch, phi).radius;
-    }
     return pose;
 }
 

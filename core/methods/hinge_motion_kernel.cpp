@@ -21,7 +21,6 @@ namespace {
 
 using elastic_hinge::HingeSet;
 using elastic_hinge::Motion;
-using elastic_hinge::MotionSetup;
 
 /// A motion of the crank with its hinge from a speed that is not the design speed, through a whole
 /// number of turns. Outputs: crank angle (rad) and speed (rad/s) at `parts` equally spaced times of
@@ -112,8 +111,7 @@ class Acceleration {
         const auto inertia = elastic_hinge::reduced_inertia(
             mechanism_, s, c, elastic_hinge::rod_angle_exact(mechanism_.lambda, s, c));
         const auto rise = energy_rise(mechanism_, design_.angular_speed(), s, c, inertia);
-        const auto point = shape_.at(
-            guide_.branch, design_.demand(elastic_hinge::Hinge::crank, phi, {}, rise, 0.0));
+        const auto point = shape_.at(guide_.branch, {phi, 1.0, rise.rise, rise.slope, rise.second});
         const auto& spring = shape_.spring();
         const double change = spring.free_length - 2.0 * point.radius;
         const double moment = torque_ + 2.0 * spring.stiffness * change * point.slope - weight_ * c;
@@ -234,13 +232,11 @@ Advance dormand_prince(const MotionCase& motion, const Acceleration& f, double t
 
 /// As the scene computes it.
 Motion simulate(const MotionCase& motion, double tolerance) {
-    MotionSetup setup;
-    setup.hinges = HingeSet::crank;
-    setup.start_speed = motion.start_speed;
-    setup.turns = motion.turns + 0.01;  // a little beyond the last time
-    setup.crank_torque = motion.crank_torque;
-    setup.tolerance = tolerance;
-    return elastic_hinge::simulate(motion.solved->design, motion.solved->crank_guide, setup);
+    elastic_hinge::Input input = motion.input;
+    const double turns = motion.turns + 0.01;  // a little beyond the last time
+    input.motion = elastic_hinge::MotionWish{
+        .turns = turns, .start_speed = motion.start_speed, .crank_torque = motion.crank_torque};
+    return elastic_hinge::simulate(input, *motion.solved, HingeSet::crank, {}, tolerance);
 }
 
 Run energy_series(const MotionCase& motion, double tolerance) {

@@ -5218,10 +5218,6 @@
         <translation>кривошип сделал только %1 оборота за %2</translation>
     </message>
     <message>
-        <source>cancelled after %1 turns</source>
-        <translation>прервано после %1 оборота</translation>
-    </message>
-    <message>
         <source>Weights of crank, rod and slider.</source>
         <translation>Веса кривошипа, шатуна и ползуна.</translation>
     </message>
@@ -5760,10 +5756,6 @@
     <message>
         <source>must be less for this motion: %1 points reach only turn %2</source>
         <translation>должно быть меньше для этого движения: %1 точек хватает лишь до оборота %2</translation>
-    </message>
-    <message>
-        <source>must give a feasible guide for this motion</source>
-        <translation>для этого движения направляющая должна быть допустимой</translation>
     </message>
     <message>
         <source>must give a feasible guide for this motion: %1</source>

@@ -108,11 +108,7 @@ double factor_of_rod_hinge(const Input& input) {
         const double moment = result.curves.rod_hinge_moment[i];
         const double x_b =
             mechanism.crank_radius * grid->cos_phi[i] + mechanism.rod_length() * rod.cos_psi;
-        const auto side_force = [&](double hinge_moment) {
-            return elastic_hinge::side_force(mechanism, grid->angle[i], input.angular_speed, 0.0,
-                                             hinge_moment);
-        };
-        const double change = x_b * (side_force(moment) - side_force(0.0));
+        const double change = x_b * moment / (mechanism.rod_length() * rod.cos_psi);
         const double printed_term = moment * (1.0 + rod.dpsi);
         product += change * printed_term;
         square += printed_term * printed_term;

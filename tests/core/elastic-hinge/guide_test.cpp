@@ -27,7 +27,6 @@ TEST(ElasticHingeGuide, PrintedNumbersOfThePaper) {
     ASSERT_TRUE(guide.feasible) << guide.reason.english();
     EXPECT_NEAR(guide.relief, 0.018e-3, 0.0005e-3);
     EXPECT_NEAR(guide.minimum_preload, 0.600e-3, 0.0005e-3);
-    EXPECT_DOUBLE_EQ(guide.spring_travel, 2 * guide.relief);
 }
 
 TEST(ElasticHingeGuide, SpringAndMechanismKeepTheirEnergyOnBothBranches) {
@@ -38,11 +37,11 @@ TEST(ElasticHingeGuide, SpringAndMechanismKeepTheirEnergyOnBothBranches) {
         const GuideShape& shape = *result.crank_guide.shape;
         EXPECT_EQ(result.crank_guide.branch, rho < 0.1 ? Branch::compressed : Branch::stretched);
         for (const Branch branch : {Branch::compressed, Branch::stretched}) {
-            const double total = shape.energy(shape.at(branch, 0.0).radius);
+            const double total = test::energy_in(shape, shape.at(branch, 0.0).radius);
             for (int i = 0; i < 360; ++i) {
                 const double phi = i * degree;
                 const double sum =
-                    shape.energy(shape.at(branch, phi).radius) + energy_at(*result.design, phi);
+                    test::energy_in(shape, shape.at(branch, phi).radius) + energy_at(*result.design, phi);
                 EXPECT_NEAR(sum, total, 1e-13 * total);
             }
         }
@@ -54,12 +53,12 @@ TEST(ElasticHingeGuide, AsPrintedStoresWhatTheMechanismTakesUp) {
     input.guide_sign = GuideSign::as_printed;
     const Result result = solve(input);
     const GuideShape& shape = *result.crank_guide.shape;
-    const double total = shape.energy(0.09);
+    const double total = test::energy_in(shape, 0.09);
     for (int i = 0; i < 360; ++i) {
         const double phi = i * degree;
-        EXPECT_NEAR(
-            shape.energy(shape.at(Branch::compressed, phi).radius) - energy_at(*result.design, phi),
-            total, 1e-13 * total);
+        EXPECT_NEAR(test::energy_in(shape, shape.at(Branch::compressed, phi).radius) -
+                        energy_at(*result.design, phi),
+                    total, 1e-13 * total);
     }
 }
 
@@ -139,7 +138,7 @@ TEST(ElasticHingeGuide, TooLittlePreloadIsRejectedWithWhatWouldDo) {
     const Result result = solve(input);
     const Guide& guide = result.crank_guide;
     EXPECT_FALSE(guide.feasible);
-    EXPECT_EQ(guide.problem, GuideProblem::preload_too_small);
+    EXPECT_TRUE(guide.lacks_preload);
     EXPECT_NE(guide.reason.english().find("minimum 0.6001 mm"), std::string::npos)
         << guide.reason.english();
     EXPECT_NE(guide.reason.english().find("75.9257°"), std::string::npos) << guide.reason.english();
@@ -196,7 +195,7 @@ TEST(ElasticHingeGuide, SpringPressedToNothingIsRejected) {
     input.spring = Spring{3000.0, 0.2, 0.001};
     const Guide guide = solve(input).crank_guide;
     EXPECT_FALSE(guide.feasible);
-    EXPECT_EQ(guide.problem, GuideProblem::radius_not_positive);
+    EXPECT_FALSE(guide.lacks_preload);
     EXPECT_TRUE(guide.stretched.exists);
 }
 
@@ -205,7 +204,6 @@ TEST(ElasticHingeGuide, NoSpringIsAReason) {
     input.spring.reset();
     const Guide guide = solve(input).crank_guide;
     EXPECT_FALSE(guide.feasible);
-    EXPECT_EQ(guide.problem, GuideProblem::no_spring);
     EXPECT_FALSE(guide.reason.empty());
 }
 
@@ -283,7 +281,7 @@ TEST(ElasticHingeGuide, NoNumberDependsOnTheSamples) {
             const Guide& guide = result.crank_guide;
             std::vector<double> list{result.largest_side_force_without,
                                      result.largest_side_force_with,
-                                     result.largest_side_force_true,
+                                     *result.largest_side_force_true,
                                      result.series_error,
                                      result.series_moment_error.value(),
                                      guide.largest_moment,

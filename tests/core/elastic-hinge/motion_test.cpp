@@ -21,6 +21,13 @@ Motion run(const Input& input, HingeSet hinges) {
     return simulate(input, solve(input), hinges);
 }
 
+/// A motion of an input that is solved.
+Motion move(Input input, const Result& result, const MotionWish& wish,
+            HingeSet hinges = HingeSet::none, double tolerance = motion_tolerance) {
+    input.motion = wish;
+    return simulate(input, result, hinges, {}, tolerance);
+}
+
 TEST(ElasticHingeMotion, PublishedDoubleBarCase) {
     // Uniform bars 0.1 m and 0.3 m of 0.2 kg each, slider 0.4 kg, no gravity, 0.1 N·m from rest.
     Input input;
@@ -34,10 +41,7 @@ TEST(ElasticHingeMotion, PublishedDoubleBarCase) {
     input.angular_speed = 0.0;
     const Result result = solve(input);
     const auto at = [&](double time) {
-        MotionSetup setup;
-        setup.crank_torque = 0.1;
-        setup.turns = 10;
-        const Motion motion = simulate(result.design, result.crank_guide, setup);
+        const Motion motion = move(input, result, {.turns = 10, .crank_torque = 0.1});
         EXPECT_EQ(motion.end, MotionEnd::completed);
         EXPECT_LT(motion.energy_drift, 1e-9);
         return std::pair(motion.angle_at(time), motion.speed_at(time));
@@ -114,7 +118,8 @@ TEST(ElasticHingeMotion, FreeFallFromRestFollowsTheEnergyIntegral) {
 
 // Without hinge the speed follows from the energy alone: its extremes over the turn, closed form.
 TEST(ElasticHingeMotion, RippleIsThatOfTheEnergyIntegral) {
-    const Result result = solve(preset_zotov());
+    const Input input = preset_zotov();
+    const Result result = solve(input);
     const Mechanism<double>& m = result.design->mechanism();
     const double begin = reduced_inertia_at_zero(m) * 1e4;
     double minimum = 1e9;
@@ -127,10 +132,7 @@ TEST(ElasticHingeMotion, RippleIsThatOfTheEnergyIntegral) {
         minimum = std::min(minimum, speed);
         maximum = std::max(maximum, speed);
     }
-    MotionSetup setup;
-    setup.start_speed = 100.0;
-    setup.turns = 1.0;
-    const Motion motion = simulate(result.design, result.crank_guide, setup);
+    const Motion motion = move(input, result, {.turns = 1.0});
     EXPECT_NEAR(motion.min_speed, minimum, 1e-7);
     EXPECT_NEAR(motion.max_speed, maximum, 1e-7);
     EXPECT_DOUBLE_EQ(motion.ripple, (motion.max_speed - motion.min_speed) / motion.mean_speed);
@@ -140,12 +142,7 @@ TEST(ElasticHingeMotion, HingeIsExactAtItsDesignSpeedOnly) {
     Input input = preset_zotov();
     const double at_design = run(input, HingeSet::crank).ripple;
     // The hinge itself keeps the speed; what ripple there is comes from the integration.
-    const Result result = solve(input);
-    MotionSetup fine;
-    fine.hinges = HingeSet::crank;
-    fine.start_speed = input.angular_speed;
-    fine.tolerance = 1e-13;
-    EXPECT_LT(simulate(result.design, result.crank_guide, fine).ripple, 1e-9);
+    EXPECT_LT(move(input, solve(input), {}, HingeSet::crank, 1e-13).ripple, 1e-9);
     input.motion = MotionWish{5.0, 150.0, 0.0, 0.0, false};
     const Motion off = run(input, HingeSet::crank);
     EXPECT_LT(at_design, 1e-8);
@@ -183,11 +180,7 @@ TEST(ElasticHingeMotion, TimeIsAsGoodAsTheTolerance) {
                                2.0 * potential_amplitude(m) * std::sin(phi)));
         }
         for (const double tolerance : {1e-4, 1e-8, 1e-12}) {
-            MotionSetup setup;
-            setup.start_speed = 100.0;
-            setup.tolerance = tolerance;
-            setup.turns = 3.0;
-            const Motion motion = simulate(result.design, result.crank_guide, setup);
+            const Motion motion = move(input, result, {.turns = 3.0}, HingeSet::none, tolerance);
             EXPECT_NEAR(motion.time.back() / (3.0 * turn), 1.0, tolerance + 1e-14)
                 << lambda << " " << tolerance;
             EXPECT_LT(motion.energy_drift, 1e-11);
@@ -206,9 +199,8 @@ TEST(ElasticHingeMotion, SwingsToTheOtherSideAsAPendulumDoes) {
     const auto& m = result.design->mechanism();
     const double scale = std::sqrt(reduced_inertia_at_zero(m) / potential_amplitude(m));
     for (const double amplitude : {80.0 * degree, 1e-1, 1e-3}) {
-        MotionSetup setup;
-        setup.start_angle = -90.0 * degree + amplitude;
-        const Motion motion = simulate(result.design, result.crank_guide, setup);
+        const Motion motion =
+            move(input, result, {.start_speed = 0.0, .start_angle = -90.0 * degree + amplitude});
         EXPECT_EQ(motion.end, MotionEnd::reversed);
         EXPECT_NEAR(motion.time.back() / scale, 2.0 * std::comp_ellint_1(std::sin(amplitude / 2.0)),
                     1e-7 + 1e-12 / (amplitude * amplitude));
@@ -233,41 +225,37 @@ TEST(ElasticHingeMotion, AStandstillHasNoTime) {
 /// The equation of motion, integrated in time, says the same: with a moment on the crank, waves on
 /// the guide, off the design speed, either way and from rest.
 TEST(ElasticHingeMotion, TheEquationOfMotionSaysTheSame) {
-    const Input input = preset_zotov();
+    Input input = preset_zotov();
     const Result result = solve(input);
     const auto& m = result.design->mechanism();
     const Guide& guide = result.crank_guide;
     const auto& spring = guide.shape->spring();
-    MotionSetup setup;
-    setup.hinges = HingeSet::crank;
-    setup.start_angle = 0.3;
-    setup.turns = 6.0;
-    setup.tolerance = 1e-12;
+    MotionWish wish{.turns = 6.0, .start_angle = 0.3, .with_profile_error = true};
     int compared = 0;
     for (const double torque : {0.0, 0.4, -0.4}) {
         for (const double waves : {0.0, 12.0}) {
-            setup.crank_torque = torque;
-            setup.profile_error = waves > 0.0 ? 2e-6 : 0.0;
-            setup.profile_error_waves = static_cast<int>(waves);
+            wish.crank_torque = torque;
+            input.profile_error = waves > 0.0 ? 2e-6 : 0.0;
+            input.profile_error_waves = static_cast<int>(waves);
             const auto acceleration = [&](double phi, double speed) {
                 const auto I = inertia_at(m, phi);
                 const GuidePoint point = guide.shape->at(guide.branch, phi);
-                const double radius = point.radius + setup.profile_error * std::sin(waves * phi);
+                const double radius = point.radius + input.profile_error * std::sin(waves * phi);
                 const double slope =
-                    point.slope + setup.profile_error * waves * std::cos(waves * phi);
+                    point.slope + input.profile_error * waves * std::cos(waves * phi);
                 const double moment =
                     torque - potential_amplitude(m) * std::cos(phi) +
                     2.0 * spring.stiffness * (spring.free_length - 2.0 * radius) * slope;
                 return (moment - 0.5 * I.slope * speed * speed) / I.value;
             };
             for (const double start_speed : {90.0, 0.0, -90.0}) {
-                setup.start_speed = start_speed;
+                wish.start_speed = start_speed;
                 SCOPED_TRACE(testing::Message()
                              << torque << " N·m, " << waves << " waves, " << start_speed);
-                const Motion motion = simulate(result.design, guide, setup);
+                const Motion motion = move(input, result, wish, HingeSet::crank, 1e-12);
                 namespace odeint = boost::numeric::odeint;
                 using State = std::array<double, 2>;
-                State state{setup.start_angle, setup.start_speed};
+                State state{wish.start_angle, start_speed};
                 for (int k = 1; k <= 3 && 0.1 * k < motion.time.back(); ++k) {
                     odeint::integrate_adaptive(
                         odeint::make_controlled(1e-13, 1e-13,
@@ -298,11 +286,10 @@ TEST(ElasticHingeMotion, EndsWhateverItIsAskedFor) {
                 for (const double start_angle : {0.0, 1.5, 1e5}) {
                     SCOPED_TRACE(testing::Message() << lambda << " " << torque << " " << start_speed
                                                     << " " << start_angle);
-                    MotionSetup setup;
-                    setup.crank_torque = torque;
-                    setup.start_speed = start_speed;
-                    setup.start_angle = start_angle;
-                    const Motion motion = simulate(result.design, result.crank_guide, setup);
+                    const Motion motion = move(input, result,
+                                               {.start_speed = start_speed,
+                                                .start_angle = start_angle,
+                                                .crank_torque = torque});
                     EXPECT_LT(motion.evaluations, 4'000'000u);
                     EXPECT_TRUE(std::ranges::is_sorted(motion.time));
                     EXPECT_TRUE(std::isfinite(motion.time.back()));
@@ -324,12 +311,8 @@ TEST(ElasticHingeMotion, EndsWhateverItIsAskedFor) {
 TEST(ElasticHingeMotion, ManyTurnsWithAMoment) {
     Input input = preset_zotov();
     const Result result = solve(input);
-    MotionSetup setup;
-    setup.crank_torque = 0.01;
-    setup.start_speed = 100.0;
-    setup.turns = 5'000.0;
-    setup.tolerance = 1e-12;
-    const Motion motion = simulate(result.design, result.crank_guide, setup);
+    const Motion motion =
+        move(input, result, {.turns = 5'000.0, .crank_torque = 0.01}, HingeSet::none, 1e-12);
     EXPECT_EQ(motion.end, MotionEnd::completed);
     EXPECT_LT(motion.evaluations, 10'000'000u);
     const double I = reduced_inertia_at_zero(result.design->mechanism());

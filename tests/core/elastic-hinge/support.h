@@ -40,6 +40,12 @@ ReducedInertia<Scalar> inertia_at(const Mechanism<Scalar>& m, const Scalar& phi)
     return reduced_inertia(m, s, c, rod_angle_exact(m.lambda, s, c));
 }
 
+/// In the spring at a radius of the guide, ½ c (ℓ₀ − 2ρ)², J.
+inline double energy_in(const GuideShape& shape, double radius) {
+    const double change = shape.spring().free_length - 2.0 * radius;
+    return 0.5 * shape.spring().stiffness * change * change;
+}
+
 /// ∫ over one turn of samples that hold both ends, by the trapezoidal rule (spectral here).
 inline double turn_integral(const std::vector<double>& samples) {
     double sum = 0.0;

@@ -108,7 +108,7 @@ TEST(DeclaredMethods, TheScenesRunAtTheDeclaredAccuracy) {
     const auto setting = [](const char* kernel) {
         return std::stod(std::string(find_kernel(kernel)->choice.setting));
     };
-    EXPECT_EQ(elastic_hinge::MotionSetup{}.tolerance, setting("hinge-motion"));
+    EXPECT_EQ(elastic_hinge::motion_tolerance, setting("hinge-motion"));
     EXPECT_EQ(inertia_moments::order_accuracy, setting("inertia-orders"));
 }
 

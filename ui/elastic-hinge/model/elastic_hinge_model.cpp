@@ -23,7 +23,6 @@ namespace ravnoves {
 
 using elastic_hinge::Branch;
 using elastic_hinge::Guide;
-using elastic_hinge::GuideProblem;
 using elastic_hinge::GuideProposal;
 using elastic_hinge::Hinge;
 using elastic_hinge::Input;
@@ -72,12 +71,7 @@ QString ElasticHingeScene::defaultTitle() {
 
 ElasticHingeScene::Solved ElasticHingeScene::solve(Input input) {
     input.guide_search.reset();  // looked for when it is asked for
-    elastic_hinge::SolveOptions options;
-    options.lambdas = {0.3, 0.4, 0.6, 0.8, 1.0};
-    if (const double speed = input.angular_speed; speed > 0.0) {
-        options.speeds = {3.0 * speed, 5.0 * speed};  // the paper's, at its own speed
-    }
-    return {std::make_shared<const Result>(elastic_hinge::solve(input, options)), std::nullopt};
+    return {std::make_shared<const Result>(elastic_hinge::solve(input)), std::nullopt};
 }
 
 template class CaseModel<ElasticHingeScene>;
@@ -298,7 +292,7 @@ void ElasticHingeModel::takeProposal() {
 
 void ElasticHingeModel::takeMinimumPreload() {
     const Guide& guide = result().crank_guide;
-    if (guide.problem != GuideProblem::preload_too_small) {
+    if (!guide.lacks_preload) {
         return;
     }
     const double preload = guide.minimum_preload + std::max(0.01 * guide.minimum_preload,
@@ -357,7 +351,7 @@ Results ElasticHingeModel::quantities() const {
                  ResultCell::two(QStringLiteral("%1 / %2"), preloadUp(guide.minimum_preload),
                                  shownCell(guide.preload, units::mm, 2))),
             units::mm, tr("|ℓ₀/2 − ρ₀|: minimum to store the energy, and present value")),
-        length(tr("Spring travel"), guide.spring_travel, 3,
+        length(tr("Spring travel"), 2.0 * guide.relief, 3,
                tr("Maximum minus minimum length of the spring over a turn")),
         row(tr("Maximum spring force"),
             when(there, {shownValue(guide.largest_spring_force, units::kN),

@@ -31,7 +31,7 @@ struct ElasticHingeScene {
         return elastic_hinge::read_input(input);
     }
     static constexpr auto write = &elastic_hinge::write_input;
-    /// With the families of curves, and without the search for a guide.
+    /// Without the search for a guide.
     static Solved solve(Input input);
 };
 

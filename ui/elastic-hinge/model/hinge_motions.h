@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "elastic-hinge/solver.h"
+#include "elastic-hinge/motion.h"
 #include "model/background_job.h"
 
 namespace ravnoves {

@@ -12,7 +12,6 @@
 namespace ravnoves {
 
 using elastic_hinge::Branch;
-using elastic_hinge::FamilyMember;
 using elastic_hinge::Kinematics;
 using elastic_hinge::MechanismCurves;
 using elastic_hinge::Motion;
@@ -134,28 +133,34 @@ Figure relief(const ElasticHingeModel& model) {
 
 using Values = std::vector<double> MechanismCurves::*;
 
-/// One of a mechanism's curves at several ω or λ, and that of the case itself: broad and beneath,
-/// so that it is seen where it is one of the family.
-void addFamily(Figure& figure, const Result& result, const std::vector<FamilyMember>& members,
-               Values values, const char* word, const std::function<QString(double)>& name) {
+/// One of a mechanism's curves in the case: broad and beneath, so that it is seen where it is one
+/// of a family.
+void addCase(Figure& figure, const Result& result, Values values) {
     figure.add("case",
                {.name = HingePlots::tr("this case"),
                 .role = Role::Case,
                 .width = 3.6,
                 .toolTip = HingePlots::tr("At the λ and ω of the case")},
                result.crank_angle_deg, result.curves.*values);
-    int number = 0;
-    for (const FamilyMember& member : members) {
-        figure.add(word + std::to_string(number),
-                   {.name = name(member.parameter), .role = series(number), .width = 1.4},
-                   result.crank_angle_deg, member.curves.*values);
-        ++number;
-    }
 }
 
-void addSpeeds(Figure& figure, const Result& result, Values values) {
-    addFamily(figure, result, result.by_speed, values, "speed-",
-              [](double speed) { return shownShort(speed, units::rad_per_s, 5); });
+/// The same at several ω: the paper's, at its own speed.
+void addSpeeds(Figure& figure, const ElasticHingeModel& model, Values values) {
+    const Result& result = model.result();
+    addCase(figure, result, values);
+    int number = 0;
+    for (const double factor : {3.0, 5.0}) {
+        const double speed = factor * model.input().angular_speed;
+        if (speed > 0.0) {
+            figure.add("speed-" + std::to_string(number),
+                       {.name = shownShort(speed, units::rad_per_s, 5),
+                        .role = series(number),
+                        .width = 1.4},
+                       result.crank_angle_deg,
+                       elastic_hinge::curves_at(*result.design, speed).*values);
+            ++number;
+        }
+    }
 }
 
 Figure rodMoment(const ElasticHingeModel& model) {
@@ -186,7 +191,7 @@ Figure rodMoment(const ElasticHingeModel& model) {
 
 Figure rodMomentSpeeds(const ElasticHingeModel& model) {
     Figure figure = overTurn(HingePlots::tr("M₁₂ at several ω"), HingePlots::tr("N·m"));
-    addSpeeds(figure, model.result(), &MechanismCurves::rod_hinge_moment);
+    addSpeeds(figure, model, &MechanismCurves::rod_hinge_moment);
     return figure;
 }
 
@@ -194,9 +199,22 @@ Figure sideForceLambdas(const ElasticHingeModel& model) {
     const Result& result = model.result();
     Figure figure =
         overTurn(HingePlots::tr("Side force with rod hinge, several λ"), HingePlots::tr("N"));
-    addFamily(
-        figure, result, result.by_lambda, &MechanismCurves::side_force_with_hinge, "lambda-",
-        [](double lambda) { return QStringLiteral("λ = ") + formNumber(lambda, QLocale(), 5); });
+    addCase(figure, result, &MechanismCurves::side_force_with_hinge);
+    int number = 0;
+    for (const double lambda : {0.3, 0.4, 0.6, 0.8, 1.0}) {
+        elastic_hinge::Input other = model.input();
+        other.lambda = lambda;
+        if (lambda < 1.0 || other.kinematics == Kinematics::series) {  // else it locks
+            const elastic_hinge::Design design(other, false);
+            figure.add("lambda-" + std::to_string(number),
+                       {.name = QStringLiteral("λ = ") + formNumber(lambda, QLocale(), 5),
+                        .role = series(number),
+                        .width = 1.4},
+                       result.crank_angle_deg,
+                       elastic_hinge::curves_at(design, other.angular_speed).side_force_with_hinge);
+            ++number;
+        }
+    }
     if (result.largest_side_force_with <= 1e-9 * result.largest_side_force_without) {
         figure.leftRange = std::pair(-1.0, 1.0);  // a flat line at 0, not its rounding enlarged
     }
@@ -218,7 +236,7 @@ Figure sideForceSpeeds(const ElasticHingeModel& model) {
                 .toolTip = HingePlots::tr("Ten times the side force with the rod's hinge: the same "
                                           "at every ω")},
                result.crank_angle_deg, std::move(tenfold));
-    addSpeeds(figure, result, &MechanismCurves::side_force_without_hinge);
+    addSpeeds(figure, model, &MechanismCurves::side_force_without_hinge);
     return figure;
 }
 
@@ -247,7 +265,7 @@ Figure crankMomentSpeeds(const ElasticHingeModel& model) {
     Figure figure = overTurn(model.result().has_counterweight ? HingePlots::tr("M₁* at several ω")
                                                               : HingePlots::tr("M₁ at several ω"),
                              HingePlots::tr("N·m"));
-    addSpeeds(figure, model.result(), &MechanismCurves::crank_moment_with_rod_hinge);
+    addSpeeds(figure, model, &MechanismCurves::crank_moment_with_rod_hinge);
     return figure;
 }
 
