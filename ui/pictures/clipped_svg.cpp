@@ -1,13 +1,10 @@
 #include "pictures/clipped_svg.h"
 
+#include <QBuffer>
 #include <QPaintEngine>
-#include <QPainter>
-#include <QSvgGenerator>
-#include <algorithm>
-#include <cmath>
+#include <QPainterPath>
+#include <QXmlStreamWriter>
 #include <optional>
-
-#include "pictures/model/clip_shape.h"
 
 namespace ravnoves {
 
@@ -15,269 +12,242 @@ namespace {
 
 constexpr int svgDots = 96;  ///< to the inch; at others text comes out smaller
 
-QPaintEngine::PaintEngineFeatures featuresOf(const QPaintEngine& engine) {
-    QPaintEngine::PaintEngineFeatures features;
-    for (uint bit = 1; bit != 0; bit <<= 1) {
-        const auto feature = static_cast<QPaintEngine::PaintEngineFeature>(bit);
-        features.setFlag(feature, engine.hasFeature(feature));
-    }
-    return features;
+QString text(double number) {
+    return QString::number(number, 'g', 7);
+}
+QString text(const QPointF& point) {
+    return text(point.x()) + QLatin1Char(',') + text(point.y());
 }
 
-/// The generator makes black of a pen with a gradient.
-QPen withoutGradient(QPen pen) {
-    const QGradient* gradient = pen.brush().gradient();
-    if (gradient != nullptr && !gradient->stops().isEmpty()) {
-        pen.setColor(gradient->stops().first().second);
-    }
-    return pen;
-}
-
-/// The generator's engine, to be asked for by a device that stands before it.
-class Generator : public QSvgGenerator {
+class Attributes : public QXmlStreamAttributes {
   public:
-    using QSvgGenerator::metric;
-    using QSvgGenerator::paintEngine;
+    void add(const char* name, const QString& value) { append(QLatin1String(name), value); }
+    void add(const char* name, double value) { add(name, text(value)); }
+    void add(const QRectF& box) {
+        add("x", box.x());
+        add("y", box.y());
+        add("width", box.width());
+        add("height", box.height());
+    }
 };
+
+/// Of a gradient, which buttons have, its first colour.
+QColor colourOf(const QBrush& brush) {
+    return brush.gradient() != nullptr ? brush.gradient()->stops().first().second : brush.color();
+}
+
+void addStroke(const QPen& pen, double opacity, Attributes& group) {
+    if (pen.style() == Qt::NoPen) {
+        group.add("stroke", QStringLiteral("none"));
+        return;
+    }
+    const double width = pen.widthF() > 0.0 ? pen.widthF() : 1.0;
+    const auto word = [](bool isFirst, const char* first, bool isSecond, const char* second) {
+        return QLatin1String(isFirst ? first : isSecond ? second : "round");
+    };
+    group.add("stroke", colourOf(pen.brush()).name());
+    group.add("stroke-opacity", opacity * colourOf(pen.brush()).alphaF());
+    group.add("stroke-width", width);
+    group.add("stroke-linecap", word(pen.capStyle() == Qt::FlatCap, "butt",
+                                     pen.capStyle() == Qt::SquareCap, "square"));
+    group.add("stroke-linejoin", word(pen.joinStyle() == Qt::BevelJoin, "bevel",
+                                      pen.joinStyle() == Qt::MiterJoin, "miter"));
+    if (pen.isCosmetic()) {
+        group.add("vector-effect", QStringLiteral("non-scaling-stroke"));
+    }
+    if (pen.style() != Qt::SolidLine) {
+        QStringList dashes;
+        for (const double each : pen.dashPattern()) {
+            dashes << text(each * width);
+        }
+        group.add("stroke-dasharray", dashes.join(QLatin1Char(',')));
+        group.add("stroke-dashoffset", pen.dashOffset() * width);
+    }
+}
 
 }  // namespace
 
-/// Paints what it is told with a painter of its own on a QSvgGenerator, once it is cut.
+/// Writes what is drawn in groups of one pen and brush within one clip, in the device's pixels.
 class ClippedSvg::Engine : public QPaintEngine {
   public:
-    explicit Engine(std::unique_ptr<Generator> generator)
-        : QPaintEngine(featuresOf(*generator->paintEngine())), generator_(std::move(generator)) {}
+    Engine(QIODevice& out, const QSize& size, const QString& title)
+        : QPaintEngine(PrimitiveTransform | PixmapTransform | LinearGradientFill |
+                       RadialGradientFill | ObjectBoundingModeGradients | AlphaBlend |
+                       PainterPaths | Antialiasing | BrushStroke | ConstantOpacity |
+                       PaintOutsidePaintEvent),
+          xml_(&out),
+          size_(size),
+          title_(title) {}
 
-    const Generator& generator() const { return *generator_; }
     Type type() const override { return SVG; }
 
     bool begin(QPaintDevice* /*device*/) override {
-        clip_.reset();
-        return painter_.begin(generator_.get());
+        Attributes head;
+        head.add("width", size_.width());
+        head.add("height", size_.height());
+        head.add("viewBox", QStringLiteral("0 0 %1 %2").arg(size_.width()).arg(size_.height()));
+        head.add("xmlns", QStringLiteral("http://www.w3.org/2000/svg"));
+        head.add("xmlns:xlink", QStringLiteral("http://www.w3.org/1999/xlink"));
+        xml_.writeStartDocument();
+        xml_.writeStartElement(QStringLiteral("svg"));
+        xml_.writeAttributes(head);
+        xml_.writeTextElement(QStringLiteral("title"), title_);
+        xml_.writeStartElement(QStringLiteral("g"));
+        return !xml_.hasError();
     }
-    bool end() override { return painter_.end(); }
-
-    void updateState(const QPaintEngineState& state) override {
-        const DirtyFlags dirty = state.state();
-        if (dirty.testFlag(DirtyTransform)) {
-            painter_.setTransform(state.transform());
-        }
-        if (dirty.testFlag(DirtyPen)) {
-            painter_.setPen(withoutGradient(state.pen()));
-        }
-        if (dirty.testFlag(DirtyBrush)) {
-            painter_.setBrush(state.brush());
-        }
-        if (dirty.testFlag(DirtyBrushOrigin)) {
-            painter_.setBrushOrigin(state.brushOrigin());
-        }
-        if (dirty.testFlag(DirtyFont)) {
-            painter_.setFont(state.font());
-        }
-        if (dirty.testFlag(DirtyOpacity)) {
-            painter_.setOpacity(state.opacity());
-        }
-        if (dirty.testFlag(DirtyHints)) {
-            const QPainter::RenderHints hints = state.renderHints();
-            painter_.setRenderHints(~hints, false);
-            painter_.setRenderHints(hints);
-        }
-        if (dirty.testFlag(DirtyClipEnabled)) {
-            isClipping_ = state.isClipEnabled();
-        }
-        if (dirty.testFlag(DirtyClipRegion)) {
-            clipTo(QRectF(state.clipRegion().boundingRect()), state);
-        }
-        if (dirty.testFlag(DirtyClipPath)) {
-            clipTo(state.clipPath().boundingRect(), state);
-        }
+    bool end() override {
+        xml_.writeEndDocument();
+        return !xml_.hasError();
     }
 
-    void drawRects(const QRectF* rects, int count) override {
-        for (int i = 0; i < count; ++i) {
-            QPainterPath path;
-            path.addRect(rects[i]);
-            draw(path, [&] { painter_.drawRect(rects[i]); });
+    void updateState(const QPaintEngineState& to) override {
+        const bool isRegion = to.state().testFlag(DirtyClipRegion);
+        if (!isRegion && !to.state().testFlag(DirtyClipPath)) {
+            return;
         }
+        const QRectF box =
+            isRegion ? QRectF(to.clipRegion().boundingRect()) : to.clipPath().boundingRect();
+        const QRectF onDevice = to.transform().mapRect(box);
+        clip_ = to.clipOperation() == Qt::NoClip ? std::nullopt
+                : to.clipOperation() == Qt::IntersectClip && clip_
+                    ? std::optional(*clip_ & onDevice)
+                    : std::optional(onDevice);
     }
-    void drawEllipse(const QRectF& box) override {
-        QPainterPath path;
-        path.addEllipse(box);
-        draw(path, [&] { painter_.drawEllipse(box); });
-    }
+
     void drawPath(const QPainterPath& path) override {
-        draw(path, [&] { painter_.drawPath(path); });
+        QString data;
+        for (int i = 0; i < path.elementCount(); ++i) {
+            const QPainterPath::Element& each = path.elementAt(i);
+            data += QLatin1Char(each.isMoveTo()    ? 'M'
+                                : each.isLineTo()  ? 'L'
+                                : each.isCurveTo() ? 'C'
+                                                   : ' ') +
+                    text(each);
+        }
+        Attributes shape;
+        shape.add("d", data);
+        if (path.fillRule() == Qt::OddEvenFill) {
+            shape.add("fill-rule", QStringLiteral("evenodd"));
+        }
+        draw("path", path.controlPointRect(), shape);
     }
     void drawPolygon(const QPointF* points, int count, PolygonDrawMode mode) override {
         const QPolygonF polygon(QList<QPointF>(points, points + count));
-        if (mode == PolylineMode) {
-            const QPolygonF line = transform().map(polygon);
-            if (isWhole(line.boundingRect())) {
-                painter_.drawPolyline(polygon);
-            } else if (meets(line.boundingRect())) {
-                strokeCut(line);
-            }
-            return;
+        QStringList places;
+        for (const QPointF& each : polygon) {
+            places << text(each);
         }
-        const Qt::FillRule rule = mode == WindingMode ? Qt::WindingFill : Qt::OddEvenFill;
-        QPainterPath path;
-        path.addPolygon(polygon);
-        path.closeSubpath();
-        path.setFillRule(rule);
-        draw(path, [&] { painter_.drawPolygon(polygon, rule); });
+        Attributes shape;
+        shape.add("points", places.join(QLatin1Char(' ')));
+        if (mode == PolylineMode) {
+            shape.add("fill", QStringLiteral("none"));
+        } else if (mode == OddEvenMode) {
+            shape.add("fill-rule", QStringLiteral("evenodd"));
+        }
+        draw(mode == PolylineMode ? "polyline" : "polygon", polygon.boundingRect(), shape);
     }
     void drawPixmap(const QRectF& target, const QPixmap& pixmap, const QRectF& source) override {
         drawImage(target, pixmap.toImage(), source, Qt::AutoColor);
     }
-    void drawImage(const QRectF& target, const QImage& whole, const QRectF& source,
-                   Qt::ImageConversionFlags flags) override {
-        QImage image = whole;
-        image.setDevicePixelRatio(1.0);
-        const QRectF device = transform().mapRect(target);
-        if (isWhole(device)) {
-            // The generator writes the whole image, whatever part is wanted.
-            const QRect part = source.toAlignedRect() & image.rect();
-            if (part != image.rect()) {
-                image = image.copy(part);
-            }
-            painter_.drawImage(target, image, QRectF(image.rect()), flags);
-            return;
-        }
-        if (!meets(device) || target.isEmpty()) {
-            return;
-        }
-        const QRectF seen = transform().inverted().mapRect(device & clip_->bounds()) & target;
-        if (seen.isEmpty()) {
-            return;
-        }
-        const double acrossImage = source.width() / target.width();
-        const double downImage = source.height() / target.height();
-        const QRectF part(source.left() + (seen.left() - target.left()) * acrossImage,
-                          source.top() + (seen.top() - target.top()) * downImage,
-                          seen.width() * acrossImage, seen.height() * downImage);
-        // Its edge runs through pixels: drawn again in smaller ones.
-        constexpr double finer = 2.0;
-        const auto pixels = [dense = finer * scale()](double shown, double own) {
-            constexpr double maximum = 4096.0;
-            return static_cast<int>(
-                std::ceil(std::clamp(std::max(dense * shown, own), 1.0, maximum)));
-        };
-        QImage cut(
-            pixels(seen.width(), part.width()), pixels(seen.height(), part.height()),
-            image.hasAlphaChannel() ? QImage::Format_ARGB32_Premultiplied : QImage::Format_RGB32);
-        cut.fill(Qt::transparent);
-        QPainter painter(&cut);
-        painter.setRenderHint(QPainter::SmoothPixmapTransform,
-                              painter_.testRenderHint(QPainter::SmoothPixmapTransform));
-        painter.drawImage(QRectF(cut.rect()), image, part);
-        painter.end();
-        painter_.drawImage(seen, cut, QRectF(cut.rect()), flags);
+    void drawImage(const QRectF& target, const QImage& image, const QRectF& source,
+                   Qt::ImageConversionFlags /*flags*/) override {
+        QBuffer png;
+        image.copy(source.toAlignedRect()).save(&png, "PNG");
+        Attributes picture;
+        picture.add(target);
+        picture.add("preserveAspectRatio", QStringLiteral("none"));
+        picture.add("opacity", state->opacity());
+        picture.add("xlink:href", QStringLiteral("data:image/png;base64,") +
+                                      QLatin1String(png.data().toBase64()));
+        draw("image", target, picture);
     }
     void drawTextItem(const QPointF& at, const QTextItem& item) override {
-        const QRectF line(at.x(), at.y() - item.ascent(), item.width(),
-                          item.ascent() + item.descent());
-        if (!isClipping() || clip_->meets(transform().mapRect(line))) {
-            painter_.drawTextItem(at, item);
-        }
+        const QFont font = item.font();
+        Attributes letters;
+        letters.add("x", at.x());
+        letters.add("y", at.y());
+        letters.add("xml:space", QStringLiteral("preserve"));
+        letters.add("stroke", QStringLiteral("none"));
+        letters.add("fill", state->pen().color().name());
+        letters.add("fill-opacity", state->opacity() * state->pen().color().alphaF());
+        letters.add("font-family", font.family());
+        letters.add("font-size", QFontInfo(font).pixelSize());
+        letters.add("font-weight", font.weight());
+        letters.add("font-style", QLatin1String(font.italic() ? "italic" : "normal"));
+        draw("text", {at.x(), at.y() - item.ascent(), item.width(), item.ascent() + item.descent()},
+             letters, item.text());
     }
 
   private:
-    QTransform transform() const { return painter_.transform(); }
-    bool isClipping() const { return isClipping_ && clip_; }
-    bool isWhole(const QRectF& device) const { return !isClipping() || clip_->contains(device); }
-
-    /// With the width of its line.
-    bool meets(const QRectF& device) const {
-        const double half = 0.5 * lineWidth() + 0.01;
-        return clip_->meets(device.adjusted(-half, -half, half, half));
-    }
-    /// In the device's pixels.
-    double lineWidth() const {
-        const QPen pen = painter_.pen();
-        const double width = std::max(pen.widthF(), pen.isCosmetic() ? 1.0 : 0.0);
-        return pen.style() == Qt::NoPen ? 0.0 : pen.isCosmetic() ? width : width * scale();
-    }
-    double scale() const { return std::sqrt(std::abs(transform().determinant())); }
-
-    void clipTo(const QRectF& box, const QPaintEngineState& state) {
-        const QRectF onDevice = state.transform().mapRect(box);
-        switch (state.clipOperation()) {
-            case Qt::NoClip:
-                clip_.reset();
-                break;
-            case Qt::ReplaceClip:
-                clip_.emplace(onDevice);
-                break;
-            case Qt::IntersectClip:
-                clip_.emplace(clip_ ? clip_->bounds() & onDevice : onDevice);
-                break;
-        }
-    }
-
-    /// @param whole  draws the same where nothing of it is cut
-    template <typename Whole>
-    void draw(const QPainterPath& path, const Whole& whole) {
-        const QRectF device = transform().map(path).controlPointRect();
-        if (isWhole(device)) {
-            whole();
-        } else if (meets(device)) {
-            drawCut(path);
-        }
-    }
-    void drawCut(const QPainterPath& path) {
-        const QPen pen = painter_.pen();
-        painter_.setPen(Qt::NoPen);
-        painter_.drawPath(transform().inverted().map(clip_->cutArea(transform().map(path))));
-        painter_.setPen(pen);
-        for (const QPolygonF& line : flattened(transform().map(path))) {
-            strokeCut(line);
-        }
-    }
-    /// @param line  in the device's pixels
-    void strokeCut(const QPolygonF& line) {
-        const QPen pen = painter_.pen();
-        if (pen.style() == Qt::NoPen) {
+    /// @param box  what it covers, in its own units
+    void draw(const char* name, const QRectF& box, Attributes& own, const QString& content = {}) {
+        const QTransform& to = state->transform();
+        const double room = state->pen().widthF() + 1.0;
+        const bool isClipping = state->isClipEnabled() && clip_;
+        if (isClipping && !clip_->intersects(to.mapRect(box.adjusted(-room, -room, room, room)))) {
             return;
         }
-        const QTransform back = transform().inverted();
-        for (const ClipShape::Stretch& stretch : clip_->cutLine(line)) {
-            QPen cut = pen;
-            if (stretch.points.size() < line.size() || stretch.points.last() != line.last()) {
-                cut.setCapStyle(Qt::FlatCap);
-            }
-            if (pen.style() != Qt::SolidLine && stretch.before > 0.0 && lineWidth() > 0.0) {
-                cut.setDashOffset(pen.dashOffset() + stretch.before / lineWidth());
-            }
-            painter_.setPen(cut);
-            painter_.drawPolyline(back.map(stretch.points));
+        Attributes group;
+        if (isClipping) {
+            group.add("clip-path", QStringLiteral("url(#%1)").arg(clipName()));
         }
-        painter_.setPen(pen);
+        const QBrush& brush = state->brush();
+        addStroke(state->pen(), state->opacity(), group);
+        group.add("fill",
+                  brush.style() == Qt::NoBrush ? QStringLiteral("none") : colourOf(brush).name());
+        group.add("fill-opacity", state->opacity() * colourOf(brush).alphaF());
+        if (group != group_) {
+            xml_.writeEndElement();
+            xml_.writeStartElement(QStringLiteral("g"));
+            xml_.writeAttributes(group);
+            group_ = group;
+        }
+        if (!to.isIdentity()) {
+            own.add("transform", QStringLiteral("matrix(%1 %2 %3 %4 %5 %6)")
+                                     .arg(text(to.m11()), text(to.m12()), text(to.m21()),
+                                          text(to.m22()), text(to.dx()), text(to.dy())));
+        }
+        xml_.writeStartElement(QLatin1String(name));
+        xml_.writeAttributes(own);
+        xml_.writeCharacters(content);
+        xml_.writeEndElement();
     }
 
-    std::unique_ptr<Generator> generator_;
-    QPainter painter_;
-    std::optional<ClipShape> clip_;
-    bool isClipping_ = false;
+    /// Of the present clip, which is written where it is new.
+    QString clipName() {
+        const qsizetype known = clips_.indexOf(*clip_);
+        const QString name = QStringLiteral("clip%1").arg(known < 0 ? clips_.size() : known);
+        if (known < 0) {
+            clips_ << *clip_;
+            Attributes box;
+            box.add(*clip_);
+            xml_.writeStartElement(QStringLiteral("clipPath"));
+            xml_.writeAttribute(QStringLiteral("id"), name);
+            xml_.writeEmptyElement(QStringLiteral("rect"));
+            xml_.writeAttributes(box);
+            xml_.writeEndElement();
+        }
+        return name;
+    }
+
+    QXmlStreamWriter xml_;
+    QSize size_;
+    QString title_;
+    std::optional<QRectF> clip_;
+    QList<QRectF> clips_;  ///< that are written
+    Attributes group_;     ///< that is open
 };
 
-ClippedSvg::ClippedSvg(QIODevice& out, const QSize& size, const QString& title) {
-    auto generator = std::make_unique<Generator>();
-    generator->setOutputDevice(&out);
-    generator->setResolution(svgDots);
-    generator->setSize(size);
-    generator->setViewBox(QRect(QPoint(), size));
-    generator->setTitle(title);
-    engine_ = std::make_unique<Engine>(std::move(generator));
+ClippedSvg::ClippedSvg(QIODevice& out, const QSize& size, const QString& title)
+    : engine_(std::make_unique<Engine>(out, size, title)) {
+    setResolution(svgDots);
+    setSize(size);
 }
 
 ClippedSvg::~ClippedSvg() = default;
 
 QPaintEngine* ClippedSvg::paintEngine() const {
     return engine_.get();
-}
-
-int ClippedSvg::metric(PaintDeviceMetric metric) const {
-    return engine_->generator().metric(metric);
 }
 
 }  // namespace ravnoves

@@ -40,6 +40,7 @@ footer { margin-top: 2.5em; color: #5b626c; font-size: .85em; }
 /// An SVG that stands within a page: without a head, its names its own.
 QString inlineSvg(const Drawing& figure, int number) {
     QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
     ClippedSvg device(buffer, figure.size);
     QPainter painter(&device);
     painter.setFont(Theme::font());
@@ -56,8 +57,7 @@ QString inlineSvg(const Drawing& figure, int number) {
                           .arg(figure.size.height())
                           .arg((figure.description.isEmpty() ? figure.caption : figure.description)
                                    .toHtmlEscaped()));
-    static const QRegularExpression title(QStringLiteral("<(title|desc)>[^<]*</\\1>\\s*"));
-    svg.remove(title);
+    svg.remove(QLatin1String("<title></title>"));
     static const QRegularExpression id(QStringLiteral("id=\"([^\"]+)\""));
     svg.replace(id, QStringLiteral("id=\"f%1-\\1\"").arg(number));
     return svg.replace(QLatin1String("url(#"), QStringLiteral("url(#f%1-").arg(number)).trimmed();

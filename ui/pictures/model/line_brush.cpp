@@ -5,7 +5,7 @@
 #include <cstring>
 #include <numeric>
 
-#include "pictures/model/clip_shape.h"
+#include "pictures/model/crossings.h"
 #include "pictures/model/pixel.h"
 
 namespace ravnoves {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pictures/model/clip_shape.h"
+#include "pictures/model/crossings.h"
 
 namespace ravnoves {
 
