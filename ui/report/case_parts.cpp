@@ -105,22 +105,36 @@ QString nameOf(const PagePart& part, const ScenePage& page) {
     return {};
 }
 
-/// Its differences from the reference are in the table of variants.
+/// With their ±; its differences from the reference are in the table of variants.
 void addTable(const ScenePage& page, const PagePart& part, const Results& results,
               const PartSpread* spread, PageGroup& group) {
-    ResultTable table(nameOf(part, page), nullptr);
-    table.setResults(results);
+    ResultRows rows = results.rows;
     if (spread != nullptr) {
-        table.setSpreads(spread->cells, spread->how);
+        addSpreads(rows, spread->cells);
     }
-    // With all rows first: a spread knows its row by number.
-    for (int row = static_cast<int>(results.rows.size()); row-- > 0;) {
-        if (results.rows[row].isBlank()) {
-            table.removeRow(row);
+    Table table;
+    table.caption = nameOf(part, page);
+    table.isSmall = results.columns.size() > 6;
+    for (const ResultColumn& column : results.columns) {
+        table.numbers << !table.headings.isEmpty();
+        table.headings << column.heading.toHtmlEscaped();
+    }
+    for (qsizetype i = 0; i < rows.size(); ++i) {
+        QStringList cells;
+        for (qsizetype column = 0; column < results.columns.size(); ++column) {
+            const ResultCell cell = rows[i].value(column);
+            cells << cell.marked().toHtmlEscaped().replace(u'\n', QLatin1String("<br/>"));
+            if (!cell.spread.isEmpty()) {
+                cells.last() += QStringLiteral("\u00A0<small>%1</small>")
+                                    .arg(QString(cell.spread).replace(u' ', QChar::Nbsp));
+            }
+        }
+        if (!results.rows[i].isBlank()) {
+            table.rows << cells;
         }
     }
-    if (table.rowCount() > 0) {
-        group.tables.push_back(tableOf(table));
+    if (!table.rows.isEmpty()) {
+        group.tables.push_back(std::move(table));
     }
 }
 

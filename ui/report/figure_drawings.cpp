@@ -9,7 +9,6 @@
 
 #include "pictures/figure.h"
 #include "plot/plot_view.h"
-#include "widgets/result_table.h"
 
 namespace ravnoves {
 
@@ -20,11 +19,6 @@ namespace {
 constexpr int figureWidth = 660;  ///< pixels, of a plot
 constexpr int narrowWidth = 480;  ///< of one that is high
 constexpr QSize maxOfPicture(660, 230);
-
-/// A cell's text as a fragment of HTML.
-QString cellHtml(const QString& text) {
-    return text.toHtmlEscaped().replace(QLatin1Char('\n'), QLatin1String("<br/>"));
-}
 
 /// Draws with the widget at another size, then gives it back its own. A hidden widget hears of a
 /// size only when it is shown: it is told.
@@ -122,31 +116,6 @@ Drawing drawingOf(QWidget* picture, const QSize& size) {
                     drawAt(picture, size, [&] { drawInRoom(picture, painter, size); });
                 }
             }};
-}
-
-Table tableOf(const ResultTable& table) {
-    Table shown;
-    shown.caption = table.accessibleName();
-    for (int column = 0; column < table.columnCount(); ++column) {
-        shown.headings << table.horizontalHeaderItem(column)->text().toHtmlEscaped();
-        shown.numbers << (column > 0 && table.rowCount() > 0 && table.item(0, column) != nullptr &&
-                          (table.item(0, column)->textAlignment() & Qt::AlignRight) != 0);
-    }
-    for (int row = 0; row < table.rowCount(); ++row) {
-        QStringList cells;
-        for (int column = 0; column < table.columnCount(); ++column) {
-            const QTableWidgetItem* cell = table.item(row, column);
-            cells << (cell != nullptr ? cellHtml(cell->text()) : QString());
-            const QString spread = table.spreadAt(row, column);
-            if (!spread.isEmpty()) {
-                cells.last() += QStringLiteral("\u00A0<small>%1</small>")
-                                    .arg(QString(spread).replace(u' ', QChar(0xA0)));
-            }
-        }
-        shown.rows << cells;
-    }
-    shown.isSmall = shown.headings.size() > 6;
-    return shown;
 }
 
 }  // namespace ravnoves

@@ -9,7 +9,6 @@ class QWidget;
 namespace ravnoves {
 
 class PlotView;
-class ResultTable;
 
 /// A plot of the page, as tall as on the page.
 report::Drawing drawingOf(PlotView* plot);
@@ -19,8 +18,5 @@ report::Drawing drawingOf(const std::shared_ptr<PlotView>& plot);
 report::Drawing drawingOf(QWidget* picture);
 /// The same of one that fills any shape.
 report::Drawing drawingOf(QWidget* picture, const QSize& size);
-
-/// A table of results, with its differences and ± below the numbers.
-report::Table tableOf(const ResultTable& table);
 
 }  // namespace ravnoves

@@ -1,5 +1,6 @@
 #include "text/result_row.h"
 
+#include <QHash>
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
@@ -116,6 +117,70 @@ bool ResultRow::isBlank() const {
     constexpr qsizetype nameValueUnit = 3;
     return hasNumber ? size() > nameValueUnit
                      : value(1).text.isEmpty() || value(1).text == QChar(0x2013);
+}
+
+void compareRows(ResultRows& rows, const ResultRows& reference) {
+    QHash<QString, QList<const ResultRow*>> others;
+    for (const ResultRow& row : reference) {
+        others[row.key()] << &row;
+    }
+    for (ResultRow& row : rows) {
+        // Of rows with one name the first is the first there.
+        QList<const ResultRow*>& same = others[row.key()];
+        const ResultRow was = same.isEmpty() ? ResultRow() : *same.takeFirst();
+        for (qsizetype column = 1; column < row.size(); ++column) {
+            row[column].fromOther = row[column].from(was.value(column));
+        }
+    }
+}
+
+namespace {
+
+/// Decimals with which two digits of the larger side are shown.
+int decimalsOf(const CellSpread& spread) {
+    const double maximum = std::max(spread.below, spread.above);
+    return std::clamp(1 - static_cast<int>(std::floor(std::log10(maximum))), 0, 9);
+}
+
+/// So many digits that two of the larger side say something, beside this number; empty where the
+/// sides are far less than its last digit.
+QString spreadText(const CellSpread& spread, const ResultNumber& number) {
+    const double maximum = std::max(spread.below, spread.above);
+    const double minimum = std::min(spread.below, spread.above);
+    const int decimals = std::min(decimalsOf(spread), number.decimals.value_or(9) + 1);
+    if (maximum < 0.5 * std::pow(10.0, -decimals)) {
+        return {};
+    }
+    const auto shown = [&](double size) {
+        return maximum < 1e-9 || maximum >= 1e9         ? formNumber(size, QLocale(), 2)
+               : size < 0.5 * std::pow(10.0, -decimals) ? QStringLiteral("0")
+                                                        : fixedDecimals(size, decimals, QLocale());
+    };
+    constexpr double alike = 0.1;
+    return minimum < 0.0 || maximum - minimum < alike * maximum
+               ? QStringLiteral("± ") + shown(0.5 * (spread.below + spread.above))
+               : QStringLiteral("+%1 −%2").arg(shown(spread.above), shown(spread.below));
+}
+
+}  // namespace
+
+void addSpreads(ResultRows& rows, const std::vector<CellSpread>& spreads, bool areAwaited) {
+    for (const CellSpread& each : spreads) {
+        const ResultRow row = rows.value(each.row);
+        ResultCell cell = row.value(each.column);
+        const ResultNumber* number = cell.number();
+        if (number == nullptr || each.column == 0 || row.key() != each.name ||
+            !(std::max(each.below, each.above) > 0.0)) {
+            continue;
+        }
+        cell.spread = areAwaited ? QStringLiteral("± …") : spreadText(each, *number);
+        const int decimals = number->decimals.value_or(0);
+        if (const int certain = decimalsOf(each);
+            certain < decimals && cell.text == fixedDecimals(number->value, decimals, QLocale())) {
+            cell.text = fixedDecimals(number->value, certain, QLocale());
+        }
+        rows[each.row][each.column] = cell;
+    }
 }
 
 ResultCell shownCell(double si, const Unit& unit, int decimals) {

@@ -4,6 +4,7 @@
 #include <QVector>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "numerics/units.h"
 
@@ -54,6 +55,7 @@ struct ResultCell {
         false;            ///< of several designs the one with the smallest number is the best
     bool isBest = false;  ///< it is that one
     std::optional<ShownDifference> fromOther = {};  ///< difference from another design
+    QString spread = {};  ///< "± 0.2", "+0.1 −0.3" where its sides differ
 
     /// With a star where it is the best.
     QString marked() const { return isBest ? QStringLiteral("★ ") + text : text; }
@@ -108,6 +110,12 @@ struct CellSpread {
     double below = 0.0;  ///< from 5 % to the number, in the unit of the cell
     double above = 0.0;  ///< from the number to 95 %
 };
+
+/// Gives cells their differences from other results, row by row's key.
+void compareRows(ResultRows& rows, const ResultRows& reference);
+/// Gives numbers their ±; what is uncertain has no digits beyond that.
+/// @param areAwaited  the numbers are others now: "± …" is in their places
+void addSpreads(ResultRows& rows, const std::vector<CellSpread>& spreads, bool areAwaited = false);
 
 /// A difference with a sign, "0" for none.
 QString signedNumber(double value, int decimals);

@@ -11,6 +11,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QSet>
 #include <QStyledItemDelegate>
 #include <QToolTip>
 #include <QWhatsThis>
@@ -33,11 +34,6 @@ namespace {
 constexpr int padding = 9;
 constexpr int minPadding = 6;    ///< what a cell leaves beside its text
 constexpr int minOfWords = 110;  ///< designed pixels
-/// Of a cell: its difference, absolute and percent.
-constexpr int differenceRole = Qt::UserRole + 1;
-/// Of a cell: its ±.
-constexpr int spreadRole = Qt::UserRole + 2;
-
 /// Whether two texts have the same signs, but for digits, which are of one width.
 bool areAsWide(const QString& one, const QString& other) {
     return std::equal(one.begin(), one.end(), other.begin(), other.end(),
@@ -57,33 +53,18 @@ int smallHeight() {
     return QFontMetrics(smallFont()).height() - 1;
 }
 
-/// Decimals with which two digits of the larger side are shown.
-int decimalsOf(const ResultTable::Spread& spread) {
-    const double maximum = std::max(spread.below, spread.above);
-    return std::clamp(1 - static_cast<int>(std::floor(std::log10(maximum))), 0, 9);
-}
-
-/// So many digits that two of the larger side say something, beside this number; empty where the
-/// sides are far less than its last digit.
-QString spreadText(const ResultTable::Spread& spread, const ResultNumber& number) {
-    const double maximum = std::max(spread.below, spread.above);
-    const double minimum = std::min(spread.below, spread.above);
-    const int decimals = std::min(decimalsOf(spread), number.decimals.value_or(9) + 1);
-    if (maximum < 0.5 * std::pow(10.0, -decimals)) {
-        return {};
-    }
-    const auto shown = [&](double size) {
-        return maximum < 1e-9 || maximum >= 1e9         ? formNumber(size, QLocale(), 2)
-               : size < 0.5 * std::pow(10.0, -decimals) ? QStringLiteral("0")
-                                                        : fixedDecimals(size, decimals, QLocale());
-    };
-    constexpr double alike = 0.1;
-    return minimum < 0.0 || maximum - minimum < alike * maximum
-               ? QStringLiteral("± ") + shown(0.5 * (spread.below + spread.above))
-               : QStringLiteral("+%1 −%2").arg(shown(spread.above), shown(spread.below));
-}
-
 }  // namespace
+
+/// Its tip is what its row and its column mean, unless it was given another.
+class ResultItem final : public QTableWidgetItem {
+  public:
+    QVariant data(int role) const override {
+        const QVariant own = QTableWidgetItem::data(role);
+        return role == Qt::ToolTipRole && own.isNull()
+                   ? static_cast<const ResultTable*>(tableWidget())->tipOf(row(), column())
+                   : own;
+    }
+};
 
 /// A cell over the small lines of its difference and its ±. Its tip begins with its whole text
 /// where that has too little room.
@@ -172,11 +153,6 @@ int ResultTable::plainRowHeight() {
     return Theme::withText(20);
 }
 
-const ResultNumber* ResultTable::numberAt(int row, int column) const {
-    const bool isThere = row < rows_.size() && column > 0 && column < rows_[row].size();
-    return isThere ? rows_[row][column].number() : nullptr;
-}
-
 void ResultTable::setColumns(const ResultColumns& columns) {
     headings_ = columns;
     setColumnCount(static_cast<int>(columns.size()));
@@ -200,21 +176,31 @@ void ResultTable::setResults(const Results& results) {
 }
 
 void ResultTable::setRows(const ResultRows& rows) {
-    const bool hasSameTips =
-        std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(),
-                   [](const ResultRow& a, const ResultRow& b) { return a.tip == b.tip; });
-    rows_ = rows;
-    bool isSameShape = rowCount() == rows.size();
+    given_ = rows;
+    showRows();
+}
+
+void ResultTable::showRows() {
+    rows_ = given_;
+    if (reference_) {
+        compareRows(rows_, *reference_);
+    }
+    addSpreads(rows_, spreads_, areSpreadsAwaited_);
+    bool isSameShape = rowCount() == rows_.size();
     if (!isSameShape) {
-        setRowCount(static_cast<int>(rows.size()));
+        setRowCount(static_cast<int>(rows_.size()));
         updateGeometry();
     }
-    for (int row = 0; row < rows.size(); ++row) {
+    const bool hadDifferences = std::exchange(hasDifferences_, false);
+    for (int row = 0; row < rowCount(); ++row) {
         for (int column = 0; column < columnCount(); ++column) {
-            const QString text = rows[row].value(column).marked();
+            const ResultCell shown = rows_[row].value(column);
+            const QString text = shown.marked();
+            hasDifferences_ = hasDifferences_ || shown.fromOther;
             QTableWidgetItem* cell = item(row, column);
             if (cell == nullptr) {
-                cell = new QTableWidgetItem(text);
+                cell = new ResultItem;
+                cell->setText(text);
                 cell->setTextAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) |
                                        Qt::AlignVCenter);
                 setItem(row, column, cell);
@@ -223,47 +209,33 @@ void ResultTable::setRows(const ResultRows& rows) {
                 cell->setText(text);
                 isSameShape = isSameShape && areAsWide(was, text);
             }
+            cell->setData(Qt::ToolTipRole, QVariant());
         }
     }
-    if (!spreads_.empty()) {
-        showSpreads();
-    }
-    const bool hadDifferences = std::exchange(
-        hasDifferences_, std::any_of(rows.begin(), rows.end(), [](const ResultRow& row) {
-            return std::any_of(row.begin(), row.end(),
-                               [](const ResultCell& cell) { return cell.fromOther.has_value(); });
-        }));
-    const bool compares = referenceRows_ || hasDifferences_ || hadDifferences;
-    if (compares) {
-        showDifferences();
-    } else if (!isSameShape) {
+    if (!isSameShape || hasDifferences_ || hadDifferences) {
         fitColumns();
     }
-    if (!hasSameTips || !isSameShape || compares) {
-        showTips();
+    if (hasDifferences_ || !spreads_.empty()) {
+        viewport()->update();
     }
 }
 
-void ResultTable::showTips() {
-    for (int row = 0; row < rows_.size(); ++row) {
-        for (int column = 0; column < columnCount(); ++column) {
-            const bool isName = column == 0 && !rows_[row].tip.isEmpty();
-            QStringList lines{rows_[row].tip, isName ? QString() : headings_[column].tip};
-            if (!differenceAt(row, column).isEmpty()) {
-                lines << (referenceRows_
-                              ? tr("Present value minus reference %1").arg(referenceName_)
-                              : tr("Below the value: difference from the reference."));
-            }
-            if (!spreadAt(row, column).isEmpty()) {
-                lines << spreadTip_;
-            }
-            lines.removeAll(QString());
-            item(row, column)->setToolTip(lines.join(QLatin1Char('\n')));
-        }
+QString ResultTable::tipOf(int row, int column) const {
+    const ResultCell cell = rows_[row].value(column);
+    const bool isName = column == 0 && !rows_[row].tip.isEmpty();
+    QStringList lines{rows_[row].tip, isName ? QString() : headings_[column].tip};
+    if (cell.fromOther) {
+        lines << (reference_ ? tr("Present value minus reference %1").arg(referenceName_)
+                             : tr("Below the value: difference from the reference."));
     }
+    if (!cell.spread.isEmpty()) {
+        lines << spreadTip_;
+    }
+    lines.removeAll(QString());
+    return lines.join(QLatin1Char('\n'));
 }
 
-void ResultTable::setSpreads(std::vector<Spread> spreads, const QString& how) {
+void ResultTable::setSpreads(std::vector<CellSpread> spreads, const QString& how) {
     if (spreads.empty() && spreads_.empty()) {
         return;
     }
@@ -271,25 +243,23 @@ void ResultTable::setSpreads(std::vector<Spread> spreads, const QString& how) {
     spreadTip_ = how;
     areSpreadsAwaited_ = false;
     fittedTo_ = -1;
-    showSpreads();
-    showTips();
+    showRows();
     fitColumns();
 }
 
 void ResultTable::awaitSpreads() {
     if (!spreads_.empty() && !std::exchange(areSpreadsAwaited_, true)) {
-        showSpreads();
+        showRows();
     }
 }
 
 QString ResultTable::spreadAt(int row, int column) const {
-    const QTableWidgetItem* cell = item(row, column);
-    return cell != nullptr ? cell->data(spreadRole).toString() : QString();
+    return rows_.value(row).value(column).spread;
 }
 
 QStringList ResultTable::differenceAt(int row, int column) const {
-    const QTableWidgetItem* cell = item(row, column);
-    return cell != nullptr ? cell->data(differenceRole).toStringList() : QStringList();
+    const auto found = rows_.value(row).value(column).fromOther;
+    return found ? QStringList{found->absolute, found->percent} : QStringList();
 }
 
 QStringList ResultTable::below(int row, int column) const {
@@ -307,79 +277,14 @@ QStringList ResultTable::below(int row, int column) const {
     return lines;
 }
 
-void ResultTable::showSpreads() {
-    for (int row = 0; row < rowCount(); ++row) {
-        for (int column = 0; column < columnCount(); ++column) {
-            item(row, column)->setData(spreadRole, QVariant());
-            if (const QString& text = rows_[row].value(column).text;
-                item(row, column)->text() != text) {
-                item(row, column)->setText(text);
-            }
-        }
-    }
-    for (const Spread& each : spreads_) {
-        const ResultNumber* number = numberAt(each.row, each.column);
-        if (number != nullptr && rows_[each.row].key() == each.name &&
-            std::max(each.below, each.above) > 0.0) {
-            item(each.row, each.column)
-                ->setData(spreadRole,
-                          areSpreadsAwaited_ ? QStringLiteral("± …") : spreadText(each, *number));
-            // What is uncertain has no digits beyond that.
-            const int decimals = number->decimals.value_or(0);
-            if (const int certain = decimalsOf(each);
-                certain < decimals && rows_[each.row][each.column].text ==
-                                          fixedDecimals(number->value, decimals, QLocale())) {
-                item(each.row, each.column)
-                    ->setText(fixedDecimals(number->value, certain, QLocale()));
-            }
-        }
-    }
-}
-
 void ResultTable::showReference(const Results* results, const QString& name) {
-    if (results == nullptr && !referenceRows_) {
+    if (results == nullptr && !reference_) {
         return;
     }
-    referenceRows_ = results != nullptr ? std::optional(results->rows) : std::nullopt;
+    reference_ = results != nullptr ? std::optional(results->rows) : std::nullopt;
     referenceName_ = name;
     fittedTo_ = -1;
-    showDifferences();
-    showTips();
-}
-
-int ResultTable::rowInReference(int row) const {
-    const ResultRows& reference = *referenceRows_;
-    const QString wanted = rows_[row].key();
-    if (row < reference.size() && reference[row].key() == wanted) {
-        return row;
-    }
-    // Of rows with one name the first is the first there.
-    int before = 0;
-    for (int i = 0; i < row; ++i) {
-        before += rows_[i].key() == wanted ? 1 : 0;
-    }
-    for (int i = 0; i < reference.size(); ++i) {
-        if (reference[i].key() == wanted && before-- == 0) {
-            return i;
-        }
-    }
-    return -1;
-}
-
-void ResultTable::showDifferences() {
-    for (int row = 0; row < rows_.size(); ++row) {
-        const int other = referenceRows_ ? rowInReference(row) : -1;
-        const ResultRow was = other >= 0 ? (*referenceRows_)[other] : ResultRow();
-        for (int column = 1; column < columnCount(); ++column) {
-            const ResultCell cell = rows_[row].value(column);
-            const auto found = referenceRows_ ? cell.from(was.value(column)) : cell.fromOther;
-            const QStringList parts =
-                found ? QStringList{found->absolute, found->percent} : QStringList();
-            if (differenceAt(row, column) != parts) {
-                item(row, column)->setData(differenceRole, found ? QVariant(parts) : QVariant());
-            }
-        }
-    }
+    showRows();
     fitColumns();
 }
 
@@ -428,7 +333,7 @@ void ResultTable::fitColumns() {
             sum += width;
         }
         // Differences are below each other before they shorten the words.
-        if (sum + (referenceRows_ ? cut : 0) <= room || room_ == Room::Little) {
+        if (sum + (reference_ ? cut : 0) <= room || room_ == Room::Little) {
             break;
         }
         room_ = static_cast<Room>(static_cast<int>(room_) + 1);
@@ -510,51 +415,41 @@ void ResultTable::resizeEvent(QResizeEvent* event) {
 
 QString ResultTable::joined(QChar separator, bool selectionOnly) const {
     const CsvFormat csv;
-    const auto written = [&](const QString& text) {
-        return separator == QLatin1Char('\t') ? csv.plainMinus(text) : csv.field(text);
-    };
     // In the whole table, what is below its numbers gets columns behind them.
-    QList<int> compared;
-    QList<int> spread;
-    for (int column = 1; column < columnCount() && !selectionOnly; ++column) {
-        for (int row = 0; row < rowCount(); ++row) {
-            if (!differenceAt(row, column).isEmpty() && !compared.contains(column)) {
+    QSet<int> compared;
+    QSet<int> spread;
+    for (const ResultRow& row : selectionOnly ? ResultRows() : rows_) {
+        for (int column = 0; column < row.size(); ++column) {
+            if (row[column].fromOther) {
                 compared << column;
             }
-            if (!spreadAt(row, column).isEmpty() && !spread.contains(column)) {
+            if (!row[column].spread.isEmpty()) {
                 spread << column;
             }
         }
     }
-    QStringList line;
-    for (int column = 0; column < columnCount() && !selectionOnly; ++column) {
-        const QString heading = horizontalHeaderItem(column)->text();
-        line << written(heading);
-        if (compared.contains(column)) {
-            const QString delta = QStringLiteral("Δ ") + heading;
-            line << written(delta) << written(delta + QStringLiteral(", %"));
-        }
-        if (spread.contains(column)) {
-            line << written(QStringLiteral("± ") + heading);
-        }
-    }
-    QString text = line.isEmpty() ? QString() : line.join(separator) + QLatin1Char('\n');
-    for (int row = 0; row < rowCount(); ++row) {
-        line.clear();
+    QString text;
+    for (int row = selectionOnly ? 0 : -1; row < rowCount(); ++row) {  // the headings first
+        QStringList line;
         for (int column = 0; column < columnCount(); ++column) {
-            const QTableWidgetItem* cell = item(row, column);
-            if (cell == nullptr || (selectionOnly && !cell->isSelected())) {
+            if (selectionOnly && !item(row, column)->isSelected()) {
                 continue;
             }
-            const ResultCell value = rows_[row].value(column);
-            line << written(value.isBest ? value.text : cell->text());
+            const QString& heading = headings_[column].heading;
+            line << (row < 0 ? heading : rows_[row].value(column).text);
             if (compared.contains(column)) {
-                const QStringList parts = differenceAt(row, column);
-                line << written(parts.value(0)) << written(parts.value(1));
+                const QString delta = QStringLiteral("Δ ") + heading;
+                const QStringList parts = row < 0
+                                              ? QStringList{delta, delta + QStringLiteral(", %")}
+                                              : differenceAt(row, column);
+                line << parts.value(0) << parts.value(1);
             }
             if (spread.contains(column)) {
-                line << written(spreadAt(row, column));
+                line << (row < 0 ? QStringLiteral("± ") + heading : spreadAt(row, column));
             }
+        }
+        for (QString& each : line) {
+            each = separator == QLatin1Char('\t') ? csv.plainMinus(each) : csv.field(each);
         }
         if (!line.isEmpty()) {
             text += line.join(separator) + QLatin1Char('\n');

@@ -34,17 +34,14 @@ class ResultTable : public QTableWidget {
     void setRows(const ResultRows& rows);
     /// Both.
     void setResults(const Results& results);
-    /// Null where the cell has no number, or two.
-    const ResultNumber* numberAt(int row, int column) const;
     /// Shows below its numbers how they differ from those that another input gives, row by row's
     /// key: absolute and in percent. Null removes them.
     void showReference(const Results* results, const QString& name);
     /// Absolute and percent of a cell, as shown; empty without a comparison.
     QStringList differenceAt(int row, int column) const;
-    using Spread = CellSpread;
     /// Shows them below the numbers, after differences. None removes them.
     /// @param how  they were found, which the cells say too
-    void setSpreads(std::vector<Spread> spreads, const QString& how = {});
+    void setSpreads(std::vector<CellSpread> spreads, const QString& how = {});
     /// The numbers are others now: "± …" is in their places until they are set again.
     void awaitSpreads();
     /// "± 0.2" of a cell, "+ 0.1 − 0.3" where its sides differ, as shown; empty where it has
@@ -83,15 +80,15 @@ class ResultTable : public QTableWidget {
     void copySelection();
     void fitColumns();
     int wantedWidth(int column) const;
-    void showDifferences();
-    void showSpreads();
+    /// Those given, with differences and ±.
+    void showRows();
     /// The texts below a cell, line by line.
     QStringList below(int row, int column) const;
     void fitRows();
-    int rowInReference(int row) const;
-    void showTips();
+    QString tipOf(int row, int column) const;
 
     friend class ResultDelegate;
+    friend class ResultItem;
 
     WrappedHeader* header_;
     Room room_ = Room::Plenty;
@@ -99,10 +96,11 @@ class ResultTable : public QTableWidget {
     QList<int> stretched_{0};
     int shownRows_ = 0;  ///< 0: all
     ResultColumns headings_;
-    ResultRows rows_;
-    std::optional<ResultRows> referenceRows_;  ///< of results, not of a table
+    ResultRows given_;
+    ResultRows rows_;                      ///< as shown
+    std::optional<ResultRows> reference_;  ///< of results, not of a table
     QString referenceName_;
-    std::vector<Spread> spreads_;
+    std::vector<CellSpread> spreads_;
     QString spreadTip_;
     bool areSpreadsAwaited_ = false;
     bool hasDifferences_ = false;  ///< in its cells
