@@ -14679,10 +14679,6 @@ but no position is feasible</source>
         <translation>Каждая формула с источником.</translation>
     </message>
     <message>
-        <source>&amp;Validation of the paper</source>
-        <translation>&amp;Проверка по статье</translation>
-    </message>
-    <message>
         <source>A4</source>
         <translation>A4</translation>
     </message>
@@ -14701,10 +14697,6 @@ but no position is feasible</source>
     <message>
         <source>&amp;Save as…</source>
         <translation>&amp;Сохранить как…</translation>
-    </message>
-    <message>
-        <source>Every printed number of the paper, compared with this program.</source>
-        <translation>Сравнение каждого напечатанного в статье числа с программой.</translation>
     </message>
 </context>
 <context>
@@ -14754,10 +14746,6 @@ but no position is feasible</source>
         <translation>Чего модель не учитывает</translation>
     </message>
     <message>
-        <source>Validation of the methods</source>
-        <translation>Проверка методов</translation>
-    </message>
-    <message>
         <source>Report of a calculation: %1</source>
         <translation>Отчёт о расчёте: %1</translation>
     </message>
@@ -14804,10 +14792,6 @@ but no position is feasible</source>
     <message>
         <source>Page %1 of %2</source>
         <translation>Страница %1 из %2</translation>
-    </message>
-    <message>
-        <source>Numbers</source>
-        <translation>Чисел</translation>
     </message>
     <message>
         <source>Variants</source>
@@ -14900,14 +14884,6 @@ but no position is feasible</source>
     <message>
         <source>Module</source>
         <translation>Модуль</translation>
-    </message>
-    <message>
-        <source>Printed numbers of the paper, recomputed for this report: %1. The module Methods shows each.</source>
-        <translation>Напечатанные числа статьи, вычисленные заново для этого отчёта: %1. Все показаны в модуле «Методы».</translation>
-    </message>
-    <message>
-        <source>Maximum difference</source>
-        <translation>Максимальная разница</translation>
     </message>
     <message>
         <source>Meaning</source>

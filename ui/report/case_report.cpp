@@ -9,8 +9,6 @@
 
 #include "bibliography/bibliography.h"
 #include "case-file/json.h"
-#include "methods/model/method_words.h"
-#include "methods/model/validation_model.h"
 #include "model/case_document.h"
 #include "model/case_sources.h"
 #include "model/input_differences.h"
@@ -20,6 +18,7 @@
 #include "report/case_parts.h"
 #include "report/input_tables.h"
 #include "report/report.h"
+#include "report/report_dialog.h"
 #include "report/study_section.h"
 #include "scenes/scenes.h"
 #include "text/language.h"
@@ -164,84 +163,6 @@ void addTheory(Report& report, const SceneModel& model) {
     }
 }
 
-void addValidation(Report& report, const QString& scene, const Patience& patience) {
-    using Model = ValidationModel;
-    const auto papers = methods::papers();
-    const auto paper = std::find_if(papers.begin(), papers.end(), [&](const auto& each) {
-        return scene == QLatin1String(each.scene.data(), static_cast<int>(each.scene.size()));
-    });
-    Model model;
-    model.load();
-    while (model.isRunning()) {
-        patience.wait(20);
-    }
-    if (paper == papers.end() || model.report() == nullptr) {
-        return;
-    }
-    model.setPaper(static_cast<std::size_t>(paper - papers.begin()));
-    report.head(ReportWords::tr("Validation of the methods"));
-    report.say(ReportWords::tr("Printed numbers of the paper, recomputed for this report: %1. "
-                               "The module Methods shows each.")
-                   .arg(model.countsText()));
-    // What each place of the paper became; the page Methods has every number.
-    const Results results = model.results();
-    Table table;
-    table.headings = {results.columns[Model::Place].heading.toHtmlEscaped(),
-                      results.columns[Model::VerdictColumn].heading.toHtmlEscaped(),
-                      ReportWords::tr("Numbers"), ReportWords::tr("Maximum difference")};
-    table.numbers = {false, false, true, true};
-    struct Group {
-        QString place;
-        QString verdict;
-        int count = 0;
-        double largest = -1.0;
-        QString difference;
-    };
-    std::vector<Group> found;
-    QStringList slips;
-    for (qsizetype row = 0; row < results.rows.size(); ++row) {
-        const auto cell = [&](int column) { return results.rows[row][column].text; };
-        const methods::ValidationRow& number = *model.rows()[static_cast<std::size_t>(row)];
-        QString verdict = cell(Model::VerdictColumn).toHtmlEscaped();
-        if (number.verdict == methods::Verdict::slip ||
-            number.verdict == methods::Verdict::artefact ||
-            number.verdict == methods::Verdict::differs) {
-            const QString why = methodText(number.reason).toHtmlEscaped();
-            if (!slips.contains(why)) {
-                slips << why;
-            }
-            verdict += QStringLiteral(" [%1]").arg(slips.indexOf(why) + 1);
-        }
-        const QString place = cell(Model::Place).toHtmlEscaped();
-        auto group = std::find_if(found.begin(), found.end(), [&](const Group& each) {
-            return each.place == place && each.verdict == verdict;
-        });
-        if (group == found.end()) {
-            group = found.insert(found.end(),
-                                 Group{.place = place, .verdict = verdict, .difference = {}});
-        }
-        ++group->count;
-        // Of a few units of the last digit that is printed a part says nothing.
-        constexpr double fewUnits = 5.0;
-        const bool says = std::abs(number.printed) > fewUnits * number.last_digit;
-        const auto difference = number.relative_difference();
-        const double size = difference && says ? std::abs(*difference) : -0.5;
-        if (difference && size > group->largest) {
-            group->largest = size;
-            group->difference = cell(Model::Difference).toHtmlEscaped();
-        }
-    }
-    for (const Group& group : found) {
-        table.rows << QStringList{group.place, group.verdict, QString::number(group.count),
-                                  group.difference};
-    }
-    report.items.push_back(std::move(table));
-    for (qsizetype i = 0; i < slips.size(); ++i) {
-        report.items.push_back(
-            Paragraph{QStringLiteral("[%1] %2").arg(i + 1).arg(slips[i]), Paragraph::Kind::Muted});
-    }
-}
-
 /// The present case and its variants, as far as they differ.
 void addVariants(Report& report, const SceneModel& model) {
     if (model.variants().isEmpty()) {
@@ -304,9 +225,9 @@ void addAnswer(Report& report, const SceneModel& model, PageGroup& answer) {
     }
 }
 
-Report makeReport(ScenePage& page, CaseDocument& document, const ReportChoice& choice,
-                  const Patience& patience) {
+Report makeReport(ScenePage& page, CaseDocument& document, const Patience& patience) {
     SceneModel& model = *page.model();
+    const ReportChoice choice;
     Report report;
     report.program = QStringLiteral("Ravnoves " RAVNOVES_VERSION);
     report.date = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
@@ -339,10 +260,6 @@ Report makeReport(ScenePage& page, CaseDocument& document, const ReportChoice& c
     if (choice.formulas) {
         addTheory(report, model);
     }
-    if (choice.validation) {
-        patience.tell(ReportWords::tr("Validation of the methods"), 0.9);
-        addValidation(report, model.sceneName(), patience);
-    }
     addCase(report, model, document);
     patience.tell(ReportWords::tr("Pages"), 0.95);
     return report;
@@ -360,7 +277,7 @@ bool isReportName(const QString& path) {
 }
 
 QString writeReport(ScenePage& page, CaseDocument& document, const QString& path,
-                    const ReportChoice& choice, const Patience& patience) {
+                    const Patience& patience) {
     if (!isReportName(path)) {
         return ReportWords::tr("%1: the name of a report ends in .pdf or .html").arg(path);
     }
@@ -370,7 +287,7 @@ QString writeReport(ScenePage& page, CaseDocument& document, const QString& path
     }
     return writeFile(path, [&] {
         const LightTheme light(page.window());
-        const Report report = makeReport(page, document, choice, patience);
+        const Report report = makeReport(page, document, patience);
         return (isPdf(path) ? reportAsPdf(report) : reportAsHtml(report)).toStdString();
     });
 }

@@ -3,7 +3,6 @@
 #include <QString>
 
 #include "report/patience.h"
-#include "report/report_choice.h"
 
 namespace ravnoves {
 
@@ -12,11 +11,11 @@ class ScenePage;
 
 /// True for a name that a report can be written to: .pdf, .html or .htm.
 bool isReportName(const QString& path);
-/// Writes the case of a page, which is shown, as a report: PDF or HTML by the suffix. It waits for
-/// the page's background work; tabs, size and theme are as before then. A failure leaves no file.
-/// Never overwrites an open case, or a file that one reads.
+/// Writes the case of a page, which is shown, as a report with what the user chose last: PDF or
+/// HTML by the suffix. It waits for the page's background work; tabs, size and theme are as before
+/// then. A failure leaves no file. Never overwrites an open case, or a file that one reads.
 /// @return an empty string, or the fault
 QString writeReport(ScenePage& page, CaseDocument& document, const QString& path,
-                    const ReportChoice& choice, const Patience& patience = Patience());
+                    const Patience& patience = Patience());
 
 }  // namespace ravnoves

@@ -1,31 +1,26 @@
 #pragma once
 
 #include <QDialog>
-
-#include "report/report_choice.h"
-
-class QCheckBox;
-class QComboBox;
+#include <QPageSize>
 
 namespace ravnoves {
 
-/// What a report has beside the answer, and its paper.
+/// What a report has beside the answer, which is on its first page: as the user chose last.
+struct ReportChoice {
+    ReportChoice();
+
+    bool inputs;
+    bool plots;
+    bool formulas;                ///< and what the model leaves out
+    QPageSize::PageSizeId paper;  ///< of a PDF: A4 or Letter; at first by the locale
+};
+
+/// Asks for that, and keeps it.
 class ReportDialog : public QDialog {
     Q_OBJECT
 
   public:
     explicit ReportDialog(QWidget* parent = nullptr);
-
-    ReportChoice choice() const;
-
-  private:
-    QCheckBox* add(const char* name, const QString& text, const QString& hint, bool isOn);
-
-    QCheckBox* inputs_;
-    QCheckBox* plots_;
-    QCheckBox* formulas_;
-    QCheckBox* validation_;
-    QComboBox* paper_;
 };
 
 }  // namespace ravnoves

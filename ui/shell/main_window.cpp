@@ -444,19 +444,16 @@ void MainWindow::exportPicture() {
 }
 
 QString MainWindow::writeReport(const QString& path, const Patience& patience) {
-    return ravnoves::writeReport(*currentPage(), *documents_->current().document, path,
-                                 ReportChoice::kept(), patience);
+    return ravnoves::writeReport(*currentPage(), *documents_->current().document, path, patience);
 }
 
 void MainWindow::exportReport() {
     if (!continueWithoutRejected(currentPage(), tr("Report"))) {
         return;
     }
-    ReportDialog dialog(this);
-    if (dialog.exec() != QDialog::Accepted) {
+    if (ReportDialog(this).exec() != QDialog::Accepted) {
         return;
     }
-    dialog.choice().keep();
     const QFileInfo file(documents_->current().document->path());
     const QString name = file.filePath().isEmpty()
                              ? currentScene()

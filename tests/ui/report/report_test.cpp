@@ -11,6 +11,7 @@
 #include <QProcess>
 #include <QRegularExpression>
 #include <QSet>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTemporaryDir>
@@ -497,8 +498,8 @@ TEST_F(ReportInWindow, TheMenuAsksWhereAndAddsTheSuffix) {
     EXPECT_TRUE(QFile::exists(file(u"handed-over.html"_s)));
     // What was not wanted is left out, of the next report too.
     EXPECT_FALSE(fileText(file(u"handed-over.html"_s)).contains(u">Formulas<"_s));
-    EXPECT_FALSE(ReportChoice::kept().formulas);
-    ReportChoice().keep();
+    EXPECT_FALSE(ReportChoice().formulas);
+    QSettings().remove(u"report"_s);
 }
 
 /// The program's own word: status and standard error.
