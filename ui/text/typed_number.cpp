@@ -33,8 +33,7 @@ struct TypedUnit {
         Stiffness
     } quantity;
     Unit unit;
-    const char16_t* spelling;  ///< lower case, without dots, as are the other ones
-    const char16_t* inRussian;
+    const char16_t* spellings;  ///< lower case, without dots
 };
 
 // Of unbalances; shown nowhere.
@@ -45,56 +44,46 @@ constexpr Unit kilogramCentimetre{"kg·cm", 1e-2};
 constexpr Unit gramPerCentimetre3{"g/cm³", 1e3};
 
 constexpr std::array typedUnits{
-    TypedUnit{TypedUnit::Mass, units::gram, u"g", u"г"},
-    TypedUnit{TypedUnit::Mass, units::gram, u"gr", u"гр"},
-    TypedUnit{TypedUnit::Mass, units::kg, u"kg", u"кг"},
-    TypedUnit{TypedUnit::Mass, units::milligram, u"mg", u"мг"},
-    TypedUnit{TypedUnit::Mass, units::ounce, u"oz", u"унц"},
-    TypedUnit{TypedUnit::Mass, units::pound, u"lb", u"фунт"},
-    TypedUnit{TypedUnit::Mass, units::pound, u"lbs", u"фунтов"},
-    // A scale that is a keyboard, while the Russian layout is on: "568ю5п".
-    TypedUnit{TypedUnit::Mass, units::gram, u"п", u"п"},
-    TypedUnit{TypedUnit::Mass, units::kg, u"лп", u"лп"},
-    TypedUnit{TypedUnit::Mass, units::ounce, u"щя", u"щя"},
-    TypedUnit{TypedUnit::Mass, units::pound, u"ди", u"ди"},
-    TypedUnit{TypedUnit::Length, units::mm, u"mm", u"мм"},
-    TypedUnit{TypedUnit::Length, units::centimetre, u"cm", u"см"},
-    TypedUnit{TypedUnit::Length, units::metre, u"m", u"м"},
-    TypedUnit{TypedUnit::Length, units::micrometre, u"um", u"мкм"},
-    TypedUnit{TypedUnit::Length, units::inch, u"in", u"\""},
-    TypedUnit{TypedUnit::Length, units::mil, u"mil", u"мил"},
-    TypedUnit{TypedUnit::Length, units::foot, u"ft", u"фут"},
-    TypedUnit{TypedUnit::Unbalance, units::gram_mm, u"gmm", u"гмм"},
-    TypedUnit{TypedUnit::Unbalance, gramCentimetre, u"gcm", u"гсм"},
-    TypedUnit{TypedUnit::Unbalance, gramMetre, u"gm", u"гм"},
-    TypedUnit{TypedUnit::Unbalance, gramMetre, u"kgmm", u"кгмм"},
-    TypedUnit{TypedUnit::Unbalance, kilogramCentimetre, u"kgcm", u"кгсм"},
-    TypedUnit{TypedUnit::Unbalance, units::kg_m, u"kgm", u"кгм"},
-    TypedUnit{TypedUnit::Unbalance, units::gram_inch, u"gin", u"гдюйм"},
-    TypedUnit{TypedUnit::Unbalance, units::ounce_inch, u"ozin", u"унцдюйм"},
-    TypedUnit{TypedUnit::Speed, units::rpm, u"rpm", u"об/мин"},
-    TypedUnit{TypedUnit::Speed, units::rad_per_s, u"rad/s", u"рад/с"},
-    TypedUnit{TypedUnit::Angle, units::degree, u"deg", u"град"},
-    TypedUnit{TypedUnit::Angle, units::radian, u"rad", u"рад"},
-    TypedUnit{TypedUnit::Torque, units::N_m, u"nm", u"нм"},
-    TypedUnit{TypedUnit::Torque, units::lb_ft, u"lbft", u"фунтфут"},
-    TypedUnit{TypedUnit::Force, units::newton, u"n", u"н"},
-    TypedUnit{TypedUnit::Force, units::kN, u"kn", u"кн"},
-    TypedUnit{TypedUnit::Force, units::pound_force, u"lbf", u"фунтс"},
-    TypedUnit{TypedUnit::Pressure, units::bar, u"bar", u"бар"},
-    TypedUnit{TypedUnit::Pressure, units::mbar, u"mbar", u"мбар"},
-    TypedUnit{TypedUnit::Pressure, units::pascal, u"pa", u"па"},
-    TypedUnit{TypedUnit::Pressure, units::kPa, u"kpa", u"кпа"},
-    TypedUnit{TypedUnit::Pressure, units::MPa, u"mpa", u"мпа"},
-    TypedUnit{TypedUnit::Pressure, units::psi, u"psi", u"psi"},
-    TypedUnit{TypedUnit::Stiffness, units::N_per_m, u"n/m", u"н/м"},
-    TypedUnit{TypedUnit::Stiffness, units::kN_per_m, u"kn/m", u"кн/м"},
-    TypedUnit{TypedUnit::Stiffness, units::kN_per_m, u"n/mm", u"н/мм"},
-    TypedUnit{TypedUnit::Stiffness, units::lbf_per_inch, u"lbf/in", u"фунтс/дюйм"},
-    TypedUnit{TypedUnit::Density, units::kg_m3, u"kg/m³", u"кг/м³"},
-    TypedUnit{TypedUnit::Density, gramPerCentimetre3, u"g/cm³", u"г/см³"},
-    TypedUnit{TypedUnit::Density, gramPerCentimetre3, u"g/cc", u"кг/дм³"},
-    TypedUnit{TypedUnit::Density, gramPerCentimetre3, u"t/m³", u"т/м³"}};
+    // The last of masses: a scale that is a keyboard, while the Russian layout is on: "568ю5п".
+    TypedUnit{TypedUnit::Mass, units::gram, u"g г gr гр п"},
+    TypedUnit{TypedUnit::Mass, units::kg, u"kg кг лп"},
+    TypedUnit{TypedUnit::Mass, units::milligram, u"mg мг"},
+    TypedUnit{TypedUnit::Mass, units::ounce, u"oz унц щя"},
+    TypedUnit{TypedUnit::Mass, units::pound, u"lb фунт lbs фунтов ди"},
+    TypedUnit{TypedUnit::Length, units::mm, u"mm мм"},
+    TypedUnit{TypedUnit::Length, units::centimetre, u"cm см"},
+    TypedUnit{TypedUnit::Length, units::metre, u"m м"},
+    TypedUnit{TypedUnit::Length, units::micrometre, u"um мкм"},
+    TypedUnit{TypedUnit::Length, units::inch, u"in \""},
+    TypedUnit{TypedUnit::Length, units::mil, u"mil мил"},
+    TypedUnit{TypedUnit::Length, units::foot, u"ft фут"},
+    TypedUnit{TypedUnit::Unbalance, units::gram_mm, u"gmm гмм"},
+    TypedUnit{TypedUnit::Unbalance, gramCentimetre, u"gcm гсм"},
+    TypedUnit{TypedUnit::Unbalance, gramMetre, u"gm гм kgmm кгмм"},
+    TypedUnit{TypedUnit::Unbalance, kilogramCentimetre, u"kgcm кгсм"},
+    TypedUnit{TypedUnit::Unbalance, units::kg_m, u"kgm кгм"},
+    TypedUnit{TypedUnit::Unbalance, units::gram_inch, u"gin гдюйм"},
+    TypedUnit{TypedUnit::Unbalance, units::ounce_inch, u"ozin унцдюйм"},
+    TypedUnit{TypedUnit::Speed, units::rpm, u"rpm об/мин"},
+    TypedUnit{TypedUnit::Speed, units::rad_per_s, u"rad/s рад/с"},
+    TypedUnit{TypedUnit::Angle, units::degree, u"deg град"},
+    TypedUnit{TypedUnit::Angle, units::radian, u"rad рад"},
+    TypedUnit{TypedUnit::Torque, units::N_m, u"nm нм"},
+    TypedUnit{TypedUnit::Torque, units::lb_ft, u"lbft фунтфут"},
+    TypedUnit{TypedUnit::Force, units::newton, u"n н"},
+    TypedUnit{TypedUnit::Force, units::kN, u"kn кн"},
+    TypedUnit{TypedUnit::Force, units::pound_force, u"lbf фунтс"},
+    TypedUnit{TypedUnit::Pressure, units::bar, u"bar бар"},
+    TypedUnit{TypedUnit::Pressure, units::mbar, u"mbar мбар"},
+    TypedUnit{TypedUnit::Pressure, units::pascal, u"pa па"},
+    TypedUnit{TypedUnit::Pressure, units::kPa, u"kpa кпа"},
+    TypedUnit{TypedUnit::Pressure, units::MPa, u"mpa мпа"},
+    TypedUnit{TypedUnit::Pressure, units::psi, u"psi"},
+    TypedUnit{TypedUnit::Stiffness, units::N_per_m, u"n/m н/м"},
+    TypedUnit{TypedUnit::Stiffness, units::kN_per_m, u"kn/m кн/м n/mm н/мм"},
+    TypedUnit{TypedUnit::Stiffness, units::lbf_per_inch, u"lbf/in фунтс/дюйм"},
+    TypedUnit{TypedUnit::Density, units::kg_m3, u"kg/m³ кг/м³"},
+    TypedUnit{TypedUnit::Density, gramPerCentimetre3, u"g/cm³ г/см³ g/cc кг/дм³ t/m³ т/м³"}};
 
 const TypedUnit* typedUnit(const QString& word) {
     QString small = word.toLower();
@@ -103,7 +92,7 @@ const TypedUnit* typedUnit(const QString& word) {
         small.remove(QChar(between));
     }
     const auto found = std::find_if(typedUnits.begin(), typedUnits.end(), [&](const auto& each) {
-        return small == QStringView(each.spelling) || small == QStringView(each.inRussian) ||
+        return QStringView(each.spellings).split(u' ').contains(small) ||
                word == unitText(each.unit.name);
     });
     return found == typedUnits.end() ? nullptr : &*found;
