@@ -1,11 +1,10 @@
 #include "report/study_section.h"
 
-#include <QApplication>
-#include <QPicture>
 #include <memory>
 
 #include "model/background_job.h"
 #include "model/scene_model.h"
+#include "pictures/figure.h"
 #include "plot/plot_view.h"
 #include "report/figure_drawings.h"
 #include "report/patience.h"
@@ -110,10 +109,8 @@ Drawing tornadoOf(const StudyModel& study, const StudyAnswer& value) {
     constexpr int width = 640;
     const QSize size(width, view->heightForWidth(width));
     view->resize(size);
-    return {{}, view->accessibleName(), size, [view](QPainter& painter) {
-                QPicture lines;
-                view->render(&lines, QPoint(), QRegion(), QWidget::RenderFlags());
-                painter.drawPicture(0, 0, lines);
+    return {{}, view->accessibleName(), size, [view, size](QPainter& painter) {
+                drawFigure(view.get(), painter, QRectF(QPointF(), size));
             }};
 }
 

@@ -17,15 +17,8 @@ namespace ravnoves {
 
 EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
     constexpr int longest = 1000;  // letters; a table that is pasted by a slip of the keys has more
-    setMaxLength(longest);
-    connect(this, &QLineEdit::inputRejected, this, [this] {
-        isCut_ = true;
-        showCut(cutText(maxLength()));
-    });
+    limitLength(this, longest);
     connect(this, &QLineEdit::textEdited, this, [this] {
-        if (!std::exchange(isCut_, false)) {
-            showCut({});
-        }
         beginEditing();
         if (text() == shown_) {
             bringBack();  // the value may have more digits than are shown
@@ -42,7 +35,6 @@ EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
         if (trouble_.isEmpty()) {
             showValue();
         }
-        showCut({});
         endEditing();
     });
 }
@@ -161,9 +153,8 @@ void EntryField::showTrouble(const QString& trouble) {
     update();
 }
 
-void EntryField::say(QString& which, const QString& note) {
-    if (note != which) {
-        which = note;
+void EntryField::showHowRead(const QString& note) {
+    if (std::exchange(howRead_, note) != note) {
         Q_EMIT troubleChanged();
     }
 }
@@ -209,7 +200,6 @@ void EntryField::keyPressEvent(QKeyEvent* event) {
             bringBack();
         }
         setTrouble({});
-        showCut({});
         showHowRead({});
         showValue();
         endEditing();

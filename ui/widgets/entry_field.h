@@ -34,10 +34,8 @@ class EntryField : public QLineEdit {
     bool isEditing() const { return editing_; }
     /// The whole number where its text is shortened; else empty. The tip says it.
     virtual QString wholeText() const { return {}; }
-    /// The line below: the fault, or else the change made to the text.
-    QString said() const {
-        return !trouble_.isEmpty() ? trouble_ : !note_.isEmpty() ? note_ : howRead_;
-    }
+    /// The line below: the fault, or else how the text was read.
+    QString said() const { return !trouble_.isEmpty() ? trouble_ : howRead_; }
     /// The text that explains the field; the rule for its values is added.
     void setHint(const QString& hint);
     /// Its value may be outdated: it has a yellow frame, unless an entry is wrong.
@@ -77,7 +75,7 @@ class EntryField : public QLineEdit {
     /// @param isOfModel  other values of the model may make it valid
     void setTrouble(const QString& trouble, bool isOfModel = false);
     /// How a text was read that may mean something else; said until the value is another.
-    void showHowRead(const QString& note) { say(howRead_, note); }
+    void showHowRead(const QString& note);
     void showValue();
     /// The text is the value's, and the field has no focus.
     bool isAtRest() const { return !editing_ && trouble_.isEmpty() && text() == shown_; }
@@ -103,20 +101,16 @@ class EntryField : public QLineEdit {
     /// The same automatically, once other values have changed and no editing is under way.
     void tryStale();
     void showTrouble(const QString& trouble);
-    void showCut(const QString& note) { say(note_, note); }
-    void say(QString& which, const QString& note);
 
     QPointer<SceneModel> model_;
     QString hint_;
     QString trouble_;
-    QString note_;  ///< that a text was cut
     QString howRead_;
     QString rejection_;
     QString shown_;  ///< text of the value that was shown last
     bool editing_ = false;
     bool isEntered_ = false;  ///< by a click that is not over
     bool isPassing_ = false;
-    bool isCut_ = false;  ///< the text that comes next
     bool isDoubtful_ = false;
     bool isOfResult_ = true;
     bool isOfModel_ = false;  ///< the trouble: nothing has changed since

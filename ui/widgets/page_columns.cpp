@@ -19,6 +19,7 @@ namespace ravnoves {
 namespace {
 
 constexpr int plotsWidth = 440;  ///< designed pixels that plots need at least
+constexpr int plotShare = 5;
 
 /// Groups of tabs, with room between them and the tabs.
 class GroupBar : public QTabBar {
@@ -59,7 +60,7 @@ PageColumns::PageColumns(const Parts& parts, QWidget* parent)
     }
     grid_->addWidget(results_, 1, 2);
     grid_->setRowStretch(1, 1);
-    grid_->setColumnStretch(1, parts_.plots != nullptr ? parts_.plotShare : 0);
+    grid_->setColumnStretch(1, parts_.plots != nullptr ? plotShare : 0);
     grid_->setColumnStretch(2, parts_.resultShare);
     results_->setObjectName(QStringLiteral("results"));
     results_->setMaximumWidth(resultsMax_);
@@ -135,7 +136,7 @@ void PageColumns::foldInputs(bool alone) {
     }
     grid_->setColumnStretch(0, alone ? 1 : 0);
     if (parts_.plots != nullptr) {
-        foldPart(parts_.plots, tr("Plots"), 1, alone ? 0 : parts_.plotShare);
+        foldPart(parts_.plots, tr("Plots"), 1, alone ? 0 : plotShare);
     }
 }
 
