@@ -20,11 +20,6 @@ FigureMenu::FigureMenu(QWidget* figure, QString file, Draw draw)
     figure->installEventFilter(this);
 }
 
-void FigureMenu::setFirst(const QString& text, std::function<void()> act) {
-    firstText_ = text;
-    first_ = std::move(act);
-}
-
 bool FigureMenu::isEmpty() const {
     return data_ && data_(CsvFormat()).isEmpty();
 }
@@ -50,8 +45,8 @@ void FigureMenu::copyPicture() const {
 
 void FigureMenu::open(const QPoint& at) {
     QMenu menu(figure_);
-    if (first_) {
-        menu.addAction(firstText_, this, first_);
+    menu.addActions(figure_->actions());
+    if (!menu.isEmpty()) {
         menu.addSeparator();
     }
     if (data_) {

@@ -14,7 +14,8 @@ namespace ravnoves {
 struct CsvFormat;
 
 /// What one takes along from a figure, as its context menu (right click, Menu key, Shift+F10): its
-/// picture as a file or on the clipboard, and the numbers that it shows, where there are any.
+/// picture as a file or on the clipboard, and the numbers that it shows, where there are any;
+/// before them the figure's own actions.
 class FigureMenu : public QObject {
     Q_OBJECT
 
@@ -28,8 +29,6 @@ class FigureMenu : public QObject {
     FigureMenu(QWidget* figure, QString file, Draw draw);
 
     void setData(Data data) { data_ = std::move(data); }
-    /// An entry before the others.
-    void setFirst(const QString& text, std::function<void()> act);
     /// Shows on the screen where the focus is, for a figure that does not itself.
     void setFramed() { isFramed_ = true; }
 
@@ -51,8 +50,6 @@ class FigureMenu : public QObject {
     QString file_;
     Draw draw_;
     Data data_;
-    QString firstText_;
-    std::function<void()> first_;
     bool isFramed_ = false;
 };
 

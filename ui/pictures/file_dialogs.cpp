@@ -14,13 +14,14 @@
 
 namespace ravnoves {
 
+/// Its words.
+struct FileDialogs {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::FileDialogs)
+};
+
 namespace {
 
 const QString folderKey = QStringLiteral("files/folder");
-
-QString words(const char* text) {
-    return QCoreApplication::translate("ravnoves::FileDialogs", text);
-}
 
 QString filterOf(const FileFormat& format) {
     return QStringLiteral("%1 (*.%2)").arg(format.name, format.suffix);
@@ -89,12 +90,10 @@ QString askSavePath(QWidget* parent, const QString& title, const QString& sugges
         QString path =
             completedPath(typed, formats, std::max<qsizetype>(filters.indexOf(filter), 0));
         if (path.isEmpty()) {
-            QMessageBox::warning(
-                parent, title,
-                words(QT_TRANSLATE_NOOP("ravnoves::FileDialogs",
-                                        "“%1” cannot be written as .%2. Possible: %3."))
-                    .arg(QFileInfo(typed).fileName(), QFileInfo(typed).suffix(),
-                         suffixes.join(QLatin1String(", "))));
+            QMessageBox::warning(parent, title,
+                                 FileDialogs::tr("“%1” cannot be written as .%2. Possible: %3.")
+                                     .arg(QFileInfo(typed).fileName(), QFileInfo(typed).suffix(),
+                                          suffixes.join(QLatin1String(", "))));
             continue;
         }
         // A case that is saved takes the place of a case.
@@ -106,12 +105,10 @@ QString askSavePath(QWidget* parent, const QString& title, const QString& sugges
         }
         const bool replaces = QFileInfo::exists(path);
         if (replaces &&
-            QMessageBox::question(parent, title,
-                                  words(QT_TRANSLATE_NOOP("ravnoves::FileDialogs",
-                                                          "“%1” already exists. Replace it?"))
-                                      .arg(QFileInfo(path).fileName()),
-                                  QMessageBox::Yes | QMessageBox::No,
-                                  QMessageBox::No) != QMessageBox::Yes) {
+            QMessageBox::question(
+                parent, title,
+                FileDialogs::tr("“%1” already exists. Replace it?").arg(QFileInfo(path).fileName()),
+                QMessageBox::Yes | QMessageBox::No, QMessageBox::No) != QMessageBox::Yes) {
             continue;
         }
         QSettings().setValue(folderKey, QFileInfo(path).absolutePath());
@@ -138,28 +135,25 @@ QString askOpenPath(QWidget* parent, const QString& title, const QString& folder
 }
 
 QString tablesFilter() {
-    return words(
-        QT_TRANSLATE_NOOP("ravnoves::FileDialogs", "Tables (*.csv *.txt *.tsv);;All files (*)"));
+    return FileDialogs::tr("Tables (*.csv *.txt *.tsv);;All files (*)");
 }
 
 FileFormat csvFormat() {
-    return {QStringLiteral("csv"), words(QT_TRANSLATE_NOOP("ravnoves::FileDialogs", "Table, CSV"))};
+    return {QStringLiteral("csv"), FileDialogs::tr("Table, CSV")};
 }
 
 FileFormat dxfFormat() {
-    return {QStringLiteral("dxf"),
-            words(QT_TRANSLATE_NOOP("ravnoves::FileDialogs", "Drawing, DXF"))};
+    return {QStringLiteral("dxf"), FileDialogs::tr("Drawing, DXF")};
 }
 
 FileFormat pdfFormat() {
-    return {QStringLiteral("pdf"), words(QT_TRANSLATE_NOOP("ravnoves::FileDialogs", "PDF"))};
+    return {QStringLiteral("pdf"), FileDialogs::tr("PDF")};
 }
 
 QList<FileFormat> pictureFormats() {
-    return {
-        {QStringLiteral("png"), words(QT_TRANSLATE_NOOP("ravnoves::FileDialogs", "Picture, PNG"))},
-        {QStringLiteral("svg"), words(QT_TRANSLATE_NOOP("ravnoves::FileDialogs", "Drawing, SVG"))},
-        pdfFormat()};
+    return {{QStringLiteral("png"), FileDialogs::tr("Picture, PNG")},
+            {QStringLiteral("svg"), FileDialogs::tr("Drawing, SVG")},
+            pdfFormat()};
 }
 
 }  // namespace ravnoves

@@ -20,14 +20,15 @@
 
 namespace ravnoves {
 
+/// Its words.
+struct PictureFile {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::PictureFile)
+};
+
 namespace {
 
 constexpr double screenDots = 96.0;  ///< to the inch
 constexpr double printDots = 300.0;
-
-QString say(const char* text) {
-    return QCoreApplication::translate("ravnoves::PictureFile", text);
-}
 
 bool endsIn(const QString& path, const char* suffix) {
     return path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive);
@@ -85,13 +86,10 @@ QString writePicture(const QString& path, const QSize& size, const QString& titl
     } else if (endsIn(path, ".png")) {
         isDrawn = drawPng(whole, size, draw);
     } else {
-        return say(QT_TRANSLATE_NOOP("ravnoves::PictureFile",
-                                     "%1: a picture is written as .png, .svg or .pdf."))
-            .arg(path);
+        return PictureFile::tr("%1: a picture is written as .png, .svg or .pdf.").arg(path);
     }
-    return isDrawn
-               ? writeFile(path, [&] { return whole.data().toStdString(); })
-               : say(QT_TRANSLATE_NOOP("ravnoves::PictureFile", "%1 cannot be written.")).arg(path);
+    return isDrawn ? writeFile(path, [&] { return whole.data().toStdString(); })
+                   : PictureFile::tr("%1 cannot be written.").arg(path);
 }
 
 void savePictureWithDialog(QWidget* parent, const QString& title, const QString& name,
@@ -105,9 +103,7 @@ void savePictureWithDialog(QWidget* parent, const QString& title, const QString&
         if (auto* window = qobject_cast<QMainWindow*>(each)) {
             constexpr int readFor = 5000;  // ms
             window->statusBar()->showMessage(
-                say(QT_TRANSLATE_NOOP("ravnoves::PictureFile", "Written: %1"))
-                    .arg(QFileInfo(path).fileName()),
-                readFor);
+                PictureFile::tr("Written: %1").arg(QFileInfo(path).fileName()), readFor);
             break;
         }
     }

@@ -47,11 +47,11 @@ PlotView::PlotView(QWidget* parent)
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);  // nothing behind it is painted first
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    menu_ = new FigureMenu(
+    auto* menu = new FigureMenu(
         this, QStringLiteral("plot"),
         [this](QPainter& painter, const QRectF& target) { renderTo(painter, target); });
-    menu_->setData([this](const CsvFormat& format) { return csv(format); });
-    menu_->setFirst(tr("Reset zoom"), [this] { resetZoom(); });
+    menu->setData([this](const CsvFormat& format) { return csv(format); });
+    addAction(tr("Reset zoom"), this, &PlotView::resetZoom);
     connect(&Theme::instance(), &Theme::changed, this, &PlotView::chartChanged);
     setPickable(false);
 }

@@ -8,7 +8,6 @@
 
 namespace ravnoves {
 
-class FigureMenu;
 class LegendItem;
 class PlotPainter;
 struct CsvFormat;
@@ -177,7 +176,6 @@ class PlotView : public QWidget {
     PlotData data_;
     std::unique_ptr<PlotData> referenceData_;  ///< of the figure's reference
     std::unique_ptr<PlotPainter> painter_;
-    FigureMenu* menu_;
     std::vector<LegendItem*> legend_;  ///< one for each curve, or null
     LegendItem* referenceItem_ = nullptr;
     LegendItem* spreadItem_ = nullptr;

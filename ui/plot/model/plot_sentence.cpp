@@ -8,15 +8,16 @@
 
 namespace ravnoves {
 
+/// Its words.
+struct PlotSentence {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::PlotSentence)
+};
+
 using plot::Shape;
 
 namespace {
 
 constexpr std::size_t maxCurves = 8;  ///< of a longer list nobody keeps the first in mind
-
-QString said(const char* text) {
-    return QCoreApplication::translate("ravnoves::PlotSentence", text);
-}
 
 /// Numbers of one axis with their unit.
 struct Spoken {
@@ -46,29 +47,24 @@ QString curveSentence(const PlotData& data, const PlotCurve& curve) {
     };
     const bool hasPoints = curve.style.shape == Shape::Points || curve.style.shape == Shape::Rings;
     if (curve.y.size() == 1) {
-        return said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "%1 at %2"))
-            .arg(y.withUnit(*minimum), x.withUnit(curve.x.front()));
+        return PlotSentence::tr("%1 at %2").arg(y.withUnit(*minimum), x.withUnit(curve.x.front()));
     }
     if (y.number(*minimum) == y.number(*maximum)) {
-        return said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "constant, %1"))
-            .arg(y.withUnit(*minimum));
+        return PlotSentence::tr("constant, %1").arg(y.withUnit(*minimum));
     }
     if (!curve.ascending) {
         const auto [first, last] = std::minmax_element(curve.x.begin(), curve.x.end());
-        return said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence",
-                                      "across from %1 to %2, up from %3 to %4"))
+        return PlotSentence::tr("across from %1 to %2, up from %3 to %4")
             .arg(x.number(*first), x.withUnit(*last), y.number(*minimum), y.withUnit(*maximum));
     }
     const bool rises = std::is_sorted(curve.y.begin(), curve.y.end());
     if (!hasPoints && (rises || std::is_sorted(curve.y.rbegin(), curve.y.rend()))) {
-        return (rises ? said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence",
-                                               "rises from %1 at %2 to %3 at %4"))
-                      : said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence",
-                                               "falls from %1 at %2 to %3 at %4")))
+        return (rises ? PlotSentence::tr("rises from %1 at %2 to %3 at %4")
+                      : PlotSentence::tr("falls from %1 at %2 to %3 at %4"))
             .arg(y.number(curve.y.front()), x.withUnit(curve.x.front()), y.withUnit(curve.y.back()),
                  x.withUnit(curve.x.back()));
     }
-    return said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "from %1 at %2 to %3 at %4"))
+    return PlotSentence::tr("from %1 at %2 to %3 at %4")
         .arg(y.number(*minimum), x.withUnit(at(minimum)), y.withUnit(*maximum),
              x.withUnit(at(maximum)));
 }
@@ -78,7 +74,7 @@ QString curveSentence(const PlotData& data, const PlotCurve& curve) {
 QString plotSentence(const PlotData& data) {
     const Spoken x{data.x, data.locale};
     const QString axis = nameOf(data.x);
-    QString sentence = said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "Over %1 from %2 to %3."))
+    QString sentence = PlotSentence::tr("Over %1 from %2 to %3.")
                            .arg(axis.isEmpty() ? QStringLiteral("x") : axis, x.number(data.x.low),
                                 x.withUnit(data.x.high));
     QStringList curves;
@@ -99,19 +95,15 @@ QString plotSentence(const PlotData& data) {
                       curveSentence(data, curve);
     }
     if (data.curves.empty() || (curves.isEmpty() && data.image.isNull())) {
-        return sentence + QLatin1Char(' ') +
-               said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "No data."));
+        return sentence + QLatin1Char(' ') + PlotSentence::tr("No data.");
     }
     if (!curves.isEmpty()) {
         sentence += QLatin1Char(' ') + curves.join(QStringLiteral("; "));
-        sentence +=
-            left > 0 ? said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "; and %1 more.")).arg(left)
-                     : QStringLiteral(".");
+        sentence += left > 0 ? PlotSentence::tr("; and %1 more.").arg(left) : QStringLiteral(".");
     }
     if (data.spreadShown && data.hasSpread()) {
         sentence +=
-            QLatin1Char(' ') + said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence",
-                                                      "With bands: 5…95 % due to the tolerances."));
+            QLatin1Char(' ') + PlotSentence::tr("With bands: 5…95 % due to the tolerances.");
     }
     QStringList marks;
     for (const plot::Mark& mark : data.marks) {
@@ -121,14 +113,12 @@ QString plotSentence(const PlotData& data) {
         }
     }
     if (!marks.isEmpty()) {
-        sentence +=
-            QLatin1Char(' ') + said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "Marked: %1."))
-                                   .arg(marks.join(QStringLiteral("; ")));
+        sentence += QLatin1Char(' ') +
+                    PlotSentence::tr("Marked: %1.").arg(marks.join(QStringLiteral("; ")));
     }
     if (data.presentX) {
         sentence +=
-            QLatin1Char(' ') + said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "Now at %1."))
-                                   .arg(x.withUnit(*data.presentX));
+            QLatin1Char(' ') + PlotSentence::tr("Now at %1.").arg(x.withUnit(*data.presentX));
     }
     return sentence;
 }
