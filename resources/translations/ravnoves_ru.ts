@@ -14504,18 +14504,6 @@ but no position is feasible</source>
         <translation>Программа завершилась неожиданно. Эти задачи не были сохранены:</translation>
     </message>
     <message>
-        <source>Case</source>
-        <translation>Задача</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Файл</translation>
-    </message>
-    <message>
-        <source>Backup</source>
-        <translation>Копия</translation>
-    </message>
-    <message>
         <source>no file yet</source>
         <translation>ещё без файла</translation>
     </message>
@@ -14548,8 +14536,8 @@ but no position is feasible</source>
         <translation>&amp;Удалить</translation>
     </message>
     <message>
-        <source>Delete the ticked cases permanently? Cases that will be deleted: %1.</source>
-        <translation>Удалить отмеченные задачи навсегда? Будет удалено: %1.</translation>
+        <source>Delete these cases permanently? Cases that will be deleted: %1.</source>
+        <translation>Удалить эти задачи навсегда? Будет удалено: %1.</translation>
     </message>
 </context>
 <context>

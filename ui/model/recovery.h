@@ -71,7 +71,7 @@ class Recovery : public QObject {
     /// more than `maximum` the older ones stay for a next time.
     Found leftBehind();
     /// It was restored and is kept again, or was discarded.
-    void discard(const RecoveredCase& recovered) { QFile::remove(recovered.file); }
+    static void discard(const RecoveredCase& recovered) { QFile::remove(recovered.file); }
 
   Q_SIGNALS:
     /// A case cannot be kept, and why; said once.

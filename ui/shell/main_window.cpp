@@ -18,6 +18,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <algorithm>
+#include <functional>
 
 #include "model/recovery.h"
 #include "page/rejected_entries.h"
@@ -265,20 +266,8 @@ void MainWindow::beginSession() {
 }
 
 void MainWindow::offerRecovered() {
-    const Recovery::Found found = recovery_->leftBehind();
-    if (found.cases.isEmpty() && found.damaged.isEmpty() && found.newer.isEmpty()) {
-        return;
-    }
-    auto* dialog = new RecoveryDialog(found, this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &RecoveryDialog::restored, this, [this](const RecoveredCase& recovered) {
-        if (documents_->restore(recovered)) {
-            recovery_->discard(recovered);
-        }
-    });
-    connect(dialog, &RecoveryDialog::discarded, this,
-            [this](const RecoveredCase& recovered) { recovery_->discard(recovered); });
-    dialog->open();
+    ravnoves::offerRecovered(this, recovery_->leftBehind(),
+                             std::bind_front(&Documents::restore, documents_));
 }
 
 void MainWindow::showCurrent() {

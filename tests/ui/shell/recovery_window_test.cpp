@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QDir>
 #include <QFile>
@@ -11,7 +12,6 @@
 #include <QTabBar>
 #include <QTableView>
 #include <QTemporaryDir>
-#include <QTreeWidget>
 #include <memory>
 
 #include "case-file/json.h"
@@ -22,7 +22,6 @@
 #include "page/scene_page.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
-#include "shell/recovery_dialog.h"
 #include "shell/screenshot.h"
 
 namespace ravnoves {
@@ -58,22 +57,34 @@ class NothingIsLost : public ::testing::Test {
     }
     void set(const QString& pair) { ASSERT_EQ(applySetting(*window, pair), QString()); }
     SceneModel& model() { return *window->currentPage()->model(); }
-    RecoveryDialog* offered() {
+    QMessageBox* offered() {
         window->offerRecovered();
         QApplication::processEvents();
-        return window->findChild<RecoveryDialog*>(u"recovery"_s);
+        return window->findChild<QMessageBox*>(u"recovery"_s);
+    }
+    /// Presses a button of what is offered, by its text.
+    void choose(const QString& text) {
+        auto* box = window->findChild<QMessageBox*>(u"recovery"_s);
+        ASSERT_NE(box, nullptr);
+        for (QAbstractButton* button : box->buttons()) {
+            if (button->text().remove(u'&') == text) {
+                QTest::mouseClick(button, Qt::LeftButton);
+            }
+        }
+        QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QApplication::processEvents();
     }
     static void click(const QWidget& parent, const char* name) {
         QTest::mouseClick(test::named<QPushButton>(parent, name), Qt::LeftButton);
         QApplication::processEvents();
     }
     /// What is offered when the window begins again after a crash.
-    RecoveryDialog* afterACrash() {
+    QString afterACrash() {
         crash();
         start();
-        RecoveryDialog* dialog = offered();
-        EXPECT_NE(dialog, nullptr);
-        return dialog;
+        const QMessageBox* box = offered();
+        EXPECT_NE(box, nullptr);
+        return box != nullptr ? box->text() : QString();
     }
     void openAndChange() {
         ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
@@ -122,14 +133,12 @@ TEST_F(NothingIsLost, ACrashLeavesEveryUnsavedCase) {
     start();
     EXPECT_EQ(tabs().size(), 1);
     window->showStart();
-    RecoveryDialog* dialog = offered();
-    ASSERT_NE(dialog, nullptr);
-    const auto* list = test::named<QTreeWidget>(*dialog, "recovered");
-    ASSERT_EQ(list->topLevelItemCount(), 2) << "what was not changed is no loss";
-    QStringList files{list->topLevelItem(0)->text(1), list->topLevelItem(1)->text(1)};
-    EXPECT_TRUE(files.contains(file("tmz-650d")));
-    EXPECT_TRUE(files.contains(u"no file yet"_s));
-    click(*dialog, "recovery_restore");
+    const QMessageBox* box = offered();
+    ASSERT_NE(box, nullptr);
+    EXPECT_EQ(box->text().count(u'•'), 2) << "what was not changed is no loss";
+    EXPECT_TRUE(box->text().contains(file("tmz-650d")));
+    EXPECT_TRUE(box->text().contains(u"no file yet"_s));
+    choose(u"Restore"_s);
     EXPECT_FALSE(window->isAtStart()) << "what is restored stands before it";
     EXPECT_EQ(tabs(), (QStringList{before[0], before[2]}));
     EXPECT_TRUE(window->showScene(u"elastic-hinge"_s));
@@ -162,7 +171,7 @@ TEST_F(NothingIsLost, ACopyWhoseTableIsMissingStays) {
     start();
     ASSERT_NE(offered(), nullptr);
     press(u"Cancel"_s);
-    click(*window->findChild<RecoveryDialog*>(), "recovery_restore");
+    choose(u"Restore"_s);
     EXPECT_TRUE(asked.contains(u"torque.csv"_s)) << asked.toStdString();
     EXPECT_EQ(QDir(Recovery::defaultFolder()).entryList({u"*.json"_s}).size(), 1)
         << "the copy stays";
@@ -170,21 +179,20 @@ TEST_F(NothingIsLost, ACopyWhoseTableIsMissingStays) {
 
 TEST_F(NothingIsLost, WhatIsThrownAwayIsGoneAndLaterIsLater) {
     openAndChange();
-    click(*afterACrash(), "recovery_later");
+    afterACrash();
+    choose(u"Later"_s);
     window->close();
     window.reset();
     start();
     ASSERT_NE(offered(), nullptr) << "it was to be later";
-    const QString name = test::named<QTreeWidget>(*window, "recovered")->topLevelItem(0)->text(0);
     test::whenModal<QMessageBox>(window.get(), [&](QMessageBox* box) {
-        EXPECT_TRUE(box->text().endsWith(u": 1.\n\n"_s + name)) << box->text().toStdString();
+        EXPECT_TRUE(box->text().endsWith(u": 1."_s)) << box->text().toStdString();
         QTest::keyClick(box, Qt::Key_Return);
     });
-    click(*window->findChild<RecoveryDialog*>(), "recovery_throw_away");
-    EXPECT_EQ(test::named<QTreeWidget>(*window, "recovered")->topLevelItemCount(), 1)
-        << "Enter is no yes";
+    choose(u"Discard"_s);
+    ASSERT_NE(window->findChild<QMessageBox*>(u"recovery"_s), nullptr) << "Enter is no yes";
     press(u"Yes"_s);
-    click(*window->findChild<RecoveryDialog*>(), "recovery_throw_away");
+    choose(u"Discard"_s);
     window.reset();
     start();
     EXPECT_EQ(offered(), nullptr);
@@ -205,10 +213,9 @@ TEST_F(NothingIsLost, TheJobOfTheWorkshopComesBackOnce) {
     QTest::qWait(100);
     set(u"job/engine_number=A-77"_s);
     set(u"job/customer=Smith"_s);
-    RecoveryDialog* dialog = afterACrash();
-    const QString said = test::named<QTreeWidget>(*dialog, "recovered")->topLevelItem(0)->text(0);
-    EXPECT_TRUE(said.endsWith(u"A-77, Smith"_s)) << said.toStdString();
-    click(*dialog, "recovery_restore");
+    const QString said = afterACrash();
+    EXPECT_TRUE(said.contains(u"A-77, Smith ("_s)) << said.toStdString();
+    choose(u"Restore"_s);
     EXPECT_EQ(window->currentScene(), u"workshop"_s);
     EXPECT_EQ(model().inputJson().at("job").at("engine_number"), "A-77");
     EXPECT_TRUE(window->isWindowModified());
@@ -223,7 +230,8 @@ TEST_F(NothingIsLost, AJobOfTheWorkshopComesBackWithItsFile) {
     ASSERT_EQ(window->openCase(path), QString());
     QTest::qWait(100);
     set(u"job/engine_number=A-78"_s);
-    click(*afterACrash(), "recovery_restore");
+    afterACrash();
+    choose(u"Restore"_s);
     EXPECT_EQ(model().inputJson().at("job").at("engine_number"), "A-78");
     EXPECT_EQ(window->documents().current().document->path(), path);
     EXPECT_TRUE(window->isWindowModified());
@@ -237,13 +245,10 @@ TEST_F(NothingIsLost, ADamagedCopyIsSaid) {
         QFile::resize(kept.filePath(name), 100);
     }
     start();
-    RecoveryDialog* dialog = offered();
-    ASSERT_NE(dialog, nullptr);
-    const auto labels = dialog->findChildren<QLabel*>();
-    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-        return label->text().contains(u"damaged"_s);
-    }));
-    click(*dialog, "recovery_later");
+    const QMessageBox* box = offered();
+    ASSERT_NE(box, nullptr);
+    EXPECT_TRUE(box->text().contains(u"damaged"_s));
+    choose(u"Close"_s);
 }
 
 // ------------------------------------------------------------------------------- other programs
