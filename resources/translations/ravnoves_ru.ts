@@ -13706,6 +13706,14 @@ but no position is feasible</source>
         <source>Unchanged: %1.</source>
         <translation>Не изменены: %1.</translation>
     </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Отменено: %1</translation>
+    </message>
+    <message>
+        <source>Redone: %1</source>
+        <translation>Повторено: %1</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::MechanismView</name>

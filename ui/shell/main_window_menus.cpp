@@ -20,7 +20,6 @@
 #include "page/scene_page.h"
 #include "scenes/shared_engine.h"
 #include "shell/case_properties.h"
-#include "shell/changed_field.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shell/new_cases.h"
@@ -202,11 +201,18 @@ void MainWindow::buildMenus() {
     add(file, {}, tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { this->close(); });
 
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    undo_ = add(edit, QStringLiteral("undo"), tr("&Undo"), QKeySequence::Undo, [this] {
-        showWhatChanges(*currentPage(), [](SceneModel& model) { model.undo(); });
+    // The step is said: its field may be behind another tab.
+    const auto step = [this](const QString& said, const QString& name, void (SceneModel::*make)()) {
+        (currentPage()->model()->*make)();
+        say(name.isEmpty() ? name : said.arg(name));
+    };
+    undo_ = add(edit, QStringLiteral("undo"), tr("&Undo"), QKeySequence::Undo, [this, step] {
+        const SceneModel& model = *currentPage()->model();
+        step(tr("Undone: %1"), model.hasRejected() ? QString() : model.history()->undoText(),
+             &SceneModel::undo);
     });
-    redo_ = add(edit, QStringLiteral("redo"), tr("&Redo"), {}, [this] {
-        showWhatChanges(*currentPage(), [](SceneModel& model) { model.redo(); });
+    redo_ = add(edit, QStringLiteral("redo"), tr("&Redo"), {}, [this, step] {
+        step(tr("Redone: %1"), currentPage()->model()->history()->redoText(), &SceneModel::redo);
     });
     redo_->setShortcuts(
         {QKeySequence(Qt::CTRL | Qt::Key_Y), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z)});
