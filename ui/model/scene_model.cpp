@@ -6,7 +6,6 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/default_inputs.h"
-#include "model/input_command.h"
 #include "model/reference_case.h"
 #include "numerics/demand.h"
 #include "text/field_names.h"
@@ -53,26 +52,17 @@ void SceneModel::endEditing(bool isRejected) {
     }
 }
 
-namespace {
-
-const NumberedStep* lastStep(const QUndoStack& history) {
-    return history.canUndo()
-               ? dynamic_cast<const NumberedStep*>(history.command(history.index() - 1))
-               : nullptr;
-}
-
-}  // namespace
-
 bool SceneModel::isTyped() const {
-    const NumberedStep* last = lastStep(history_);
-    return editing_ && last != nullptr && last->number() == step_;
+    return editing_ && history_.canUndo() && history_.command(history_.index() - 1)->id() == step_;
 }
 
 bool SceneModel::takeBack() {
     if (!isTyped()) {
         return false;
     }
-    const_cast<NumberedStep*>(lastStep(history_))->dropWithUndo();
+    auto* typed = const_cast<QUndoCommand*>(history_.command(history_.index() - 1));
+    typed->undo();
+    typed->setObsolete(true);  // the history drops it
     history_.undo();
     return true;
 }
